@@ -1,0 +1,30 @@
+#pragma once
+// A finding about the model. check/ and lock/ produce them; the frontend, which still has the source,
+// prints them in clang's form with caret and help.
+
+#include <string>
+#include <vector>
+
+#include "compiler/model/type.h"
+
+namespace suture::compiler::model {
+
+struct Note {
+  Source source;
+  std::string text;
+};
+
+struct Diagnostic {
+  enum class Severity { Error, Warning };
+
+  Source source;
+  std::string slug;     ///< "pointer-field": printed as [suture-pointer-field]
+  std::string message;  ///< what was found: "field 'p' has pointer type 'int *'; ownership is unknown"
+  std::string help;     ///< what to do; printed as a note
+  std::vector<Note> notes;
+  Severity severity = Severity::Error;
+};
+
+using Diagnostics = std::vector<Diagnostic>;
+
+}  // namespace suture::compiler::model

@@ -1,0 +1,140 @@
+#pragma once
+// What one set of annotated headers declares, as plain values. The frontend fills it from clang's tree,
+// check/ and lock/ judge it, emit/ writes it out. Nothing here knows clang.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compiler/model/type.h"
+
+namespace suture::compiler::model {
+
+/// What may be said of any declaration.
+struct Documentation {
+  std::string text;  ///< the doc comment, markers stripped, lines joined with '\n'
+};
+
+struct Field {
+  std::string name;  ///< C++ name
+  std::string wireName;
+  Type type;
+  std::string unit;  ///< "" = none said
+  std::optional<std::pair<double, double>> range;
+  std::optional<std::string> was;
+  /// The initialiser as JSON where it is a constant of a scalar, enum or string; empty = zero.
+  std::string defaultJson;
+  Documentation doc;
+  Source source;
+};
+
+struct Enumerator {
+  std::string name;
+  std::string wireName;
+  std::int64_t value = 0;
+  Documentation doc;
+  Source source;
+};
+
+struct Enum {
+  std::string name;  ///< fully qualified: "robots::ArmState"
+  std::string wireName;
+  Scalar underlying = Scalar::Int32;
+  std::vector<Enumerator> enumerators;
+  Documentation doc;
+  Source source;
+};
+
+struct Struct {
+  std::string name;  ///< fully qualified
+  std::string wireName;
+  std::vector<Field> fields;
+  Documentation doc;
+  Source source;
+};
+
+struct Parameter {
+  std::string name;
+  std::string wireName;
+  Type type;
+  bool byReference = true;  ///< const T&, else by value
+  Source source;
+};
+
+enum class CommandKind { Void, Write, Read, QualifiedRead };
+
+struct Command {
+  std::string name;      ///< C++ name, also the name in descriptions: "servo_cp"
+  std::string wireName;  ///< capnp's: "servoCp"
+  CommandKind kind = CommandKind::Void;
+  std::vector<Parameter> parameters;
+  std::optional<Type> result;
+  bool resultByReference = false;
+  unsigned queue = 16;
+  bool latest = false;
+  std::optional<std::int64_t> ttlNanoseconds;
+  std::optional<std::string> was;
+  Documentation doc;
+  Source source;
+};
+
+struct Event {
+  std::string member;    ///< C++ member: "operating_state_event"
+  std::string name;      ///< name in descriptions and in emit()/on(): "operating_state"
+  std::string wireName;  ///< capnp's: "operatingState"
+  std::vector<Type> payload;  ///< none: a void event; one: a write event
+  unsigned queue = 16;
+  bool latest = false;
+  bool latched = false;
+  std::optional<std::string> was;
+  Documentation doc;
+  Source source;
+};
+
+struct Interface {
+  std::string name;  ///< fully qualified
+  std::string wireName;
+  std::vector<Command> commands;
+  std::vector<Event> events;
+  Documentation doc;
+  Source source;
+};
+
+/// A Provided<I> or Required<I> member of a component.
+struct Port {
+  std::string member;
+  std::string interface;  ///< fully qualified
+  bool provided = false;
+  Source source;
+};
+
+enum class ComponentBase { Device, Task };
+
+struct Component {
+  std::string name;  ///< fully qualified
+  ComponentBase base = ComponentBase::Task;
+  std::optional<std::string> parameters;  ///< fully qualified struct that the constructor takes
+  std::vector<Port> ports;
+  Documentation doc;
+  Source source;
+};
+
+/// Everything one header declares, in the order of its text.
+struct Header {
+  std::string path;       ///< "arm/arm.h": as included, and the stem of every artefact
+  std::string cxxNamespace;  ///< enclosing namespace of its declarations: "robots::arm"
+  bool own = true;        ///< false: another target's; read for its declarations, nothing is emitted
+  std::vector<std::string> imports;  ///< paths of the annotated headers whose types it uses, sorted
+  std::vector<Enum> enums;
+  std::vector<Struct> structs;
+  std::vector<Interface> interfaces;
+  std::vector<Component> components;
+};
+
+struct Model {
+  std::vector<Header> headers;  ///< own and foreign, sorted by path
+};
+
+}  // namespace suture::compiler::model

@@ -1,0 +1,54 @@
+#pragma once
+// The wire view of a C++ type: what the frontend understood and every later stage works on.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace suture::compiler::model {
+
+/// Where something was declared. `handle` is opaque to all but the frontend, which turns it back into
+/// a clang location to draw the caret; `file` and `line` serve the artefacts.
+struct Source {
+  std::uint32_t handle = 0;
+  std::string file;  ///< as the target's include path spells it: "arm/arm.h"
+  unsigned line = 0;
+};
+
+enum class Scalar {
+  Bool, Int8, Int16, Int32, Int64, UInt8, UInt16, UInt32, UInt64, Float32, Float64
+};
+
+enum class Clock { Steady, System };
+
+/// A closed set of shapes. Which members below `shape` count is told beside each.
+struct Type {
+  enum class Shape {
+    Scalar,      ///< scalar
+    Enum,        ///< name, of a model::Enum
+    Struct,      ///< name, of a model::Struct
+    Text,        ///< capacity
+    Array,       ///< element, rows = length: std::array
+    List,        ///< element, capacity: std::vector
+    Matrix,      ///< scalar, rows, columns: a fixed Eigen matrix or vector, column-major
+    Quaternion,  ///< scalar; order w, x, y, z on the wire
+    Isometry,    ///< Eigen::Isometry3d: rotation 3x3 and translation 3
+    Duration,    ///< scalar (rep), period: a chrono duration; Int64 ns on the wire
+    TimePoint,   ///< clock: Int64 ns on the wire
+  };
+
+  Shape shape = Shape::Scalar;
+  Scalar scalar = Scalar::Float64;
+  std::string name;  ///< fully qualified C++ name, for Enum and Struct
+  unsigned rows = 0, columns = 0;
+  std::optional<unsigned> capacity;  ///< bound of this level; absent = unbounded
+  std::vector<Type> element;         ///< none or one: the element type of Array and List
+  std::int64_t periodNumerator = 1, periodDenominator = 1;
+  Clock clock = Clock::Steady;
+  std::string spelling;  ///< how generated C++ writes the type: "std::vector<double>"
+
+  bool operator==(const Type&) const = default;
+};
+
+}  // namespace suture::compiler::model
