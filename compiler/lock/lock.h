@@ -1,0 +1,95 @@
+#pragma once
+// The lock: one committed Cap'n Proto schema for each annotated header. It is the wire contract itself,
+// so ordinals and ids live in it and a header is judged against it. A build reads and checks; only
+// `suturec --update-lock` writes.
+//
+// The driver's use:
+//   Locks locks = read(texts of the files lockPath() names, those that exist, diagnostics);
+//   build:          append check(model, locks); write nothing on errors; emit(model, locks).
+//   --update-lock:  Update u = update(model, locks, options); on no errors write u.files, then check.
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/model/artefact.h"
+#include "compiler/model/diagnostic.h"
+#include "compiler/model/model.h"
+
+namespace suture::compiler::lock {
+
+/// Something that has an ordinal: a field, an enumerator, a method.
+struct Member {
+  std::string name;  ///< on the wire
+  unsigned ordinal = 0;
+  /// A field's "Int64"; a method's "(goal :PoseStamped, sent :Rpc.Sent) -> ()"; an enumerator's "".
+  std::string type;
+  std::string defaultValue;  ///< a field's, as capnp spells it; "" = zero
+  /// Annotation name without "Meta." to its argument as written: {"unit", "\"m\""}.
+  std::map<std::string, std::string> annotations;
+  bool removed = false;  ///< a placeholder: keeps the ordinal of what was removed
+  unsigned line = 0;     ///< in the lock file
+};
+
+/// A struct, an enum or an interface.
+struct Node {
+  enum class Kind { Struct, Enum, Interface };
+
+  Kind kind = Kind::Struct;
+  std::string name;  ///< on the wire
+  std::uint64_t id = 0;
+  std::map<std::string, std::string> annotations;
+  std::vector<Member> members;  ///< in the order of the file, which is that of the ordinals
+  unsigned line = 0;
+};
+
+/// One lock file.
+struct Lock {
+  std::string path;  ///< relative to the lock folder: "arm/arm.capnp"
+  std::string text;
+  std::uint64_t id = 0;
+  std::vector<Node> nodes;
+};
+
+/// Every lock that exists, by path.
+struct Locks {
+  std::map<std::string, Lock> files;
+};
+
+struct Options {
+  /// Who owns the wire names; goes into the ids of new types. Changing it changes no existing id.
+  std::string project = "suture";
+  /// Where the lock folder is seen from the user, as it shall stand in messages: "schemas".
+  std::string folder = "schemas";
+  /// What the user has to run to write the lock: "cmake --build build --target update-lock".
+  std::string command = "suturec --update-lock";
+};
+
+struct Update {
+  std::vector<model::Artefact> files;  ///< whole new texts, only those that differ from the old
+  model::Diagnostics diagnostics;      ///< breaking edits, which an update refuses as well
+};
+
+/// "arm/arm.h" -> "arm/arm.capnp".
+std::string lockPath(std::string_view headerPath);
+
+/// Does the header declare anything that goes over a wire (a type or an interface)? Only then it has a lock.
+bool needsLock(const model::Header& header);
+
+/// Parses lock files (path and text each). What does not parse is reported with the lock's own line and
+/// left out, so that check and update must not be called after an error.
+Locks read(const std::vector<model::Artefact>& texts, model::Diagnostics& diagnostics,
+           const Options& options = {});
+
+/// Judges own headers against their locks: a break is an error naming field and lock line; a new thing
+/// that the lock does not know is an error naming the command; a lock that is merely out of date in what
+/// does not touch the wire (queue depth, range...) is a warning.
+model::Diagnostics check(const model::Model& model, const Locks& locks, const Options& options = {});
+
+/// The lock files as they should be: new things appended, removed ones kept as placeholders.
+Update update(const model::Model& model, const Locks& locks, const Options& options = {});
+
+}  // namespace suture::compiler::lock
