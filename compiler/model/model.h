@@ -60,8 +60,13 @@ struct Parameter {
   std::string wireName;
   Type type;
   bool byReference = true;  ///< const T&, else by value
+  std::string unit;         ///< "" = none said
+  std::optional<std::pair<double, double>> range;
   Source source;
 };
+
+/// How many of a command or event may wait where its header does not say.
+inline constexpr unsigned kDefaultQueue = 16;
 
 enum class CommandKind { Void, Write, Read, QualifiedRead };
 
@@ -72,7 +77,10 @@ struct Command {
   std::vector<Parameter> parameters;
   std::optional<Type> result;
   bool resultByReference = false;
-  unsigned queue = 16;
+  std::string resultUnit;  ///< from SUTURE_FIELD on the command; "" = none said
+  std::optional<std::pair<double, double>> resultRange;
+  unsigned queue = kDefaultQueue;
+  bool queueGiven = false;  ///< queue() was written, not defaulted
   bool latest = false;
   std::optional<std::int64_t> ttlNanoseconds;
   std::optional<std::string> was;
@@ -85,7 +93,10 @@ struct Event {
   std::string name;      ///< name in descriptions and in emit()/on(): "operating_state"
   std::string wireName;  ///< capnp's: "operatingState"
   std::vector<Type> payload;  ///< none: a void event; one: a write event
-  unsigned queue = 16;
+  std::string payloadUnit;    ///< from SUTURE_FIELD on the event; "" = none said
+  std::optional<std::pair<double, double>> payloadRange;
+  unsigned queue = kDefaultQueue;
+  bool queueGiven = false;  ///< queue() was written, not defaulted
   bool latest = false;
   bool latched = false;
   std::optional<std::string> was;
@@ -105,6 +116,7 @@ struct Interface {
 /// A Provided<I> or Required<I> member of a component.
 struct Port {
   std::string member;
+  std::string name;       ///< "Slave", where the member's initialiser says it; else ""
   std::string interface;  ///< fully qualified
   bool provided = false;
   Source source;

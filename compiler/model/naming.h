@@ -1,0 +1,30 @@
+#pragma once
+// How names change between C++, Cap'n Proto and the C++ that capnp writes.
+
+#include <string>
+#include <string_view>
+
+namespace suture::compiler::model {
+
+/// "servo_cp" -> "servoCp": what capnp demands of fields, methods and enumerators.
+std::string camelCase(std::string_view cxxName);
+
+/// "servoCp" -> "ServoCp": as capnp spells it in accessors (getServoCp).
+std::string titleCase(std::string_view wireName);
+
+/// "notReady" -> "NOT_READY": as capnp spells an enumerator in C++.
+std::string upperSnakeCase(std::string_view wireName);
+
+/// "robots::arm::PoseStamped" -> "PoseStamped".
+std::string unqualified(std::string_view cxxName);
+
+/// "robots::arm::PoseStamped" -> "robots::arm"; "" at global scope.
+std::string namespaceOf(std::string_view cxxName);
+
+/// "robots::arm" -> "robots::arm::wire": where capnp's C++ of a header lives.
+std::string wireNamespace(std::string_view cxxNamespace);
+
+/// "arm/arm.h" -> "arm/arm": what the names of all its artefacts begin with.
+std::string stemOf(std::string_view headerPath);
+
+}  // namespace suture::compiler::model
