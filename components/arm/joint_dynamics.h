@@ -1,0 +1,81 @@
+#pragma once
+// How simulated joints answer to their set-point: late, at a bounded rate, within limits.
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace robots {
+
+/// One joint: d(measured)/dt = (setpoint - measured) / time_constant, cut to +-rate_limit. Solved
+/// exactly over each interval for a constant set-point, so the result does not depend on the
+/// period: a step of 2 ms equals two steps of 1 ms.
+struct LaggingJoint {
+  double time_constant;  ///< s, > 0
+  double rate_limit;     ///< rad/s or m/s, > 0
+
+  /// rad/s or m/s
+  double velocity(double measured, double setpoint) const {
+    return std::clamp((setpoint - measured) / time_constant, -rate_limit, rate_limit);
+  }
+
+  /// The joint `dt` seconds later.
+  double after(double dt, double measured, double setpoint) const {
+    const double error = setpoint - measured;
+    // The rate limit holds while the error exceeds what the lag alone would drive at that rate.
+    const double saturated =
+        std::clamp((std::abs(error) - rate_limit * time_constant) / rate_limit, 0.0, dt);
+    const double reached = measured + std::copysign(rate_limit * saturated, error);
+    return setpoint + (reached - setpoint) * std::exp(-(dt - saturated) / time_constant);
+  }
+};
+
+/// N joints with one time constant and a rate limit each. Set-points are cut to the position
+/// limits. A value type of its task's thread; nothing but the constructor throws or allocates.
+template <int N>
+class JointDynamics {
+ public:
+  using Joints = Eigen::Matrix<double, N, 1>;
+
+  /// At rest at `start`. Rates in rad/s or m/s, limits in rad or m, the time constant in s.
+  /// Throws std::invalid_argument unless time constant and rates are positive.
+  JointDynamics(double timeConstant, const Joints& rateLimit, const Joints& lower,
+                const Joints& upper, const Joints& start)
+      : timeConstant_(timeConstant),
+        rateLimit_(rateLimit),
+        lower_(lower),
+        upper_(upper),
+        measured_(cut(start)),
+        setpoint_(measured_) {
+    if (!(timeConstant > 0) || !(rateLimit.array() > 0).all()) {
+      throw std::invalid_argument(
+          "joint dynamics: the time constant and every rate limit must be positive");
+    }
+  }
+
+  void command(const Joints& setpoint) { setpoint_ = cut(setpoint); }
+
+  /// Lets `dt` seconds (>= 0) pass.
+  void advance(double dt) {
+    for (int i = 0; i < N; ++i) measured_[i] = joint(i).after(dt, measured_[i], setpoint_[i]);
+  }
+
+  const Joints& measured() const { return measured_; }
+  const Joints& setpoint() const { return setpoint_; }
+  Joints velocity() const {
+    Joints velocity;
+    for (int i = 0; i < N; ++i) velocity[i] = joint(i).velocity(measured_[i], setpoint_[i]);
+    return velocity;
+  }
+
+ private:
+  LaggingJoint joint(int i) const { return {timeConstant_, rateLimit_[i]}; }
+  Joints cut(const Joints& q) const { return q.cwiseMax(lower_).cwiseMin(upper_); }
+
+  double timeConstant_;
+  Joints rateLimit_, lower_, upper_;
+  Joints measured_, setpoint_;
+};
+
+}  // namespace robots

@@ -1,0 +1,73 @@
+#pragma once
+// Serial chains in Denavit-Hartenberg form: forward kinematics and geometric Jacobian.
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstddef>
+
+namespace robots::kinematics {
+
+/// Where a link's frame sits. Standard: T = Rz(theta) Tz(d) Tx(a) Rx(alpha), joint i moves about z
+/// of frame i-1. Modified (Craig, "Introduction to Robotics", 1989): T = Rx(alpha) Tx(a) Rz(theta)
+/// Tz(d), joint i moves about z of frame i.
+enum class Convention { Standard, Modified };
+
+enum class JointKind { Revolute, Prismatic };
+
+/// One row of a DH table. The joint value is added to `offset`: theta of a revolute joint (rad), d
+/// of a prismatic one (m). Limits are of the joint value, so without the offset.
+struct Link {
+  double alpha;   ///< rad
+  double a;       ///< m
+  double d;       ///< m; 0 for a prismatic joint, whose constant part is `offset`
+  double offset;  ///< rad or m
+  double lower;   ///< rad or m
+  double upper;   ///< rad or m
+  JointKind kind = JointKind::Revolute;
+};
+
+/// N joints from base to tip. Immutable, so usable from any thread; no method allocates.
+/// Joint vectors have N entries, rad for revolute and m for prismatic joints.
+template <int N>
+class Chain {
+ public:
+  static constexpr int kJoints = N;
+  using Joints = Eigen::Matrix<double, N, 1>;
+  using Jacobian = Eigen::Matrix<double, 6, N>;
+
+  /// `tip` is the tool tip in the frame of the last link.
+  Chain(Convention convention, const std::array<Link, std::size_t{N}>& links,
+        const Eigen::Isometry3d& tip = Eigen::Isometry3d::Identity());
+
+  /// Tool tip in the base frame, translation in m.
+  Eigen::Isometry3d forward(const Joints& q) const;
+
+  /// Geometric Jacobian (6 x N) of the tool tip in the base frame: rows 0..2 linear velocity of the
+  /// tip point (m/s), rows 3..5 angular velocity (rad/s), per unit of joint velocity.
+  Jacobian jacobian(const Joints& q) const;
+
+  const Joints& lower() const { return lower_; }
+  const Joints& upper() const { return upper_; }
+  Joints clamp(const Joints& q) const { return q.cwiseMax(lower_).cwiseMin(upper_); }
+  bool within(const Joints& q) const {
+    return (q.array() >= lower_.array()).all() && (q.array() <= upper_.array()).all();
+  }
+
+ private:
+  // A link is before * motion(q) * after, whichever the convention; the joint moves about or along
+  // z of the frame that `before` leads to.
+  struct Segment {
+    Eigen::Isometry3d before;
+    Eigen::Isometry3d after;
+    JointKind kind;
+  };
+
+  std::array<Segment, std::size_t{N}> segments_;
+  Joints lower_;
+  Joints upper_;
+};
+
+extern template class Chain<6>;
+extern template class Chain<7>;
+
+}  // namespace robots::kinematics

@@ -1,0 +1,23 @@
+#pragma once
+// The da Vinci Classic arms as published by the da Vinci Research Kit
+// (jhu-dvrk/sawIntuitiveResearchKit, share/kinematic/PSM.json, MTML.json, MTMR.json and
+// share/tool/LARGE_NEEDLE_DRIVER_400006.json). The published files round pi/2 to 1.5708; here it is
+// exact. For simulation only, never for clinical use.
+
+#include "arm/kinematics/chain.h"
+
+namespace robots::kinematics {
+
+/// Patient side manipulator with large needle driver: yaw, pitch, insertion, roll, wrist pitch,
+/// wrist yaw. Base frame: origin at the remote centre of motion. Tip frame: the instrument's own
+/// convention (z along the closed jaws).
+Chain<6> psm();
+
+/// Master tool manipulator, left: outer yaw, shoulder pitch, elbow pitch, platform, wrist pitch,
+/// wrist yaw, roll. Base frame: at the outer yaw axis.
+Chain<7> mtmLeft();
+
+/// Master tool manipulator, right: the left one's links with mirrored limits of yaw and platform.
+Chain<7> mtmRight();
+
+}  // namespace robots::kinematics

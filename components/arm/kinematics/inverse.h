@@ -1,0 +1,41 @@
+#pragma once
+// Inverse kinematics by damped least squares.
+
+#include "arm/kinematics/chain.h"
+
+namespace robots::kinematics {
+
+struct InverseOptions {
+  int max_iterations = 60;
+  double position_tolerance = 1e-9;     ///< m
+  double orientation_tolerance = 1e-9;  ///< rad
+};
+
+/// The answer of `inverse`: within the joint limits even when not found, then the best that was
+/// reached.
+template <int N>
+struct InverseSolution {
+  typename Chain<N>::Joints q;
+  double position_error = 0;     ///< m
+  double orientation_error = 0;  ///< rad
+  int iterations = 0;
+  bool found = false;  ///< both errors are within tolerance
+};
+
+/// Joint vector whose tip pose is `goal` (base frame), searched from `start`; the joints it need
+/// not move it leaves near there. Levenberg-Marquardt with the damping proportional to the squared
+/// error (Sugihara, "Solvability-unconcerned inverse kinematics by the Levenberg-Marquardt method",
+/// IEEE Transactions on Robotics 27(5), 2011), so it neither blows up at a singularity nor out of
+/// reach. A joint that is pushed against its limit is held there for that iteration. A goal that is
+/// not finite is not found. Never allocates; time is bounded by max_iterations.
+template <int N>
+InverseSolution<N> inverse(const Chain<N>& chain, const Eigen::Isometry3d& goal,
+                           const typename Chain<N>::Joints& start,
+                           const InverseOptions& options = {});
+
+extern template InverseSolution<6> inverse(const Chain<6>&, const Eigen::Isometry3d&,
+                                           const Chain<6>::Joints&, const InverseOptions&);
+extern template InverseSolution<7> inverse(const Chain<7>&, const Eigen::Isometry3d&,
+                                           const Chain<7>::Joints&, const InverseOptions&);
+
+}  // namespace robots::kinematics

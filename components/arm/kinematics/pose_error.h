@@ -1,0 +1,23 @@
+#pragma once
+// The difference between two poses, as one vector of position and orientation.
+
+#include <Eigen/Geometry>
+
+namespace robots::kinematics {
+
+/// The rotation that leads from `from` to `to`, as axis times angle (rad, at most pi) in the frame
+/// both are expressed in. Exact to rounding for tiny angles, where acos of a trace is not.
+inline Eigen::Vector3d rotationError(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to) {
+  const Eigen::AngleAxisd difference{Eigen::Quaterniond{to * from.transpose()}};
+  return difference.angle() * difference.axis();
+}
+
+/// Entries 0..2: translation (m); entries 3..5: rotationError (rad).
+inline Eigen::Matrix<double, 6, 1> poseError(const Eigen::Isometry3d& from,
+                                             const Eigen::Isometry3d& to) {
+  Eigen::Matrix<double, 6, 1> error;
+  error << to.translation() - from.translation(), rotationError(from.linear(), to.linear());
+  return error;
+}
+
+}  // namespace robots::kinematics

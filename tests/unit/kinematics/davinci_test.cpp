@@ -1,0 +1,91 @@
+// Forward kinematics and Jacobian of the da Vinci arms against KDL.
+
+#include "arm/kinematics/davinci.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "arm/kinematics/pose_error.h"
+#include "unit/kinematics/kdl_oracle.h"
+
+namespace robots::kinematics::test {
+namespace {
+
+constexpr double kHalfPi = std::numbers::pi / 2;
+constexpr int kSamples = 10'000;
+
+KDL::Chain kdlPsm() {
+  return kdlModified<6>({{{kHalfPi, 0, 0, kHalfPi},
+                          {-kHalfPi, 0, 0, -kHalfPi},
+                          {kHalfPi, 0, 0, -0.4318, KDL::Joint::TransZ},
+                          {0, 0, 0.4162, 0},
+                          {-kHalfPi, 0, 0, -kHalfPi},
+                          {-kHalfPi, 0.0091, 0, -kHalfPi}}},
+                        KDL::Rotation(0, -1, 0, 0, 0, 1, -1, 0, 0));
+}
+
+KDL::Chain kdlMtm() {
+  return kdlStandard<7>({{{kHalfPi, 0, 0, -kHalfPi},
+                          {0, 0.2794, 0, -kHalfPi},
+                          {-kHalfPi, 0.3645, 0, kHalfPi},
+                          {kHalfPi, 0, 0.1506, 0},
+                          {-kHalfPi, 0, 0, 0},
+                          {kHalfPi, 0, 0, -kHalfPi},
+                          {0, 0, 0, kHalfPi}}});
+}
+
+template <int N>
+void expectSameAsKdl(const Chain<N>& chain, const KDL::Chain& oracle) {
+  std::mt19937 random(1);
+  for (int sample = 0; sample < kSamples; ++sample) {
+    const auto q = randomJoints(chain, random);
+    const auto error = poseError(forward(oracle, q), chain.forward(q));
+    ASSERT_LT(error.template head<3>().norm(), 1e-9) << "q = " << q.transpose();
+    ASSERT_LT(error.template tail<3>().norm(), 1e-9) << "q = " << q.transpose();
+    ASSERT_LT((jacobian(oracle, q) - chain.jacobian(q)).cwiseAbs().maxCoeff(), 1e-9)
+        << "q = " << q.transpose();
+  }
+}
+
+TEST(DaVinci, PsmAgreesWithKdl) {
+  expectSameAsKdl(psm(), kdlPsm());
+}
+TEST(DaVinci, LeftMtmAgreesWithKdl) {
+  expectSameAsKdl(mtmLeft(), kdlMtm());
+}
+TEST(DaVinci, RightMtmAgreesWithKdl) {
+  expectSameAsKdl(mtmRight(), kdlMtm());
+}
+
+// With the roll frame 0.4162 m beyond a carriage that starts 0.4318 m behind, the wrist reaches the
+// remote centre when the insertion makes up the difference.
+TEST(DaVinci, PsmWristMeetsTheRemoteCentreAtItsInsertion) {
+  const double wristAtCentre = 0.4318 - 0.4162;
+  Chain<6>::Joints q = Chain<6>::Joints::Zero();
+  q[2] = wristAtCentre;
+  EXPECT_NEAR(psm().forward(q).translation().norm(), 0.0091, 1e-12);
+}
+
+TEST(DaVinci, MastersDifferOnlyInMirroredLimits) {
+  const auto left = mtmLeft();
+  const auto right = mtmRight();
+  for (const int mirrored : {0, 3}) {
+    EXPECT_EQ(left.lower()[mirrored], -right.upper()[mirrored]);
+    EXPECT_EQ(left.upper()[mirrored], -right.lower()[mirrored]);
+  }
+  EXPECT_EQ(left.lower()[1], -0.262);
+  EXPECT_EQ(right.lower()[1], -0.314);
+}
+
+TEST(DaVinci, LimitsAreInclusiveAndClampIsInside) {
+  const auto chain = psm();
+  EXPECT_TRUE(chain.within(chain.lower()));
+  EXPECT_TRUE(chain.within(chain.upper()));
+  const Chain<6>::Joints outside = 2 * chain.upper();
+  EXPECT_FALSE(chain.within(outside));
+  EXPECT_EQ(chain.clamp(outside), chain.upper());
+}
+
+}  // namespace
+}  // namespace robots::kinematics::test
