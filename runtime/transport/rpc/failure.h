@@ -1,0 +1,22 @@
+#pragma once
+// Exceptions for promises. What they say may reach a peer, so it is only what we wrote: no source path, no
+// failed expression.
+
+#include <kj/exception.h>
+
+#include <string>
+
+namespace suture::rpc {
+
+/// A rejection with a text for people.
+kj::Exception failure(kj::Exception::Type type, const std::string& text);
+
+/// The peer is gone or must go.
+inline kj::Exception disconnected(const std::string& text) {
+  return failure(kj::Exception::Type::DISCONNECTED, text);
+}
+
+/// What went wrong, without the library's prefixes ("remote exception: ").
+std::string describe(const kj::Exception& exception);
+
+}  // namespace suture::rpc

@@ -1,0 +1,55 @@
+#pragma once
+// The guard in front of Cap'n Proto: looks at the header of a stream frame before the library does.
+//
+// A frame begins with the number of segments minus one and each segment's size in words, all 32-bit little
+// endian, padded to whole words. Release 0.9.2 computes with them in 32 bits, so a hostile count wraps to
+// zero and faults inside its reader (upstream advisory 2026-03-12-0). Here they are added in 64 bits and
+// bounded, and a frame that fails is never shown to the library.
+
+#include <capnp/common.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace suture::rpc {
+
+/// What a peer may make us read and hold, and how long it may keep us waiting.
+struct StreamLimits {
+  std::uint32_t segments = 512;
+  std::size_t messageBytes = 16u << 20;      ///< header and body of one message
+  std::int64_t partialMilliseconds = 5'000;  ///< from the first byte of a message to its last
+  std::int64_t firstMilliseconds = 5'000;    ///< from the connection to its first whole message; 0: no bound
+};
+
+/// Where the parts of a frame lie. Sizes in bytes.
+struct FrameHeader {
+  std::uint32_t segments = 0;
+  std::size_t headerBytes = 0;
+  std::size_t totalBytes = 0;  ///< header and body
+};
+
+enum class FrameFault : std::uint8_t { None, TooManySegments, TooLong };
+
+struct FrameParse {
+  FrameFault fault = FrameFault::None;
+  std::optional<FrameHeader> header;  ///< none: a fault, or not enough bytes yet
+};
+
+/// Reads the header at the start of `bytes`, of which any number may have arrived. Judges as early as
+/// possible: the count alone is enough to refuse.
+FrameParse parseFrameHeader(std::span<const std::byte> bytes, const StreamLimits& limits);
+
+/// Size in words of segment `index`, from a header that parseFrameHeader accepted.
+std::uint32_t segmentWords(std::span<const std::byte> header, std::uint32_t index);
+
+/// Appends a message in the same format, ready to send.
+void appendFrame(kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>> segments,
+                 std::vector<std::byte>& bytes);
+
+/// The fault in words, static storage.
+const char* toString(FrameFault fault);
+
+}  // namespace suture::rpc

@@ -1,0 +1,30 @@
+#pragma once
+// A message that has arrived whole: owns its bytes.
+
+#include <capnp/message.h>
+#include <suture/transport/rpc/frame_header.h>
+
+namespace suture::rpc {
+
+/// Reads the segments of one frame. Belongs to the control thread.
+class ReceivedMessage final : public capnp::MessageReader {
+ public:
+  /// `frame`: a whole frame, starting with its header.
+  ReceivedMessage(kj::Array<capnp::word> frame, const FrameHeader& header,
+                  capnp::ReaderOptions limits)
+      : MessageReader(limits), frame_(kj::mv(frame)), header_(header) {}
+
+  kj::ArrayPtr<const capnp::word> getSegment(capnp::uint id) override {
+    if (id >= header_.segments) return nullptr;
+    const auto bytes = std::as_bytes(std::span(frame_.begin(), frame_.size()));
+    std::size_t start = header_.headerBytes / sizeof(capnp::word);
+    for (std::uint32_t i = 0; i < id; ++i) start += segmentWords(bytes, i);
+    return frame_.slice(start, start + segmentWords(bytes, id));
+  }
+
+ private:
+  kj::Array<capnp::word> frame_;
+  FrameHeader header_;
+};
+
+}  // namespace suture::rpc

@@ -1,0 +1,28 @@
+#pragma once
+// Tells when a full socket takes bytes again.
+
+#include <fcntl.h>
+#include <kj/async-unix.h>
+#include <kj/debug.h>
+#include <kj/io.h>
+
+namespace suture::rpc {
+
+/// A second registration of a socket with the event port, through a duplicate descriptor (one registration
+/// cannot change what it observes, and observing writability all the time costs a wake-up for every read of
+/// the peer). The duplicate keeps the connection open: destroy this with, not after, the socket.
+class WriteObserver {
+ public:
+  WriteObserver(kj::UnixEventPort& port, int socket)
+      : duplicate_(fcntl(socket, F_DUPFD_CLOEXEC, 0)),
+        observer_(port, duplicate_, kj::UnixEventPort::FdObserver::OBSERVE_WRITE) {}
+
+  /// Only when a send has just said that the socket is full.
+  kj::Promise<void> whenWritable() { return observer_.whenBecomesWritable(); }
+
+ private:
+  kj::AutoCloseFd duplicate_;
+  kj::UnixEventPort::FdObserver observer_;
+};
+
+}  // namespace suture::rpc

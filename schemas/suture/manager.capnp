@@ -1,0 +1,90 @@
+@0x8e1d692c22b8357c;
+# The global manager: the process that knows names. It hands out addresses and nothing else; peers talk
+# to each other directly (peer.capnp).
+
+using Cxx = import "/capnp/c++.capnp";
+$Cxx.namespace("suture::wire");
+
+const protocolVersion :UInt16 = 1;
+# Of manager.capnp and peer.capnp together. Both sides say theirs in hello; a difference is a refusal.
+
+struct Refusal {
+  # Why something did not happen, for a program and for a person.
+  kind @0 :Kind;
+  text @1 :Text;  # what was asked, what was found, what to do
+
+  enum Kind {
+    versionMismatch @0;
+    nameTaken @1;
+    noSuchProcess @2;
+    noSuchComponent @3;
+    noSuchInterface @4;
+    contractMismatch @5;
+    alreadyConnected @6;
+    timedOut @7;
+    malformed @8;
+    notReady @9;
+    noHello @10;
+    limitReached @11;
+  }
+}
+
+struct InterfaceRecord {
+  name @0 :Text;      # "Arm"
+  contract @1 :Text;  # "robots::Arm"
+  wireHash @2 :UInt64;
+}
+
+struct ComponentRecord {
+  name @0 :Text;
+  provided @1 :List(InterfaceRecord);
+  required @2 :List(InterfaceRecord);
+}
+
+struct ProcessRecord {
+  name @0 :Text;
+  addresses @1 :List(Text);  # "unix:/path" or "tcp://host:port", best first
+  pid @2 :Int32;
+  host @3 :Text;
+  components @4 :List(ComponentRecord);
+  generation @5 :UInt64;  # given by the manager: a name registered again has a higher one
+}
+
+interface GlobalManager {
+  hello @0 (version :UInt16, program :Text) -> HelloResults;
+  # First. Everything else is reached through the session that it returns.
+  struct HelloResults {
+    union {
+      session @0 :Session;
+      refused @1 :Refusal;
+    }
+  }
+}
+
+interface Session {
+  register @0 (process :ProcessRecord) -> RegisterResults;
+  # The name is held as long as the lease is: dropping it, or losing the connection, frees the name.
+  struct RegisterResults {
+    generation @0 :UInt64;
+    union {
+      lease @1 :Lease;
+      refused @2 :Refusal;
+    }
+  }
+
+  resolve @1 (process :Text, waitMilliseconds :UInt32) -> ResolveResults;
+  # Answers when the process is there, or with a refusal after the wait (which the manager bounds).
+  struct ResolveResults {
+    union {
+      found @0 :ProcessRecord;
+      refused @1 :Refusal;
+    }
+  }
+
+  list @2 () -> (processes :List(ProcessRecord));
+}
+
+interface Lease {
+  update @0 (components :List(ComponentRecord)) -> ();
+  # Replaces what the process offers and needs.
+}

@@ -1,0 +1,230 @@
+// The stream under test holds one end of a socket pair; the test plays the peer on the other.
+
+#include <gtest/gtest.h>
+#include <suture/transport/rpc/failure.h>
+#include <suture/transport/rpc/message_stream.h>
+
+#include "socket_pair.h"
+
+namespace suture::rpc {
+namespace {
+
+class MessageStreamTest : public testing::Test {
+ public:
+  ~MessageStreamTest() noexcept override {}
+
+ protected:
+  void open(StreamLimits limits = {}) {
+    auto pair = makeSocketPair();
+    peer_ = kj::mv(pair.theirs);
+    stream_ = kj::heap<MessageStream>(io_.unixEventPort, kj::mv(pair.ours), limits);
+  }
+
+  auto read() { return stream_->tryReadMessage(); }
+
+  /// Size of the blob in the next message, -1 at the end of the stream.
+  std::int64_t nextBlob() {
+    auto message = bounded(read()).wait(io_.waitScope);
+    KJ_IF_MAYBE(reader, message) {
+      return static_cast<std::int64_t>((*reader)->getRoot<capnp::AnyPointer>().getAs<capnp::Data>().size());
+    }
+    return -1;
+  }
+
+  /// The text of the exception that the next read ends with.
+  std::string nextFault() {
+    try {
+      auto message = bounded(read()).wait(io_.waitScope);
+      return message == nullptr ? "end of stream" : "a message";
+    } catch (const kj::Exception& e) {
+      EXPECT_EQ(e.getType(), kj::Exception::Type::DISCONNECTED);
+      return describe(e);
+    }
+  }
+
+  template <class T>
+  kj::Promise<T> bounded(kj::Promise<T> promise) {
+    return io_.provider->getTimer().timeoutAfter(10 * kj::SECONDS, kj::mv(promise));
+  }
+
+  kj::AsyncIoContext io_ = kj::setupAsyncIo();
+  kj::AutoCloseFd peer_;
+  kj::Own<MessageStream> stream_;
+};
+
+TEST_F(MessageStreamTest, RefusesTheAdvisoryFrame) {
+  open();
+  sendAll(peer_, std::vector(16, std::byte{0xff}));
+  EXPECT_EQ(nextFault(), toString(FrameFault::TooManySegments));
+}
+
+TEST_F(MessageStreamTest, RefusesText) {
+  open();
+  sendText(peer_, "GET / HTTP/1.1\r\nHost: robot\r\n\r\n");
+  EXPECT_EQ(nextFault(), toString(FrameFault::TooManySegments));
+}
+
+TEST_F(MessageStreamTest, RefusesAHugeLengthWithoutWaitingForIt) {
+  open();
+  const std::uint32_t words[2] = {0, 0xffffffff};
+  sendAll(peer_, std::as_bytes(std::span(words)));
+  EXPECT_EQ(nextFault(), toString(FrameFault::TooLong));
+}
+
+TEST_F(MessageStreamTest, EveryRandomStartIsRefusedOrEndsAtItsDeadline) {
+  std::uint64_t state = 42;
+  for (int round = 0; round < 200; ++round) {
+    open({.partialMilliseconds = 1, .firstMilliseconds = 1});
+    std::vector<std::byte> bytes(64);
+    for (auto& byte : bytes) {
+      state = state * 6364136223846793005u + 1442695040888963407u;
+      byte = static_cast<std::byte>(state >> 56);
+    }
+    sendAll(peer_, bytes);
+    const std::string fault = nextFault();
+    EXPECT_TRUE(fault == toString(FrameFault::TooManySegments) ||
+                fault == toString(FrameFault::TooLong) ||
+                fault == "the peer sent no message in time")
+        << fault;
+  }
+}
+
+TEST_F(MessageStreamTest, HalfAHeaderHeldOpenEndsAtTheDeadline) {
+  open({.partialMilliseconds = 20, .firstMilliseconds = 0});
+  sendAll(peer_, std::vector(2, std::byte{0}));
+  EXPECT_EQ(nextFault(), "the peer sent no message in time");
+}
+
+TEST_F(MessageStreamTest, AHeaderWithoutItsBodyEndsAtTheDeadline) {
+  open({.partialMilliseconds = 20, .firstMilliseconds = 0});
+  sendAll(peer_, blobFrame(8));
+  EXPECT_EQ(nextBlob(), 8);
+  const std::uint32_t words[2] = {0, 1000};
+  sendAll(peer_, std::as_bytes(std::span(words)));
+  EXPECT_EQ(nextFault(), "the peer did not finish a message in time");
+}
+
+TEST_F(MessageStreamTest, ASilentConnectionEndsAtTheFirstMessageDeadline) {
+  open({.firstMilliseconds = 20});
+  EXPECT_EQ(nextFault(), "the peer sent no message in time");
+}
+
+TEST_F(MessageStreamTest, AnIdleConnectionMayStaySilentForEver) {
+  open({.partialMilliseconds = 1, .firstMilliseconds = 1});
+  sendAll(peer_, blobFrame(8));
+  EXPECT_EQ(nextBlob(), 8);
+  auto reading = read();
+  io_.provider->getTimer().afterDelay(30 * kj::MILLISECONDS).wait(io_.waitScope);
+  EXPECT_FALSE(reading.poll(io_.waitScope));
+}
+
+TEST_F(MessageStreamTest, ATruncatedMessageIsAnError) {
+  open();
+  auto frame = blobFrame(800);
+  frame.resize(frame.size() - 8);
+  sendAll(peer_, frame);
+  peer_ = nullptr;
+  EXPECT_EQ(nextFault(), "the peer closed in the middle of a message");
+}
+
+TEST_F(MessageStreamTest, AnOrderlyCloseIsTheEnd) {
+  open();
+  sendAll(peer_, blobFrame(8));
+  peer_ = nullptr;
+  EXPECT_EQ(nextBlob(), 8);
+  EXPECT_EQ(nextBlob(), -1);
+}
+
+TEST_F(MessageStreamTest, ACloseWhileWaitingIsTheEnd) {
+  open();
+  auto reading = bounded(read());
+  EXPECT_FALSE(reading.poll(io_.waitScope));
+  peer_ = nullptr;
+  EXPECT_TRUE(reading.wait(io_.waitScope) == nullptr);
+}
+
+TEST_F(MessageStreamTest, ManyMessagesInOneSegment) {
+  open();
+  std::vector<std::byte> bytes;
+  for (std::size_t i = 1; i <= 100; ++i) {
+    const auto frame = blobFrame(i);
+    bytes.insert(bytes.end(), frame.begin(), frame.end());
+  }
+  sendAll(peer_, bytes);
+  for (std::int64_t i = 1; i <= 100; ++i) EXPECT_EQ(nextBlob(), i);
+}
+
+TEST_F(MessageStreamTest, OneByteAtATime) {
+  open();
+  const auto frame = blobFrame(100);
+  auto reading = bounded(read());
+  for (std::size_t i = 0; i < frame.size(); ++i) {
+    EXPECT_FALSE(reading.poll(io_.waitScope)) << i;
+    sendAll(peer_, std::span(frame).subspan(i, 1));
+  }
+  EXPECT_TRUE(reading.wait(io_.waitScope) != nullptr);
+}
+
+TEST_F(MessageStreamTest, ALargeMessageArrivesWhole) {
+  open();
+  auto pair = makeSocketPair();
+  MessageStream sender(io_.unixEventPort, kj::mv(pair.ours));
+  stream_ = kj::heap<MessageStream>(io_.unixEventPort, kj::mv(pair.theirs));
+  capnp::MallocMessageBuilder message;
+  auto blob = message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(1 << 20);
+  for (std::size_t i = 0; i < blob.size(); ++i) blob[i] = static_cast<capnp::byte>(i * 31);
+  auto writing = sender.writeMessage(message);
+  auto received = bounded(read()).wait(io_.waitScope);
+  KJ_IF_MAYBE(reader, received) {
+    const auto root = (*reader)->getRoot<capnp::AnyPointer>().getAs<capnp::Data>();
+    EXPECT_TRUE(root == blob.asReader());
+  } else {
+    FAIL() << "the stream ended";
+  }
+  bounded(kj::mv(writing)).wait(io_.waitScope);
+  EXPECT_EQ(sender.counters()->sentBytes, stream_->counters()->receivedBytes);
+}
+
+TEST_F(MessageStreamTest, MessagesOfOneTurnLeaveTogether) {
+  open();
+  capnp::MallocMessageBuilder message;
+  message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(16);
+  for (int i = 0; i < 3; ++i) stream_->writeMessage(message).wait(io_.waitScope);
+  io_.provider->getTimer().afterDelay(1 * kj::MILLISECONDS).wait(io_.waitScope);
+  std::byte bytes[1024];
+  const auto frame = blobFrame(16).size();
+  EXPECT_EQ(recv(peer_, bytes, sizeof(bytes), 0), static_cast<ssize_t>(3 * frame));
+  EXPECT_EQ(stream_->counters()->sentBytes, 3 * frame);
+}
+
+TEST_F(MessageStreamTest, CountsReceivedBytes) {
+  open();
+  sendAll(peer_, blobFrame(100));
+  EXPECT_EQ(nextBlob(), 100);
+  EXPECT_EQ(stream_->counters()->receivedBytes, blobFrame(100).size());
+}
+
+TEST_F(MessageStreamTest, WritingToAPeerThatDoesNotReadIsHeldBackNotBuffered) {
+  open();
+  capnp::MallocMessageBuilder message;
+  message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(2 << 20);
+  auto writing = stream_->writeMessage(message);
+  EXPECT_FALSE(writing.poll(io_.waitScope));
+  peer_ = nullptr;
+  EXPECT_THROW(bounded(kj::mv(writing)).wait(io_.waitScope), kj::Exception);
+  EXPECT_THROW(stream_->writeMessage(message).wait(io_.waitScope), kj::Exception);
+}
+
+TEST_F(MessageStreamTest, EndSendsWhatIsPendingThenCloses) {
+  open();
+  capnp::MallocMessageBuilder message;
+  message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(16);
+  auto writing = stream_->writeMessage(message);
+  bounded(stream_->end()).wait(io_.waitScope);
+  std::byte bytes[1024];
+  EXPECT_EQ(recv(peer_, bytes, sizeof(bytes), 0), static_cast<ssize_t>(blobFrame(16).size()));
+  EXPECT_EQ(recv(peer_, bytes, sizeof(bytes), 0), 0);
+}
+
+}  // namespace
+}  // namespace suture::rpc

@@ -1,0 +1,56 @@
+#pragma once
+// Two connected sockets: one for a stream under test, one played by the test byte by byte.
+
+#include <capnp/message.h>
+#include <fcntl.h>
+#include <kj/async-io.h>
+#include <kj/io.h>
+#include <poll.h>
+#include <suture/transport/rpc/frame_header.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace suture::rpc {
+
+struct SocketPair {
+  kj::AutoCloseFd ours;    // non-blocking, for the stream
+  kj::AutoCloseFd theirs;  // non-blocking, for the test
+};
+
+inline SocketPair makeSocketPair() {
+  int ends[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0, ends) != 0) std::abort();
+  return {kj::AutoCloseFd(ends[0]), kj::AutoCloseFd(ends[1])};
+}
+
+inline void sendAll(int socket, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    if (count > 0) {
+      bytes = bytes.subspan(static_cast<std::size_t>(count));
+    } else {
+      pollfd writable{socket, POLLOUT, 0};
+      if (poll(&writable, 1, 5000) <= 0) return;
+    }
+  }
+}
+
+inline void sendText(int socket, const std::string& text) {
+  sendAll(socket, std::as_bytes(std::span(text)));
+}
+
+/// A frame whose root is a Data blob of `size` bytes, all equal to `fill`.
+inline std::vector<std::byte> blobFrame(std::size_t size, unsigned char fill = 7) {
+  capnp::MallocMessageBuilder message;
+  auto blob = message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(size);
+  memset(blob.begin(), fill, blob.size());
+  std::vector<std::byte> bytes;
+  appendFrame(message.getSegmentsForOutput(), bytes);
+  return bytes;
+}
+
+}  // namespace suture::rpc
