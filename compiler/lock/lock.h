@@ -1,12 +1,13 @@
 #pragma once
-// The lock: one committed Cap'n Proto schema for each annotated header. It is the wire contract itself,
-// so ordinals and ids live in it and a header is judged against it. A build reads and checks; only
-// `suturec --update-lock` writes.
+// The lock: one committed Cap'n Proto schema for each annotated header. It is the wire contract
+// itself, so ordinals and ids live in it and a header is judged against it. A build reads and
+// checks; only `suturec --update-lock` writes.
 //
 // The driver's use:
 //   Locks locks = read(texts of the files lockPath() names, those that exist, diagnostics);
 //   build:          append check(model, locks); write nothing on errors; emit(model, locks).
-//   --update-lock:  Update u = update(model, locks, options); on no errors write u.files, then check.
+//   --update-lock:  Update u = update(model, locks, options); on no errors write u.files, then
+//   check.
 
 #include <cstdint>
 #include <map>
@@ -21,17 +22,24 @@
 
 namespace suture::compiler::lock {
 
-/// Something that has an ordinal: a field, an enumerator, a method.
+/// What stands behind "Meta." to its argument as written: {"unit", "\"m\""}; "" for a Void one.
+using Annotations = std::map<std::string, std::string>;
+
+/// Something that has a name and a type: a field, a method, an enumerator, a parameter.
 struct Member {
   std::string name;  ///< on the wire
   unsigned ordinal = 0;
-  /// A field's "Int64"; a method's "(goal :PoseStamped, sent :Rpc.Sent) -> ()"; an enumerator's "".
+  /// A field's or parameter's, types of other files as "/arm/arm.capnp:PoseStamped".
   std::string type;
   std::string defaultValue;  ///< a field's, as capnp spells it; "" = zero
-  /// Annotation name without "Meta." to its argument as written: {"unit", "\"m\""}.
-  std::map<std::string, std::string> annotations;
-  bool removed = false;  ///< a placeholder: keeps the ordinal of what was removed
-  unsigned line = 0;     ///< in the lock file
+  bool isMethod = false;
+  std::vector<Member> parameters;  ///< a method's
+  std::vector<Member> results;     ///< a method's
+  Annotations annotations;
+  std::string doc;    ///< written as a comment, never read back
+  unsigned line = 0;  ///< in the lock file
+
+  bool removed() const { return annotations.contains("removed"); }
 };
 
 /// A struct, an enum or an interface.
@@ -41,9 +49,12 @@ struct Node {
   Kind kind = Kind::Struct;
   std::string name;  ///< on the wire
   std::uint64_t id = 0;
-  std::map<std::string, std::string> annotations;
-  std::vector<Member> members;  ///< in the order of the file, which is that of the ordinals
+  Annotations annotations;
+  std::vector<Member> members;  ///< in the order of the ordinals, without a gap
+  std::string doc;
   unsigned line = 0;
+
+  bool removed() const { return annotations.contains("removed"); }
 };
 
 /// One lock file.
@@ -51,6 +62,8 @@ struct Lock {
   std::string path;  ///< relative to the lock folder: "arm/arm.capnp"
   std::string text;
   std::uint64_t id = 0;
+  std::string cxxNamespace;
+  std::string header;
   std::vector<Node> nodes;
 };
 
@@ -76,18 +89,20 @@ struct Update {
 /// "arm/arm.h" -> "arm/arm.capnp".
 std::string lockPath(std::string_view headerPath);
 
-/// Does the header declare anything that goes over a wire (a type or an interface)? Only then it has a lock.
+/// Does the header declare anything that goes over a wire (a type or an interface)? Only then it
+/// has a lock.
 bool needsLock(const model::Header& header);
 
-/// Parses lock files (path and text each). What does not parse is reported with the lock's own line and
-/// left out, so that check and update must not be called after an error.
+/// Parses lock files (path and text each). What does not parse is reported with the lock's own line
+/// and left out, so that check and update must not be called after an error.
 Locks read(const std::vector<model::Artefact>& texts, model::Diagnostics& diagnostics,
            const Options& options = {});
 
-/// Judges own headers against their locks: a break is an error naming field and lock line; a new thing
-/// that the lock does not know is an error naming the command; a lock that is merely out of date in what
-/// does not touch the wire (queue depth, range...) is a warning.
-model::Diagnostics check(const model::Model& model, const Locks& locks, const Options& options = {});
+/// Judges own headers against their locks: a break is an error naming field and lock line; a new
+/// thing that the lock does not know is an error naming the command; a lock that is merely out of
+/// date in what does not touch the wire (queue depth, range...) is a warning.
+model::Diagnostics check(const model::Model& model, const Locks& locks,
+                         const Options& options = {});
 
 /// The lock files as they should be: new things appended, removed ones kept as placeholders.
 Update update(const model::Model& model, const Locks& locks, const Options& options = {});

@@ -1,0 +1,244 @@
+#include "compiler/lock/merge.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "compiler/lock/wire_type.h"
+#include "compiler/lock/writer.h"
+#include "compiler/model/naming.h"
+
+namespace suture::compiler::lock {
+namespace {
+
+using model::Diagnostic;
+
+/// Annotations whose change changes what bytes mean.
+constexpr const char* kBreaking[] = {"unit", "period", "clock", "shape", "kind"};
+
+std::string valueOf(const Annotations& annotations, const std::string& name) {
+  const auto found = annotations.find(name);
+  return found == annotations.end() ? "none" : found->second;
+}
+
+class Merger {
+ public:
+  Merger(const Lock& old, const Options& options) : old_(old), options_(options) {}
+
+  Merge run(const std::vector<WantedNode>& wanted, const model::Header& header) {
+    merge_.lock = old_;
+    merge_.lock.nodes.clear();
+    merge_.lock.header = header.path;
+    merge_.lock.cxxNamespace = header.cxxNamespace;
+    if (merge_.lock.id == 0) merge_.lock.id = freshId(options_.project, header.path);
+    std::vector<bool> used(wanted.size(), false);
+    for (const Node& node : old_.nodes) {
+      const auto same = std::find_if(wanted.begin(), wanted.end(), [&](const WantedNode& one) {
+        return identity(one.node) == identity(node);
+      });
+      if (same == wanted.end()) {
+        merge_.lock.nodes.push_back(buried(node, header));
+      } else {
+        used[static_cast<std::size_t>(same - wanted.begin())] = true;
+        merge_.lock.nodes.push_back(merged(*same, node));
+      }
+    }
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      if (!used[i]) merge_.lock.nodes.push_back(created(wanted[i]));
+    }
+    return std::move(merge_);
+  }
+
+ private:
+  std::string where(unsigned line) const {
+    return options_.folder + "/" + old_.path + (line > 0 ? ":" + std::to_string(line) : "");
+  }
+
+  model::Note lockNote(unsigned line, const std::string& text) const {
+    return {{0, options_.folder + "/" + old_.path, line}, "the lock has: " + text};
+  }
+
+  void pending(const model::Source& source, const char* slug, std::string message,
+               std::vector<model::Note> notes = {}) {
+    Diagnostic one{source, slug, std::move(message), "run: " + options_.command, std::move(notes)};
+    merge_.pending.push_back(std::move(one));
+  }
+
+  void broken(const WantedMember& wanted, const Member& locked, const std::string& message,
+              const std::string& help) {
+    merge_.breaks.push_back({wanted.source,
+                             "lock-break",
+                             wanted.title + ": " + message,
+                             help,
+                             {lockNote(locked.line, describe(locked))}});
+  }
+
+  Node created(const WantedNode& wanted) {
+    Node node = wanted.node;
+    node.id = freshId(options_.project, identity(node));
+    if (!old_.text.empty()) {
+      pending(wanted.source, "lock-new", wanted.title + " is not in the lock " + where(0));
+    }
+    for (const WantedMember& member : wanted.members) append(node, member.member);
+    return node;
+  }
+
+  static void append(Node& node, Member member) {
+    member.ordinal = static_cast<unsigned>(node.members.size());
+    node.members.push_back(std::move(member));
+  }
+
+  /// What the header no longer declares stays, so that its id and ordinals are never given again.
+  Node buried(Node node, const model::Header& header) {
+    if (node.removed()) return node;
+    pending({0, header.path, 0}, "lock-removed",
+            node.name + " is no longer declared in " + header.path,
+            {lockNote(node.line, node.name)});
+    node.annotations["removed"] = quoted(node.name);
+    return node;
+  }
+
+  Node merged(const WantedNode& wanted, const Node& locked) {
+    Node node = wanted.node;
+    node.id = locked.id;
+    if (node.name != locked.name) {
+      pending(wanted.source, "lock-renamed",
+              wanted.title + " has a new wire name, '" + node.name + "'",
+              {lockNote(locked.line, locked.name)});
+    }
+    std::vector<bool> used(wanted.members.size(), false);
+    for (const Member& member : locked.members) {
+      const std::size_t i = find(wanted, locked, member);
+      if (i == wanted.members.size()) {
+        append(node, placeholder(wanted, member));
+      } else {
+        used[i] = true;
+        append(node, merged(wanted.members[i], member));
+      }
+    }
+    for (std::size_t i = 0; i < wanted.members.size(); ++i) {
+      if (used[i]) continue;
+      pending(wanted.members[i].source, "lock-new",
+              wanted.members[i].title + " is not in the lock " + where(locked.line));
+      append(node, wanted.members[i].member);
+    }
+    return node;
+  }
+
+  /// The member of the header that `locked` is: by its wire name, else by was().
+  static std::size_t find(const WantedNode& wanted, const Node& node, const Member& locked) {
+    const std::vector<WantedMember>& all = wanted.members;
+    if (locked.removed()) return all.size();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (all[i].member.name == locked.name) return i;
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const bool named = all[i].was && (model::camelCase(*all[i].was) == locked.name ||
+                                        quoted(*all[i].was) == valueOf(locked.annotations, "cxx"));
+      if (named && !lives(node, all[i].member.name)) return i;
+    }
+    return all.size();
+  }
+
+  /// Has the lock a live member of this name already? Then a was() beside it is an old, done
+  /// rename.
+  static bool lives(const Node& node, const std::string& name) {
+    return std::any_of(node.members.begin(), node.members.end(), [&](const Member& member) {
+      return !member.removed() && member.name == name;
+    });
+  }
+
+  Member placeholder(const WantedNode& wanted, Member member) {
+    if (member.removed()) return member;
+    const std::string name = member.name;
+    merge_.pending.push_back(
+        {wanted.source,
+         "lock-removed",
+         wanted.title + " no longer has '" + name + "'",
+         "say was(\"" + name +
+             "\") on what replaces it, or keep its place by running: " + options_.command,
+         {lockNote(member.line, describe(member))}});
+    member.annotations["removed"] = quoted(name);
+    member.name = "removed" + std::to_string(member.ordinal);
+    return member;
+  }
+
+  Member merged(const WantedMember& wanted, const Member& locked) {
+    Member member = wanted.member;
+    if (member.name != locked.name) {
+      pending(
+          wanted.source, "lock-renamed",
+          wanted.title + " was '" + locked.name + "' so far; the lock has to learn its new name",
+          {lockNote(locked.line, describe(locked))});
+    }
+    member.defaultValue = locked.defaultValue;  // frozen: capnp stores values relative to it
+    compare(wanted, locked, member, locked);
+    if (member.isMethod) mergeSignature(wanted, locked, member);
+    return member;
+  }
+
+  /// `now` and `before` are the member itself, or one of its parameters or results.
+  void compare(const WantedMember& wanted, const Member& locked, const Member& now,
+               const Member& before) {
+    const std::string what = &before == &locked ? "" : "'" + before.name + "': ";
+    if (now.type != before.type || now.isMethod != before.isMethod) {
+      broken(wanted, locked, what + "type " + now.type + " instead of " + before.type,
+             "a type never changes: add '" + before.name +
+                 "' anew under another name and remove the old one");
+    }
+    for (const char* const name : kBreaking) {
+      const std::string newValue = valueOf(now.annotations, name);
+      const std::string oldValue = valueOf(before.annotations, name);
+      if (newValue == oldValue) continue;
+      broken(wanted, locked, what + name + " " + newValue + " instead of " + oldValue,
+             std::string("a change of ") + name +
+                 " changes what the bytes mean: put it back, or "
+                 "add the new form under another name");
+    }
+  }
+
+  void mergeSignature(const WantedMember& wanted, const Member& locked, Member& member) {
+    member.parameters = mergeList(wanted, locked, wanted.member.parameters, locked.parameters);
+    member.results = mergeList(wanted, locked, wanted.member.results, locked.results);
+  }
+
+  /// Parameters keep the lock's order, since their place is their ordinal; new ones follow.
+  std::vector<Member> mergeList(const WantedMember& wanted, const Member& locked,
+                                const std::vector<Member>& now, const std::vector<Member>& before) {
+    std::vector<Member> result;
+    const auto findIn = [](const std::vector<Member>& list, const std::string& name) {
+      return std::find_if(list.begin(), list.end(),
+                          [&](const Member& one) { return one.name == name; });
+    };
+    for (const Member& old : before) {
+      const auto same = findIn(now, old.name);
+      if (same == now.end()) {
+        broken(wanted, locked, "'" + old.name + "' is gone from its signature",
+               "a signature only grows: put it back under the same name");
+        continue;
+      }
+      compare(wanted, locked, *same, old);
+      result.push_back(*same);
+    }
+    for (const Member& one : now) {
+      if (findIn(before, one.name) != before.end()) continue;
+      pending(
+          wanted.source, "lock-new",
+          wanted.title + ": parameter '" + one.name + "' is not in the lock " + where(locked.line));
+      result.push_back(one);
+    }
+    return result;
+  }
+
+  const Lock& old_;
+  const Options& options_;
+  Merge merge_;
+};
+
+}  // namespace
+
+Merge merge(const std::vector<WantedNode>& wanted, const model::Header& header, const Lock& old,
+            const Options& options) {
+  return Merger(old, options).run(wanted, header);
+}
+
+}  // namespace suture::compiler::lock

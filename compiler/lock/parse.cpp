@@ -1,0 +1,232 @@
+#include "compiler/lock/parse.h"
+
+#include <cstdlib>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "compiler/lock/tokens.h"
+
+namespace suture::compiler::lock {
+namespace {
+
+class Parser {
+ public:
+  explicit Parser(std::string_view text) : tokens_(tokenize(text)) {}
+
+  Lock file() {
+    Lock lock;
+    lock.id = id();
+    expect(";");
+    while (!peek().text.empty()) {
+      if (peek().text == "using") {
+        import();
+      } else if (peek().text == "$") {
+        fileAnnotation(lock);
+      } else {
+        lock.nodes.push_back(node());
+      }
+    }
+    return lock;
+  }
+
+ private:
+  const Token& peek() const { return tokens_[at_]; }
+
+  Token take() {
+    if (peek().text.empty()) throw SyntaxError(peek().line, "the file ends too early");
+    return tokens_[at_++];
+  }
+
+  bool accept(const std::string& text) {
+    const bool found = peek().text == text;
+    if (found) ++at_;
+    return found;
+  }
+
+  void expect(const std::string& text) {
+    if (accept(text)) return;
+    const std::string found = peek().text.empty() ? "the end of the file" : "'" + peek().text + "'";
+    throw SyntaxError(peek().line, "expected '" + text + "', found " + found);
+  }
+
+  std::uint64_t number() {
+    const Token token = take();
+    char* end = nullptr;
+    const std::uint64_t value = std::strtoull(token.text.c_str(), &end, 0);
+    if (*end != '\0')
+      throw SyntaxError(token.line, "expected a number, found '" + token.text + "'");
+    return value;
+  }
+
+  std::uint64_t id() {
+    expect("@");
+    const unsigned line = peek().line;
+    const std::uint64_t value = number();
+    if (value >> 63 == 0) throw SyntaxError(line, "an id must have its top bit set");
+    return value;
+  }
+
+  void import() {
+    expect("using");
+    const std::string alias = take().text;
+    expect("=");
+    expect("import");
+    const std::string path = take().text;
+    if (path.size() >= 2) imports_[alias] = path.substr(1, path.size() - 2);
+    expect(";");
+  }
+
+  /// "$Meta.unit("m")" -> {"unit", "\"m\""}. Annotations of others are kept out of the lock.
+  std::pair<std::string, std::string> annotation() {
+    expect("$");
+    const Token name = take();
+    std::string argument;
+    if (peek().text == "(") argument = argumentText();
+    const std::size_t dot = name.text.find('.');
+    if (dot == std::string::npos)
+      throw SyntaxError(name.line, "unknown annotation '" + name.text + "'");
+    return {name.text.substr(dot + 1), argument};
+  }
+
+  /// Everything between two balanced parentheses, spaced as the writer spaces it.
+  std::string argumentText() {
+    std::string text;
+    unsigned depth = 0;
+    bool isStruct = false;
+    do {
+      const std::string token = take().text;
+      if (token == "(") ++depth;
+      if (token == ")") --depth;
+      if (token == "=") isStruct = true;
+      text += token == "=" ? " = " : (token == "," ? ", " : token);
+    } while (depth > 0);
+    return isStruct ? text : text.substr(1, text.size() - 2);
+  }
+
+  Annotations annotations() {
+    Annotations result;
+    while (peek().text == "$") result.insert(annotation());
+    return result;
+  }
+
+  void fileAnnotation(Lock& lock) {
+    const auto [name, argument] = annotation();
+    const std::string value = argument.size() < 2 ? "" : argument.substr(1, argument.size() - 2);
+    if (name == "namespace") {
+      const std::size_t suffix = value.rfind("::wire");
+      lock.cxxNamespace = suffix == std::string::npos ? "" : value.substr(0, suffix);
+    }
+    if (name == "header") lock.header = value;
+    expect(";");
+  }
+
+  /// "List(Arm.Pose)" with the alias resolved: "List(/arm/arm.capnp:Pose)".
+  std::string type() {
+    const Token name = take();
+    if (accept("(")) {
+      const std::string element = type();
+      expect(")");
+      return name.text + "(" + element + ")";
+    }
+    const std::size_t dot = name.text.find('.');
+    if (dot == std::string::npos) return name.text;
+    const auto import = imports_.find(name.text.substr(0, dot));
+    if (import == imports_.end()) {
+      throw SyntaxError(name.line, "'" + name.text + "' is of a file that is not imported");
+    }
+    return import->second + ":" + name.text.substr(dot + 1);
+  }
+
+  std::vector<Member> list() {
+    std::vector<Member> members;
+    expect("(");
+    while (!accept(")")) {
+      if (!members.empty()) expect(",");
+      Member member;
+      member.line = peek().line;
+      member.name = take().text;
+      expect(":");
+      member.type = type();
+      member.annotations = annotations();
+      members.push_back(std::move(member));
+    }
+    return members;
+  }
+
+  Member member() {
+    Member result;
+    result.line = peek().line;
+    result.name = take().text;
+    expect("@");
+    result.ordinal = static_cast<unsigned>(number());
+    if (peek().text == "(") {
+      result.isMethod = true;
+      result.parameters = list();
+      expect("->");
+      result.results = list();
+    } else if (accept(":")) {
+      result.type = type();
+      if (accept("=")) result.defaultValue = take().text;
+    }
+    result.annotations = annotations();
+    expect(";");
+    return result;
+  }
+
+  Node node() {
+    static const std::map<std::string, Node::Kind> kinds = {{"struct", Node::Kind::Struct},
+                                                            {"enum", Node::Kind::Enum},
+                                                            {"interface", Node::Kind::Interface}};
+    Node result;
+    result.line = peek().line;
+    const std::string keyword = take().text;
+    const auto kind = kinds.find(keyword);
+    if (kind == kinds.end()) {
+      throw SyntaxError(result.line, "expected struct, enum or interface, found '" + keyword + "'");
+    }
+    result.kind = kind->second;
+    result.name = take().text;
+    result.id = id();
+    result.annotations = annotations();
+    expect("{");
+    while (!accept("}")) result.members.push_back(member());
+    return result;
+  }
+
+  std::vector<Token> tokens_;
+  std::size_t at_ = 0;
+  std::map<std::string, std::string> imports_;
+};
+
+void refuseBadMembers(const Node& node) {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < node.members.size(); ++i) {
+    const Member& member = node.members[i];
+    if (member.ordinal != i) {
+      throw SyntaxError(member.line, "'" + member.name + "' has ordinal " +
+                                         std::to_string(member.ordinal) + ", expected " +
+                                         std::to_string(i) +
+                                         ": ordinals count up from 0 without gap or repeat");
+    }
+    if (!names.insert(member.name).second) {
+      throw SyntaxError(member.line, "'" + member.name + "' stands twice in " + node.name);
+    }
+  }
+}
+
+}  // namespace
+
+Lock parse(std::string path, std::string_view text) {
+  Lock lock = Parser(text).file();
+  lock.path = std::move(path);
+  lock.text = text;
+  std::set<std::string> names;
+  for (const Node& node : lock.nodes) {
+    if (!names.insert(node.name).second) throw SyntaxError(node.line, node.name + " stands twice");
+    refuseBadMembers(node);
+  }
+  return lock;
+}
+
+}  // namespace suture::compiler::lock

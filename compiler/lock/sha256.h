@@ -1,0 +1,17 @@
+#pragma once
+// SHA-256 (FIPS 180-4), for ids and contract hashes. Here because it is the only thing the compiler
+// would need a cryptography library for.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace suture::compiler::lock {
+
+std::array<std::uint8_t, 32> sha256(std::string_view text);
+
+/// Lower-case hexadecimal of the first `bytes` bytes.
+std::string sha256Hex(std::string_view text, unsigned bytes = 32);
+
+}  // namespace suture::compiler::lock

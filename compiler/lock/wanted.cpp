@@ -1,0 +1,270 @@
+#include "compiler/lock/wanted.h"
+
+#include <charconv>
+#include <utility>
+
+#include "compiler/lock/sha256.h"
+#include "compiler/lock/wire_type.h"
+
+namespace suture::compiler::lock {
+namespace {
+
+constexpr char kSent[] = "/suture/rpc.capnp:Sent";
+
+Member plain(std::string name, std::string type, std::string doc = "") {
+  Member member;
+  member.name = std::move(name);
+  member.type = std::move(type);
+  member.doc = std::move(doc);
+  return member;
+}
+
+Member method(std::string name, std::string doc) {
+  Member member = plain(std::move(name), "", std::move(doc));
+  member.isMethod = true;
+  return member;
+}
+
+void addCxxName(Member& member, const std::string& cxxName) {
+  if (cxxName != member.name) member.annotations.emplace("cxx", quoted(cxxName));
+}
+
+/// The initialiser as capnp spells it. Only scalars and enums have one on the wire; capnp's own
+/// zero needs no saying.
+std::string capnpDefault(const model::Field& field, const model::Lookup& lookup) {
+  const std::string& json = field.defaultJson;
+  if (json.empty()) return "";
+  if (field.type.shape == model::Type::Shape::Scalar) {
+    return json == "0" || json == "0.0" || json == "false" ? "" : json;
+  }
+  if (field.type.shape != model::Type::Shape::Enum || json.size() < 2) return "";
+  const model::Enum* const type = lookup.findEnum(field.type.name);
+  const std::string name = json.substr(1, json.size() - 2);  // without the quotes
+  if (type == nullptr) return "";
+  for (const model::Enumerator& enumerator : type->enumerators) {
+    const bool isFirst = &enumerator == &type->enumerators.front();
+    if (enumerator.name == name) return isFirst ? "" : enumerator.wireName;
+  }
+  return "";
+}
+
+/// The shortest spelling that reads back as the same number.
+std::string number(double value) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+  return std::string(text, end);
+}
+
+using Bounds = std::optional<std::pair<double, double>>;
+
+Annotations valueAnnotations(const model::Type& type, const std::string& unit,
+                             const Bounds& range) {
+  Annotations result = typeAnnotations(type);
+  if (!unit.empty()) result.emplace("unit", quoted(unit));
+  if (range) {
+    result.emplace("range", "(lowest = " + number(range->first) +
+                                ", highest = " + number(range->second) + ")");
+  }
+  return result;
+}
+
+WantedNode startNode(Node::Kind kind, const std::string& cxxName, std::string wireName,
+                     std::string title, const model::Source& source) {
+  WantedNode result;
+  result.node.kind = kind;
+  result.node.name = std::move(wireName);
+  result.cxxName = cxxName;
+  result.title = std::move(title);
+  result.source = source;
+  return result;
+}
+
+WantedNode wantedEnum(const model::Enum& declaration) {
+  WantedNode result = startNode(Node::Kind::Enum, declaration.name, declaration.wireName,
+                                "enum '" + declaration.name + "'", declaration.source);
+  result.node.annotations = {{"cxx", quoted(declaration.name)},
+                             {"underlying", quoted(capnpScalar(declaration.underlying))}};
+  result.node.doc = declaration.doc.text;
+  for (const model::Enumerator& enumerator : declaration.enumerators) {
+    Member member = plain(enumerator.wireName, "", enumerator.doc.text);
+    addCxxName(member, enumerator.name);
+    member.annotations.emplace("value", std::to_string(enumerator.value));
+    result.members.push_back({std::move(member),
+                              "enumerator '" + declaration.name + "::" + enumerator.name + "'",
+                              std::nullopt, enumerator.source});
+  }
+  return result;
+}
+
+WantedMember wantedField(const model::Struct& owner, const model::Field& field,
+                         const model::Lookup& lookup, const model::Header& header) {
+  Member member = plain(field.wireName, wireType(field.type, lookup, header), field.doc.text);
+  member.annotations = valueAnnotations(field.type, field.unit, field.range);
+  member.defaultValue = capnpDefault(field, lookup);
+  addCxxName(member, field.name);
+  return {std::move(member), "field '" + owner.name + "::" + field.name + "'", field.was,
+          field.source};
+}
+
+WantedNode wantedStruct(const model::Struct& declaration, const model::Lookup& lookup,
+                        const model::Header& header) {
+  WantedNode result = startNode(Node::Kind::Struct, declaration.name, declaration.wireName,
+                                "struct '" + declaration.name + "'", declaration.source);
+  result.node.annotations = {{"cxx", quoted(declaration.name)}};
+  result.node.doc = declaration.doc.text;
+  for (const model::Field& field : declaration.fields) {
+    result.members.push_back(wantedField(declaration, field, lookup, header));
+  }
+  return result;
+}
+
+const char* kindName(model::CommandKind kind) {
+  switch (kind) {
+    case model::CommandKind::Void:
+      return "void";
+    case model::CommandKind::Write:
+      return "write";
+    case model::CommandKind::Read:
+      return "read";
+    case model::CommandKind::QualifiedRead:
+      return "qualifiedRead";
+  }
+  return "";
+}
+
+WantedMember wantedCommand(const model::Interface& owner, const model::Command& command,
+                           const model::Lookup& lookup, const model::Header& header) {
+  Member member = method(command.wireName, command.doc.text);
+  addCxxName(member, command.name);
+  member.annotations.emplace("kind", quoted(kindName(command.kind)));
+  for (const model::Parameter& parameter : command.parameters) {
+    Member one = plain(parameter.wireName, wireType(parameter.type, lookup, header));
+    one.annotations = valueAnnotations(parameter.type, parameter.unit, parameter.range);
+    addCxxName(one, parameter.name);
+    member.parameters.push_back(std::move(one));
+  }
+  member.parameters.push_back(plain("sent", kSent));
+  if (command.result) {
+    member.results = {plain("value", wireType(*command.result, lookup, header))};
+    member.results.front().annotations =
+        valueAnnotations(*command.result, command.resultUnit, command.resultRange);
+  }
+  const bool queued =
+      command.kind == model::CommandKind::Void || command.kind == model::CommandKind::Write;
+  if (queued) member.annotations.emplace("queue", std::to_string(command.queue));
+  if (command.latest) member.annotations.emplace("latest", "");
+  if (command.ttlNanoseconds) {
+    member.annotations.emplace("ttl", std::to_string(*command.ttlNanoseconds));
+  }
+  return {std::move(member), "command '" + owner.name + "::" + command.name + "'", command.was,
+          command.source};
+}
+
+WantedNode wantedInterface(const model::Interface& declaration, const model::Lookup& lookup,
+                           const model::Header& header) {
+  WantedNode result = startNode(Node::Kind::Interface, declaration.name, declaration.wireName,
+                                "interface '" + declaration.name + "'", declaration.source);
+  result.node.annotations = {{"cxx", quoted(declaration.name)}};
+  result.node.doc = declaration.doc.text;
+
+  Member subscribe = method("subscribe",
+                            "Bit i of eventMask asks for event i, bit i of stateMask for column i; "
+                            "a later call replaces an earlier one.");
+  subscribe.parameters = {plain("events", declaration.wireName + "Events"),
+                          plain("eventMask", "UInt64"), plain("stateMask", "UInt64")};
+  result.members.push_back({std::move(subscribe), result.title, std::nullopt, result.source});
+  for (const model::Command& command : declaration.commands) {
+    result.members.push_back(wantedCommand(declaration, command, lookup, header));
+  }
+  return result;
+}
+
+WantedMember wantedEvent(const model::Interface& owner, const model::Event& event,
+                         const model::Lookup& lookup, const model::Header& header) {
+  Member member = method(event.wireName, event.doc.text);
+  addCxxName(member, event.name);
+  for (const model::Type& type : event.payload) {
+    Member value = plain("value", wireType(type, lookup, header));
+    value.annotations = valueAnnotations(type, event.payloadUnit, event.payloadRange);
+    member.parameters.push_back(std::move(value));
+  }
+  member.annotations.emplace("queue", std::to_string(event.queue));
+  if (event.latest) member.annotations.emplace("latest", "");
+  if (event.latched) member.annotations.emplace("latched", "");
+  return {std::move(member), "event '" + owner.name + "::" + event.member + "'", event.was,
+          event.source};
+}
+
+WantedNode wantedEvents(const model::Interface& declaration, const model::Lookup& lookup,
+                        const model::Header& header) {
+  WantedNode result =
+      startNode(Node::Kind::Interface, declaration.name, declaration.wireName + "Events",
+                "events of '" + declaration.name + "'", declaration.source);
+  result.node.annotations = {{"eventsOf", quoted(declaration.name)}};
+  result.node.doc = "What a subscriber of " + declaration.wireName + " receives.";
+  Member state = method("state", "A new row of the columns asked for.");
+  state.parameters = {plain("row", declaration.wireName + "State")};
+  result.members.push_back({std::move(state), result.title, std::nullopt, result.source});
+  for (const model::Event& event : declaration.events) {
+    result.members.push_back(wantedEvent(declaration, event, lookup, header));
+  }
+  return result;
+}
+
+WantedNode wantedState(const model::Interface& declaration, const model::Lookup& lookup,
+                       const model::Header& header) {
+  WantedNode result =
+      startNode(Node::Kind::Struct, declaration.name, declaration.wireName + "State",
+                "state of '" + declaration.name + "'", declaration.source);
+  result.node.annotations = {{"stateOf", quoted(declaration.name)}};
+  result.node.doc =
+      "One row of the state table: what the read commands of " + declaration.wireName + " answer.";
+  const auto builtIn = [&](const char* name, const char* type, const char* doc) {
+    result.members.push_back({plain(name, type, doc), result.title, std::nullopt, result.source});
+  };
+  builtIn("stamp", "Int64", "When the row was written: the provider's steady clock, ns.");
+  builtIn("evaluated", "UInt64", "Bit i: column i was evaluated.");
+  for (const model::Command& command : declaration.commands) {
+    if (command.kind != model::CommandKind::Read) continue;
+    Member column = plain(command.wireName, wireType(*command.result, lookup, header));
+    column.annotations = valueAnnotations(*command.result, command.resultUnit, command.resultRange);
+    addCxxName(column, command.name);
+    result.members.push_back({std::move(column),
+                              "command '" + declaration.name + "::" + command.name + "'",
+                              command.was, command.source});
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<WantedNode> wanted(const model::Header& header, const model::Lookup& lookup) {
+  std::vector<WantedNode> nodes;
+  for (const model::Enum& declaration : header.enums) nodes.push_back(wantedEnum(declaration));
+  for (const model::Struct& declaration : header.structs) {
+    nodes.push_back(wantedStruct(declaration, lookup, header));
+  }
+  for (const model::Interface& declaration : header.interfaces) {
+    nodes.push_back(wantedInterface(declaration, lookup, header));
+    nodes.push_back(wantedEvents(declaration, lookup, header));
+    nodes.push_back(wantedState(declaration, lookup, header));
+  }
+  return nodes;
+}
+
+std::uint64_t freshId(const std::string& project, const std::string& name) {
+  const auto digest = sha256(project + "\n" + name);
+  std::uint64_t id = 0;
+  for (unsigned i = 0; i < 8; ++i) id = id << 8 | digest[i];
+  return id | std::uint64_t{1} << 63;  // capnp demands the top bit
+}
+
+std::string identity(const Node& node) {
+  for (const char* name : {"cxx", "eventsOf", "stateOf"}) {
+    const auto found = node.annotations.find(name);
+    if (found != node.annotations.end()) return name + (" " + found->second);
+  }
+  return node.name;
+}
+
+}  // namespace suture::compiler::lock

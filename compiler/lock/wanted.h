@@ -1,0 +1,38 @@
+#pragma once
+// What a header asks of the wire, before any lock has a say: nodes and members without ordinals.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/lock/lock.h"
+#include "compiler/model/lookup.h"
+
+namespace suture::compiler::lock {
+
+struct WantedMember {
+  Member member;
+  std::string title;  ///< for messages: "field 'robots::Pose::x'"
+  std::optional<std::string> was;
+  model::Source source;
+};
+
+struct WantedNode {
+  Node node;  ///< its members stay empty
+  std::string cxxName;
+  std::string title;  ///< "struct 'robots::Pose'"
+  std::vector<WantedMember> members;
+  model::Source source;
+};
+
+/// In the order enums, structs, interfaces; an interface is followed by its events and its state
+/// row.
+std::vector<WantedNode> wanted(const model::Header& header, const model::Lookup& lookup);
+
+/// The id that a new thing receives.
+std::uint64_t freshId(const std::string& project, const std::string& name);
+
+/// What makes two nodes the same thing in header and lock: "cxx \"robots::Pose\"".
+std::string identity(const Node& node);
+
+}  // namespace suture::compiler::lock

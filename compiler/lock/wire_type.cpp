@@ -1,0 +1,168 @@
+#include "compiler/lock/wire_type.h"
+
+#include <vector>
+
+#include "compiler/lock/lock.h"
+
+namespace suture::compiler::lock {
+namespace {
+
+using model::Type;
+using Shape = Type::Shape;
+
+std::string list(const std::string& element) {
+  return "List(" + element + ")";
+}
+
+std::string declaredName(const Type& type, const model::Lookup& lookup,
+                         const model::Header& inside) {
+  const model::Enum* const enumeration = lookup.findEnum(type.name);
+  const model::Struct* const record = lookup.findStruct(type.name);
+  const model::Header* const header = lookup.headerOf(type.name);
+  if (header == nullptr || (enumeration == nullptr && record == nullptr)) return type.name;
+  const std::string& name = enumeration != nullptr ? enumeration->wireName : record->wireName;
+  return header->path == inside.path ? name : "/" + lockPath(header->path) + ":" + name;
+}
+
+/// "*,3,6x7": one entry a level; empty when every level is open or says its own length.
+std::string shapeOf(const Type& type) {
+  std::string shape;
+  bool fixed = false;
+  const Type* level = &type;
+  while (level->shape == Shape::Array || level->shape == Shape::List) {
+    if (!shape.empty()) shape += ',';
+    const bool isArray = level->shape == Shape::Array;
+    shape += isArray ? std::to_string(level->rows) : "*";
+    fixed = fixed || isArray;
+    level = &level->element.front();
+  }
+  const bool flat = (level->shape == Shape::Matrix || level->shape == Shape::Quaternion ||
+                     level->shape == Shape::Isometry) &&
+                    namedEigenType(*level).empty();
+  if (flat) {
+    if (!shape.empty()) shape += ',';
+    shape += level->shape == Shape::Matrix
+                 ? std::to_string(level->rows) + "x" + std::to_string(level->columns)
+                 : (level->shape == Shape::Quaternion ? "wxyz" : "3x4");
+  }
+  return fixed || flat ? shape : "";
+}
+
+/// "[8, 0]": one number a bounded kind of level; empty when none is bounded.
+std::string capacities(const Type& type) {
+  std::string numbers;
+  bool bounded = false;
+  for (const Type* level = &type;; level = &level->element.front()) {
+    if (level->shape == Shape::List || level->shape == Shape::Text) {
+      if (!numbers.empty()) numbers += ", ";
+      numbers += std::to_string(level->capacity.value_or(0));
+      bounded = bounded || level->capacity.has_value();
+    }
+    if (level->element.empty()) break;
+  }
+  return bounded ? "[" + numbers + "]" : "";
+}
+
+}  // namespace
+
+std::string namedEigenType(const Type& type) {
+  if (type.scalar != model::Scalar::Float64) return "";
+  if (type.shape == Shape::Quaternion) return "/suture/types.capnp:Quat";
+  if (type.shape == Shape::Isometry) return "/suture/types.capnp:Pose";
+  if (type.shape != Shape::Matrix) return "";
+  if (type.columns == 1 && type.rows >= 2 && type.rows <= 4) {
+    return "/suture/types.capnp:Vec" + std::to_string(type.rows);
+  }
+  if (type.rows == type.columns && (type.rows == 3 || type.rows == 4)) {
+    return "/suture/types.capnp:Mat" + std::to_string(type.rows);
+  }
+  return "";
+}
+
+std::string_view capnpScalar(model::Scalar scalar) {
+  switch (scalar) {
+    case model::Scalar::Bool:
+      return "Bool";
+    case model::Scalar::Int8:
+      return "Int8";
+    case model::Scalar::Int16:
+      return "Int16";
+    case model::Scalar::Int32:
+      return "Int32";
+    case model::Scalar::Int64:
+      return "Int64";
+    case model::Scalar::UInt8:
+      return "UInt8";
+    case model::Scalar::UInt16:
+      return "UInt16";
+    case model::Scalar::UInt32:
+      return "UInt32";
+    case model::Scalar::UInt64:
+      return "UInt64";
+    case model::Scalar::Float32:
+      return "Float32";
+    case model::Scalar::Float64:
+      return "Float64";
+  }
+  return "Void";
+}
+
+std::string wireType(const Type& type, const model::Lookup& lookup, const model::Header& inside) {
+  switch (type.shape) {
+    case Shape::Scalar:
+      return std::string(capnpScalar(type.scalar));
+    case Shape::Enum:
+    case Shape::Struct:
+      return declaredName(type, lookup, inside);
+    case Shape::Text:
+      return "Text";
+    case Shape::List: {
+      const Type& element = type.element.front();
+      const bool bytes = element.shape == Shape::Scalar && element.scalar == model::Scalar::UInt8;
+      return bytes ? "Data" : list(wireType(element, lookup, inside));
+    }
+    case Shape::Array:
+      return list(wireType(type.element.front(), lookup, inside));
+    case Shape::Matrix:
+    case Shape::Quaternion:
+    case Shape::Isometry: {
+      const std::string named = namedEigenType(type);
+      return named.empty() ? list(std::string(capnpScalar(type.scalar))) : named;
+    }
+    case Shape::Duration:
+    case Shape::TimePoint:
+      return "Int64";
+  }
+  return "Void";
+}
+
+std::map<std::string, std::string> typeAnnotations(const Type& type) {
+  std::map<std::string, std::string> result;
+  const auto add = [&result](const char* name, const std::string& argument) {
+    if (!argument.empty()) result.emplace(name, argument);
+  };
+  const Type* leaf = &type;
+  while (!leaf->element.empty()) leaf = &leaf->element.front();
+  if (leaf->shape == Shape::Duration) {
+    add("period", quoted(std::to_string(leaf->periodNumerator) + "/" +
+                         std::to_string(leaf->periodDenominator)));
+  }
+  if (leaf->shape == Shape::TimePoint) {
+    add("clock", quoted(leaf->clock == model::Clock::Steady ? "steady" : "system"));
+  }
+  const std::string shape = shapeOf(type);
+  if (!shape.empty()) add("shape", quoted(shape));
+  add("capacity", capacities(type));
+  return result;
+}
+
+std::string quoted(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + '"';
+}
+
+}  // namespace suture::compiler::lock

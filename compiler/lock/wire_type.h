@@ -1,0 +1,30 @@
+#pragma once
+// How a C++ type reads on the wire: capnp's spelling, and beside it what capnp cannot say.
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "compiler/model/lookup.h"
+#include "compiler/model/type.h"
+
+namespace suture::compiler::lock {
+
+/// Fixed double-precision Eigen types that have a named struct in suture/types.capnp.
+/// "/suture/types.capnp:Vec3"; "" when the type has none and travels as a flat list.
+std::string namedEigenType(const model::Type& type);
+
+/// "Int32", "Float64"...
+std::string_view capnpScalar(model::Scalar scalar);
+
+/// "List(Int32)"; a type of another file as "/arm/arm.capnp:PoseStamped".
+std::string wireType(const model::Type& type, const model::Lookup& lookup,
+                     const model::Header& inside);
+
+/// shape, period, clock, capacity: those that apply, in the form of Member::annotations.
+std::map<std::string, std::string> typeAnnotations(const model::Type& type);
+
+/// `text` as a capnp string literal, quotes included.
+std::string quoted(std::string_view text);
+
+}  // namespace suture::compiler::lock

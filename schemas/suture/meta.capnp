@@ -1,0 +1,65 @@
+@0x998f013c8ed6abfe;
+# What a locked schema keeps and capnp itself cannot say. suturec writes and reads these; a change of
+# those marked "break" is refused like a change of type.
+
+using Cxx = import "/capnp/c++.capnp";
+$Cxx.namespace("suture::wire::meta");
+
+annotation header @0xfa75b35d473ef8a4 (file) :Text;
+# The annotated header that this schema locks.
+
+annotation cxx @0xd470381940aa15b6 (struct, enum, interface, field, enumerant, method, param) :Text;
+# The C++ name: qualified on a type, plain elsewhere and then only where it is not the wire name.
+
+annotation eventsOf @0xed0351d22393551e (interface) :Text;
+# The C++ contract whose events these are.
+
+annotation stateOf @0xfa7d5d07bcaf6abb (struct) :Text;
+# The C++ contract whose read commands are the columns of this row.
+
+annotation unit @0x9cebc59597ba1262 (field, param) :Text;
+# break. "m/s", "rad"...
+
+annotation period @0xe93a33fae94d72c2 (field, param, method) :Text;
+# break. Tick of the C++ duration in seconds, "1/1000"; the wire carries nanoseconds.
+
+annotation clock @0xfdb2880c80660dd0 (field, param, method) :Text;
+# break. "steady" or "system"; the wire carries nanoseconds since the clock's epoch.
+
+annotation shape @0xbcaedc211610f446 (field, param, method) :Text;
+# break. Fixed extents of lists, outside in: "*" open, "7" an array, "6x7" a matrix, column-major.
+
+annotation range @0x94378331cf3a0f00 (field, param) :Range;
+# The receiving end refuses what lies outside.
+
+annotation capacity @0xb9153c2d27d33063 (field, param, method) :List(UInt32);
+# Upper bounds of text and lists, outside in; 0 = unbounded.
+
+annotation underlying @0xaa6a851ab778967e (enum) :Text;
+# The C++ underlying type of an enum.
+
+annotation value @0x91c39e75d52c17cd (enumerant) :Int64;
+# The C++ value; the wire carries the ordinal.
+
+annotation kind @0xf2076aea88bf178f (method) :Text;
+# break. Of a command: "void", "write", "read", "qualifiedRead".
+
+annotation queue @0x8aba1b3df2bda459 (method) :UInt32;
+# How many may wait.
+
+annotation latest @0xc849b8fe6fa70774 (method) :Void;
+# A newer one replaces the waiting one.
+
+annotation ttl @0xa9274b46a0b5d1f3 (method) :Int64;
+# Nanoseconds after which a waiting command is discarded.
+
+annotation latched @0xe2f9c1d7b8405a6e (method) :Void;
+# A late subscriber receives the last value.
+
+annotation removed @0xd3b1f04c6a8e9275 (struct, enum, interface, field, enumerant, method) :Text;
+# No longer declared; keeps its place for ever. The argument is its last name on the wire.
+
+struct Range @0xb7c2e85d1f9a6043 {
+  lowest @0 :Float64;
+  highest @1 :Float64;
+}

@@ -1,0 +1,307 @@
+#include "tests/unit/emit/sample_model.h"
+
+#include "compiler/model/naming.h"
+
+namespace suture::compiler::sample {
+
+using model::CommandKind;
+using model::Scalar;
+using model::Type;
+
+namespace {
+
+const char* cxxScalar(Scalar scalar) {
+  switch (scalar) {
+    case Scalar::Bool:
+      return "bool";
+    case Scalar::Int8:
+      return "std::int8_t";
+    case Scalar::Int16:
+      return "std::int16_t";
+    case Scalar::Int32:
+      return "std::int32_t";
+    case Scalar::Int64:
+      return "std::int64_t";
+    case Scalar::UInt8:
+      return "std::uint8_t";
+    case Scalar::UInt16:
+      return "std::uint16_t";
+    case Scalar::UInt32:
+      return "std::uint32_t";
+    case Scalar::UInt64:
+      return "std::uint64_t";
+    case Scalar::Float32:
+      return "float";
+    case Scalar::Float64:
+      return "double";
+  }
+  return "";
+}
+
+Type shaped(Type::Shape shape, std::string spelling) {
+  Type type;
+  type.shape = shape;
+  type.spelling = std::move(spelling);
+  return type;
+}
+
+}  // namespace
+
+Type scalar(Scalar scalar) {
+  Type type = shaped(Type::Shape::Scalar, cxxScalar(scalar));
+  type.scalar = scalar;
+  return type;
+}
+
+Type number() {
+  return scalar(Scalar::Float64);
+}
+
+Type text(unsigned capacity) {
+  Type type = shaped(Type::Shape::Text, "std::string");
+  type.capacity = capacity;
+  return type;
+}
+
+Type listOf(Type element, unsigned capacity) {
+  Type type = shaped(Type::Shape::List, "std::vector<" + element.spelling + ">");
+  type.capacity = capacity;
+  type.element = {std::move(element)};
+  return type;
+}
+
+Type arrayOf(Type element, unsigned length) {
+  Type type = shaped(Type::Shape::Array,
+                     "std::array<" + element.spelling + ", " + std::to_string(length) + ">");
+  type.rows = length;
+  type.element = {std::move(element)};
+  return type;
+}
+
+Type matrix(unsigned rows, unsigned columns, Scalar scalar) {
+  Type type =
+      shaped(Type::Shape::Matrix, std::string("Eigen::Matrix<") + cxxScalar(scalar) + ", " +
+                                      std::to_string(rows) + ", " + std::to_string(columns) + ">");
+  type.scalar = scalar;
+  type.rows = rows;
+  type.columns = columns;
+  return type;
+}
+
+Type quaternion() {
+  return shaped(Type::Shape::Quaternion, "Eigen::Quaternion<double>");
+}
+Type isometry() {
+  return shaped(Type::Shape::Isometry, "Eigen::Isometry3d");
+}
+
+Type duration(std::int64_t periodNumerator, std::int64_t periodDenominator) {
+  Type type = shaped(Type::Shape::Duration, "std::chrono::duration<std::int64_t, std::ratio<" +
+                                                std::to_string(periodNumerator) + ", " +
+                                                std::to_string(periodDenominator) + ">>");
+  type.scalar = Scalar::Int64;
+  type.periodNumerator = periodNumerator;
+  type.periodDenominator = periodDenominator;
+  return type;
+}
+
+Type steadyTime() {
+  return shaped(Type::Shape::TimePoint, "std::chrono::steady_clock::time_point");
+}
+
+Type enumeration(const std::string& name) {
+  Type type = shaped(Type::Shape::Enum, name);
+  type.name = name;
+  return type;
+}
+
+Type record(const std::string& name) {
+  Type type = shaped(Type::Shape::Struct, name);
+  type.name = name;
+  return type;
+}
+
+model::Field field(const std::string& name, Type type, const std::string& unit) {
+  model::Field result;
+  result.name = name;
+  result.wireName = model::camelCase(name);
+  result.type = std::move(type);
+  result.unit = unit;
+  return result;
+}
+
+model::Struct structure(const std::string& name, std::vector<model::Field> fields) {
+  model::Struct result;
+  result.name = name;
+  result.wireName = model::unqualified(name);
+  result.fields = std::move(fields);
+  return result;
+}
+
+model::Enum enumerated(const std::string& name,
+                       std::initializer_list<std::pair<const char*, std::int64_t>> enumerators) {
+  model::Enum result;
+  result.name = name;
+  result.wireName = model::unqualified(name);
+  for (const auto& [enumerator, value] : enumerators) {
+    result.enumerators.push_back({enumerator, model::camelCase(enumerator), value, {}, {}});
+  }
+  return result;
+}
+
+model::Command command(const std::string& name, CommandKind kind) {
+  model::Command result;
+  result.name = name;
+  result.wireName = model::camelCase(name);
+  result.kind = kind;
+  return result;
+}
+
+model::Command read(const std::string& name, Type result) {
+  model::Command one = command(name, CommandKind::Read);
+  one.result = std::move(result);
+  return one;
+}
+
+model::Command write(const std::string& name, const std::string& parameter, Type type) {
+  model::Command one = command(name, CommandKind::Write);
+  model::Parameter only;
+  only.name = parameter;
+  only.wireName = model::camelCase(parameter);
+  only.type = std::move(type);
+  one.parameters = {std::move(only)};
+  return one;
+}
+
+model::Event event(const std::string& name, std::vector<Type> payload) {
+  model::Event result;
+  result.member = name + "_event";
+  result.name = name;
+  result.wireName = model::camelCase(name);
+  result.payload = std::move(payload);
+  return result;
+}
+
+namespace {
+
+model::Header geometryHeader() {
+  model::Header header;
+  header.path = "robots/geometry.h";
+  header.cxxNamespace = "robots";
+  header.own = false;
+  header.structs = {
+      structure("robots::PoseStamped", {field("pose", isometry()), field("stamp", steadyTime()),
+                                        field("valid", scalar(Scalar::Bool))})};
+  return header;
+}
+
+model::Enum mode() {
+  model::Enum result =
+      enumerated("robots::Mode", {{"Disabled", -1}, {"HoldStill", 4}, {"Servo", 2}});
+  result.underlying = Scalar::Int8;
+  result.doc.text = "What the arm does.";
+  result.enumerators[1].doc.text = "Brakes off, set-point frozen.";
+  return result;
+}
+
+model::Struct everything() {
+  std::vector<model::Field> fields = {
+      field("on", scalar(Scalar::Bool)),
+      field("tiny", scalar(Scalar::Int8)),
+      field("count", scalar(Scalar::UInt64)),
+      field("speed", number(), "m/s"),
+      field("ratio", scalar(Scalar::Float32)),
+      field("mode", enumeration("robots::Mode")),
+      field("label", text(16)),
+      field("bytes", listOf(scalar(Scalar::UInt8), 32)),
+      field("flags", listOf(scalar(Scalar::Bool), 4)),
+      field("names", listOf(text(8), 3)),
+      field("pairs", listOf(arrayOf(number(), 2), 5)),
+      field("modes", arrayOf(enumeration("robots::Mode"), 2)),
+      field("goal", record("robots::PoseStamped")),
+      field("track", listOf(record("robots::PoseStamped"), 2)),
+      field("point", matrix(3, 1), "m"),
+      field("plane", matrix(3, 1, Scalar::Float32)),
+      field("inertia", matrix(3, 3)),
+      field("jacobian", matrix(6, 7)),
+      field("attitude", quaternion()),
+      field("period", duration(1, 1000)),
+      field("when", steadyTime()),
+  };
+  fields[3].range = {{-0.5, 2}};
+  fields[3].defaultJson = "0.25";
+  fields[3].doc.text = "Along the path.";
+  fields[5].defaultJson = "\"Servo\"";
+  model::Struct result = structure("robots::Everything", std::move(fields));
+  result.doc.text = "Every kind of member.\n\nTwo paragraphs.";
+  return result;
+}
+
+model::Struct parameters() {
+  model::Struct result =
+      structure("robots::ArmParameters", {field("rate", number(), "Hz"), field("name", text(24))});
+  result.fields[0].defaultJson = "1000.0";
+  return result;
+}
+
+model::Interface arm() {
+  model::Interface result;
+  result.name = "robots::Arm";
+  result.wireName = "Arm";
+  result.doc.text = "A robot arm.";
+
+  model::Command servo = write("servo_cp", "goal", record("robots::PoseStamped"));
+  servo.latest = true;
+  servo.ttlNanoseconds = 20'000'000;
+  servo.doc.text = "Follow the goal.";
+  model::Command solve = command("inverse_kinematics", CommandKind::QualifiedRead);
+  solve.parameters = servo.parameters;
+  solve.parameters[0].name = solve.parameters[0].wireName = "x";
+  solve.result = record("robots::Everything");
+  model::Command all = read("everything", record("robots::Everything"));
+  all.resultByReference = true;
+  result.commands = {command("enable", CommandKind::Void),
+                     servo,
+                     write("set_speed", "speed", number()),
+                     read("measured_cp", record("robots::PoseStamped")),
+                     read("mode", enumeration("robots::Mode")),
+                     all,
+                     solve};
+  result.commands[0].queue = 4;
+  result.commands[2].parameters[0].byReference = false;
+  result.commands[2].parameters[0].unit = "m/s";
+
+  model::Event changed = event("mode_changed", {enumeration("robots::Mode")});
+  changed.latched = true;
+  changed.queue = 8;
+  result.events = {changed, event("stopped"), event("arrived", {record("robots::PoseStamped")})};
+  return result;
+}
+
+model::Header ownHeader() {
+  model::Header header;
+  header.path = "robots/arm.h";
+  header.cxxNamespace = "robots";
+  header.imports = {"robots/geometry.h"};
+  header.enums = {mode()};
+  header.structs = {everything(), parameters()};
+  header.interfaces = {arm()};
+  model::Component component;
+  component.name = "robots::SimulatedArm";
+  component.parameters = "robots::ArmParameters";
+  component.ports = {{"arm_", "Arm", "robots::Arm", true, {}}};
+  header.components = {component};
+  return header;
+}
+
+}  // namespace
+
+model::Model robots() {
+  return {{ownHeader(), geometryHeader()}};
+}
+
+model::Header& armHeader(model::Model& model) {
+  return model.headers.front();
+}
+
+}  // namespace suture::compiler::sample

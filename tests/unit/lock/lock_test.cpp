@@ -1,0 +1,275 @@
+// The lock from the outside: what a build accepts, what it refuses, what an update writes.
+
+#include "compiler/lock/lock.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "compiler/lock/parse.h"
+#include "compiler/lock/writer.h"
+#include "tests/unit/emit/sample_model.h"
+
+namespace suture::compiler::lock {
+namespace {
+
+using model::Diagnostic;
+using model::Diagnostics;
+using model::Scalar;
+
+Locks lockOf(const model::Model& model, const Locks& old = {}) {
+  Diagnostics diagnostics;
+  std::vector<model::Artefact> texts = update(model, old).files;
+  for (const auto& [path, lock] : old.files) {
+    const bool replaced = std::any_of(texts.begin(), texts.end(),
+                                      [&](const auto& text) { return text.path == path; });
+    if (!replaced) texts.push_back({path, lock.text});
+  }
+  Locks locks = read(texts, diagnostics);
+  EXPECT_TRUE(diagnostics.empty()) << diagnostics.front().message;
+  return locks;
+}
+
+const Lock& armLock(const Locks& locks) {
+  return locks.files.at("robots/arm.capnp");
+}
+
+const Node& nodeOf(const Lock& lock, const std::string& name) {
+  return *std::find_if(lock.nodes.begin(), lock.nodes.end(),
+                       [&](const Node& node) { return node.name == name; });
+}
+
+std::vector<std::string> slugs(const Diagnostics& diagnostics) {
+  std::vector<std::string> result;
+  for (const Diagnostic& one : diagnostics) result.push_back(one.slug);
+  return result;
+}
+
+using Slugs = std::vector<std::string>;
+
+class LockTest : public testing::Test {
+ protected:
+  model::Struct& everything() { return sample::armHeader(model_).structs[0]; }
+  model::Interface& arm() { return sample::armHeader(model_).interfaces[0]; }
+  model::Field& field(const std::string& name) {
+    auto& fields = everything().fields;
+    return *std::find_if(fields.begin(), fields.end(),
+                         [&](const model::Field& one) { return one.name == name; });
+  }
+
+  model::Model model_ = sample::robots();
+  const Locks before_ = lockOf(model_);
+};
+
+TEST_F(LockTest, HeaderWithoutLockNamesTheCommand) {
+  const Diagnostics found = check(model_, {}, {.command = "make update-lock"});
+  ASSERT_EQ(slugs(found), Slugs{"lock-missing"});
+  EXPECT_EQ(found[0].message, "robots/arm.h has no lock: schemas/robots/arm.capnp does not exist");
+  EXPECT_NE(found[0].help.find("make update-lock"), std::string::npos);
+}
+
+TEST_F(LockTest, ForeignHeadersAreNotLockedHere) {
+  EXPECT_EQ(before_.files.size(), 1u);
+  EXPECT_TRUE(before_.files.contains("robots/arm.capnp"));
+}
+
+TEST_F(LockTest, FreshLockIsAcceptedAndStable) {
+  EXPECT_TRUE(check(model_, before_).empty());
+  EXPECT_TRUE(update(model_, before_).files.empty());
+}
+
+TEST_F(LockTest, ParsingWhatWasWrittenLosesNothing) {
+  const Lock& lock = armLock(before_);
+  Lock again = parse(lock.path, write(lock));
+  EXPECT_EQ(write(again), write(lock));
+  EXPECT_EQ(again.id, lock.id);
+  EXPECT_EQ(again.nodes.size(), lock.nodes.size());
+}
+
+TEST_F(LockTest, IdsDependOnProjectAndNameOnly) {
+  const Update other = update(model_, {}, {.project = "another"});
+  Diagnostics none;
+  const Locks locks = read(other.files, none);
+  EXPECT_NE(armLock(locks).id, armLock(before_).id);
+  EXPECT_NE(nodeOf(armLock(locks), "Arm").id, nodeOf(armLock(before_), "Arm").id);
+  EXPECT_EQ(write(armLock(lockOf(sample::robots()))), write(armLock(before_)));
+}
+
+TEST_F(LockTest, ReorderedFieldsChangeNothing) {
+  std::reverse(everything().fields.begin(), everything().fields.end());
+  std::reverse(arm().commands.begin(), arm().commands.end());
+  EXPECT_TRUE(check(model_, before_).empty());
+}
+
+TEST_F(LockTest, NewFieldNeedsTheUpdateAndGoesLast) {
+  auto& fields = everything().fields;
+  fields.insert(fields.begin(), sample::field("extra", sample::number()));
+  const Diagnostics found = check(model_, before_);
+  ASSERT_EQ(slugs(found), Slugs{"lock-new"});
+  EXPECT_NE(found[0].message.find("field 'robots::Everything::extra'"), std::string::npos);
+  EXPECT_NE(found[0].message.find("schemas/robots/arm.capnp:"), std::string::npos);
+
+  const Locks after = lockOf(model_, before_);
+  const Member& last = nodeOf(armLock(after), "Everything").members.back();
+  EXPECT_EQ(last.name, "extra");
+  EXPECT_EQ(last.ordinal, fields.size() - 1);
+  EXPECT_TRUE(check(model_, after).empty());
+}
+
+TEST_F(LockTest, RemovedFieldLeavesAPlaceholderForEver) {
+  everything().fields.erase(everything().fields.begin() + 3);  // speed
+  const Diagnostics found = check(model_, before_);
+  ASSERT_EQ(slugs(found), Slugs{"lock-removed"});
+  EXPECT_NE(found[0].help.find("was(\"speed\")"), std::string::npos);
+
+  Locks after = lockOf(model_, before_);
+  const Member& placeholder = nodeOf(armLock(after), "Everything").members[3];
+  EXPECT_EQ(placeholder.name, "removed3");
+  EXPECT_EQ(placeholder.type, "Float64");
+  EXPECT_TRUE(placeholder.removed());
+
+  everything().fields.push_back(sample::field("speed", sample::text(4)));
+  after = lockOf(model_, after);
+  const Node& node = nodeOf(armLock(after), "Everything");
+  EXPECT_EQ(node.members[3].name, "removed3");
+  EXPECT_EQ(node.members.back().name, "speed");
+  EXPECT_TRUE(check(model_, after).empty());
+}
+
+TEST_F(LockTest, RenameWithWasKeepsTheOrdinal) {
+  field("speed").was = "speed";
+  field("speed").wireName = "pathSpeed";
+  everything().fields[3].name = "path_speed";
+  EXPECT_EQ(slugs(check(model_, before_)), Slugs{"lock-renamed"});
+  const Locks after = lockOf(model_, before_);
+  EXPECT_EQ(nodeOf(armLock(after), "Everything").members[3].name, "pathSpeed");
+  EXPECT_TRUE(check(model_, after).empty()) << "a done rename may keep its was()";
+}
+
+TEST_F(LockTest, TypeChangeIsRefusedAndNamesTheLine) {
+  field("tiny").type = sample::scalar(Scalar::Int16);
+  const Diagnostics found = check(model_, before_);
+  ASSERT_EQ(slugs(found), Slugs{"lock-break"});
+  EXPECT_EQ(found[0].message, "field 'robots::Everything::tiny': type Int16 instead of Int8");
+  ASSERT_EQ(found[0].notes.size(), 1u);
+  EXPECT_EQ(found[0].notes[0].source.file, "schemas/robots/arm.capnp");
+  EXPECT_EQ(found[0].notes[0].text, "the lock has: tiny @1 :Int8");
+  const std::string& text = armLock(before_).text;
+  unsigned line = 1;
+  for (std::size_t i = 0; i < text.find("tiny @1"); ++i) line += text[i] == '\n';
+  EXPECT_EQ(found[0].notes[0].source.line, line);
+  EXPECT_EQ(slugs(update(model_, before_).diagnostics), Slugs{"lock-break"});
+}
+
+TEST_F(LockTest, WhatCapnpCannotSayIsGuardedToo) {
+  field("speed").unit = "mm/s";
+  field("period").type = sample::duration(1, 1000000);
+  field("when").type.clock = model::Clock::System;
+  field("jacobian").type = sample::matrix(7, 6);
+  field("pairs").type = sample::listOf(sample::arrayOf(sample::number(), 3), 5);
+  arm().commands[0].kind = model::CommandKind::Write;
+  EXPECT_EQ(slugs(check(model_, before_)), Slugs(6, "lock-break"));
+}
+
+TEST_F(LockTest, SignaturesOnlyGrow) {
+  model::Command& solve = arm().commands.back();
+  solve.parameters.push_back(solve.parameters[0]);
+  solve.parameters.back().wireName = solve.parameters.back().name = "seed";
+  EXPECT_EQ(slugs(check(model_, before_)), Slugs{"lock-new"});
+  const Locks after = lockOf(model_, before_);
+  const Member& method = nodeOf(armLock(after), "Arm").members.back();
+  ASSERT_EQ(method.parameters.size(), 3u);
+  EXPECT_EQ(method.parameters[1].name, "sent");
+  EXPECT_EQ(method.parameters[2].name, "seed");
+
+  solve.parameters.erase(solve.parameters.begin());
+  EXPECT_EQ(slugs(check(model_, after)), Slugs{"lock-break"});
+}
+
+TEST_F(LockTest, PolicyMayChangeButTheLockIsToldStale) {
+  arm().commands[0].queue = 99;
+  const Diagnostics found = check(model_, before_);
+  ASSERT_EQ(slugs(found), Slugs{"lock-stale"});
+  EXPECT_EQ(found[0].severity, Diagnostic::Severity::Warning);
+  EXPECT_TRUE(check(model_, lockOf(model_, before_)).empty());
+}
+
+TEST_F(LockTest, CommentsAreNotTheBusinessOfABuild) {
+  arm().doc.text = "Another comment.";
+  EXPECT_TRUE(check(model_, before_).empty());
+  EXPECT_EQ(update(model_, before_).files.size(), 1u);
+}
+
+TEST_F(LockTest, RemovedContractKeepsItsPlace) {
+  sample::armHeader(model_).interfaces.clear();
+  EXPECT_EQ(slugs(check(model_, before_)), Slugs(3, "lock-removed"));
+  const Locks after = lockOf(model_, before_);
+  EXPECT_TRUE(nodeOf(armLock(after), "Arm").removed());
+  EXPECT_EQ(nodeOf(armLock(after), "Arm").id, nodeOf(armLock(before_), "Arm").id);
+  EXPECT_TRUE(check(model_, after).empty());
+}
+
+TEST_F(LockTest, DerivedNamesMayNotMeetDeclaredOnes) {
+  sample::armHeader(model_).structs.push_back(
+      sample::structure("robots::ArmState", {sample::field("x", sample::number())}));
+  const Diagnostics found = check(model_, {});
+  ASSERT_EQ(slugs(found), (Slugs{"wire-name-clash", "lock-missing"}));
+  EXPECT_NE(found[0].help.find("name("), std::string::npos);
+}
+
+TEST_F(LockTest, DefaultsAreFrozen) {
+  EXPECT_EQ(nodeOf(armLock(before_), "Everything").members[3].defaultValue, "0.25");
+  EXPECT_EQ(nodeOf(armLock(before_), "Everything").members[5].defaultValue, "servo");
+  field("speed").defaultJson = "0.75";
+  EXPECT_TRUE(check(model_, before_).empty());
+  EXPECT_EQ(nodeOf(armLock(lockOf(model_, before_)), "Everything").members[3].defaultValue, "0.25");
+}
+
+TEST_F(LockTest, ACopiedLockIsFound) {
+  Diagnostics none;
+  const Locks two = read(
+      {{"robots/arm.capnp", armLock(before_).text}, {"robots/copy.capnp", armLock(before_).text}},
+      none);
+  const Diagnostics found = check(model_, two);
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found[0].slug, "lock-duplicate-id");
+}
+
+struct BadLock {
+  const char* text;
+  unsigned line;
+  const char* message;
+};
+
+class BadLocks : public testing::TestWithParam<BadLock> {};
+
+TEST_P(BadLocks, AreReportedAtTheirLine) {
+  Diagnostics found;
+  const Locks locks = read({{"a.capnp", GetParam().text}}, found);
+  EXPECT_TRUE(locks.files.empty());
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].slug, "lock-syntax");
+  EXPECT_EQ(found[0].source.file, "schemas/a.capnp");
+  EXPECT_EQ(found[0].source.line, GetParam().line);
+  EXPECT_NE(found[0].message.find(GetParam().message), std::string::npos) << found[0].message;
+}
+
+#define HEAD "@0x8000000000000001;\n"
+INSTANTIATE_TEST_SUITE_P(
+    Lock, BadLocks,
+    testing::Values(
+        BadLock{"", 1, "expected '@', found the end of the file"}, BadLock{"@0x1;", 1, "top bit"},
+        BadLock{HEAD "struct A @0x8000000000000002 {\n  x @0 :Int8", 3, "expected ';'"},
+        BadLock{HEAD "<<<<<<< HEAD\n", 2, "merge conflict"},
+        BadLock{HEAD "class A @0x8000000000000002 {}", 2, "expected struct, enum or interface"},
+        BadLock{HEAD "struct A @0x8000000000000002 {\n  x @0 :Int8;\n  y @2 :Int8;\n}", 4,
+                "expected 1"},
+        BadLock{HEAD "struct A @0x8000000000000002 {\n  x @0 :Int8;\n  x @1 :Int8;\n}", 4, "twice"},
+        BadLock{HEAD "struct A @0x8000000000000002 {\n\n  x @0 :Other.Pose;\n}", 4, "not imported"},
+        BadLock{HEAD "struct A @0x8000000000000002 {}\nstruct A @0x8000000000000003 {}", 3,
+                "twice"},
+        BadLock{HEAD "\nstruct A @zero {}", 3, "expected a number"},
+        BadLock{HEAD "struct A @0x8000000000000002 $Meta.cxx(\"a {\n}", 2, "string has no end"}));
+
+}  // namespace
+}  // namespace suture::compiler::lock
