@@ -32,7 +32,7 @@ struct Refusal {
 struct InterfaceRecord {
   name @0 :Text;      # "Arm"
   contract @1 :Text;  # "robots::Arm"
-  wireHash @2 :UInt64;
+  hash @2 :Text;      # of the wire contract; equal hashes are compatible
 }
 
 struct ComponentRecord {

@@ -47,7 +47,7 @@ struct ConnectRequest {
   toComponent @3 :Text;
   provided @4 :Text;
   contract @5 :Text;      # its C++ name
-  wireHash @6 :UInt64;    # over everything that both sides must agree on
+  hash @6 :Text;          # of the wire contract; equal hashes are compatible
   description @7 :Text;   # the self-description (JSON), to say what differs when the hashes do
   events @8 :UInt64;      # bit i: wants event i of the contract
   clockOffset @9 :Int64;  # caller's clock minus responder's, ns, as the caller measured it

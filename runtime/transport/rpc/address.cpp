@@ -1,0 +1,98 @@
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <suture/transport/rpc/address.h>
+
+#include <charconv>
+#include <cstring>
+
+namespace suture::rpc {
+namespace {
+
+constexpr std::string_view kUnix = "unix:";
+constexpr std::string_view kTcp = "tcp://";
+
+[[noreturn]] void refuse(const std::string& text, const std::string& found, const char* remedy) {
+  throw SetupError("use the address '" + text + "'", found, remedy);
+}
+
+bool isLoopback(const std::string& host) {
+  in_addr four;
+  if (inet_pton(AF_INET, host.c_str(), &four) == 1) return (ntohl(four.s_addr) >> 24) == 127;
+  return host == "::1";
+}
+
+bool isNumeric(const std::string& host) {
+  in6_addr any;
+  return inet_pton(AF_INET, host.c_str(), &any) == 1 || inet_pton(AF_INET6, host.c_str(), &any) == 1;
+}
+
+Address parseUnix(const std::string& text) {
+  Address address;
+  address.path = text.substr(kUnix.size());
+  if (address.path.empty()) refuse(text, "it has no path", "Write unix:/path/to/socket.");
+  const std::size_t room = sizeof(sockaddr_un::sun_path) - 1;
+  if (address.path.size() > room) {
+    refuse(text, "its path has " + std::to_string(address.path.size()) + " characters and a socket's may have " +
+                     std::to_string(room),
+           "Choose a shorter directory, for example under /tmp.");
+  }
+  return address;
+}
+
+Address parseTcp(const std::string& text) {
+  Address address;
+  address.kind = Address::Kind::Tcp;
+  const std::string rest = text.substr(kTcp.size());
+  const std::size_t colon = rest.rfind(':');
+  const char* end = rest.data() + rest.size();
+  const char* digits = colon == std::string::npos ? end : rest.data() + colon + 1;
+  const auto [stop, error] = std::from_chars(digits, end, address.port);
+  if (error != std::errc{} || stop != end) {
+    refuse(text, "it has no port between 0 and 65535", "Write tcp://127.0.0.1:7700.");
+  }
+  address.host = rest.substr(0, colon);
+  if (address.host.starts_with('[') && address.host.ends_with(']')) {
+    address.host = address.host.substr(1, address.host.size() - 2);
+  }
+  if (address.host == "localhost") address.host = "127.0.0.1";
+  if (isLoopback(address.host)) return address;
+  refuse(text, isNumeric(address.host) ? "plain TCP carries no proof of who is talking, and this is not a loopback address"
+                                       : "its host is neither localhost nor a numeric address",
+         "Use 127.0.0.1, or unix:/path, and a tunnel between machines.");
+}
+
+}  // namespace
+
+Address Address::parse(const std::string& text) {
+  if (text.starts_with(kUnix)) return parseUnix(text);
+  if (text.starts_with(kTcp)) return parseTcp(text);
+  refuse(text, "it begins with neither unix: nor tcp://", "Write unix:/path or tcp://127.0.0.1:7700.");
+}
+
+std::string Address::text() const {
+  if (kind == Kind::Unix) return std::string(kUnix) + path;
+  const bool six = host.find(':') != std::string::npos;
+  return std::string(kTcp) + (six ? "[" + host + "]" : host) + ":" + std::to_string(port);
+}
+
+SocketAddress::SocketAddress(const Address& address) {
+  if (address.kind == Address::Kind::Unix) {
+    auto& local = reinterpret_cast<sockaddr_un&>(storage);
+    local.sun_family = AF_UNIX;
+    std::memcpy(local.sun_path, address.path.c_str(), address.path.size() + 1);
+    length = sizeof(local);
+  } else if (auto& four = reinterpret_cast<sockaddr_in&>(storage);
+             inet_pton(AF_INET, address.host.c_str(), &four.sin_addr) == 1) {
+    four.sin_family = AF_INET;
+    four.sin_port = htons(address.port);
+    length = sizeof(four);
+  } else {
+    auto& six = reinterpret_cast<sockaddr_in6&>(storage);
+    inet_pton(AF_INET6, address.host.c_str(), &six.sin6_addr);
+    six.sin6_family = AF_INET6;
+    six.sin6_port = htons(address.port);
+    length = sizeof(six);
+  }
+}
+
+}  // namespace suture::rpc

@@ -1,0 +1,98 @@
+#pragma once
+// The one thread of a process that runs KJ and Cap'n Proto.
+
+#include <kj/async-io.h>
+#include <kj/async-unix.h>
+#include <kj/function.h>
+#include <kj/io.h>
+#include <suture/base/time.h>
+#include <suture/rt/doorbell.h>
+#include <suture/transport/rpc/outcome.h>
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace suture::rpc {
+
+/// Something that moves data between task threads and the network whenever a task has rung.
+class Pump {
+ public:
+  virtual ~Pump() = default;
+  /// Control thread: takes everything that waits. Must not block.
+  virtual void pump() = 0;
+};
+
+/// Owns an event loop and its thread. Whatever is made on it must be destroyed on it (or by its tasks) before
+/// the object ends. All signals are blocked in it. Construction throws SetupError if the kernel refuses.
+class ControlThread {
+ public:
+  ControlThread();
+  /// Cancels all tasks, fails what waits in run() and joins.
+  ~ControlThread();
+  ControlThread(const ControlThread&) = delete;
+  ControlThread& operator=(const ControlThread&) = delete;
+
+  /// Any thread: runs `work` on the control thread soon, in the order of posting. Work that has not started
+  /// when the object ends is destroyed without running.
+  void post(kj::Function<void()> work);
+
+  /// Any other thread: runs `work` there and waits for its result, or for that of the promise it returns; at
+  /// most for `deadline`, then the promise is cancelled. Throws ControlFailure. `work` must own what it uses.
+  template <class Work>
+  auto run(Duration deadline, Work work) {
+    using Value = kj::_::UnwrapPromise<decltype(kj::evalLater(work))>;
+    requireOther();
+    auto outcome = std::make_shared<Outcome<Value>>();
+    post([this, deadline, settles = Settles<Value>(outcome), work = std::move(work)]() mutable {
+      auto held = kj::heap(std::move(work));
+      auto done = kj::evalLater([&work = *held] { return work(); }).attach(kj::mv(held));
+      spawn(settles.follow(timer().timeoutAfter(deadline.count() * kj::NANOSECONDS, kj::mv(done))));
+    });
+    return outcome->wait(deadline);
+  }
+
+  /// Any thread rings it when a pump has something to take.
+  rt::Doorbell& doorbell() { return doorbell_; }
+
+  /// The rest is for the control thread only.
+  bool isCurrent() const { return std::this_thread::get_id() == thread_.get_id(); }
+  kj::UnixEventPort& port() { return loop_->io.unixEventPort; }
+  kj::Timer& timer() { return loop_->io.provider->getTimer(); }
+  /// Keeps a promise running until it ends or the thread does. A failure is reported on standard error.
+  void spawn(kj::Promise<void> task) { loop_->tasks.add(kj::mv(task)); }
+  void add(Pump& pump);
+  /// Also from within a pump.
+  void remove(Pump& pump);
+
+ private:
+  struct Loop : kj::TaskSet::ErrorHandler {
+    explicit Loop(int eventDescriptor);
+    void taskFailed(kj::Exception&& exception) override;
+
+    kj::AsyncIoContext io;
+    kj::UnixEventPort::FdObserver rung;
+    kj::Own<kj::PromiseFulfiller<void>> stop;
+    kj::TaskSet tasks;
+  };
+
+  void requireOther() const;
+  void main();
+  kj::Promise<void> attend();
+  void runPosted();
+  void runPumps();
+
+  kj::AutoCloseFd eventDescriptor_;
+  rt::Doorbell doorbell_;
+  std::mutex mutex_;  // never taken by a task thread
+  std::vector<kj::Function<void()>> posted_;
+  std::atomic<bool> anyPosted_{false};
+  std::vector<Pump*> pumps_;
+  Loop* loop_ = nullptr;
+  std::thread thread_;
+};
+
+}  // namespace suture::rpc

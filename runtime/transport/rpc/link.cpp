@@ -1,0 +1,30 @@
+#include <suture/transport/rpc/link.h>
+
+namespace suture::rpc {
+namespace {
+
+using capnp::rpc::twoparty::Side;
+using capnp::rpc::twoparty::VatId;
+
+capnp::ReaderOptions readerOptions(const StreamLimits& limits) {
+  capnp::ReaderOptions options;
+  options.traversalLimitInWords = limits.messageBytes / sizeof(capnp::word);
+  return options;
+}
+
+}  // namespace
+
+Link::Link(kj::UnixEventPort& port, kj::AutoCloseFd socket, Side side,
+           kj::Maybe<capnp::Capability::Client> offers, StreamLimits limits)
+    : stream_(port, kj::mv(socket), limits),
+      network_(stream_, side, readerOptions(limits)),
+      system_(network_, kj::mv(offers)) {}
+
+capnp::Capability::Client Link::bootstrapCapability() {
+  capnp::MallocMessageBuilder message(4);
+  auto peer = message.getRoot<VatId>();
+  peer.setSide(network_.getSide() == Side::CLIENT ? Side::SERVER : Side::CLIENT);
+  return system_.bootstrap(peer);
+}
+
+}  // namespace suture::rpc

@@ -1,0 +1,38 @@
+#pragma once
+// One connection between two processes, speaking Cap'n Proto RPC.
+
+#include <capnp/rpc-twoparty.h>
+#include <suture/transport/rpc/message_stream.h>
+
+#include <memory>
+
+namespace suture::rpc {
+
+/// A socket with an RPC system on it. Belongs to the control thread. Destroying it closes the socket; every
+/// capability that came through it is then broken (DISCONNECTED).
+class Link {
+ public:
+  /// `offers`: what the peer gets when it asks for the bootstrap capability.
+  Link(kj::UnixEventPort& port, kj::AutoCloseFd socket, capnp::rpc::twoparty::Side side,
+       kj::Maybe<capnp::Capability::Client> offers = nullptr, StreamLimits limits = {});
+
+  /// The peer's bootstrap capability.
+  template <class Interface>
+  typename Interface::Client bootstrap() {
+    return bootstrapCapability().castAs<Interface>();
+  }
+
+  /// Resolves when the peer is gone; never rejects.
+  kj::Promise<void> onDisconnect() { return network_.onDisconnect(); }
+
+  std::shared_ptr<const LinkCounters> counters() const { return stream_.counters(); }
+
+ private:
+  capnp::Capability::Client bootstrapCapability();
+
+  MessageStream stream_;
+  capnp::TwoPartyVatNetwork network_;
+  capnp::RpcSystem<capnp::rpc::twoparty::VatId> system_;
+};
+
+}  // namespace suture::rpc

@@ -1,0 +1,113 @@
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <suture/transport/rpc/listener.h>
+#include <suture/transport/rpc/socket.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace suture::rpc {
+namespace {
+
+constexpr int kBacklog = 128;
+
+[[noreturn]] void cannotListen(const Address& address, int error) {
+  const std::string asked = "listen at " + address.text();
+  if (error == EADDRINUSE) {
+    throw SetupError(asked, "another process listens there",
+                     "Stop it, or choose another address with --listen.");
+  }
+  throw SetupError(asked, std::strerror(error),
+                   address.kind == Address::Kind::Unix
+                       ? "Check that the directory exists and is yours."
+                       : "Choose another address or port.");
+}
+
+/// A socket file that nobody answers at. Leaves errno as it was.
+bool isStale(const Address& address) {
+  struct stat status {};
+  if (address.kind != Address::Kind::Unix || stat(address.path.c_str(), &status) != 0) return false;
+  if (!S_ISSOCK(status.st_mode)) return false;
+  const int before = errno;
+  const kj::AutoCloseFd probe = openSocket(address);
+  const SocketAddress target(address);
+  const bool refused = connect(probe, target.get(), target.length) != 0 && errno == ECONNREFUSED;
+  errno = before;
+  return refused;
+}
+
+kj::AutoCloseFd bindTo(const Address& address) {
+  kj::AutoCloseFd listening = openSocket(address);
+  const int on = 1;
+  if (address.kind == Address::Kind::Tcp) {
+    setsockopt(listening, SOL_SOCKET, SO_REUSEADDR, &on, sizeof(on));
+  } else {
+    fchmod(listening, S_IRUSR | S_IWUSR);  // the file that bind() makes inherits it
+  }
+  const SocketAddress target(address);
+  if (bind(listening, target.get(), target.length) != 0) {
+    if (errno != EADDRINUSE || !isStale(address)) cannotListen(address, errno);
+    unlink(address.path.c_str());
+    if (bind(listening, target.get(), target.length) != 0) cannotListen(address, errno);
+  }
+  if (::listen(listening, kBacklog) != 0) cannotListen(address, errno);
+  return listening;
+}
+
+std::uint16_t boundPort(int socket, std::uint16_t asked) {
+  sockaddr_storage bound{};
+  socklen_t length = sizeof(bound);
+  if (getsockname(socket, reinterpret_cast<sockaddr*>(&bound), &length) != 0) return asked;
+  return ntohs(bound.ss_family == AF_INET6 ? reinterpret_cast<sockaddr_in6&>(bound).sin6_port
+                                           : reinterpret_cast<sockaddr_in&>(bound).sin_port);
+}
+
+ino_t inodeOf(const std::string& path) {
+  struct stat status {};
+  return stat(path.c_str(), &status) == 0 ? status.st_ino : 0;
+}
+
+}  // namespace
+
+Listener::Listener(kj::UnixEventPort& port, const Address& address)
+    : port_(port),
+      address_(address),
+      socket_(bindTo(address)),
+      observer_(port, socket_, kj::UnixEventPort::FdObserver::OBSERVE_READ) {
+  if (address_.kind == Address::Kind::Tcp) {
+    address_.port = boundPort(socket_, address.port);
+  } else {
+    inode_ = inodeOf(address_.path);
+  }
+}
+
+Listener::~Listener() noexcept(false) {
+  const bool ours = address_.kind == Address::Kind::Unix && inodeOf(address_.path) == inode_;
+  if (ours) unlink(address_.path.c_str());
+}
+
+kj::Promise<void> Listener::listen(kj::Function<void(kj::AutoCloseFd)> accept) {
+  accept_ = kj::mv(accept);
+  return acceptAll();
+}
+
+kj::Promise<void> Listener::acceptAll() {
+  for (;;) {
+    const int accepted = accept4(socket_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
+    if (accepted >= 0) {
+      kj::AutoCloseFd connection(accepted);
+      if (address_.kind == Address::Kind::Tcp) sendWithoutDelay(connection);
+      accept_(kj::mv(connection));
+    } else if (errno == EAGAIN) {
+      return observer_.whenBecomesReadable().then([this] { return acceptAll(); });
+    } else if (errno == EMFILE || errno == ENFILE || errno == ENOBUFS || errno == ENOMEM) {
+      return port_.getTimer().afterDelay(100 * kj::MILLISECONDS).then([this] { return acceptAll(); });
+    } else if (errno != EINTR && errno != ECONNABORTED) {
+      cannotListen(address_, errno);
+    }
+  }
+}
+
+}  // namespace suture::rpc

@@ -1,0 +1,43 @@
+#pragma once
+// Waits for connections at an address.
+
+#include <kj/async-unix.h>
+#include <kj/function.h>
+#include <kj/io.h>
+#include <suture/transport/rpc/address.h>
+
+#include <sys/types.h>
+
+namespace suture::rpc {
+
+/// A listening socket. Belongs to the control thread.
+///
+/// Unix: the socket file is readable and writable by its owner only; one that a dead process left behind is
+/// replaced, one that somebody answers at is an error. It is removed at the end. TCP: port 0 picks a free port.
+class Listener {
+ public:
+  /// Throws SetupError: in use, no such directory, no permission.
+  Listener(kj::UnixEventPort& port, const Address& address);
+  ~Listener() noexcept(false);
+  Listener(const Listener&) = delete;
+  Listener& operator=(const Listener&) = delete;
+
+  /// Where it really listens.
+  const Address& address() const { return address_; }
+
+  /// Hands every connection (non-blocking, TCP without delay) to `accept`. The promise never resolves;
+  /// dropping it stops. Running out of descriptors delays acceptance, it does not end it.
+  kj::Promise<void> listen(kj::Function<void(kj::AutoCloseFd)> accept);
+
+ private:
+  kj::Promise<void> acceptAll();
+
+  kj::UnixEventPort& port_;
+  Address address_;
+  kj::AutoCloseFd socket_;
+  kj::UnixEventPort::FdObserver observer_;
+  kj::Function<void(kj::AutoCloseFd)> accept_ = [](kj::AutoCloseFd) {};
+  ino_t inode_ = 0;
+};
+
+}  // namespace suture::rpc

@@ -1,0 +1,50 @@
+#include <gtest/gtest.h>
+#include <suture/transport/rpc/address.h>
+
+namespace suture::rpc {
+namespace {
+
+std::string errorOf(const std::string& text) {
+  try {
+    return "accepted as " + Address::parse(text).text();
+  } catch (const SetupError& error) {
+    return error.what();
+  }
+}
+
+TEST(Address, ParsesWhatItPrints) {
+  for (const char* text : {"unix:/tmp/a.sock", "tcp://127.0.0.1:7700", "tcp://[::1]:80", "tcp://127.1.2.3:0"}) {
+    EXPECT_EQ(Address::parse(text).text(), text);
+  }
+  EXPECT_EQ(Address::parse("tcp://localhost:1").text(), "tcp://127.0.0.1:1");
+}
+
+TEST(Address, EveryRefusalNamesTheAddressAndTheReason) {
+  const std::pair<std::string, std::string> cases[] = {
+      {"manager:7700", "begins with neither"},
+      {"unix:", "no path"},
+      {"tcp://127.0.0.1", "no port"},
+      {"tcp://127.0.0.1:", "no port"},
+      {"tcp://127.0.0.1:77x", "no port"},
+      {"tcp://127.0.0.1:70000", "no port"},
+      {"tcp://192.168.0.1:7700", "not a loopback"},
+      {"tcp://0.0.0.0:7700", "not a loopback"},
+      {"tcp://[fe80::1]:7700", "not a loopback"},
+      {"tcp://manager:7700", "neither localhost nor a numeric"},
+  };
+  for (const auto& [text, reason] : cases) {
+    const std::string error = errorOf(text);
+    EXPECT_NE(error.find("'" + text + "'"), std::string::npos) << error;
+    EXPECT_NE(error.find(reason), std::string::npos) << error;
+  }
+}
+
+TEST(Address, APathTooLongForASocketIsAnErrorThatSaysSo) {
+  const std::string error = errorOf("unix:/" + std::string(107, 'x'));
+  EXPECT_NE(error.find("108 characters"), std::string::npos) << error;
+  EXPECT_NE(error.find("107"), std::string::npos) << error;
+  EXPECT_TRUE(errorOf("unix:/" + std::string(106, 'x')).starts_with("accepted"));
+}
+
+}  // namespace
+}  // namespace suture::rpc

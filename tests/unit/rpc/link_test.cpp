@@ -1,0 +1,217 @@
+// Listener, dialer and link with real sockets, both ends on one event loop.
+
+#include <echo.capnp.h>
+#include <gtest/gtest.h>
+#include <suture/transport/rpc/dialer.h>
+#include <suture/transport/rpc/failure.h>
+#include <suture/transport/rpc/link.h>
+#include <suture/transport/rpc/listener.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+
+#include "socket_pair.h"
+#include "temporary_directory.h"
+
+namespace suture::rpc {
+namespace {
+
+using namespace std::chrono_literals;
+using capnp::rpc::twoparty::Side;
+using test::Echo;
+
+class EchoServer final : public Echo::Server {
+ protected:
+  kj::Promise<void> echo(EchoContext context) override {
+    context.getResults().setData(context.getParams().getData());
+    return kj::READY_NOW;
+  }
+  kj::Promise<void> fail(FailContext context) override {
+    return failure(kj::Exception::Type::FAILED, context.getParams().getText().cStr());
+  }
+  kj::Promise<void> never(NeverContext) override { return kj::NEVER_DONE; }
+};
+
+class LinkTest : public testing::TestWithParam<const char*> {
+ public:
+  ~LinkTest() noexcept override {}
+
+ protected:
+  std::string freshAddress() {
+    return std::string(GetParam()) == "unix" ? "unix:" + directory_.file("s") : "tcp://127.0.0.1:0";
+  }
+
+  void serve() {
+    listener_ = kj::heap<Listener>(io_.unixEventPort, Address::parse(freshAddress()));
+    listening_ = listener_->listen([this](kj::AutoCloseFd socket) {
+      servers_.add(kj::heap<Link>(io_.unixEventPort, kj::mv(socket), Side::SERVER,
+                                  Echo::Client(kj::heap<EchoServer>())));
+    }).eagerlyEvaluate(nullptr);
+  }
+
+  kj::Own<Link> connect() {
+    auto socket = dial(io_.unixEventPort, listener_->address(), 5s).wait(io_.waitScope);
+    return kj::heap<Link>(io_.unixEventPort, kj::mv(socket), Side::CLIENT);
+  }
+
+  std::string dialFault(const Address& address) {
+    try {
+      dial(io_.unixEventPort, address, 1s).wait(io_.waitScope);
+    } catch (const kj::Exception& e) {
+      return describe(e);
+    }
+    return "connected";
+  }
+
+  kj::Promise<std::size_t> echo(Echo::Client client, std::size_t size) {
+    auto request = client.echoRequest();
+    memset(request.initData(size).begin(), 5, size);
+    return request.send().then([](auto&& response) { return response.getData().size(); });
+  }
+
+  TemporaryDirectory directory_;
+  kj::AsyncIoContext io_ = kj::setupAsyncIo();
+  kj::Own<Listener> listener_;
+  kj::Vector<kj::Own<Link>> servers_;
+  kj::Promise<void> listening_ = kj::READY_NOW;
+};
+
+INSTANTIATE_TEST_SUITE_P(Sockets, LinkTest, testing::Values("unix", "tcp"),
+                         [](const auto& test) { return std::string(test.param); });
+
+TEST_P(LinkTest, CallsReturn) {
+  serve();
+  auto link = connect();
+  auto client = link->bootstrap<Echo>();
+  for (std::size_t size : {0u, 1u, 1000u, 1u << 20}) {
+    EXPECT_EQ(echo(client, size).wait(io_.waitScope), size);
+  }
+  EXPECT_GT(link->counters()->sentBytes, 1u << 20);
+  EXPECT_GT(link->counters()->receivedBytes, 1u << 20);
+}
+
+TEST_P(LinkTest, ManyCallsInFlight) {
+  serve();
+  auto link = connect();
+  auto client = link->bootstrap<Echo>();
+  auto calls = kj::heapArrayBuilder<kj::Promise<std::size_t>>(1000);
+  for (std::size_t i = 0; i < 1000; ++i) calls.add(echo(client, i));
+  auto sizes = kj::joinPromises(calls.finish()).wait(io_.waitScope);
+  for (std::size_t i = 0; i < 1000; ++i) EXPECT_EQ(sizes[i], i);
+}
+
+TEST_P(LinkTest, AFailureArrivesAsItsTextAlone) {
+  serve();
+  auto link = connect();
+  auto request = link->bootstrap<Echo>().failRequest();
+  request.setText("the arm is not homed");
+  try {
+    request.send().ignoreResult().wait(io_.waitScope);
+    FAIL() << "no failure";
+  } catch (const kj::Exception& e) {
+    EXPECT_EQ(describe(e), "the arm is not homed");
+  }
+}
+
+TEST_P(LinkTest, APeerThatClosesEndsCallsAndTheLink) {
+  serve();
+  auto link = connect();
+  auto client = link->bootstrap<Echo>();
+  EXPECT_EQ(echo(client, 1).wait(io_.waitScope), 1u);
+  auto pending = client.neverRequest().send().ignoreResult();
+  servers_.clear();
+  EXPECT_THROW(pending.wait(io_.waitScope), kj::Exception);
+  link->onDisconnect().wait(io_.waitScope);
+  EXPECT_THROW(echo(client, 1).wait(io_.waitScope), kj::Exception);
+}
+
+TEST_P(LinkTest, AHostilePeerIsCutOffAndOthersAreServed) {
+  serve();
+  auto link = connect();
+  auto client = link->bootstrap<Echo>();
+  auto hostile = dial(io_.unixEventPort, listener_->address(), 5s).wait(io_.waitScope);
+  sendAll(hostile, std::vector(64, std::byte{0xff}));
+  EXPECT_EQ(echo(client, 1).wait(io_.waitScope), 1u);
+  servers_[1]->onDisconnect().wait(io_.waitScope);
+  EXPECT_EQ(echo(client, 1).wait(io_.waitScope), 1u);
+}
+
+TEST_P(LinkTest, AnAddressInUseIsRefused) {
+  serve();
+  try {
+    Listener second(io_.unixEventPort, listener_->address());
+    FAIL() << "bound twice";
+  } catch (const SetupError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find(listener_->address().text()), std::string::npos) << text;
+    EXPECT_NE(text.find("another process listens"), std::string::npos) << text;
+  }
+  auto link = connect();
+  EXPECT_EQ(echo(link->bootstrap<Echo>(), 3).wait(io_.waitScope), 3u);
+}
+
+TEST_P(LinkTest, NobodyListening) {
+  serve();
+  const Address address = listener_->address();
+  listening_ = kj::READY_NOW;
+  listener_ = nullptr;
+  const std::string text = dialFault(address);
+  EXPECT_NE(text.find("connect to " + address.text()), std::string::npos) << text;
+  EXPECT_NE(text.find("Start the process"), std::string::npos) << text;
+}
+
+TEST_P(LinkTest, TheRealPortIsReported) {
+  serve();
+  if (listener_->address().kind == Address::Kind::Tcp) {
+    EXPECT_NE(listener_->address().port, 0);
+  }
+}
+
+class UnixListenerTest : public LinkTest {};
+INSTANTIATE_TEST_SUITE_P(Sockets, UnixListenerTest, testing::Values("unix"));
+
+TEST_P(UnixListenerTest, TheSocketFileIsTheOwnersOnlyAndGoesWithTheListener) {
+  serve();
+  const std::string path = listener_->address().path;
+  struct stat status {};
+  ASSERT_EQ(stat(path.c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777, 0600u);
+  listening_ = kj::READY_NOW;
+  listener_ = nullptr;
+  EXPECT_NE(stat(path.c_str(), &status), 0);
+}
+
+TEST_P(UnixListenerTest, AStaleSocketFileIsReplaced) {
+  const Address address = Address::parse(freshAddress());
+  {
+    const kj::AutoCloseFd dead(socket(AF_UNIX, SOCK_STREAM, 0));
+    const SocketAddress target(address);
+    ASSERT_EQ(bind(dead, target.get(), target.length), 0);
+  }
+  serve();
+  auto link = connect();
+  EXPECT_EQ(echo(link->bootstrap<Echo>(), 3).wait(io_.waitScope), 3u);
+}
+
+TEST_P(UnixListenerTest, AnOrdinaryFileIsNotTouched) {
+  const Address address = Address::parse(freshAddress());
+  std::ofstream(address.path) << "notes";
+  EXPECT_THROW(Listener(io_.unixEventPort, address), SetupError);
+  std::string content;
+  std::ifstream(address.path) >> content;
+  EXPECT_EQ(content, "notes");
+}
+
+TEST_P(UnixListenerTest, AMissingDirectoryIsAnError) {
+  try {
+    Listener(io_.unixEventPort, Address::parse("unix:/nonexistent/s"));
+    FAIL() << "listens in a directory that does not exist";
+  } catch (const SetupError& error) {
+    EXPECT_NE(std::string(error.what()).find("directory"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace suture::rpc
