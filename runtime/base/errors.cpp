@@ -1,0 +1,28 @@
+#include <suture/base/errors.h>
+
+namespace suture {
+
+const char* toString(Errc error) {
+  switch (error) {
+    case Errc::NotConnected: return "not connected";
+    case Errc::Lost: return "connection lost";
+    case Errc::Full: return "the provider's queue for this command is full";
+    case Errc::TooLarge: return "larger than the declared capacity";
+    case Errc::NotYet: return "not produced yet";
+    case Errc::Timeout: return "deadline passed";
+    case Errc::OutcomeUnknown: return "connection lost after sending; outcome unknown";
+    case Errc::Late: return "older than its ttl";
+    case Errc::Superseded: return "a later command had already run";
+    case Errc::Faulted: return "the provider's handler threw";
+    case Errc::Invalid: return "value outside its declared limits";
+    case Errc::TooManyCalls: return "too many unfinished calls";
+    case Errc::WrongThread: return "called from a thread that does not own the required interface";
+  }
+  return "unknown error";
+}
+
+SetupError::SetupError(std::string_view asked, std::string_view found, std::string_view remedy)
+    : std::runtime_error(std::string(asked) + ": " + std::string(found) + ". " +
+                         std::string(remedy)) {}
+
+}  // namespace suture

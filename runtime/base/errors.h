@@ -1,0 +1,44 @@
+#pragma once
+// How things fail. At run time: an Errc inside a Result or a Sample, without allocation. While a system is
+// being put together: a SetupError that says what was asked, what was found and what to do.
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+
+namespace suture {
+
+/// Why a call or a read has no value.
+enum class Errc : std::uint8_t {
+  NotConnected = 1,  ///< the required interface was never connected
+  Lost,              ///< the connection broke; nothing reaches the provider until it is back
+  Full,              ///< the provider still has as many of this command waiting as it accepts
+  TooLarge,          ///< a string or list exceeds the capacity its header declares
+  NotYet,            ///< nobody has produced this value so far; asking started its production
+  Timeout,           ///< the deadline passed; whether the provider ran the call is not known
+  OutcomeUnknown,    ///< the connection broke after the call was sent; it may have run
+  Late,              ///< older than the command's ttl when its turn came; not executed
+  Superseded,        ///< a later command of the same connection had run already; not executed
+  Faulted,           ///< the provider's handler threw; its component is parked
+  Invalid,           ///< a value is outside what its header allows
+  TooManyCalls,      ///< this required interface has as many unfinished calls as it can follow
+  WrongThread,       ///< a required interface belongs to one thread, and this is another
+};
+
+/// The error in words, for people. Any thread; static storage.
+const char* toString(Errc error);
+
+/// What a command answers. Success of a queued command means that it waits at the provider.
+template <class T = void>
+using Result = tl::expected<T, Errc>;
+
+/// Thrown while a system is put together (never from a control loop).
+class SetupError : public std::runtime_error {
+ public:
+  /// `asked`: what was wanted, `found`: what was there instead, `remedy`: what to do about it.
+  SetupError(std::string_view asked, std::string_view found, std::string_view remedy);
+};
+
+}  // namespace suture

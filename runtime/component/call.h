@@ -1,0 +1,107 @@
+#pragma once
+// A call whose answer comes later.
+
+#include <suture/base/sample.h>
+#include <suture/component/required.h>
+
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+namespace suture {
+
+/// The slot of something that has no value.
+struct NoSlot {};
+
+/// What an answer holds, and how it says that there is none.
+template <class Answer>
+struct AnswerTraits;
+
+template <class T>
+struct AnswerTraits<Sample<T>> {
+  using Value = T;
+  static Sample<T> error(Errc error) { return error; }
+  static Sample<T> success(T value, Time stamp) { return {std::move(value), stamp}; }
+};
+
+template <class T>
+struct AnswerTraits<Result<T>> {
+  using Value = T;
+  static Result<T> error(Errc error) { return tl::unexpected(error); }
+  static Result<T> success(T value, Time) { return value; }
+};
+
+template <>
+struct AnswerTraits<Result<void>> {
+  static Result<void> error(Errc error) { return tl::unexpected(error); }
+};
+
+/// Follows one call to its answer: by poll() in a control loop, or by within() where blocking for a bounded time is
+/// right. Destroying it abandons the call; the provider may still execute it. Belongs to the thread that
+/// started the call and must not outlive the required interface.
+template <class Answer, class Slot>
+class [[nodiscard]] Call {
+ public:
+  Call(Errc error) : answer_(Traits::error(error)) {}         // NOLINT: converts on purpose
+  Call(Answer answer) : answer_(std::move(answer)) {}     // NOLINT: converts on purpose
+  Call(RequiredBase& required, RequiredBase::PendingCall& pending, Errc sent)
+      : required_(&required), pending_(&pending) {
+    if (sent != Errc{}) {
+      answer_ = Traits::error(sent);
+      pending.number = 0;
+      pending_ = nullptr;
+    }
+  }
+  Call(Call&& other) noexcept
+      : required_(other.required_),
+        pending_(std::exchange(other.pending_, nullptr)),
+        answer_(std::move(other.answer_)) {}
+  Call& operator=(Call&& other) noexcept {
+    std::swap(required_, other.required_);
+    std::swap(pending_, other.pending_);
+    std::swap(answer_, other.answer_);
+    return *this;
+  }
+  ~Call() {
+    if (pending_ != nullptr) required_->closeCall(*pending_);
+  }
+
+  /// The answer if it is here. Never blocks.
+  const std::optional<Answer>& poll() {
+    if (!answer_ && required_->isDone(*pending_)) take();
+    return answer_;
+  }
+
+  /// The answer, waiting at most `limit` for it: Errc::Timeout if it does not come. There is no way to wait
+  /// without a limit.
+  const Answer& within(Duration limit) {
+    if (!answer_) {
+      required_->waitFor(*pending_, now() + limit);
+      if (!poll()) answer_ = Traits::error(Errc::Timeout);
+    }
+    return *answer_;
+  }
+
+ private:
+  using Traits = AnswerTraits<Answer>;
+
+  void take() {
+    if (pending_->error != Errc{}) {
+      answer_ = Traits::error(pending_->error);
+    } else if constexpr (std::is_same_v<Slot, NoSlot>) {
+      answer_ = Answer{};
+    } else {
+      typename Traits::Value value{};
+      load(*reinterpret_cast<const Slot*>(pending_->result.data()), value);
+      answer_ = Traits::success(std::move(value), pending_->stamp);
+    }
+    required_->closeCall(*pending_);
+    pending_ = nullptr;
+  }
+
+  RequiredBase* required_ = nullptr;
+  RequiredBase::PendingCall* pending_ = nullptr;
+  std::optional<Answer> answer_;
+};
+
+}  // namespace suture

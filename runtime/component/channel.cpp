@@ -1,0 +1,67 @@
+#include <suture/component/channel.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace suture {
+namespace {
+
+std::vector<rt::CommandLimits> commandLimits(const InterfaceInfo& info) {
+  std::vector<rt::CommandLimits> limits;
+  for (const CommandInfo& command : info.commands) {
+    limits.push_back({command.argumentsSize, command.depth, command.latest});
+  }
+  return limits;
+}
+
+std::vector<rt::EventLimits> eventLimits(const InterfaceInfo& info) {
+  std::vector<rt::EventLimits> limits;
+  for (const EventInfo& event : info.events) {
+    limits.push_back({event.payloadSize, event.depth, event.latest});
+  }
+  return limits;
+}
+
+std::size_t replyBytes(const InterfaceInfo& info) {
+  std::uint32_t largest = 0;
+  for (const CommandInfo& command : info.commands) largest = std::max(largest, command.resultSize);
+  return Channel::kMaxCalls * rt::SpscRing::recordSize(sizeof(ReplyRecord) + largest);
+}
+
+}  // namespace
+
+Channel::Channel(const InterfaceInfo& contract, std::string channelName, std::string laneName,
+                 Ends bothEnds, std::shared_ptr<rt::StateTable> table, EventSet subscribedEvents)
+    : info(contract),
+      name(std::move(channelName)),
+      lane(std::move(laneName)),
+      ends(bothEnds),
+      state(std::move(table)),
+      subscribed(subscribedEvents),
+      commands(commandLimits(contract)),
+      replies(replyBytes(contract)),
+      events(eventLimits(contract)) {}
+
+void Channel::replyError(std::uint32_t call, Errc error) {
+  reply(call, 0, [error](std::byte*) { return error; });
+}
+
+Errc errorOf(ChannelStatus status) {
+  switch (status) {
+    case ChannelStatus::Connected: return Errc{};
+    case ChannelStatus::Lost: return Errc::Lost;
+    case ChannelStatus::Faulted: return Errc::Faulted;
+    case ChannelStatus::Closed: return Errc::NotConnected;
+  }
+  return Errc::NotConnected;
+}
+
+std::shared_ptr<rt::StateTable> makeStateTable(const InterfaceInfo& info) {
+  std::vector<std::uint32_t> sizes;
+  for (const CommandInfo& command : info.commands) {
+    if (command.kind == CommandKind::Read) sizes.push_back(command.resultSize);
+  }
+  return std::make_shared<rt::StateTable>(sizes);
+}
+
+}  // namespace suture

@@ -1,0 +1,100 @@
+#pragma once
+// Everything between one client endpoint and one provider endpoint within a process. The local lane is one
+// channel shared by two tasks; every other lane carries what it finds in one channel to another.
+
+#include <suture/component/interface_info.h>
+#include <suture/rt/doorbell.h>
+#include <suture/rt/event_queue.h>
+#include <suture/rt/histogram.h>
+#include <suture/rt/mailbox.h>
+#include <suture/rt/spsc_ring.h>
+#include <suture/rt/state_table.h>
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace suture {
+
+/// A set of a contract's events, one bit each.
+using EventSet = std::uint64_t;
+
+enum class ChannelStatus : std::uint8_t {
+  Connected,
+  Lost,     ///< the far end went away
+  Faulted,  ///< the provider's handler threw
+  Closed,   ///< this connection was taken down; both ends let go of it
+};
+
+/// Precedes the result of every answered call.
+struct ReplyRecord {
+  Time stamp;          ///< when the result was produced, on this process's clock
+  std::uint32_t call;  ///< the number of the call
+  Errc error;          ///< 0: success, and the result follows
+
+  const std::byte* result() const { return reinterpret_cast<const std::byte*>(this + 1); }
+};
+
+/// The client endpoint produces into `commands` and consumes `replies`, `events` and `state`; the provider
+/// endpoint is the other side of each. Each endpoint is one thread. Shared by both; neither waits for the other.
+class Channel {
+ public:
+  /// How many calls with an answer may be unfinished at a time.
+  static constexpr unsigned kMaxCalls = 16;
+
+  struct Ends {
+    rt::Doorbell* client;    ///< rung when replies, events or (if wanted) rows are there
+    rt::Doorbell* provider;  ///< rung when commands are there
+    void* device = nullptr;  ///< a device in this process: the Contract* that the client calls directly
+  };
+
+  /// `state`: the provider's table or, at the near end of a lane, the mirror. `subscribed`: the events the client
+  /// has handlers for. `lane`: its name, for people.
+  Channel(const InterfaceInfo& info, std::string name, std::string lane, Ends ends,
+          std::shared_ptr<rt::StateTable> state, EventSet subscribed);
+
+  const InterfaceInfo& info;
+  const std::string name;  ///< "Teleop/Slave -> psm-host:PSM/Arm"
+  const std::string lane;
+  const Ends ends;
+  const std::shared_ptr<rt::StateTable> state;
+  const EventSet subscribed;
+
+  rt::Mailbox commands;
+  rt::SpscRing replies;
+  rt::EventQueue events;
+  std::atomic<ChannelStatus> status{ChannelStatus::Connected};
+  /// Set by a client endpoint that must be rung whenever a row has been published: the far side of a lane.
+  std::atomic<bool> wantsRows{false};
+
+  rt::Histogram readAge;     ///< client: age of each value read, when it was read
+  rt::Histogram commandAge;  ///< provider: age of each command, when it was executed
+  std::atomic<std::uint64_t> bytesSent{0}, bytesReceived{0};  ///< on the lane's wire; 0 on `local`
+
+  /// Provider endpoint: answers call `call` with an error.
+  void replyError(std::uint32_t call, Errc error);
+  /// Provider endpoint: answers call `call`; `produce(std::byte* result)` fills the result in place and returns
+  /// an Errc, 0 for success.
+  template <class Produce>
+  void reply(std::uint32_t call, std::size_t resultSize, const Produce& produce);
+};
+
+template <class Produce>
+void Channel::reply(std::uint32_t call, std::size_t resultSize, const Produce& produce) {
+  // Never full: it holds an answer to every call that may be unfinished.
+  std::byte* memory = replies.claim(sizeof(ReplyRecord) + resultSize);
+  if (memory == nullptr) return;
+  auto* record = new (memory) ReplyRecord{Time{}, call, Errc{}};
+  record->error = produce(memory + sizeof(ReplyRecord));
+  record->stamp = now();
+  replies.commit();
+}
+
+/// The error that a call through a channel of this status meets; 0 if it is connected.
+Errc errorOf(ChannelStatus status);
+
+/// Column sizes of a contract's state table: one column a read.
+std::shared_ptr<rt::StateTable> makeStateTable(const InterfaceInfo& info);
+
+}  // namespace suture

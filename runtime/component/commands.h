@@ -1,0 +1,160 @@
+#pragma once
+// The members of a generated Required<Contract>: one object for each command. All belong to the thread of the
+// component that owns the required interface.
+
+#include <suture/base/sample.h>
+#include <suture/base/slots.h>
+#include <suture/component/call.h>
+#include <suture/component/required.h>
+
+#include <optional>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace suture {
+
+/// A void or write command: queued at the provider, executed in its thread.
+///   slave_.servo_cp(goal);                        queued; the answer says whether
+///   auto call = slave_.servo_cp.start(goal);      the same, and learns when it has been executed
+template <auto Method, class ArgumentsSlot>
+class Command;
+
+template <class Contract, class... Arguments, void (Contract::*Method)(Arguments...),
+          class ArgumentsSlot>
+class Command<Method, ArgumentsSlot> {
+ public:
+  Command(RequiredBase& required, std::uint16_t id) : required_(required), id_(id) {}
+
+  /// Never blocks, never allocates. Success means that the command waits at the provider (local), or is on its way
+  /// within the provider's credit (any other lane). Errc::Full, Lost, TooLarge, Faulted otherwise.
+  Result<void> operator()(Arguments... arguments) {
+    const Errc error = send(0, arguments...);
+    return error == Errc{} ? Result<void>{} : tl::unexpected(error);
+  }
+
+  /// As above, and the answer comes when the command has been executed.
+  [[nodiscard]] Call<Result<void>, NoSlot> start(Arguments... arguments) {
+    if (const Errc error = required_.unusable(); error != Errc{}) return error;
+    if (required_.channel_->ends.device != nullptr) {
+      (device()->*Method)(arguments...);
+      return Result<void>{};
+    }
+    auto* pending = required_.openCall();
+    if (pending == nullptr) return Errc::TooManyCalls;
+    return {required_, *pending, send(pending->number, arguments...)};
+  }
+
+ private:
+  Contract* device() const { return static_cast<Contract*>(required_.channel_->ends.device); }
+
+  Errc send(std::uint32_t call, Arguments... arguments) {
+    if (const Errc error = required_.unusable(); error != Errc{}) return error;
+    if (required_.channel_->ends.device != nullptr) {
+      (device()->*Method)(arguments...);
+      return Errc{};
+    }
+    return required_.send(id_, call, [&]([[maybe_unused]] std::byte* memory) {
+      if constexpr (sizeof...(Arguments) == 0) {
+        return true;
+      } else {
+        return store(arguments..., *reinterpret_cast<ArgumentsSlot*>(memory));
+      }
+    });
+  }
+
+  RequiredBase& required_;
+  std::uint16_t id_;
+};
+
+/// A read command: the newest value the provider produced, copied without waiting for anyone.
+///   const auto pose = master_.measured_cp();             Sample<PoseStamped>
+///   master_.measured_js(state);                          into an object that keeps its memory
+///   auto call = master_.measured_cp.fresh();             evaluated by the provider for this call
+template <auto Method, class ResultSlot>
+class ReadCommand;
+
+template <class Contract, class ReturnType, ReturnType (Contract::*Method)() const, class ResultSlot>
+class ReadCommand<Method, ResultSlot> {
+ public:
+  using Value = std::remove_cvref_t<ReturnType>;
+
+  ReadCommand(RequiredBase& required, std::uint16_t id) : required_(required), id_(id) {}
+
+  /// The newest value. Errc::NotYet until the provider has produced it for the first time; asking makes it
+  /// do so from now on. Allocates only if Value does.
+  Sample<Value> operator()() {
+    Value value{};
+    const Sample<void> read = (*this)(value);
+    if (!read) return read.error();
+    return {std::move(value), read.stamp()};
+  }
+
+  /// The same into `value`, which keeps its memory and is left alone if there is no value.
+  Sample<void> operator()(Value& value) {
+    if (const Errc error = required_.unusable(); error != Errc{}) return error;
+    Channel& channel = *required_.channel_;
+    if (channel.ends.device != nullptr) {
+      value = (static_cast<const Contract*>(channel.ends.device)->*Method)();
+      return Sample<void>(now());
+    }
+    const auto column = static_cast<unsigned>(required_.info_.commands[id_].column);
+    if (channel.state->ask(column)) required_.owner_.ringLater(*channel.ends.provider);
+    ResultSlot slot;
+    const Result<Time> stamp = channel.state->read(column, reinterpret_cast<std::byte*>(&slot));
+    if (!stamp) return stamp.error();
+    channel.readAge.record(now() - *stamp);
+    load(slot, value);
+    return Sample<void>(*stamp);
+  }
+
+  /// Has the provider evaluate the value now, in its own thread.
+  [[nodiscard]] Call<Sample<Value>, ResultSlot> fresh() {
+    if (const Errc error = required_.unusable(); error != Errc{}) return error;
+    Channel& channel = *required_.channel_;
+    if (channel.ends.device != nullptr) {
+      return Sample<Value>((static_cast<const Contract*>(channel.ends.device)->*Method)(), now());
+    }
+    auto* pending = required_.openCall();
+    if (pending == nullptr) return Errc::TooManyCalls;
+    return {required_, *pending,
+            required_.send(id_, pending->number, [](std::byte*) { return true; })};
+  }
+
+ private:
+  RequiredBase& required_;
+  std::uint16_t id_;
+};
+
+/// A qualified read: a question with arguments, answered in the provider's thread.
+///   auto call = slave_.inverse_kinematics.start(pose);
+template <auto Method, class ArgumentsSlot, class ResultSlot>
+class QualifiedReadCommand;
+
+template <class Contract, class ReturnType, class... Arguments,
+          ReturnType (Contract::*Method)(Arguments...) const, class ArgumentsSlot, class ResultSlot>
+class QualifiedReadCommand<Method, ArgumentsSlot, ResultSlot> {
+ public:
+  using Value = std::remove_cvref_t<ReturnType>;
+
+  QualifiedReadCommand(RequiredBase& required, std::uint16_t id) : required_(required), id_(id) {}
+
+  [[nodiscard]] Call<Result<Value>, ResultSlot> start(Arguments... arguments) {
+    if (const Errc error = required_.unusable(); error != Errc{}) return error;
+    Channel& channel = *required_.channel_;
+    if (channel.ends.device != nullptr) {
+      return Result<Value>((static_cast<const Contract*>(channel.ends.device)->*Method)(arguments...));
+    }
+    auto* pending = required_.openCall();
+    if (pending == nullptr) return Errc::TooManyCalls;
+    return {required_, *pending, required_.send(id_, pending->number, [&](std::byte* memory) {
+              return store(arguments..., *reinterpret_cast<ArgumentsSlot*>(memory));
+            })};
+  }
+
+ private:
+  RequiredBase& required_;
+  std::uint16_t id_;
+};
+
+}  // namespace suture

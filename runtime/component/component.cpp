@@ -1,0 +1,55 @@
+#include <suture/component/component.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include <algorithm>
+
+namespace suture {
+namespace {
+
+// The address of a thread-local is the cheapest name of a thread.
+const void* thisThread() {
+  thread_local const char mark = 0;
+  return &mark;
+}
+
+}  // namespace
+
+Component::~Component() = default;
+
+void Component::ringLater(rt::Doorbell& bell) {
+  if (!ownsThread()) {
+    bell.ring();
+  } else if (std::find(toRing_.begin(), toRing_.end(), &bell) == toRing_.end()) {
+    toRing_.push_back(&bell);
+  }
+}
+
+void Component::ringNow() {
+  for (rt::Doorbell* bell : toRing_) bell->ring();
+  toRing_.clear();
+}
+
+bool Component::ownedByThisThread() {
+  const void* owner = owner_.load(std::memory_order_acquire);
+  if (owner == thisThread()) return true;
+  if (owner != nullptr || ownsThread()) return false;
+  return owner_.compare_exchange_strong(owner, thisThread());
+}
+
+void Component::claimForThisThread() {
+  owner_.store(thisThread(), std::memory_order_release);
+  toRing_.reserve(256);  // more sleeping peers than a process has; beyond it ringLater() would allocate
+}
+
+void Component::park(std::string reason) {
+  fault_ = std::move(reason);
+  setState(ComponentState::Faulted);
+  for (ProvidedBase* provided : provided_) provided->announce(ChannelStatus::Faulted);
+}
+
+void Component::handleEvents() {
+  for (RequiredBase* required : required_) required->handleEvents();
+}
+
+}  // namespace suture

@@ -1,0 +1,52 @@
+#pragma once
+// What the runtime knows of a contract: plain tables that suturec writes.
+
+#include <suture/base/time.h>
+#include <suture/rt/event_queue.h>
+#include <suture/rt/mailbox.h>
+
+#include <cstdint>
+#include <span>
+
+namespace suture::rpc {
+class Binding;
+}
+
+namespace suture {
+
+enum class CommandKind : std::uint8_t { Void, Write, Read, QualifiedRead };
+
+struct CommandInfo {
+  const char* name;             ///< as in C++: "servo_cp"
+  CommandKind kind;
+  std::uint32_t argumentsSize;  ///< bytes of the arguments' slot; 0: none
+  std::uint32_t resultSize;     ///< bytes of the result's slot; 0: none
+  std::uint32_t depth;          ///< how many may wait at the provider
+  bool latest;                  ///< newest wins
+  Duration ttl;                 ///< discarded when older; 0: never
+  int column;                   ///< of a read: its column in the state table; else -1
+};
+
+struct EventInfo {
+  const char* name;
+  std::uint32_t payloadSize;
+  std::uint32_t depth;
+  bool latest;
+  bool latched;
+};
+
+/// One contract. All members have static storage.
+struct InterfaceInfo {
+  const char* name;         ///< qualified C++ name: "robots::Arm"
+  const char* hash;         ///< of the wire contract; equal hashes are compatible
+  const char* description;  ///< JSON: types, units, documentation
+  std::span<const CommandInfo> commands;
+  std::span<const EventInfo> events;
+  const rpc::Binding& (*binding)();  ///< how the contract travels over Cap'n Proto
+};
+
+/// The tables of `Contract`. Each contract's generated header "X.suture.h" declares its own.
+template <class Contract>
+const InterfaceInfo& interfaceInfo() = delete;
+
+}  // namespace suture

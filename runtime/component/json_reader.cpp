@@ -1,0 +1,84 @@
+#include <suture/base/nearest.h>
+#include <suture/component/json_reader.h>
+
+#include <algorithm>
+
+namespace suture {
+namespace {
+
+// RFC 6901: '~' and '/' inside a key are escaped.
+std::string escaped(const std::string& key) {
+  std::string text;
+  for (const char c : key) {
+    if (c == '~') {
+      text += "~0";
+    } else if (c == '/') {
+      text += "~1";
+    } else {
+      text += c;
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+void JsonReader::expected(std::string_view what) const {
+  report("expected " + std::string(what) + ", found " + json_.type_name() + " " + json_.dump());
+}
+
+JsonReader JsonReader::at(const std::string& key) const {
+  return {json_.at(key), pointer_ + "/" + escaped(key), problems_};
+}
+
+JsonReader JsonReader::at(std::size_t index) const {
+  return {json_.at(index), pointer_ + "/" + std::to_string(index), problems_};
+}
+
+bool JsonReader::isArrayOf(std::size_t size) const {
+  return json_.is_array() && json_.size() == size;
+}
+
+void JsonReader::finish() const {
+  if (!json_.is_object()) return expected("an object");
+  for (const auto& [key, value] : json_.items()) {
+    if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
+    const std::string nearest = nearestName(key, known_);
+    problems_.push_back({pointer_ + "/" + escaped(key),
+                         "unknown key '" + key + "'" +
+                             (nearest.empty() ? "; known are " + listNames(known_)
+                                              : "; did you mean '" + nearest + "'?")});
+  }
+}
+
+void fromJson(const JsonReader& in, bool& value) {
+  if (!in.json().is_boolean()) return in.expected("true or false");
+  value = in.json().get<bool>();
+}
+
+void fromJson(const JsonReader& in, std::string& value) {
+  if (!in.json().is_string()) return in.expected("a string");
+  value = in.json().get<std::string>();
+}
+
+void fromJson(const JsonReader& in, Eigen::Isometry3d& value) {
+  JsonReader reader = in;
+  Eigen::Matrix3d rotation = value.linear();
+  Eigen::Vector3d translation = value.translation();
+  reader.field("rotation", rotation);
+  reader.field("translation", translation);
+  reader.finish();
+  value.linear() = rotation;
+  value.translation() = translation;
+}
+
+int enumeratorFromJson(const JsonReader& in, const std::vector<std::string>& names) {
+  const auto found = in.json().is_string()
+                         ? std::find(names.begin(), names.end(), in.json().get<std::string>())
+                         : names.end();
+  if (found != names.end()) return static_cast<int>(found - names.begin());
+  in.expected("one of " + listNames(names));
+  return -1;
+}
+
+}  // namespace suture

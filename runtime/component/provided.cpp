@@ -1,0 +1,175 @@
+#include <suture/component/provided.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace suture {
+namespace {
+
+std::unique_ptr<rt::StateTable> makeLatchedTable(const InterfaceInfo& info) {
+  std::vector<std::uint32_t> sizes;
+  bool any = false;
+  for (const EventInfo& event : info.events) {
+    sizes.push_back(event.latched ? event.payloadSize : 0);
+    any = any || event.latched;
+  }
+  constexpr unsigned kRows = 4;
+  return any ? std::make_unique<rt::StateTable>(sizes, kRows) : nullptr;
+}
+
+// The counters have one writer each.
+void increment(std::atomic<std::uint64_t>& counter) {
+  counter.store(counter.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+}
+
+}  // namespace
+
+ProvidedBase::ProvidedBase(Component& owner, std::string_view name, const InterfaceInfo& info,
+                           void* implementation)
+    : name_(name),
+      owner_(owner),
+      info_(info),
+      implementation_(implementation),
+      state_(makeStateTable(info)),
+      latched_(makeLatchedTable(info)) {
+  owner.provided_.push_back(this);
+}
+
+void ProvidedBase::attach(std::shared_ptr<Channel> channel) {
+  if (!owner_.ownsThread()) replayLatched(*channel);
+  if (owner_.state() == ComponentState::Faulted) channel->status = ChannelStatus::Faulted;
+  rt::Doorbell& provider = *channel->ends.provider;
+  channels_.add(std::move(channel));
+  provider.ring();
+}
+
+void ProvidedBase::drain() {
+  channels_.sweep();
+  channels_.forEach([this](ChannelList::Node& node) {
+    greet(node);
+    drain(*node.channel);
+  });
+}
+
+// A device greets when a channel is attached: it has no cycle in which to do it.
+void ProvidedBase::greet(ChannelList::Node& node) {
+  if (node.greeted || !owner_.ownsThread()) return;
+  node.greeted = true;
+  replayLatched(*node.channel);
+}
+
+void ProvidedBase::drain(Channel& channel) {
+  if (!channel.commands.pending()) return;
+  channel.commands.fixCut();
+  const Time drainStart = now();
+  while (const rt::CommandRecord* record = channel.commands.next()) {
+    run(channel, *record, drainStart);
+  }
+}
+
+void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time drainStart) {
+  const CommandInfo& command = info_.commands[record.command];
+  // Released on every way out, also when the handler throws.
+  struct Release {
+    Channel& channel;
+    Component& owner;
+    std::uint16_t command;
+    std::uint32_t call;
+    bool answered = false;
+    ~Release() {
+      channel.commands.pop();
+      channel.commands.returnCredit(command);
+      if (call != 0 && !answered) channel.replyError(call, Errc::Faulted);
+      if (call != 0 || channel.wantsRows.load(std::memory_order_relaxed)) {
+        owner.ringLater(*channel.ends.client);
+      }
+    }
+  } release{channel, owner_, record.command, record.call};
+
+  if (command.ttl > Duration{0} && drainStart - record.stamp > command.ttl) {
+    increment(channel.commands.counters.late);
+    if (record.call != 0) channel.replyError(record.call, Errc::Late);
+    release.answered = true;
+    return;
+  }
+  channel.commandAge.record(drainStart - record.stamp);
+  increment(channel.commands.counters.executed);
+  if (record.call == 0) {
+    execute(record.command, record.arguments(), nullptr);
+  } else {
+    channel.reply(record.call, command.resultSize, [&](std::byte* result) {
+      return execute(record.command, record.arguments(), result);
+    });
+    release.answered = true;
+  }
+}
+
+void ProvidedBase::publishRow() {
+  const rt::ColumnSet demand = state_->demand();
+  if (demand == 0) return;
+  rt::ColumnSet valid = 0, tooLarge = 0;
+  for (std::uint16_t i = 0; i < info_.commands.size(); ++i) {
+    const int column = info_.commands[i].column;
+    if (column < 0 || (demand >> column & 1) == 0) continue;
+    const Errc error = execute(i, nullptr, state_->draft(static_cast<unsigned>(column)));
+    (error == Errc{} ? valid : tooLarge) |= rt::ColumnSet{1} << column;
+  }
+  state_->publish(now(), valid, tooLarge);
+  channels_.forEach([this](ChannelList::Node& node) {
+    if (node.channel->wantsRows.load(std::memory_order_relaxed)) {
+      owner_.ringLater(*node.channel->ends.client);
+    }
+  });
+}
+
+bool ProvidedBase::pending() const {
+  bool any = false;
+  channels_.forEach([this, &any](ChannelList::Node& node) {
+    const bool newcomer = owner_.ownsThread() && !node.greeted;
+    any = any || newcomer || node.channel->commands.pending();
+  });
+  return any;
+}
+
+void ProvidedBase::announce(ChannelStatus status) {
+  channels_.forEach([status](ChannelList::Node& node) {
+    ChannelStatus expected = ChannelStatus::Connected;
+    node.channel->status.compare_exchange_strong(expected, status);
+    node.channel->ends.client->ring();
+  });
+}
+
+void ProvidedBase::emit(std::uint16_t event, std::span<const std::byte> payload) {
+  const Time stamp = now();
+  if (info_.events[event].latched) keepLatched(event, payload);
+  channels_.forEach([&](ChannelList::Node& node) {
+    Channel& channel = *node.channel;
+    if ((channel.subscribed >> event & 1) == 0) return;
+    if (owner_.ownsThread() && !node.greeted) return;  // joins, with the latched values, at the next cycle
+    channel.events.push(event, stamp, payload);
+    owner_.ringLater(*channel.ends.client);
+  });
+}
+
+void ProvidedBase::keepLatched(std::uint16_t event, std::span<const std::byte> payload) {
+  // A device may emit from two threads at once. Such events have no order, so either may be the last.
+  if (keeping_.test_and_set(std::memory_order_acquire)) return;
+  std::copy(payload.begin(), payload.end(), latched_->draft(event));
+  latchedSoFar_ |= rt::ColumnSet{1} << event;
+  latched_->publish(now(), latchedSoFar_, 0);
+  keeping_.clear(std::memory_order_release);
+}
+
+void ProvidedBase::replayLatched(Channel& channel) {
+  if (latched_ == nullptr) return;
+  for (std::uint16_t i = 0; i < info_.events.size(); ++i) {
+    if (!info_.events[i].latched || (channel.subscribed >> i & 1) == 0) continue;
+    std::vector<std::byte> payload((info_.events[i].payloadSize + 7) & ~7u);
+    const auto stamp = latched_->read(i, payload.data());
+    if (!stamp) continue;
+    channel.events.push(i, *stamp, std::span(payload).first(info_.events[i].payloadSize));
+    owner_.ringLater(*channel.ends.client);
+  }
+}
+
+}  // namespace suture

@@ -1,0 +1,91 @@
+#pragma once
+// A provided interface: what runs a component's commands, publishes its reads and emits its events.
+
+#include <suture/component/channel_list.h>
+#include <suture/component/component.h>
+#include <suture/component/interface_info.h>
+
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace suture {
+
+/// The part of Provided<Contract> that does not depend on the contract. Commands and reads run in the thread
+/// of the component; for a device, in the thread of a local caller or of the executor that serves remote ones.
+class ProvidedBase {
+ public:
+  ProvidedBase(const ProvidedBase&) = delete;
+  ProvidedBase& operator=(const ProvidedBase&) = delete;
+
+  const std::string& name() const { return name_; }
+  const InterfaceInfo& info() const { return info_; }
+  Component& owner() const { return owner_; }
+  const std::shared_ptr<rt::StateTable>& state() const { return state_; }
+  const ChannelList& channels() const { return channels_; }
+  /// The implementation, as the Contract* that a local client of a device calls directly.
+  void* implementation() const { return implementation_; }
+
+  /// Any thread: one more client. It is served from the next cycle on.
+  void attach(std::shared_ptr<Channel> channel);
+
+  // --- the thread that serves this interface ---
+
+  /// Executes what is waiting. A handler's exception passes through, after its caller got Errc::Faulted.
+  void drain();
+  /// Evaluates the reads that somebody asked for and publishes them as one row.
+  void publishRow();
+  /// True if commands are waiting.
+  bool pending() const;
+  /// Tells all clients that nothing is executed any more, and why.
+  void announce(ChannelStatus status);
+
+ protected:
+  ProvidedBase(Component& owner, std::string_view name, const InterfaceInfo& info,
+               void* implementation);
+  ~ProvidedBase() = default;
+
+  /// Runs command `command` on its arguments' slot; fills `result` if the command has one. Written by suturec.
+  /// Returns 0 or Errc::TooLarge.
+  virtual Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) = 0;
+
+ private:
+  template <class, class...>
+  friend class Emitter;
+
+  void emit(std::uint16_t event, std::span<const std::byte> payload);
+  void greet(ChannelList::Node& node);
+  void drain(Channel& channel);
+  void run(Channel& channel, const rt::CommandRecord& record, Time drainStart);
+  void replayLatched(Channel& channel);
+  void keepLatched(std::uint16_t event, std::span<const std::byte> payload);
+
+  const std::string name_;
+  Component& owner_;
+  const InterfaceInfo& info_;
+  void* implementation_;
+  std::shared_ptr<rt::StateTable> state_;
+  ChannelList channels_;
+  // The last value of each latched event: a column an event. Written by whoever emits.
+  std::unique_ptr<rt::StateTable> latched_;
+  std::atomic_flag keeping_ = ATOMIC_FLAG_INIT;
+  rt::ColumnSet latchedSoFar_ = 0;
+};
+
+/// A component's provided interface of type Contract. Each contract's generated header specialises it:
+///   Provided<Arm> arm_{*this, "Arm", *this};
+///   arm_.emit().operating_state(value);
+template <class Contract>
+class Provided {
+#ifndef SUTUREC  // suturec reads contracts before their generated headers exist
+  static_assert(sizeof(Contract) == 0,
+                "the contract's generated header is missing: include \"X.suture.h\" beside \"X.h\"");
+#endif
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation);
+};
+
+}  // namespace suture

@@ -1,0 +1,118 @@
+#pragma once
+// A required interface: what a component's code calls, whoever and wherever the provider is.
+
+#include <suture/component/channel.h>
+#include <suture/component/component.h>
+#include <suture/component/interface_info.h>
+
+#include <array>
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace suture {
+
+/// The part of Required<Contract> that does not depend on the contract. It belongs to the thread of its
+/// component; calls from another thread answer Errc::WrongThread.
+class RequiredBase {
+ public:
+  RequiredBase(const RequiredBase&) = delete;
+  RequiredBase& operator=(const RequiredBase&) = delete;
+
+  const std::string& name() const { return name_; }
+  const InterfaceInfo& info() const { return info_; }
+  Component& owner() const { return owner_; }
+
+  /// True if calls can reach the provider now.
+  bool connected() { return unusable() == Errc{}; }
+  /// Why they cannot; 0 if they can.
+  Errc unusable();
+
+  /// The events that have a handler.
+  EventSet subscribed() const { return subscribed_; }
+
+  /// Any thread: the connection, or nullptr to take it away. Takes effect at the owner's next cycle.
+  void attach(std::shared_ptr<Channel> channel);
+
+  /// Owner's thread: takes over what attach() left.
+  void adopt();
+  /// Owner's thread: runs the handlers of what has arrived.
+  void handleEvents();
+  /// Owner's thread: true if adopt() or handleEvents() has something to do.
+  bool pending() const;
+
+ protected:
+  RequiredBase(Component& owner, std::string_view name, const InterfaceInfo& info);
+  ~RequiredBase();
+
+ private:
+  template <class, class>
+  friend class Call;
+  template <auto, class>
+  friend class Command;
+  template <auto, class>
+  friend class ReadCommand;
+  template <auto, class, class>
+  friend class QualifiedReadCommand;
+  template <class, class...>
+  friend class Subscription;
+
+  struct PendingCall {
+    std::uint32_t number = 0;  // 0: free
+    bool done = false;
+    bool abandoned = false;
+    Errc error{};
+    Time stamp{};
+    std::vector<std::byte> result;
+  };
+
+  /// Queues a command whose arguments `fill(std::byte*)` stores; it returns false if they do not fit.
+  template <class Fill>
+  Errc send(std::uint16_t command, std::uint32_t call, const Fill& fill);
+  PendingCall* openCall();
+  void closeCall(PendingCall& call);
+  void collectReplies();
+  bool isDone(PendingCall& call);
+  void waitFor(PendingCall& call, Time deadline);
+
+  const std::string name_;
+  Component& owner_;
+  const InterfaceInfo& info_;
+  std::shared_ptr<Channel> channel_;
+  std::atomic<std::shared_ptr<Channel>*> incoming_{nullptr};
+  std::array<PendingCall, Channel::kMaxCalls> calls_;
+  std::uint32_t callsOpened_ = 0;
+  std::vector<std::function<void(const std::byte*)>> handlers_;
+  EventSet subscribed_ = 0;
+};
+
+template <class Fill>
+Errc RequiredBase::send(std::uint16_t command, std::uint32_t call, const Fill& fill) {
+  const auto arguments = channel_->commands.claim(command, now(), call);
+  if (!arguments) return arguments.error();
+  if (!fill(*arguments)) {
+    channel_->commands.counters.tooLarge.fetch_add(1, std::memory_order_relaxed);
+    return Errc::TooLarge;
+  }
+  channel_->commands.commit();
+  owner_.ringLater(*channel_->ends.provider);
+  return Errc{};
+}
+
+/// A component's required interface of type Contract. Each contract's generated header specialises it:
+///   Required<Arm> slave_{*this, "Slave"};
+///   slave_.servo_cp(goal);
+template <class Contract>
+class Required {
+#ifndef SUTUREC  // suturec reads contracts before their generated headers exist
+  static_assert(sizeof(Contract) == 0,
+                "the contract's generated header is missing: include \"X.suture.h\" beside \"X.h\"");
+#endif
+ public:
+  Required(Component& owner, std::string_view name);
+};
+
+}  // namespace suture

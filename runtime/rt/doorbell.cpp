@@ -1,0 +1,49 @@
+#include <linux/futex.h>
+#include <suture/rt/doorbell.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <ctime>
+
+namespace suture::rt {
+namespace {
+
+timespec toTimespec(Time time) {
+  const auto count = toNanoseconds(time);
+  return {static_cast<time_t>(count / 1'000'000'000), static_cast<long>(count % 1'000'000'000)};
+}
+
+}  // namespace
+
+void Doorbell::ring() {
+  if (word_.exchange(kRung, std::memory_order_seq_cst) != kAsleep) return;
+  if (eventDescriptor_ < 0) {
+    syscall(SYS_futex, &word_, FUTEX_WAKE, 1, nullptr, nullptr, 0);
+    return;
+  }
+  const std::uint64_t one = 1;
+  // A full eventfd counter is as good as a write: the sleeper is due to wake.
+  [[maybe_unused]] const auto written = write(eventDescriptor_, &one, sizeof(one));
+}
+
+bool Doorbell::lieDown() {
+  std::uint32_t expected = kAwake;
+  if (word_.compare_exchange_strong(expected, kAsleep, std::memory_order_seq_cst)) return true;
+  return expected == kAsleep;
+}
+
+bool Doorbell::waitUntil(Time deadline) {
+  const timespec until = toTimespec(deadline);
+  while (lieDown()) {
+    // FUTEX_WAIT_BITSET takes an absolute time on the monotonic clock.
+    syscall(SYS_futex, &word_, FUTEX_WAIT_BITSET, kAsleep, &until, nullptr, FUTEX_BITSET_MATCH_ANY);
+    if (word_.load(std::memory_order_seq_cst) == kRung) break;
+    if (now() >= deadline) {
+      return word_.exchange(kAwake, std::memory_order_seq_cst) == kRung;
+    }
+  }
+  standUp();
+  return true;
+}
+
+}  // namespace suture::rt

@@ -1,0 +1,39 @@
+#pragma once
+// How a sleeping thread is woken: one word, one system call, and none if it is awake.
+
+#include <suture/base/time.h>
+
+#include <atomic>
+#include <cstdint>
+
+namespace suture::rt {
+
+/// A doorbell belongs to one sleeper; any thread may ring. A ring is never lost: ringing before the
+/// sleeper lies down makes its next wait return at once. Lock-free, no allocation.
+class Doorbell {
+ public:
+  /// `eventDescriptor`: an eventfd to write instead of waking a futex, for a sleeper that sits in epoll.
+  explicit Doorbell(int eventDescriptor = -1) : eventDescriptor_(eventDescriptor) {}
+  Doorbell(const Doorbell&) = delete;
+  Doorbell& operator=(const Doorbell&) = delete;
+
+  /// Any thread. At most one system call, none while the owner is awake.
+  void ring();
+
+  /// The owner only: sleeps until rung or until `deadline`. Returns true if it was rung.
+  bool waitUntil(Time deadline);
+
+  /// For an owner that sleeps in epoll: true if it may go to sleep, false if it has been rung meanwhile.
+  /// After true, the next ring writes the eventfd.
+  bool lieDown();
+  /// For an owner that sleeps in epoll: takes notice of all rings so far.
+  void standUp() { word_.store(kAwake, std::memory_order_seq_cst); }
+
+ private:
+  static constexpr std::uint32_t kAwake = 0, kRung = 1, kAsleep = 2;
+
+  std::atomic<std::uint32_t> word_{kAwake};
+  int eventDescriptor_;
+};
+
+}  // namespace suture::rt

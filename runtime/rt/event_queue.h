@@ -1,0 +1,69 @@
+#pragma once
+// The events on their way from one provider endpoint to one subscriber.
+
+#include <suture/base/time.h>
+#include <suture/rt/latest_cell.h>
+#include <suture/rt/mpsc_ring.h>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace suture::rt {
+
+/// What the queue must know of each event of a contract.
+struct EventLimits {
+  std::uint32_t payloadSize;  ///< bytes of its payload's slot
+  std::uint32_t depth;        ///< how many may wait
+  bool latest;                ///< newest wins
+};
+
+/// Precedes the payload of every event.
+struct EventRecord {
+  Time stamp;  ///< when it was emitted, on this process's clock
+  std::uint16_t event;
+  std::uint16_t reserved[3];
+
+  const std::byte* payload() const { return reinterpret_cast<const std::byte*>(this + 1); }
+};
+
+/// Any thread may push (a task's events come from its own thread, a device's from any); one consumer thread.
+/// No allocation after construction, no locks. A full queue drops the new event and counts it, so a slow
+/// subscriber delays nobody.
+class EventQueue {
+ public:
+  explicit EventQueue(std::span<const EventLimits> events);
+
+  /// False if the event was dropped.
+  bool push(std::uint16_t event, Time stamp, std::span<const std::byte> payload);
+
+  /// Consumer: the oldest queued event, then the newest of each latest() event; nullptr: none left. Must be
+  /// followed by pop().
+  const EventRecord* next();
+  void pop();
+  /// Consumer: true if next() would return something.
+  bool pending() const;
+
+  std::uint64_t delivered() const { return delivered_.load(std::memory_order_relaxed); }
+  std::uint64_t dropped() const { return dropped_.load(std::memory_order_relaxed); }
+
+ private:
+  // A newest-wins event. Two threads that emit it at the same moment have no order: one of them gives way.
+  struct Cell {
+    explicit Cell(std::size_t size) : values(size) {}
+    LatestCell values;
+    std::atomic_flag writing = ATOMIC_FLAG_INIT;
+  };
+
+  bool pushLatest(Cell& cell, const EventRecord& record, std::span<const std::byte> payload);
+
+  std::vector<std::unique_ptr<Cell>> cells_;  // by event; null: queued
+  MpscRing ring_;
+  bool fromRing_ = false;
+  std::atomic<std::uint64_t> delivered_{0}, dropped_{0};
+};
+
+}  // namespace suture::rt

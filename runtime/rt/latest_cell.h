@@ -1,0 +1,41 @@
+#pragma once
+// One value of which only the newest counts, between one producer and one consumer.
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+namespace suture::rt {
+
+/// Three buffers: the producer owns one, the consumer one, the third holds the newest published value.
+/// Wait-free on both sides; the consumer's buffer is stable until its next take().
+class LatestCell {
+ public:
+  explicit LatestCell(std::size_t size);
+
+  /// Producer: the buffer to fill.
+  std::byte* claim() { return bufferAt(writing_); }
+  /// Producer: makes the filled buffer the newest. Returns true if it replaced a value not yet taken.
+  bool commit();
+
+  /// Consumer: true if something newer than the last take() has been published; it is now front().
+  bool take();
+  /// Consumer: true if take() would succeed.
+  bool fresh() const { return (shared_.load(std::memory_order_relaxed) & kFresh) != 0; }
+  /// Consumer: what the last successful take() got.
+  const std::byte* front() const { return bufferAt(reading_); }
+
+ private:
+  static constexpr std::uint32_t kFresh = 4;  // marks the shared index: published and not yet taken
+
+  std::byte* bufferAt(std::uint32_t index) const { return data_.get() + index * stride_; }
+
+  std::size_t stride_;
+  std::unique_ptr<std::byte[]> data_;
+  std::uint32_t writing_ = 0;
+  alignas(64) std::atomic<std::uint32_t> shared_{1};
+  alignas(64) std::uint32_t reading_ = 2;
+};
+
+}  // namespace suture::rt

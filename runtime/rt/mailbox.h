@@ -1,0 +1,105 @@
+#pragma once
+// The commands on their way from one client endpoint to one provider endpoint, in the order in which they
+// were sent: a ring for queued commands, a newest-wins cell for each latest() command.
+
+#include <suture/base/errors.h>
+#include <suture/base/time.h>
+#include <suture/rt/latest_cell.h>
+#include <suture/rt/spsc_ring.h>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <vector>
+
+namespace suture::rt {
+
+/// What the mailbox must know of each command of a contract.
+struct CommandLimits {
+  std::uint32_t argumentsSize;  ///< bytes of its arguments' slot
+  std::uint32_t depth;          ///< how many may wait; for latest(): how many calls with an answer may
+  bool latest;                  ///< newest wins, unless an answer was asked for
+};
+
+/// Precedes the arguments of every command.
+struct CommandRecord {
+  std::uint64_t sequence;  ///< position among all commands of this connection, from 1
+  Time stamp;              ///< when it was sent, on this process's clock
+  std::uint32_t call;      ///< 0: no answer wanted; else the number the answer must carry
+  std::uint16_t command;
+  std::uint16_t reserved;
+
+  const std::byte* arguments() const { return reinterpret_cast<const std::byte*>(this + 1); }
+};
+
+/// Counts of one connection; each is written by one side and may be read by any thread.
+struct MailboxCounters {
+  std::atomic<std::uint64_t> sent{0}, full{0}, tooLarge{0}, replaced{0};          // producer
+  std::atomic<std::uint64_t> executed{0}, late{0}, superseded{0}, failed{0};      // consumer
+};
+
+/// One producer thread, one consumer thread. No allocation after construction, no locks.
+///
+/// A drain first fixes a cut, the last sequence published so far, and then executes what is at or before the
+/// cut in sequence order; what comes later waits for the next drain. So an old servo_cp never runs after a
+/// newer hold(), whichever of ring and cell they travelled in.
+class Mailbox {
+ public:
+  explicit Mailbox(std::span<const CommandLimits> commands);
+
+  // --- producer ---
+
+  /// Memory for the arguments of `command`, to be filled before commit(). `call` other than 0 asks for an
+  /// answer. Errc::Full if as many of this command wait as its depth allows.
+  Result<std::byte*> claim(std::uint16_t command, Time stamp, std::uint32_t call);
+  /// Publishes the command of the last successful claim(). Not calling it abandons the claim.
+  void commit();
+
+  // --- consumer ---
+
+  /// Starts a drain: what was published before now is in, what comes later is not.
+  void fixCut();
+  /// The next command up to the cut, in sequence order, or nullptr. Must be followed by pop().
+  const CommandRecord* next();
+  /// Releases the command that next() returned.
+  void pop();
+  /// Tells the producer that one more of `command` may wait. After pop(), at once or when a far end has
+  /// taken the command.
+  void returnCredit(std::uint16_t command);
+  /// True if something is waiting that next() has not returned.
+  bool pending() const;
+
+  MailboxCounters counters;
+
+ private:
+  struct Cell {
+    explicit Cell(std::size_t size) : values(size) {}
+
+    LatestCell values;
+    bool held = false;  // taken from the producer, not yet returned by next()
+  };
+
+  static std::size_t ringBytes(std::span<const CommandLimits> commands);
+
+  std::vector<CommandLimits> limits_;
+  std::vector<int> cellOf_;  // by command; -1: none
+  std::deque<Cell> cells_;  // neither copied nor moved
+  SpscRing ring_;
+
+  // Producer's side.
+  std::vector<std::uint32_t> taken_;  // credits used so far, by command
+  std::uint64_t nextSequence_ = 1;
+  std::uint16_t claimedCommand_ = 0;
+  Cell* claimedCell_ = nullptr;
+  std::atomic<std::uint64_t> published_{0};
+
+  // Consumer's side.
+  std::vector<std::atomic<std::uint32_t>> returned_;  // credits given back so far, by command
+  std::uint64_t cut_ = 0;
+  std::uint64_t lastReturned_ = 0;
+  Cell* nextCell_ = nullptr;  // where the record of the last next() lies; nullptr: in the ring
+};
+
+}  // namespace suture::rt

@@ -1,0 +1,41 @@
+#pragma once
+// A bounded queue of equal cells with any number of producers and one consumer.
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+namespace suture::rt {
+
+/// Any thread may claim() and commit() (in pairs, one pair at a time a thread); one consumer thread calls
+/// front() and pop(). Lock-free, no allocation after construction. A producer that is stopped between claim
+/// and commit holds up the consumer at its cell, never the other producers.
+class MpscRing {
+ public:
+  /// At least `cells` cells of `cellSize` bytes each.
+  MpscRing(std::size_t cells, std::size_t cellSize);
+
+  /// Producer: a cell to fill, or nullptr if all are taken.
+  std::byte* claim();
+  /// Producer: publishes what claim() returned.
+  void commit(std::byte* cell);
+
+  /// Consumer: the oldest published cell, or nullptr. Stays valid until pop().
+  const std::byte* front() const;
+  /// Consumer: releases the cell that front() returned.
+  void pop();
+
+ private:
+  std::atomic<std::uint64_t>& turnAt(std::uint64_t position) const {
+    return *reinterpret_cast<std::atomic<std::uint64_t>*>(data_.get() + (position & mask_) * stride_);
+  }
+
+  std::size_t mask_;
+  std::size_t stride_;
+  std::unique_ptr<std::byte[]> data_;
+  alignas(64) std::atomic<std::uint64_t> tail_{0};
+  alignas(64) std::uint64_t head_ = 0;
+};
+
+}  // namespace suture::rt

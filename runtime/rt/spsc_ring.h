@@ -1,0 +1,55 @@
+#pragma once
+// A bounded queue of variable-length records between exactly one producer and one consumer, written and
+// read in place.
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+namespace suture::rt {
+
+/// One producer thread calls claim() and commit(), one consumer thread calls front() and pop(). Wait-free,
+/// no allocation after construction. Records are 8-byte aligned and never wrap around the end.
+class SpscRing {
+ public:
+  /// Room for at least `bytes` of records, each counted as recordSize(its size).
+  explicit SpscRing(std::size_t bytes);
+
+  /// What a record of `size` bytes takes up in the ring.
+  static constexpr std::size_t recordSize(std::size_t size) {
+    return sizeof(std::uint64_t) + ((size + 7) & ~std::size_t{7});
+  }
+
+  /// Producer: memory for a record, or nullptr if there is no room. Invisible until commit().
+  std::byte* claim(std::size_t size);
+  /// Producer: publishes the record of the last claim().
+  void commit() { tail_.store(claimedTail_, std::memory_order_release); }
+
+  /// Consumer: the oldest record, or nullptr. Stays valid until pop().
+  const std::byte* front();
+  /// Consumer: size of the record that front() returned.
+  std::size_t frontSize() const;
+  /// Consumer: releases the record that front() returned.
+  void pop();
+
+ private:
+  // A header word tells the size of the record behind it; this value tells that the rest of the lap is unused.
+  static constexpr std::uint64_t kSkip = ~std::uint64_t{0};
+
+  std::uint64_t& headerAt(std::uint64_t position) const {
+    return *reinterpret_cast<std::uint64_t*>(data_.get() + (position & mask_));
+  }
+
+  std::size_t mask_;
+  std::unique_ptr<std::byte[]> data_;
+  // Positions count bytes for ever; the index is the position modulo the size. Each side keeps a copy of the
+  // other's last known position, so that the shared lines move only when a side runs out.
+  alignas(64) std::atomic<std::uint64_t> tail_{0};
+  std::uint64_t claimedTail_ = 0;
+  std::uint64_t knownHead_ = 0;
+  alignas(64) std::atomic<std::uint64_t> head_{0};
+  std::uint64_t knownTail_ = 0;
+};
+
+}  // namespace suture::rt

@@ -1,0 +1,121 @@
+#include <suture/rt/state_table.h>
+
+#include <algorithm>
+#include <cstring>
+#include <new>
+
+namespace suture::rt {
+namespace {
+
+constexpr std::size_t wordsFor(std::size_t bytes) { return (bytes + 7) / 8; }
+
+// Row copies go word by word through atomics; the private side is ordinary memory.
+void storeWords(std::atomic<std::uint64_t>* to, const std::byte* from, std::size_t bytes) {
+  for (std::size_t i = 0; i < wordsFor(bytes); ++i) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, from + 8 * i, std::min<std::size_t>(8, bytes - 8 * i));
+    to[i].store(word, std::memory_order_release);
+  }
+}
+
+void loadWords(std::byte* to, const std::atomic<std::uint64_t>* from, std::size_t bytes) {
+  for (std::size_t i = 0; i < wordsFor(bytes); ++i) {
+    const std::uint64_t word = from[i].load(std::memory_order_acquire);
+    std::memcpy(to + 8 * i, &word, std::min<std::size_t>(8, bytes - 8 * i));
+  }
+}
+
+std::size_t payloadBytes(std::span<const std::uint32_t> columnSizes) {
+  std::size_t bytes = 0;
+  for (const std::uint32_t size : columnSizes) bytes += 8 * wordsFor(size);
+  return bytes;
+}
+
+}  // namespace
+
+StateTable::StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows)
+    : rowBytes_((sizeof(RowHeader) + payloadBytes(columnSizes) + 63) & ~std::size_t{63}),
+      rowCount_(rows),
+      draft_(payloadBytes(columnSizes)),
+      memory_("suture-state", rowBytes_ * rows) {
+  std::uint32_t offset = 0;
+  for (const std::uint32_t size : columnSizes) {
+    columns_.push_back({offset, size});
+    offset += static_cast<std::uint32_t>(8 * wordsFor(size));
+  }
+  for (unsigned i = 0; i < rows; ++i) new (memory_.data() + i * rowBytes_) RowHeader{};
+}
+
+StateTable::RowHeader& StateTable::headerAt(std::uint64_t sequence) const {
+  return *reinterpret_cast<RowHeader*>(memory_.data() + (sequence % rowCount_) * rowBytes_);
+}
+
+void StateTable::publish(Time stamp, ColumnSet valid, ColumnSet tooLarge) {
+  const std::uint64_t sequence = newest_.load(std::memory_order_relaxed) + 1;
+  RowHeader& header = headerAt(sequence);
+  header.sequence.store(0, std::memory_order_relaxed);
+  header.stamp.store(static_cast<std::uint64_t>(toNanoseconds(stamp)), std::memory_order_release);
+  header.valid.store(valid, std::memory_order_release);
+  header.tooLarge.store(tooLarge, std::memory_order_release);
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if ((valid >> i & 1) == 0) continue;
+    storeWords(payloadOf(header) + columns_[i].offset / 8, draft_.data() + columns_[i].offset,
+               columns_[i].size);
+  }
+  header.sequence.store(sequence, std::memory_order_release);
+  newest_.store(sequence, std::memory_order_release);
+}
+
+bool StateTable::ask(unsigned column) {
+  const ColumnSet bit = ColumnSet{1} << column;
+  if ((demand_.load(std::memory_order_relaxed) & bit) != 0) return false;
+  return (demand_.fetch_or(bit, std::memory_order_acq_rel) & bit) == 0;
+}
+
+// Runs `copy(header, row)` on the newest complete row and tells whether the row stayed whole meanwhile.
+template <class Copy>
+bool StateTable::tryReadNewest(Row& row, const Copy& copy) const {
+  row = Row{};
+  const std::uint64_t sequence = newest_.load(std::memory_order_acquire);
+  if (sequence == 0) return true;
+  RowHeader& header = headerAt(sequence);
+  if (header.sequence.load(std::memory_order_acquire) != sequence) return false;
+  row.sequence = sequence;
+  row.stamp = fromNanoseconds(static_cast<std::int64_t>(header.stamp.load(std::memory_order_acquire)));
+  row.valid = header.valid.load(std::memory_order_acquire);
+  row.tooLarge = header.tooLarge.load(std::memory_order_acquire);
+  copy(header, row);
+  return header.sequence.load(std::memory_order_relaxed) == sequence;
+}
+
+// A reader fails only if the writer went nearly a whole lap while it copied; each retry starts afresh.
+template <class Copy>
+StateTable::Row StateTable::readNewest(const Copy& copy) const {
+  Row row;
+  for (int attempt = 0; attempt < 100; ++attempt) {
+    if (tryReadNewest(row, copy)) return row;
+  }
+  return Row{};
+}
+
+StateTable::Row StateTable::readRow(std::span<std::byte* const> slots) const {
+  return readNewest([&](RowHeader& header, const Row& row) {
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+      if (slots[i] == nullptr || (row.valid >> i & 1) == 0) continue;
+      loadWords(slots[i], payloadOf(header) + columns_[i].offset / 8, columns_[i].size);
+    }
+  });
+}
+
+Result<Time> StateTable::read(unsigned column, std::byte* slot) const {
+  const Column& wanted = columns_[column];
+  const Row row = readNewest([&](RowHeader& header, const Row& newest) {
+    if (newest.valid >> column & 1) {
+      loadWords(slot, payloadOf(header) + wanted.offset / 8, wanted.size);
+    }
+  });
+  if (row.valid >> column & 1) return row.stamp;
+  return tl::unexpected(row.tooLarge >> column & 1 ? Errc::TooLarge : Errc::NotYet);
+}
+
+}  // namespace suture::rt

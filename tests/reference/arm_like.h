@@ -1,0 +1,58 @@
+#pragma once
+// The contract for which the files beside this one were written by hand: what suturec's output must look like,
+// and what the runtime's own tests run on.
+
+#include <suture/annotate.h>
+#include <suture/base/time.h>
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace reference {
+
+enum class Mode : std::uint8_t { Disabled, Enabled };
+
+/// A pose with its time.
+struct SUTURE_TYPE() PoseStamped {
+  SUTURE_FIELD(unit("m")) Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< tip in base
+  suture::Time stamp;
+  bool valid = false;
+};
+
+struct SUTURE_TYPE() JointState {
+  SUTURE_FIELD(capacity(8, 15)) std::vector<std::string> name;
+  SUTURE_FIELD(capacity(8), unit("rad")) std::vector<double> position;
+};
+
+class SUTURE_INTERFACE() ArmLike {
+ public:
+  virtual ~ArmLike() = default;
+  /// Follows a stream of poses.
+  SUTURE_COMMAND(latest(), ttl(50ms)) virtual void servo_cp(const PoseStamped& goal) = 0;
+  SUTURE_COMMAND(latest()) virtual void servo_jp(const JointState& goal) = 0;
+  SUTURE_COMMAND(queue(4)) virtual void hold() = 0;
+  SUTURE_COMMAND() virtual void set_mode(Mode mode) = 0;
+  SUTURE_COMMAND() virtual PoseStamped measured_cp() const = 0;
+  SUTURE_COMMAND() virtual const JointState& measured_js() const = 0;
+  SUTURE_COMMAND() virtual double distance(const PoseStamped& to) const = 0;
+  SUTURE_EVENT(latched(), name("mode")) suture::EventOf<Mode> mode_event;
+  SUTURE_EVENT(queue(4)) suture::EventOf<PoseStamped> arrived;
+  SUTURE_EVENT() suture::EventOf<> stopped;
+};
+
+}  // namespace reference
+
+// --- a component and its parameters ---
+
+namespace reference {
+
+/// Parameters of SimulatedArm.
+struct SUTURE_TYPE() SimulatedArmParameters {
+  SUTURE_FIELD(unit("s"), range(0.0001, 1)) double period = 0.001;
+  SUTURE_FIELD(unit("rad")) std::array<double, 3> home = {0, 0, 0};
+  std::string model;
+};
+
+}  // namespace reference

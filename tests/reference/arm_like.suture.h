@@ -1,0 +1,202 @@
+// Written by suturec from reference/arm_like.h. Do not edit.
+#pragma once
+
+#include <suture/base/slots.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "reference/arm_like.h"
+
+namespace reference {
+
+/// A pose with its time.
+struct PoseStampedSlot {
+  std::array<double, 12> pose;  // Eigen::Isometry3d, m
+  std::int64_t stamp;           // suture::Time, ns
+  std::uint8_t valid;           // bool
+};
+
+inline bool store(const PoseStamped& value, PoseStampedSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.pose, slot.pose);
+  fits &= store(value.stamp, slot.stamp);
+  fits &= store(value.valid, slot.valid);
+  return fits;
+}
+
+inline void load(const PoseStampedSlot& slot, PoseStamped& value) {
+  using suture::load;
+  load(slot.pose, value.pose);
+  load(slot.stamp, value.stamp);
+  load(slot.valid, value.valid);
+}
+
+struct JointStateSlot {
+  suture::BoundedList<suture::BoundedText<15>, 8> name;
+  suture::BoundedList<double, 8> position;  // rad
+};
+
+inline bool store(const JointState& value, JointStateSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.name, slot.name);
+  fits &= store(value.position, slot.position);
+  return fits;
+}
+
+inline void load(const JointStateSlot& slot, JointState& value) {
+  using suture::load;
+  load(slot.name, value.name);
+  load(slot.position, value.position);
+}
+
+// --- ArmLike: the arguments of its commands ---
+
+struct ArmLikeServoCpArguments {
+  PoseStampedSlot goal;
+};
+
+inline bool store(const PoseStamped& goal, ArmLikeServoCpArguments& slot) {
+  using suture::store;
+  return store(goal, slot.goal);
+}
+
+struct ArmLikeServoJpArguments {
+  JointStateSlot goal;
+};
+
+inline bool store(const JointState& goal, ArmLikeServoJpArguments& slot) {
+  using suture::store;
+  return store(goal, slot.goal);
+}
+
+struct ArmLikeSetModeArguments {
+  std::uint8_t mode;  // Mode
+};
+
+inline bool store(const Mode& mode, ArmLikeSetModeArguments& slot) {
+  using suture::store;
+  return store(mode, slot.mode);
+}
+
+struct ArmLikeDistanceArguments {
+  PoseStampedSlot to;
+};
+
+inline bool store(const PoseStamped& to, ArmLikeDistanceArguments& slot) {
+  using suture::store;
+  return store(to, slot.to);
+}
+
+/// The numbers of ArmLike's commands in every table and record.
+enum class ArmLikeCommand : std::uint16_t {
+  servo_cp,
+  servo_jp,
+  hold,
+  set_mode,
+  measured_cp,
+  measured_js,
+  distance,
+};
+
+/// The numbers of ArmLike's events.
+enum class ArmLikeEvent : std::uint16_t {
+  mode,
+  arrived,
+  stopped,
+};
+
+}  // namespace reference
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<reference::ArmLike>();
+
+/// What a client of reference::ArmLike calls.
+template <>
+class Required<reference::ArmLike> final : public RequiredBase {
+  using Contract = reference::ArmLike;
+  using Id = reference::ArmLikeCommand;
+  using EventId = reference::ArmLikeEvent;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : RequiredBase(owner, name, interfaceInfo<Contract>()) {}
+
+  /// Follows a stream of poses.
+  Command<&Contract::servo_cp, reference::ArmLikeServoCpArguments> servo_cp{
+      *this, static_cast<std::uint16_t>(Id::servo_cp)};
+  Command<&Contract::servo_jp, reference::ArmLikeServoJpArguments> servo_jp{
+      *this, static_cast<std::uint16_t>(Id::servo_jp)};
+  Command<&Contract::hold, NoSlot> hold{*this, static_cast<std::uint16_t>(Id::hold)};
+  Command<&Contract::set_mode, reference::ArmLikeSetModeArguments> set_mode{
+      *this, static_cast<std::uint16_t>(Id::set_mode)};
+  ReadCommand<&Contract::measured_cp, reference::PoseStampedSlot> measured_cp{
+      *this, static_cast<std::uint16_t>(Id::measured_cp)};
+  ReadCommand<&Contract::measured_js, reference::JointStateSlot> measured_js{
+      *this, static_cast<std::uint16_t>(Id::measured_js)};
+  QualifiedReadCommand<&Contract::distance, reference::ArmLikeDistanceArguments, double> distance{
+      *this, static_cast<std::uint16_t>(Id::distance)};
+
+  /// The events of reference::ArmLike, to subscribe to.
+  struct Events {
+    explicit Events(RequiredBase& required)
+        : mode{required, static_cast<std::uint16_t>(EventId::mode)},
+          arrived{required, static_cast<std::uint16_t>(EventId::arrived)},
+          stopped{required, static_cast<std::uint16_t>(EventId::stopped)} {}
+
+    Subscription<std::uint8_t, reference::Mode> mode;
+    Subscription<reference::PoseStampedSlot, reference::PoseStamped> arrived;
+    Subscription<void> stopped;
+  };
+  Events& on() { return events_; }
+
+ private:
+  Events events_{*this};
+};
+
+/// What serves reference::ArmLike from a component.
+template <>
+class Provided<reference::ArmLike> final : public ProvidedBase {
+  using Contract = reference::ArmLike;
+  using EventId = reference::ArmLikeEvent;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : ProvidedBase(owner, name, interfaceInfo<Contract>(), &implementation),
+        implementation_(implementation) {}
+
+  /// The events of reference::ArmLike, to emit.
+  struct Events {
+    explicit Events(ProvidedBase& provided)
+        : mode{provided, static_cast<std::uint16_t>(EventId::mode)},
+          arrived{provided, static_cast<std::uint16_t>(EventId::arrived)},
+          stopped{provided, static_cast<std::uint16_t>(EventId::stopped)} {}
+
+    Emitter<std::uint8_t, reference::Mode> mode;
+    Emitter<reference::PoseStampedSlot, reference::PoseStamped> arrived;
+    Emitter<void> stopped;
+  };
+  Events& emit() { return events_; }
+
+ private:
+  // Reused by every command, so that what they own is allocated once.
+  struct Scratch {
+    reference::PoseStamped servo_cp_goal;
+    reference::JointState servo_jp_goal;
+    reference::Mode set_mode_mode;
+    reference::PoseStamped distance_to;
+  };
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+  Contract& implementation_;
+  Events events_{*this};
+  Scratch scratch_{};
+};
+
+}  // namespace suture
