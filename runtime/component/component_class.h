@@ -3,20 +3,21 @@
 // SUTURE_COMPONENT; a program lists the classes it offers; nothing registers itself.
 
 #include <suture/component/component.h>
-#include <suture/component/json_reader.h>
 
 #include <memory>
-#include <vector>
 
 namespace suture {
 
+class JsonReader;
+
 struct ComponentClass {
   const char* name;  ///< unqualified C++ name: "Psm"
-  /// Reads the parameters and constructs the component; null if `parameters` reported a problem.
-  std::unique_ptr<Component> (*create)(JsonReader parameters, const std::vector<JsonProblem>& problems);
+  /// Reads the parameters and constructs the component. Null if the reader has reported a problem; what the
+  /// constructor throws passes through.
+  std::unique_ptr<Component> (*create)(const JsonReader& parameters);
 };
 
-/// The class `T`. Specialised in its generated header.
+/// The class `T`. Each component's generated header "X.suture.h" declares its own.
 template <class T>
 ComponentClass componentClass() = delete;
 

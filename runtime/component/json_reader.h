@@ -41,6 +41,9 @@ class JsonReader {
   /// After all fields: reports every key that none of them is named by.
   void finish() const;
 
+  /// True if any problem has been reported so far, here or anywhere else in the text.
+  bool failed() const { return !problems_.empty(); }
+
   JsonReader at(const std::string& key) const;
   JsonReader at(std::size_t index) const;
   bool isArrayOf(std::size_t size) const;

@@ -43,16 +43,3 @@ class SUTURE_INTERFACE() ArmLike {
 };
 
 }  // namespace reference
-
-// --- a component and its parameters ---
-
-namespace reference {
-
-/// Parameters of SimulatedArm.
-struct SUTURE_TYPE() SimulatedArmParameters {
-  SUTURE_FIELD(unit("s"), range(0.0001, 1)) double period = 0.001;
-  SUTURE_FIELD(unit("rad")) std::array<double, 3> home = {0, 0, 0};
-  std::string model;
-};
-
-}  // namespace reference

@@ -1,0 +1,30 @@
+// Written by suturec from reference/simulated_arm.h. Do not edit.
+#include "reference/simulated_arm.suture.h"
+
+#include <suture/component/json_reader.h>
+
+namespace reference {
+
+void fromJson(const suture::JsonReader& in, SimulatedArmParameters& value) {
+  suture::JsonReader reader = in;
+  reader.field("period", value.period, 0.0001, 1);
+  reader.field("home", value.home);
+  reader.field("model", value.model);
+  reader.finish();
+}
+
+}  // namespace reference
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<reference::SimulatedArm>() {
+  return {"SimulatedArm", [](const JsonReader& parameters) -> std::unique_ptr<Component> {
+            reference::SimulatedArmParameters values;
+            fromJson(parameters, values);
+            if (parameters.failed()) return nullptr;
+            return std::make_unique<reference::SimulatedArm>(values);
+          }};
+}
+
+}  // namespace suture
