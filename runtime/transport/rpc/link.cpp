@@ -14,10 +14,10 @@ capnp::ReaderOptions readerOptions(const StreamLimits& limits) {
 
 }  // namespace
 
-Link::Link(kj::UnixEventPort& port, kj::AutoCloseFd socket, Side side,
-           kj::Maybe<capnp::Capability::Client> offers, StreamLimits limits)
-    : stream_(port, kj::mv(socket), limits),
-      network_(stream_, side, readerOptions(limits)),
+Link::Link(kj::Own<MessageStream> stream, Side side,
+           kj::Maybe<capnp::Capability::Client> offers, const StreamLimits& limits)
+    : stream_(kj::mv(stream)),
+      network_(*stream_, side, readerOptions(limits)),
       system_(network_, kj::mv(offers)) {}
 
 capnp::Capability::Client Link::bootstrapCapability() {

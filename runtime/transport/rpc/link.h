@@ -8,13 +8,13 @@
 
 namespace suture::rpc {
 
-/// A socket with an RPC system on it. Belongs to the control thread. Destroying it closes the socket; every
+/// A stream with an RPC system on it. Belongs to the control thread. Destroying it closes it; every
 /// capability that came through it is then broken (DISCONNECTED).
 class Link {
  public:
   /// `offers`: what the peer gets when it asks for the bootstrap capability.
-  Link(kj::UnixEventPort& port, kj::AutoCloseFd socket, capnp::rpc::twoparty::Side side,
-       kj::Maybe<capnp::Capability::Client> offers = nullptr, StreamLimits limits = {});
+  Link(kj::Own<MessageStream> stream, capnp::rpc::twoparty::Side side,
+       kj::Maybe<capnp::Capability::Client> offers = nullptr, const StreamLimits& limits = {});
 
   /// The peer's bootstrap capability.
   template <class Interface>
@@ -25,12 +25,12 @@ class Link {
   /// Resolves when the peer is gone; never rejects.
   kj::Promise<void> onDisconnect() { return network_.onDisconnect(); }
 
-  std::shared_ptr<const LinkCounters> counters() const { return stream_.counters(); }
+  std::shared_ptr<const LinkCounters> counters() const { return stream_->counters(); }
 
  private:
   capnp::Capability::Client bootstrapCapability();
 
-  MessageStream stream_;
+  kj::Own<MessageStream> stream_;
   capnp::TwoPartyVatNetwork network_;
   capnp::RpcSystem<capnp::rpc::twoparty::VatId> system_;
 };

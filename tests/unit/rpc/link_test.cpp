@@ -4,8 +4,7 @@
 #include <gtest/gtest.h>
 #include <suture/transport/rpc/dialer.h>
 #include <suture/transport/rpc/failure.h>
-#include <suture/transport/rpc/link.h>
-#include <suture/transport/rpc/listener.h>
+#include <suture/transport/rpc/link_server.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -44,16 +43,15 @@ class LinkTest : public testing::TestWithParam<const char*> {
   }
 
   void serve() {
-    listener_ = kj::heap<Listener>(io_.unixEventPort, Address::parse(freshAddress()));
-    listening_ = listener_->listen([this](kj::AutoCloseFd socket) {
-      servers_.add(kj::heap<Link>(io_.unixEventPort, kj::mv(socket), Side::SERVER,
-                                  Echo::Client(kj::heap<EchoServer>())));
-    }).eagerlyEvaluate(nullptr);
+    server_ = kj::heap<LinkServer>(
+        io_.unixEventPort, Address::parse(freshAddress()),
+        [](auto&&) -> capnp::Capability::Client { return Echo::Client(kj::heap<EchoServer>()); },
+        StreamLimits{}, 2);
   }
 
   kj::Own<Link> connect() {
-    auto socket = dial(io_.unixEventPort, listener_->address(), 5s).wait(io_.waitScope);
-    return kj::heap<Link>(io_.unixEventPort, kj::mv(socket), Side::CLIENT);
+    auto socket = dial(io_.unixEventPort, server_->address(), 5s).wait(io_.waitScope);
+    return kj::heap<Link>(kj::heap<MessageStream>(io_.unixEventPort, kj::mv(socket)), Side::CLIENT);
   }
 
   std::string dialFault(const Address& address) {
@@ -65,6 +63,22 @@ class LinkTest : public testing::TestWithParam<const char*> {
     return "connected";
   }
 
+  /// True if the peer ends the connection within five seconds.
+  bool closes(int socket) {
+    kj::UnixEventPort::FdObserver observer(io_.unixEventPort, socket,
+                                           kj::UnixEventPort::FdObserver::OBSERVE_READ);
+    std::byte bytes[4096];
+    for (ssize_t count = -1; count != 0;) {
+      count = recv(socket, bytes, sizeof(bytes), 0);
+      if (count >= 0) continue;
+      if (errno != EAGAIN) return true;
+      auto readable = observer.whenBecomesReadable().then([] { return true; });
+      auto late = io_.provider->getTimer().afterDelay(5 * kj::SECONDS).then([] { return false; });
+      if (!readable.exclusiveJoin(kj::mv(late)).wait(io_.waitScope)) return false;
+    }
+    return true;
+  }
+
   kj::Promise<std::size_t> echo(Echo::Client client, std::size_t size) {
     auto request = client.echoRequest();
     memset(request.initData(size).begin(), 5, size);
@@ -73,9 +87,7 @@ class LinkTest : public testing::TestWithParam<const char*> {
 
   TemporaryDirectory directory_;
   kj::AsyncIoContext io_ = kj::setupAsyncIo();
-  kj::Own<Listener> listener_;
-  kj::Vector<kj::Own<Link>> servers_;
-  kj::Promise<void> listening_ = kj::READY_NOW;
+  kj::Own<LinkServer> server_;
 };
 
 INSTANTIATE_TEST_SUITE_P(Sockets, LinkTest, testing::Values("unix", "tcp"),
@@ -121,7 +133,7 @@ TEST_P(LinkTest, APeerThatClosesEndsCallsAndTheLink) {
   auto client = link->bootstrap<Echo>();
   EXPECT_EQ(echo(client, 1).wait(io_.waitScope), 1u);
   auto pending = client.neverRequest().send().ignoreResult();
-  servers_.clear();
+  server_ = nullptr;
   EXPECT_THROW(pending.wait(io_.waitScope), kj::Exception);
   link->onDisconnect().wait(io_.waitScope);
   EXPECT_THROW(echo(client, 1).wait(io_.waitScope), kj::Exception);
@@ -131,21 +143,33 @@ TEST_P(LinkTest, AHostilePeerIsCutOffAndOthersAreServed) {
   serve();
   auto link = connect();
   auto client = link->bootstrap<Echo>();
-  auto hostile = dial(io_.unixEventPort, listener_->address(), 5s).wait(io_.waitScope);
+  auto hostile = dial(io_.unixEventPort, server_->address(), 5s).wait(io_.waitScope);
   sendAll(hostile, std::vector(64, std::byte{0xff}));
+  EXPECT_TRUE(closes(hostile));
   EXPECT_EQ(echo(client, 1).wait(io_.waitScope), 1u);
-  servers_[1]->onDisconnect().wait(io_.waitScope);
-  EXPECT_EQ(echo(client, 1).wait(io_.waitScope), 1u);
+}
+
+TEST_P(LinkTest, ConnectionsBeyondTheLimitAreClosedAndThoseWithinServed) {
+  serve();  // for two at a time
+  auto first = connect();
+  auto second = connect();
+  auto third = dial(io_.unixEventPort, server_->address(), 5s).wait(io_.waitScope);
+  EXPECT_EQ(echo(second->bootstrap<Echo>(), 1).wait(io_.waitScope), 1u);
+  EXPECT_TRUE(closes(third));
+  first = nullptr;
+  EXPECT_EQ(echo(second->bootstrap<Echo>(), 1).wait(io_.waitScope), 1u);
+  auto fourth = connect();
+  EXPECT_EQ(echo(fourth->bootstrap<Echo>(), 1).wait(io_.waitScope), 1u);
 }
 
 TEST_P(LinkTest, AnAddressInUseIsRefused) {
   serve();
   try {
-    Listener second(io_.unixEventPort, listener_->address());
+    Listener second(io_.unixEventPort, server_->address());
     FAIL() << "bound twice";
   } catch (const SetupError& error) {
     const std::string text = error.what();
-    EXPECT_NE(text.find(listener_->address().text()), std::string::npos) << text;
+    EXPECT_NE(text.find(server_->address().text()), std::string::npos) << text;
     EXPECT_NE(text.find("another process listens"), std::string::npos) << text;
   }
   auto link = connect();
@@ -154,9 +178,8 @@ TEST_P(LinkTest, AnAddressInUseIsRefused) {
 
 TEST_P(LinkTest, NobodyListening) {
   serve();
-  const Address address = listener_->address();
-  listening_ = kj::READY_NOW;
-  listener_ = nullptr;
+  const Address address = server_->address();
+  server_ = nullptr;
   const std::string text = dialFault(address);
   EXPECT_NE(text.find("connect to " + address.text()), std::string::npos) << text;
   EXPECT_NE(text.find("Start the process"), std::string::npos) << text;
@@ -164,8 +187,8 @@ TEST_P(LinkTest, NobodyListening) {
 
 TEST_P(LinkTest, TheRealPortIsReported) {
   serve();
-  if (listener_->address().kind == Address::Kind::Tcp) {
-    EXPECT_NE(listener_->address().port, 0);
+  if (server_->address().kind == Address::Kind::Tcp) {
+    EXPECT_NE(server_->address().port, 0);
   }
 }
 
@@ -174,12 +197,11 @@ INSTANTIATE_TEST_SUITE_P(Sockets, UnixListenerTest, testing::Values("unix"));
 
 TEST_P(UnixListenerTest, TheSocketFileIsTheOwnersOnlyAndGoesWithTheListener) {
   serve();
-  const std::string path = listener_->address().path;
+  const std::string path = server_->address().path;
   struct stat status {};
   ASSERT_EQ(stat(path.c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777, 0600u);
-  listening_ = kj::READY_NOW;
-  listener_ = nullptr;
+  server_ = nullptr;
   EXPECT_NE(stat(path.c_str(), &status), 0);
 }
 
