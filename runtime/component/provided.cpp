@@ -44,7 +44,7 @@ void ProvidedBase::attach(std::shared_ptr<Channel> channel) {
 }
 
 void ProvidedBase::drain() {
-  channels_.sweep();
+  if (owner_.ownsThread()) channels_.sweep();  // a device may be walking the list in another thread
   channels_.forEach([this](ChannelList::Node& node) {
     greet(node);
     drain(*node.channel);

@@ -1,0 +1,52 @@
+#include <suture/manager/device_executor.h>
+
+#include <algorithm>
+
+namespace suture {
+
+DeviceExecutor::DeviceExecutor() : Task(rt::Scheduling{}) { start(); }
+
+DeviceExecutor::~DeviceExecutor() { stop(); }
+
+void DeviceExecutor::serve(ProvidedBase& device) {
+  {
+    const std::lock_guard lock(mutex_);
+    added_.push_back(&device);
+  }
+  doorbell().ring();
+}
+
+void DeviceExecutor::takeOver() {
+  const std::lock_guard lock(mutex_);
+  for (ProvidedBase* device : added_) {
+    const bool known = std::any_of(served_.begin(), served_.end(), [device](const Served& served) {
+      return served.interface == device;
+    });
+    if (!known) served_.push_back({device, now()});
+  }
+  added_.clear();
+}
+
+bool DeviceExecutor::awaitCycle() {
+  Time due = now() + std::chrono::seconds(1);
+  for (const Served& served : served_) {
+    if (served.interface->state()->demand() != 0) due = std::min(due, served.rowDue);
+  }
+  const bool waiting = std::any_of(served_.begin(), served_.end(), [](const Served& served) {
+    return served.interface->pending();
+  });
+  if (!stopping() && !waiting) doorbell().waitUntil(due);
+  return !stopping();
+}
+
+void DeviceExecutor::run() {
+  takeOver();
+  for (Served& served : served_) {
+    served.interface->drain();
+    if (now() < served.rowDue) continue;
+    served.interface->publishRow();
+    served.rowDue = now() + served.interface->owner().remoteReadPeriod();
+  }
+}
+
+}  // namespace suture

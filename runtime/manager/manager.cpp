@@ -1,0 +1,80 @@
+#include <suture/base/errors.h>
+#include <suture/component/task.h>
+#include <suture/manager/device_executor.h>
+#include <suture/manager/manager.h>
+#include <suture/manager/network.h>
+#include <suture/wiring/connect.h>
+
+namespace suture {
+
+Manager::Manager(std::string process) : directory_(std::move(process)) {}
+
+Manager::Manager(std::string process, const std::string& address, Duration patience)
+    : directory_(std::move(process)), executor_(std::make_unique<DeviceExecutor>()) {
+  const auto serverOf = [this](ProvidedBase& provided) -> rt::Doorbell& {
+    if (provided.owner().ownsThread()) return provided.owner().doorbell();
+    executor_->serve(provided);
+    return executor_->doorbell();
+  };
+  network_ = std::make_unique<Network>(directory_, address, serverOf, patience);
+}
+
+Manager::~Manager() { stop(); }
+
+void Manager::add(const std::string& name, Component& component) {
+  directory_.add(name, component);
+  component.name_ = name;
+}
+
+std::vector<Task*> Manager::tasks() const {
+  std::vector<Task*> all;
+  for (Component* component : directory_.components()) {
+    if (auto* task = dynamic_cast<Task*>(component); task != nullptr) all.push_back(task);
+  }
+  return all;
+}
+
+void Manager::start() {
+  for (Task* task : tasks()) task->start();
+  if (network_ != nullptr) network_->publish();
+}
+
+void Manager::stop() {
+  for (Task* task : tasks()) task->stop();
+  network_.reset();
+  executor_.reset();
+}
+
+void Manager::connect(std::string_view requiredName, std::string_view providedName, Lane lane,
+                      Duration patience) {
+  const Endpoint from = Endpoint::parse(requiredName), to = Endpoint::parse(providedName);
+  RequiredBase& required = directory_.required(from);
+  const std::string connection = process() + ":" + from.component + "/" + from.interface + " -> " +
+                                 (to.process.empty() ? process() + ":" : "") + to.toString();
+  if (const auto existing = connected_.find(from.toString()); existing != connected_.end()) {
+    throw SetupError("connecting " + connection,
+                     "it is already connected: " + existing->second->name,
+                     "A required interface has one provider; add another required interface");
+  }
+  const bool sameProcess = to.process.empty() || to.process == process();
+  if (sameProcess && lane == Lane::Auto) {
+    connected_[from.toString()] = connectLocally(required, directory_.provided(to), connection);
+    return;
+  }
+  if (network_ == nullptr) {
+    throw SetupError("connecting " + connection, "this process has no global manager",
+                     "Give the manager's address when constructing suture::Manager");
+  }
+  connected_[from.toString()] = network_->connect(required, from, to, patience);
+}
+
+std::vector<std::shared_ptr<Channel>> Manager::channels() const {
+  std::vector<std::shared_ptr<Channel>> all;
+  for (const auto& [name, channel] : connected_) all.push_back(channel);
+  if (network_ != nullptr) {
+    for (auto& channel : network_->served()) all.push_back(std::move(channel));
+  }
+  return all;
+}
+
+}  // namespace suture

@@ -1,0 +1,77 @@
+#pragma once
+// The local manager: the components of one process and their connections.
+
+#include <suture/component/component.h>
+#include <suture/wiring/directory.h>
+
+#include <chrono>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace suture {
+
+class DeviceExecutor;
+class Network;
+class Task;
+
+/// How a connection may travel.
+enum class Lane : std::uint8_t {
+  Auto,  ///< `local` within the process, `rpc` to another one
+  Rpc,   ///< Cap'n Proto RPC, even within the process
+};
+
+/// Adds components, connects their interfaces and runs their tasks. Used by one thread, which is none of the tasks'.
+/// Does not own the components; they outlive it or stop() comes first.
+///
+///   suture::Manager manager{"console", "unix:/tmp/suture.sock"};
+///   manager.add("Teleop", teleop);
+///   manager.start();
+///   manager.connect("Teleop/Slave", "psm-host:PSM/Arm");
+class Manager {
+ public:
+  /// How long connect() waits for another process to appear.
+  static constexpr Duration kDefaultPatience = std::chrono::seconds(10);
+
+  /// A process on its own.
+  explicit Manager(std::string process);
+  /// A process that is known at the global manager at `address` ("unix:/path" or "tcp://host:port"). Throws SetupError
+  /// if nobody answers there within `patience`, or if the name is taken.
+  Manager(std::string process, const std::string& address, Duration patience = kDefaultPatience);
+  ~Manager();
+  Manager(const Manager&) = delete;
+  Manager& operator=(const Manager&) = delete;
+
+  const std::string& process() const { return directory_.process(); }
+
+  /// `name` is unique in this process. Throws SetupError.
+  void add(const std::string& name, Component& component);
+
+  /// Starts the tasks and makes the provided interfaces known. Throws SetupError if a thread cannot have the scheduling
+  /// it asks for.
+  void start();
+  /// Ends all connections and tasks. Also done by the destructor.
+  void stop();
+
+  /// Connects a required interface of this process ("Teleop/Slave") to a provided one ("PSM/Arm", or
+  /// "psm-host:PSM/Arm" of another process, for which it waits at most `patience`). Before or after start(). Works or
+  /// throws a SetupError that says why not.
+  void connect(std::string_view required, std::string_view provided, Lane lane = Lane::Auto,
+               Duration patience = kDefaultPatience);
+
+  const Directory& directory() const { return directory_; }
+  /// Every connection that has an end in this process.
+  std::vector<std::shared_ptr<Channel>> channels() const;
+
+ private:
+  std::vector<Task*> tasks() const;
+
+  Directory directory_;
+  std::unique_ptr<DeviceExecutor> executor_;
+  std::unique_ptr<Network> network_;
+  std::map<std::string, std::shared_ptr<Channel>> connected_;  // by required interface
+};
+
+}  // namespace suture

@@ -1,0 +1,45 @@
+#pragma once
+// A process's part in the network: its control thread, the address where peers reach it, its name at the global manager,
+// and its connections.
+
+#include <suture/component/channel.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+#include <suture/wiring/directory.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// Used by the manager's thread; all work happens on the control thread that it owns.
+class Network {
+ public:
+  /// Tells which doorbell and thread serve an interface for remote clients: the task's, or an executor's.
+  using ServerOf = std::function<rt::Doorbell&(ProvidedBase&)>;
+
+  /// Listens, and registers the process at the global manager. Throws SetupError.
+  Network(const Directory& directory, const std::string& managerAddress, ServerOf serverOf,
+          Duration patience);
+  ~Network();
+  Network(const Network&) = delete;
+  Network& operator=(const Network&) = delete;
+
+  /// Makes the directory's present components known, and lets peers connect to them.
+  void publish();
+
+  /// Connects over Cap'n Proto RPC, also to this process itself. Throws SetupError.
+  std::shared_ptr<Channel> connect(RequiredBase& required, const Endpoint& from, const Endpoint& to,
+                                   Duration patience);
+
+  /// The provider ends of what peers have connected to this process.
+  std::vector<std::shared_ptr<Channel>> served() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace suture

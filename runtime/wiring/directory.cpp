@@ -1,0 +1,66 @@
+#include <suture/base/errors.h>
+#include <suture/base/nearest.h>
+#include <suture/wiring/directory.h>
+
+#include <algorithm>
+
+namespace suture {
+namespace {
+
+std::string remedyFor(const std::string& name, const std::vector<std::string>& existing) {
+  const std::string nearest = nearestName(name, existing);
+  return nearest.empty() ? "Use one of those names" : "Did you mean '" + nearest + "'?";
+}
+
+template <class Interface>
+Interface& find(const std::vector<Interface*>& interfaces, const Endpoint& endpoint,
+                const char* kind) {
+  const auto found =
+      std::find_if(interfaces.begin(), interfaces.end(),
+                   [&](const Interface* one) { return one->name() == endpoint.interface; });
+  if (found != interfaces.end()) return **found;
+  std::vector<std::string> names;
+  for (const Interface* one : interfaces) names.push_back(one->name());
+  throw SetupError("asked for the " + std::string(kind) + " interface '" + endpoint.toString() + "'",
+                   "component '" + endpoint.component + "' has " + kind + " interfaces " +
+                       listNames(names),
+                   remedyFor(endpoint.interface, names));
+}
+
+}  // namespace
+
+void Directory::add(const std::string& name, Component& component) {
+  const std::lock_guard lock(mutex_);
+  if (!components_.emplace(name, &component).second) {
+    throw SetupError("adding a component '" + name + "' to process '" + process_ + "'",
+                     "it has one of that name", "Give each component of a process its own name");
+  }
+}
+
+std::vector<Component*> Directory::components() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<Component*> all;
+  for (const auto& [name, component] : components_) all.push_back(component);
+  return all;
+}
+
+Component& Directory::component(const Endpoint& endpoint) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = components_.find(endpoint.component);
+  if (found != components_.end()) return *found->second;
+  std::vector<std::string> names;
+  for (const auto& [name, unused] : components_) names.push_back(name);
+  throw SetupError("asked for '" + endpoint.toString() + "'",
+                   "process '" + process_ + "' has components " + listNames(names),
+                   remedyFor(endpoint.component, names));
+}
+
+ProvidedBase& Directory::provided(const Endpoint& endpoint) const {
+  return find(component(endpoint).provided(), endpoint, "provided");
+}
+
+RequiredBase& Directory::required(const Endpoint& endpoint) const {
+  return find(component(endpoint).required(), endpoint, "required");
+}
+
+}  // namespace suture

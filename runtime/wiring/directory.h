@@ -1,0 +1,36 @@
+#pragma once
+// The components of one process, by name.
+
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+#include <suture/wiring/endpoint.h>
+
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// Any thread. Does not own the components; they outlive it. Look-ups throw a SetupError that lists what exists.
+class Directory {
+ public:
+  explicit Directory(std::string process) : process_(std::move(process)) {}
+
+  const std::string& process() const { return process_; }
+
+  void add(const std::string& name, Component& component);
+  std::vector<Component*> components() const;
+
+  ProvidedBase& provided(const Endpoint& endpoint) const;
+  RequiredBase& required(const Endpoint& endpoint) const;
+
+ private:
+  Component& component(const Endpoint& endpoint) const;
+
+  const std::string process_;
+  mutable std::mutex mutex_;
+  std::map<std::string, Component*> components_;
+};
+
+}  // namespace suture

@@ -1,0 +1,20 @@
+#pragma once
+// How an interface of a component is named in a deployment: "process:component/interface".
+
+#include <string>
+#include <string_view>
+
+namespace suture {
+
+/// One end of a connection.
+struct Endpoint {
+  std::string process;  ///< "": the process that reads the name
+  std::string component;
+  std::string interface;
+
+  /// Reads "process:component/interface" or "component/interface". Throws SetupError.
+  static Endpoint parse(std::string_view text);
+  std::string toString() const;
+};
+
+}  // namespace suture
