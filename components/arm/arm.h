@@ -1,0 +1,71 @@
+#pragma once
+// The contract of an arm, master or slave: the part of CRTK (collaborative-robotics.github.io) that
+// teleoperation needs.
+
+#include <suture/annotate.h>
+
+#include <cstdint>
+
+#include "robot_types/joints.h"
+#include "robot_types/operating_state.h"
+#include "robot_types/pose.h"
+
+namespace robots {
+
+/// Why an arm does not do what it is asked.
+enum class ArmWarning : std::uint8_t {
+  NotEnabled,  ///< motion commands need an enabled arm
+  OutOfReach,  ///< no joint vector within limits reaches the goal
+  Malformed,   ///< the goal has the wrong length, is not finite or not a pose
+};
+
+/// Commands run in the arm's own thread before its next cycle; reads are from the end of its last
+/// one. Poses are of the tool tip in the arm's base frame. An arm starts, and restarts, disabled
+/// and not homed; until it is enabled it ignores motion commands.
+class SUTURE_INTERFACE() Arm {
+ public:
+  virtual ~Arm() = default;
+
+  /// Powers the arm; it holds its position.
+  SUTURE_COMMAND() virtual void enable() = 0;
+  /// Stops at once and ignores motion until enabled again.
+  SUTURE_COMMAND() virtual void disable() = 0;
+  /// Moves to the home position; needs an enabled arm. Ends with goal_reached.
+  SUTURE_COMMAND() virtual void home() = 0;
+  /// Drops what is under way; the set-point stays where it is.
+  SUTURE_COMMAND() virtual void hold() = 0;
+
+  /// Streams Cartesian goals, newest wins. A goal out of reach leaves the set-point and says so in
+  /// `warning`. setpoint_cp keeps the goal's stamp.
+  SUTURE_COMMAND(latest(), ttl(20ms)) virtual void servo_cp(const PoseStamped& goal) = 0;
+  /// Streams joint goals, newest wins; cut to the joint limits.
+  SUTURE_COMMAND(latest(), ttl(20ms)) virtual void servo_jp(const JointGoal& goal) = 0;
+  /// Plans and executes a smooth motion from the set-point. Ends with goal_reached.
+  SUTURE_COMMAND() virtual void move_jp(const JointGoal& goal) = 0;
+
+  /// Where the joints are. Stamp: the arm's cycle.
+  SUTURE_COMMAND() virtual const JointState& measured_js() const = 0;
+  /// Where the joints shall be.
+  SUTURE_COMMAND() virtual const JointState& setpoint_js() const = 0;
+  /// Where the tool tip is. Stamp: the arm's cycle.
+  SUTURE_COMMAND() virtual PoseStamped measured_cp() const = 0;
+  /// Where the tool tip shall be. Stamp: that of the servo_cp goal it came from, else the arm's
+  /// cycle.
+  SUTURE_COMMAND() virtual PoseStamped setpoint_cp() const = 0;
+  SUTURE_COMMAND() virtual const OperatingState& operating_state() const = 0;
+
+  /// The tool tip for a joint vector; not valid if it has the wrong length.
+  SUTURE_COMMAND() virtual PoseStamped forward_kinematics(const JointGoal& q) const = 0;
+  /// A joint vector for a tool tip, searched from the present set-point.
+  SUTURE_COMMAND() virtual JointSolution inverse_kinematics(const PoseStamped& goal) const = 0;
+
+  /// Each change of the operating state, and the last one to whoever connects.
+  SUTURE_EVENT(latched(), name("operating_state"))
+  suture::EventOf<OperatingState> operating_state_event;
+  /// A move ended: true at its goal, false when something else replaced it.
+  SUTURE_EVENT() suture::EventOf<bool> goal_reached;
+  /// The arm refuses what it is asked to do; once per reason, until it obeys again.
+  SUTURE_EVENT(name("warning")) suture::EventOf<ArmWarning> warning_event;
+};
+
+}  // namespace robots

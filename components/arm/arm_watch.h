@@ -1,0 +1,46 @@
+#pragma once
+// What a client knows of an arm's readiness, and how it makes an arm ready.
+
+#include "arm/arm.suture.h"
+
+namespace robots {
+
+/// Follows the operating state of the arm behind one required interface. A member of the component
+/// that owns that interface, declared after it; belongs to the same thread.
+class ArmWatch {
+ public:
+  explicit ArmWatch(suture::Required<Arm>& arm) : arm_(arm) {
+    arm_.on().operating_state([this](const OperatingState& state) {
+      state_ = state.state;
+      homed_ = state.is_homed;
+      busy_ = state.is_busy;
+    });
+  }
+  ArmWatch(const ArmWatch&) = delete;
+  ArmWatch& operator=(const ArmWatch&) = delete;
+
+  /// The arm obeys servo commands: enabled, homed, and no move under way.
+  bool ready() const { return state_ == ArmState::Enabled && homed_ && !busy_; }
+
+  /// Once a cycle: enables and homes the arm, each at most once, so that an arm which someone
+  /// disabled, or which came back after a failure, stays disabled.
+  void prepare() {
+    if (state_ == ArmState::Disabled && !enableAsked_) {
+      enableAsked_ = arm_.enable().has_value();
+    } else if (state_ == ArmState::Enabled && !homed_ && !busy_ && !homeAsked_) {
+      homeAsked_ = arm_.home().has_value();
+    }
+  }
+  /// An operator's decision: prepare() may ask again.
+  void permit() { enableAsked_ = homeAsked_ = false; }
+
+ private:
+  suture::Required<Arm>& arm_;
+  ArmState state_ = ArmState::Undefined;
+  bool homed_ = false;
+  bool busy_ = false;
+  bool enableAsked_ = false;
+  bool homeAsked_ = false;
+};
+
+}  // namespace robots

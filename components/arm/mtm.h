@@ -1,0 +1,38 @@
+#pragma once
+// The simulated master arm.
+
+#include <suture/annotate.h>
+#include <suture/base/time.h>
+#include <suture/component/periodic_task.h>
+
+#include <chrono>
+#include <cstdint>
+
+#include "arm/arm.suture.h"
+#include "arm/simulated_arm.h"
+
+namespace robots {
+
+enum class MtmSide : std::uint8_t { Left, Right };
+
+struct SUTURE_TYPE() MtmParameters {
+  MtmSide side = MtmSide::Left;
+  suture::Duration period = std::chrono::milliseconds(1);
+  /// How far the measured joints trail their set-point: here, the hand that moves the master.
+  SUTURE_FIELD(unit("s"), range(0.0001, 10)) double time_constant = 0.01;
+  SUTURE_FIELD(unit("rad/s"), range(0.01, 20)) double angular_rate = 4.0;
+};
+
+/// A master tool manipulator (arm/kinematics/davinci.h). There is no hand on it: a surgeon
+/// component drives it through servo_cp.
+class SUTURE_COMPONENT() Mtm final : public suture::PeriodicTask, public SimulatedArm<7> {
+ public:
+  explicit Mtm(const MtmParameters& parameters);
+
+  void run() override;
+
+ private:
+  suture::Provided<Arm> arm_{*this, "Arm", *this};
+};
+
+}  // namespace robots

@@ -1,0 +1,35 @@
+#include "arm/psm.h"
+
+#include "arm/kinematics/davinci.h"
+
+namespace robots {
+namespace {
+
+ArmModel<6> model(const PsmParameters& parameters) {
+  constexpr int kInsertion = 2;
+  ArmModel<6> model{
+      .chain = kinematics::psm(),
+      .joint_names = {"yaw", "pitch", "insertion", "roll", "wrist_pitch", "wrist_yaw"},
+      .parked = ArmModel<6>::Joints::Zero(),
+      .home = ArmModel<6>::Joints::Zero(),
+      .rate_limit = ArmModel<6>::Joints::Constant(parameters.angular_rate),
+      .time_constant = parameters.time_constant,
+  };
+  // Inside the patient from the start: the cannula is not simulated.
+  model.parked[kInsertion] = 0.1;
+  model.home[kInsertion] = 0.12;
+  model.rate_limit[kInsertion] = parameters.insertion_rate;
+  return model;
+}
+
+}  // namespace
+
+Psm::Psm(const PsmParameters& parameters)
+    : PeriodicTask({.period = parameters.period}), SimulatedArm(model(parameters)) {}
+
+void Psm::run() {
+  step(suture::now());
+  announce(arm_.emit());
+}
+
+}  // namespace robots

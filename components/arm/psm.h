@@ -1,0 +1,37 @@
+#pragma once
+// The simulated slave arm.
+
+#include <suture/annotate.h>
+#include <suture/base/time.h>
+#include <suture/component/periodic_task.h>
+
+#include <chrono>
+
+#include "arm/arm.suture.h"
+#include "arm/simulated_arm.h"
+
+namespace robots {
+
+struct SUTURE_TYPE() PsmParameters {
+  suture::Duration period = std::chrono::milliseconds(1);
+  /// How far the measured joints trail their set-point.
+  SUTURE_FIELD(unit("s"), range(0.0001, 10)) double time_constant = 0.01;
+  /// Rate limit of the rotating joints.
+  SUTURE_FIELD(unit("rad/s"), range(0.01, 20)) double angular_rate = 4.0;
+  /// Rate limit of the insertion.
+  SUTURE_FIELD(unit("m/s"), range(0.001, 2)) double insertion_rate = 0.4;
+};
+
+/// A patient side manipulator with large needle driver (arm/kinematics/davinci.h). Its base frame
+/// has its origin at the remote centre of motion.
+class SUTURE_COMPONENT() Psm final : public suture::PeriodicTask, public SimulatedArm<6> {
+ public:
+  explicit Psm(const PsmParameters& parameters);
+
+  void run() override;
+
+ private:
+  suture::Provided<Arm> arm_{*this, "Arm", *this};
+};
+
+}  // namespace robots

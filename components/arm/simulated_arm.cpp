@@ -1,0 +1,211 @@
+#include "arm/simulated_arm.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "arm/kinematics/inverse.h"
+
+namespace robots {
+namespace {
+
+constexpr double kRotationTolerance = 1e-6;
+
+double secondsBetween(suture::Time from, suture::Time to) {
+  return std::chrono::duration<double>(to - from).count();
+}
+
+bool isPose(const PoseStamped& goal) {
+  const Eigen::Matrix3d rotation = goal.pose.linear();
+  return goal.valid && goal.pose.matrix().allFinite() &&
+         (rotation * rotation.transpose()).isIdentity(kRotationTolerance) &&
+         rotation.determinant() > 0;
+}
+
+template <int N>
+std::optional<Eigen::Matrix<double, N, 1>> toJoints(const JointGoal& goal) {
+  if (goal.position.size() != std::size_t{N}) return std::nullopt;
+  const Eigen::Matrix<double, N, 1> q =
+      Eigen::Map<const Eigen::Matrix<double, N, 1>>(goal.position.data());
+  if (!q.allFinite()) return std::nullopt;
+  return q;
+}
+
+template <int N>
+JointState blank(const std::array<const char*, std::size_t{N}>& names) {
+  JointState state;
+  state.name.assign(names.begin(), names.end());
+  state.position.resize(N);
+  return state;
+}
+
+template <int N>
+void place(JointState& state, const Eigen::Matrix<double, N, 1>& position, suture::Time stamp) {
+  std::copy_n(position.data(), N, state.position.begin());
+  state.stamp = stamp;
+  state.valid = true;
+}
+
+}  // namespace
+
+template <int N>
+SimulatedArm<N>::SimulatedArm(const ArmModel<N>& model)
+    : model_(model),
+      dynamics_(model.time_constant, model.rate_limit, model.chain.lower(), model.chain.upper(),
+                model.parked),
+      setpoint_(dynamics_.setpoint()),
+      measuredJs_(blank<N>(model.joint_names)),
+      setpointJs_(measuredJs_) {
+  measuredJs_.velocity.resize(N);
+  state_.state = ArmState::Disabled;
+}
+
+template <int N>
+void SimulatedArm<N>::enable() {
+  if (state_.state != ArmState::Enabled) enter(ArmState::Enabled, "holding");
+}
+
+template <int N>
+void SimulatedArm<N>::disable() {
+  endMove(false);
+  setpoint_ = dynamics_.measured();
+  setpointStamp_ = {};
+  if (state_.state != ArmState::Disabled) enter(ArmState::Disabled, "");
+}
+
+template <int N>
+void SimulatedArm<N>::home() {
+  if (mayMove()) startMove(model_.home, true);
+}
+
+template <int N>
+void SimulatedArm<N>::hold() {
+  if (!mayMove()) return;
+  endMove(false);
+  enter(ArmState::Enabled, "holding");
+}
+
+template <int N>
+void SimulatedArm<N>::servo_cp(const PoseStamped& goal) {
+  if (!mayMove()) return;
+  if (!isPose(goal)) return warn(ArmWarning::Malformed);
+  const auto solution = kinematics::inverse(model_.chain, goal.pose, setpoint_);
+  if (!solution.found) return warn(ArmWarning::OutOfReach);
+  follow(solution.q, goal.stamp, "servo_cp");
+}
+
+template <int N>
+void SimulatedArm<N>::servo_jp(const JointGoal& goal) {
+  if (!mayMove()) return;
+  const auto q = toJoints<N>(goal);
+  if (!q) return warn(ArmWarning::Malformed);
+  follow(model_.chain.clamp(*q), goal.stamp, "servo_jp");
+}
+
+template <int N>
+void SimulatedArm<N>::move_jp(const JointGoal& goal) {
+  if (!mayMove()) return;
+  const auto q = toJoints<N>(goal);
+  if (!q) return warn(ArmWarning::Malformed);
+  if (!model_.chain.within(*q)) return warn(ArmWarning::OutOfReach);
+  startMove(*q, false);
+}
+
+template <int N>
+PoseStamped SimulatedArm<N>::forward_kinematics(const JointGoal& goal) const {
+  const auto q = toJoints<N>(goal);
+  if (!q) return {};
+  return {model_.chain.forward(*q), goal.stamp, true};
+}
+
+template <int N>
+JointSolution SimulatedArm<N>::inverse_kinematics(const PoseStamped& goal) const {
+  JointSolution answer;
+  if (!isPose(goal)) return answer;
+  const auto solution = kinematics::inverse(model_.chain, goal.pose, setpoint_);
+  std::copy_n(solution.q.data(), N, answer.position.begin());
+  answer.joints = N;
+  answer.found = solution.found;
+  return answer;
+}
+
+template <int N>
+void SimulatedArm<N>::step(suture::Time now) {
+  if (lastStep_ != suture::Time{}) dynamics_.advance(secondsBetween(lastStep_, now));
+  lastStep_ = now;
+  if (move_) {
+    if (moveStart_ == suture::Time{}) moveStart_ = now;
+    const double t = secondsBetween(moveStart_, now);
+    setpoint_ = move_->at(t);
+    if (t >= move_->duration()) endMove(true);
+  }
+  dynamics_.command(setpoint_);
+  publish(now);
+}
+
+template <int N>
+bool SimulatedArm<N>::mayMove() {
+  if (state_.state == ArmState::Enabled) return true;
+  warn(ArmWarning::NotEnabled);
+  return false;
+}
+
+template <int N>
+void SimulatedArm<N>::warn(ArmWarning reason) {
+  if (standingWarning_ == reason) return;
+  standingWarning_ = newWarning_ = reason;
+}
+
+template <int N>
+void SimulatedArm<N>::enter(ArmState state, const char* activity) {
+  const bool busy = move_.has_value();
+  standingWarning_.reset();
+  if (state_.state == state && state_.sub_state == activity && state_.is_busy == busy) return;
+  state_.state = state;
+  state_.sub_state = activity;
+  state_.is_busy = busy;
+  state_.stamp = suture::now();
+  stateChanged_ = true;
+}
+
+template <int N>
+void SimulatedArm<N>::startMove(const Joints& goal, bool homing) {
+  endMove(false);
+  move_.emplace(setpoint_, goal, model_.rate_limit);
+  moveStart_ = {};
+  homing_ = homing;
+  setpointStamp_ = {};
+  enter(ArmState::Enabled, homing ? "homing" : "moving");
+}
+
+template <int N>
+void SimulatedArm<N>::endMove(bool reached) {
+  if (!move_) return;
+  move_.reset();
+  moveEnded_ = reached;
+  if (!reached) return;
+  state_.is_homed = state_.is_homed || homing_;
+  enter(ArmState::Enabled, "holding");
+}
+
+template <int N>
+void SimulatedArm<N>::follow(const Joints& setpoint, suture::Time goalStamp, const char* activity) {
+  endMove(false);
+  setpoint_ = setpoint;
+  setpointStamp_ = goalStamp;
+  enter(ArmState::Enabled, activity);
+}
+
+template <int N>
+void SimulatedArm<N>::publish(suture::Time now) {
+  place<N>(measuredJs_, dynamics_.measured(), now);
+  Joints::Map(measuredJs_.velocity.data()) = dynamics_.velocity();
+  place<N>(setpointJs_, setpoint_, now);
+  measuredCp_ = {model_.chain.forward(dynamics_.measured()), now, true};
+  const suture::Time stamp = setpointStamp_ == suture::Time{} ? now : setpointStamp_;
+  setpointCp_ = {model_.chain.forward(setpoint_), stamp, true};
+}
+
+template class SimulatedArm<6>;
+template class SimulatedArm<7>;
+
+}  // namespace robots

@@ -1,0 +1,102 @@
+#pragma once
+// What the simulated arms have in common: the Arm contract over a kinematic chain with lagging
+// joints.
+
+#include <suture/base/time.h>
+
+#include <array>
+#include <optional>
+
+#include "arm/arm.h"
+#include "arm/joint_dynamics.h"
+#include "arm/joint_move.h"
+#include "arm/kinematics/chain.h"
+
+namespace robots {
+
+/// How one arm is built and how it answers. Joint vectors in rad, or m for a prismatic joint.
+template <int N>
+struct ArmModel {
+  using Joints = Eigen::Matrix<double, N, 1>;
+
+  kinematics::Chain<N> chain;
+  std::array<const char*, std::size_t{N}> joint_names;
+  Joints parked;         ///< where the arm is when it starts
+  Joints home;           ///< where home() takes it
+  Joints rate_limit;     ///< rad/s or m/s
+  double time_constant;  ///< s: how far the measured joints trail the set-point
+};
+
+/// A set-point that arrives in one cycle acts on the joints from that cycle on; what is measured is
+/// the exact solution at the time of the cycle, so a recording can be checked to rounding. Confined
+/// to one thread; only the constructor allocates.
+template <int N>
+class SimulatedArm : public Arm {
+ public:
+  using Joints = Eigen::Matrix<double, N, 1>;
+
+  /// Parked and disabled. Throws std::invalid_argument for impossible dynamics.
+  explicit SimulatedArm(const ArmModel<N>& model);
+
+  void enable() override;
+  void disable() override;
+  void home() override;
+  void hold() override;
+  void servo_cp(const PoseStamped& goal) override;
+  void servo_jp(const JointGoal& goal) override;
+  void move_jp(const JointGoal& goal) override;
+
+  const JointState& measured_js() const override { return measuredJs_; }
+  const JointState& setpoint_js() const override { return setpointJs_; }
+  PoseStamped measured_cp() const override { return measuredCp_; }
+  PoseStamped setpoint_cp() const override { return setpointCp_; }
+  const OperatingState& operating_state() const override { return state_; }
+  PoseStamped forward_kinematics(const JointGoal& q) const override;
+  JointSolution inverse_kinematics(const PoseStamped& goal) const override;
+
+  /// One cycle at time `now`, after the commands that arrived for it.
+  void step(suture::Time now);
+
+  /// Tells `events` (what Provided<Arm>::emit() returns) what happened since the last call.
+  template <class Events>
+  void announce(Events&& events) {
+    if (stateChanged_) events.operating_state(state_);
+    if (moveEnded_) events.goal_reached(*moveEnded_);
+    if (newWarning_) events.warning(*newWarning_);
+    stateChanged_ = false;
+    moveEnded_.reset();
+    newWarning_.reset();
+  }
+
+ private:
+  bool mayMove();
+  void warn(ArmWarning reason);
+  void enter(ArmState state, const char* activity);
+  void startMove(const Joints& goal, bool homing);
+  void endMove(bool reached);
+  void follow(const Joints& setpoint, suture::Time goalStamp, const char* activity);
+  void publish(suture::Time now);
+
+  const ArmModel<N> model_;
+  JointDynamics<N> dynamics_;
+  suture::Time lastStep_;
+
+  Joints setpoint_;
+  suture::Time setpointStamp_;  // of the servo goal it came from; unset otherwise
+  std::optional<JointMove<N>> move_;
+  suture::Time moveStart_;  // of the cycle that began move_
+  bool homing_ = false;
+
+  JointState measuredJs_, setpointJs_;
+  PoseStamped measuredCp_, setpointCp_;
+  OperatingState state_;
+
+  bool stateChanged_ = true;
+  std::optional<bool> moveEnded_;
+  std::optional<ArmWarning> standingWarning_, newWarning_;
+};
+
+extern template class SimulatedArm<6>;
+extern template class SimulatedArm<7>;
+
+}  // namespace robots

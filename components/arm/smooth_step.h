@@ -1,0 +1,19 @@
+#pragma once
+// The minimum-jerk blend between rest and rest.
+
+#include <algorithm>
+
+namespace robots {
+
+/// Rises from 0 at s <= 0 to 1 at s >= 1 with zero velocity and acceleration at both ends: 10 s^3 -
+/// 15 s^4
+/// + 6 s^5 (Flash and Hogan, "The coordination of arm movements", J. Neuroscience 5(7), 1985).
+inline double smoothStep(double s) {
+  s = std::clamp(s, 0.0, 1.0);
+  return s * s * s * (10 + s * (6 * s - 15));
+}
+
+/// The greatest slope of smoothStep, at s = 1/2.
+constexpr double kSmoothStepPeakSlope = 1.875;
+
+}  // namespace robots

@@ -1,0 +1,22 @@
+#include "recorder/recorder.h"
+
+namespace robots {
+
+Recorder::Recorder(const RecorderParameters& parameters)
+    : PeriodicTask({.period = parameters.period}), writer_(parameters.file) {
+  teleop_.on().followed([this](const FollowAnchors& anchors) { keep(anchors); });
+}
+
+void Recorder::run() {
+  const auto measured = arm_.measured_cp();
+  const auto setpoint = arm_.setpoint_cp();
+  if (!measured || !setpoint || !measured->valid || measured->stamp == last_) return;
+  last_ = measured->stamp;
+  keep(ArmRow{measured->stamp, measured->pose, setpoint->stamp, setpoint->pose});
+}
+
+void Recorder::keep(const Record& record) {
+  if (!writer_.push(record)) dropped_.fetch_add(1, std::memory_order_relaxed);
+}
+
+}  // namespace robots

@@ -1,0 +1,47 @@
+#pragma once
+// The task that records an arm and, if connected, the teleoperation that drives it.
+
+#include <suture/annotate.h>
+#include <suture/base/time.h>
+#include <suture/component/periodic_task.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+#include "arm/arm.suture.h"
+#include "recorder/recording_writer.h"
+#include "teleop/teleoperation.suture.h"
+
+namespace robots {
+
+struct SUTURE_TYPE() RecorderParameters {
+  /// At least as fast as the arm, or cycles are missed.
+  suture::Duration period = std::chrono::milliseconds(1);
+  /// Replaced at the start; one JSON line a record.
+  SUTURE_FIELD(capacity(255)) std::string file = "recording.jsonl";
+};
+
+/// Reads measured and commanded pose each cycle and keeps what is new. Complete once destroyed.
+class SUTURE_COMPONENT() Recorder final : public suture::PeriodicTask {
+ public:
+  /// Throws suture::SetupError if the file cannot be written.
+  explicit Recorder(const RecorderParameters& parameters);
+
+  void run() override;
+
+  /// Any thread: records that did not fit because the file was too slow.
+  std::uint64_t dropped() const { return dropped_.load(std::memory_order_relaxed); }
+
+ private:
+  void keep(const Record& record);
+
+  RecordingWriter writer_;
+  suture::Required<Arm> arm_{*this, "Arm"};
+  suture::Required<Teleoperation> teleop_{*this, "Teleoperation"};
+  suture::Time last_;
+  std::atomic<std::uint64_t> dropped_{0};
+};
+
+}  // namespace robots

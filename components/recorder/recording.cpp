@@ -1,0 +1,80 @@
+#include "recorder/recording.h"
+
+#include <suture/base/errors.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <string>
+
+namespace robots {
+namespace {
+
+using Json = nlohmann::json;
+
+Json toJson(const Eigen::Isometry3d& pose) {
+  const Eigen::Quaterniond q(pose.linear());
+  const Eigen::Vector3d p = pose.translation();
+  return {p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()};
+}
+
+Eigen::Isometry3d toPose(const Json& json) {
+  const auto v = json.get<std::array<double, 7>>();
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() = Eigen::Vector3d(v[0], v[1], v[2]);
+  pose.linear() = Eigen::Quaterniond(v[3], v[4], v[5], v[6]).normalized().toRotationMatrix();
+  return pose;
+}
+
+suture::Time toTime(const Json& json) {
+  return suture::fromNanoseconds(json.get<std::int64_t>());
+}
+
+Json toJson(const ArmRow& row) {
+  return {{"stamp", suture::toNanoseconds(row.stamp)},
+          {"measured", toJson(row.measured)},
+          {"goal_stamp", suture::toNanoseconds(row.goal_stamp)},
+          {"setpoint", toJson(row.setpoint)}};
+}
+
+Json toJson(const FollowAnchors& anchors) {
+  return {{"followed", anchors.entry},
+          {"master_stamp", suture::toNanoseconds(anchors.master_stamp)},
+          {"master", toJson(anchors.master)},
+          {"slave_setpoint", toJson(anchors.slave_setpoint)},
+          {"scale", anchors.scale}};
+}
+
+void add(Recording& recording, const Json& json) {
+  if (json.contains("followed")) {
+    recording.followed.push_back({toTime(json.at("master_stamp")), toPose(json.at("master")),
+                                  toPose(json.at("slave_setpoint")), json.at("scale").get<double>(),
+                                  json.at("followed").get<std::uint64_t>()});
+  } else {
+    recording.arm.push_back({toTime(json.at("stamp")), toPose(json.at("measured")),
+                             toTime(json.at("goal_stamp")), toPose(json.at("setpoint"))});
+  }
+}
+
+}  // namespace
+
+void write(std::ostream& out, const Record& record) {
+  out << std::visit([](const auto& value) { return toJson(value); }, record) << '\n';
+}
+
+Recording readRecording(const std::filesystem::path& file) {
+  const std::string asked = "reading the recording " + file.string();
+  std::ifstream in(file);
+  if (!in) throw suture::SetupError(asked, "it cannot be opened", "check that the recorder ran");
+  Recording recording;
+  std::string line;
+  for (std::size_t number = 1; std::getline(in, line); ++number) try {
+      add(recording, Json::parse(line));
+    } catch (const Json::exception& error) {
+      throw suture::SetupError(asked + ":" + std::to_string(number), error.what(),
+                               "the recorder may have been killed while it wrote; record anew");
+    }
+  return recording;
+}
+
+}  // namespace robots

@@ -1,0 +1,38 @@
+#pragma once
+// What is kept of a run: one arm's poses, and the moments when a teleoperation began to follow.
+
+#include <suture/base/time.h>
+
+#include <Eigen/Geometry>
+#include <filesystem>
+#include <iosfwd>
+#include <variant>
+#include <vector>
+
+#include "teleop/teleoperation.h"
+
+namespace robots {
+
+/// One cycle of an arm, in its base frame, m.
+struct ArmRow {
+  suture::Time stamp;  ///< of the measured pose: the arm's cycle
+  Eigen::Isometry3d measured = Eigen::Isometry3d::Identity();
+  suture::Time goal_stamp;  ///< of the data that the set-point was made from
+  Eigen::Isometry3d setpoint = Eigen::Isometry3d::Identity();
+};
+
+using Record = std::variant<ArmRow, FollowAnchors>;
+
+struct Recording {
+  std::vector<ArmRow> arm;              ///< by ascending stamp
+  std::vector<FollowAnchors> followed;  ///< in the order of events
+};
+
+/// Writes one record as one line of JSON. Stamps are ns of the steady clock, quaternions w, x, y,
+/// z.
+void write(std::ostream& out, const Record& record);
+
+/// Reads what write() wrote. Throws suture::SetupError that names the file and the line.
+Recording readRecording(const std::filesystem::path& file);
+
+}  // namespace robots

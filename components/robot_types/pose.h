@@ -1,0 +1,46 @@
+#pragma once
+// Poses: of a tool tip in its arm's base frame unless frames are named.
+
+#include <suture/annotate.h>
+#include <suture/base/time.h>
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <string>
+
+namespace robots {
+
+/// A pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.
+struct SUTURE_TYPE() PoseStamped {
+  /// Tool tip in the base frame.
+  SUTURE_FIELD(unit("m")) Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  /// When the pose was true; of a set-point, the stamp of the data it was made from.
+  suture::Time stamp;
+  /// False: do not use.
+  bool valid = false;
+};
+
+/// The pose of the latency figures: 120 bytes and no strings.
+struct SUTURE_TYPE() PoseSample {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  SUTURE_FIELD(unit("m")) Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  suture::Time stamp;
+  std::uint64_t sequence = 0;
+  std::uint64_t flags = 0;
+};
+static_assert(sizeof(PoseSample) == 120);
+
+/// The fields of the cisst libraries' prmPositionCartesianGet, the type of the paper's
+/// measurements.
+struct SUTURE_TYPE() PosePrm {
+  suture::Time timestamp;
+  /// Whether the provider stamps the data itself.
+  bool automatic_timestamp = true;
+  bool valid = false;
+  SUTURE_FIELD(capacity(15)) std::string moving_frame;
+  SUTURE_FIELD(capacity(15)) std::string reference_frame;
+  /// The moving frame in the reference frame.
+  SUTURE_FIELD(unit("m")) Eigen::Isometry3d position = Eigen::Isometry3d::Identity();
+};
+
+}  // namespace robots

@@ -1,0 +1,48 @@
+#include "surgeon/hand_path.h"
+
+#include <numbers>
+
+#include "arm/smooth_step.h"
+
+namespace robots {
+namespace {
+
+using Eigen::Array3d;
+using Eigen::Vector3d;
+
+// Relative to the shape's amplitude, turn and frequency.
+const Array3d kReach{1.0, 0.8, 0.6};
+const Array3d kTurn{1.0, 0.7, 0.9};
+const Array3d kReachFrequency{1.0, 0.743, 0.547};
+const Array3d kTurnFrequency{0.931, 0.619, 0.867};
+
+Vector3d sines(const Array3d& frequency, double t) {
+  return (2 * std::numbers::pi * frequency * t).sin().matrix();
+}
+
+}  // namespace
+
+Eigen::Isometry3d HandPath::at(double t) const {
+  const double blend = smoothStep(t / shape_.ramp);
+  const Vector3d offset =
+      blend * shape_.amplitude *
+      kReach.matrix().cwiseProduct(sines(shape_.frequency * kReachFrequency, t));
+  const Vector3d rotation =
+      blend * shape_.turn *
+      kTurn.matrix().cwiseProduct(sines(shape_.frequency * kTurnFrequency, t));
+  Eigen::Isometry3d hand = start_;
+  hand.translation() += offset;
+  const double angle = rotation.norm();
+  if (angle > 0) {
+    hand.linear() = Eigen::AngleAxisd(angle, rotation / angle) * start_.linear();
+  }
+  return hand;
+}
+
+double HandPath::maxSpeed() const {
+  const Array3d swing = 2 * std::numbers::pi * shape_.frequency * kReachFrequency;
+  const Array3d fade = Array3d::Constant(kSmoothStepPeakSlope / shape_.ramp);
+  return shape_.amplitude * (kReach * (swing + fade)).matrix().norm();
+}
+
+}  // namespace robots

@@ -1,0 +1,44 @@
+#pragma once
+// A scripted surgeon: what moves a simulated master.
+
+#include <suture/annotate.h>
+#include <suture/base/time.h>
+#include <suture/component/periodic_task.h>
+
+#include <chrono>
+#include <optional>
+
+#include "arm/arm.suture.h"
+#include "arm/arm_watch.h"
+#include "surgeon/hand_path.h"
+
+namespace robots {
+
+struct SUTURE_TYPE() SurgeonParameters {
+  suture::Duration period = std::chrono::milliseconds(1);
+  /// How far the hand swings along its widest axis.
+  SUTURE_FIELD(unit("m"), range(0, 0.2)) double amplitude = 0.1;
+  /// How far it turns about its widest axis.
+  SUTURE_FIELD(unit("rad"), range(0, 1)) double turn = 0.3;
+  SUTURE_FIELD(unit("Hz"), range(0.001, 10)) double frequency = 0.3;
+  /// How long it takes to reach the full swing.
+  SUTURE_FIELD(unit("s"), range(0.1, 100)) double ramp = 1.0;
+};
+
+/// Drives the arm it is connected to along a smooth path around where it finds it, from the moment
+/// the arm is ready; whenever it has not been, it sets out anew from rest.
+class SUTURE_COMPONENT() Surgeon final : public suture::PeriodicTask {
+ public:
+  explicit Surgeon(const SurgeonParameters& parameters);
+
+  void run() override;
+
+ private:
+  const HandPathShape shape_;
+  suture::Required<Arm> master_{*this, "Master"};
+  ArmWatch watch_{master_};
+  std::optional<HandPath> path_;
+  suture::Time setOut_;
+};
+
+}  // namespace robots

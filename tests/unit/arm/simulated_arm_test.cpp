@@ -1,0 +1,223 @@
+// The Arm contract on a simulated arm, called directly: readiness, motion, refusal, what it
+// announces.
+
+#include "arm/simulated_arm.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <limits>
+
+#include "arm/kinematics/davinci.h"
+#include "arm/kinematics/pose_error.h"
+
+namespace robots::test {
+namespace {
+
+using namespace std::chrono_literals;
+using Joints = ArmModel<6>::Joints;
+
+ArmModel<6> psmModel() {
+  ArmModel<6> model{.chain = kinematics::psm(),
+                    .joint_names = {"a", "b", "c", "d", "e", "f"},
+                    .parked = Joints::Zero(),
+                    .home = Joints::Constant(0.1),
+                    .rate_limit = Joints::Constant(4),
+                    .time_constant = 0.01};
+  model.parked[2] = 0.1;
+  return model;
+}
+
+// Stands in for Provided<Arm>::emit().
+struct Heard {
+  std::vector<OperatingState> states;
+  std::vector<bool> goals;
+  std::vector<ArmWarning> warnings;
+
+  void operating_state(const OperatingState& state) { states.push_back(state); }
+  void goal_reached(bool reached) { goals.push_back(reached); }
+  void warning(ArmWarning warning) { warnings.push_back(warning); }
+};
+
+class SimulatedArmTest : public testing::Test {
+ protected:
+  void cycles(int count) {
+    for (int i = 0; i < count; ++i) {
+      time_ += 1ms;
+      arm_.step(time_);
+      arm_.announce(heard_);
+    }
+  }
+  void makeReady() {
+    arm_.enable();
+    arm_.home();
+    while (!arm_.operating_state().is_homed) cycles(1);
+    cycles(200);
+    heard_ = {};
+  }
+  PoseStamped goalAt(const Eigen::Vector3d& offset) const {
+    PoseStamped goal = arm_.setpoint_cp();
+    goal.pose.translation() += offset;
+    goal.stamp = suture::fromNanoseconds(42);
+    return goal;
+  }
+  static JointGoal toGoal(const Joints& q) {
+    return {{q.data(), q.data() + q.size()}, suture::fromNanoseconds(43)};
+  }
+  Joints measured() const { return Joints::Map(arm_.measured_js().position.data()); }
+
+  suture::Time time_ = suture::fromNanoseconds(1'000'000'000);
+  SimulatedArm<6> arm_{psmModel()};
+  Heard heard_;
+};
+
+TEST_F(SimulatedArmTest, StartsDisabledParkedAndSaysSo) {
+  cycles(1);
+  ASSERT_EQ(heard_.states.size(), 1u);
+  EXPECT_EQ(heard_.states[0].state, ArmState::Disabled);
+  EXPECT_FALSE(heard_.states[0].is_homed);
+  EXPECT_TRUE(measured().isApprox(psmModel().parked));
+  EXPECT_EQ(arm_.measured_cp().stamp, time_);
+  EXPECT_TRUE(arm_.measured_cp().valid);
+}
+
+TEST_F(SimulatedArmTest, IgnoresMotionUntilEnabledAndWarnsOnce) {
+  cycles(1);
+  for (int i = 0; i < 5; ++i) {
+    arm_.servo_cp(goalAt({0.01, 0, 0}));
+    cycles(1);
+  }
+  EXPECT_EQ(heard_.warnings, std::vector{ArmWarning::NotEnabled});
+  EXPECT_TRUE(measured().isApprox(psmModel().parked));
+}
+
+TEST_F(SimulatedArmTest, HomesAndReportsTheGoal) {
+  cycles(1);
+  arm_.enable();
+  arm_.home();
+  EXPECT_TRUE(arm_.operating_state().is_busy);
+  cycles(1000);
+  EXPECT_EQ(heard_.goals, std::vector{true});
+  EXPECT_TRUE(arm_.operating_state().is_homed);
+  EXPECT_FALSE(arm_.operating_state().is_busy);
+  EXPECT_TRUE(measured().isApprox(psmModel().home, 1e-9));
+}
+
+TEST_F(SimulatedArmTest, ServoCpLagsByTheTimeConstantAndCarriesTheStamp) {
+  makeReady();
+  const PoseStamped start = arm_.measured_cp();
+  const PoseStamped goal = goalAt({0.001, 0, 0});
+  arm_.servo_cp(goal);
+  cycles(1);  // from here on the set-point acts
+  EXPECT_EQ(arm_.setpoint_cp().stamp, goal.stamp);
+  EXPECT_LT(kinematics::poseError(arm_.setpoint_cp().pose, goal.pose).norm(), 1e-8);
+  EXPECT_LT(kinematics::poseError(arm_.measured_cp().pose, start.pose).norm(), 1e-8);
+  cycles(10);
+  const double moved = (arm_.measured_cp().pose.translation() - start.pose.translation()).norm();
+  EXPECT_NEAR(moved, 0.001 * (1 - std::exp(-1)), 1e-6);
+  cycles(300);
+  EXPECT_LT(kinematics::poseError(arm_.measured_cp().pose, goal.pose).norm(), 1e-8);
+}
+
+TEST_F(SimulatedArmTest, RefusesWhatIsOutOfReachAndKeepsItsSetpoint) {
+  makeReady();
+  const PoseStamped before = arm_.setpoint_cp();
+  for (int i = 0; i < 3; ++i) {
+    arm_.servo_cp(goalAt({1, 0, 0}));
+    cycles(1);
+  }
+  EXPECT_EQ(heard_.warnings, std::vector{ArmWarning::OutOfReach});
+  EXPECT_TRUE(arm_.setpoint_cp().pose.isApprox(before.pose));
+  arm_.servo_cp(goalAt({0.001, 0, 0}));
+  arm_.servo_cp(goalAt({1, 0, 0}));
+  cycles(1);
+  EXPECT_EQ(heard_.warnings.size(), 2u) << "a refusal after it obeyed again is news";
+}
+
+TEST_F(SimulatedArmTest, RefusesWhatIsNotAGoal) {
+  makeReady();
+  const PoseStamped before = arm_.setpoint_cp();
+  PoseStamped invalid = goalAt({0.001, 0, 0});
+  invalid.valid = false;
+  PoseStamped skewed = goalAt({0.001, 0, 0});
+  skewed.pose.linear() *= 1.01;
+  PoseStamped mirrored = goalAt({0.001, 0, 0});
+  mirrored.pose.linear().col(0) *= -1;
+  PoseStamped infinite = goalAt({std::numeric_limits<double>::infinity(), 0, 0});
+  for (const PoseStamped& goal : {invalid, skewed, mirrored, infinite}) {
+    arm_.servo_cp(goal);
+    EXPECT_FALSE(arm_.inverse_kinematics(goal).found);
+  }
+  arm_.servo_jp({{1, 2, 3}, {}});
+  arm_.move_jp({{1, 2, 3}, {}});
+  cycles(1);
+  EXPECT_EQ(heard_.warnings, std::vector{ArmWarning::Malformed});
+  EXPECT_TRUE(arm_.setpoint_cp().pose.isApprox(before.pose));
+}
+
+TEST_F(SimulatedArmTest, MovesSmoothlyWithinHalfOfTheRateLimit) {
+  makeReady();
+  Joints goal = psmModel().home;
+  goal[0] = 1.0;
+  arm_.move_jp(toGoal(goal));
+  Joints last = measured();
+  while (arm_.operating_state().is_busy) {
+    cycles(1);
+    EXPECT_LE((measured() - last).cwiseAbs().maxCoeff(), 0.5 * 4 * 0.001 + 1e-9);
+    last = measured();
+  }
+  cycles(200);
+  EXPECT_EQ(heard_.goals, std::vector{true});
+  EXPECT_TRUE(measured().isApprox(goal, 1e-9));
+}
+
+TEST_F(SimulatedArmTest, ServoReplacesAMove) {
+  makeReady();
+  Joints goal = psmModel().home;
+  goal[0] = 1.0;
+  arm_.move_jp(toGoal(goal));
+  cycles(10);
+  arm_.servo_jp(toGoal(psmModel().home));
+  cycles(300);
+  EXPECT_EQ(heard_.goals, std::vector{false});
+  EXPECT_TRUE(measured().isApprox(psmModel().home, 1e-9));
+}
+
+TEST_F(SimulatedArmTest, DisableStopsAtOnceAndNeedsEnableToGoOn) {
+  makeReady();
+  arm_.servo_cp(goalAt({0.01, 0, 0}));
+  cycles(3);
+  arm_.disable();
+  const Joints stopped = measured();
+  cycles(1);
+  arm_.servo_cp(goalAt({0.01, 0, 0}));
+  cycles(50);
+  EXPECT_LT((measured() - stopped).cwiseAbs().maxCoeff(), 4 * 0.001 + 1e-12);
+  EXPECT_EQ(arm_.operating_state().state, ArmState::Disabled);
+  EXPECT_TRUE(arm_.operating_state().is_homed);
+}
+
+TEST_F(SimulatedArmTest, AnswersKinematicQuestions) {
+  makeReady();
+  const PoseStamped tip = arm_.forward_kinematics(toGoal(psmModel().home));
+  ASSERT_TRUE(tip.valid);
+  const JointSolution q = arm_.inverse_kinematics(tip);
+  ASSERT_TRUE(q.found);
+  ASSERT_EQ(q.joints, 6u);
+  EXPECT_TRUE(Joints::Map(q.position.data()).isApprox(psmModel().home, 1e-6));
+  EXPECT_FALSE(arm_.forward_kinematics({{1, 2}, {}}).valid);
+}
+
+TEST_F(SimulatedArmTest, JointStatesAreWhole) {
+  makeReady();
+  const JointState& state = arm_.measured_js();
+  EXPECT_EQ(state.name.size(), 6u);
+  EXPECT_EQ(state.position.size(), 6u);
+  EXPECT_EQ(state.velocity.size(), 6u);
+  EXPECT_TRUE(state.effort.empty());
+  EXPECT_EQ(state.stamp, time_);
+  EXPECT_TRUE(arm_.setpoint_js().velocity.empty());
+}
+
+}  // namespace
+}  // namespace robots::test

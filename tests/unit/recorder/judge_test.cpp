@@ -1,0 +1,158 @@
+// The judge accepts a slave that follows, and sees each way of not following.
+//
+// Master and slave are made here, not by the components: a hand path sampled at 1 kHz, a slave on
+// its own cycle times that gets the law's goals late by a transport delay and trails them by the
+// time constant.
+
+#include "recorder/judge.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "surgeon/hand_path.h"
+
+namespace robots::test {
+namespace {
+
+constexpr double kTimeConstant = 0.01;
+constexpr double kScale = 0.4;
+
+suture::Time at(double seconds) {
+  return suture::fromNanoseconds(1'000'000'000 + static_cast<std::int64_t>(seconds * 1e9));
+}
+
+Eigen::Isometry3d poseOf(const Eigen::Vector3d& p, double angle) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() = p;
+  pose.linear() =
+      Eigen::AngleAxisd(angle, Eigen::Vector3d(3, 1, 2).normalized()).toRotationMatrix();
+  return pose;
+}
+
+struct Faults {
+  double sign = 1;        // of the slave's translation
+  double extraLag = 0;    // s, undeclared
+  bool frozen = false;    // measures the same for ever
+  bool rotates = true;    // follows the orientation
+  double missedRows = 0;  // share of cycles the recorders lose
+};
+
+struct Recorded {
+  std::vector<ArmRow> master, slave;
+  std::vector<FollowAnchors> followed;
+};
+
+Recorded makeRun(const Faults& faults, double frequency = 0.3, double duration = 10) {
+  Recorded run;
+  const HandPath hand(poseOf({0, -0.4, 0}, 0.3),
+                      {.amplitude = 0.1, .turn = 0.3, .frequency = frequency, .ramp = 1.0});
+  const Eigen::Isometry3d slave0 = poseOf({0, 0, -0.1}, -1.2);
+  const Eigen::Isometry3d master0 = hand.at(0);
+  run.followed.push_back({at(0), master0, slave0, kScale, 1});
+
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (double t = 0; t < duration; t += 0.001) {
+    if (uniform(random) >= faults.missedRows) run.master.push_back({at(t), hand.at(t), at(t), {}});
+  }
+  // Goals arrive 1 to 2 ms after their stamp, on cycles 0.4 ms out of phase.
+  Eigen::Vector3d p = slave0.translation();
+  Eigen::Quaterniond q(slave0.linear());
+  Eigen::Vector3d targetP = p;
+  Eigen::Quaterniond targetQ = q;
+  const double share = 1 - std::exp(-0.001 / (kTimeConstant + faults.extraLag));
+  for (double t = 0.0024; t < duration; t += 0.001) {
+    p += share * (targetP - p);
+    q = q.slerp(share, targetQ);
+    const double goalTime = std::floor((t - 0.001) * 1000) / 1000;
+    const Eigen::Isometry3d master = hand.at(goalTime);
+    targetP = slave0.translation() +
+              faults.sign * kScale * (master.translation() - master0.translation());
+    if (faults.rotates) {
+      targetQ =
+          Eigen::Quaterniond(master.linear() * master0.linear().transpose() * slave0.linear());
+    }
+    ArmRow row{at(t), Eigen::Isometry3d::Identity(), at(goalTime), {}};
+    row.measured.translation() = faults.frozen ? slave0.translation() : p;
+    row.measured.linear() = faults.frozen ? slave0.linear() : q.toRotationMatrix();
+    if (uniform(random) >= faults.missedRows) run.slave.push_back(row);
+  }
+  return run;
+}
+
+Judgement judged(const Recorded& run) {
+  return judge(run.master, run.followed, run.slave, kTimeConstant);
+}
+
+TEST(Judge, FindsNoErrorInASlaveThatObeysTheLaw) {
+  const Judgement judgement = judged(makeRun({}));
+  EXPECT_GT(judgement.compared, 9900u);
+  EXPECT_EQ(judgement.unmatched, 0u);
+  EXPECT_LT(judgement.position.max, 1e-9);
+  EXPECT_LT(judgement.orientation.max, 1e-7);
+  EXPECT_GT(judgement.travel, 0.03);
+  EXPECT_TRUE(violations(judgement).empty());
+}
+
+TEST(Judge, ToleratesRecordersThatMissCycles) {
+  const Judgement judgement = judged(makeRun({.missedRows = 0.1}));
+  EXPECT_LT(judgement.position.p99, 1e-4);
+  EXPECT_TRUE(violations(judgement).empty());
+}
+
+TEST(Judge, SeesASwappedSign) {
+  const Judgement judgement = judged(makeRun({.sign = -1}));
+  EXPECT_GT(judgement.position.p99, 0.03);
+  EXPECT_EQ(violations(judgement).size(), 1u);
+}
+
+TEST(Judge, SeesAFrozenSlave) {
+  const auto found = violations(judged(makeRun({.frozen = true})));
+  ASSERT_EQ(found.size(), 3u) << "position, orientation and travel";
+  EXPECT_EQ(found[2], "the slave travelled 0.0 mm, at least 30.0 mm required");
+}
+
+TEST(Judge, SeesAnOrientationThatDoesNotFollow) {
+  const Judgement judgement = judged(makeRun({.rotates = false}));
+  EXPECT_LT(judgement.position.p99, 1e-9);
+  EXPECT_EQ(violations(judgement).size(), 1u);
+}
+
+// An undeclared lag shows as speed times lag, whatever is its cause.
+TEST(Judge, SeesFiveMillisecondsOfUndeclaredLag) {
+  const Judgement slow = judged(makeRun({.extraLag = 0.005}));
+  EXPECT_GT(slow.position.p99, 0.0003);
+  const Judgement fast = judged(makeRun({.extraLag = 0.005}, 1.2));
+  EXPECT_GT(fast.position.p99, 0.001);
+  EXPECT_FALSE(violations(fast).empty());
+}
+
+TEST(Judge, HoldsTheSlaveToTheAnchorsOfEachEntry) {
+  Recorded run = makeRun({});
+  // From 5 s on, another entry with a slave set-point 5 mm off: the recorded slave does not go
+  // there.
+  FollowAnchors again = run.followed.front();
+  again.master_stamp = at(5);
+  again.slave_setpoint.translation().x() += 0.005;
+  again.entry = 2;
+  run.followed.push_back(again);
+  const Judgement judgement = judged(run);
+  EXPECT_NEAR(judgement.position.max, 0.005, 1e-4);
+  EXPECT_LT(judgement.position.p50, 0.005);
+}
+
+TEST(Judge, SaysWhenThereIsNothingToCompare) {
+  const Recorded run = makeRun({});
+  EXPECT_EQ(violations(judge(run.master, {}, run.slave, kTimeConstant)).front(),
+            "the slave never followed");
+  const std::vector<ArmRow> half(run.master.begin(), run.master.begin() + 5000);
+  const Judgement judgement = judge(half, run.followed, run.slave, kTimeConstant);
+  EXPECT_NEAR(static_cast<double>(judgement.unmatched), 5000, 10);
+  EXPECT_FALSE(violations(judgement).empty());
+}
+
+}  // namespace
+}  // namespace robots::test

@@ -1,0 +1,77 @@
+// What is recorded is what is read back; a broken recording is named with its line.
+
+#include "recorder/recording.h"
+
+#include <gtest/gtest.h>
+#include <suture/base/errors.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "recorder/recording_writer.h"
+
+namespace robots::test {
+namespace {
+
+class RecordingTest : public testing::Test {
+ protected:
+  void TearDown() override { std::filesystem::remove(file_); }
+
+  const std::filesystem::path file_ =
+      testing::TempDir() + "recording_" +
+      testing::UnitTest::GetInstance()->current_test_info()->name() + ".jsonl";
+};
+
+Eigen::Isometry3d somePose() {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() = Eigen::Vector3d(0.1, 1.0 / 3, -1e-9);
+  pose.linear() = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  return pose;
+}
+
+TEST_F(RecordingTest, ReadsBackWhatWasPushed) {
+  constexpr std::int64_t kRows = 1000;
+  {
+    RecordingWriter writer(file_);
+    ASSERT_TRUE(writer.push(
+        FollowAnchors{suture::fromNanoseconds(5), somePose(), somePose().inverse(), 0.2, 3}));
+    for (std::int64_t i = 0; i < kRows; ++i) {
+      ASSERT_TRUE(writer.push(ArmRow{suture::fromNanoseconds(i), somePose(),
+                                     suture::fromNanoseconds(i - 1), somePose().inverse()}));
+    }
+  }
+  const Recording recording = readRecording(file_);
+  ASSERT_EQ(recording.arm.size(), std::size_t{kRows});
+  EXPECT_EQ(recording.arm[7].stamp, suture::fromNanoseconds(7));
+  EXPECT_EQ(recording.arm[7].goal_stamp, suture::fromNanoseconds(6));
+  EXPECT_TRUE(recording.arm[7].measured.isApprox(somePose(), 1e-15));
+  EXPECT_TRUE(recording.arm[7].setpoint.isApprox(somePose().inverse(), 1e-15));
+  ASSERT_EQ(recording.followed.size(), 1u);
+  EXPECT_EQ(recording.followed[0].master_stamp, suture::fromNanoseconds(5));
+  EXPECT_EQ(recording.followed[0].scale, 0.2);
+  EXPECT_EQ(recording.followed[0].entry, 3u);
+  EXPECT_TRUE(recording.followed[0].slave_setpoint.isApprox(somePose().inverse(), 1e-15));
+}
+
+TEST_F(RecordingTest, NamesFileAndLineOfABrokenRecording) {
+  {
+    RecordingWriter writer(file_);
+    writer.push(ArmRow{});
+  }
+  std::ofstream(file_, std::ios::app) << "{\"stamp\":12";
+  try {
+    readRecording(file_);
+    FAIL() << "a torn line was accepted";
+  } catch (const suture::SetupError& error) {
+    EXPECT_NE(std::string(error.what()).find(file_.string() + ":2"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST_F(RecordingTest, RefusesFilesItCannotUse) {
+  EXPECT_THROW(readRecording(file_), suture::SetupError);
+  EXPECT_THROW(RecordingWriter("/nowhere/at/all.jsonl"), suture::SetupError);
+}
+
+}  // namespace
+}  // namespace robots::test
