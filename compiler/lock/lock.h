@@ -4,8 +4,8 @@
 // checks; only `suturec --update-lock` writes.
 //
 // The driver's use:
-//   Locks locks = read(texts of the files lockPath() names, those that exist, diagnostics);
-//   build:          append check(model, locks); write nothing on errors; emit(model, locks).
+//   Locks locks = read(texts of lockPath(h) for every header h, own and foreign, those that exist,
+//   ...); build:          append check(model, locks); write nothing on errors; emit(model, locks).
 //   --update-lock:  Update u = update(model, locks, options); on no errors write u.files, then
 //   check.
 

@@ -12,9 +12,6 @@ namespace {
 
 using model::Diagnostic;
 
-/// Annotations whose change changes what bytes mean.
-constexpr const char* kBreaking[] = {"unit", "period", "clock", "shape", "kind"};
-
 std::string valueOf(const Annotations& annotations, const std::string& name) {
   const auto found = annotations.find(name);
   return found == annotations.end() ? "none" : found->second;
@@ -185,7 +182,7 @@ class Merger {
              "a type never changes: add '" + before.name +
                  "' anew under another name and remove the old one");
     }
-    for (const char* const name : kBreaking) {
+    for (const char* const name : kMeaningful) {
       const std::string newValue = valueOf(now.annotations, name);
       const std::string oldValue = valueOf(before.annotations, name);
       if (newValue == oldValue) continue;

@@ -10,6 +10,9 @@
 
 namespace suture::compiler::lock {
 
+/// Annotations that say what bytes mean, and so are guarded like types.
+inline constexpr const char* kMeaningful[] = {"unit", "period", "clock", "shape", "kind"};
+
 /// Fixed double-precision Eigen types that have a named struct in suture/types.capnp.
 /// "/suture/types.capnp:Vec3"; "" when the type has none and travels as a flat list.
 std::string namedEigenType(const model::Type& type);

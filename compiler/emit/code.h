@@ -1,0 +1,70 @@
+#pragma once
+// Writes C++ text line by line, indented and wrapped.
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace suture::compiler::emit {
+
+/// Where a line that is too long may be broken; reads as nothing when it is not. The rest is set as
+/// clang-format sets it: under what follows the open bracket, or four deeper right behind a
+/// bracket.
+inline constexpr char kBreak = '\v';
+
+class Code {
+ public:
+  static constexpr std::size_t kColumns = 100;
+
+  /// One line of the concatenated pieces at the present indentation. Breaks at kBreak characters
+  /// when it is longer than kColumns; a blank before a break goes with it.
+  template <class... Pieces>
+  Code& line(const Pieces&... pieces) {
+    std::string text;
+    (text.append(pieces), ...);
+    return write(text);
+  }
+
+  Code& blank();
+  /// Copied as it is, indentation and all.
+  Code& verbatim(std::string_view text);
+  /// As a `///` comment of as many lines as it has; nothing when empty.
+  Code& doc(std::string_view text);
+
+  /// `line`, then everything one step deeper until close().
+  template <class... Pieces>
+  Code& open(const Pieces&... pieces) {
+    line(pieces...);
+    ++depth_;
+    return *this;
+  }
+  Code& close(std::string_view text);
+  /// A label such as "public:" or "case x:", half a step out in a class.
+  Code& label(std::string_view text);
+
+  const std::string& text() const { return text_; }
+  /// The text without blank lines at its end.
+  std::string finished() const;
+
+ private:
+  Code& write(std::string_view text);
+
+  std::string text_;
+  std::size_t depth_ = 0;
+};
+
+/// Lines that end in a comment, the comments in one column, as clang-format sets them.
+class CommentedLines {
+ public:
+  void add(std::string line, std::string comment);
+  void writeTo(Code& code) const;
+
+ private:
+  struct Entry {
+    std::string line, comment;
+  };
+  std::vector<Entry> entries_;
+};
+
+}  // namespace suture::compiler::emit

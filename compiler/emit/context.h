@@ -1,0 +1,62 @@
+#pragma once
+// What every emitter of one header needs: the model around it, and how names are spelled in
+// generated C++.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "compiler/lock/lock.h"
+#include "compiler/model/lookup.h"
+#include "compiler/model/model.h"
+
+namespace suture::compiler::emit {
+
+struct Context {
+  const model::Model& model;
+  const model::Lookup& lookup;
+  const lock::Locks& locks;
+  const std::map<std::string, std::string>& hashes;  ///< by contract, see lock/contract_hash.h
+  const model::Header& header;                       ///< the one being written
+};
+
+/// "robots::arm::Pose" -> "Pose" within namespace "robots::arm"; unchanged elsewhere.
+std::string relative(const std::string& name, const std::string& inNamespace);
+
+/// The slot struct of a SUTURE_TYPE, qualified: "robots::PoseStampedSlot".
+std::string slotStruct(const std::string& structName, const model::Lookup& lookup);
+
+/// The type of a value's slot: "std::array<double, 12>", spelled as within namespace `inNamespace`.
+std::string slotType(const model::Type& type, const Context& context,
+                     const std::string& inNamespace);
+
+/// The C++ type itself, spelled as within namespace `inNamespace`.
+std::string cxxType(const model::Type& type, const std::string& inNamespace);
+
+/// "std::int32_t".
+std::string cxxScalar(model::Scalar scalar);
+
+/// False if some text or list in it has no capacity: then it has no slot.
+bool isBounded(const model::Type& type, const model::Lookup& lookup);
+bool isBounded(const model::Struct& declaration, const model::Lookup& lookup);
+
+/// "servo_cp" -> "ServoCp": a part of the name of something generated.
+std::string pascalCase(const std::string& cxxName);
+
+/// The unqualified name of a contract, which begins the names of what is generated for it.
+std::string prefixOf(const model::Interface& interface);
+
+/// "robots::ArmServoCpArguments": the slot of a command's parameters.
+std::string argumentsStruct(const model::Interface& interface, const model::Command& command);
+
+/// "namespace robots {", or nothing at global scope; and its end.
+std::string openNamespace(const std::string& name);
+std::string closeNamespace(const std::string& name);
+
+/// "// Written by suturec from arm/arm.h. Do not edit.\n".
+std::string banner(const model::Header& header);
+
+/// "50'000'000": a number as people group it in C++.
+std::string grouped(std::int64_t number);
+
+}  // namespace suture::compiler::emit

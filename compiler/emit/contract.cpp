@@ -1,0 +1,39 @@
+#include "compiler/emit/contract.h"
+
+namespace suture::compiler::emit {
+
+std::string eventArguments(const Context& context, const model::Event& event) {
+  if (event.payload.empty()) return "void";
+  const model::Type& type = event.payload.front();
+  return slotType(type, context, "suture") + ", " + kBreak + cxxType(type, "suture");
+}
+
+void emitEventConstructor(Code& code, const model::Interface& interface,
+                          const std::string& parameter, const std::string& argument) {
+  code.line("explicit Events(", parameter, ")");
+  for (const model::Event& event : interface.events) {
+    const bool first = &event == &interface.events.front();
+    const bool last = &event == &interface.events.back();
+    code.line(first ? "    : " : "      ", event.name, "{", argument,
+              ", static_cast<std::uint16_t>(EventId::", event.name, ")}", last ? " {}" : ",");
+  }
+  code.blank();
+}
+
+void emitNumberAliases(Code& code, const model::Interface& interface) {
+  if (!interface.commands.empty()) code.line("using Id = ", interface.name, "Command;");
+  if (!interface.events.empty()) code.line("using EventId = ", interface.name, "Event;");
+}
+
+bool hasParameters(const model::Interface& interface) {
+  for (const model::Command& command : interface.commands) {
+    if (!command.parameters.empty()) return true;
+  }
+  return false;
+}
+
+std::string scratchName(const model::Command& command, const model::Parameter& parameter) {
+  return command.name + "_" + parameter.name;
+}
+
+}  // namespace suture::compiler::emit

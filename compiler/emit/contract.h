@@ -1,0 +1,31 @@
+#pragma once
+// What Required, Provided and the tables of a contract share in their spelling.
+
+#include <string>
+
+#include "compiler/emit/code.h"
+#include "compiler/emit/context.h"
+
+namespace suture::compiler::emit {
+
+/// kBreak, as a piece of Code::line().
+inline constexpr char kBreakText[] = {kBreak, '\0'};
+
+/// "robots::PoseStampedSlot, robots::PoseStamped": the template arguments of an Emitter or
+/// Subscription.
+std::string eventArguments(const Context& context, const model::Event& event);
+
+/// The constructor of an Events struct, which gives each event its number.
+void emitEventConstructor(Code& code, const model::Interface& interface,
+                          const std::string& parameter, const std::string& argument);
+
+/// "using Id = robots::ArmCommand;" and the same for events, where there are any.
+void emitNumberAliases(Code& code, const model::Interface& interface);
+
+/// Has any command parameters?
+bool hasParameters(const model::Interface& interface);
+
+/// "servo_cp_goal".
+std::string scratchName(const model::Command& command, const model::Parameter& parameter);
+
+}  // namespace suture::compiler::emit

@@ -1,0 +1,223 @@
+// The self-description: what the header declares, for people and for tools.
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "compiler/emit/parts.h"
+#include "compiler/lock/wire_type.h"
+
+namespace suture::compiler::emit {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using model::Type;
+using Shape = Type::Shape;
+using Bounds = std::optional<std::pair<double, double>>;
+
+std::string scalarName(model::Scalar scalar) {
+  return std::string(lock::capnpScalar(scalar));
+}
+
+Json typeOf(const Type& type) {
+  const auto bounded = [&type](Json json) {
+    if (type.capacity) json["capacity"] = *type.capacity;
+    return json;
+  };
+  switch (type.shape) {
+    case Shape::Scalar:
+      return {{"kind", scalarName(type.scalar)}};
+    case Shape::Enum:
+      return {{"kind", "enum"}, {"name", type.name}};
+    case Shape::Struct:
+      return {{"kind", "struct"}, {"name", type.name}};
+    case Shape::Text:
+      return bounded({{"kind", "text"}});
+    case Shape::List:
+      return bounded({{"kind", "list"}, {"element", typeOf(type.element[0])}});
+    case Shape::Array:
+      return {{"kind", "array"}, {"element", typeOf(type.element[0])}, {"length", type.rows}};
+    case Shape::Matrix:
+      return {{"kind", "matrix"},
+              {"scalar", scalarName(type.scalar)},
+              {"rows", type.rows},
+              {"columns", type.columns}};
+    case Shape::Quaternion:
+      return {{"kind", "quaternion"}, {"scalar", scalarName(type.scalar)}};
+    case Shape::Isometry:
+      return {{"kind", "isometry"}, {"scalar", scalarName(type.scalar)}};
+    case Shape::Duration:
+      return {{"kind", "duration"},
+              {"period", std::to_string(type.periodNumerator) + "/" +
+                             std::to_string(type.periodDenominator)}};
+    case Shape::TimePoint:
+      return {{"kind", "time"},
+              {"clock", type.clock == model::Clock::Steady ? "steady" : "system"}};
+  }
+  return {};
+}
+
+void addDoc(Json& json, const model::Documentation& doc) {
+  if (!doc.text.empty()) json["doc"] = doc.text;
+}
+
+void addValue(Json& json, const Type& type, const std::string& unit, const Bounds& range) {
+  json["type"] = typeOf(type);
+  if (!unit.empty()) json["unit"] = unit;
+  if (range) json["range"] = {range->first, range->second};
+}
+
+Json enumOf(const model::Enum& declaration) {
+  Json json{{"name", declaration.name}};
+  addDoc(json, declaration.doc);
+  json["underlying"] = scalarName(declaration.underlying);
+  for (const model::Enumerator& enumerator : declaration.enumerators) {
+    Json one{{"name", enumerator.name}, {"value", enumerator.value}};
+    addDoc(one, enumerator.doc);
+    json["enumerators"].push_back(std::move(one));
+  }
+  return json;
+}
+
+Json structOf(const model::Struct& declaration) {
+  Json json{{"name", declaration.name}};
+  addDoc(json, declaration.doc);
+  json["fields"] = Json::array();
+  for (const model::Field& field : declaration.fields) {
+    Json one{{"name", field.name}};
+    addDoc(one, field.doc);
+    addValue(one, field.type, field.unit, field.range);
+    if (!field.defaultJson.empty()) one["default"] = Json::parse(field.defaultJson);
+    json["fields"].push_back(std::move(one));
+  }
+  return json;
+}
+
+const char* kindName(model::CommandKind kind) {
+  switch (kind) {
+    case model::CommandKind::Void:
+      return "void";
+    case model::CommandKind::Write:
+      return "write";
+    case model::CommandKind::Read:
+      return "read";
+    case model::CommandKind::QualifiedRead:
+      return "qualified read";
+  }
+  return "";
+}
+
+Json commandOf(const model::Command& command) {
+  Json json{{"name", command.name}, {"kind", kindName(command.kind)}};
+  addDoc(json, command.doc);
+  for (const model::Parameter& parameter : command.parameters) {
+    Json one{{"name", parameter.name}};
+    addValue(one, parameter.type, parameter.unit, parameter.range);
+    json["parameters"].push_back(std::move(one));
+  }
+  if (command.result) {
+    addValue(json["result"], *command.result, command.resultUnit, command.resultRange);
+  }
+  json["queue"] = command.queue;
+  if (command.latest) json["latest"] = true;
+  if (command.ttlNanoseconds) json["ttl"] = static_cast<double>(*command.ttlNanoseconds) * 1e-9;
+  return json;
+}
+
+Json eventOf(const model::Event& event) {
+  Json json{{"name", event.name}, {"kind", event.payload.empty() ? "void" : "write"}};
+  addDoc(json, event.doc);
+  for (const Type& type : event.payload) {
+    addValue(json["payload"], type, event.payloadUnit, event.payloadRange);
+  }
+  json["queue"] = event.queue;
+  if (event.latest) json["latest"] = true;
+  if (event.latched) json["latched"] = true;
+  return json;
+}
+
+Json interfaceOf(const model::Interface& interface, const std::string& hash) {
+  Json json{{"name", interface.name}};
+  addDoc(json, interface.doc);
+  json["hash"] = hash;
+  json["commands"] = Json::array();
+  for (const model::Command& command : interface.commands) {
+    json["commands"].push_back(commandOf(command));
+  }
+  json["events"] = Json::array();
+  for (const model::Event& event : interface.events) json["events"].push_back(eventOf(event));
+  return json;
+}
+
+Json componentOf(const model::Component& component) {
+  Json json{{"name", component.name},
+            {"base", component.base == model::ComponentBase::Task ? "task" : "device"}};
+  addDoc(json, component.doc);
+  if (component.parameters) json["parameters"] = *component.parameters;
+  json["provided"] = json["required"] = Json::array();
+  for (const model::Port& port : component.ports) {
+    json[port.provided ? "provided" : "required"].push_back(
+        {{"name", port.name}, {"member", port.member}, {"interface", port.interface}});
+  }
+  return json;
+}
+
+/// The declared types that an interface reaches, each once, users after what they use.
+class Reached {
+ public:
+  explicit Reached(const model::Lookup& lookup) : lookup_(lookup) {}
+
+  void add(const Type& type) {
+    for (const Type& element : type.element) add(element);
+    if (type.name.empty() || !seen_.insert(type.name).second) return;
+    if (const model::Enum* const one = lookup_.findEnum(type.name)) enums.push_back(enumOf(*one));
+    if (const model::Struct* const one = lookup_.findStruct(type.name)) {
+      for (const model::Field& field : one->fields) add(field.type);
+      structs.push_back(structOf(*one));
+    }
+  }
+
+  Json enums = Json::array();
+  Json structs = Json::array();
+
+ private:
+  const model::Lookup& lookup_;
+  std::set<std::string> seen_;
+};
+
+template <class Declarations, class Describe>
+void addAll(Json& json, const char* key, const Declarations& declarations,
+            const Describe& describeOne) {
+  json[key] = Json::array();
+  for (const auto& declaration : declarations) json[key].push_back(describeOne(declaration));
+}
+
+}  // namespace
+
+std::string emitJson(const Context& context) {
+  const model::Header& header = context.header;
+  Json json{{"header", header.path}, {"namespace", header.cxxNamespace}};
+  addAll(json, "enums", header.enums, enumOf);
+  addAll(json, "structs", header.structs, structOf);
+  addAll(json, "interfaces", header.interfaces, [&](const model::Interface& interface) {
+    return interfaceOf(interface, context.hashes.at(interface.name));
+  });
+  addAll(json, "components", header.components, componentOf);
+  return json.dump(2) + "\n";
+}
+
+std::string describe(const Context& context, const model::Interface& interface) {
+  Reached reached(context.lookup);
+  for (const model::Command& command : interface.commands) {
+    for (const model::Parameter& parameter : command.parameters) reached.add(parameter.type);
+    if (command.result) reached.add(*command.result);
+  }
+  for (const model::Event& event : interface.events) {
+    for (const Type& type : event.payload) reached.add(type);
+  }
+  Json json = interfaceOf(interface, context.hashes.at(interface.name));
+  json["enums"] = reached.enums;
+  json["structs"] = reached.structs;
+  return json.dump(2);
+}
+
+}  // namespace suture::compiler::emit

@@ -1,0 +1,41 @@
+#pragma once
+// The parts of the generated files, one emitter a file of this folder.
+
+#include <string>
+
+#include "compiler/emit/code.h"
+#include "compiler/emit/context.h"
+
+namespace suture::compiler::emit {
+
+/// Slot structs of the header's types with their store() and load().
+void emitSlots(Code& code, const Context& context);
+
+/// The slots of a contract's command arguments, and the numbers of its commands and events.
+void emitArguments(Code& code, const Context& context, const model::Interface& interface);
+
+/// Required<Contract>: what a client calls and subscribes to.
+void emitRequired(Code& code, const Context& context, const model::Interface& interface);
+
+/// Provided<Contract>: what serves the contract from a component.
+void emitProvided(Code& code, const Context& context, const model::Interface& interface);
+
+/// static_asserts that the compiler of the component sees what suturec saw.
+void emitChecks(Code& code, const Context& context);
+
+/// The constant tables of a contract: commands, events, self-description.
+void emitTables(Code& code, const Context& context, const model::Interface& interface);
+
+/// interfaceInfo<Contract>(), which hands out the tables.
+void emitInfo(Code& code, const Context& context, const model::Interface& interface);
+
+/// Provided<Contract>::execute(): the switch that calls the component.
+void emitExecute(Code& code, const Context& context, const model::Interface& interface);
+
+/// "arm/arm.suture.json": all that the header declares.
+std::string emitJson(const Context& context);
+
+/// The self-description of one contract and the types it reaches, as it travels with a connection.
+std::string describe(const Context& context, const model::Interface& interface);
+
+}  // namespace suture::compiler::emit

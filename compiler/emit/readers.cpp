@@ -1,0 +1,174 @@
+#include "compiler/emit/readers.h"
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+#include <vector>
+
+#include "compiler/model/naming.h"
+
+namespace suture::compiler::emit {
+namespace {
+
+using Shape = model::Type::Shape;
+
+/// Is it the parameters of a component of `home`, which declares it?
+bool isDeclared(const std::string& name, const model::Header& home) {
+  return std::any_of(home.components.begin(), home.components.end(),
+                     [&](const model::Component& one) { return one.parameters == name; });
+}
+
+/// The types that the parameters of a header's components consist of, parts before wholes.
+class Parts {
+ public:
+  explicit Parts(const Context& context) : context_(context) {
+    for (const model::Component& component : context.header.components) {
+      if (component.parameters) add(*component.parameters);
+    }
+  }
+
+  const std::vector<std::string>& names() const { return names_; }
+
+ private:
+  void add(const std::string& name) {
+    if (!seen_.insert(name).second) return;
+    const model::Header* const home = context_.lookup.headerOf(name);
+    const bool elsewhere = home->path != context_.header.path && isDeclared(name, *home);
+    if (elsewhere) return;  // its own generated header declares it
+    if (const model::Struct* const declaration = context_.lookup.findStruct(name)) {
+      for (const model::Field& field : declaration->fields) add(field.type);
+    }
+    names_.push_back(name);
+  }
+
+  void add(const model::Type& type) {
+    if (!type.name.empty()) add(type.name);
+    for (const model::Type& element : type.element) add(element);
+  }
+
+  const Context& context_;
+  std::set<std::string> seen_;
+  std::vector<std::string> names_;
+};
+
+std::string number(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+/// A stamp of this process's clock cannot come from a file.
+bool isReadable(const model::Type& type) {
+  return type.shape != Shape::TimePoint && (type.element.empty() || isReadable(type.element[0]));
+}
+
+bool isNumber(const model::Type& type) {
+  return (type.shape == Shape::Scalar && type.scalar != model::Scalar::Bool) ||
+         type.shape == Shape::Duration;
+}
+
+void emitStruct(Code& code, const model::Struct& declaration) {
+  code.line("suture::JsonReader reader = in;");
+  for (const model::Field& field : declaration.fields) {
+    if (!isReadable(field.type)) continue;
+    const bool bounded = field.range && isNumber(field.type);
+    const std::string range =
+        bounded ? ", " + number(field.range->first) + ", " + number(field.range->second) : "";
+    code.line("reader.field(\"", field.name, "\", value.", field.name, range, ");");
+  }
+  code.line("reader.finish();");
+}
+
+void emitEnum(Code& code, const model::Enum& declaration, const std::string& name) {
+  std::string names;
+  std::string values;
+  for (const model::Enumerator& enumerator : declaration.enumerators) {
+    const std::string separator = names.empty() ? "" : std::string(", ") + kBreak;
+    names += separator + "\"" + enumerator.name + "\"";
+    values += separator + name + "::" + enumerator.name;
+  }
+  code.line("static constexpr ", name, " kValues[] = {", std::string(1, kBreak), values, "};");
+  code.line("const int index = suture::enumeratorFromJson(in, {", std::string(1, kBreak), names,
+            "});");
+  code.line("if (index >= 0) value = kValues[index];");
+}
+
+void emitReader(Code& code, const Context& context, const std::string& name) {
+  const model::Header& home = *context.lookup.headerOf(name);
+  const bool declared = home.path == context.header.path && isDeclared(name, home);
+  const std::string type = relative(name, home.cxxNamespace);
+  code.open(declared ? "" : "inline ", "void fromJson(const suture::JsonReader& in, ", type,
+            "& value) {");
+  if (const model::Struct* const declaration = context.lookup.findStruct(name)) {
+    emitStruct(code, *declaration);
+  } else {
+    emitEnum(code, *context.lookup.findEnum(name), type);
+  }
+  code.close("}").blank();
+}
+
+void emitClass(Code& code, const model::Component& component) {
+  const std::string name = model::unqualified(component.name);
+  code.line("template <>");
+  code.open("ComponentClass componentClass<", component.name, ">() {");
+  code.line("return {\"", name,
+            "\", [](const JsonReader& parameters) -> std::unique_ptr<Component> {");
+  const std::string indent(10, ' ');
+  if (component.parameters) {
+    code.line(indent, *component.parameters, " values;");
+    code.line(indent, "fromJson(parameters, values);");
+  } else {
+    code.line(indent, "JsonReader none = parameters;").line(indent, "none.finish();");
+  }
+  code.line(indent, "if (parameters.failed()) return nullptr;");
+  code.line(indent, "return std::make_unique<", component.name,
+            component.parameters ? ">(values);" : ">();");
+  code.line("        }};").close("}").blank();
+}
+
+}  // namespace
+
+bool hasReaders(const model::Header& header) {
+  return std::any_of(
+      header.structs.begin(), header.structs.end(),
+      [&](const model::Struct& declaration) { return isDeclared(declaration.name, header); });
+}
+
+void emitReaderDeclarations(Code& code, const Context& context) {
+  for (const model::Struct& declaration : context.header.structs) {
+    if (!isDeclared(declaration.name, context.header)) continue;
+    code.doc("Reads what `in` says into `value`; what it does not mention keeps its default.");
+    code.line("void fromJson(const suture::JsonReader& in, ",
+              relative(declaration.name, context.header.cxxNamespace), "& value);");
+    code.blank();
+  }
+}
+
+void emitReaders(Code& code, const Context& context) {
+  const Parts parts(context);
+  std::string open;
+  for (const std::string& name : parts.names()) {
+    const std::string& home = context.lookup.headerOf(name)->cxxNamespace;
+    if (home != open) {
+      if (!open.empty()) code.verbatim(closeNamespace(open)).blank();
+      code.verbatim(openNamespace(home)).blank();
+      open = home;
+    }
+    emitReader(code, context, name);
+  }
+  if (!open.empty()) code.verbatim(closeNamespace(open)).blank();
+}
+
+void emitClassDeclarations(Code& code, const Context& context) {
+  for (const model::Component& component : context.header.components) {
+    code.line("template <>");
+    code.line("ComponentClass componentClass<", component.name, ">();").blank();
+  }
+}
+
+void emitClasses(Code& code, const Context& context) {
+  for (const model::Component& component : context.header.components) {
+    emitClass(code, component);
+  }
+}
+
+}  // namespace suture::compiler::emit

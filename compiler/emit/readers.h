@@ -1,0 +1,28 @@
+#pragma once
+// JSON readers of component parameters, and the classes that a deployment creates components by.
+//
+// A parameters struct declared in the same header as its component has its fromJson() declared in
+// the generated header. Whatever else parameters are made of, here or in other headers, has an
+// inline fromJson() in each generated source that needs it, equal everywhere.
+
+#include "compiler/emit/code.h"
+#include "compiler/emit/context.h"
+
+namespace suture::compiler::emit {
+
+/// Does the header declare a component's parameters?
+bool hasReaders(const model::Header& header);
+
+/// The declarations of those readers, for the generated header.
+void emitReaderDeclarations(Code& code, const Context& context);
+
+/// The definitions of the readers of everything that the header's components are configured with.
+void emitReaders(Code& code, const Context& context);
+
+/// componentClass<T>() of each component: declarations, for the generated header.
+void emitClassDeclarations(Code& code, const Context& context);
+
+/// Their definitions.
+void emitClasses(Code& code, const Context& context);
+
+}  // namespace suture::compiler::emit

@@ -1,0 +1,65 @@
+#include "compiler/emit/contract.h"
+#include "compiler/emit/parts.h"
+
+namespace suture::compiler::emit {
+namespace {
+
+using model::CommandKind;
+
+/// Everything here lies in namespace suture, where user names are spelled in full.
+constexpr char kHome[] = "suture";
+
+std::string argumentsSlot(const model::Interface& interface, const model::Command& command) {
+  return command.parameters.empty() ? "NoSlot" : argumentsStruct(interface, command);
+}
+
+/// "ReadCommand<&Contract::measured_cp, robots::PoseStampedSlot>".
+std::string memberType(const Context& context, const model::Interface& interface,
+                       const model::Command& command) {
+  const std::string method = "&Contract::" + command.name;
+  const auto result = [&] { return slotType(*command.result, context, kHome); };
+  switch (command.kind) {
+    case CommandKind::Void:
+    case CommandKind::Write:
+      return "Command<" + method + ", " + kBreak + argumentsSlot(interface, command) + ">";
+    case CommandKind::Read:
+      return "ReadCommand<" + method + ", " + kBreak + result() + ">";
+    case CommandKind::QualifiedRead:
+      return "QualifiedReadCommand<" + method + ", " + kBreak + argumentsSlot(interface, command) +
+             ", " + kBreak + result() + ">";
+  }
+  return "";
+}
+
+void emitEvents(Code& code, const Context& context, const model::Interface& interface) {
+  code.blank().line("/// The events of ", interface.name, ", to subscribe to.");
+  code.open("struct Events {");
+  emitEventConstructor(code, interface, "RequiredBase& required", "required");
+  for (const model::Event& event : interface.events) {
+    code.doc(event.doc.text);
+    code.line("Subscription<", eventArguments(context, event), "> ", event.name, ";");
+  }
+  code.close("};").line("Events& on() { return events_; }");
+  code.blank().label("private:").line("Events events_{*this};");
+}
+
+}  // namespace
+
+void emitRequired(Code& code, const Context& context, const model::Interface& interface) {
+  code.line("/// What a client of ", interface.name, " calls.").line("template <>");
+  code.open("class Required<", interface.name, "> final : public RequiredBase {");
+  code.line("using Contract = ", interface.name, ";");
+  emitNumberAliases(code, interface);
+  code.blank().label("public:");
+  code.line("Required(Component& owner, std::string_view name)");
+  code.line("    : RequiredBase(owner, name, interfaceInfo<Contract>()) {}").blank();
+  for (const model::Command& command : interface.commands) {
+    code.doc(command.doc.text);
+    code.line(memberType(context, interface, command), " ", command.name, "{", kBreakText,
+              "*this, static_cast<std::uint16_t>(Id::", command.name, ")};");
+  }
+  if (!interface.events.empty()) emitEvents(code, context, interface);
+  code.close("};").blank();
+}
+
+}  // namespace suture::compiler::emit

@@ -1,0 +1,82 @@
+#include "compiler/emit/parts.h"
+#include "compiler/model/naming.h"
+
+namespace suture::compiler::emit {
+namespace {
+
+using Shape = model::Type::Shape;
+
+/// What the slot's type does not show: the C++ type where its form differs, and the unit.
+std::string remark(const model::Field& field, const std::string& home) {
+  std::string text;
+  std::string unit = field.unit;
+  switch (field.type.shape) {
+    case Shape::Duration:
+    case Shape::TimePoint:
+      unit = "ns";
+      [[fallthrough]];
+    case Shape::Enum:
+    case Shape::Matrix:
+    case Shape::Quaternion:
+    case Shape::Isometry:
+      text = cxxType(field.type, home);
+      break;
+    case Shape::Scalar:
+      if (field.type.scalar == model::Scalar::Bool) text = "bool";
+      break;
+    case Shape::Struct:
+    case Shape::Text:
+    case Shape::Array:
+    case Shape::List:
+      break;
+  }
+  return text + (text.empty() || unit.empty() ? "" : ", ") + unit;
+}
+
+void emitStruct(Code& code, const Context& context, const model::Struct& declaration,
+                const std::string& slot) {
+  const std::string& home = context.header.cxxNamespace;
+  code.doc(declaration.doc.text).open("struct ", slot, " {");
+  CommentedLines lines;
+  for (const model::Field& field : declaration.fields) {
+    lines.add(slotType(field.type, context, home) + " " + field.name + ";", remark(field, home));
+  }
+  lines.writeTo(code);
+  code.close("};").blank();
+}
+
+void emitStore(Code& code, const model::Struct& declaration, const std::string& type,
+               const std::string& slot) {
+  code.open("inline bool store(const ", type, "& value, ", slot, "& slot) {");
+  code.line("using suture::store;").line("bool fits = true;");
+  for (const model::Field& field : declaration.fields) {
+    code.line("fits &= store(value.", field.name, ", slot.", field.name, ");");
+  }
+  code.line("return fits;").close("}").blank();
+}
+
+void emitLoad(Code& code, const model::Struct& declaration, const std::string& type,
+              const std::string& slot) {
+  code.open("inline void load(const ", slot, "& slot, ", type, "& value) {");
+  code.line("using suture::load;");
+  for (const model::Field& field : declaration.fields) {
+    code.line("load(slot.", field.name, ", value.", field.name, ");");
+  }
+  code.close("}").blank();
+}
+
+}  // namespace
+
+void emitSlots(Code& code, const Context& context) {
+  const std::string& home = context.header.cxxNamespace;
+  for (const model::Struct& declaration : context.header.structs) {
+    if (!isBounded(declaration, context.lookup)) continue;
+    const std::string type = relative(declaration.name, home);
+    const std::string slot = relative(slotStruct(declaration.name, context.lookup), home);
+    emitStruct(code, context, declaration, slot);
+    emitStore(code, declaration, type, slot);
+    emitLoad(code, declaration, type, slot);
+  }
+}
+
+}  // namespace suture::compiler::emit

@@ -1,0 +1,17 @@
+#pragma once
+// What two ends of a connection must agree on, as one number.
+
+#include <map>
+#include <string>
+
+#include "compiler/lock/lock.h"
+
+namespace suture::compiler::lock {
+
+/// For each interface of the own headers, by qualified C++ name: 32 hexadecimal digits (the first
+/// 128 bits of SHA-256) over its methods, events, state and all types they reach: names, ids,
+/// ordinals, wire types, and the annotations that change meaning. Documentation, capacities, ranges
+/// and policies do not count.
+std::map<std::string, std::string> contractHashes(const model::Model& model, const Locks& locks);
+
+}  // namespace suture::compiler::lock
