@@ -1,0 +1,92 @@
+#include <gtest/gtest.h>
+#include <suture/rt/doorbell.h>
+#include <suture/rt/histogram.h>
+#include <suture/rt/period.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <thread>
+
+namespace suture::rt {
+namespace {
+
+using namespace std::chrono_literals;
+
+TEST(Doorbell, ARingBeforeTheSleepIsNotLost) {
+  Doorbell bell;
+  bell.ring();
+  EXPECT_TRUE(bell.waitUntil(now() + 10s));
+  EXPECT_FALSE(bell.waitUntil(now() + 1ms));
+}
+
+TEST(Doorbell, WakesASleeper) {
+  Doorbell bell;
+  std::thread ringer([&bell] {
+    for (int i = 0; i < 1000; ++i) bell.ring();
+  });
+  EXPECT_TRUE(bell.waitUntil(now() + 10s));
+  ringer.join();
+}
+
+TEST(Doorbell, WritesItsEventDescriptorOnlyForASleeper) {
+  const int descriptor = eventfd(0, EFD_NONBLOCK);
+  Doorbell bell(descriptor);
+  std::uint64_t count = 0;
+  bell.ring();
+  EXPECT_EQ(read(descriptor, &count, sizeof(count)), -1);
+  EXPECT_FALSE(bell.lieDown());
+  bell.standUp();
+  ASSERT_TRUE(bell.lieDown());
+  bell.ring();
+  bell.ring();
+  EXPECT_EQ(read(descriptor, &count, sizeof(count)), 8);
+  EXPECT_EQ(count, 1u);
+  close(descriptor);
+}
+
+TEST(Histogram, QuantilesAreWithinABucket) {
+  Histogram histogram;
+  for (int i = 1; i <= 1000; ++i) histogram.record(Duration(i * 1000));
+  EXPECT_EQ(histogram.count(), 1000u);
+  EXPECT_EQ(histogram.max(), Duration(1'000'000));
+  EXPECT_NEAR(static_cast<double>(histogram.quantile(0.5).count()), 500'000, 35'000);
+  EXPECT_NEAR(static_cast<double>(histogram.quantile(0.99).count()), 990'000, 65'000);
+  EXPECT_EQ(histogram.quantile(1.0), histogram.max());
+}
+
+TEST(Histogram, TakesExtremes) {
+  Histogram histogram;
+  histogram.record(Duration(-5));
+  EXPECT_EQ(histogram.quantile(0.5), Duration(0));
+  histogram.record(std::chrono::hours(1));
+  EXPECT_EQ(histogram.max(), std::chrono::hours(1));
+}
+
+TEST(Period, SkipsAndCountsWhatWasMissed) {
+  Period period(10ms);
+  const Time start = now();
+  period.begin(start);
+  EXPECT_EQ(period.advance(start), start + 10ms);
+  EXPECT_EQ(period.advance(start + 12ms), start + 20ms);
+  // The cycle took 35 ms: the periods due at 30, 40 and 50 ms have passed.
+  EXPECT_EQ(period.advance(start + 55ms), start + 60ms);
+  EXPECT_EQ(period.skipped(), 3u);
+}
+
+// executed + skipped = elapsed / period, within one, whatever the cycles cost.
+TEST(Period, AccountsForEveryPeriod) {
+  Period period(1ms);
+  const Time start = now();
+  period.begin(start);
+  Time time = start;
+  std::uint64_t executed = 0;
+  for (int i = 0; i < 10'000; ++i) {
+    time = period.advance(time) + (i % 7) * 450us;
+    ++executed;
+  }
+  const auto elapsed = static_cast<std::uint64_t>((time - start) / 1ms);
+  EXPECT_NEAR(static_cast<double>(executed + period.skipped()), static_cast<double>(elapsed), 1);
+}
+
+}  // namespace
+}  // namespace suture::rt
