@@ -10,9 +10,11 @@ namespace suture {
 Manager::Manager(std::string process) : directory_(std::move(process)) {}
 
 Manager::Manager(std::string process, const std::string& address, Duration patience)
-    : directory_(std::move(process)), executor_(std::make_unique<DeviceExecutor>()) {
+    : directory_(std::move(process)) {
+  // Called on the network's thread only.
   const auto serverOf = [this](ProvidedBase& provided) -> rt::Doorbell& {
     if (provided.owner().ownsThread()) return provided.owner().doorbell();
+    if (executor_ == nullptr) executor_ = std::make_unique<DeviceExecutor>();
     executor_->serve(provided);
     return executor_->doorbell();
   };
