@@ -1,6 +1,8 @@
 #pragma once
 // What a client knows of an arm's readiness, and how it makes an arm ready.
 
+#include <suture/component/required.h>
+
 #include "arm/arm.suture.h"
 
 namespace robots {

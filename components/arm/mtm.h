@@ -4,6 +4,7 @@
 #include <suture/annotate.h>
 #include <suture/base/time.h>
 #include <suture/component/periodic_task.h>
+#include <suture/component/provided.h>
 
 #include <chrono>
 #include <cstdint>

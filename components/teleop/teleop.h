@@ -2,8 +2,11 @@
 // The teleoperation task: one master drives one slave.
 
 #include <suture/annotate.h>
+#include <suture/base/sample.h>
 #include <suture/base/time.h>
 #include <suture/component/periodic_task.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
 
 #include <chrono>
 #include <optional>
