@@ -1,0 +1,138 @@
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <map>
+#include <string_view>
+
+#include "compiler/check/rules.h"
+#include "compiler/model/naming.h"
+
+namespace suture::compiler::check {
+namespace {
+
+bool isAlphanumeric(const std::string& name) {
+  return std::all_of(name.begin(), name.end(), [](char c) {
+    const auto u = static_cast<unsigned char>(c);
+    return u < 128 && std::isalnum(u);
+  });
+}
+
+constexpr std::string_view kNameAdvice = "choose another with name(\"...\"); the C++ name stays";
+
+/// The names of one scope: what two things cannot share.
+class Scope {
+ public:
+  Scope(bool types, model::Diagnostics& findings) : types_(types), findings_(findings) {}
+
+  void add(const std::string& what, const std::string& name, const std::string& wireName,
+           const model::Source& source) {
+    checkSpelling(what + " '" + name + "'", wireName, source);
+    const auto [first, added] = taken_.emplace(wireName, Entry{what + " '" + name + "'", source});
+    if (added) return;
+    addError(findings_, source, "wire-name-clash",
+             first->second.subject + " and " + what + " '" + name + "' both map to wire name '" +
+                 wireName + "'",
+             "tell them apart with name(\"...\") on one of them")
+        .notes.push_back({first->second.source, "the first is here"});
+  }
+
+ private:
+  struct Entry {
+    std::string subject;
+    model::Source source;
+  };
+
+  void checkSpelling(const std::string& subject, const std::string& wireName,
+                     const model::Source& source) {
+    const auto first = static_cast<unsigned char>(wireName.empty() ? '\0' : wireName[0]);
+    if (isAlphanumeric(wireName) && (types_ ? std::isupper(first) : std::islower(first))) return;
+    addError(findings_, source, "wire-name",
+             "the wire name '" + wireName + "' of " + subject + " is not " +
+                 (types_ ? "a capital letter" : "a small letter") +
+                 " followed by letters and digits",
+             std::string(kNameAdvice));
+  }
+
+  const bool types_;
+  model::Diagnostics& findings_;
+  std::map<std::string, Entry> taken_;
+};
+
+template <std::size_t N>
+bool contains(const std::array<std::string_view, N>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+constexpr std::array<std::string_view, 3> kReservedForTypes{"Reader", "Builder", "Pipeline"};
+constexpr std::array<std::string_view, 2> kReservedForInterfaces{"Client", "Server"};
+
+// Macros of the C library, as capnp would spell an enumerator.
+constexpr std::array<std::string_view, 16> kMacros{
+    "EOF",     "NAN",     "INFINITY", "BUFSIZ",   "SEEK_SET",  "SEEK_CUR", "SEEK_END", "RAND_MAX",
+    "INT_MAX", "INT_MIN", "CHAR_BIT", "OVERFLOW", "UNDERFLOW", "DOMAIN",   "SIGINT",   "ERANGE"};
+
+void checkReserved(const std::string& name, const std::string& wireName, bool interface,
+                   const model::Source& source, model::Diagnostics& findings) {
+  const bool taken = contains(kReservedForTypes, wireName) ||
+                     (interface && contains(kReservedForInterfaces, wireName));
+  if (!taken) return;
+  addError(findings, source, "reserved-name",
+           "'" + name + "' cannot be '" + wireName +
+               "' on the wire: capnp nests a class of that name in every " +
+               (interface ? "interface" : "struct"),
+           "write " + std::string(interface ? "SUTURE_INTERFACE" : "SUTURE_TYPE") + "(name(\"" +
+               wireName + (interface ? "Interface" : "Type") + "\")); the C++ name stays");
+}
+
+void checkEnumerators(const model::Enum& type, model::Diagnostics& findings) {
+  Scope scope(false, findings);
+  for (const model::Enumerator& enumerator : type.enumerators) {
+    scope.add("enumerator", enumerator.name, enumerator.wireName, enumerator.source);
+    const std::string constant = model::upperSnakeCase(enumerator.wireName);
+    if (!contains(kMacros, constant)) continue;
+    addError(findings, enumerator.source, "macro-name",
+             "enumerator '" + enumerator.name + "' would become " + constant +
+                 " in capnp's C++, which is a macro of the C library",
+             "write " + enumerator.name + " SUTURE_FIELD(name(\"" + enumerator.wireName +
+                 "Value\")); the C++ name stays");
+  }
+}
+
+void checkInterface(const model::Interface& interface, model::Diagnostics& findings) {
+  Scope commands(false, findings), events(false, findings);
+  for (const model::Command& command : interface.commands) {
+    commands.add("command", command.name, command.wireName, command.source);
+    Scope parameters(false, findings);
+    for (const model::Parameter& parameter : command.parameters) {
+      parameters.add("parameter", parameter.name, parameter.wireName, parameter.source);
+    }
+  }
+  for (const model::Event& event : interface.events) {
+    events.add("event", event.name, event.wireName, event.source);
+  }
+}
+
+}  // namespace
+
+void checkNames(const model::Header& header, model::Diagnostics& findings) {
+  Scope types(true, findings);
+  for (const model::Enum& type : header.enums) {
+    types.add("type", model::unqualified(type.name), type.wireName, type.source);
+    checkEnumerators(type, findings);
+  }
+  for (const model::Struct& type : header.structs) {
+    types.add("type", model::unqualified(type.name), type.wireName, type.source);
+    checkReserved(type.name, type.wireName, false, type.source, findings);
+    Scope fields(false, findings);
+    for (const model::Field& field : type.fields) {
+      fields.add("field", field.name, field.wireName, field.source);
+    }
+  }
+  for (const model::Interface& interface : header.interfaces) {
+    types.add("contract", model::unqualified(interface.name), interface.wireName, interface.source);
+    checkReserved(interface.name, interface.wireName, true, interface.source, findings);
+    checkInterface(interface, findings);
+  }
+}
+
+}  // namespace suture::compiler::check

@@ -1,0 +1,64 @@
+#include <nlohmann/json.hpp>
+
+#include "compiler/check/rules.h"
+#include "compiler/check/units.h"
+
+namespace suture::compiler::check {
+namespace {
+
+using Range = std::optional<std::pair<double, double>>;
+
+std::string shown(double number) {
+  return nlohmann::json(number).dump();
+}
+
+class Rule {
+ public:
+  explicit Rule(model::Diagnostics& findings) : findings_(findings) {}
+
+  void apply(const std::string& subject, const std::string& unit, const Range& range,
+             const model::Source& source) {
+    if (!unit.empty() && !isKnownUnit(unit)) {
+      addError(findings_, source, "unknown-unit", subject + " has the unknown unit '" + unit + "'",
+               "did you mean '" + nearestUnit(unit) + "'?");
+    }
+    if (range && !(range->first <= range->second)) {
+      addError(
+          findings_, source, "range-order",
+          subject + " has an empty range: " + shown(range->first) + " to " + shown(range->second),
+          "give the lowest value first; neither may be NaN");
+    }
+  }
+
+ private:
+  model::Diagnostics& findings_;
+};
+
+void checkInterface(const model::Interface& interface, Rule& rule) {
+  for (const model::Command& command : interface.commands) {
+    for (const model::Parameter& parameter : command.parameters) {
+      rule.apply("parameter '" + parameter.name + "'", parameter.unit, parameter.range,
+                 parameter.source);
+    }
+    rule.apply("the result of '" + command.name + "'", command.resultUnit, command.resultRange,
+               command.source);
+  }
+  for (const model::Event& event : interface.events) {
+    rule.apply("the payload of '" + event.name + "'", event.payloadUnit, event.payloadRange,
+               event.source);
+  }
+}
+
+}  // namespace
+
+void checkNumbers(const model::Header& header, model::Diagnostics& findings) {
+  Rule rule(findings);
+  for (const model::Struct& type : header.structs) {
+    for (const model::Field& field : type.fields) {
+      rule.apply("field '" + field.name + "'", field.unit, field.range, field.source);
+    }
+  }
+  for (const model::Interface& interface : header.interfaces) checkInterface(interface, rule);
+}
+
+}  // namespace suture::compiler::check

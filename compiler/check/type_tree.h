@@ -1,0 +1,30 @@
+#pragma once
+// Walks through everything that a type holds, into the structs it names.
+
+#include <functional>
+#include <string>
+
+#include "compiler/model/lookup.h"
+
+namespace suture::compiler::check {
+
+/// One place within a type: how to get there ("position[].x") and the field that declares it, null
+/// for the type itself.
+struct Place {
+  const model::Type& type;
+  std::string path;
+  const model::Field* field;
+};
+
+/// Calls `visit` for the type and all it holds, outside in, until it returns false; then returns
+/// false itself. The model must be free of recursion.
+bool walk(const model::Type& type, const model::Lookup& lookup,
+          const std::function<bool(const Place&)>& visit);
+
+/// Whether a value of the type owns memory on the heap.
+bool ownsHeap(const model::Type& type, const model::Lookup& lookup);
+
+/// Bytes of the type's flat form without padding; saturates. Unbounded levels count as empty.
+std::uint64_t flatSize(const model::Type& type, const model::Lookup& lookup);
+
+}  // namespace suture::compiler::check

@@ -1,0 +1,79 @@
+#include "compiler/driver/options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+
+namespace suture::compiler::driver {
+namespace {
+
+// One argument a line, taken literally: no shell between the build system and us.
+void appendResponseFile(const std::string& path, std::vector<std::string>& arguments) {
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error("cannot read the response file '" + path + "'");
+  for (std::string line; std::getline(file, line);) {
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    if (!line.empty()) arguments.push_back(line);
+  }
+}
+
+std::vector<std::string> expanded(const std::vector<std::string>& arguments) {
+  std::vector<std::string> result;
+  for (const std::string& argument : arguments) {
+    if (argument.size() > 1 && argument[0] == '@') {
+      appendResponseFile(argument.substr(1), result);
+    } else {
+      result.push_back(argument);
+    }
+  }
+  return result;
+}
+
+void declare(CLI::App& app, Options& options) {
+  app.add_option("headers", options.headers, "Annotated headers of one target")->required();
+  app.add_option("--target-name", options.targetName, "Name of the target, for messages");
+  app.add_option("--base-dir", options.baseDirectory, "Headers are known by their path below it");
+  app.add_option("--out", options.outputDirectory, "Folder for what is generated");
+  app.add_option("--lock-dir", options.lockDirectories, "Folder of locked schemas; own first")
+      ->expected(1)
+      ->take_all();
+  app.add_option("--depfile", options.depfile, "Make rule that lists every file read");
+  app.add_option("--stamp", options.stamp, "File touched after a run without errors");
+  app.add_option("--resource-dir", options.resourceDirectory, "Clang's own headers");
+  app.add_option("--project", options.project, "Owner of new wire ids");
+  app.add_option("--lock-command", options.lockCommand,
+                 "What messages tell to run to update the lock");
+  app.add_flag("--update-lock", options.updateLock, "Write the lock instead of checking it");
+}
+
+}  // namespace
+
+Parsed parseOptions(const std::vector<std::string>& arguments) {
+  std::vector<std::string> own = expanded(arguments);
+  Options options;
+  const auto separator = std::find(own.begin(), own.end(), "--");
+  if (separator != own.end()) {
+    options.clangArguments.assign(separator + 1, own.end());
+    own.erase(separator, own.end());
+  }
+  CLI::App app{
+      "Reads annotated C++ headers and writes what carries them over a wire.\n"
+      "What stands behind -- goes to clang.",
+      "suturec"};
+  declare(app, options);
+  try {
+    std::reverse(own.begin(), own.end());  // as CLI11 wants it
+    app.parse(own);
+    if (options.outputDirectory.empty() && !options.updateLock) {
+      throw CLI::RequiredError("--out (or --update-lock)");
+    }
+    if (options.lockDirectories.empty()) throw CLI::RequiredError("--lock-dir");
+  } catch (const CLI::ParseError& error) {
+    return {std::nullopt, app.exit(error) == 0 ? 0 : 1};
+  }
+  return {std::move(options), 0};
+}
+
+}  // namespace suture::compiler::driver

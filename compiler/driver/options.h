@@ -1,0 +1,35 @@
+#pragma once
+// The command line of suturec.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace suture::compiler::driver {
+
+struct Options {
+  std::vector<std::string> headers;  ///< as written
+  std::string targetName = "headers";
+  std::string baseDirectory = ".";
+  std::string outputDirectory;
+  std::vector<std::string>
+      lockDirectories;            ///< the first is the target's own, and written by --update-lock
+  std::string depfile, stamp;     ///< "" = none
+  std::string resourceDirectory;  ///< "" = look for it
+  std::string project = "suture";
+  std::string lockCommand = "suturec --update-lock";
+  bool updateLock = false;
+  std::vector<std::string> clangArguments;
+};
+
+/// What to do with a command line: run with the options, or end with the exit status at once (the
+/// usage or an error has been printed).
+struct Parsed {
+  std::optional<Options> options;
+  int exitStatus = 0;
+};
+
+/// `arguments` without the program's name. An "@file" among them stands for the file's lines.
+Parsed parseOptions(const std::vector<std::string>& arguments);
+
+}  // namespace suture::compiler::driver

@@ -1,0 +1,135 @@
+#include "compiler/driver/run.h"
+
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+
+#include "compiler/check/check.h"
+#include "compiler/driver/files.h"
+#include "compiler/driver/resource_dir.h"
+#include "compiler/driver/wire_schema.h"
+#include "compiler/emit/emit.h"
+#include "compiler/frontend/frontend.h"
+#include "compiler/lock/lock.h"
+
+namespace suture::compiler::driver {
+namespace {
+
+namespace fs = std::filesystem;
+
+void checkHeaders(const Options& options) {
+  const fs::path base = fs::weakly_canonical(options.baseDirectory);
+  for (const std::string& header : options.headers) {
+    if (!fs::is_regular_file(header)) {
+      throw std::runtime_error("there is no header '" + header + "'");
+    }
+    const fs::path relative = fs::weakly_canonical(header).lexically_relative(base);
+    if (relative.empty() || *relative.begin() == "..") {
+      throw std::runtime_error("header '" + header + "' is not below the base directory '" +
+                               options.baseDirectory + "'; pass its include root as --base-dir");
+    }
+    if (relative.extension() != ".h" || relative.string().ends_with(".suture.h")) {
+      throw std::runtime_error("header '" + header +
+                               "' does not end with .h, so that the names of " +
+                               "its generated files cannot be told from it");
+    }
+  }
+}
+
+/// Every own header must have brought something, or it was not meant to be here.
+void checkDeclarations(const model::Model& model) {
+  for (const model::Header& header : model.headers) {
+    const bool empty = header.enums.empty() && header.structs.empty() &&
+                       header.interfaces.empty() && header.components.empty();
+    if (header.own && empty) {
+      throw std::runtime_error("header '" + header.path +
+                               "' declares nothing annotated; annotate " +
+                               "it or take it off the target's headers");
+    }
+  }
+}
+
+/// The first lock folder that has a header's lock wins.
+std::vector<model::Artefact> lockTexts(const model::Model& model, const Options& options,
+                                       std::vector<std::string>& dependencies) {
+  std::vector<model::Artefact> texts;
+  for (const model::Header& header : model.headers) {
+    const std::string path = lock::lockPath(header.path);
+    for (const std::string& directory : options.lockDirectories) {
+      const fs::path file = fs::path(directory) / path;
+      if (auto text = readText(file)) {
+        texts.push_back({path, std::move(*text)});
+        dependencies.push_back(fs::absolute(file).lexically_normal().string());
+        break;
+      }
+    }
+  }
+  return texts;
+}
+
+class Run {
+ public:
+  explicit Run(const Options& options)
+      : options_(options),
+        frontend_({options.headers, options.targetName, options.baseDirectory,
+                   resourceDirectory(options.resourceDirectory), options.clangArguments}) {
+    lockOptions_ = {options.project, options.lockDirectories.front(), options.lockCommand};
+  }
+
+  bool execute() {
+    if (!frontend_.run()) return false;
+    checkDeclarations(model());
+    if (!frontend_.report(check::check(model()))) return false;
+    dependencies_ = frontend_.dependencies();
+    model::Diagnostics findings;
+    const auto texts = lockTexts(model(), options_, dependencies_);
+    const lock::Locks locks = lock::read(texts, findings, lockOptions_);
+    if (!frontend_.report(findings)) return false;
+    return options_.updateLock ? updateLock(locks) : generate(locks);
+  }
+
+ private:
+  const model::Model& model() const { return frontend_.model(); }
+
+  bool updateLock(const lock::Locks& locks) {
+    const lock::Update update = lock::update(model(), locks, lockOptions_);
+    if (!frontend_.report(update.diagnostics)) return false;
+    for (const model::Artefact& file : update.files) {
+      const fs::path path = fs::path(options_.lockDirectories.front()) / file.path;
+      if (writeIfChanged(path, file.text)) std::cout << "updated " << path.string() << "\n";
+    }
+    return true;
+  }
+
+  bool generate(const lock::Locks& locks) {
+    if (!frontend_.report(lock::check(model(), locks, lockOptions_))) return false;
+    std::vector<model::Artefact> artefacts = emit::emit(model(), locks);
+    for (const model::Header& header : model().headers) {
+      if (header.own) artefacts.push_back(wireSchema(header, locks));
+    }
+    for (const model::Artefact& artefact : artefacts) {
+      writeIfChanged(fs::path(options_.outputDirectory) / artefact.path, artefact.text);
+    }
+    if (!options_.depfile.empty()) {
+      writeIfChanged(options_.depfile, makeRule(options_.stamp, dependencies_));
+    }
+    if (!options_.stamp.empty()) writeText(options_.stamp, "");
+    return true;
+  }
+
+  const Options& options_;
+  frontend::Frontend frontend_;
+  lock::Options lockOptions_;
+  std::vector<std::string> dependencies_;
+};
+
+}  // namespace
+
+int run(const Options& options) {
+  checkHeaders(options);
+  if (Run(options).execute()) return 0;
+  std::cerr << "suturec: nothing was written for target '" << options.targetName << "'\n";
+  return 1;
+}
+
+}  // namespace suture::compiler::driver

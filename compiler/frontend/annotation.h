@@ -1,0 +1,48 @@
+#pragma once
+// Reads what a SUTURE_ macro left on a declaration.
+
+#include <clang/AST/ASTContext.h>
+#include <clang/AST/Attr.h>
+#include <clang/AST/Decl.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace suture::compiler::frontend {
+
+enum class Kind { Type, Field, Interface, Command, Event, Component };
+
+/// "SUTURE_TYPE" for messages.
+std::string macroOf(Kind kind);
+
+struct Annotation {
+  Kind kind = Kind::Type;
+  std::string unit;
+  std::optional<std::pair<double, double>> range;
+  std::vector<unsigned> capacity;  ///< outside in; empty = none said
+  std::optional<std::string> was, name;
+  std::optional<unsigned> queue;
+  std::optional<std::int64_t> ttlNanoseconds;
+  bool latest = false;
+  bool latched = false;
+};
+
+/// What is wrong with an annotation's arguments, without the place.
+struct AnnotationProblem {
+  std::string slug, message, help;
+};
+
+/// Whether the declaration bears the macro.
+bool isAnnotated(const clang::Decl* declaration, Kind kind);
+
+/// The kinds of all Suture annotations on the declaration, in the order written.
+std::vector<Kind> annotationKinds(const clang::Decl* declaration);
+
+/// The annotation of that kind; a default one if there is none. Problems are appended.
+Annotation readAnnotation(const clang::Decl* declaration, Kind kind,
+                          std::vector<AnnotationProblem>& problems);
+
+}  // namespace suture::compiler::frontend

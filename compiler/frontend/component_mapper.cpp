@@ -1,0 +1,140 @@
+#include "compiler/frontend/component_mapper.h"
+
+#include <clang/AST/DeclTemplate.h>
+#include <clang/AST/ExprCXX.h>
+
+#include "compiler/frontend/names.h"
+#include "compiler/frontend/type_mapper.h"
+
+namespace suture::compiler::frontend {
+namespace {
+
+std::string quoted(const clang::NamedDecl* declaration) {
+  return "'" + declaration->getNameAsString() + "'";
+}
+
+const clang::CXXRecordDecl* definitionOf(clang::QualType type) {
+  const auto* record = type.getCanonicalType()->getAsCXXRecordDecl();
+  return record ? record->getDefinition() : nullptr;
+}
+
+bool derivesFrom(const clang::CXXRecordDecl* declaration, const std::string& name) {
+  if (qualifiedName(declaration) == name) return true;
+  for (const clang::CXXBaseSpecifier& base : declaration->bases()) {
+    const auto* record = definitionOf(base.getType());
+    if (record && derivesFrom(record, name)) return true;
+  }
+  return false;
+}
+
+model::ComponentBase mapBase(const clang::CXXRecordDecl* declaration, Mapping& mapping) {
+  if (derivesFrom(declaration, "suture::Task")) return model::ComponentBase::Task;
+  if (!derivesFrom(declaration, "suture::Device")) {
+    mapping.error(declaration, "component-base",
+                  "component " + quoted(declaration) + " is neither a device nor a task",
+                  "derive it from suture::Device, suture::PeriodicTask or suture::EventTask");
+  }
+  return model::ComponentBase::Device;
+}
+
+// The first string literal in `{*this, "Arm", *this}`.
+std::string portName(const clang::Stmt* initialiser) {
+  if (!initialiser) return "";
+  if (const auto* literal = llvm::dyn_cast<clang::StringLiteral>(initialiser)) {
+    return literal->getCharByteWidth() == 1 ? literal->getString().str() : "";
+  }
+  for (const clang::Stmt* child : initialiser->children()) {
+    if (std::string name = portName(child); !name.empty()) return name;
+  }
+  return "";
+}
+
+std::optional<model::Port> mapPort(const clang::FieldDecl* field, Mapping& mapping) {
+  const auto* instance = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(
+      field->getType().getCanonicalType()->getAsCXXRecordDecl());
+  if (!instance) return std::nullopt;
+  const std::string name = qualifiedName(instance->getSpecializedTemplate());
+  if (name != "suture::Provided" && name != "suture::Required") return std::nullopt;
+  const clang::QualType contract = instance->getTemplateArgs()[0].getAsType();
+  const auto* record = definitionOf(contract);
+  if (!record || !isAnnotated(record, Kind::Interface)) {
+    mapping.error(
+        field, "not-a-contract",
+        "'" + spelled(contract, mapping.context()) + "' in the type of " + quoted(field) +
+            " is not a SUTURE_INTERFACE",
+        "annotate its definition with SUTURE_INTERFACE(), or name the contract it implements");
+    return std::nullopt;
+  }
+  model::Port port;
+  port.member = field->getNameAsString();
+  port.name = portName(field->getInClassInitializer());
+  port.interface = qualifiedName(record);
+  port.provided = name == "suture::Provided";
+  port.source = mapping.sourceOf(field);
+  return port;
+}
+
+/// Ports of the class and of the user's own bases, bases first as they are constructed.
+void mapPorts(const clang::CXXRecordDecl* declaration, std::vector<model::Port>& ports,
+              Mapping& mapping) {
+  for (const clang::CXXBaseSpecifier& base : declaration->bases()) {
+    const auto* record = definitionOf(base.getType());
+    if (record && namespaceOf(record) != "suture") mapPorts(record, ports, mapping);
+  }
+  for (const clang::FieldDecl* field : declaration->fields()) {
+    if (auto port = mapPort(field, mapping)) ports.push_back(std::move(*port));
+  }
+}
+
+/// The SUTURE_TYPE that a constructor takes as its only parameter.
+const clang::CXXRecordDecl* parametersOf(const clang::CXXConstructorDecl* constructor) {
+  if (constructor->getNumParams() != 1 || constructor->isCopyOrMoveConstructor()) return nullptr;
+  const auto* record = definitionOf(constructor->getParamDecl(0)->getType().getNonReferenceType());
+  return record && isAnnotated(record, Kind::Type) ? record : nullptr;
+}
+
+void mapConstructor(const clang::CXXRecordDecl* declaration, model::Component& component,
+                    Mapping& mapping) {
+  bool byDefault = declaration->needsImplicitDefaultConstructor();
+  for (const clang::CXXConstructorDecl* constructor : declaration->ctors()) {
+    if (constructor->isDeleted() || constructor->getAccess() != clang::AS_public) continue;
+    if (constructor->isDefaultConstructor()) byDefault = true;
+    const auto* parameters = parametersOf(constructor);
+    if (!parameters) continue;
+    if (component.parameters) {
+      mapping.error(declaration, "component-constructor",
+                    "component " + quoted(declaration) + " can be made from two parameter types",
+                    "keep one constructor that takes a SUTURE_TYPE");
+    }
+    component.parameters = qualifiedName(parameters);
+  }
+  if (!component.parameters && !byDefault) {
+    mapping.error(
+        declaration, "component-constructor",
+        "component " + quoted(declaration) + " cannot be made from a deployment file",
+        "give it a public constructor without parameters, or one that takes a SUTURE_TYPE "
+        "by const reference");
+  }
+}
+
+}  // namespace
+
+model::Component mapComponentDeclaration(const clang::CXXRecordDecl* declaration,
+                                         Mapping& mapping) {
+  mapping.annotationOf(declaration, Kind::Component);
+  model::Component component;
+  component.name = qualifiedName(declaration);
+  component.base = mapBase(declaration, mapping);
+  if (declaration->isAbstract()) {
+    mapping.error(declaration, "abstract-component",
+                  "component " + quoted(declaration) + " leaves pure virtual methods",
+                  "override every command of the contracts it implements, and run()");
+  }
+  mapPorts(declaration, component.ports, mapping);
+  mapConstructor(declaration, component, mapping);
+  component.doc = mapping.documentationOf(declaration);
+  component.source = mapping.sourceOf(declaration);
+  return component;
+}
+
+}  // namespace suture::compiler::frontend

@@ -1,0 +1,13 @@
+#pragma once
+// SUTURE_INTERFACE: commands and events.
+
+#include "compiler/frontend/mapping.h"
+
+namespace suture::compiler::frontend {
+
+model::Interface mapInterfaceDeclaration(const clang::CXXRecordDecl* declaration, Mapping& mapping);
+
+/// The arguments of suture::EventOf if the type is that template; null otherwise.
+const clang::TemplateArgument* eventArguments(clang::QualType type);
+
+}  // namespace suture::compiler::frontend

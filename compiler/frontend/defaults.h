@@ -1,0 +1,14 @@
+#pragma once
+// Default member initialisers that are constants.
+
+#include <clang/AST/Decl.h>
+
+#include <string>
+
+namespace suture::compiler::frontend {
+
+/// The initialiser as JSON where it is a constant of a scalar, enum (its enumerator's name) or
+/// string. Empty: there is none, or it is no such constant.
+std::string defaultJsonOf(const clang::FieldDecl* field);
+
+}  // namespace suture::compiler::frontend

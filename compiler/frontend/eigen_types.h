@@ -1,0 +1,14 @@
+#pragma once
+// Eigen's fixed-size types.
+
+#include <clang/AST/DeclTemplate.h>
+
+#include "compiler/frontend/type_mapper.h"
+
+namespace suture::compiler::frontend {
+
+MappedType mapMatrix(const clang::ClassTemplateSpecializationDecl* type);
+MappedType mapQuaternion(const clang::ClassTemplateSpecializationDecl* type);
+MappedType mapTransform(const clang::ClassTemplateSpecializationDecl* type);
+
+}  // namespace suture::compiler::frontend

@@ -1,0 +1,46 @@
+#pragma once
+// Annotated headers in, model out. The rest of the compiler sees clang through this header only.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "compiler/model/diagnostic.h"
+#include "compiler/model/model.h"
+
+namespace suture::compiler::frontend {
+
+struct Request {
+  std::vector<std::string> headers;  ///< as the user wrote them: messages repeat this spelling
+  std::string targetName;
+  std::string baseDirectory;      ///< the headers' paths in the model are relative to it
+  std::string resourceDirectory;  ///< clang's own headers: <dir>/include/stddef.h
+  std::vector<std::string> clangArguments;
+};
+
+/// One run of clang over one translation unit that includes all headers of a target. It stays open
+/// until destruction, so that later stages can report with the source at hand.
+class Frontend {
+ public:
+  explicit Frontend(Request request);
+  ~Frontend();
+  Frontend(const Frontend&) = delete;
+  Frontend& operator=(const Frontend&) = delete;
+
+  /// Parses and maps. False after any error; it has been printed and the model must not be used.
+  bool run();
+
+  const model::Model& model() const;
+
+  /// Prints findings to standard error in clang's form. False if an error was among them.
+  bool report(const model::Diagnostics& findings);
+
+  /// Absolute paths of all files that were read, system headers too, without duplicates.
+  std::vector<std::string> dependencies() const;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace suture::compiler::frontend

@@ -1,0 +1,11 @@
+#pragma once
+// Which headers of the model use declarations of which others.
+
+#include "compiler/model/model.h"
+
+namespace suture::compiler::frontend {
+
+/// Fills Header::imports of all headers.
+void addImports(model::Model& model);
+
+}  // namespace suture::compiler::frontend

@@ -1,0 +1,81 @@
+#include "compiler/frontend/mapping.h"
+
+#include <clang/AST/RawCommentList.h>
+
+#include "compiler/frontend/type_mapper.h"
+
+namespace suture::compiler::frontend {
+
+model::Source Mapping::sourceOf(const clang::NamedDecl* declaration) {
+  // Of a field or parameter the type is underlined as well; of a class or method the caret is enough.
+  const bool typed = llvm::isa<clang::DeclaratorDecl>(declaration) &&
+                     !llvm::isa<clang::FunctionDecl>(declaration);
+  return table_.add(sources(), declaration->getLocation(),
+                    typed ? clang::SourceRange(declaration->getBeginLoc(), declaration->getLocation())
+                          : clang::SourceRange());
+}
+
+model::Documentation Mapping::documentationOf(const clang::Decl* declaration) const {
+  const clang::RawComment* comment = context_.getRawCommentForDeclNoCache(declaration);
+  if (!comment) return {};
+  const std::string text = comment->getFormattedText(sources(), context_.getDiagnostics());
+  return {llvm::StringRef(text).trim().str()};
+}
+
+model::Diagnostic& Mapping::error(const clang::NamedDecl* declaration, std::string slug,
+                                  std::string message, std::string help) {
+  model::Diagnostic finding;
+  finding.source = sourceOf(declaration);
+  finding.slug = std::move(slug);
+  finding.message = std::move(message);
+  finding.help = std::move(help);
+  return findings_.emplace_back(std::move(finding));
+}
+
+Annotation Mapping::annotationOf(const clang::NamedDecl* declaration, Kind kind) {
+  std::vector<AnnotationProblem> problems;
+  Annotation annotation = readAnnotation(declaration, kind, problems);
+  for (AnnotationProblem& problem : problems) {
+    error(declaration, std::move(problem.slug), std::move(problem.message),
+          std::move(problem.help));
+  }
+  return annotation;
+}
+
+std::optional<model::Type> Mapping::typeOf(const clang::NamedDecl* declaration,
+                                           clang::QualType type, const std::string& subject,
+                                           const Annotation& field) {
+  MappedType mapped = mapType(type);
+  if (const auto* problem = std::get_if<TypeProblem>(&mapped)) {
+    model::Diagnostic& finding = error(
+        declaration, problem->slug,
+        subject + " of type '" + spelled(type, context_) + "': " + problem->reason, problem->help);
+    if (const auto* culprit = llvm::dyn_cast_or_null<clang::NamedDecl>(problem->culprit)) {
+      finding.notes.push_back({sourceOf(culprit), problem->help});
+      finding.help.clear();
+    }
+    return std::nullopt;
+  }
+  auto result = std::get<model::Type>(std::move(mapped));
+  checkNumberArguments(declaration, subject, result, field);
+  if (!applyCapacity(result, field.capacity)) {
+    error(declaration, "capacity-levels",
+          subject + " has more bounds in capacity() than strings and lists",
+          "give one number for each string or list, outside in");
+  }
+  return result;
+}
+
+void Mapping::checkNumberArguments(const clang::NamedDecl* declaration, const std::string& subject,
+                                   const model::Type& type, const Annotation& field) {
+  if (!field.unit.empty() && !holdsQuantities(type)) {
+    error(declaration, "not-a-number", subject + " has a unit() but holds no plain numbers",
+          "drop it; durations and stamps carry their unit in their type");
+  }
+  if (field.range && !holdsNumbers(type)) {
+    error(declaration, "not-a-number", subject + " has a range() but holds no plain numbers",
+          "drop it");
+  }
+}
+
+}  // namespace suture::compiler::frontend

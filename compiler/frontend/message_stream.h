@@ -1,0 +1,27 @@
+#pragma once
+// Clang's messages as the user should see them.
+
+#include <llvm/Support/raw_ostream.h>
+
+#include <string>
+
+namespace suture::compiler::frontend {
+
+/// Forwards whole lines, less what only suturec itself causes: the include stack through the
+/// in-memory translation unit, and the "./" that clang puts before a header named relative to it.
+class MessageStream : public llvm::raw_ostream {
+ public:
+  MessageStream(llvm::raw_ostream& out, std::string unitName);
+  ~MessageStream() override;
+
+ private:
+  void write_impl(const char* text, std::size_t size) override;
+  std::uint64_t current_pos() const override { return 0; }
+  void forward(llvm::StringRef line);
+
+  llvm::raw_ostream& out_;
+  std::string includeLine_;
+  std::string pending_;
+};
+
+}  // namespace suture::compiler::frontend

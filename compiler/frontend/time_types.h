@@ -1,0 +1,13 @@
+#pragma once
+// Durations and stamps.
+
+#include <clang/AST/DeclTemplate.h>
+
+#include "compiler/frontend/type_mapper.h"
+
+namespace suture::compiler::frontend {
+
+MappedType mapDuration(const clang::ClassTemplateSpecializationDecl* type);
+MappedType mapTimePoint(const clang::ClassTemplateSpecializationDecl* type);
+
+}  // namespace suture::compiler::frontend

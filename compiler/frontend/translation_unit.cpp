@@ -1,0 +1,113 @@
+#include "compiler/frontend/translation_unit.h"
+
+#include <clang/Frontend/FrontendActions.h>
+#include <clang/Frontend/TextDiagnosticPrinter.h>
+#include <clang/Frontend/Utils.h>
+#include <clang/Lex/PreprocessorOptions.h>
+#include <llvm/Support/FileSystem.h>
+
+#include <set>
+
+#include "compiler/frontend/generated_headers.h"
+#include "compiler/frontend/include_guard.h"
+
+namespace suture::compiler::frontend {
+namespace {
+
+constexpr unsigned kErrorLimit = 20;
+
+/// System headers too: an upgrade of Eigen must be noticed.
+class AllDependencies : public clang::DependencyCollector {
+  bool needSystemDependencies() override { return true; }
+};
+
+std::string wrapperText(const std::vector<std::string>& headers) {
+  std::string text;
+  for (const std::string& header : headers) text += "#include \"" + header + "\"\n";
+  return text;
+}
+
+std::vector<std::string> commandLine(const Request& request, const std::string& unitName) {
+  std::vector<std::string> arguments{"clang++",
+                                     "-fsyntax-only",
+                                     "-xc++",
+                                     "-std=c++20",
+                                     "-DSUTUREC",
+                                     "-nocudainc",
+                                     "-nocudalib",
+                                     "-resource-dir=" + request.resourceDirectory,
+                                     "-ferror-limit=" + std::to_string(kErrorLimit)};
+  arguments.insert(arguments.end(), request.clangArguments.begin(), request.clangArguments.end());
+  arguments.insert(arguments.end(), {"--", unitName});
+  return arguments;
+}
+
+}  // namespace
+
+TranslationUnit::TranslationUnit(const Request& request)
+    : request_(request),
+      name_("suturec:" + request.targetName),
+      messages_(llvm::errs(), name_),
+      dependencies_(std::make_shared<AllDependencies>()) {}
+
+TranslationUnit::~TranslationUnit() {
+  if (begun_) action_->EndSourceFile();
+}
+
+bool TranslationUnit::configure() {
+  llvm::IntrusiveRefCntPtr<clang::DiagnosticOptions> options(new clang::DiagnosticOptions());
+  llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> files(
+      new GeneratedHeaders(llvm::vfs::getRealFileSystem()));
+  clang::CreateInvocationOptions creation;
+  creation.VFS = files;
+  creation.ProbePrecompiled = false;
+  creation.Diags = clang::CompilerInstance::createDiagnostics(
+      options.get(), new clang::TextDiagnosticPrinter(messages_, options.get()));
+
+  const std::vector<std::string> arguments = commandLine(request_, name_);
+  std::vector<const char*> pointers;
+  for (const std::string& argument : arguments) pointers.push_back(argument.c_str());
+  std::shared_ptr<clang::CompilerInvocation> invocation =
+      clang::createInvocation(pointers, creation);
+  if (!invocation || creation.Diags->hasErrorOccurred()) return false;
+
+  invocation->getFrontendOpts().SkipFunctionBodies = true;
+  invocation->getPreprocessorOpts().addRemappedFile(
+      name_, llvm::MemoryBuffer::getMemBufferCopy(wrapperText(request_.headers), name_).release());
+  compiler_.setInvocation(std::move(invocation));
+  compiler_.createDiagnostics(
+      new clang::TextDiagnosticPrinter(messages_, &compiler_.getDiagnosticOpts()));
+  // The user's compiler warns about the user's code; here only errors count.
+  compiler_.getDiagnostics().setIgnoreAllWarnings(true);
+  compiler_.createFileManager(files);
+  compiler_.createSourceManager(compiler_.getFileManager());
+  compiler_.addDependencyCollector(dependencies_);
+  return compiler_.createTarget();
+}
+
+bool TranslationUnit::parse() {
+  if (!configure()) return false;
+  action_ = std::make_unique<clang::SyntaxOnlyAction>();
+  begun_ = action_->BeginSourceFile(compiler_, compiler_.getFrontendOpts().Inputs.front());
+  if (!begun_) return false;
+  guardIncludes(compiler_.getPreprocessor(), request_.targetName);
+  if (llvm::Error error = action_->Execute()) {
+    llvm::errs() << "suturec: " << llvm::toString(std::move(error)) << "\n";
+    return false;
+  }
+  return !compiler_.getDiagnostics().hasErrorOccurred();
+}
+
+std::vector<std::string> TranslationUnit::dependencies() const {
+  std::set<std::string> paths;
+  for (const std::string& file : dependencies_->getDependencies()) {
+    if (file == name_ || llvm::StringRef(file).ends_with(kGeneratedSuffix)) continue;
+    // Not by dropping "..": clang reaches its headers through symbolic links.
+    llvm::SmallString<256> path;
+    if (llvm::sys::fs::real_path(file, path)) continue;
+    paths.insert(path.str().str());
+  }
+  return {paths.begin(), paths.end()};
+}
+
+}  // namespace suture::compiler::frontend

@@ -1,0 +1,41 @@
+#pragma once
+// One run of clang, kept open so that its tree and sources can be consulted.
+
+#include <clang/Frontend/CompilerInstance.h>
+#include <clang/Frontend/FrontendAction.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "compiler/frontend/frontend.h"
+#include "compiler/frontend/message_stream.h"
+
+namespace suture::compiler::frontend {
+
+class TranslationUnit {
+ public:
+  explicit TranslationUnit(const Request& request);
+  ~TranslationUnit();
+
+  /// False after any error; clang has printed it.
+  bool parse();
+
+  clang::CompilerInstance& compiler() { return compiler_; }
+
+  /// Absolute paths of what was read.
+  std::vector<std::string> dependencies() const;
+
+ private:
+  bool configure();
+
+  const Request& request_;
+  std::string name_;
+  MessageStream messages_;
+  clang::CompilerInstance compiler_;
+  std::shared_ptr<clang::DependencyCollector> dependencies_;
+  std::unique_ptr<clang::FrontendAction> action_;
+  bool begun_ = false;
+};
+
+}  // namespace suture::compiler::frontend

@@ -1,0 +1,176 @@
+#include "compiler/frontend/unit_mapper.h"
+
+#include <clang/AST/RecursiveASTVisitor.h>
+
+#include "compiler/frontend/component_mapper.h"
+#include "compiler/frontend/contract_mapper.h"
+#include "compiler/frontend/data_mapper.h"
+#include "compiler/frontend/imports.h"
+#include "compiler/frontend/names.h"
+
+namespace suture::compiler::frontend {
+namespace {
+
+class Visitor : public clang::RecursiveASTVisitor<Visitor> {
+ public:
+  Visitor(Mapping& mapping, HeaderTable& headers) : mapping_(mapping), headers_(headers) {}
+
+  // A third of the time would go into two libraries that hold nothing annotated.
+  bool TraverseNamespaceDecl(clang::NamespaceDecl* space) {
+    const bool library = space->getDeclContext()->isTranslationUnit() &&
+                         (space->getName() == "std" || space->getName() == "Eigen");
+    return library || RecursiveASTVisitor::TraverseNamespaceDecl(space);
+  }
+
+  bool VisitNamedDecl(clang::NamedDecl* declaration) {
+    const std::vector<Kind> kinds = annotationKinds(declaration);
+    for (const Kind kind : kinds) {
+      if (kind == Kind::Field && kinds.size() > 1) continue;  // rides on a command or event
+      visit(declaration, kind);
+    }
+    return true;
+  }
+
+ private:
+  void visit(clang::NamedDecl* declaration, Kind kind) {
+    switch (kind) {
+      case Kind::Type:
+      case Kind::Interface:
+      case Kind::Component:
+        return visitTag(declaration, kind);
+      case Kind::Command:
+        if (parentIs(declaration, Kind::Interface) &&
+            llvm::isa<clang::CXXMethodDecl>(declaration)) {
+          return;
+        }
+        return misplaced(declaration, kind, "a virtual method of a SUTURE_INTERFACE class");
+      case Kind::Event:
+        if (parentIs(declaration, Kind::Interface) && llvm::isa<clang::FieldDecl>(declaration)) {
+          return;
+        }
+        return misplaced(declaration, kind, "a suture::EventOf member of a SUTURE_INTERFACE class");
+      case Kind::Field:
+        if (!isField(declaration)) {
+          misplaced(declaration, kind,
+                    "a field of a SUTURE_TYPE, or a command, its parameter or an event");
+        }
+    }
+  }
+
+  void visitTag(clang::NamedDecl* declaration, Kind kind) {
+    auto* tag = llvm::dyn_cast<clang::TagDecl>(declaration);
+    if (!tag || (kind != Kind::Type && !llvm::isa<clang::CXXRecordDecl>(tag))) {
+      return misplaced(declaration, kind,
+                       kind == Kind::Type ? "a struct or an enum class" : "a class");
+    }
+    if (!tag->isThisDeclarationADefinition()) {
+      if (!isInherited(tag)) {
+        mapping_.error(tag, "annotated-declaration",
+                       "'" + tag->getNameAsString() + "' is annotated where it is only declared",
+                       "annotate its definition");
+      }
+      return;
+    }
+    if (hasHome(tag)) add(tag, kind);
+  }
+
+  void add(clang::TagDecl* tag, Kind kind) {
+    model::Header& header = headers_.of(tag);
+    checkNamespace(tag, header);
+    if (auto* enumeration = llvm::dyn_cast<clang::EnumDecl>(tag)) {
+      header.enums.push_back(mapEnumDeclaration(enumeration, mapping_));
+    } else if (kind == Kind::Type) {
+      header.structs.push_back(
+          mapStructDeclaration(llvm::cast<clang::CXXRecordDecl>(tag), mapping_));
+    } else if (kind == Kind::Interface) {
+      header.interfaces.push_back(
+          mapInterfaceDeclaration(llvm::cast<clang::CXXRecordDecl>(tag), mapping_));
+    } else {
+      header.components.push_back(
+          mapComponentDeclaration(llvm::cast<clang::CXXRecordDecl>(tag), mapping_));
+    }
+  }
+
+  /// Generated code must be able to name the type from outside and to tell it from others.
+  bool hasHome(clang::TagDecl* tag) {
+    const std::string name = "'" + tag->getNameAsString() + "'";
+    const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(tag);
+    if (!tag->getIdentifier()) {
+      mapping_.error(tag, "unnamed-type", "an unnamed type has no stable wire name",
+                     "name the type");
+    } else if (record && (record->getDescribedClassTemplate() ||
+                          llvm::isa<clang::ClassTemplateSpecializationDecl>(record))) {
+      mapping_.error(tag, "template-type", name + " is a template; it has no one wire form",
+                     "write the struct out for each use");
+    } else if (tag->isInAnonymousNamespace() || tag->getParentFunctionOrMethod()) {
+      mapping_.error(tag, "local-type", name + " is not visible outside its file",
+                     "move it into a named namespace");
+    } else if (!tag->getDeclContext()->getRedeclContext()->isFileContext()) {
+      mapping_.error(tag, "nested-type", name + " is declared inside a class",
+                     "declare it at namespace scope");
+    } else {
+      return true;
+    }
+    return false;
+  }
+
+  /// One header becomes one schema with one namespace.
+  void checkNamespace(clang::TagDecl* tag, model::Header& header) {
+    const std::string space = namespaceOf(tag);
+    const bool first = header.enums.empty() && header.structs.empty() &&
+                       header.interfaces.empty() && header.components.empty();
+    if (first) header.cxxNamespace = space;
+    if (header.cxxNamespace == space) return;
+    mapping_.error(tag, "mixed-namespaces",
+                   "'" + tag->getNameAsString() + "' is in namespace '" + space +
+                       "', what stands before it in '" + header.cxxNamespace + "'",
+                   "keep one namespace a header");
+  }
+
+  static bool isInherited(const clang::Decl* declaration) {
+    for (const auto* attribute : declaration->specific_attrs<clang::AnnotateAttr>()) {
+      if (!attribute->isInherited()) return false;
+    }
+    return true;
+  }
+
+  static bool parentIs(const clang::Decl* declaration, Kind kind) {
+    const auto* parent = llvm::dyn_cast<clang::Decl>(declaration->getDeclContext());
+    return parent && isAnnotated(parent, kind);
+  }
+
+  static bool isField(const clang::Decl* declaration) {
+    if (llvm::isa<clang::FieldDecl, clang::EnumConstantDecl>(declaration)) {
+      return parentIs(declaration, Kind::Type);
+    }
+    if (const auto* parameter = llvm::dyn_cast<clang::ParmVarDecl>(declaration)) {
+      const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(parameter->getDeclContext());
+      return method && isAnnotated(method, Kind::Command);
+    }
+    return false;
+  }
+
+  void misplaced(const clang::NamedDecl* declaration, Kind kind, const std::string& where) {
+    const std::string name = declaration->getNameAsString();
+    mapping_.error(declaration, "misplaced-annotation",
+                   macroOf(kind) + "() does not apply to " +
+                       (name.empty() ? "this declaration" : "'" + name + "'"),
+                   "it belongs on " + where);
+  }
+
+  Mapping& mapping_;
+  HeaderTable& headers_;
+};
+
+}  // namespace
+
+model::Model mapUnit(clang::ASTContext& context, HeaderTable& headers, SourceTable& table,
+                     model::Diagnostics& findings) {
+  Mapping mapping(context, table, findings);
+  Visitor(mapping, headers).TraverseDecl(context.getTranslationUnitDecl());
+  model::Model result{headers.take()};
+  addImports(result);
+  return result;
+}
+
+}  // namespace suture::compiler::frontend
