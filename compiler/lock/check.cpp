@@ -23,39 +23,76 @@ void append(Diagnostics& all, Diagnostics more) {
   for (model::Diagnostic& one : more) all.push_back(std::move(one));
 }
 
-/// Calls visit(header, wanted, lock, merge) for each own header that has a lock or needs one.
+/// A header of ours, what it asks for, and what was agreed so far.
+struct Judged {
+  const model::Header& header;
+  const std::vector<WantedNode> wanted;
+  const Lock old;
+
+  model::Source source() const {
+    return wanted.empty() ? model::Source{0, header.path, 0} : wanted.front().source;
+  }
+};
+
+/// Calls visit(judged, merge) for each own header that has a lock or needs one.
 template <class Visit>
-void forEachOwn(const model::Model& model, const Locks& locks, const Options& options,
-                Visit&& visit) {
-  const model::Lookup lookup(model);
+void forEachOwn(const model::Model& model, const model::Lookup& lookup, const Locks& locks,
+                const Options& options, const Visit& visit) {
   for (const model::Header& header : model.headers) {
-    const Lock old = lockOf(header, locks);
-    if (!header.own || (!needsLock(header) && old.text.empty())) continue;
-    const std::vector<WantedNode> asked = wanted(header, lookup);
-    visit(header, asked, old, merge(asked, header, old, options));
+    const Judged judged{header, wanted(header, lookup), lockOf(header, locks)};
+    if (!header.own || (!needsLock(header) && judged.old.text.empty())) continue;
+    visit(judged, merge(judged.wanted, header, judged.old, options));
   }
 }
 
-/// Two nodes of one lock cannot share a wire name, and two of all locks no id.
-Diagnostics clashes(const std::vector<WantedNode>& wanted, const Lock& merged) {
-  Diagnostics result;
-  std::map<std::string, const WantedNode*> names;
-  for (const WantedNode& one : wanted) {
-    const auto [other, isNew] = names.emplace(one.node.name, &one);
-    if (isNew) continue;
-    result.push_back({one.source,
-                      "wire-name-clash",
-                      one.title + " has the wire name '" + one.node.name + "' as " +
-                          other->second->title + " has",
-                      "give one of them another: name(\"...\")",
-                      {{other->second->source, other->second->title + " is declared here"}}});
+/// The wire names of all headers, by the C++ namespace in which capnp will declare them.
+class WireNames {
+ public:
+  WireNames(const model::Model& model, const model::Lookup& lookup) {
+    for (const bool own : {false, true}) {  // a clash with a foreign header is reported at ours
+      for (const model::Header& header : model.headers) {
+        if (header.own == own) add(header, lookup);
+      }
+    }
   }
+
+  /// Reports the nodes of `header` whose name is another's as well.
+  Diagnostics clashes(const model::Header& header, const std::vector<WantedNode>& nodes) const {
+    Diagnostics result;
+    for (const WantedNode& node : nodes) {
+      const WantedNode& owner = owners_.at(header.cxxNamespace + "::" + node.node.name);
+      if (identity(owner.node) == identity(node.node)) continue;
+      result.push_back(
+          {node.source,
+           "wire-name-clash",
+           node.title + " has the wire name '" + node.node.name + "' as " + owner.title + " has",
+           "give one of them another: name(\"...\")",
+           {{owner.source, owner.title + " is declared here"}}});
+    }
+    return result;
+  }
+
+ private:
+  void add(const model::Header& header, const model::Lookup& lookup) {
+    for (WantedNode& node : wanted(header, lookup)) {
+      owners_.emplace(header.cxxNamespace + "::" + node.node.name, std::move(node));
+    }
+  }
+
+  std::map<std::string, WantedNode> owners_;
+};
+
+/// A removed node keeps its name in the schema.
+Diagnostics clashesWithRemoved(const std::vector<WantedNode>& wanted, const Lock& merged) {
+  Diagnostics result;
   for (const Node& node : merged.nodes) {
-    const auto taken = names.find(node.name);
-    if (!node.removed() || taken == names.end()) continue;
-    result.push_back({taken->second->source,
+    const auto taken = std::find_if(wanted.begin(), wanted.end(), [&](const WantedNode& one) {
+      return node.removed() && one.node.name == node.name;
+    });
+    if (taken == wanted.end()) continue;
+    result.push_back({taken->source,
                       "wire-name-clash",
-                      taken->second->title + " has the wire name of a removed " + node.name,
+                      taken->title + " has the wire name of a removed " + node.name,
                       "give it another: name(\"...\")",
                       {}});
   }
@@ -74,27 +111,23 @@ std::string withoutComments(const std::string& text) {
   return result;
 }
 
-model::Diagnostic missing(const std::vector<WantedNode>& wanted, const Lock& old,
-                          const model::Header& header, const Options& options) {
-  const model::Source source =
-      wanted.empty() ? model::Source{0, header.path, 0} : wanted.front().source;
-  return {source,
+model::Diagnostic missing(const Judged& judged, const Options& options) {
+  return {judged.source(),
           "lock-missing",
-          header.path + " has no lock: " + options.folder + "/" + old.path + " does not exist",
+          judged.header.path + " has no lock: " + options.folder + "/" + judged.old.path +
+              " does not exist",
           "run: " + options.command + ", and commit the file that it writes",
           {}};
 }
 
-model::Diagnostic stale(const std::vector<WantedNode>& wanted, const Lock& old,
-                        const Options& options) {
-  model::Diagnostic result{
-      wanted.empty() ? model::Source{} : wanted.front().source,
+model::Diagnostic stale(const Judged& judged, const Options& options) {
+  return {
+      judged.source(),
       "lock-stale",
-      options.folder + "/" + old.path + " is out of date in what does not touch the wire",
+      options.folder + "/" + judged.old.path + " is out of date in what does not touch the wire",
       "run: " + options.command,
-      {}};
-  result.severity = model::Diagnostic::Severity::Warning;
-  return result;
+      {},
+      model::Diagnostic::Severity::Warning};
 }
 
 Diagnostics duplicateIds(const Locks& locks, const Options& options) {
@@ -120,35 +153,37 @@ Diagnostics duplicateIds(const Locks& locks, const Options& options) {
 
 Diagnostics check(const model::Model& model, const Locks& locks, const Options& options) {
   Diagnostics all = duplicateIds(locks, options);
-  forEachOwn(model, locks, options,
-             [&](const model::Header& header, const std::vector<WantedNode>& wanted,
-                 const Lock& old, Merge merge) {
-               append(all, clashes(wanted, merge.lock));
-               if (old.text.empty()) {
-                 all.push_back(missing(wanted, old, header, options));
-                 return;
-               }
-               const bool clean = merge.breaks.empty() && merge.pending.empty();
-               append(all, std::move(merge.breaks));
-               append(all, std::move(merge.pending));
-               if (clean && withoutComments(write(merge.lock)) != withoutComments(old.text)) {
-                 all.push_back(stale(wanted, old, options));
-               }
-             });
+  const model::Lookup lookup(model);
+  const WireNames names(model, lookup);
+  forEachOwn(model, lookup, locks, options, [&](const Judged& judged, Merge merge) {
+    append(all, names.clashes(judged.header, judged.wanted));
+    append(all, clashesWithRemoved(judged.wanted, merge.lock));
+    if (judged.old.text.empty()) {
+      all.push_back(missing(judged, options));
+      return;
+    }
+    const bool clean = merge.breaks.empty() && merge.pending.empty();
+    append(all, std::move(merge.breaks));
+    append(all, std::move(merge.pending));
+    if (clean && withoutComments(write(merge.lock)) != withoutComments(judged.old.text)) {
+      all.push_back(stale(judged, options));
+    }
+  });
   return all;
 }
 
 Update update(const model::Model& model, const Locks& locks, const Options& options) {
   Update result;
   result.diagnostics = duplicateIds(locks, options);
-  forEachOwn(model, locks, options,
-             [&](const model::Header&, const std::vector<WantedNode>& wanted, const Lock& old,
-                 Merge merge) {
-               append(result.diagnostics, clashes(wanted, merge.lock));
-               append(result.diagnostics, std::move(merge.breaks));
-               std::string text = write(merge.lock);
-               if (text != old.text) result.files.push_back({old.path, std::move(text)});
-             });
+  const model::Lookup lookup(model);
+  const WireNames names(model, lookup);
+  forEachOwn(model, lookup, locks, options, [&](const Judged& judged, Merge merge) {
+    append(result.diagnostics, names.clashes(judged.header, judged.wanted));
+    append(result.diagnostics, clashesWithRemoved(judged.wanted, merge.lock));
+    append(result.diagnostics, std::move(merge.breaks));
+    std::string text = write(merge.lock);
+    if (text != judged.old.text) result.files.push_back({judged.old.path, std::move(text)});
+  });
   return result;
 }
 

@@ -203,7 +203,7 @@ WantedNode wantedEvents(const model::Interface& declaration, const model::Lookup
   result.node.annotations = {{"eventsOf", quoted(declaration.name)}};
   result.node.doc = "What a subscriber of " + declaration.wireName + " receives.";
   Member state = method("state", "A new row of the columns asked for.");
-  state.parameters = {plain("row", declaration.wireName + "State")};
+  state.parameters = {plain("row", declaration.wireName + "StateRow")};
   result.members.push_back({std::move(state), result.title, std::nullopt, result.source});
   for (const model::Event& event : declaration.events) {
     result.members.push_back(wantedEvent(declaration, event, lookup, header));
@@ -214,7 +214,7 @@ WantedNode wantedEvents(const model::Interface& declaration, const model::Lookup
 WantedNode wantedState(const model::Interface& declaration, const model::Lookup& lookup,
                        const model::Header& header) {
   WantedNode result =
-      startNode(Node::Kind::Struct, declaration.name, declaration.wireName + "State",
+      startNode(Node::Kind::Struct, declaration.name, declaration.wireName + "StateRow",
                 "state of '" + declaration.name + "'", declaration.source);
   result.node.annotations = {{"stateOf", quoted(declaration.name)}};
   result.node.doc =

@@ -211,10 +211,16 @@ TEST_F(LockTest, RemovedContractKeepsItsPlace) {
 
 TEST_F(LockTest, DerivedNamesMayNotMeetDeclaredOnes) {
   sample::armHeader(model_).structs.push_back(
-      sample::structure("robots::ArmState", {sample::field("x", sample::number())}));
+      sample::structure("robots::ArmEvents", {sample::field("x", sample::number())}));
   const Diagnostics found = check(model_, {});
   ASSERT_EQ(slugs(found), (Slugs{"wire-name-clash", "lock-missing"}));
   EXPECT_NE(found[0].help.find("name("), std::string::npos);
+}
+
+TEST_F(LockTest, NamesOfOtherHeadersInTheSameNamespaceCount) {
+  model_.headers.back().enums.push_back(
+      sample::enumerated("robots::other::Everything", {{"One", 1}}));
+  EXPECT_EQ(slugs(check(model_, before_)), Slugs{"wire-name-clash"});
 }
 
 TEST_F(LockTest, DefaultsAreFrozen) {
