@@ -56,6 +56,10 @@ class Mailbox {
   Result<std::byte*> claim(std::uint16_t command, Time stamp, std::uint32_t call);
   /// Publishes the command of the last successful claim(). Not calling it abandons the claim.
   void commit();
+  /// How many of `command` use a credit that the consumer has not returned yet.
+  std::uint32_t waiting(std::uint16_t command) const {
+    return taken_[command] - returned_[command].load(std::memory_order_acquire);
+  }
 
   // --- consumer ---
 

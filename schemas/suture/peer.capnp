@@ -51,6 +51,7 @@ struct ConnectRequest {
   description @7 :Text;   # the self-description (JSON), to say what differs when the hashes do
   events @8 :UInt64;      # bit i: wants event i of the contract
   clockOffset @9 :Int64;  # caller's clock minus responder's, ns, as the caller measured it
+  notices @10 :Notices;   # how the caller learns what befalls the connection
 }
 
 struct ConnectResults {
@@ -62,6 +63,13 @@ struct ConnectResults {
     }
     refused @2 :Manager.Refusal;
   }
+}
+
+interface Notices {
+  faulted @0 (reason :Text) -> ();
+  # The provider's handler threw: its component is parked, the connection stands.
+  closed @1 () -> ();
+  # The provider has taken the connection down.
 }
 
 interface Connection {

@@ -5,6 +5,8 @@ using Cxx = import "/capnp/c++.capnp";
 $Cxx.namespace("suture::wire");
 
 struct Sent {
-  # The receipt of a command.
-  stamp @0 :Int64;  # the provider's steady clock when it took the command, ns
+  # Travels with every command. A client that says nothing of it is served all the same.
+  stamp @0 :Int64;   # the sender's steady clock when it sent, ns; 0: not said
+  answer @1 :Bool;   # return when the command has been executed, and tell how that ended; without it a
+                     # queued command returns when the provider has taken it, a latest() one at once
 }

@@ -1,7 +1,12 @@
 // Written by suturec from reference/arm_like.h. Do not edit.
 #include "reference/arm_like.suture.h"
 
+#include <suture/transport/rpc/binding.h>
+#include <suture/transport/rpc/proxy_port.h>
+#include <suture/transport/rpc/servant_port.h>
+#include <suture/transport/rpc/wire.h>
 
+#include "reference/arm_like.capnp.h"
 
 namespace reference {
 namespace {
@@ -16,7 +21,11 @@ static_assert(std::is_same_v<decltype(JointState::position), std::vector<double>
 using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Duration;
+using suture::Errc;
 using suture::EventInfo;
+using suture::rpc::firstError;
+using suture::rpc::ProxyPort;
+using suture::rpc::ServantPort;
 
 constexpr CommandInfo kArmLikeCommands[] = {
     {.name = "servo_cp",
@@ -95,6 +104,354 @@ constexpr EventInfo kArmLikeEvents[] = {
 constexpr char kArmLikeDescription[] = R"json({"name": "reference::ArmLike"})json";
 
 }  // namespace
+
+// --- between slots and Cap'n Proto
+
+namespace {
+
+wire::Mode wireMode(std::uint8_t slot) {
+  switch (static_cast<Mode>(slot)) {
+    case Mode::Disabled: return wire::Mode::DISABLED;
+    case Mode::Enabled: return wire::Mode::ENABLED;
+  }
+  return wire::Mode{};
+}
+
+Errc fromWire(wire::Mode in, std::uint8_t& slot) {
+  switch (in) {
+    case wire::Mode::DISABLED: return slot = static_cast<std::uint8_t>(Mode::Disabled), Errc{};
+    case wire::Mode::ENABLED: return slot = static_cast<std::uint8_t>(Mode::Enabled), Errc{};
+  }
+  return Errc::Invalid;
+}
+
+}  // namespace
+
+void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {
+  using suture::rpc::toWire;
+  toWire(slot.pose, out.initPose());
+  out.setStamp(slot.stamp);
+  out.setValid(slot.valid != 0);
+}
+
+Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, Duration shift) {
+  using suture::rpc::fromWire;
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.valid = in.getValid();
+  return firstError({
+      in.hasPose() ? fromWire(in.getPose(), slot.pose) : Errc::Invalid,
+  });
+}
+
+bool isValid(const PoseStampedSlot& slot) {
+  using suture::rpc::isValid;
+  return isValid(slot.pose);
+}
+
+void toWire(const JointStateSlot& slot, wire::JointState::Builder out) {
+  using suture::rpc::toWire;
+  toWire(slot.name, out.initName(slot.name.size));
+  toWire(slot.position, out.initPosition(slot.position.size));
+}
+
+Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, Duration) {
+  using suture::rpc::fromWire;
+  return firstError({
+      fromWire(in.getName(), slot.name),
+      fromWire(in.getPosition(), slot.position),
+  });
+}
+
+bool isValid(const JointStateSlot& slot) {
+  using suture::rpc::isValid;
+  return isValid(slot.position);
+}
+
+namespace {
+
+// --- ArmLike over Cap'n Proto RPC: the provider's side
+
+/// Makes remote calls of a subscriber's events and rows.
+class ArmLikeSink final : public suture::rpc::EventSink {
+ public:
+  explicit ArmLikeSink(wire::ArmLikeEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+
+  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
+    switch (static_cast<ArmLikeEvent>(event)) {
+      case ArmLikeEvent::mode: {
+        auto request = subscriber_.modeRequest();
+        request.setValue(wireMode(*reinterpret_cast<const std::uint8_t*>(payload)));
+        return request.send().ignoreResult();
+      }
+      case ArmLikeEvent::arrived: {
+        auto request = subscriber_.arrivedRequest();
+        toWire(*reinterpret_cast<const PoseStampedSlot*>(payload), request.initValue());
+        return request.send().ignoreResult();
+      }
+      case ArmLikeEvent::stopped: {
+        return subscriber_.stoppedRequest().send().ignoreResult();
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
+                        std::span<const std::byte* const> columns) override {
+    auto request = subscriber_.stateRequest();
+    auto out = request.initRow();
+    out.setStamp(suture::toNanoseconds(row.stamp));
+    out.setEvaluated(row.valid);
+    if (row.valid >> 0 & 1) {
+      toWire(*reinterpret_cast<const PoseStampedSlot*>(columns[0]), out.initMeasuredCp());
+    }
+    if (row.valid >> 1 & 1) {
+      toWire(*reinterpret_cast<const JointStateSlot*>(columns[1]), out.initMeasuredJs());
+    }
+    return request.send().ignoreResult();
+  }
+
+ private:
+  wire::ArmLikeEvents::Client subscriber_;
+};
+
+/// Puts remote calls into the provider's mailbox.
+class ArmLikeServant final : public wire::ArmLike::Server {
+ public:
+  explicit ArmLikeServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> subscribe(SubscribeContext context) override {
+    auto in = context.getParams();
+    port_->subscribe(kj::heap<ArmLikeSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> servoCp(ServoCpContext context) override {
+    auto in = context.getParams();
+    return port_->command(id(ArmLikeCommand::servo_cp), in.getSent(), [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<ArmLikeServoCpArguments*>(memory);
+      const Errc error = firstError({
+          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid,
+      });
+      if (error != Errc{}) return error;
+      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+    });
+  }
+
+  kj::Promise<void> servoJp(ServoJpContext context) override {
+    auto in = context.getParams();
+    return port_->command(id(ArmLikeCommand::servo_jp), in.getSent(), [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<ArmLikeServoJpArguments*>(memory);
+      const Errc error = firstError({
+          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid,
+      });
+      if (error != Errc{}) return error;
+      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+    });
+  }
+
+  kj::Promise<void> hold(HoldContext context) override {
+    auto in = context.getParams();
+    return port_->command(id(ArmLikeCommand::hold), in.getSent(),
+                          [](std::byte*) { return Errc{}; });
+  }
+
+  kj::Promise<void> setMode(SetModeContext context) override {
+    auto in = context.getParams();
+    return port_->command(id(ArmLikeCommand::set_mode), in.getSent(), [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<ArmLikeSetModeArguments*>(memory);
+      return firstError({
+          fromWire(in.getMode(), slot.mode),
+      });
+    });
+  }
+
+  kj::Promise<void> measuredCp(MeasuredCpContext context) override {
+    auto in = context.getParams();
+    return port_->call(
+        id(ArmLikeCommand::measured_cp), in.getSent(), [](std::byte*) { return Errc{}; },
+        [context](const std::byte* result) mutable {
+          toWire(*reinterpret_cast<const PoseStampedSlot*>(result), context.getResults().initValue());
+        });
+  }
+
+  kj::Promise<void> measuredJs(MeasuredJsContext context) override {
+    auto in = context.getParams();
+    return port_->call(
+        id(ArmLikeCommand::measured_js), in.getSent(), [](std::byte*) { return Errc{}; },
+        [context](const std::byte* result) mutable {
+          toWire(*reinterpret_cast<const JointStateSlot*>(result), context.getResults().initValue());
+        });
+  }
+
+  kj::Promise<void> distance(DistanceContext context) override {
+    auto in = context.getParams();
+    return port_->call(
+        id(ArmLikeCommand::distance), in.getSent(),
+        [&](std::byte* memory) {
+          auto& slot = *reinterpret_cast<ArmLikeDistanceArguments*>(memory);
+          const Errc error = firstError({
+              in.hasTo() ? fromWire(in.getTo(), slot.to, port_->shift()) : Errc::Invalid,
+          });
+          if (error != Errc{}) return error;
+          return isValid(slot.to) ? Errc{} : Errc::Invalid;
+        },
+        [context](const std::byte* result) mutable {
+          context.getResults().setValue(*reinterpret_cast<const double*>(result));
+        });
+  }
+
+ private:
+  static std::uint16_t id(ArmLikeCommand command) { return static_cast<std::uint16_t>(command); }
+
+  kj::Own<ServantPort> port_;
+};
+
+// --- ArmLike over Cap'n Proto RPC: the client's side
+
+/// Receives events and rows.
+class ArmLikeReceiver final : public wire::ArmLikeEvents::Server {
+ public:
+  explicit ArmLikeReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> state(StateContext context) override {
+    auto in = context.getParams().getRow();
+    suture::rt::ColumnSet valid = 0;
+    if (in.getEvaluated() >> 0 & 1) {
+      auto& slot = *reinterpret_cast<PoseStampedSlot*>(port_->column(0));
+      const Errc error = fromWire(in.getMeasuredCp(), slot, port_->shift());
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
+    }
+    if (in.getEvaluated() >> 1 & 1) {
+      auto& slot = *reinterpret_cast<JointStateSlot*>(port_->column(1));
+      const Errc error = fromWire(in.getMeasuredJs(), slot, port_->shift());
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
+    }
+    port_->publish(in.getStamp(), valid);
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> mode(ModeContext context) override {
+    std::uint8_t slot;
+    const Errc error = fromWire(context.getParams().getValue(), slot);
+    return port_->event(id(ArmLikeEvent::mode), error, slot);
+  }
+
+  kj::Promise<void> arrived(ArrivedContext context) override {
+    PoseStampedSlot slot;
+    const Errc error = fromWire(context.getParams().getValue(), slot, port_->shift());
+    return port_->event(id(ArmLikeEvent::arrived), error, slot);
+  }
+
+  kj::Promise<void> stopped(StoppedContext) override {
+    return port_->event(id(ArmLikeEvent::stopped));
+  }
+
+ private:
+  static std::uint16_t id(ArmLikeEvent event) { return static_cast<std::uint16_t>(event); }
+
+  kj::Own<ProxyPort> port_;
+};
+
+/// Makes remote calls of commands.
+class ArmLikeProxy final : public suture::rpc::Proxy {
+ public:
+  ArmLikeProxy(wire::ArmLike::Client provider, ProxyPort& port)
+      : provider_(kj::mv(provider)), port_(port) {}
+
+  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
+    auto request = provider_.subscribeRequest();
+    request.setEvents(kj::heap<ArmLikeReceiver>(kj::addRef(port_)));
+    request.setEventMask(events);
+    request.setStateMask(columns);
+    return request.send().ignoreResult();
+  }
+
+  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
+    switch (static_cast<ArmLikeCommand>(record.command)) {
+      case ArmLikeCommand::servo_cp: {
+        const auto& slot = *reinterpret_cast<const ArmLikeServoCpArguments*>(record.arguments());
+        auto request = provider_.servoCpRequest();
+        toWire(slot.goal, request.initGoal());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case ArmLikeCommand::servo_jp: {
+        const auto& slot = *reinterpret_cast<const ArmLikeServoJpArguments*>(record.arguments());
+        auto request = provider_.servoJpRequest();
+        toWire(slot.goal, request.initGoal());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case ArmLikeCommand::hold: {
+        auto request = provider_.holdRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case ArmLikeCommand::set_mode: {
+        const auto& slot = *reinterpret_cast<const ArmLikeSetModeArguments*>(record.arguments());
+        auto request = provider_.setModeRequest();
+        request.setMode(wireMode(slot.mode));
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case ArmLikeCommand::measured_cp: {
+        auto request = provider_.measuredCpRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& slot) {
+            return fromWire(response.getValue(), slot, port_.shift());
+          });
+        });
+      }
+      case ArmLikeCommand::measured_js: {
+        auto request = provider_.measuredJsRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<JointStateSlot>(call, [&](JointStateSlot& slot) {
+            return fromWire(response.getValue(), slot, port_.shift());
+          });
+        });
+      }
+      case ArmLikeCommand::distance: {
+        const auto& slot = *reinterpret_cast<const ArmLikeDistanceArguments*>(record.arguments());
+        auto request = provider_.distanceRequest();
+        toWire(slot.to, request.initTo());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<double>(call, [&](double& answer) {
+            answer = response.getValue();
+            return Errc{};
+          });
+        });
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+ private:
+  wire::ArmLike::Client provider_;
+  ProxyPort& port_;
+};
+
+class ArmLikeBinding final : public suture::rpc::Binding {
+ public:
+  capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const override {
+    return wire::ArmLike::Client(kj::heap<ArmLikeServant>(kj::mv(port)));
+  }
+  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
+                                        ProxyPort& port) const override {
+    return kj::heap<ArmLikeProxy>(contract.castAs<wire::ArmLike>(), port);
+  }
+};
+
+const suture::rpc::Binding& armLikeBinding() {
+  static const ArmLikeBinding kBinding;
+  return kBinding;
+}
+
+}  // namespace
 }  // namespace reference
 
 namespace suture {
@@ -107,7 +464,7 @@ const InterfaceInfo& interfaceInfo<reference::ArmLike>() {
       .description = reference::kArmLikeDescription,
       .commands = reference::kArmLikeCommands,
       .events = reference::kArmLikeEvents,
-      .binding = nullptr,
+      .binding = &reference::armLikeBinding,
   };
   return kInfo;
 }

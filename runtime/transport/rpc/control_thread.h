@@ -21,7 +21,7 @@ namespace suture::rpc {
 /// Something that moves data between task threads and the network whenever a task has rung.
 class Pump {
  public:
-  virtual ~Pump() = default;
+  virtual ~Pump() noexcept(false) = default;
   /// Control thread: takes everything that waits. Must not block.
   virtual void pump() = 0;
 };

@@ -179,10 +179,8 @@ kj::Promise<void> MessageStream::whenDrained() {
 
 kj::Promise<void> MessageStream::end() {
   KJ_IF_MAYBE(failed, writeFailure_) return kj::cp(*failed);
-  auto closeWriting = [this] { shutdown(socket_, SHUT_WR); };
-  if (flushScheduled_) return whenDrained().then(closeWriting);
-  closeWriting();
-  return kj::READY_NOW;
+  auto sent = flushScheduled_ ? whenDrained() : kj::Promise<void>(kj::READY_NOW);
+  return sent.then([this] { shutdown(socket_, SHUT_WR); });
 }
 
 kj::Maybe<int> MessageStream::getSendBufferSize() {

@@ -36,7 +36,10 @@ class Outcome {
     settle([&] { value_.emplace(std::move(value)); });
   }
   void fail(ControlFailure::Kind kind, const std::string& text) {
-    settle([&] { failure_.emplace(kind, text); });
+    settle([&] {
+      failure_ = kind;
+      text_ = text;
+    });
   }
 
   /// Waits a little longer than `deadline`: the control thread itself settles at the deadline unless it hangs.
@@ -44,7 +47,7 @@ class Outcome {
     std::unique_lock lock(mutex_);
     settled_.wait_until(lock, now() + deadline + std::chrono::seconds(1),
                         [this] { return value_ || failure_; });
-    if (failure_) throw *failure_;
+    if (failure_) throw ControlFailure(*failure_, text_);
     if (!value_) throw ControlFailure(ControlFailure::Kind::TimedOut, "the control thread hangs");
     if constexpr (!std::is_void_v<T>) return std::move(*value_);
   }
@@ -61,7 +64,8 @@ class Outcome {
   std::mutex mutex_;
   std::condition_variable settled_;
   std::optional<Stored> value_;
-  std::optional<ControlFailure> failure_;
+  std::optional<ControlFailure::Kind> failure_;
+  std::string text_;
 };
 
 /// The obligation to settle an outcome: if it is destroyed first, the waiter learns that the thread stopped.

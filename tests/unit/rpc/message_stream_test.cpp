@@ -120,9 +120,8 @@ TEST_F(MessageStreamTest, AnIdleConnectionMayStaySilentForEver) {
 
 TEST_F(MessageStreamTest, ATruncatedMessageIsAnError) {
   open();
-  auto frame = blobFrame(800);
-  frame.resize(frame.size() - 8);
-  sendAll(peer_, frame);
+  const auto frame = blobFrame(800);
+  sendAll(peer_, std::span(frame).first(frame.size() - 8));
   peer_ = nullptr;
   EXPECT_EQ(nextFault(), "the peer closed in the middle of a message");
 }

@@ -1,0 +1,51 @@
+#pragma once
+// What suturec writes for each contract so that it can travel over Cap'n Proto RPC. Everything here belongs to
+// the control thread.
+
+#include <capnp/capability.h>
+#include <suture/component/channel.h>
+#include <suture/rt/mailbox.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace suture::rpc {
+
+class ProxyPort;
+class ServantPort;
+
+/// The far end of a subscription, as the provider's side sees it: turns slots into typed calls.
+class EventSink {
+ public:
+  virtual ~EventSink() noexcept(false) = default;
+  /// Sends event `event`; the promise resolves when the subscriber has taken it.
+  virtual kj::Promise<void> event(std::uint16_t event, const std::byte* payload) = 0;
+  /// Sends the columns in `row.valid`; `columns[i]` is the slot of column i.
+  virtual kj::Promise<void> row(const rt::StateTable::Row& row,
+                                std::span<const std::byte* const> columns) = 0;
+};
+
+/// The far end of a connection, as the client's side sees it: turns command records into typed calls.
+class Proxy {
+ public:
+  virtual ~Proxy() noexcept(false) = default;
+  /// Sends one command. The promise resolves when the call has returned and, if the record asked for an answer,
+  /// the result has been given to ProxyPort::answer(). Rejects with remoteError() or as a broken link does.
+  virtual kj::Promise<void> send(const rt::CommandRecord& record) = 0;
+  /// Asks for these events and columns, in place of what was asked for before.
+  virtual kj::Promise<void> subscribe(EventSet events, rt::ColumnSet columns) = 0;
+};
+
+/// The factory of both, one object a contract with static storage.
+class Binding {
+ public:
+  /// The contract's own capability, served by `port`.
+  virtual capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const = 0;
+  /// Speaks to `contract`, which must be of the contract's interface. `port` outlives it.
+  virtual kj::Own<Proxy> makeProxy(capnp::Capability::Client contract, ProxyPort& port) const = 0;
+
+ protected:
+  ~Binding() = default;
+};
+
+}  // namespace suture::rpc

@@ -1,0 +1,107 @@
+#include <suture/transport/rpc/proxy_port.h>
+
+namespace suture::rpc {
+namespace {
+
+// The counters have one writer each.
+void increment(std::atomic<std::uint64_t>& counter) {
+  counter.store(counter.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+}
+
+}  // namespace
+
+ProxyPort::ProxyPort(ControlThread& control, std::shared_ptr<Channel> channel, Duration shift,
+                     std::shared_ptr<const LinkCounters> counters)
+    : control_(control),
+      channel_(std::move(channel)),
+      shift_(shift),
+      counters_(std::move(counters)),
+      calls_(*this) {}
+
+ProxyPort::~ProxyPort() noexcept(false) { close(ChannelStatus::Closed); }
+
+void ProxyPort::open(kj::Own<Proxy> proxy) {
+  columns_ = channel_->state->demand();
+  calls_.add(proxy->subscribe(channel_->subscribed, columns_));
+  proxy_ = kj::mv(proxy);
+  control_.add(*this);
+  pump();
+}
+
+void ProxyPort::close(ChannelStatus why) {
+  if (closed_) return;
+  closed_ = true;
+  control_.remove(*this);
+  proxy_ = nullptr;
+  channel_->status.store(why, std::memory_order_release);
+  channel_->ends.client->ring();
+}
+
+void ProxyPort::faulted() {
+  ChannelStatus expected = ChannelStatus::Connected;
+  channel_->status.compare_exchange_strong(expected, ChannelStatus::Faulted);
+  channel_->ends.client->ring();
+}
+
+void ProxyPort::publish(std::int64_t stamp, rt::ColumnSet valid) {
+  if (closed_) return;
+  channel_->state->publish(fromNanoseconds(shifted(stamp, shift_)), valid, 0);
+  if (channel_->wantsRows.load(std::memory_order_relaxed)) channel_->ends.client->ring();
+}
+
+void ProxyPort::push(std::uint16_t event, std::span<const std::byte> payload) {
+  if (closed_) return;
+  channel_->events.push(event, now(), payload);
+  channel_->ends.client->ring();
+}
+
+void ProxyPort::pump() {
+  channel_->bytesSent.store(counters_->sentBytes, std::memory_order_relaxed);
+  channel_->bytesReceived.store(counters_->receivedBytes, std::memory_order_relaxed);
+  pumpSubscription();
+  pumpCommands();
+}
+
+void ProxyPort::pumpSubscription() {
+  const rt::ColumnSet wanted = channel_->state->demand();
+  if (wanted == columns_) return;
+  columns_ = wanted;
+  KJ_IF_MAYBE(proxy, proxy_) calls_.add((*proxy)->subscribe(channel_->subscribed, columns_));
+}
+
+void ProxyPort::pumpCommands() {
+  rt::Mailbox& commands = channel_->commands;
+  if (closed_ || latestInFlight_ >= kWindow || !commands.pending()) return;
+  commands.fixCut();
+  while (const rt::CommandRecord* record = commands.next()) {
+    transmit(*record);
+    commands.pop();
+  }
+}
+
+void ProxyPort::transmit(const rt::CommandRecord& record) {
+  const std::uint16_t command = record.command;
+  const std::uint32_t call = record.call;
+  if (channel_->info.commands[command].latest && call == 0) ++latestInFlight_;
+  KJ_IF_MAYBE(proxy, proxy_) {
+    calls_.add((*proxy)->send(record).then(
+        [this, command, call] { returned(command, call, Errc{}); },
+        [this, command, call](kj::Exception&& e) { returned(command, call, errcOf(e)); }));
+  }
+}
+
+void ProxyPort::returned(std::uint16_t command, std::uint32_t call, Errc error) {
+  auto& counters = channel_->commands.counters;
+  increment(error == Errc{} ? counters.executed : counters.failed);
+  if (error != Errc{} && call != 0) reply(call, 0, [error](std::byte*) { return error; });
+  if (channel_->info.commands[command].latest && call == 0) {
+    if (latestInFlight_-- == kWindow) pumpCommands();
+  } else {
+    channel_->commands.returnCredit(command);
+  }
+}
+
+// Only a subscription ends here: the link is breaking, and whoever watches it closes this.
+void ProxyPort::taskFailed(kj::Exception&&) {}
+
+}  // namespace suture::rpc

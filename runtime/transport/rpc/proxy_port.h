@@ -1,0 +1,98 @@
+#pragma once
+// The client's side of an rpc connection: the provider endpoint of a channel, emptied into remote calls.
+
+#include <kj/async.h>
+#include <kj/refcount.h>
+#include <suture/component/channel.h>
+#include <suture/transport/rpc/binding.h>
+#include <suture/transport/rpc/control_thread.h>
+#include <suture/transport/rpc/message_stream.h>
+#include <suture/transport/rpc/remote_error.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <memory>
+#include <span>
+
+namespace suture::rpc {
+
+/// Takes the commands of one client out of its mailbox in their order and sends each as a call; puts answers,
+/// events and rows that arrive where the client looks for them. Belongs to the control thread; shared by the
+/// connection and by the capability that receives events.
+class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet::ErrorHandler {
+ public:
+  /// More newest-wins commands than this under way, and the next wait in their cells, where newer replace them.
+  static constexpr unsigned kWindow = 16;
+
+  /// `channel`'s provider doorbell is the control thread's, its state table a mirror that this writes. `shift`
+  /// turns the provider's steady clock into this process's.
+  ProxyPort(ControlThread& control, std::shared_ptr<Channel> channel, Duration shift,
+            std::shared_ptr<const LinkCounters> counters);
+  ~ProxyPort() noexcept(false);
+
+  /// Begins: subscribes and sends what waits.
+  void open(kj::Own<Proxy> proxy);
+  /// The connection is over: the client is told `why`, calls under way end with their outcome unknown. May be
+  /// called again.
+  void close(ChannelStatus why);
+  /// The provider's component was parked.
+  void faulted();
+
+  // --- for generated code
+
+  Duration shift() const { return shift_; }
+
+  /// Answers call `call`: `produce(Slot&)` converts the result and returns an Errc.
+  template <class Slot, class Produce>
+  void answer(std::uint32_t call, const Produce& produce) {
+    reply(call, sizeof(Slot), [&](std::byte* slot) { return produce(*reinterpret_cast<Slot*>(slot)); });
+  }
+  /// Answers a call without a result; 0: nobody asked for an answer.
+  void answer(std::uint32_t call) {
+    if (call != 0) reply(call, 0, [](std::byte*) { return Errc{}; });
+  }
+
+  /// The slot of column `column` in the next row.
+  std::byte* column(unsigned column) { return channel_->state->draft(column); }
+  /// Publishes the columns in `valid`; `stamp` is on the provider's clock, ns.
+  void publish(std::int64_t stamp, rt::ColumnSet valid);
+
+  /// Hands an event to the client, unless its payload could not be converted.
+  template <class Slot>
+  kj::Promise<void> event(std::uint16_t event, Errc error, const Slot& payload) {
+    if (error != Errc{}) return remoteError(error);
+    push(event, std::as_bytes(std::span(&payload, 1)));
+    return kj::READY_NOW;
+  }
+  kj::Promise<void> event(std::uint16_t event) {
+    push(event, {});
+    return kj::READY_NOW;
+  }
+
+ private:
+  template <class Produce>
+  void reply(std::uint32_t call, std::size_t resultSize, const Produce& produce) {
+    if (closed_) return;
+    channel_->reply(call, resultSize, produce);
+    channel_->ends.client->ring();
+  }
+
+  void push(std::uint16_t event, std::span<const std::byte> payload);
+  void pump() override;
+  void pumpSubscription();
+  void pumpCommands();
+  void transmit(const rt::CommandRecord& record);
+  void returned(std::uint16_t command, std::uint32_t call, Errc error);
+  void taskFailed(kj::Exception&& exception) override;
+
+  ControlThread& control_;
+  const std::shared_ptr<Channel> channel_;
+  const Duration shift_;
+  const std::shared_ptr<const LinkCounters> counters_;
+  kj::Maybe<kj::Own<Proxy>> proxy_;
+  bool closed_ = false;
+  unsigned latestInFlight_ = 0;
+  rt::ColumnSet columns_ = 0;
+  kj::TaskSet calls_;  // last: cancelled first
+};
+
+}  // namespace suture::rpc

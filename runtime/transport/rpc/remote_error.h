@@ -1,0 +1,16 @@
+#pragma once
+// How an Errc travels as an exception of a remote call.
+
+#include <kj/exception.h>
+#include <suture/base/errors.h>
+
+namespace suture::rpc {
+
+/// The rejection that tells `error` to the caller, as a number and in words.
+kj::Exception remoteError(Errc error);
+
+/// What a remote call ended in. A broken connection is OutcomeUnknown, anything else that did not come from
+/// remoteError() is Invalid.
+Errc errcOf(const kj::Exception& exception);
+
+}  // namespace suture::rpc

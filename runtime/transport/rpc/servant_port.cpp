@@ -1,0 +1,175 @@
+#include <suture/transport/rpc/servant_port.h>
+
+#include <algorithm>
+
+namespace suture::rpc {
+
+ServantPort::ServantPort(ControlThread& control, std::shared_ptr<Channel> channel, Duration shift,
+                         std::shared_ptr<const LinkCounters> counters)
+    : control_(control),
+      channel_(std::move(channel)),
+      shift_(shift),
+      counters_(std::move(counters)),
+      taken_(channel_->info.commands.size()),
+      sending_(*this) {
+  for (unsigned i = 0; i < channel_->state->columns(); ++i) {
+    rowSlots_.emplace_back((channel_->state->columnSize(i) + 7) / 8);
+    rowPointers_.push_back(nullptr);
+  }
+  // Also tells when commands have been taken, for a provider that publishes no rows.
+  channel_->wantsRows = true;
+  control_.add(*this);
+}
+
+ServantPort::~ServantPort() noexcept(false) { close(); }
+
+void ServantPort::close() {
+  if (closed_) return;
+  closed_ = true;
+  control_.remove(*this);
+  sink_ = nullptr;
+  for (auto& waiting : taken_) waiting.clear();
+  for (PendingCall& call : calls_) call = PendingCall{};
+  channel_->status = ChannelStatus::Closed;
+  channel_->ends.provider->ring();
+}
+
+void ServantPort::subscribe(kj::Own<EventSink> sink, EventSet events, rt::ColumnSet columns) {
+  sink_ = kj::mv(sink);
+  events_ = events;
+  columns_ = columns;
+  lastRow_ = 0;
+  bool first = false;
+  for (unsigned i = 0; i < rowSlots_.size(); ++i) {
+    const bool wanted = (columns >> i & 1) != 0;
+    rowPointers_[i] = wanted ? reinterpret_cast<std::byte*>(rowSlots_[i].data()) : nullptr;
+    first = (wanted && channel_->state->ask(i)) || first;
+  }
+  if (first) channel_->ends.provider->ring();
+  pumpEvents();
+  pumpRow();
+}
+
+// A stamp from the future would never be late.
+Time ServantPort::stampOf(wire::Sent::Reader sent) const {
+  const Time received = now();
+  if (sent.getStamp() == 0) return received;
+  return std::min(received, fromNanoseconds(sent.getStamp()) + shift_);
+}
+
+kj::Promise<void> ServantPort::whenTaken(std::uint16_t command) {
+  if (channel_->info.commands[command].latest) return kj::READY_NOW;
+  auto pair = kj::newPromiseAndFulfiller<void>();
+  taken_[command].push_back(kj::mv(pair.fulfiller));
+  return kj::mv(pair.promise);
+}
+
+ServantPort::PendingCall* ServantPort::openCall() {
+  const auto free = std::find_if(calls_.begin(), calls_.end(),
+                                 [](const PendingCall& call) { return call.done.get() == nullptr; });
+  if (free == calls_.end()) return nullptr;
+  free->number = ++callsOpened_ == 0 ? ++callsOpened_ : callsOpened_;
+  return &*free;
+}
+
+kj::Promise<void> ServantPort::whenAnswered(PendingCall& call,
+                                            kj::Function<void(const std::byte*)> take) {
+  auto pair = kj::newPromiseAndFulfiller<void>();
+  call.done = kj::mv(pair.fulfiller);
+  call.take = kj::mv(take);
+  return kj::mv(pair.promise);
+}
+
+void ServantPort::pump() {
+  channel_->bytesSent.store(counters_->sentBytes, std::memory_order_relaxed);
+  channel_->bytesReceived.store(counters_->receivedBytes, std::memory_order_relaxed);
+  pumpReplies();
+  pumpCredits();
+  pumpEvents();
+  pumpRow();
+  pumpStatus();
+}
+
+void ServantPort::pumpReplies() {
+  while (const std::byte* memory = channel_->replies.front()) {
+    const auto* reply = reinterpret_cast<const ReplyRecord*>(memory);
+    for (PendingCall& call : calls_) {
+      if (call.number != reply->call || call.done.get() == nullptr) continue;
+      if (reply->error == Errc{}) {
+        call.take(reply->result());
+        call.done->fulfill();
+      } else {
+        call.done->reject(remoteError(reply->error));
+      }
+      call = PendingCall{};
+    }
+    channel_->replies.pop();
+  }
+}
+
+void ServantPort::pumpCredits() {
+  for (std::uint16_t command = 0; command < taken_.size(); ++command) {
+    auto& calls = taken_[command];
+    if (calls.empty()) continue;
+    for (auto waiting = channel_->commands.waiting(command); calls.size() > waiting;) {
+      if (calls.front().get() != nullptr) calls.front()->fulfill();
+      calls.pop_front();
+    }
+  }
+}
+
+void ServantPort::pumpEvents() {
+  KJ_IF_MAYBE(sink, sink_) {
+    while (eventsInFlight_ < kWindow) {
+      const rt::EventRecord* record = channel_->events.next();
+      if (record == nullptr) return;
+      if ((events_ >> record->event & 1) != 0) {
+        ++eventsInFlight_;
+        sending_.add((*sink)->event(record->event, record->payload()).then([this] {
+          --eventsInFlight_;
+          pumpEvents();
+        }));
+      }
+      channel_->events.pop();
+    }
+  }
+}
+
+void ServantPort::pumpRow() {
+  KJ_IF_MAYBE(sink, sink_) {
+    if (columns_ == 0 || rowsInFlight_ == kWindow || channel_->state->rows() == lastRow_) return;
+    rt::StateTable::Row row = channel_->state->readRow(rowPointers_);
+    lastRow_ = row.sequence;
+    row.valid &= columns_;
+    if (row.valid == 0) return;
+    ++rowsInFlight_;
+    sending_.add((*sink)->row(row, rowPointers_).then([this] {
+      --rowsInFlight_;
+      pumpRow();
+    }));
+  }
+}
+
+void ServantPort::pumpStatus() {
+  const ChannelStatus status = channel_->status.load(std::memory_order_acquire);
+  if (status == ChannelStatus::Connected || faultTold_) return;
+  faultTold_ = true;
+  for (PendingCall& call : calls_) {
+    if (call.done.get() != nullptr) call.done->reject(remoteError(errorOf(status)));
+    call = PendingCall{};
+  }
+  for (auto& calls : taken_) {
+    for (auto& call : calls) {
+      if (call.get() != nullptr) call->reject(remoteError(errorOf(status)));
+    }
+    calls.clear();
+  }
+  KJ_IF_MAYBE(listener, listener_) {
+    status == ChannelStatus::Faulted ? (*listener)->faulted() : (*listener)->closed();
+  }
+}
+
+// The subscriber does not answer any more: whoever ends the connection will hear of it elsewhere.
+void ServantPort::taskFailed(kj::Exception&&) { sink_ = nullptr; }
+
+}  // namespace suture::rpc

@@ -1,0 +1,131 @@
+#pragma once
+// The provider's side of an rpc connection: the client endpoint of a channel, fed by remote calls.
+
+#include <kj/async.h>
+#include <kj/function.h>
+#include <kj/refcount.h>
+#include <suture/component/channel.h>
+#include <suture/transport/rpc/binding.h>
+#include <suture/transport/rpc/control_thread.h>
+#include <suture/transport/rpc/message_stream.h>
+#include <suture/transport/rpc/remote_error.h>
+#include <suture/rpc.capnp.h>
+
+#include <array>
+#include <deque>
+#include <memory>
+#include <vector>
+
+namespace suture::rpc {
+
+/// Puts the commands of one remote client into a provider's mailbox in the order of their arrival, returns the
+/// answers, and sends events and rows with at most kWindow of each unacknowledged, so that a slow client holds
+/// up nobody. Belongs to the control thread; shared by the generated servant and the connection.
+class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskSet::ErrorHandler {
+ public:
+  static constexpr unsigned kWindow = 4;
+
+  /// Told once each, when the provider's component is parked or has taken the connection down.
+  struct Listener {
+    virtual ~Listener() noexcept(false) = default;
+    virtual void faulted() = 0;
+    virtual void closed() = 0;
+  };
+
+  /// `channel` has been, or is about to be, attached to the provider; its client doorbell is the control thread's.
+  /// `shift` turns the client's steady clock into this process's.
+  ServantPort(ControlThread& control, std::shared_ptr<Channel> channel, Duration shift,
+              std::shared_ptr<const LinkCounters> counters);
+  ~ServantPort() noexcept(false);
+
+  void setListener(kj::Own<Listener> listener) { listener_ = kj::mv(listener); }
+  const InterfaceInfo& info() const { return channel_->info; }
+  Duration shift() const { return shift_; }
+
+  // --- for generated servants
+
+  /// A void or write command. `fill(std::byte* slot)` converts the arguments and returns an Errc. Returns when the
+  /// provider has taken it, or executed it if the sender asked for an answer.
+  template <class Fill>
+  kj::Promise<void> command(std::uint16_t command, wire::Sent::Reader sent, const Fill& fill) {
+    if (sent.getAnswer()) return call(command, sent, fill, [](const std::byte*) {});
+    const Errc error = post(command, sent, 0, fill);
+    if (error != Errc{}) return remoteError(error);
+    return whenTaken(command);
+  }
+
+  /// A read or qualified read, evaluated by the provider. `take(const std::byte* slot)` converts the result.
+  template <class Fill, class Take>
+  kj::Promise<void> call(std::uint16_t command, wire::Sent::Reader sent, const Fill& fill, Take take) {
+    PendingCall* pending = openCall();
+    if (pending == nullptr) return remoteError(Errc::TooManyCalls);
+    const Errc error = post(command, sent, pending->number, fill);
+    if (error != Errc{}) return remoteError(error);
+    taken_[command].emplace_back();  // it uses a credit, and does not wait for it
+    return whenAnswered(*pending, kj::mv(take));
+  }
+
+  /// Replaces the subscription.
+  void subscribe(kj::Own<EventSink> sink, EventSet events, rt::ColumnSet columns);
+
+  /// The connection is over: pending calls fail, the channel is closed. May be called again.
+  void close();
+
+ private:
+  struct PendingCall {
+    std::uint32_t number = 0;  // 0: free
+    kj::Own<kj::PromiseFulfiller<void>> done;
+    kj::Function<void(const std::byte*)> take = [](const std::byte*) {};
+  };
+  using Taken = kj::Own<kj::PromiseFulfiller<void>>;
+
+  template <class Fill>
+  Errc post(std::uint16_t command, wire::Sent::Reader sent, std::uint32_t call, const Fill& fill) {
+    if (const Errc error = errorOf(channel_->status.load(std::memory_order_acquire)); error != Errc{}) {
+      return error;
+    }
+    const auto slot = channel_->commands.claim(command, stampOf(sent), call);
+    if (!slot) return slot.error();
+    if (const Errc error = fill(*slot); error != Errc{}) return error;
+    channel_->commands.commit();
+    channel_->ends.provider->ring();
+    return Errc{};
+  }
+
+  Time stampOf(wire::Sent::Reader sent) const;
+  kj::Promise<void> whenTaken(std::uint16_t command);
+  PendingCall* openCall();
+  kj::Promise<void> whenAnswered(PendingCall& call, kj::Function<void(const std::byte*)> take);
+
+  void pump() override;
+  void pumpCredits();
+  void pumpReplies();
+  void pumpEvents();
+  void pumpRow();
+  void pumpStatus();
+  void taskFailed(kj::Exception&& exception) override;
+
+  ControlThread& control_;
+  const std::shared_ptr<Channel> channel_;
+  const Duration shift_;
+  const std::shared_ptr<const LinkCounters> counters_;
+  kj::Maybe<kj::Own<Listener>> listener_;
+  bool closed_ = false;
+  bool faultTold_ = false;
+
+  std::vector<std::deque<Taken>> taken_;  // by command: calls that wait for their credit, oldest first
+  std::array<PendingCall, Channel::kMaxCalls> calls_;
+  std::uint32_t callsOpened_ = 0;
+
+  kj::Maybe<kj::Own<EventSink>> sink_;
+  EventSet events_ = 0;
+  rt::ColumnSet columns_ = 0;
+  unsigned eventsInFlight_ = 0;
+  unsigned rowsInFlight_ = 0;
+  std::uint64_t lastRow_ = 0;
+  std::vector<std::vector<std::uint64_t>> rowSlots_;  // by column
+  std::vector<std::byte*> rowPointers_;
+  kj::TaskSet sending_;  // last: cancelled first
+};
+
+}  // namespace suture::rpc

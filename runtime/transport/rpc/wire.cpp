@@ -1,0 +1,114 @@
+#include <suture/transport/rpc/wire.h>
+
+namespace suture::rpc {
+
+void toWire(const std::array<double, 2>& slot, wire::Vec2::Builder out) {
+  out.setX(slot[0]);
+  out.setY(slot[1]);
+}
+
+void toWire(const std::array<double, 3>& slot, wire::Vec3::Builder out) {
+  out.setX(slot[0]);
+  out.setY(slot[1]);
+  out.setZ(slot[2]);
+}
+
+void toWire(const std::array<double, 4>& slot, wire::Vec4::Builder out) {
+  out.setX(slot[0]);
+  out.setY(slot[1]);
+  out.setZ(slot[2]);
+  out.setW(slot[3]);
+}
+
+void toWire(const std::array<double, 4>& slot, wire::Quat::Builder out) {
+  out.setW(slot[0]);
+  out.setX(slot[1]);
+  out.setY(slot[2]);
+  out.setZ(slot[3]);
+}
+
+void toWire(const std::array<double, 9>& slot, wire::Mat3::Builder out) {
+  out.setM00(slot[0]);
+  out.setM10(slot[1]);
+  out.setM20(slot[2]);
+  out.setM01(slot[3]);
+  out.setM11(slot[4]);
+  out.setM21(slot[5]);
+  out.setM02(slot[6]);
+  out.setM12(slot[7]);
+  out.setM22(slot[8]);
+}
+
+void toWire(const std::array<double, 16>& slot, wire::Mat4::Builder out) {
+  out.setM00(slot[0]);
+  out.setM10(slot[1]);
+  out.setM20(slot[2]);
+  out.setM30(slot[3]);
+  out.setM01(slot[4]);
+  out.setM11(slot[5]);
+  out.setM21(slot[6]);
+  out.setM31(slot[7]);
+  out.setM02(slot[8]);
+  out.setM12(slot[9]);
+  out.setM22(slot[10]);
+  out.setM32(slot[11]);
+  out.setM03(slot[12]);
+  out.setM13(slot[13]);
+  out.setM23(slot[14]);
+  out.setM33(slot[15]);
+}
+
+void toWire(const std::array<double, 12>& slot, wire::Pose::Builder out) {
+  std::array<double, 9> rotation;
+  std::array<double, 3> position;
+  std::copy_n(slot.begin(), 9, rotation.begin());
+  std::copy_n(slot.begin() + 9, 3, position.begin());
+  toWire(rotation, out.initRot());
+  toWire(position, out.initPos());
+}
+
+Errc fromWire(wire::Vec2::Reader in, std::array<double, 2>& slot) {
+  slot = {in.getX(), in.getY()};
+  return Errc{};
+}
+
+Errc fromWire(wire::Vec3::Reader in, std::array<double, 3>& slot) {
+  slot = {in.getX(), in.getY(), in.getZ()};
+  return Errc{};
+}
+
+Errc fromWire(wire::Vec4::Reader in, std::array<double, 4>& slot) {
+  slot = {in.getX(), in.getY(), in.getZ(), in.getW()};
+  return Errc{};
+}
+
+Errc fromWire(wire::Quat::Reader in, std::array<double, 4>& slot) {
+  slot = {in.getW(), in.getX(), in.getY(), in.getZ()};
+  return Errc{};
+}
+
+Errc fromWire(wire::Mat3::Reader in, std::array<double, 9>& slot) {
+  slot = {in.getM00(), in.getM10(), in.getM20(), in.getM01(), in.getM11(),
+          in.getM21(), in.getM02(), in.getM12(), in.getM22()};
+  return Errc{};
+}
+
+Errc fromWire(wire::Mat4::Reader in, std::array<double, 16>& slot) {
+  slot = {in.getM00(), in.getM10(), in.getM20(), in.getM30(), in.getM01(), in.getM11(),
+          in.getM21(), in.getM31(), in.getM02(), in.getM12(), in.getM22(), in.getM32(),
+          in.getM03(), in.getM13(), in.getM23(), in.getM33()};
+  return Errc{};
+}
+
+Errc fromWire(wire::Pose::Reader in, std::array<double, 12>& slot) {
+  if (!in.hasRot() || !in.hasPos()) return Errc::Invalid;
+  std::array<double, 9> rotation;
+  std::array<double, 3> position;
+  fromWire(in.getRot(), rotation);
+  fromWire(in.getPos(), position);
+  std::copy(rotation.begin(), rotation.end(), slot.begin());
+  std::copy(position.begin(), position.end(), slot.begin() + 9);
+  return Errc{};
+}
+
+}  // namespace suture::rpc

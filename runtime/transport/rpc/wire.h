@@ -1,0 +1,174 @@
+#pragma once
+// Between slots and Cap'n Proto, for what every contract is made of. Generated converters are built on these
+// overloads; all run on the control thread.
+//
+//   toWire(slot, builder)     slot -> message; the builder has the slot's size already
+//   fromWire(reader, slot)    message -> slot; Errc::TooLarge or Errc::Invalid if it is not what the header says
+//   isValid(slot)             may the provider act on it: every number is finite
+
+#include <capnp/blob.h>
+#include <suture/base/errors.h>
+#include <suture/base/slots.h>
+#include <suture/base/time.h>
+#include <suture/rpc.capnp.h>
+#include <suture/rt/mailbox.h>
+#include <suture/types.capnp.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <initializer_list>
+
+namespace suture::rpc {
+
+/// The first that is an error; 0 if none is.
+inline Errc firstError(std::initializer_list<Errc> errors) {
+  for (const Errc error : errors) {
+    if (error != Errc{}) return error;
+  }
+  return Errc{};
+}
+
+/// A steady stamp of the peer on this process's clock. Unset stays unset.
+inline std::int64_t shifted(std::int64_t stamp, Duration shift) {
+  return stamp == 0 ? 0 : stamp + shift.count();
+}
+
+/// What travels with every command.
+inline void fill(wire::Sent::Builder sent, const rt::CommandRecord& record) {
+  sent.setStamp(toNanoseconds(record.stamp));
+  sent.setAnswer(record.call != 0);
+}
+
+// --- text
+
+template <std::uint32_t N>
+void toWire(const BoundedText<N>& slot, capnp::Text::Builder out) {
+  std::memcpy(out.begin(), slot.data, out.size());
+}
+template <std::uint32_t N>
+Errc fromWire(capnp::Text::Reader in, BoundedText<N>& slot) {
+  if (in.size() > N) return Errc::TooLarge;
+  slot.size = static_cast<std::uint32_t>(in.size());
+  std::memcpy(slot.data, in.begin(), in.size());
+  return Errc{};
+}
+
+// --- lists: of numbers, of text, and of anything else with a converter for an element
+
+template <class Element, std::uint32_t N, class List, class Convert>
+void toWireList(const BoundedList<Element, N>& slot, List out, const Convert& convert) {
+  for (std::uint32_t i = 0; i < out.size(); ++i) convert(slot.data[i], out, i);
+}
+template <class List, class Element, std::uint32_t N, class Convert>
+Errc fromWireList(const List& in, BoundedList<Element, N>& slot, const Convert& convert) {
+  if (in.size() > N) return Errc::TooLarge;
+  slot.size = in.size();
+  for (std::uint32_t i = 0; i < slot.size; ++i) {
+    if (const Errc error = convert(in[i], slot.data[i]); error != Errc{}) return error;
+  }
+  return Errc{};
+}
+
+template <Number Element, std::uint32_t N, class List>
+void toWire(const BoundedList<Element, N>& slot, List out) {
+  for (std::uint32_t i = 0; i < out.size(); ++i) out.set(i, slot.data[i]);
+}
+template <class List, Number Element, std::uint32_t N>
+Errc fromWire(const List& in, BoundedList<Element, N>& slot) {
+  if (in.size() > N) return Errc::TooLarge;
+  slot.size = in.size();
+  for (std::uint32_t i = 0; i < slot.size; ++i) slot.data[i] = in[i];
+  return Errc{};
+}
+
+template <std::uint32_t M, std::uint32_t N, class List>
+void toWire(const BoundedList<BoundedText<M>, N>& slot, List out) {
+  for (std::uint32_t i = 0; i < out.size(); ++i) toWire(slot.data[i], out.init(i, slot.data[i].size));
+}
+template <class List, std::uint32_t M, std::uint32_t N>
+Errc fromWire(const List& in, BoundedList<BoundedText<M>, N>& slot) {
+  return fromWireList(in, slot, [](capnp::Text::Reader element, BoundedText<M>& text) {
+    return fromWire(element, text);
+  });
+}
+
+// --- arrays: lists of exactly their length. Eigen matrices without a named form are such arrays, column-major.
+
+template <Number Element, std::size_t N, class List>
+void toWire(const std::array<Element, N>& slot, List out) {
+  for (std::uint32_t i = 0; i < N; ++i) out.set(i, slot[i]);
+}
+template <class List, Number Element, std::size_t N>
+Errc fromWire(const List& in, std::array<Element, N>& slot) {
+  if (in.size() != N) return Errc::Invalid;
+  for (std::uint32_t i = 0; i < N; ++i) slot[i] = in[i];
+  return Errc{};
+}
+
+template <class Element, std::size_t N, class List, class Convert>
+void toWireList(const std::array<Element, N>& slot, List out, const Convert& convert) {
+  for (std::uint32_t i = 0; i < N; ++i) convert(slot[i], out, i);
+}
+template <class List, class Element, std::size_t N, class Convert>
+Errc fromWireList(const List& in, std::array<Element, N>& slot, const Convert& convert) {
+  if (in.size() != N) return Errc::Invalid;
+  for (std::uint32_t i = 0; i < N; ++i) {
+    if (const Errc error = convert(in[i], slot[i]); error != Errc{}) return error;
+  }
+  return Errc{};
+}
+
+// --- Eigen types with a named form
+
+void toWire(const std::array<double, 2>& slot, wire::Vec2::Builder out);
+void toWire(const std::array<double, 3>& slot, wire::Vec3::Builder out);
+void toWire(const std::array<double, 4>& slot, wire::Vec4::Builder out);
+void toWire(const std::array<double, 4>& slot, wire::Quat::Builder out);
+void toWire(const std::array<double, 9>& slot, wire::Mat3::Builder out);
+void toWire(const std::array<double, 16>& slot, wire::Mat4::Builder out);
+void toWire(const std::array<double, 12>& slot, wire::Pose::Builder out);
+
+Errc fromWire(wire::Vec2::Reader in, std::array<double, 2>& slot);
+Errc fromWire(wire::Vec3::Reader in, std::array<double, 3>& slot);
+Errc fromWire(wire::Vec4::Reader in, std::array<double, 4>& slot);
+Errc fromWire(wire::Quat::Reader in, std::array<double, 4>& slot);
+Errc fromWire(wire::Mat3::Reader in, std::array<double, 9>& slot);
+Errc fromWire(wire::Mat4::Reader in, std::array<double, 16>& slot);
+Errc fromWire(wire::Pose::Reader in, std::array<double, 12>& slot);
+
+// --- validity
+
+template <Number T>
+bool isValid(T value) {
+  if constexpr (std::is_floating_point_v<T>) {
+    return std::isfinite(value);
+  } else {
+    return true;
+  }
+}
+template <Number T>
+bool inRange(T value, double lowest, double highest) {
+  return static_cast<double>(value) >= lowest && static_cast<double>(value) <= highest;
+}
+
+/// Of each element, by `check(element)`.
+template <class T, std::size_t N, class Check>
+bool allOf(const std::array<T, N>& slot, const Check& check) {
+  return std::all_of(slot.begin(), slot.end(), check);
+}
+template <class T, std::uint32_t N, class Check>
+bool allOf(const BoundedList<T, N>& slot, const Check& check) {
+  return std::all_of(slot.data, slot.data + slot.size, check);
+}
+template <Number T, std::size_t N>
+bool isValid(const std::array<T, N>& slot) {
+  return allOf(slot, [](T value) { return isValid(value); });
+}
+template <Number T, std::uint32_t N>
+bool isValid(const BoundedList<T, N>& slot) {
+  return allOf(slot, [](T value) { return isValid(value); });
+}
+
+}  // namespace suture::rpc
