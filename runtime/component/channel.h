@@ -17,6 +17,8 @@
 
 namespace suture {
 
+class ProvidedBase;
+
 /// A set of a contract's events, one bit each.
 using EventSet = std::uint64_t;
 
@@ -46,7 +48,7 @@ class Channel {
   struct Ends {
     rt::Doorbell* client;    ///< rung when replies, events or (if wanted) rows are there
     rt::Doorbell* provider;  ///< rung when commands are there
-    void* device = nullptr;  ///< a device in this process: the Contract* that the client calls directly
+    ProvidedBase* device = nullptr;  ///< of a device in this process: the client calls it directly
   };
 
   /// `state`: the provider's table or, at the near end of a lane, the mirror. `subscribed`: the events the client

@@ -36,9 +36,9 @@ class Command<Method, ArgumentsSlot> {
   /// As above, and the answer comes when the command has been executed.
   [[nodiscard]] Call<Result<void>, NoSlot> start(Arguments... arguments) {
     if (const Errc error = required_.unusable(); error != Errc{}) return error;
-    if (required_.channel_->ends.device != nullptr) {
-      (device()->*Method)(arguments...);
-      return Result<void>{};
+    if (required_.device() != nullptr) {
+      const Errc error = onDevice(arguments...);
+      return error == Errc{} ? Result<void>{} : tl::unexpected(error);
     }
     auto* pending = required_.openCall();
     if (pending == nullptr) return Errc::TooManyCalls;
@@ -46,14 +46,14 @@ class Command<Method, ArgumentsSlot> {
   }
 
  private:
-  Contract* device() const { return static_cast<Contract*>(required_.channel_->ends.device); }
+  Errc onDevice(Arguments... arguments) {
+    return required_.template callDevice<Contract>(
+        [&](Contract& contract) { (contract.*Method)(arguments...); });
+  }
 
   Errc send(std::uint32_t call, Arguments... arguments) {
     if (const Errc error = required_.unusable(); error != Errc{}) return error;
-    if (required_.channel_->ends.device != nullptr) {
-      (device()->*Method)(arguments...);
-      return Errc{};
-    }
+    if (required_.device() != nullptr) return onDevice(arguments...);
     return required_.send(id_, call, [&]([[maybe_unused]] std::byte* memory) {
       if constexpr (sizeof...(Arguments) == 0) {
         return true;
@@ -94,10 +94,7 @@ class ReadCommand<Method, ResultSlot> {
   Sample<void> operator()(Value& value) {
     if (const Errc error = required_.unusable(); error != Errc{}) return error;
     Channel& channel = *required_.channel_;
-    if (channel.ends.device != nullptr) {
-      value = (static_cast<const Contract*>(channel.ends.device)->*Method)();
-      return Sample<void>(now());
-    }
+    if (required_.device() != nullptr) return readDevice(value);
     const auto column = static_cast<unsigned>(required_.info_.commands[id_].column);
     if (channel.state->ask(column)) required_.owner_.ringLater(*channel.ends.provider);
     ResultSlot slot;
@@ -111,10 +108,7 @@ class ReadCommand<Method, ResultSlot> {
   /// Has the provider evaluate the value now, in its own thread.
   [[nodiscard]] Call<Sample<Value>, ResultSlot> fresh() {
     if (const Errc error = required_.unusable(); error != Errc{}) return error;
-    Channel& channel = *required_.channel_;
-    if (channel.ends.device != nullptr) {
-      return Sample<Value>((static_cast<const Contract*>(channel.ends.device)->*Method)(), now());
-    }
+    if (required_.device() != nullptr) return (*this)();
     auto* pending = required_.openCall();
     if (pending == nullptr) return Errc::TooManyCalls;
     return {required_, *pending,
@@ -122,6 +116,13 @@ class ReadCommand<Method, ResultSlot> {
   }
 
  private:
+  Sample<void> readDevice(Value& value) {
+    const Errc error = required_.template callDevice<const Contract>(
+        [&](const Contract& contract) { value = (contract.*Method)(); });
+    if (error != Errc{}) return error;
+    return Sample<void>(now());
+  }
+
   RequiredBase& required_;
   std::uint16_t id_;
 };
@@ -141,10 +142,7 @@ class QualifiedReadCommand<Method, ArgumentsSlot, ResultSlot> {
 
   [[nodiscard]] Call<Result<Value>, ResultSlot> start(Arguments... arguments) {
     if (const Errc error = required_.unusable(); error != Errc{}) return error;
-    Channel& channel = *required_.channel_;
-    if (channel.ends.device != nullptr) {
-      return Result<Value>((static_cast<const Contract*>(channel.ends.device)->*Method)(arguments...));
-    }
+    if (required_.device() != nullptr) return askDevice(arguments...);
     auto* pending = required_.openCall();
     if (pending == nullptr) return Errc::TooManyCalls;
     return {required_, *pending, required_.send(id_, pending->number, [&](std::byte* memory) {
@@ -153,6 +151,13 @@ class QualifiedReadCommand<Method, ArgumentsSlot, ResultSlot> {
   }
 
  private:
+  Result<Value> askDevice(Arguments... arguments) {
+    Value value{};
+    const Errc error = required_.template callDevice<const Contract>(
+        [&](const Contract& contract) { value = (contract.*Method)(arguments...); });
+    return error == Errc{} ? Result<Value>(std::move(value)) : tl::unexpected(error);
+  }
+
   RequiredBase& required_;
   std::uint16_t id_;
 };

@@ -43,6 +43,7 @@ void Component::claimForThisThread() {
 }
 
 void Component::park(std::string reason) {
+  if (parked_.test_and_set()) return;
   fault_ = std::move(reason);
   setState(ComponentState::Faulted);
   for (ProvidedBase* provided : provided_) provided->announce(ChannelStatus::Faulted);

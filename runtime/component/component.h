@@ -37,6 +37,9 @@ class Component {
   /// How often a remote client's reads of a device are evaluated. Meaningless for a task.
   virtual Duration remoteReadPeriod() const { return Duration{0}; }
 
+  /// Any thread: the component has failed; its clients are told Errc::Faulted from now on. The first reason stays.
+  void park(std::string reason);
+
   /// What a sleeping owner of this component waits on.
   rt::Doorbell& doorbell() { return doorbell_; }
   /// From the component's own thread: rings `bell` once at the end of the cycle; from a device, at once.
@@ -54,8 +57,6 @@ class Component {
   void claimForThisThread();
   void releaseThread() { owner_.store(nullptr, std::memory_order_release); }
   void setState(ComponentState state) { state_.store(state, std::memory_order_release); }
-  /// Parks the component: its clients are told Errc::Faulted from now on.
-  void park(std::string reason);
 
   /// Runs the event handlers of all required interfaces on what has arrived.
   void handleEvents();
@@ -67,6 +68,7 @@ class Component {
 
   std::string name_ = "(unnamed)";
   std::string fault_;
+  std::atomic_flag parked_ = ATOMIC_FLAG_INIT;
   std::atomic<ComponentState> state_{ComponentState::Constructed};
   std::vector<ProvidedBase*> provided_;
   std::vector<RequiredBase*> required_;

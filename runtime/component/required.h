@@ -4,9 +4,11 @@
 #include <suture/component/channel.h>
 #include <suture/component/component.h>
 #include <suture/component/interface_info.h>
+#include <suture/component/provided.h>
 
 #include <array>
 #include <atomic>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <string>
@@ -69,6 +71,12 @@ class RequiredBase {
     std::vector<std::byte> result;
   };
 
+  /// The provider if it is a device in this process, called directly; else nullptr.
+  ProvidedBase* device() const { return channel_->ends.device; }
+  /// Runs `body(Contract&)` on such a device. A throw parks the device, not the caller.
+  template <class Contract, class Body>
+  Errc callDevice(const Body& body);
+
   /// Queues a command whose arguments `fill(std::byte*)` stores; it returns false if they do not fit.
   template <class Fill>
   Errc send(std::uint16_t command, std::uint32_t call, const Fill& fill);
@@ -88,6 +96,19 @@ class RequiredBase {
   std::vector<std::function<void(const std::byte*)>> handlers_;
   EventSet subscribed_ = 0;
 };
+
+template <class Contract, class Body>
+Errc RequiredBase::callDevice(const Body& body) {
+  try {
+    body(*static_cast<Contract*>(device()->implementation()));
+    return Errc{};
+  } catch (const std::exception& error) {
+    device()->owner().park(error.what());
+  } catch (...) {
+    device()->owner().park("an exception that is not a std::exception");
+  }
+  return Errc::Faulted;
+}
 
 template <class Fill>
 Errc RequiredBase::send(std::uint16_t command, std::uint32_t call, const Fill& fill) {

@@ -29,6 +29,7 @@ class DeviceExecutor final : public Task {
   bool awaitCycle() override;
   void run() override;
   void takeOver();
+  static void serveOnce(Served& served);
 
   std::mutex mutex_;  // devices are added rarely, and no control loop waits here
   std::vector<ProvidedBase*> added_;

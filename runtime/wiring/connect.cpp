@@ -25,7 +25,7 @@ std::shared_ptr<Channel> connectLocally(RequiredBase& required, ProvidedBase& pr
   Component& provider = provided.owner();
   const Channel::Ends ends{.client = &required.owner().doorbell(),
                            .provider = &provider.doorbell(),
-                           .device = provider.ownsThread() ? nullptr : provided.implementation()};
+                           .device = provider.ownsThread() ? nullptr : &provided};
   auto channel = std::make_shared<Channel>(required.info(), connection, "local", ends,
                                            provided.state(), required.subscribed());
   provided.attach(channel);

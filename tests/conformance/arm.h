@@ -1,0 +1,157 @@
+#pragma once
+// The provider of all scenarios: an ArmLike that writes down what it was told, as a task or as a device.
+
+#include <suture/component/device.h>
+#include <suture/component/event_task.h>
+#include <suture/component/periodic_task.h>
+
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "reference/arm_like.suture.h"
+
+namespace conformance {
+
+using reference::ArmLike;
+using reference::JointState;
+using reference::Mode;
+using reference::PoseStamped;
+
+/// Lets the test hold a provider inside a handler.
+class Gate {
+ public:
+  void close() { set(false); }
+  void open() { set(true); }
+  void pass() {
+    std::unique_lock lock(mutex_);
+    ++waiting_;
+    changed_.notify_all();
+    changed_.wait(lock, [this] { return open_; });
+    --waiting_;
+  }
+  /// Returns when somebody waits at the closed gate.
+  void awaitVisitor() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return waiting_ > 0; });
+  }
+
+ private:
+  void set(bool open) {
+    const std::lock_guard lock(mutex_);
+    open_ = open;
+    changed_.notify_all();
+  }
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool open_ = true;
+  int waiting_ = 0;
+};
+
+/// The contract's implementation. Its log may be read by any thread.
+class RecordingArm : public ArmLike {
+ public:
+  void servo_cp(const PoseStamped& goal) override {
+    log("servo_cp " + std::to_string(static_cast<int>(goal.pose.translation().x())));
+    const std::lock_guard lock(mutex_);
+    measured_ = goal;
+  }
+  void servo_jp(const JointState& goal) override {
+    log("servo_jp " + std::to_string(goal.position.size()));
+    const std::lock_guard lock(mutex_);
+    joints_ = goal;
+  }
+  void hold() override { log("hold"); }
+  void set_mode(Mode mode) override {
+    if (mode == Mode::Disabled) {
+      gate.pass();
+    } else if (throwOnEnable) {
+      throw std::runtime_error("the drive did not answer");
+    }
+    log(mode == Mode::Enabled ? "enable" : "disable");
+  }
+  PoseStamped measured_cp() const override {
+    const std::lock_guard lock(mutex_);
+    return measured_;
+  }
+  const JointState& measured_js() const override { return joints_; }
+  double distance(const PoseStamped& to) const override {
+    return (measured_cp().pose.translation() - to.pose.translation()).norm();
+  }
+
+  std::vector<std::string> taken() const {
+    const std::lock_guard lock(mutex_);
+    return log_;
+  }
+
+  Gate gate;
+  std::atomic<bool> throwOnEnable{false};
+
+ private:
+  void log(std::string line) {
+    const std::lock_guard lock(mutex_);
+    log_.push_back(std::move(line));
+  }
+
+  mutable std::mutex mutex_;
+  std::vector<std::string> log_;
+  PoseStamped measured_;
+  JointState joints_;
+};
+
+/// Emits, in the provider's own thread, what the test asks for.
+class Emissions {
+ public:
+  void ask(std::function<void(suture::Provided<ArmLike>&)> emission) {
+    const std::lock_guard lock(mutex_);
+    asked_.push_back(std::move(emission));
+  }
+  void perform(suture::Provided<ArmLike>& provided) {
+    const std::lock_guard lock(mutex_);
+    for (auto& emission : asked_) emission(provided);
+    asked_.clear();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::function<void(suture::Provided<ArmLike>&)>> asked_;
+};
+
+/// What every kind of provider offers the test.
+class ArmComponent : public RecordingArm {
+ public:
+  virtual suture::Component& component() = 0;
+  /// Has `emission` run where this kind of component emits.
+  virtual void emitSoon(std::function<void(suture::Provided<ArmLike>&)> emission) = 0;
+};
+
+template <class Task>
+class ArmTask final : public Task, public ArmComponent {
+ public:
+  using Task::Task;
+  suture::Component& component() override { return *this; }
+  void emitSoon(std::function<void(suture::Provided<ArmLike>&)> emission) override {
+    emissions_.ask(std::move(emission));
+    this->doorbell().ring();
+  }
+
+ private:
+  void run() override { emissions_.perform(arm_); }
+
+  Emissions emissions_;
+  suture::Provided<ArmLike> arm_{*this, "Arm", *this};
+};
+
+class ArmDevice final : public suture::Device, public ArmComponent {
+ public:
+  ArmDevice() : Device(std::chrono::milliseconds(2)) {}
+  suture::Component& component() override { return *this; }
+  void emitSoon(std::function<void(suture::Provided<ArmLike>&)> emission) override { emission(arm_); }
+
+ private:
+  suture::Provided<ArmLike> arm_{*this, "Arm", *this};
+};
+
+}  // namespace conformance

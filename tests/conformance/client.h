@@ -1,0 +1,101 @@
+#pragma once
+// The client of all scenarios: runs what the test gives it in the thread that owns the required interface.
+
+#include <suture/component/device.h>
+#include <suture/component/event_task.h>
+
+#include <functional>
+#include <future>
+#include <mutex>
+#include <vector>
+
+#include "conformance/arm.h"
+
+namespace conformance {
+
+using Arm = suture::Required<ArmLike>;
+
+/// What arrived as events.
+struct Received {
+  std::vector<Mode> modes;
+  std::vector<double> arrivals;
+  int stops = 0;
+};
+
+class Client {
+ public:
+  virtual ~Client() = default;
+  virtual suture::Component& component() = 0;
+  /// Runs `work` in the client's thread and returns when it has ended.
+  virtual void with(const std::function<void(Arm&)>& work) = 0;
+  /// Has the client look for events until `enough` says so of what has been received, at most 10 s.
+  virtual bool await(const std::function<bool(const Received&)>& enough) = 0;
+
+ protected:
+  static void listen(Arm& arm, Received& received) {
+    arm.on().mode([&received](const Mode& mode) { received.modes.push_back(mode); });
+    arm.on().arrived([&received](const PoseStamped& pose) {
+      received.arrivals.push_back(pose.pose.translation().x());
+    });
+    arm.on().stopped([&received] { ++received.stops; });
+  }
+};
+
+class TaskClient final : public suture::EventTask, public Client {
+ public:
+  TaskClient() { listen(arm_, received_); }
+  suture::Component& component() override { return *this; }
+  void with(const std::function<void(Arm&)>& work) override {
+    std::packaged_task<void()> task([this, &work] { work(arm_); });
+    auto done = task.get_future();
+    {
+      const std::lock_guard lock(mutex_);
+      work_.push_back(std::move(task));
+    }
+    doorbell().ring();
+    done.get();
+  }
+  bool await(const std::function<bool(const Received&)>& enough) override {
+    const auto deadline = suture::now() + std::chrono::seconds(10);
+    bool arrived = false;
+    while (!arrived && suture::now() < deadline) {
+      with([&](Arm&) { arrived = enough(received_); });
+      if (!arrived) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return arrived;
+  }
+
+ private:
+  void run() override {
+    std::vector<std::packaged_task<void()>> work;
+    {
+      const std::lock_guard lock(mutex_);
+      work.swap(work_);
+    }
+    for (auto& task : work) task();
+  }
+
+  std::mutex mutex_;
+  std::vector<std::packaged_task<void()>> work_;
+  Received received_;
+  Arm arm_{*this, "Arm"};
+};
+
+class DeviceClient final : public suture::Device, public Client {
+ public:
+  DeviceClient() { listen(arm_, received_); }
+  suture::Component& component() override { return *this; }
+  void with(const std::function<void(Arm&)>& work) override { work(arm_); }
+  bool await(const std::function<bool(const Received&)>& enough) override {
+    const auto deadline = suture::now() + std::chrono::seconds(10);
+    processEvents();
+    while (!enough(received_) && suture::now() < deadline) waitForEvents(deadline);
+    return enough(received_);
+  }
+
+ private:
+  Received received_;
+  Arm arm_{*this, "Arm"};
+};
+
+}  // namespace conformance

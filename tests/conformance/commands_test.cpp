@@ -1,0 +1,143 @@
+// Every kind of command.
+#include "conformance/setup.h"
+
+namespace conformance {
+namespace {
+
+using namespace std::chrono_literals;
+using suture::Errc;
+
+class Commands : public Conformance {};
+
+TEST_P(Commands, AVoidCommandIsExecuted) {
+  client->with([](Arm& remote) { EXPECT_TRUE(remote.hold()); });
+  EXPECT_TRUE(eventuallyTaken({"hold"}));
+}
+
+TEST_P(Commands, AWriteCommandBringsItsArgument) {
+  client->with([](Arm& remote) { EXPECT_TRUE(remote.servo_cp(poseAt(7))); });
+  EXPECT_TRUE(eventuallyTaken({"servo_cp 7"}));
+  EXPECT_EQ(arm->measured_cp().valid, true);
+}
+
+TEST_P(Commands, ABlockingWriteReturnsAfterItsExecution) {
+  client->with([&](Arm& remote) {
+    EXPECT_TRUE(remote.servo_cp.start(poseAt(3)).within(5s));
+    EXPECT_EQ(arm->taken(), std::vector<std::string>{"servo_cp 3"});
+    EXPECT_TRUE(remote.hold.start().within(5s));
+  });
+}
+
+TEST_P(Commands, StringsAndListsArriveWhole) {
+  JointState goal;
+  goal.name = {"yaw", "", "a name of 15 ch"};
+  goal.position = {0.1, -0.0, 1e300};
+  client->with([&](Arm& remote) {
+    EXPECT_TRUE(remote.servo_jp.start(goal).within(5s));
+    const auto back = remote.measured_js.fresh().within(5s);
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->name, goal.name);
+    EXPECT_EQ(back->position, goal.position);
+  });
+}
+
+TEST_P(Commands, WhatExceedsItsCapacityIsRefusedToTheCaller) {
+  if (runsInCallersThread()) return;  // takes its arguments by reference, whatever their size
+  JointState goal;
+  goal.name = {"a name of 16 chr"};
+  client->with([&](Arm& remote) {
+    const auto written = remote.servo_jp(goal);
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error(), Errc::TooLarge);
+  });
+}
+
+TEST_P(Commands, AReadIsNotYetThereAndThenIs) {
+  client->with([&](Arm& remote) {
+    EXPECT_TRUE(remote.servo_cp.start(poseAt(5)).within(5s));
+    if (!runsInCallersThread()) {
+      EXPECT_EQ(remote.measured_cp().error(), Errc::NotYet);
+    }
+  });
+  EXPECT_TRUE(eventually([&] {
+    bool there = false;
+    client->with([&](Arm& remote) {
+      const auto pose = remote.measured_cp();
+      there = pose && pose->pose.translation().x() == 5 && pose->valid;
+      if (there) {
+        EXPECT_GE(pose.age(), 0ns);
+        EXPECT_LT(pose.age(), 10s);
+      }
+    });
+    return there;
+  }));
+}
+
+TEST_P(Commands, AReadFollowsTheProvider) {
+  for (int x = 1; x <= 20; ++x) {
+    client->with([&](Arm& remote) { EXPECT_TRUE(remote.servo_cp.start(poseAt(x)).within(5s)); });
+    EXPECT_TRUE(eventually([&] {
+      double seen = 0;
+      client->with([&](Arm& remote) {
+        PoseStamped pose;
+        if (remote.measured_cp(pose)) seen = pose.pose.translation().x();
+      });
+      return seen == x;
+    }));
+  }
+}
+
+TEST_P(Commands, AFreshReadIsEvaluatedForTheCall) {
+  client->with([](Arm& remote) {
+    for (int x = 1; x <= 20; ++x) {
+      EXPECT_TRUE(remote.servo_cp.start(poseAt(x)).within(5s));
+      const auto pose = remote.measured_cp.fresh().within(5s);
+      ASSERT_TRUE(pose) << suture::toString(pose.error());
+      EXPECT_EQ(pose->pose.translation().x(), x);
+    }
+  });
+}
+
+TEST_P(Commands, AQualifiedReadAnswersItsQuestion) {
+  client->with([](Arm& remote) {
+    EXPECT_TRUE(remote.servo_cp.start(poseAt(1)).within(5s));
+    const auto distance = remote.distance.start(poseAt(4)).within(5s);
+    ASSERT_TRUE(distance);
+    EXPECT_EQ(*distance, 3.0);
+  });
+}
+
+TEST_P(Commands, SeveralCallsMayBeUnderWay) {
+  client->with([](Arm& remote) {
+    auto near = remote.distance.start(poseAt(1));
+    auto far = remote.distance.start(poseAt(9));
+    EXPECT_EQ(*far.within(5s), 9.0);
+    EXPECT_EQ(*near.within(5s), 1.0);
+  });
+}
+
+TEST_P(Commands, PollingNeverBlocks) {
+  client->with([](Arm& remote) {
+    auto call = remote.distance.start(poseAt(2));
+    const auto deadline = suture::now() + 5s;
+    while (!call.poll() && suture::now() < deadline) remote.owner().ringNow();
+    ASSERT_TRUE(call.poll());
+    EXPECT_EQ(**call.poll(), 2.0);
+  });
+}
+
+TEST_P(Commands, TheLaneIsWhatItSaysAndBytesCrossIt) {
+  client->with([](Arm& remote) { EXPECT_TRUE(remote.hold.start().within(5s)); });
+  const bool local = std::get<0>(GetParam()) == LaneUnderTest::Local;
+  EXPECT_EQ(channel()->lane, local ? "local" : "rpc");
+  if (local) {
+    EXPECT_EQ(channel()->bytesSent, 0u);
+  } else {
+    EXPECT_TRUE(eventually([&] { return channel()->bytesSent > 100 && channel()->bytesReceived > 50; }));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Lanes, Commands, allCombinations(), nameOf);
+
+}  // namespace
+}  // namespace conformance

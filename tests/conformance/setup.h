@@ -1,0 +1,84 @@
+#pragma once
+// A provider and a client, connected over the lane under test.
+
+#include <gtest/gtest.h>
+#include <suture/manager/manager.h>
+
+#include <memory>
+#include <string>
+#include <tuple>
+
+#include "conformance/arm.h"
+#include "conformance/client.h"
+
+namespace suture {
+class GlobalManager;
+}
+
+namespace conformance {
+
+enum class LaneUnderTest { Local, RpcUnix, RpcTcp };
+enum class ProviderKind { Periodic, EventDriven, Device };
+enum class ClientKind { Task, Device };
+
+using Combination = std::tuple<LaneUnderTest, ProviderKind, ClientKind>;
+
+/// Every combination runs every scenario. `arm` and `client` are connected when the scenario begins.
+class Conformance : public testing::TestWithParam<Combination> {
+ protected:
+  Conformance();
+  ~Conformance() override;
+  void TearDown() override;
+
+  bool providerIsDevice() const { return std::get<1>(GetParam()) == ProviderKind::Device; }
+  bool runsInCallersThread() const {
+    return providerIsDevice() && std::get<0>(GetParam()) == LaneUnderTest::Local;
+  }
+  /// Until `condition` holds, at most 10 s.
+  template <class Condition>
+  static bool eventually(const Condition& condition) {
+    const auto deadline = suture::now() + std::chrono::seconds(10);
+    while (!condition() && suture::now() < deadline) {
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
+    return condition();
+  }
+  bool eventuallyTaken(const std::vector<std::string>& lines) {
+    return eventually([&] { return arm->taken() == lines; });
+  }
+  /// The connection as the client's process sees it.
+  std::shared_ptr<suture::Channel> channel() const { return clientManager_->channels().at(0); }
+
+  /// The provider's process goes away; its component object stays.
+  void stopProvider();
+
+  std::unique_ptr<ArmComponent> arm;
+  std::unique_ptr<Client> client;
+
+ private:
+  std::string directory_;
+  std::unique_ptr<suture::GlobalManager> global_;
+  std::unique_ptr<suture::Manager> providerManager_;
+  std::unique_ptr<suture::Manager> ownClientManager_;
+  suture::Manager* clientManager_ = nullptr;  // the provider's on `local`
+};
+
+/// Every lane, every kind of provider, every kind of client.
+inline auto allCombinations() {
+  return testing::Combine(
+      testing::Values(LaneUnderTest::Local, LaneUnderTest::RpcUnix, LaneUnderTest::RpcTcp),
+      testing::Values(ProviderKind::Periodic, ProviderKind::EventDriven, ProviderKind::Device),
+      testing::Values(ClientKind::Task, ClientKind::Device));
+}
+
+std::string nameOf(const testing::TestParamInfo<Combination>& info);
+
+inline PoseStamped poseAt(double x) {
+  PoseStamped pose;
+  pose.pose.translation().x() = x;
+  pose.stamp = suture::now();
+  pose.valid = true;
+  return pose;
+}
+
+}  // namespace conformance

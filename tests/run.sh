@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# Everything: installs what is missing, builds, runs all tests, then the runtime's suite under the sanitizers.
+#   tests/run.sh            what CI runs
+#   tests/run.sh dev        only one of the presets dev, tsan, asan
+set -euo pipefail
+cd "$(dirname "$0")/.."
+.ci/install tests
+
+presets=("${@:-}")
+[ -n "${presets[0]}" ] || presets=(tsan asan dev)
+
+for preset in "${presets[@]}"; do
+  echo "=== $preset: build"
+  cmake --preset "$preset" --log-level=WARNING
+  cmake --build --preset "$preset" -j "$(nproc)" -- --quiet
+  echo "=== $preset: test"
+  case "$preset" in
+    dev) ctest --preset dev -j "$(nproc)" ;;
+    *) ctest --preset "$preset" -j "$(nproc)" -L runtime ;;
+  esac
+done
