@@ -1,0 +1,117 @@
+"""Checks what the tree promises. Prints each violation; exit status 1 if there is any."""
+
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+# Each layer may include itself and what stands before it.
+LAYERS = ["base", "rt", "component", "wiring", "transport", "manager", "deploy", "observe", "record", "cli"]
+PARALLEL = {"deploy", "observe", "record"}
+SOURCES = {".h", ".cpp"}
+INCLUDE = re.compile(r'^\s*#include\s+[<"]([^>"]+)[>"]', re.M)
+MAX_LINES = 700
+MAX_README_LINES = 40
+
+
+def sources(root, folder):
+    base = root / folder
+    return sorted(p for p in base.rglob("*") if p.suffix in SOURCES) if base.exists() else []
+
+
+def includes(path):
+    return INCLUDE.findall(path.read_text(encoding="utf-8"))
+
+
+def layer_of_include(include):
+    parts = include.split("/")
+    return parts[1] if parts[0] == "suture" and len(parts) > 2 and parts[1] in LAYERS else None
+
+
+def may_include(layer, other):
+    if layer == other:
+        return True
+    if layer in PARALLEL and other in PARALLEL:
+        return layer == "deploy" and other == "observe"
+    return LAYERS.index(other) < LAYERS.index(layer)
+
+
+def check_layers(root):
+    for path in sources(root, "runtime"):
+        layer = path.relative_to(root / "runtime").parts[0]
+        if layer not in LAYERS:
+            continue
+        for include in includes(path):
+            other = layer_of_include(include)
+            if other and not may_include(layer, other):
+                yield f"{path.relative_to(root)}: {layer} includes {include}; dependencies point the other way"
+
+
+def check_compiler_is_alone(root):
+    for path in sources(root, "compiler"):
+        for include in includes(path):
+            if include.startswith("suture/"):
+                yield f"{path.relative_to(root)}: the compiler includes {include} of the runtime"
+        part = path.relative_to(root / "compiler").parts[0]
+        if part in {"model", "check", "lock", "emit"}:
+            for include in includes(path):
+                if include.startswith(("clang/", "llvm/", "compiler/frontend/", "compiler/driver/")):
+                    yield f"{path.relative_to(root)}: {part} includes {include}; only the frontend sees clang"
+
+
+def check_components_see_public_headers(root):
+    for path in sources(root, "components"):
+        for include in includes(path):
+            if include.startswith(("suture/transport/", "suture/manager/", "suture/rt/", "capnp/", "kj/")):
+                yield f"{path.relative_to(root)}: a component includes {include}, which is not public"
+
+
+def check_lengths(root):
+    for folder in ("compiler", "runtime", "components", "examples", "tests"):
+        for path in sources(root, folder):
+            lines = path.read_text(encoding="utf-8").count("\n")
+            if lines > MAX_LINES:
+                yield f"{path.relative_to(root)}: {lines} lines, at most {MAX_LINES}"
+
+
+def check_readmes(root):
+    for top in ("compiler", "runtime", "components", "examples", "tests", "schemas"):
+        base = root / top
+        for folder in sorted(p for p in base.iterdir() if p.is_dir()) if base.exists() else []:
+            if folder.name.startswith((".", "__")) or not any(folder.rglob("*.*")):
+                continue
+            readme = folder / "README.md"
+            if not readme.exists():
+                yield f"{folder.relative_to(root)}: no README.md"
+            elif readme.read_text(encoding="utf-8").count("\n") > MAX_README_LINES:
+                yield f"{readme.relative_to(root)}: more than {MAX_README_LINES} lines"
+
+
+def check_format(root):
+    tool = shutil.which("clang-format-14")
+    if tool is None:
+        yield "clang-format-14 is missing: run .ci/install tests"
+        return
+    files = [p for folder in ("compiler", "runtime", "components", "examples", "tests") for p in sources(root, folder)]
+    files = [p for p in files if "golden" not in p.parts and "errors" not in p.parts]
+    for i in range(0, len(files), 100):
+        result = subprocess.run([tool, "--dry-run", "--style=file", *map(str, files[i : i + 100])],
+                                capture_output=True, text=True, cwd=root)
+        for path in sorted({line.split(":")[0] for line in result.stderr.splitlines() if "warning" in line}):
+            yield f"{pathlib.Path(path).relative_to(root)}: not formatted; run clang-format-14 -i on it"
+
+
+CHECKS = [check_layers, check_compiler_is_alone, check_components_see_public_headers, check_lengths, check_readmes,
+          check_format]
+
+
+def main():
+    root = pathlib.Path(sys.argv[1]).resolve()
+    violations = [line for check in CHECKS for line in check(root)]
+    print("\n".join(violations) or "The tree keeps its rules.")
+    return 1 if violations else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,63 @@
+"""Plants a violation of each rule in a small tree and requires rules.py to report it."""
+
+import pathlib
+import tempfile
+import unittest
+
+import rules
+
+
+class Planted(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.root = pathlib.Path(self.folder.name)
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def write(self, path, text):
+        file = self.root / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text, encoding="utf-8")
+
+    def expect(self, check, words):
+        found = list(check(self.root))
+        self.assertEqual(len(found), 1, found)
+        self.assertIn(words, found[0])
+
+    def test_a_layer_that_looks_up(self):
+        self.write("runtime/rt/ring.h", "#include <suture/wiring/connect.h>\n#include <suture/base/time.h>\n")
+        self.expect(rules.check_layers, "dependencies point the other way")
+
+    def test_a_compiler_that_knows_the_runtime(self):
+        self.write("compiler/emit/a.cpp", "#include <suture/base/time.h>\n")
+        self.expect(rules.check_compiler_is_alone, "of the runtime")
+
+    def test_an_emitter_that_sees_clang(self):
+        self.write("compiler/emit/a.cpp", '#include "clang/AST/Decl.h"\n')
+        self.expect(rules.check_compiler_is_alone, "only the frontend sees clang")
+
+    def test_a_component_that_reaches_behind_the_public_headers(self):
+        self.write("components/arm/arm.h", "#include <suture/transport/rpc/link.h>\n")
+        self.expect(rules.check_components_see_public_headers, "not public")
+
+    def test_a_file_that_is_too_long(self):
+        self.write("runtime/base/a.h", "\n" * 701)
+        self.expect(rules.check_lengths, "701 lines")
+
+    def test_a_folder_without_readme(self):
+        self.write("runtime/base/a.h", "\n")
+        self.expect(rules.check_readmes, "no README.md")
+
+    def test_a_readme_that_is_too_long(self):
+        self.write("runtime/base/README.md", "\n" * 41)
+        self.expect(rules.check_readmes, "more than 40 lines")
+
+    def test_an_unformatted_source(self):
+        self.write(".clang-format", "BasedOnStyle: Google\n")
+        self.write("runtime/base/a.h", "int   a ;\n")
+        self.expect(rules.check_format, "not formatted")
+
+
+if __name__ == "__main__":
+    unittest.main()
