@@ -17,8 +17,8 @@
 
 namespace suture {
 
-/// Declares an event inside a contract. It is a tag without state: only Provided emits an event, only
-/// Required subscribes to one. `EventOf<>` is a void event, `EventOf<T>` a write event.
+/// Declares an event inside a contract. It is a tag without state: only Provided emits an event,
+/// only Required subscribes to one. `EventOf<>` is a void event, `EventOf<T>` a write event.
 template <class... Arguments>
 struct EventOf {};
 
@@ -32,15 +32,33 @@ namespace suture::dsl {
 
 using Nanoseconds = std::chrono::nanoseconds;
 
-struct Unit { const char* symbol; };
-struct Range { double lowest, highest; };
-struct Capacity { unsigned outer, inner, innermost; };
-struct Was { const char* name; };
-struct Name { const char* name; };
-struct Queue { unsigned depth; };
-struct Latest { bool set; };
-struct Ttl { long long nanoseconds; };
-struct Latched { bool set; };
+struct Unit {
+  const char* symbol;
+};
+struct Range {
+  double lowest, highest;
+};
+struct Capacity {
+  unsigned outer, inner, innermost;
+};
+struct Was {
+  const char* name;
+};
+struct Name {
+  const char* name;
+};
+struct Queue {
+  unsigned depth;
+};
+struct Latest {
+  bool set;
+};
+struct Ttl {
+  long long nanoseconds;
+};
+struct Latched {
+  bool set;
+};
 
 /// Unit of a number, SI or derived: "m", "rad", "m/s", "N.m".
 consteval Unit unit(const char* symbol) { return {symbol}; }
@@ -75,9 +93,9 @@ consteval Latched latched() { return {true}; }
 #define SUTURE_DSL_7(a, ...) SUTURE_DSL_1(a) SUTURE_DSL_6(__VA_ARGS__)
 #define SUTURE_DSL_8(a, ...) SUTURE_DSL_1(a) SUTURE_DSL_7(__VA_ARGS__)
 #define SUTURE_DSL_PICK(a, b, c, d, e, f, g, h, chosen, ...) chosen
-#define SUTURE_DSL(...)                                                                        \
-  __VA_OPT__(SUTURE_DSL_PICK(__VA_ARGS__, SUTURE_DSL_8, SUTURE_DSL_7, SUTURE_DSL_6,            \
-                             SUTURE_DSL_5, SUTURE_DSL_4, SUTURE_DSL_3, SUTURE_DSL_2,           \
+#define SUTURE_DSL(...)                                                                           \
+  __VA_OPT__(SUTURE_DSL_PICK(__VA_ARGS__, SUTURE_DSL_8, SUTURE_DSL_7, SUTURE_DSL_6, SUTURE_DSL_5, \
+                             SUTURE_DSL_4, SUTURE_DSL_3, SUTURE_DSL_2,                            \
                              SUTURE_DSL_1, )(__VA_ARGS__))
 #define SUTURE_ANNOTATE(kind, ...) [[clang::annotate("suture::" kind SUTURE_DSL(__VA_ARGS__))]]
 

@@ -1,6 +1,7 @@
 #pragma once
-// How things fail. At run time: an Errc inside a Result or a Sample, without allocation. While a system is
-// being put together: a SetupError that says what was asked, what was found and what to do.
+// How things fail. At run time: an Errc inside a Result or a Sample, without allocation. While a
+// system is being put together: a SetupError that says what was asked, what was found and what to
+// do.
 
 #include <cstdint>
 #include <stdexcept>
@@ -39,6 +40,8 @@ class SetupError : public std::runtime_error {
  public:
   /// `asked`: what was wanted, `found`: what was there instead, `remedy`: what to do about it.
   SetupError(std::string_view asked, std::string_view found, std::string_view remedy);
+  /// `text` has all three parts already: another process wrote it.
+  explicit SetupError(const std::string& text) : runtime_error(text) {}
 };
 
 }  // namespace suture

@@ -23,8 +23,9 @@ namespace {
 MemoryBlock::MemoryBlock(const char* name, std::size_t size)
     : size_(size), descriptor_(memfd_create(name, MFD_CLOEXEC | MFD_ALLOW_SEALING)) {
   if (descriptor_ < 0) fail(name, "memfd_create", size);
-  const bool sealed = ftruncate(descriptor_, static_cast<off_t>(size)) == 0 &&
-                      fcntl(descriptor_, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) == 0;
+  const bool sealed =
+      ftruncate(descriptor_, static_cast<off_t>(size)) == 0 &&
+      fcntl(descriptor_, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) == 0;
   void* address = sealed ? mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_POPULATE,
                                 descriptor_, 0)
                          : MAP_FAILED;

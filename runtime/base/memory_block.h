@@ -5,8 +5,8 @@
 
 namespace suture {
 
-/// Owns the mapping and its descriptor. Zero-filled, page-aligned, cannot shrink or grow (a peer that maps
-/// it can never be made to fault by a truncation). Not copyable; the address is stable.
+/// Owns the mapping and its descriptor. Zero-filled, page-aligned, cannot shrink or grow (a peer
+/// that maps it can never be made to fault by a truncation). Not copyable; the address is stable.
 class MemoryBlock {
  public:
   /// `name` shows in /proc/<pid>/maps. Throws SetupError if the kernel refuses.

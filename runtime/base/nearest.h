@@ -7,8 +7,8 @@
 
 namespace suture {
 
-/// The candidate with the smallest edit distance to `name`, or "" if none is within a third of its length
-/// (at least two edits). Set-up code only: allocates.
+/// The candidate with the smallest edit distance to `name`, or "" if none is within a third of its
+/// length (at least two edits). Set-up code only: allocates.
 std::string nearestName(std::string_view name, const std::vector<std::string>& candidates);
 
 /// "'a', 'b' and 'c'", or "none".

@@ -1,7 +1,8 @@
 #pragma once
-// Slots: the flat, bounded, trivially copyable twin of every type in a contract. They travel in mailboxes,
-// state rows and shared memory. Generated code defines a struct for each SUTURE_TYPE and its store() and
-// load() from the overloads below; all are free of allocation once a target has grown to its capacity.
+// Slots: the flat, bounded, trivially copyable twin of every type in a contract. They travel in
+// mailboxes, state rows and shared memory. Generated code defines a struct for each SUTURE_TYPE and
+// its store() and load() from the overloads below; all are free of allocation once a target has
+// grown to its capacity.
 //
 //   store(value, slot): C++ -> slot; false if the value exceeds the capacity of the slot
 //   load(slot, value):  slot -> C++; reuses what the value already owns
@@ -51,16 +52,14 @@ inline bool store(bool value, std::uint8_t& slot) {
 inline void load(std::uint8_t slot, bool& value) { value = slot != 0; }
 
 template <class E>
-  requires std::is_enum_v<E>
+requires std::is_enum_v<E>
 bool store(E value, std::underlying_type_t<E>& slot) {
   slot = static_cast<std::underlying_type_t<E>>(value);
   return true;
 }
 template <class E>
-  requires std::is_enum_v<E>
-void load(std::underlying_type_t<E> slot, E& value) {
-  value = static_cast<E>(slot);
-}
+requires std::is_enum_v<E>
+void load(std::underlying_type_t<E> slot, E& value) { value = static_cast<E>(slot); }
 
 /// Durations and time points travel as nanoseconds.
 template <class Rep, class Period>
@@ -130,8 +129,8 @@ inline void load(const std::array<double, 12>& slot, Eigen::Isometry3d& value) {
   value.makeAffine();
 }
 
-// The element's own overloads are found at instantiation: those above, and a generated type's by its
-// namespace. Arrays and lists of lists need these two declared before their bodies.
+// The element's own overloads are found at instantiation: those above, and a generated type's by
+// its namespace. Arrays and lists of lists need these two declared before their bodies.
 template <class T, std::size_t N, class S>
 bool store(const std::array<T, N>& value, std::array<S, N>& slot);
 template <class T, std::size_t N, class S>

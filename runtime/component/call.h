@@ -36,14 +36,14 @@ struct AnswerTraits<Result<void>> {
   static Result<void> error(Errc error) { return tl::unexpected(error); }
 };
 
-/// Follows one call to its answer: by poll() in a control loop, or by within() where blocking for a bounded time is
-/// right. Destroying it abandons the call; the provider may still execute it. Belongs to the thread that
-/// started the call and must not outlive the required interface.
+/// Follows one call to its answer: by poll() in a control loop, or by within() where blocking for a
+/// bounded time is right. Destroying it abandons the call; the provider may still execute it.
+/// Belongs to the thread that started the call and must not outlive the required interface.
 template <class Answer, class Slot>
 class [[nodiscard]] Call {
  public:
-  Call(Errc error) : answer_(Traits::error(error)) {}         // NOLINT: converts on purpose
-  Call(Answer answer) : answer_(std::move(answer)) {}     // NOLINT: converts on purpose
+  Call(Errc error) : answer_(Traits::error(error)) {}  // NOLINT: converts on purpose
+  Call(Answer answer) : answer_(std::move(answer)) {}  // NOLINT: converts on purpose
   Call(RequiredBase& required, RequiredBase::PendingCall& pending, Errc sent)
       : required_(&required), pending_(&pending) {
     if (sent != Errc{}) {
@@ -72,8 +72,8 @@ class [[nodiscard]] Call {
     return answer_;
   }
 
-  /// The answer, waiting at most `limit` for it: Errc::Timeout if it does not come. There is no way to wait
-  /// without a limit.
+  /// The answer, waiting at most `limit` for it: Errc::Timeout if it does not come. There is no way
+  /// to wait without a limit.
   const Answer& within(Duration limit) {
     if (!answer_) {
       required_->waitFor(*pending_, now() + limit);

@@ -1,6 +1,7 @@
 #pragma once
-// Everything between one client endpoint and one provider endpoint within a process. The local lane is one
-// channel shared by two tasks; every other lane carries what it finds in one channel to another.
+// Everything between one client endpoint and one provider endpoint within a process. The local lane
+// is one channel shared by two tasks; every other lane carries what it finds in one channel to
+// another.
 
 #include <suture/component/interface_info.h>
 #include <suture/rt/doorbell.h>
@@ -38,21 +39,22 @@ struct ReplyRecord {
   const std::byte* result() const { return reinterpret_cast<const std::byte*>(this + 1); }
 };
 
-/// The client endpoint produces into `commands` and consumes `replies`, `events` and `state`; the provider
-/// endpoint is the other side of each. Each endpoint is one thread. Shared by both; neither waits for the other.
+/// The client endpoint produces into `commands` and consumes `replies`, `events` and `state`; the
+/// provider endpoint is the other side of each. Each endpoint is one thread. Shared by both;
+/// neither waits for the other.
 class Channel {
  public:
   /// How many calls with an answer may be unfinished at a time.
   static constexpr unsigned kMaxCalls = 16;
 
   struct Ends {
-    rt::Doorbell* client;    ///< rung when replies, events or (if wanted) rows are there
-    rt::Doorbell* provider;  ///< rung when commands are there
+    rt::Doorbell* client;            ///< rung when replies, events or (if wanted) rows are there
+    rt::Doorbell* provider;          ///< rung when commands are there
     ProvidedBase* device = nullptr;  ///< of a device in this process: the client calls it directly
   };
 
-  /// `state`: the provider's table or, at the near end of a lane, the mirror. `subscribed`: the events the client
-  /// has handlers for. `lane`: its name, for people.
+  /// `state`: the provider's table or, at the near end of a lane, the mirror. `subscribed`: the
+  /// events the client has handlers for. `lane`: its name, for people.
   Channel(const InterfaceInfo& info, std::string name, std::string lane, Ends ends,
           std::shared_ptr<rt::StateTable> state, EventSet subscribed);
 
@@ -67,7 +69,8 @@ class Channel {
   rt::SpscRing replies;
   rt::EventQueue events;
   std::atomic<ChannelStatus> status{ChannelStatus::Connected};
-  /// Set by a client endpoint that must be rung whenever a row has been published: the far side of a lane.
+  /// Set by a client endpoint that must be rung whenever a row has been published: the far side of
+  /// a lane.
   std::atomic<bool> wantsRows{false};
 
   rt::Histogram readAge;     ///< client: age of each value read, when it was read
@@ -76,8 +79,8 @@ class Channel {
 
   /// Provider endpoint: answers call `call` with an error.
   void replyError(std::uint32_t call, Errc error);
-  /// Provider endpoint: answers call `call`; `produce(std::byte* result)` fills the result in place and returns
-  /// an Errc, 0 for success.
+  /// Provider endpoint: answers call `call`; `produce(std::byte* result)` fills the result in place
+  /// and returns an Errc, 0 for success.
   template <class Produce>
   void reply(std::uint32_t call, std::size_t resultSize, const Produce& produce);
 };

@@ -8,8 +8,8 @@
 
 namespace suture {
 
-/// Any thread may add; one owner thread walks and sweeps. What is added during a walk is seen by the next one.
-/// Walking takes no lock and allocates nothing.
+/// Any thread may add; one owner thread walks and sweeps. What is added during a walk is seen by
+/// the next one. Walking takes no lock and allocates nothing.
 class ChannelList {
  public:
   struct Node {

@@ -1,6 +1,6 @@
 #pragma once
-// The members of a generated Required<Contract>: one object for each command. All belong to the thread of the
-// component that owns the required interface.
+// The members of a generated Required<Contract>: one object for each command. All belong to the
+// thread of the component that owns the required interface.
 
 #include <suture/base/sample.h>
 #include <suture/base/slots.h>
@@ -26,8 +26,9 @@ class Command<Method, ArgumentsSlot> {
  public:
   Command(RequiredBase& required, std::uint16_t id) : required_(required), id_(id) {}
 
-  /// Never blocks, never allocates. Success means that the command waits at the provider (local), or is on its way
-  /// within the provider's credit (any other lane). Errc::Full, Lost, TooLarge, Faulted otherwise.
+  /// Never blocks, never allocates. Success means that the command waits at the provider (local),
+  /// or is on its way within the provider's credit (any other lane). Errc::Full, Lost, TooLarge,
+  /// Faulted otherwise.
   Result<void> operator()(Arguments... arguments) {
     const Errc error = send(0, arguments...);
     return error == Errc{} ? Result<void>{} : tl::unexpected(error);
@@ -74,15 +75,16 @@ class Command<Method, ArgumentsSlot> {
 template <auto Method, class ResultSlot>
 class ReadCommand;
 
-template <class Contract, class ReturnType, ReturnType (Contract::*Method)() const, class ResultSlot>
+template <class Contract, class ReturnType, ReturnType (Contract::*Method)() const,
+          class ResultSlot>
 class ReadCommand<Method, ResultSlot> {
  public:
   using Value = std::remove_cvref_t<ReturnType>;
 
   ReadCommand(RequiredBase& required, std::uint16_t id) : required_(required), id_(id) {}
 
-  /// The newest value. Errc::NotYet until the provider has produced it for the first time; asking makes it
-  /// do so from now on. Allocates only if Value does.
+  /// The newest value. Errc::NotYet until the provider has produced it for the first time; asking
+  /// makes it do so from now on. Allocates only if Value does.
   Sample<Value> operator()() {
     Value value{};
     const Sample<void> read = (*this)(value);

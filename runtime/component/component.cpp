@@ -39,7 +39,8 @@ bool Component::ownedByThisThread() {
 
 void Component::claimForThisThread() {
   owner_.store(thisThread(), std::memory_order_release);
-  toRing_.reserve(256);  // more sleeping peers than a process has; beyond it ringLater() would allocate
+  toRing_.reserve(
+      256);  // more sleeping peers than a process has; beyond it ringLater() would allocate
 }
 
 void Component::park(std::string reason) {

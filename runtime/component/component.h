@@ -1,5 +1,6 @@
 #pragma once
-// The unit of composition: something with a name, provided and required interfaces, and perhaps a thread.
+// The unit of composition: something with a name, provided and required interfaces, and perhaps a
+// thread.
 
 #include <suture/base/time.h>
 #include <suture/rt/doorbell.h>
@@ -26,7 +27,8 @@ class Component {
   /// The instance name, given by the manager: unique in its process.
   const std::string& name() const { return name_; }
   ComponentState state() const { return state_.load(std::memory_order_acquire); }
-  /// What the handler threw that faulted this component; "" otherwise. Stable once state() says Faulted.
+  /// What the handler threw that faulted this component; "" otherwise. Stable once state() says
+  /// Faulted.
   const std::string& fault() const { return fault_; }
 
   const std::vector<ProvidedBase*>& provided() const { return provided_; }
@@ -37,18 +39,21 @@ class Component {
   /// How often a remote client's reads of a device are evaluated. Meaningless for a task.
   virtual Duration remoteReadPeriod() const { return Duration{0}; }
 
-  /// Any thread: the component has failed; its clients are told Errc::Faulted from now on. The first reason stays.
+  /// Any thread: the component has failed; its clients are told Errc::Faulted from now on. The
+  /// first reason stays.
   void park(std::string reason);
 
   /// What a sleeping owner of this component waits on.
   rt::Doorbell& doorbell() { return doorbell_; }
-  /// From the component's own thread: rings `bell` once at the end of the cycle; from a device, at once.
+  /// From the component's own thread: rings `bell` once at the end of the cycle; from a device, at
+  /// once.
   void ringLater(rt::Doorbell& bell);
-  /// From the component's own thread: rings what ringLater() collected. Called before anything that blocks.
+  /// From the component's own thread: rings what ringLater() collected. Called before anything that
+  /// blocks.
   void ringNow();
 
-  /// True if the calling thread may use this component's required interfaces: the task's thread; for a device,
-  /// the first thread that used one.
+  /// True if the calling thread may use this component's required interfaces: the task's thread;
+  /// for a device, the first thread that used one.
   bool ownedByThisThread();
 
  protected:

@@ -12,8 +12,8 @@ class JsonReader;
 
 struct ComponentClass {
   const char* name;  ///< unqualified C++ name: "Psm"
-  /// Reads the parameters and constructs the component. Null if the reader has reported a problem; what the
-  /// constructor throws passes through.
+  /// Reads the parameters and constructs the component. Null if the reader has reported a problem;
+  /// what the constructor throws passes through.
   std::unique_ptr<Component> (*create)(const JsonReader& parameters);
 };
 

@@ -5,9 +5,9 @@
 
 namespace suture {
 
-/// Has no thread: its commands run at once in the thread of a local caller, and in one executor thread of the
-/// process for remote ones. If it serves both, its methods must be safe to call from several threads. Its required
-/// interfaces belong to the first thread that uses one.
+/// Has no thread: its commands run at once in the thread of a local caller, and in one executor
+/// thread of the process for remote ones. If it serves both, its methods must be safe to call from
+/// several threads. Its required interfaces belong to the first thread that uses one.
 class Device : public Component {
  public:
   /// `remoteReadPeriod`: how often the reads that remote clients ask for are evaluated.
@@ -17,10 +17,11 @@ class Device : public Component {
   bool ownsThread() const final { return false; }
   Duration remoteReadPeriod() const final { return remoteReadPeriod_; }
 
-  /// Runs the handlers of the events that have arrived, in the calling thread, which must be the one that uses
-  /// the required interfaces.
+  /// Runs the handlers of the events that have arrived, in the calling thread, which must be the
+  /// one that uses the required interfaces.
   void processEvents() { handleEvents(); }
-  /// The same, after sleeping until something arrives or until `deadline`. True if something arrived.
+  /// The same, after sleeping until something arrives or until `deadline`. True if something
+  /// arrived.
   bool waitForEvents(Time deadline);
 
  private:

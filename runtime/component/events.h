@@ -1,5 +1,6 @@
 #pragma once
-// The members of a generated Provided<Contract>::emit() and Required<Contract>::on(): one object an event.
+// The members of a generated Provided<Contract>::emit() and Required<Contract>::on(): one object an
+// event.
 
 #include <suture/base/slots.h>
 #include <suture/component/provided.h>
@@ -32,7 +33,8 @@ template <class Slot, class Payload>
 class Emitter<Slot, Payload> {
  public:
   Emitter(ProvidedBase& provided, std::uint16_t event) : provided_(provided), event_(event) {}
-  /// Never blocks, never allocates. Errc::TooLarge if the payload exceeds its declared capacity; nobody gets it then.
+  /// Never blocks, never allocates. Errc::TooLarge if the payload exceeds its declared capacity;
+  /// nobody gets it then.
   Result<void> operator()(const Payload& payload) {
     Slot slot;
     if (!store(payload, slot)) return tl::unexpected(Errc::TooLarge);
@@ -45,8 +47,8 @@ class Emitter<Slot, Payload> {
   std::uint16_t event_;
 };
 
-/// Subscribes to one event. In the component's constructor, before it is connected; the handler runs in the
-/// component's thread, before run().
+/// Subscribes to one event. In the component's constructor, before it is connected; the handler
+/// runs in the component's thread, before run().
 ///   arm_.on().operating_state([this](const OperatingState& state) { ... });
 template <class Slot, class... Payload>
 class Subscription;

@@ -17,7 +17,7 @@ namespace suture {
 enum class CommandKind : std::uint8_t { Void, Write, Read, QualifiedRead };
 
 struct CommandInfo {
-  const char* name;             ///< as in C++: "servo_cp"
+  const char* name;  ///< as in C++: "servo_cp"
   CommandKind kind;
   std::uint32_t argumentsSize;  ///< bytes of the arguments' slot; 0: none
   std::uint32_t resultSize;     ///< bytes of the result's slot; 0: none

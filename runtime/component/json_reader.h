@@ -14,14 +14,15 @@
 
 namespace suture {
 
-/// Something wrong in a JSON text, and where: an RFC 6901 pointer, which the deployment turns into file and line.
+/// Something wrong in a JSON text, and where: an RFC 6901 pointer, which the deployment turns into
+/// file and line.
 struct JsonProblem {
   std::string pointer;
   std::string text;
 };
 
-/// One JSON value that becomes one C++ value. Collects all problems instead of stopping at the first. Set-up
-/// code only.
+/// One JSON value that becomes one C++ value. Collects all problems instead of stopping at the
+/// first. Set-up code only.
 class JsonReader {
  public:
   JsonReader(const nlohmann::json& json, std::string pointer, std::vector<JsonProblem>& problems)
@@ -63,8 +64,8 @@ void fromJson(const JsonReader& in, Eigen::Isometry3d& value);
 int enumeratorFromJson(const JsonReader& in, const std::vector<std::string>& names);
 
 template <class T>
-  requires(std::is_arithmetic_v<T> && !std::is_same_v<T, bool>)
-void fromJson(const JsonReader& in, T& value) {
+requires(std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) void fromJson(const JsonReader& in,
+                                                                            T& value) {
   if constexpr (std::is_floating_point_v<T>) {
     if (!in.json().is_number()) return in.expected("a number");
     value = in.json().get<T>();
@@ -86,7 +87,8 @@ template <class Rep, class Period>
 void fromJson(const JsonReader& in, std::chrono::duration<Rep, Period>& value) {
   if (!in.json().is_number()) return in.expected("a number of seconds");
   using Target = std::chrono::duration<Rep, Period>;
-  value = std::chrono::duration_cast<Target>(std::chrono::duration<double>(in.json().get<double>()));
+  value =
+      std::chrono::duration_cast<Target>(std::chrono::duration<double>(in.json().get<double>()));
 }
 
 template <class T>
@@ -145,7 +147,8 @@ void JsonReader::field(const char* key, T& target, double lowest, double highest
   if (problems_.size() == before && json_.is_object() && json_.contains(key)) {
     const double number = json_.at(key).template get<double>();
     if (!(number >= lowest && number <= highest)) {
-      std::string text = "a number from " + nlohmann::json(lowest).dump() + " to " + nlohmann::json(highest).dump();
+      std::string text = "a number from " + nlohmann::json(lowest).dump() + " to " +
+                         nlohmann::json(highest).dump();
       return at(std::string(key)).expected(text);
     }
   }

@@ -10,8 +10,8 @@ struct PeriodicOptions {
   rt::Scheduling scheduling{};
 };
 
-/// Runs a cycle at absolute due times, one period apart. A due time that passes while a cycle runs is skipped and
-/// counted: executed + skipped = elapsed / period, within one.
+/// Runs a cycle at absolute due times, one period apart. A due time that passes while a cycle runs
+/// is skipped and counted: executed + skipped = elapsed / period, within one.
 class PeriodicTask : public Task {
  public:
   /// Throws SetupError if the period is not positive.

@@ -145,14 +145,16 @@ void ProvidedBase::emit(std::uint16_t event, std::span<const std::byte> payload)
   channels_.forEach([&](ChannelList::Node& node) {
     Channel& channel = *node.channel;
     if ((channel.subscribed >> event & 1) == 0) return;
-    if (owner_.ownsThread() && !node.greeted) return;  // joins, with the latched values, at the next cycle
+    if (owner_.ownsThread() && !node.greeted)
+      return;  // joins, with the latched values, at the next cycle
     channel.events.push(event, stamp, payload);
     owner_.ringLater(*channel.ends.client);
   });
 }
 
 void ProvidedBase::keepLatched(std::uint16_t event, std::span<const std::byte> payload) {
-  // A device may emit from two threads at once. Such events have no order, so either may be the last.
+  // A device may emit from two threads at once. Such events have no order, so either may be the
+  // last.
   if (keeping_.test_and_set(std::memory_order_acquire)) return;
   std::copy(payload.begin(), payload.end(), latched_->draft(event));
   latchedSoFar_ |= rt::ColumnSet{1} << event;

@@ -14,8 +14,9 @@
 
 namespace suture {
 
-/// The part of Provided<Contract> that does not depend on the contract. Commands and reads run in the thread
-/// of the component; for a device, in the thread of a local caller or of the executor that serves remote ones.
+/// The part of Provided<Contract> that does not depend on the contract. Commands and reads run in
+/// the thread of the component; for a device, in the thread of a local caller or of the executor
+/// that serves remote ones.
 class ProvidedBase {
  public:
   ProvidedBase(const ProvidedBase&) = delete;
@@ -34,7 +35,8 @@ class ProvidedBase {
 
   // --- the thread that serves this interface ---
 
-  /// Executes what is waiting. A handler's exception passes through, after its caller got Errc::Faulted.
+  /// Executes what is waiting. A handler's exception passes through, after its caller got
+  /// Errc::Faulted.
   void drain();
   /// Evaluates the reads that somebody asked for and publishes them as one row.
   void publishRow();
@@ -48,8 +50,8 @@ class ProvidedBase {
                void* implementation);
   ~ProvidedBase() = default;
 
-  /// Runs command `command` on its arguments' slot; fills `result` if the command has one. Written by suturec.
-  /// Returns 0 or Errc::TooLarge.
+  /// Runs command `command` on its arguments' slot; fills `result` if the command has one. Written
+  /// by suturec. Returns 0 or Errc::TooLarge.
   virtual Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) = 0;
 
  private:
@@ -75,14 +77,16 @@ class ProvidedBase {
   rt::ColumnSet latchedSoFar_ = 0;
 };
 
-/// A component's provided interface of type Contract. Each contract's generated header specialises it:
+/// A component's provided interface of type Contract. Each contract's generated header specialises
+/// it:
 ///   Provided<Arm> arm_{*this, "Arm", *this};
 ///   arm_.emit().operating_state(value);
 template <class Contract>
 class Provided {
 #ifndef SUTUREC  // suturec reads contracts before their generated headers exist
-  static_assert(sizeof(Contract) == 0,
-                "the contract's generated header is missing: include \"X.suture.h\" beside \"X.h\"");
+  static_assert(
+      sizeof(Contract) == 0,
+      "the contract's generated header is missing: include \"X.suture.h\" beside \"X.h\"");
 #endif
  public:
   Provided(Component& owner, std::string_view name, Contract& implementation);

@@ -106,8 +106,9 @@ void RequiredBase::collectReplies() {
 bool RequiredBase::isDone(PendingCall& call) {
   collectReplies();
   if (call.done) return true;
-  const ChannelStatus status =
-      channel_ == nullptr ? ChannelStatus::Closed : channel_->status.load(std::memory_order_acquire);
+  const ChannelStatus status = channel_ == nullptr
+                                   ? ChannelStatus::Closed
+                                   : channel_->status.load(std::memory_order_acquire);
   if (status == ChannelStatus::Connected) return false;
   collectReplies();  // an answer may have come just before the end
   if (call.done) return true;

@@ -17,8 +17,8 @@
 
 namespace suture {
 
-/// The part of Required<Contract> that does not depend on the contract. It belongs to the thread of its
-/// component; calls from another thread answer Errc::WrongThread.
+/// The part of Required<Contract> that does not depend on the contract. It belongs to the thread of
+/// its component; calls from another thread answer Errc::WrongThread.
 class RequiredBase {
  public:
   RequiredBase(const RequiredBase&) = delete;
@@ -36,7 +36,8 @@ class RequiredBase {
   /// The events that have a handler.
   EventSet subscribed() const { return subscribed_; }
 
-  /// Any thread: the connection, or nullptr to take it away. Takes effect at the owner's next cycle.
+  /// Any thread: the connection, or nullptr to take it away. Takes effect at the owner's next
+  /// cycle.
   void attach(std::shared_ptr<Channel> channel);
 
   /// Owner's thread: takes over what attach() left.
@@ -77,7 +78,8 @@ class RequiredBase {
   template <class Contract, class Body>
   Errc callDevice(const Body& body);
 
-  /// Queues a command whose arguments `fill(std::byte*)` stores; it returns false if they do not fit.
+  /// Queues a command whose arguments `fill(std::byte*)` stores; it returns false if they do not
+  /// fit.
   template <class Fill>
   Errc send(std::uint16_t command, std::uint32_t call, const Fill& fill);
   PendingCall* openCall();
@@ -123,14 +125,16 @@ Errc RequiredBase::send(std::uint16_t command, std::uint32_t call, const Fill& f
   return Errc{};
 }
 
-/// A component's required interface of type Contract. Each contract's generated header specialises it:
+/// A component's required interface of type Contract. Each contract's generated header specialises
+/// it:
 ///   Required<Arm> slave_{*this, "Slave"};
 ///   slave_.servo_cp(goal);
 template <class Contract>
 class Required {
 #ifndef SUTUREC  // suturec reads contracts before their generated headers exist
-  static_assert(sizeof(Contract) == 0,
-                "the contract's generated header is missing: include \"X.suture.h\" beside \"X.h\"");
+  static_assert(
+      sizeof(Contract) == 0,
+      "the contract's generated header is missing: include \"X.suture.h\" beside \"X.h\"");
 #endif
  public:
   Required(Component& owner, std::string_view name);

@@ -9,7 +9,8 @@
 namespace suture {
 
 Task::~Task() {
-  // Too late to stop: run() is gone with the derived class. Whoever started the task stops it before.
+  // Too late to stop: run() is gone with the derived class. Whoever started the task stops it
+  // before.
   if (thread_.joinable()) std::terminate();
 }
 

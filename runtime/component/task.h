@@ -20,16 +20,18 @@ struct TaskStatistics {
   rt::Histogram computeTime;              ///< length of a cycle
 };
 
-/// Owns a thread. Each cycle: take over new connections, run event handlers, execute waiting commands, run(),
-/// publish the reads that somebody asked for, ring those who sleep. In steady state a cycle neither allocates
-/// nor locks nor touches the network. A handler that throws parks this component and nothing else.
+/// Owns a thread. Each cycle: take over new connections, run event handlers, execute waiting
+/// commands, run(), publish the reads that somebody asked for, ring those who sleep. In steady
+/// state a cycle neither allocates nor locks nor touches the network. A handler that throws parks
+/// this component and nothing else.
 class Task : public Component {
  public:
   ~Task() override;
 
   bool ownsThread() const final { return true; }
 
-  /// The manager's: starts the thread. Errors of scheduling are thrown here, in the caller's thread.
+  /// The manager's: starts the thread. Errors of scheduling are thrown here, in the caller's
+  /// thread.
   void start();
   /// The manager's: ends the thread after the cycle under way. The derived class must still exist.
   void stop();

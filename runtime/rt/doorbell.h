@@ -12,7 +12,8 @@ namespace suture::rt {
 /// sleeper lies down makes its next wait return at once. Lock-free, no allocation.
 class Doorbell {
  public:
-  /// `eventDescriptor`: an eventfd to write instead of waking a futex, for a sleeper that sits in epoll.
+  /// `eventDescriptor`: an eventfd to write instead of waking a futex, for a sleeper that sits in
+  /// epoll.
   explicit Doorbell(int eventDescriptor = -1) : eventDescriptor_(eventDescriptor) {}
   Doorbell(const Doorbell&) = delete;
   Doorbell& operator=(const Doorbell&) = delete;
@@ -23,8 +24,8 @@ class Doorbell {
   /// The owner only: sleeps until rung or until `deadline`. Returns true if it was rung.
   bool waitUntil(Time deadline);
 
-  /// For an owner that sleeps in epoll: true if it may go to sleep, false if it has been rung meanwhile.
-  /// After true, the next ring writes the eventfd.
+  /// For an owner that sleeps in epoll: true if it may go to sleep, false if it has been rung
+  /// meanwhile. After true, the next ring writes the eventfd.
   bool lieDown();
   /// For an owner that sleeps in epoll: takes notice of all rings so far.
   void standUp() { word_.store(kAwake, std::memory_order_seq_cst); }

@@ -30,9 +30,9 @@ struct EventRecord {
   const std::byte* payload() const { return reinterpret_cast<const std::byte*>(this + 1); }
 };
 
-/// Any thread may push (a task's events come from its own thread, a device's from any); one consumer thread.
-/// No allocation after construction, no locks. A full queue drops the new event and counts it, so a slow
-/// subscriber delays nobody.
+/// Any thread may push (a task's events come from its own thread, a device's from any); one
+/// consumer thread. No allocation after construction, no locks. A full queue drops the new event
+/// and counts it, so a slow subscriber delays nobody.
 class EventQueue {
  public:
   explicit EventQueue(std::span<const EventLimits> events);
@@ -40,8 +40,8 @@ class EventQueue {
   /// False if the event was dropped.
   bool push(std::uint16_t event, Time stamp, std::span<const std::byte> payload);
 
-  /// Consumer: the oldest queued event, then the newest of each latest() event; nullptr: none left. Must be
-  /// followed by pop().
+  /// Consumer: the oldest queued event, then the newest of each latest() event; nullptr: none left.
+  /// Must be followed by pop().
   const EventRecord* next();
   void pop();
   /// Consumer: true if next() would return something.
@@ -51,7 +51,8 @@ class EventQueue {
   std::uint64_t dropped() const { return dropped_.load(std::memory_order_relaxed); }
 
  private:
-  // A newest-wins event. Two threads that emit it at the same moment have no order: one of them gives way.
+  // A newest-wins event. Two threads that emit it at the same moment have no order: one of them
+  // gives way.
   struct Cell {
     explicit Cell(std::size_t size) : values(size) {}
     LatestCell values;

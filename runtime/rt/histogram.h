@@ -9,15 +9,16 @@
 
 namespace suture::rt {
 
-/// Durations from 1 ns to about 18 s in buckets of at most 6 % width. One thread records; any thread may
-/// read while it does. No allocation, no locks.
+/// Durations from 1 ns to about 18 s in buckets of at most 6 % width. One thread records; any
+/// thread may read while it does. No allocation, no locks.
 class Histogram {
  public:
   void record(Duration duration);
 
   std::uint64_t count() const { return count_.load(std::memory_order_relaxed); }
   Duration max() const { return Duration(max_.load(std::memory_order_relaxed)); }
-  /// Upper edge of the bucket below which the share `quantile` (0..1) lies; 0 if nothing was recorded.
+  /// Upper edge of the bucket below which the share `quantile` (0..1) lies; 0 if nothing was
+  /// recorded.
   Duration quantile(double quantile) const;
 
  private:

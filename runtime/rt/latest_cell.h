@@ -8,15 +8,16 @@
 
 namespace suture::rt {
 
-/// Three buffers: the producer owns one, the consumer one, the third holds the newest published value.
-/// Wait-free on both sides; the consumer's buffer is stable until its next take().
+/// Three buffers: the producer owns one, the consumer one, the third holds the newest published
+/// value. Wait-free on both sides; the consumer's buffer is stable until its next take().
 class LatestCell {
  public:
   explicit LatestCell(std::size_t size);
 
   /// Producer: the buffer to fill.
   std::byte* claim() { return bufferAt(writing_); }
-  /// Producer: makes the filled buffer the newest. Returns true if it replaced a value not yet taken.
+  /// Producer: makes the filled buffer the newest. Returns true if it replaced a value not yet
+  /// taken.
   bool commit();
 
   /// Consumer: true if something newer than the last take() has been published; it is now front().

@@ -19,7 +19,8 @@ std::size_t recordBytes(const CommandLimits& limits) {
 
 std::size_t Mailbox::ringBytes(std::span<const CommandLimits> commands) {
   std::size_t bytes = 0;
-  for (const auto& limits : commands) bytes += limits.depth * SpscRing::recordSize(recordBytes(limits));
+  for (const auto& limits : commands)
+    bytes += limits.depth * SpscRing::recordSize(recordBytes(limits));
   return bytes;
 }
 
@@ -47,7 +48,8 @@ Result<std::byte*> Mailbox::claim(std::uint16_t command, Time stamp, std::uint32
     claimedCell_ = nullptr;
     const std::uint32_t waiting =
         taken_[command] - returned_[command].load(std::memory_order_acquire);
-    // The ring holds every credit's record; a provider that gives back more than it took cannot overrun it.
+    // The ring holds every credit's record; a provider that gives back more than it took cannot
+    // overrun it.
     memory = waiting < limits.depth ? ring_.claim(recordBytes(limits)) : nullptr;
     if (memory == nullptr) {
       increment(counters.full);
@@ -70,7 +72,8 @@ void Mailbox::commit() {
 }
 
 void Mailbox::fixCut() {
-  // The cut first, the cells after it: a cell then holds its command up to the cut or something newer.
+  // The cut first, the cells after it: a cell then holds its command up to the cut or something
+  // newer.
   cut_ = published_.load(std::memory_order_acquire);
   for (Cell& cell : cells_) cell.held = cell.values.take() || cell.held;
 }

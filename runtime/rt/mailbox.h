@@ -1,6 +1,6 @@
 #pragma once
-// The commands on their way from one client endpoint to one provider endpoint, in the order in which they
-// were sent: a ring for queued commands, a newest-wins cell for each latest() command.
+// The commands on their way from one client endpoint to one provider endpoint, in the order in
+// which they were sent: a ring for queued commands, a newest-wins cell for each latest() command.
 
 #include <suture/base/errors.h>
 #include <suture/base/time.h>
@@ -19,8 +19,8 @@ namespace suture::rt {
 /// What the mailbox must know of each command of a contract.
 struct CommandLimits {
   std::uint32_t argumentsSize;  ///< bytes of its arguments' slot
-  std::uint32_t depth;          ///< how many may wait; for latest(): how many calls with an answer may
-  bool latest;                  ///< newest wins, unless an answer was asked for
+  std::uint32_t depth;  ///< how many may wait; for latest(): how many calls with an answer may
+  bool latest;          ///< newest wins, unless an answer was asked for
 };
 
 /// Precedes the arguments of every command.
@@ -36,23 +36,23 @@ struct CommandRecord {
 
 /// Counts of one connection; each is written by one side and may be read by any thread.
 struct MailboxCounters {
-  std::atomic<std::uint64_t> sent{0}, full{0}, tooLarge{0}, replaced{0};          // producer
-  std::atomic<std::uint64_t> executed{0}, late{0}, superseded{0}, failed{0};      // consumer
+  std::atomic<std::uint64_t> sent{0}, full{0}, tooLarge{0}, replaced{0};      // producer
+  std::atomic<std::uint64_t> executed{0}, late{0}, superseded{0}, failed{0};  // consumer
 };
 
 /// One producer thread, one consumer thread. No allocation after construction, no locks.
 ///
-/// A drain first fixes a cut, the last sequence published so far, and then executes what is at or before the
-/// cut in sequence order; what comes later waits for the next drain. So an old servo_cp never runs after a
-/// newer hold(), whichever of ring and cell they travelled in.
+/// A drain first fixes a cut, the last sequence published so far, and then executes what is at or
+/// before the cut in sequence order; what comes later waits for the next drain. So an old servo_cp
+/// never runs after a newer hold(), whichever of ring and cell they travelled in.
 class Mailbox {
  public:
   explicit Mailbox(std::span<const CommandLimits> commands);
 
   // --- producer ---
 
-  /// Memory for the arguments of `command`, to be filled before commit(). `call` other than 0 asks for an
-  /// answer. Errc::Full if as many of this command wait as its depth allows.
+  /// Memory for the arguments of `command`, to be filled before commit(). `call` other than 0 asks
+  /// for an answer. Errc::Full if as many of this command wait as its depth allows.
   Result<std::byte*> claim(std::uint16_t command, Time stamp, std::uint32_t call);
   /// Publishes the command of the last successful claim(). Not calling it abandons the claim.
   void commit();
@@ -69,8 +69,8 @@ class Mailbox {
   const CommandRecord* next();
   /// Releases the command that next() returned.
   void pop();
-  /// Tells the producer that one more of `command` may wait. After pop(), at once or when a far end has
-  /// taken the command.
+  /// Tells the producer that one more of `command` may wait. After pop(), at once or when a far end
+  /// has taken the command.
   void returnCredit(std::uint16_t command);
   /// True if something is waiting that next() has not returned.
   bool pending() const;
@@ -89,7 +89,7 @@ class Mailbox {
 
   std::vector<CommandLimits> limits_;
   std::vector<int> cellOf_;  // by command; -1: none
-  std::deque<Cell> cells_;  // neither copied nor moved
+  std::deque<Cell> cells_;   // neither copied nor moved
   SpscRing ring_;
 
   // Producer's side.

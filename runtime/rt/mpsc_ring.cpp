@@ -6,8 +6,8 @@
 
 namespace suture::rt {
 
-// Each cell carries the position at which it may be used next: equal to a producer's position it is free,
-// one more it is published. A cell comes round again one lap (mask_ + 1) later.
+// Each cell carries the position at which it may be used next: equal to a producer's position it is
+// free, one more it is published. A cell comes round again one lap (mask_ + 1) later.
 MpscRing::MpscRing(std::size_t cells, std::size_t cellSize)
     : mask_(std::bit_ceil(cells) - 1),
       stride_(sizeof(std::uint64_t) + ((cellSize + 7) & ~std::size_t{7})),

@@ -8,9 +8,9 @@
 
 namespace suture::rt {
 
-/// Any thread may claim() and commit() (in pairs, one pair at a time a thread); one consumer thread calls
-/// front() and pop(). Lock-free, no allocation after construction. A producer that is stopped between claim
-/// and commit holds up the consumer at its cell, never the other producers.
+/// Any thread may claim() and commit() (in pairs, one pair at a time a thread); one consumer thread
+/// calls front() and pop(). Lock-free, no allocation after construction. A producer that is stopped
+/// between claim and commit holds up the consumer at its cell, never the other producers.
 class MpscRing {
  public:
   /// At least `cells` cells of `cellSize` bytes each.
@@ -28,7 +28,8 @@ class MpscRing {
 
  private:
   std::atomic<std::uint64_t>& turnAt(std::uint64_t position) const {
-    return *reinterpret_cast<std::atomic<std::uint64_t>*>(data_.get() + (position & mask_) * stride_);
+    return *reinterpret_cast<std::atomic<std::uint64_t>*>(data_.get() +
+                                                          (position & mask_) * stride_);
   }
 
   std::size_t mask_;

@@ -7,8 +7,8 @@
 
 namespace suture::rt {
 
-/// The grid of due times of one periodic task. Its own thread only. A due time that has passed is skipped
-/// and counted, so executed + skipped = elapsed / period, within one.
+/// The grid of due times of one periodic task. Its own thread only. A due time that has passed is
+/// skipped and counted, so executed + skipped = elapsed / period, within one.
 class Period {
  public:
   explicit Period(Duration length) : length_(length) {}

@@ -5,8 +5,8 @@
 
 namespace suture::rt {
 
-// A record that does not fit before the end starts at the beginning, so up to one record's length is lost
-// there: twice the bytes asked for always suffice.
+// A record that does not fit before the end starts at the beginning, so up to one record's length
+// is lost there: twice the bytes asked for always suffice.
 SpscRing::SpscRing(std::size_t bytes)
     : mask_(std::bit_ceil(2 * bytes + 64) - 1), data_(new std::byte[mask_ + 1]) {
   std::memset(data_.get(), 0, mask_ + 1);  // touches every page now, not in a control loop
@@ -41,9 +41,7 @@ const std::byte* SpscRing::front() {
   return data_.get() + (head & mask_) + sizeof(std::uint64_t);
 }
 
-std::size_t SpscRing::frontSize() const {
-  return headerAt(head_.load(std::memory_order_relaxed));
-}
+std::size_t SpscRing::frontSize() const { return headerAt(head_.load(std::memory_order_relaxed)); }
 
 void SpscRing::pop() {
   const std::uint64_t head = head_.load(std::memory_order_relaxed);

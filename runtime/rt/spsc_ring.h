@@ -1,6 +1,6 @@
 #pragma once
-// A bounded queue of variable-length records between exactly one producer and one consumer, written and
-// read in place.
+// A bounded queue of variable-length records between exactly one producer and one consumer, written
+// and read in place.
 
 #include <atomic>
 #include <cstddef>
@@ -9,8 +9,9 @@
 
 namespace suture::rt {
 
-/// One producer thread calls claim() and commit(), one consumer thread calls front() and pop(). Wait-free,
-/// no allocation after construction. Records are 8-byte aligned and never wrap around the end.
+/// One producer thread calls claim() and commit(), one consumer thread calls front() and pop().
+/// Wait-free, no allocation after construction. Records are 8-byte aligned and never wrap around
+/// the end.
 class SpscRing {
  public:
   /// Room for at least `bytes` of records, each counted as recordSize(its size).
@@ -34,7 +35,8 @@ class SpscRing {
   void pop();
 
  private:
-  // A header word tells the size of the record behind it; this value tells that the rest of the lap is unused.
+  // A header word tells the size of the record behind it; this value tells that the rest of the lap
+  // is unused.
   static constexpr std::uint64_t kSkip = ~std::uint64_t{0};
 
   std::uint64_t& headerAt(std::uint64_t position) const {
@@ -43,8 +45,9 @@ class SpscRing {
 
   std::size_t mask_;
   std::unique_ptr<std::byte[]> data_;
-  // Positions count bytes for ever; the index is the position modulo the size. Each side keeps a copy of the
-  // other's last known position, so that the shared lines move only when a side runs out.
+  // Positions count bytes for ever; the index is the position modulo the size. Each side keeps a
+  // copy of the other's last known position, so that the shared lines move only when a side runs
+  // out.
   alignas(64) std::atomic<std::uint64_t> tail_{0};
   std::uint64_t claimedTail_ = 0;
   std::uint64_t knownHead_ = 0;

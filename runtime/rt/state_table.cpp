@@ -72,7 +72,8 @@ bool StateTable::ask(unsigned column) {
   return (demand_.fetch_or(bit, std::memory_order_acq_rel) & bit) == 0;
 }
 
-// Runs `copy(header, row)` on the newest complete row and tells whether the row stayed whole meanwhile.
+// Runs `copy(header, row)` on the newest complete row and tells whether the row stayed whole
+// meanwhile.
 template <class Copy>
 bool StateTable::tryReadNewest(Row& row, const Copy& copy) const {
   row = Row{};
@@ -81,14 +82,16 @@ bool StateTable::tryReadNewest(Row& row, const Copy& copy) const {
   RowHeader& header = headerAt(sequence);
   if (header.sequence.load(std::memory_order_acquire) != sequence) return false;
   row.sequence = sequence;
-  row.stamp = fromNanoseconds(static_cast<std::int64_t>(header.stamp.load(std::memory_order_acquire)));
+  row.stamp =
+      fromNanoseconds(static_cast<std::int64_t>(header.stamp.load(std::memory_order_acquire)));
   row.valid = header.valid.load(std::memory_order_acquire);
   row.tooLarge = header.tooLarge.load(std::memory_order_acquire);
   copy(header, row);
   return header.sequence.load(std::memory_order_relaxed) == sequence;
 }
 
-// A reader fails only if the writer went nearly a whole lap while it copied; each retry starts afresh.
+// A reader fails only if the writer went nearly a whole lap while it copied; each retry starts
+// afresh.
 template <class Copy>
 StateTable::Row StateTable::readNewest(const Copy& copy) const {
   Row row;

@@ -16,8 +16,9 @@ namespace suture::rt {
 /// A set of columns, one bit each: at most 64 reads in a contract.
 using ColumnSet = std::uint64_t;
 
-/// A ring of rows in a sealed memory block, prefaulted, so that another process can map it read-only. One
-/// writer thread; any number of readers, disturbed only if they are stopped for nearly a whole lap.
+/// A ring of rows in a sealed memory block, prefaulted, so that another process can map it
+/// read-only. One writer thread; any number of readers, disturbed only if they are stopped for
+/// nearly a whole lap.
 ///
 /// Every word is an atomic: correct under the C++ memory model, and on x86 plain moves.
 class StateTable {
@@ -31,8 +32,8 @@ class StateTable {
 
   /// Where to prepare column `column` of the next row. Private to the writer.
   std::byte* draft(unsigned column) { return draft_.data() + columns_[column].offset; }
-  /// Publishes the draft as a new row: of the columns in `valid` the values, of those in `tooLarge` the fact
-  /// that they did not fit. All others say "not yet".
+  /// Publishes the draft as a new row: of the columns in `valid` the values, of those in `tooLarge`
+  /// the fact that they did not fit. All others say "not yet".
   void publish(Time stamp, ColumnSet valid, ColumnSet tooLarge);
   /// Columns that somebody has asked for. Never shrinks.
   ColumnSet demand() const { return demand_.load(std::memory_order_acquire); }
@@ -43,7 +44,8 @@ class StateTable {
   bool ask(unsigned column);
   /// Copies a column of the newest row. The stamp is when the row was published.
   Result<Time> read(unsigned column, std::byte* slot) const;
-  /// Copies the newest row into `slots` (one pointer a column, nullptr: not wanted) and tells its columns.
+  /// Copies the newest row into `slots` (one pointer a column, nullptr: not wanted) and tells its
+  /// columns.
   struct Row {
     std::uint64_t sequence = 0;
     Time stamp{};

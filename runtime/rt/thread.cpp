@@ -21,10 +21,12 @@ void pin(const std::string& name, int cpu) {
 void makeFifo(const std::string& name, int priority) {
   sched_param parameters{};
   parameters.sched_priority = priority;
-  if (const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters); error != 0) {
+  if (const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
+      error != 0) {
     throw SetupError(
         "cannot give the thread of '" + name + "' SCHED_FIFO priority " + std::to_string(priority),
-        std::strerror(error), "Grant real-time priorities (ulimit -r, CAP_SYS_NICE) or leave it out");
+        std::strerror(error),
+        "Grant real-time priorities (ulimit -r, CAP_SYS_NICE) or leave it out");
   }
 }
 

@@ -12,8 +12,8 @@ struct Scheduling {
   std::optional<int> cpu;           ///< pins the thread to this processor
 };
 
-/// Applies the name (at most 15 characters are kept) and the scheduling to the calling thread. Throws SetupError if
-/// the kernel refuses, e.g. without the right to real-time priorities.
+/// Applies the name (at most 15 characters are kept) and the scheduling to the calling thread.
+/// Throws SetupError if the kernel refuses, e.g. without the right to real-time priorities.
 void configureThisThread(const std::string& name, const Scheduling& scheduling);
 
 }  // namespace suture::rt

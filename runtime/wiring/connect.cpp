@@ -13,9 +13,8 @@ void requireSameContract(const InterfaceInfo& required, std::string_view provide
     found += "\n    " + line;
   }
   throw SetupError("connecting " + connection, found + "\n  ",
-                   required.name == providedContract
-                       ? "Build both sides from the same header"
-                       : "Connect interfaces of the same contract");
+                   required.name == providedContract ? "Build both sides from the same header"
+                                                     : "Connect interfaces of the same contract");
 }
 
 std::shared_ptr<Channel> connectLocally(RequiredBase& required, ProvidedBase& provided,

@@ -14,8 +14,8 @@ void requireSameContract(const InterfaceInfo& required, std::string_view provide
                          std::string_view providedHash, std::string_view providedDescription,
                          const std::string& connection);
 
-/// The `local` lane: one channel that both ends share. Takes effect at each end's next cycle. Throws SetupError if
-/// the contracts differ.
+/// The `local` lane: one channel that both ends share. Takes effect at each end's next cycle.
+/// Throws SetupError if the contracts differ.
 std::shared_ptr<Channel> connectLocally(RequiredBase& required, ProvidedBase& provided,
                                         const std::string& connection);
 

@@ -8,7 +8,8 @@ namespace {
 
 using Leaves = std::map<std::string, std::string>;
 
-// Elements of a list are known by their name where they have one, so that an inserted one is one difference.
+// Elements of a list are known by their name where they have one, so that an inserted one is one
+// difference.
 std::string keyOf(const nlohmann::json& element, std::size_t index) {
   if (element.is_object() && element.contains("name") && element["name"].is_string()) {
     return element["name"].get<std::string>();

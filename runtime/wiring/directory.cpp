@@ -15,16 +15,16 @@ std::string remedyFor(const std::string& name, const std::vector<std::string>& e
 template <class Interface>
 Interface& find(const std::vector<Interface*>& interfaces, const Endpoint& endpoint,
                 const char* kind) {
-  const auto found =
-      std::find_if(interfaces.begin(), interfaces.end(),
-                   [&](const Interface* one) { return one->name() == endpoint.interface; });
+  const auto found = std::find_if(interfaces.begin(), interfaces.end(), [&](const Interface* one) {
+    return one->name() == endpoint.interface;
+  });
   if (found != interfaces.end()) return **found;
   std::vector<std::string> names;
   for (const Interface* one : interfaces) names.push_back(one->name());
-  throw SetupError("asked for the " + std::string(kind) + " interface '" + endpoint.toString() + "'",
-                   "component '" + endpoint.component + "' has " + kind + " interfaces " +
-                       listNames(names),
-                   remedyFor(endpoint.interface, names));
+  throw SetupError(
+      "asked for the " + std::string(kind) + " interface '" + endpoint.toString() + "'",
+      "component '" + endpoint.component + "' has " + kind + " interfaces " + listNames(names),
+      remedyFor(endpoint.interface, names));
 }
 
 }  // namespace

@@ -12,7 +12,8 @@
 
 namespace suture {
 
-/// Any thread. Does not own the components; they outlive it. Look-ups throw a SetupError that lists what exists.
+/// Any thread. Does not own the components; they outlive it. Look-ups throw a SetupError that lists
+/// what exists.
 class Directory {
  public:
   explicit Directory(std::string process) : process_(std::move(process)) {}

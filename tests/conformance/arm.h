@@ -1,5 +1,6 @@
 #pragma once
-// The provider of all scenarios: an ArmLike that writes down what it was told, as a task or as a device.
+// The provider of all scenarios: an ArmLike that writes down what it was told, as a task or as a
+// device.
 
 #include <suture/component/device.h>
 #include <suture/component/event_task.h>
@@ -148,7 +149,9 @@ class ArmDevice final : public suture::Device, public ArmComponent {
  public:
   ArmDevice() : Device(std::chrono::milliseconds(2)) {}
   suture::Component& component() override { return *this; }
-  void emitSoon(std::function<void(suture::Provided<ArmLike>&)> emission) override { emission(arm_); }
+  void emitSoon(std::function<void(suture::Provided<ArmLike>&)> emission) override {
+    emission(arm_);
+  }
 
  private:
   suture::Provided<ArmLike> arm_{*this, "Arm", *this};

@@ -1,5 +1,6 @@
 #pragma once
-// The client of all scenarios: runs what the test gives it in the thread that owns the required interface.
+// The client of all scenarios: runs what the test gives it in the thread that owns the required
+// interface.
 
 #include <suture/component/device.h>
 #include <suture/component/event_task.h>

@@ -133,7 +133,8 @@ TEST_P(Commands, TheLaneIsWhatItSaysAndBytesCrossIt) {
   if (local) {
     EXPECT_EQ(channel()->bytesSent, 0u);
   } else {
-    EXPECT_TRUE(eventually([&] { return channel()->bytesSent > 100 && channel()->bytesReceived > 50; }));
+    EXPECT_TRUE(
+        eventually([&] { return channel()->bytesSent > 100 && channel()->bytesReceived > 50; }));
   }
 }
 

@@ -12,9 +12,8 @@ TEST_P(Events, AVoidEventArrives) {
 }
 
 TEST_P(Events, AWriteEventBringsItsPayload) {
-  arm->emitSoon([](suture::Provided<ArmLike>& provided) {
-    EXPECT_TRUE(provided.emit().arrived(poseAt(4)));
-  });
+  arm->emitSoon(
+      [](suture::Provided<ArmLike>& provided) { EXPECT_TRUE(provided.emit().arrived(poseAt(4))); });
   EXPECT_TRUE(client->await(
       [](const Received& received) { return received.arrivals == std::vector<double>{4}; }));
 }
@@ -25,7 +24,8 @@ TEST_P(Events, TheirOrderHolds) {
       EXPECT_TRUE(provided.emit().arrived(poseAt(x)));
     });
     ASSERT_TRUE(client->await([x](const Received& received) {
-      return received.arrivals.size() == static_cast<std::size_t>(x) && received.arrivals.back() == x;
+      return received.arrivals.size() == static_cast<std::size_t>(x) &&
+             received.arrivals.back() == x;
     }));
   }
 }

@@ -16,7 +16,8 @@ TEST_P(Failures, AHandlerThatThrowsParksItsComponentOnly) {
     ASSERT_FALSE(answer);
     EXPECT_EQ(answer.error(), Errc::Faulted);
   });
-  EXPECT_TRUE(eventually([&] { return arm->component().state() == suture::ComponentState::Faulted; }));
+  EXPECT_TRUE(
+      eventually([&] { return arm->component().state() == suture::ComponentState::Faulted; }));
   EXPECT_EQ(arm->component().fault(), "the drive did not answer");
   EXPECT_TRUE(eventually([&] {
     Errc error{};

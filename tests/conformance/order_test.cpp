@@ -21,9 +21,7 @@ class Order : public Conformance {
 
   // What was sent before has reached the provider's process when a later refusal comes back.
   void letThemCross() {
-    EXPECT_TRUE(eventually([&] {
-      return channel()->commands.pending() == false;
-    }));
+    EXPECT_TRUE(eventually([&] { return channel()->commands.pending() == false; }));
   }
 };
 
@@ -114,13 +112,13 @@ TEST_P(Order, EndsInTheLastCommandSentHoweverTheyRace) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Lanes, Order,
-                         testing::Combine(testing::Values(LaneUnderTest::Local, LaneUnderTest::RpcUnix,
-                                                          LaneUnderTest::RpcTcp),
-                                          testing::Values(ProviderKind::Periodic,
-                                                          ProviderKind::EventDriven),
-                                          testing::Values(ClientKind::Task, ClientKind::Device)),
-                         nameOf);
+INSTANTIATE_TEST_SUITE_P(
+    Lanes, Order,
+    testing::Combine(testing::Values(LaneUnderTest::Local, LaneUnderTest::RpcUnix,
+                                     LaneUnderTest::RpcTcp),
+                     testing::Values(ProviderKind::Periodic, ProviderKind::EventDriven),
+                     testing::Values(ClientKind::Task, ClientKind::Device)),
+    nameOf);
 
 }  // namespace
 }  // namespace conformance

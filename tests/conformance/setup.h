@@ -23,7 +23,8 @@ enum class ClientKind { Task, Device };
 
 using Combination = std::tuple<LaneUnderTest, ProviderKind, ClientKind>;
 
-/// Every combination runs every scenario. `arm` and `client` are connected when the scenario begins.
+/// Every combination runs every scenario. `arm` and `client` are connected when the scenario
+/// begins.
 class Conformance : public testing::TestWithParam<Combination> {
  protected:
   Conformance();

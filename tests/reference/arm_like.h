@@ -1,6 +1,6 @@
 #pragma once
-// The contract for which the files beside this one were written by hand: what suturec's output must look like,
-// and what the runtime's own tests run on.
+// The contract for which the files beside this one were written by hand: what suturec's output must
+// look like, and what the runtime's own tests run on.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>

@@ -11,10 +11,10 @@ namespace {
 
 // Two newest-wins commands and two queued ones, as of an arm.
 constexpr std::uint16_t kServoCp = 0, kServoJp = 1, kHold = 2, kEnable = 3;
-constexpr CommandLimits kCommands[] = {
-    {8, 2, true}, {8, 2, true}, {0, 4, false}, {8, 16, false}};
+constexpr CommandLimits kCommands[] = {{8, 2, true}, {8, 2, true}, {0, 4, false}, {8, 16, false}};
 
-bool send(Mailbox& mailbox, std::uint16_t command, std::uint64_t value = 0, std::uint32_t call = 0) {
+bool send(Mailbox& mailbox, std::uint16_t command, std::uint64_t value = 0,
+          std::uint32_t call = 0) {
   const auto memory = mailbox.claim(command, now(), call);
   if (!memory) return false;
   if (kCommands[command].argumentsSize > 0) std::memcpy(*memory, &value, sizeof(value));
@@ -129,8 +129,8 @@ TEST(Mailbox, ANewestWinsCommandThatWantsAnAnswerIsQueued) {
   EXPECT_EQ(drain(mailbox), (std::vector<Executed>{{kServoCp, 1}, {kServoCp, 2}}));
 }
 
-// The law of the mailbox with the producer racing the drain: what runs is in the order of sending, nothing queued is lost,
-// and of each newest-wins command the last one sent runs last.
+// The law of the mailbox with the producer racing the drain: what runs is in the order of sending,
+// nothing queued is lost, and of each newest-wins command the last one sent runs last.
 TEST(Mailbox, OrderHoldsWithTheProducerRacingTheDrain) {
   constexpr std::uint64_t kSent = 300'000;
   Mailbox mailbox(kCommands);

@@ -11,7 +11,9 @@
 namespace suture::rt {
 namespace {
 
-void writeNumber(std::byte* memory, std::uint64_t number) { std::memcpy(memory, &number, sizeof(number)); }
+void writeNumber(std::byte* memory, std::uint64_t number) {
+  std::memcpy(memory, &number, sizeof(number));
+}
 
 std::uint64_t readNumber(const std::byte* memory) {
   std::uint64_t number;
@@ -42,7 +44,8 @@ TEST(SpscRing, AnAbandonedClaimLeavesNoTrace) {
   EXPECT_EQ(readNumber(ring.front()), 7u);
 }
 
-// Records of random sizes over many laps: every byte arrives, in order, also across the end of the ring.
+// Records of random sizes over many laps: every byte arrives, in order, also across the end of the
+// ring.
 TEST(SpscRing, KeepsOrderAndContentBetweenTwoThreads) {
   constexpr std::uint64_t kRecords = 200'000;
   SpscRing ring(2000);

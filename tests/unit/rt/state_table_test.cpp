@@ -45,7 +45,8 @@ TEST(StateTable, AValueWhoseSizeIsNoMultipleOfAWordKeepsItsNeighbours) {
   EXPECT_EQ(*read, stamp);
 }
 
-// One writer, two readers: no value is torn, none goes backwards, and two columns of one row belong together.
+// One writer, two readers: no value is torn, none goes backwards, and two columns of one row belong
+// together.
 TEST(StateTable, NeverTornUnderAFastWriter) {
   constexpr std::uint64_t kRows = 300'000;
   constexpr std::uint32_t kColumns[] = {128, 8};

@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+#include <suture/component/json_reader.h>
+
+#include "reference/simulated_arm.suture.h"
+
+namespace suture {
+namespace {
+
+struct Read {
+  reference::SimulatedArmParameters value;
+  std::vector<JsonProblem> problems;
+};
+
+Read read(const char* text) {
+  Read result;
+  const auto json = nlohmann::json::parse(text);
+  fromJson(JsonReader(json, "/components/PSM", result.problems), result.value);
+  return result;
+}
+
+TEST(JsonReader, ReadsWhatIsThereAndKeepsDefaults) {
+  const Read result = read(R"({"home": [1, 2.5, -3]})");
+  EXPECT_TRUE(result.problems.empty());
+  EXPECT_EQ(result.value.home, (std::array<double, 3>{1, 2.5, -3}));
+  EXPECT_EQ(result.value.period, 0.001);
+}
+
+TEST(JsonReader, AnUnknownKeyIsNamedWithTheNearest) {
+  const Read result = read(R"({"perid": 0.002})");
+  ASSERT_EQ(result.problems.size(), 1u);
+  EXPECT_EQ(result.problems[0].pointer, "/components/PSM/perid");
+  EXPECT_EQ(result.problems[0].text, "unknown key 'perid'; did you mean 'period'?");
+}
+
+TEST(JsonReader, AWrongTypeSaysWhatWasFound) {
+  const Read result = read(R"({"period": "fast", "home": [1, 2]})");
+  ASSERT_EQ(result.problems.size(), 2u);
+  EXPECT_EQ(result.problems[0].text, "expected a number, found string \"fast\"");
+  EXPECT_EQ(result.problems[1].text, "expected a list of 3, found array [1,2]");
+}
+
+TEST(JsonReader, ANumberOutsideItsRangeIsRefusedAndChangesNothing) {
+  const Read result = read(R"({"period": 2})");
+  ASSERT_EQ(result.problems.size(), 1u);
+  EXPECT_EQ(result.problems[0].text, "expected a number from 0.0001 to 1.0, found number 2");
+  EXPECT_EQ(result.value.period, 0.001);
+}
+
+TEST(JsonReader, AnIntegerThatDoesNotFitIsRefused) {
+  std::vector<JsonProblem> problems;
+  std::uint8_t value = 7;
+  fromJson(JsonReader(nlohmann::json(300), "/x", problems), value);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].text, "expected a number from 0 to 255, found number 300");
+  EXPECT_EQ(value, 7);
+}
+
+TEST(JsonReader, ComponentsAreMadeFromTheirParameters) {
+  std::vector<JsonProblem> problems;
+  const auto good = nlohmann::json::parse(R"({"period": 0.002})");
+  const auto component =
+      componentClass<reference::SimulatedArm>().create(JsonReader(good, "", problems));
+  ASSERT_NE(component, nullptr);
+  EXPECT_EQ(dynamic_cast<PeriodicTask&>(*component).period(), std::chrono::milliseconds(2));
+  const auto bad = nlohmann::json::parse(R"({"period": 0})");
+  EXPECT_EQ(componentClass<reference::SimulatedArm>().create(JsonReader(bad, "", problems)),
+            nullptr);
+}
+
+}  // namespace
+}  // namespace suture

@@ -1,0 +1,210 @@
+#include <gtest/gtest.h>
+#include <suture/component/device.h>
+#include <suture/component/event_task.h>
+#include <suture/component/periodic_task.h>
+#include <suture/wiring/connect.h>
+
+#include <atomic>
+#include <thread>
+
+#include "reference/arm_like.suture.h"
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+using reference::ArmLike;
+using reference::JointState;
+using reference::Mode;
+using reference::PoseStamped;
+
+/// An arm that counts its cycles; Kind is PeriodicTask or EventTask.
+template <class Kind>
+class CountingArm final : public Kind, public ArmLike {
+ public:
+  using Kind::Kind;
+  ~CountingArm() override { this->stop(); }
+
+  void servo_cp(const PoseStamped& goal) override { pose_ = goal; }
+  void servo_jp(const JointState&) override {}
+  void hold() override { arm.emit().stopped(); }
+  void set_mode(Mode mode) override { arm.emit().mode(mode); }
+  PoseStamped measured_cp() const override {
+    ++evaluations;
+    return pose_;
+  }
+  const JointState& measured_js() const override { return joints; }
+  double distance(const PoseStamped&) const override { return 0; }
+
+  std::atomic<int> cycles{0};
+  mutable std::atomic<int> evaluations{0};
+  JointState joints;
+  Provided<ArmLike> arm{*this, "Arm", *this};
+
+ private:
+  void run() override { ++cycles; }
+  PoseStamped pose_;
+};
+
+struct Client final : Device {
+  Required<ArmLike> arm{*this, "Arm"};
+};
+
+template <class Condition>
+bool eventually(const Condition& condition) {
+  const Time deadline = now() + 10s;
+  while (!condition() && now() < deadline) std::this_thread::sleep_for(200us);
+  return condition();
+}
+
+TEST(PeriodicTask, RunsOncePerPeriodAndAccountsForEach) {
+  CountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1ms});
+  const Time begin = now();
+  arm.start();
+  EXPECT_TRUE(eventually([&] { return arm.cycles >= 50; }));
+  arm.stop();
+  const auto elapsed = static_cast<double>((now() - begin) / 1ms);
+  const TaskStatistics& statistics = arm.statistics();
+  const auto accounted = static_cast<double>(statistics.cycles + statistics.skipped);
+  EXPECT_LE(accounted, elapsed + 1);
+  EXPECT_EQ(statistics.cycles, static_cast<std::uint64_t>(arm.cycles));
+}
+
+TEST(PeriodicTask, RefusesAPeriodThatIsNotPositive) {
+  EXPECT_THROW(CountingArm<PeriodicTask>(PeriodicOptions{.period = 0ms}), SetupError);
+}
+
+TEST(Task, ToldOfSchedulingThatTheKernelRefuses) {
+  CountingArm<PeriodicTask> arm(PeriodicOptions{.scheduling = {.cpu = 4000}});
+  try {
+    arm.start();
+    FAIL() << "there is no processor 4000";
+  } catch (const SetupError& error) {
+    EXPECT_NE(std::string(error.what()).find("processor 4000"), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(arm.cycles, 0);
+}
+
+TEST(EventTask, SleepsUntilACommandArrives) {
+  CountingArm<EventTask> arm(EventOptions{.longestSleep = 1h});
+  Client client;
+  connectLocally(client.arm, arm.arm, "test");
+  arm.start();
+  EXPECT_TRUE(client.arm.hold.start().within(5s));
+  const int before = arm.cycles;
+  EXPECT_TRUE(client.arm.hold.start().within(5s));
+  // One more for the command; a second at most for the answer's own ring.
+  EXPECT_LE(arm.cycles - before, 2);
+}
+
+TEST(EventTask, TheFirstAskWakesASleepingProvider) {
+  CountingArm<EventTask> arm(EventOptions{.longestSleep = 1h});
+  Client client;
+  connectLocally(client.arm, arm.arm, "test");
+  arm.start();
+  EXPECT_EQ(client.arm.measured_cp().error(), Errc::NotYet);
+  EXPECT_TRUE(eventually([&] { return client.arm.measured_cp().hasValue(); }));
+}
+
+TEST(Provided, EvaluatesOnlyWhatSomebodyAskedFor) {
+  CountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1ms});
+  Client client;
+  connectLocally(client.arm, arm.arm, "test");
+  arm.start();
+  JointState joints;
+  EXPECT_TRUE(eventually([&] { return client.arm.measured_js(joints).hasValue(); }));
+  EXPECT_EQ(arm.evaluations, 0);
+}
+
+TEST(Provided, AReadThatExceedsItsCapacitySaysSo) {
+  CountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1ms});
+  arm.joints.position.assign(9, 0.0);  // capacity(8)
+  Client client;
+  connectLocally(client.arm, arm.arm, "test");
+  arm.start();
+  JointState joints;
+  EXPECT_TRUE(eventually([&] { return client.arm.measured_js(joints).error() == Errc::TooLarge; }));
+  EXPECT_EQ(client.arm.measured_js.fresh().within(5s).error(), Errc::TooLarge);
+}
+
+struct Listener final : Device {
+  Listener() {
+    arm.on().mode([this](const Mode& mode) { modes.push_back(mode); });
+    arm.on().stopped([this] { ++stops; });
+  }
+  Required<ArmLike> arm{*this, "Arm"};
+  std::vector<Mode> modes;
+  int stops = 0;
+};
+
+TEST(Events, ALateJoinerGetsTheLatchedValueAndNoOther) {
+  CountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1ms});
+  Listener early, late;
+  connectLocally(early.arm, arm.arm, "early");
+  arm.start();
+  EXPECT_TRUE(early.arm.set_mode.start(Mode::Enabled).within(5s));
+  EXPECT_TRUE(early.arm.hold.start().within(5s));
+  EXPECT_TRUE(early.waitForEvents(now() + 5s));
+  EXPECT_EQ(early.modes, std::vector<Mode>{Mode::Enabled});
+  EXPECT_EQ(early.stops, 1);
+
+  connectLocally(late.arm, arm.arm, "late");
+  EXPECT_FALSE(late.arm.connected() && !late.modes.empty());
+  EXPECT_TRUE(late.waitForEvents(now() + 5s));
+  EXPECT_EQ(late.modes, std::vector<Mode>{Mode::Enabled});
+  EXPECT_EQ(late.stops, 0);
+}
+
+TEST(Events, ASlowSubscriberLosesItsOwnAndDelaysNobody) {
+  CountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1ms});
+  Listener quick, slow;
+  connectLocally(quick.arm, arm.arm, "quick");
+  const auto slowChannel = connectLocally(slow.arm, arm.arm, "slow");
+  arm.start();
+  constexpr int kEvents = 200;
+  for (int i = 1; i <= kEvents; ++i) {
+    ASSERT_TRUE(quick.arm.hold.start().within(5s));
+    while (quick.stops < i) ASSERT_TRUE(quick.waitForEvents(now() + 5s));
+  }
+  slow.arm.connected();
+  slow.processEvents();
+  EXPECT_LT(slow.stops, kEvents);
+  EXPECT_EQ(slow.stops + static_cast<int>(slowChannel->events.dropped()), kEvents);
+}
+
+TEST(Device, ALocalClientCallsItDirectly) {
+  struct ArmDevice final : Device, ArmLike {
+    void servo_cp(const PoseStamped&) override {}
+    void servo_jp(const JointState&) override {}
+    void hold() override { thread = std::this_thread::get_id(); }
+    void set_mode(Mode) override {}
+    PoseStamped measured_cp() const override { return {}; }
+    const JointState& measured_js() const override { return joints; }
+    double distance(const PoseStamped&) const override { return 42; }
+    std::thread::id thread;
+    JointState joints;
+    Provided<ArmLike> arm{*this, "Arm", *this};
+  } device;
+  Client client;
+  connectLocally(client.arm, device.arm, "test");
+  EXPECT_TRUE(client.arm.hold());
+  EXPECT_EQ(device.thread, std::this_thread::get_id());
+  EXPECT_EQ(*client.arm.distance.start(PoseStamped{}).within(0s), 42);
+  EXPECT_TRUE(client.arm.measured_cp());
+}
+
+TEST(Calls, TooManyUnderWayAreRefused) {
+  CountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1h});  // never gets to answer
+  Client client;
+  connectLocally(client.arm, arm.arm, "test");
+  arm.start();
+  std::vector<Call<Result<double>, double>> calls;
+  for (unsigned i = 0; i < Channel::kMaxCalls; ++i) {
+    calls.push_back(client.arm.distance.start(PoseStamped{}));
+    EXPECT_FALSE(calls.back().poll());
+  }
+  EXPECT_EQ(client.arm.distance.start(PoseStamped{}).within(0s).error(), Errc::TooManyCalls);
+}
+
+}  // namespace
+}  // namespace suture

@@ -1,0 +1,100 @@
+#include <gtest/gtest.h>
+#include <suture/component/device.h>
+#include <suture/wiring/connect.h>
+#include <suture/wiring/differences.h>
+#include <suture/wiring/directory.h>
+
+#include "reference/simulated_arm.h"
+
+namespace suture {
+namespace {
+
+template <class Action>
+std::string errorOf(const Action& action) {
+  try {
+    action();
+  } catch (const SetupError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Endpoint, ReadsBothForms) {
+  const Endpoint far = Endpoint::parse("left:PSM1/Arm"), near = Endpoint::parse("PSM1/Arm");
+  EXPECT_EQ(far.process, "left");
+  EXPECT_EQ(far.component, "PSM1");
+  EXPECT_EQ(far.interface, "Arm");
+  EXPECT_EQ(near.process, "");
+  EXPECT_EQ(far.toString(), "left:PSM1/Arm");
+  EXPECT_EQ(near.toString(), "PSM1/Arm");
+}
+
+TEST(Endpoint, RefusesOtherForms) {
+  for (const char* text : {"", "PSM1", "/Arm", "PSM1/", "left:", ":PSM1/Arm", "left:/Arm"}) {
+    EXPECT_NE(errorOf([&] { Endpoint::parse(text); }).find("not of the form"), std::string::npos)
+        << text;
+  }
+}
+
+class Wired : public testing::Test {
+ protected:
+  Wired() {
+    directory_.add("PSM1", arm_);
+    directory_.add("Console", client_);
+  }
+
+  struct Client final : Device {
+    Required<reference::ArmLike> slave{*this, "Slave"};
+  };
+  reference::SimulatedArm arm_{{}};
+  Client client_;
+  Directory directory_{"left"};
+};
+
+TEST_F(Wired, AComponentThatDoesNotExistIsNamedWithTheNearest) {
+  EXPECT_EQ(errorOf([&] { directory_.provided(Endpoint::parse("PSM2/Arm")); }),
+            "asked for 'PSM2/Arm': process 'left' has components 'Console' and 'PSM1'. "
+            "Did you mean 'PSM1'?");
+}
+
+TEST_F(Wired, AnInterfaceThatDoesNotExistIsNamedWithTheNearest) {
+  EXPECT_EQ(errorOf([&] { directory_.provided(Endpoint::parse("PSM1/Arn")); }),
+            "asked for the provided interface 'PSM1/Arn': component 'PSM1' has provided interfaces "
+            "'Arm'. Did you mean 'Arm'?");
+  EXPECT_EQ(errorOf([&] { directory_.required(Endpoint::parse("PSM1/Arm")); }),
+            "asked for the required interface 'PSM1/Arm': component 'PSM1' has required interfaces "
+            "none. Use one of those names");
+}
+
+TEST_F(Wired, ANameIsTakenOnce) {
+  EXPECT_NE(errorOf([&] { directory_.add("PSM1", arm_); }).find("it has one of that name"),
+            std::string::npos);
+}
+
+TEST(Differences, AreToldFieldByFieldAndIgnoreDocumentation) {
+  const char* here = R"({"doc": "a", "commands": [
+      {"name": "servo_cp", "kind": "write", "queue": 16}, {"name": "hold", "kind": "void"}]})";
+  const char* there = R"({"doc": "b", "commands": [
+      {"name": "home", "kind": "void"}, {"name": "servo_cp", "kind": "read", "queue": 16}]})";
+  EXPECT_EQ(differences(here, there),
+            (std::vector<std::string>{"commands.hold.kind: 'void' here, missing there",
+                                      "commands.hold.name: 'hold' here, missing there",
+                                      "commands.servo_cp.kind: 'write' here, 'read' there",
+                                      "commands.home.kind: missing here, 'void' there",
+                                      "commands.home.name: missing here, 'home' there"}));
+  EXPECT_TRUE(differences(here, here).empty());
+}
+
+TEST(Contract, ADifferentOneIsRefusedWithTheDifference) {
+  const InterfaceInfo& info = interfaceInfo<reference::ArmLike>();
+  const std::string error = errorOf([&] {
+    requireSameContract(info, info.name, "another hash", R"({"name": "other"})",
+                        "a:C/Slave -> b:P/Arm");
+  });
+  EXPECT_NE(error.find("connecting a:C/Slave -> b:P/Arm"), std::string::npos) << error;
+  EXPECT_NE(error.find("'reference::ArmLike' here, 'other' there"), std::string::npos) << error;
+  EXPECT_NE(error.find("Build both sides from the same header"), std::string::npos) << error;
+}
+
+}  // namespace
+}  // namespace suture
