@@ -8,8 +8,9 @@
 namespace suture::rt {
 
 struct Scheduling {
-  std::optional<int> fifoPriority;  ///< 1..99: SCHED_FIFO; absent: the default policy
-  std::optional<int> cpu;           ///< pins the thread to this processor
+  std::optional<int> fifoPriority =
+      std::nullopt;                       ///< 1..99: SCHED_FIFO; absent: the default policy
+  std::optional<int> cpu = std::nullopt;  ///< pins the thread to this processor
 };
 
 /// Applies the name (at most 15 characters are kept) and the scheduling to the calling thread.
