@@ -8,9 +8,10 @@
 namespace suture::rt {
 
 struct Scheduling {
-  std::optional<int> fifoPriority =
-      std::nullopt;                       ///< 1..99: SCHED_FIFO; absent: the default policy
-  std::optional<int> cpu = std::nullopt;  ///< pins the thread to this processor
+  /// 1..99: SCHED_FIFO; absent: the default policy.
+  std::optional<int> fifoPriority = std::nullopt;
+  /// Pins the thread to this processor.
+  std::optional<int> cpu = std::nullopt;
 };
 
 /// Applies the name (at most 15 characters are kept) and the scheduling to the calling thread.

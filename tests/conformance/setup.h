@@ -11,10 +11,6 @@
 #include "conformance/arm.h"
 #include "conformance/client.h"
 
-namespace suture {
-class GlobalManager;
-}
-
 namespace conformance {
 
 enum class LaneUnderTest { Local, RpcUnix, RpcTcp };
@@ -29,6 +25,7 @@ class Conformance : public testing::TestWithParam<Combination> {
  protected:
   Conformance();
   ~Conformance() override;
+  void SetUp() override;
   void TearDown() override;
 
   bool providerIsDevice() const { return std::get<1>(GetParam()) == ProviderKind::Device; }
@@ -57,8 +54,10 @@ class Conformance : public testing::TestWithParam<Combination> {
   std::unique_ptr<Client> client;
 
  private:
+  struct Names;
+
   std::string directory_;
-  std::unique_ptr<suture::GlobalManager> global_;
+  std::unique_ptr<Names> names_;
   std::unique_ptr<suture::Manager> providerManager_;
   std::unique_ptr<suture::Manager> ownClientManager_;
   suture::Manager* clientManager_ = nullptr;  // the provider's on `local`
