@@ -1,0 +1,99 @@
+#include "conformance/setup.h"
+
+#include <suture/manager/global_manager.h>
+#include <suture/transport/rpc/control_thread.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace conformance {
+namespace {
+
+std::unique_ptr<ArmComponent> makeArm(ProviderKind kind) {
+  using namespace std::chrono_literals;
+  switch (kind) {
+    case ProviderKind::Periodic:
+      return std::make_unique<ArmTask<suture::PeriodicTask>>(
+          suture::PeriodicOptions{.period = 1ms});
+    case ProviderKind::EventDriven:
+      return std::make_unique<ArmTask<suture::EventTask>>(suture::EventOptions{});
+    case ProviderKind::Device: return std::make_unique<ArmDevice>();
+  }
+  return nullptr;
+}
+
+std::unique_ptr<Client> makeClient(ClientKind kind) {
+  if (kind == ClientKind::Task) return std::make_unique<TaskClient>();
+  return std::make_unique<DeviceClient>();
+}
+
+std::string makeDirectory() {
+  std::string path = std::filesystem::temp_directory_path() / "suture-test-XXXXXX";
+  return mkdtemp(path.data()) == nullptr ? "" : path;
+}
+
+}  // namespace
+
+/// A global manager of the test's own.
+struct Conformance::Names {
+  explicit Names(const std::string& address) : global(control, address) {}
+  suture::rpc::ControlThread control;
+  suture::GlobalManager global;
+};
+
+Conformance::Conformance()
+    : arm(makeArm(std::get<1>(GetParam()))),
+      client(makeClient(std::get<2>(GetParam()))),
+      directory_(makeDirectory()) {}
+
+// Two managers in one process are two processes to each other: nothing is shared but the sockets.
+void Conformance::SetUp() {
+  const LaneUnderTest lane = std::get<0>(GetParam());
+  if (lane == LaneUnderTest::Local) {
+    providerManager_ = std::make_unique<suture::Manager>("alone");
+    clientManager_ = providerManager_.get();
+  } else {
+    names_ = std::make_unique<Names>(lane == LaneUnderTest::RpcUnix
+                                         ? "unix:" + directory_ + "/manager.sock"
+                                         : "tcp://127.0.0.1:0");
+    const std::string& address = names_->global.address();
+    providerManager_ = std::make_unique<suture::Manager>("provider", address);
+    ownClientManager_ = std::make_unique<suture::Manager>("client", address);
+    clientManager_ = ownClientManager_.get();
+  }
+  providerManager_->add("PSM", arm->component());
+  clientManager_->add("Console", client->component());
+  providerManager_->start();
+  if (ownClientManager_ != nullptr) ownClientManager_->start();
+  clientManager_->connect("Console/Arm",
+                          lane == LaneUnderTest::Local ? "PSM/Arm" : "provider:PSM/Arm");
+}
+
+void Conformance::TearDown() {
+  arm->gate.open();
+  if (ownClientManager_ != nullptr) ownClientManager_->stop();
+  if (providerManager_ != nullptr) providerManager_->stop();
+}
+
+Conformance::~Conformance() {
+  std::error_code ignored;
+  std::filesystem::remove_all(directory_, ignored);
+}
+
+void Conformance::stopProvider() {
+  // On `local` both live in one manager, and only the provider's task is to end.
+  if (std::get<0>(GetParam()) != LaneUnderTest::Local) return providerManager_->stop();
+  dynamic_cast<suture::Task&>(arm->component()).stop();
+}
+
+std::string nameOf(const testing::TestParamInfo<Combination>& info) {
+  static constexpr const char* kLanes[] = {"Local", "RpcUnix", "RpcTcp"};
+  static constexpr const char* kProviders[] = {"Periodic", "EventDriven", "Device"};
+  static constexpr const char* kClients[] = {"Task", "Device"};
+  const auto [lane, provider, client] = info.param;
+  return std::string(kLanes[static_cast<int>(lane)]) + "To" +
+         kProviders[static_cast<int>(provider)] + "From" + kClients[static_cast<int>(client)];
+}
+
+}  // namespace conformance
