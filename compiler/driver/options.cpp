@@ -9,27 +9,37 @@
 namespace suture::compiler::driver {
 namespace {
 
-// One argument a line, taken literally: no shell between the build system and us.
-void appendResponseFile(const std::string& path, std::vector<std::string>& arguments) {
-  std::ifstream file(path);
-  if (!file) throw std::runtime_error("cannot read the response file '" + path + "'");
-  for (std::string line; std::getline(file, line);) {
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    if (!line.empty()) arguments.push_back(line);
-  }
-}
+// What stands behind "--", on the command line or in a response file, goes to clang.
+struct Split {
+  std::vector<std::string> own, clang;
 
-std::vector<std::string> expanded(const std::vector<std::string>& arguments) {
-  std::vector<std::string> result;
-  for (const std::string& argument : arguments) {
-    if (argument.size() > 1 && argument[0] == '@') {
-      appendResponseFile(argument.substr(1), result);
-    } else {
-      result.push_back(argument);
+  void append(const std::vector<std::string>& arguments) {
+    std::vector<std::string>* side = &own;
+    for (const std::string& argument : arguments) {
+      if (side == &own && argument == "--") {
+        side = &clang;
+      } else if (side == &own && argument.size() > 1 && argument[0] == '@') {
+        append(responseFile(argument.substr(1)));
+      } else {
+        side->push_back(argument);
+      }
     }
   }
-  return result;
-}
+
+  // One argument a line, taken literally: no shell between the build system and us.
+  static std::vector<std::string> responseFile(const std::string& path) {
+    std::ifstream file(path);
+    if (!file) throw std::runtime_error("cannot read the response file '" + path + "'");
+    std::vector<std::string> arguments;
+    for (std::string line; std::getline(file, line);) {
+      if (!line.empty() && line.back() == '\r') line.pop_back();
+      if (line.starts_with('@'))
+        throw std::runtime_error("response file '" + path + "' names another");
+      if (!line.empty()) arguments.push_back(line);
+    }
+    return arguments;
+  }
+};
 
 void declare(CLI::App& app, Options& options) {
   app.add_option("headers", options.headers, "Annotated headers of one target")->required();
@@ -37,8 +47,7 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--base-dir", options.baseDirectory, "Headers are known by their path below it");
   app.add_option("--out", options.outputDirectory, "Folder for what is generated");
   app.add_option("--lock-dir", options.lockDirectories, "Folder of locked schemas; own first")
-      ->expected(1)
-      ->take_all();
+      ->allow_extra_args(false);
   app.add_option("--depfile", options.depfile, "Make rule that lists every file read");
   app.add_option("--stamp", options.stamp, "File touched after a run without errors");
   app.add_option("--resource-dir", options.resourceDirectory, "Clang's own headers");
@@ -51,21 +60,18 @@ void declare(CLI::App& app, Options& options) {
 }  // namespace
 
 Parsed parseOptions(const std::vector<std::string>& arguments) {
-  std::vector<std::string> own = expanded(arguments);
+  Split split;
+  split.append(arguments);
   Options options;
-  const auto separator = std::find(own.begin(), own.end(), "--");
-  if (separator != own.end()) {
-    options.clangArguments.assign(separator + 1, own.end());
-    own.erase(separator, own.end());
-  }
+  options.clangArguments = std::move(split.clang);
   CLI::App app{
       "Reads annotated C++ headers and writes what carries them over a wire.\n"
       "What stands behind -- goes to clang.",
       "suturec"};
   declare(app, options);
   try {
-    std::reverse(own.begin(), own.end());  // as CLI11 wants it
-    app.parse(own);
+    std::reverse(split.own.begin(), split.own.end());  // as CLI11 wants it
+    app.parse(split.own);
     if (options.outputDirectory.empty() && !options.updateLock) {
       throw CLI::RequiredError("--out (or --update-lock)");
     }

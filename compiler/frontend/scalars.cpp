@@ -27,8 +27,6 @@ MappedType mapBuiltin(const clang::BuiltinType* type) {
       return scalar(Scalar::Int32, "std::int32_t");
     case BuiltinType::Long:
       return scalar(Scalar::Int64, "std::int64_t");
-    case BuiltinType::LongLong:
-      return scalar(Scalar::Int64, "long long");
     case BuiltinType::UChar:
       return scalar(Scalar::UInt8, "std::uint8_t");
     case BuiltinType::UShort:
@@ -37,12 +35,14 @@ MappedType mapBuiltin(const clang::BuiltinType* type) {
       return scalar(Scalar::UInt32, "std::uint32_t");
     case BuiltinType::ULong:
       return scalar(Scalar::UInt64, "std::uint64_t");
-    case BuiltinType::ULongLong:
-      return scalar(Scalar::UInt64, "unsigned long long");
     case BuiltinType::Float:
       return scalar(Scalar::Float32, "float");
     case BuiltinType::Double:
       return scalar(Scalar::Float64, "double");
+    case BuiltinType::LongLong:
+    case BuiltinType::ULongLong:
+      return TypeProblem{"long-long", "it is a type of its own beside std::int64_t",
+                         "use std::int64_t or std::uint64_t"};
     case BuiltinType::Char_S:
     case BuiltinType::Char_U:
       return TypeProblem{"char", "whether char is signed differs between machines",
