@@ -1,0 +1,126 @@
+#include <suture/manager/manager_session.h>
+
+#include <algorithm>
+
+namespace suture {
+namespace {
+
+using Kind = wire::Refusal::Kind;
+
+constexpr std::uint32_t kLongestWaitMilliseconds = 60'000;
+
+/// Holds a name for as long as its client holds it.
+class LeaseServer final : public wire::Lease::Server {
+ public:
+  LeaseServer(kj::Own<NameService> names, std::string name, std::uint64_t generation)
+      : names_(kj::mv(names)), name_(std::move(name)), generation_(generation) {}
+  ~LeaseServer() noexcept(false) { names_->registry().remove(name_, generation_); }
+
+ protected:
+  kj::Promise<void> update(UpdateContext context) override {
+    names_->registry().update(name_, generation_, fromWire(context.getParams().getComponents()));
+    return kj::READY_NOW;
+  }
+
+ private:
+  kj::Own<NameService> names_;
+  const std::string name_;
+  const std::uint64_t generation_;
+};
+
+class SessionServer final : public wire::Session::Server {
+ public:
+  explicit SessionServer(kj::Own<NameService> names) : names_(kj::mv(names)) {}
+
+ protected:
+  kj::Promise<void> register_(RegisterContext context) override {
+    ProcessRecord process = fromWire(context.getParams().getProcess());
+    const std::string name = process.name;
+    const auto generation = names_->registry().add(std::move(process));
+    auto results = context.getResults();
+    if (!generation) {
+      toWire(generation.error(), results.initRefused());
+      return kj::READY_NOW;
+    }
+    results.setGeneration(*generation);
+    results.setLease(kj::heap<LeaseServer>(kj::addRef(*names_), name, *generation));
+    names_->announce(name);
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> resolve(ResolveContext context) override {
+    const std::string name = stringOf(context.getParams().getProcess());
+    const std::uint32_t wait = context.getParams().getWaitMilliseconds();
+    context.allowCancellation();
+    return names_->whenKnown(name, wait).then([this, context, name, wait]() mutable {
+      auto results = context.getResults();
+      if (const ProcessRecord* process = names_->registry().find(name)) {
+        toWire(*process, results.initFound());
+      } else {
+        toWire(names_->registry().unknown(name, wait), results.initRefused());
+      }
+    });
+  }
+
+  kj::Promise<void> list(ListContext context) override {
+    const auto all = names_->registry().list();
+    auto processes = context.getResults().initProcesses(static_cast<unsigned>(all.size()));
+    for (unsigned i = 0; i < all.size(); ++i) toWire(all[i], processes[i]);
+    return kj::READY_NOW;
+  }
+
+ private:
+  kj::Own<NameService> names_;
+};
+
+class GlobalManagerServer final : public wire::GlobalManager::Server {
+ public:
+  explicit GlobalManagerServer(kj::Own<NameService> names) : names_(kj::mv(names)) {}
+
+ protected:
+  kj::Promise<void> hello(HelloContext context) override {
+    const std::uint16_t theirs = context.getParams().getVersion();
+    const std::uint16_t ours = wire::PROTOCOL_VERSION;
+    if (theirs == ours) {
+      context.getResults().setSession(kj::heap<SessionServer>(kj::addRef(*names_)));
+    } else {
+      toWire({Kind::VERSION_MISMATCH,
+              "talk to the global manager: it speaks version " + std::to_string(ours) +
+                  " of the protocol and '" + stringOf(context.getParams().getProgram()) +
+                  "' speaks version " + std::to_string(theirs) + ". Build both from the same release."},
+             context.getResults().initRefused());
+    }
+    return kj::READY_NOW;
+  }
+
+ private:
+  kj::Own<NameService> names_;
+};
+
+}  // namespace
+
+void NameService::announce(const std::string& name) {
+  kj::Vector<Waiting> others;
+  for (Waiting& one : waiting_) {
+    if (one.name == name) {
+      one.arrived->fulfill();
+    } else if (one.arrived->isWaiting()) {
+      others.add(kj::mv(one));
+    }
+  }
+  waiting_ = kj::mv(others);
+}
+
+kj::Promise<void> NameService::whenKnown(const std::string& name, std::uint32_t waitMilliseconds) {
+  if (waitMilliseconds == 0 || registry_.find(name) != nullptr) return kj::READY_NOW;
+  auto pair = kj::newPromiseAndFulfiller<void>();
+  waiting_.add(Waiting{name, kj::mv(pair.fulfiller)});
+  const auto wait = std::min(waitMilliseconds, kLongestWaitMilliseconds) * kj::MILLISECONDS;
+  return pair.promise.exclusiveJoin(timer_.afterDelay(wait));
+}
+
+wire::GlobalManager::Client makeGlobalManager(kj::Own<NameService> names) {
+  return kj::heap<GlobalManagerServer>(kj::mv(names));
+}
+
+}  // namespace suture

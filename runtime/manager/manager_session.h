@@ -1,0 +1,40 @@
+#pragma once
+// The global manager as its clients see it: capabilities over one registry.
+
+#include <kj/async.h>
+#include <kj/refcount.h>
+#include <kj/timer.h>
+#include <kj/vector.h>
+#include <suture/manager.capnp.h>
+#include <suture/manager/registry.h>
+
+#include <string>
+
+namespace suture {
+
+/// The registry and those who wait for a name. Belongs to the control thread; shared by all sessions.
+class NameService final : public kj::Refcounted {
+ public:
+  explicit NameService(kj::Timer& timer) : timer_(timer) {}
+
+  Registry& registry() { return registry_; }
+  /// Wakes who waits for `name`.
+  void announce(const std::string& name);
+  /// Resolves when `name` is known, or after the wait, which is bounded.
+  kj::Promise<void> whenKnown(const std::string& name, std::uint32_t waitMilliseconds);
+
+ private:
+  struct Waiting {
+    std::string name;
+    kj::Own<kj::PromiseFulfiller<void>> arrived;
+  };
+
+  kj::Timer& timer_;
+  Registry registry_;
+  kj::Vector<Waiting> waiting_;
+};
+
+/// The bootstrap capability of the global manager: hands a session to who speaks its version.
+wire::GlobalManager::Client makeGlobalManager(kj::Own<NameService> names);
+
+}  // namespace suture

@@ -1,0 +1,131 @@
+#include <suture/base/errors.h>
+#include <suture/manager/describe.h>
+#include <suture/manager/manager_link.h>
+#include <suture/manager/network.h>
+#include <suture/manager/peer_host.h>
+#include <suture/manager/remote_connection.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <map>
+
+namespace suture {
+namespace {
+
+/// What ControlThread::run() throws, as a SetupError.
+template <class Work>
+auto run(rpc::ControlThread& control, Duration deadline, Work work) {
+  try {
+    return control.run(deadline, std::move(work));
+  } catch (const rpc::ControlFailure& failure) {
+    throw SetupError(failure.what());
+  }
+}
+
+constexpr Duration kLocalWork = std::chrono::seconds(10);
+
+std::string hostName() {
+  char name[256] = "";
+  gethostname(name, sizeof(name) - 1);
+  return name;
+}
+
+/// Next to the manager: a socket in the same directory, or a free port of the same interface.
+rpc::Address peerAddress(rpc::Address manager, const std::string& process) {
+  if (manager.kind == rpc::Address::Kind::Tcp) {
+    manager.port = 0;
+    return manager;
+  }
+  const auto directory = std::filesystem::path(manager.path).parent_path();
+  return rpc::Address::parse("unix:" +
+                             (directory / (process + "." + std::to_string(getpid()) + ".sock")).string());
+}
+
+}  // namespace
+
+class Network::Impl {
+ public:
+  Impl(const Directory& directory, const std::string& managerAddress, ServerOf serverOf,
+       Duration patience)
+      : directory_(directory), manager_(rpc::Address::parse(managerAddress)) {
+    try {
+      run(control_, patience + kLocalWork, [this, serverOf = std::move(serverOf), patience]() mutable {
+        return join(std::move(serverOf), patience);
+      });
+    } catch (const SetupError&) {
+      leave();
+      throw;
+    }
+  }
+
+  ~Impl() { leave(); }
+
+  void publish() {
+    run(control_, kLocalWork, [this, components = describeComponents(directory_)] {
+      link_->update(components);
+      host_->publish();
+    });
+  }
+
+  std::shared_ptr<Channel> connect(RequiredBase& required, Endpoint from, Endpoint to, Duration patience) {
+    if (from.process.empty()) from.process = directory_.process();
+    if (to.process.empty()) to.process = directory_.process();
+    return run(control_, patience + kLocalWork, [this, &required, from, to, patience] {
+      auto connection = std::make_unique<RemoteConnection>(control_, *link_, required, from, to);
+      auto opened = connection->open(patience);
+      auto& kept = connections_[from.toString()];
+      kept = std::move(connection);
+      return opened;
+    });
+  }
+
+  std::vector<std::shared_ptr<Channel>> served() const { return host_->served(); }
+
+ private:
+  kj::Promise<void> join(ServerOf serverOf, Duration patience) {
+    link_ = std::make_unique<ManagerLink>(control_, manager_, directory_.process());
+    return link_->open(patience).then([this, serverOf = std::move(serverOf)]() mutable {
+      host_ = std::make_unique<PeerHost>(control_, directory_, std::move(serverOf),
+                                         peerAddress(manager_, directory_.process()));
+      return link_->enrol({.name = directory_.process(),
+                           .addresses = {host_->address().text()},
+                           .pid = getpid(),
+                           .host = hostName(),
+                           .components = {},
+                           .generation = 0});
+    });
+  }
+
+  /// What lives on the control thread ends there.
+  void leave() {
+    control_.run(kLocalWork, [this] {
+      connections_.clear();
+      host_.reset();
+      link_.reset();
+    });
+  }
+
+  const Directory& directory_;
+  const rpc::Address manager_;
+  rpc::ControlThread control_;
+  std::unique_ptr<ManagerLink> link_;
+  std::unique_ptr<PeerHost> host_;
+  std::map<std::string, std::unique_ptr<RemoteConnection>> connections_;  // by required interface
+};
+
+Network::Network(const Directory& directory, const std::string& managerAddress, ServerOf serverOf,
+                 Duration patience)
+    : impl_(std::make_unique<Impl>(directory, managerAddress, std::move(serverOf), patience)) {}
+
+Network::~Network() = default;
+
+void Network::publish() { impl_->publish(); }
+
+std::shared_ptr<Channel> Network::connect(RequiredBase& required, const Endpoint& from,
+                                          const Endpoint& to, Duration patience) {
+  return impl_->connect(required, from, to, patience);
+}
+
+std::vector<std::shared_ptr<Channel>> Network::served() const { return impl_->served(); }
+
+}  // namespace suture

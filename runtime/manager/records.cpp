@@ -1,0 +1,77 @@
+#include <suture/manager/records.h>
+
+namespace suture {
+namespace {
+
+using WireInterfaces = capnp::List<wire::InterfaceRecord>;
+
+void interfacesToWire(const std::vector<InterfaceRecord>& interfaces, WireInterfaces::Builder out) {
+  for (unsigned i = 0; i < interfaces.size(); ++i) {
+    out[i].setName(textOf(interfaces[i].name));
+    out[i].setContract(textOf(interfaces[i].contract));
+    out[i].setHash(textOf(interfaces[i].hash));
+  }
+}
+
+std::vector<InterfaceRecord> interfacesFromWire(WireInterfaces::Reader in) {
+  std::vector<InterfaceRecord> interfaces;
+  for (const auto& one : in) {
+    interfaces.push_back({stringOf(one.getName()), stringOf(one.getContract()), stringOf(one.getHash())});
+  }
+  return interfaces;
+}
+
+unsigned sizeOf(const auto& list) { return static_cast<unsigned>(list.size()); }
+
+}  // namespace
+
+void toWire(const std::vector<ComponentRecord>& components,
+            capnp::List<wire::ComponentRecord>::Builder out) {
+  for (unsigned i = 0; i < components.size(); ++i) {
+    const ComponentRecord& component = components[i];
+    out[i].setName(textOf(component.name));
+    interfacesToWire(component.provided, out[i].initProvided(sizeOf(component.provided)));
+    interfacesToWire(component.required, out[i].initRequired(sizeOf(component.required)));
+  }
+}
+
+void toWire(const ProcessRecord& process, wire::ProcessRecord::Builder out) {
+  out.setName(textOf(process.name));
+  auto addresses = out.initAddresses(sizeOf(process.addresses));
+  for (unsigned i = 0; i < process.addresses.size(); ++i) {
+    addresses.set(i, textOf(process.addresses[i]));
+  }
+  out.setPid(process.pid);
+  out.setHost(textOf(process.host));
+  toWire(process.components, out.initComponents(sizeOf(process.components)));
+  out.setGeneration(process.generation);
+}
+
+void toWire(const Refusal& refusal, wire::Refusal::Builder out) {
+  out.setKind(refusal.kind);
+  out.setText(textOf(refusal.text));
+}
+
+std::vector<ComponentRecord> fromWire(capnp::List<wire::ComponentRecord>::Reader in) {
+  std::vector<ComponentRecord> components;
+  for (const auto& one : in) {
+    components.push_back({stringOf(one.getName()), interfacesFromWire(one.getProvided()),
+                          interfacesFromWire(one.getRequired())});
+  }
+  return components;
+}
+
+ProcessRecord fromWire(wire::ProcessRecord::Reader in) {
+  ProcessRecord process;
+  process.name = stringOf(in.getName());
+  for (const auto address : in.getAddresses()) process.addresses.push_back(stringOf(address));
+  process.pid = in.getPid();
+  process.host = stringOf(in.getHost());
+  process.components = fromWire(in.getComponents());
+  process.generation = in.getGeneration();
+  return process;
+}
+
+Refusal fromWire(wire::Refusal::Reader in) { return {in.getKind(), stringOf(in.getText())}; }
+
+}  // namespace suture

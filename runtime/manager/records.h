@@ -1,0 +1,51 @@
+#pragma once
+// What the global manager knows of a process, as plain values.
+
+#include <suture/manager.capnp.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+struct InterfaceRecord {
+  std::string name;      ///< "Arm"
+  std::string contract;  ///< "robots::Arm"
+  std::string hash;      ///< of the wire contract
+};
+
+struct ComponentRecord {
+  std::string name;
+  std::vector<InterfaceRecord> provided, required;
+};
+
+struct ProcessRecord {
+  std::string name;
+  std::vector<std::string> addresses;  ///< best first
+  std::int32_t pid = 0;
+  std::string host;
+  std::vector<ComponentRecord> components;
+  std::uint64_t generation = 0;  ///< given by the manager; a name registered again has a higher one
+};
+
+/// Why something did not happen, for a program and for a person.
+struct Refusal {
+  wire::Refusal::Kind kind;
+  std::string text;  ///< what was asked, what was found, what to do
+};
+
+void toWire(const std::vector<ComponentRecord>& components,
+            capnp::List<wire::ComponentRecord>::Builder out);
+void toWire(const ProcessRecord& process, wire::ProcessRecord::Builder out);
+void toWire(const Refusal& refusal, wire::Refusal::Builder out);
+
+std::vector<ComponentRecord> fromWire(capnp::List<wire::ComponentRecord>::Reader in);
+ProcessRecord fromWire(wire::ProcessRecord::Reader in);
+Refusal fromWire(wire::Refusal::Reader in);
+
+/// Text as capnp has it: with the zero, of any size.
+inline kj::StringPtr textOf(const std::string& text) { return {text.c_str(), text.size()}; }
+inline std::string stringOf(capnp::Text::Reader text) { return {text.begin(), text.size()}; }
+
+}  // namespace suture
