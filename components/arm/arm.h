@@ -13,7 +13,7 @@
 namespace robots {
 
 /// Why an arm does not do what it is asked.
-enum class ArmWarning : std::uint8_t {
+enum class SUTURE_TYPE() ArmWarning : std::uint8_t {
   NotEnabled,  ///< motion commands need an enabled arm
   OutOfReach,  ///< no joint vector within limits reaches the goal
   Malformed,   ///< the goal has the wrong length, is not finite or not a pose

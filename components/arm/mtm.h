@@ -14,7 +14,7 @@
 
 namespace robots {
 
-enum class MtmSide : std::uint8_t { Left, Right };
+enum class SUTURE_TYPE() MtmSide : std::uint8_t { Left, Right };
 
 struct SUTURE_TYPE() MtmParameters {
   MtmSide side = MtmSide::Left;

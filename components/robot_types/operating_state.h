@@ -10,7 +10,7 @@
 namespace robots {
 
 /// The states of CRTK.
-enum class ArmState : std::uint8_t { Undefined, Disabled, Enabled, Paused, Fault };
+enum class SUTURE_TYPE() ArmState : std::uint8_t { Undefined, Disabled, Enabled, Paused, Fault };
 
 /// CRTK's operating_state.
 struct SUTURE_TYPE() OperatingState {

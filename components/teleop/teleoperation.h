@@ -24,7 +24,7 @@ struct SUTURE_TYPE() FollowAnchors {
   std::uint64_t entry = 0;
 };
 
-enum class TeleopState : std::uint8_t {
+enum class SUTURE_TYPE() TeleopState : std::uint8_t {
   Disabled,   ///< until enable()
   Preparing,  ///< waits for both arms: connected, enabled, homed, and fresh data of both
   Following,

@@ -1,0 +1,22 @@
+@0xaafe96c973d474bf;
+# The wire contract of arm/mtm.h, written by suturec --update-lock: commit it, never edit it.
+
+using Cxx = import "/capnp/c++.capnp";
+using Meta = import "/suture/meta.capnp";
+$Cxx.namespace("robots::wire");
+$Meta.header("arm/mtm.h");
+
+enum MtmSide @0xbfac2efab040ce66 $Meta.cxx("robots::MtmSide") $Meta.underlying("UInt8") {
+  left @0 $Meta.cxx("Left") $Meta.value(0);
+  right @1 $Meta.cxx("Right") $Meta.value(1);
+}
+
+struct MtmParameters @0x82e61784da147f11 $Meta.cxx("robots::MtmParameters") {
+  side @0 :MtmSide;
+  period @1 :Int64 $Meta.period("1/1000000000");
+  timeConstant @2 :Float64 = 0.01 $Meta.cxx("time_constant")
+      $Meta.range(lowest = 1e-04, highest = 10) $Meta.unit("s");
+  # How far the measured joints trail their set-point: here, the hand that moves the master.
+  angularRate @3 :Float64 = 4.0 $Meta.cxx("angular_rate") $Meta.range(lowest = 0.01, highest = 20)
+      $Meta.unit("rad/s");
+}

@@ -1,0 +1,43 @@
+@0xb1fe6dc822ba0506;
+# The wire contract of robot_types/pose.h, written by suturec --update-lock: commit it, never edit it.
+
+using Cxx = import "/capnp/c++.capnp";
+using Meta = import "/suture/meta.capnp";
+using Types = import "/suture/types.capnp";
+$Cxx.namespace("robots::wire");
+$Meta.header("robot_types/pose.h");
+
+struct PoseStamped @0xe84bc0a4b9a0c529 $Meta.cxx("robots::PoseStamped") {
+  # A pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.
+
+  pose @0 :Types.Pose $Meta.unit("m");
+  # Tool tip in the base frame.
+  stamp @1 :Int64 $Meta.clock("steady");
+  # When the pose was true; of a set-point, the stamp of the data it was made from.
+  valid @2 :Bool;
+  # False: do not use.
+}
+
+struct PoseSample @0x9dcf31510b46998d $Meta.cxx("robots::PoseSample") {
+  # The pose of the latency figures: 120 bytes and no strings.
+
+  rotation @0 :Types.Mat3;
+  position @1 :Types.Vec3 $Meta.unit("m");
+  stamp @2 :Int64 $Meta.clock("steady");
+  sequence @3 :UInt64;
+  flags @4 :UInt64;
+}
+
+struct PosePrm @0xedd17c97b8723561 $Meta.cxx("robots::PosePrm") {
+  # The fields of the cisst libraries' prmPositionCartesianGet, the type of the paper's
+  # measurements.
+
+  timestamp @0 :Int64 $Meta.clock("steady");
+  automaticTimestamp @1 :Bool = true $Meta.cxx("automatic_timestamp");
+  # Whether the provider stamps the data itself.
+  valid @2 :Bool;
+  movingFrame @3 :Text $Meta.capacity([15]) $Meta.cxx("moving_frame");
+  referenceFrame @4 :Text $Meta.capacity([15]) $Meta.cxx("reference_frame");
+  position @5 :Types.Pose $Meta.unit("m");
+  # The moving frame in the reference frame.
+}
