@@ -1,0 +1,165 @@
+#include <suture/base/nearest.h>
+#include <suture/deploy/deployment.h>
+#include <suture/deploy/schema_check.h>
+
+#include <algorithm>
+#include <map>
+
+namespace suture {
+namespace {
+
+using nlohmann::json;
+
+template <class Entry>
+std::vector<std::string> namesOf(const std::vector<Entry>& entries) {
+  std::vector<std::string> names;
+  for (const Entry& entry : entries) names.push_back(entry.name);
+  return names;
+}
+
+template <class Entry>
+const Entry* find(const std::vector<Entry>& entries, std::string_view name) {
+  const auto found = std::find_if(entries.begin(), entries.end(),
+                                  [&](const Entry& entry) { return entry.name == name; });
+  return found == entries.end() ? nullptr : &*found;
+}
+
+std::string suggestion(std::string_view name, const std::vector<std::string>& existing) {
+  const std::string nearest = nearestName(name, existing);
+  return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
+}
+
+}  // namespace
+
+Deployment::Deployment(JsonDocument document) : document_(std::move(document)) {
+  for (const JsonProblem& problem :
+       checkSchema(document_.value(), json::parse(deploymentSchema()))) {
+    report(problem.pointer, problem.text);
+  }
+  if (!problems_.empty()) throw DocumentError(problems_);
+  manager_ = document_.value().value("manager", "");
+  readProcesses();
+  readConnections();
+  checkNames();
+  checkSingleProviders();
+  checkManager();
+  if (!problems_.empty()) throw DocumentError(problems_);
+}
+
+void Deployment::readProcesses() {
+  const json& processes = document_.value().at("processes");
+  for (std::size_t i = 0; i < processes.size(); ++i) {
+    const std::string pointer = "/processes/" + std::to_string(i) + "/components/";
+    ProcessEntry process{processes[i].at("name"), {}};
+    const json& components = processes[i].at("components");
+    for (std::size_t j = 0; j < components.size(); ++j) {
+      process.components.push_back({components[j].at("name"), components[j].at("class"),
+                                    components[j].value("parameters", json::object()),
+                                    pointer + std::to_string(j)});
+    }
+    processes_.push_back(std::move(process));
+  }
+}
+
+void Deployment::readConnections() {
+  const json connections = document_.value().value("connections", json::array());
+  for (std::size_t i = 0; i < connections.size(); ++i) {
+    const std::string pointer = "/connections/" + std::to_string(i);
+    const Lane lane = connections[i].value("lane", "auto") == "rpc" ? Lane::Rpc : Lane::Auto;
+    connections_.push_back({readEndpoint(connections[i], pointer, "from"),
+                            readEndpoint(connections[i], pointer, "to"), lane, pointer});
+  }
+}
+
+Endpoint Deployment::readEndpoint(const json& connection, const std::string& pointer,
+                                  const char* end) {
+  Endpoint endpoint = Endpoint::parse(connection.at(end).get<std::string>());
+  if (endpoint.process.empty()) {
+    if (processes_.size() == 1) {
+      endpoint.process = processes_.front().name;
+    } else {
+      report(pointer + "/" + end, "'" + endpoint.toString() + "' does not say in which process; write \"" +
+                                      processes_.front().name + ":" + endpoint.toString() +
+                                      "\" or another of " + listNames(namesOf(processes_)));
+    }
+  }
+  return endpoint;
+}
+
+void Deployment::checkNames() {
+  for (std::size_t i = 0; i < processes_.size(); ++i) {
+    const ProcessEntry& process = processes_[i];
+    if (find(processes_, process.name) != &process) {
+      report("/processes/" + std::to_string(i) + "/name",
+             "there is another process '" + process.name + "'; give each its own name");
+    }
+    for (const ComponentEntry& component : process.components) {
+      if (find(process.components, component.name) != &component) {
+        report(component.pointer + "/name", "process '" + process.name + "' has another component '" +
+                                                component.name + "'; give each its own name");
+      }
+    }
+  }
+  for (const ConnectionEntry& connection : connections_) {
+    checkEndpoint(connection.from, connection.pointer + "/from");
+    checkEndpoint(connection.to, connection.pointer + "/to");
+  }
+}
+
+void Deployment::checkEndpoint(const Endpoint& endpoint, const std::string& pointer) {
+  if (endpoint.process.empty()) return;  // reported already
+  const ProcessEntry* process = find(processes_, endpoint.process);
+  if (process == nullptr) {
+    const auto names = namesOf(processes_);
+    report(pointer, "'" + endpoint.toString() + "' is in an unknown process '" + endpoint.process + "'; there are " +
+                        listNames(names) + suggestion(endpoint.process, names));
+    return;
+  }
+  if (find(process->components, endpoint.component) == nullptr) {
+    const auto names = namesOf(process->components);
+    report(pointer, "process '" + process->name + "' has no component '" + endpoint.component +
+                        "'; it has " + listNames(names) + suggestion(endpoint.component, names));
+  }
+}
+
+void Deployment::checkSingleProviders() {
+  std::map<std::string, const ConnectionEntry*> first;
+  for (const ConnectionEntry& connection : connections_) {
+    const auto [existing, added] = first.emplace(connection.from.toString(), &connection);
+    if (added) continue;
+    report(connection.pointer + "/from",
+           "'" + connection.from.toString() + "' is connected already, on line " +
+               std::to_string(document_.lineOf(existing->second->pointer)) + ", to '" +
+               existing->second->to.toString() +
+               "'; a required interface has one provider: remove one of the two");
+  }
+}
+
+void Deployment::checkManager() {
+  if (!manager_.empty()) return;
+  if (processes_.size() > 1) {
+    report("", std::to_string(processes_.size()) +
+                   " processes need a global manager to find each other, and key 'manager' is "
+                   "missing; give its address, for example \"unix:/tmp/suture.sock\"");
+  }
+  for (const ConnectionEntry& connection : connections_) {
+    if (connection.lane != Lane::Rpc) continue;
+    report(connection.pointer + "/lane",
+           "lane \"rpc\" needs a global manager, and key 'manager' is missing; give its address, "
+           "or use lane \"auto\"");
+  }
+}
+
+const ProcessEntry& Deployment::process(std::string_view name) const {
+  if (const ProcessEntry* process = find(processes_, name)) return *process;
+  const auto names = namesOf(processes_);
+  throw DocumentError({document_.locate("/processes", "no process '" + std::string(name) +
+                                                          "' here; there are " + listNames(names) +
+                                                          suggestion(name, names))});
+}
+
+void Deployment::report(const std::string& pointer, const std::string& text) {
+  problems_.push_back(document_.locate(pointer, text));
+}
+
+}  // namespace suture

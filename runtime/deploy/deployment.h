@@ -1,0 +1,67 @@
+#pragma once
+// A system as data: which process runs which components, and how their interfaces are connected.
+
+#include <suture/deploy/json_document.h>
+#include <suture/manager/manager.h>
+#include <suture/wiring/endpoint.h>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace suture {
+
+struct ComponentEntry {
+  std::string name;
+  std::string className;
+  nlohmann::json parameters;
+  std::string pointer;  ///< where it stands in the document
+};
+
+struct ProcessEntry {
+  std::string name;
+  std::vector<ComponentEntry> components;
+};
+
+struct ConnectionEntry {
+  Endpoint from;  ///< a required interface; its process is always named
+  Endpoint to;    ///< a provided interface; its process is always named
+  Lane lane = Lane::Auto;
+  std::string pointer;
+};
+
+/// A checked deployment file (schemas/deployment.schema.json). A value; set-up code only.
+class Deployment {
+ public:
+  /// Throws DocumentError with every problem of the file: of its syntax, of its schema, or of its names.
+  explicit Deployment(JsonDocument document);
+
+  const JsonDocument& document() const { return document_; }
+  /// Address of the global manager; "" if the file names none.
+  const std::string& manager() const { return manager_; }
+  const std::vector<ProcessEntry>& processes() const { return processes_; }
+  const std::vector<ConnectionEntry>& connections() const { return connections_; }
+
+  /// The process of that name. Throws DocumentError with what exists.
+  const ProcessEntry& process(std::string_view name) const;
+
+ private:
+  void readProcesses();
+  void readConnections();
+  Endpoint readEndpoint(const nlohmann::json& connection, const std::string& pointer,
+                        const char* end);
+  void checkNames();
+  void checkSingleProviders();
+  void checkManager();
+  void checkEndpoint(const Endpoint& endpoint, const std::string& pointer);
+  void report(const std::string& pointer, const std::string& text);
+
+  JsonDocument document_;
+  std::string manager_;
+  std::vector<ProcessEntry> processes_;
+  std::vector<ConnectionEntry> connections_;
+  std::vector<std::string> problems_;  // while it is being checked
+};
+
+}  // namespace suture

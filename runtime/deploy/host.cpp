@@ -1,0 +1,116 @@
+#include <suture/base/nearest.h>
+#include <suture/deploy/host.h>
+
+#include <algorithm>
+
+namespace suture {
+namespace {
+
+std::string unknownClass(const std::string& name, std::span<const ComponentClass> classes) {
+  std::vector<std::string> offered;
+  for (const ComponentClass& one : classes) offered.emplace_back(one.name);
+  const std::string nearest = nearestName(name, offered);
+  return "no component class '" + name + "' in this program; it offers " + listNames(offered) +
+         (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
+}
+
+}  // namespace
+
+Host::Host(const Deployment& deployment, std::string_view process,
+           std::span<const ComponentClass> classes, Duration patience)
+    : deployment_(deployment), process_(deployment.process(process)), patience_(patience) {
+  createComponents(classes);
+  createManager();
+}
+
+void Host::createComponents(std::span<const ComponentClass> classes) {
+  std::vector<std::string> problems;
+  for (const ComponentEntry& entry : process_.components) {
+    components_.push_back(create(entry, classes, problems));
+  }
+  if (!problems.empty()) throw DocumentError(problems);
+}
+
+std::unique_ptr<Component> Host::create(const ComponentEntry& entry,
+                                        std::span<const ComponentClass> classes,
+                                        std::vector<std::string>& problems) const {
+  const JsonDocument& document = deployment_.document();
+  const auto found =
+      std::find_if(classes.begin(), classes.end(),
+                   [&](const ComponentClass& one) { return entry.className == one.name; });
+  if (found == classes.end()) {
+    problems.push_back(
+        document.locate(entry.pointer + "/class", unknownClass(entry.className, classes)));
+    return nullptr;
+  }
+  std::vector<JsonProblem> parameterProblems;
+  const JsonReader parameters(entry.parameters, entry.pointer + "/parameters", parameterProblems);
+  std::unique_ptr<Component> component;
+  try {
+    component = found->create(parameters);
+  } catch (const std::exception& error) {
+    problems.push_back(document.locate(entry.pointer, "component '" + entry.name + "' of class '" + entry.className +
+                                                          "' cannot be created: " + error.what()));
+  }
+  for (const JsonProblem& problem : parameterProblems) {
+    problems.push_back(document.locate(
+        problem.pointer, "parameters of '" + entry.name + "' (" + entry.className + "): " + problem.text));
+  }
+  return component;
+}
+
+void Host::createManager() {
+  const std::string& address = deployment_.manager();
+  try {
+    manager_ = address.empty() ? std::make_unique<Manager>(process_.name)
+                               : std::make_unique<Manager>(process_.name, address, patience_);
+    for (std::size_t i = 0; i < components_.size(); ++i) {
+      manager_->add(process_.components[i].name, *components_[i]);
+    }
+  } catch (const SetupError& error) {
+    throw DocumentError({deployment_.document().locate("/manager", error.what())});
+  }
+}
+
+void Host::start() {
+  try {
+    manager_->start();
+  } catch (const SetupError& error) {
+    throw DocumentError({deployment_.document().locate("/processes", error.what())});
+  }
+  for (const ConnectionEntry& connection : deployment_.connections()) {
+    if (connection.from.process != process_.name) continue;
+    const Endpoint from{"", connection.from.component, connection.from.interface};
+    try {
+      manager_->connect(from.toString(), connection.to.toString(), connection.lane, patience_);
+    } catch (const SetupError& error) {
+      throw DocumentError({deployment_.document().locate(connection.pointer, error.what())});
+    }
+  }
+}
+
+std::vector<std::string> Host::failures() const {
+  std::vector<std::string> found;
+  for (const Component* component : manager_->directory().components()) {
+    if (component->state() != ComponentState::Faulted) continue;
+    found.push_back("component '" + process_.name + ":" + component->name() +
+                    "' is parked, its code threw: " + component->fault() +
+                    ". Correct the cause and start the process anew");
+  }
+  for (const auto& channel : manager_->channels()) {
+    switch (channel->status.load(std::memory_order_acquire)) {
+      case ChannelStatus::Lost:
+        found.push_back("connection '" + channel->name +
+                        "' is lost: the other process does not answer. Start it again");
+        break;
+      case ChannelStatus::Faulted:
+        found.push_back("connection '" + channel->name + "' is useless: its provider's code threw");
+        break;
+      case ChannelStatus::Connected:
+      case ChannelStatus::Closed: break;
+    }
+  }
+  return found;
+}
+
+}  // namespace suture

@@ -1,0 +1,51 @@
+#pragma once
+// Runs one process of a deployment.
+
+#include <suture/component/component_class.h>
+#include <suture/deploy/deployment.h>
+#include <suture/manager/manager.h>
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace suture {
+
+/// The components, the manager and the connections of one process. Used by one thread, which is none of the tasks'.
+class Host {
+ public:
+  /// Creates the components of `process` from `classes`, and its manager. Throws DocumentError: unknown class, wrong
+  /// parameters, a component that refuses its parameters, a global manager that does not answer within `patience`.
+  /// `deployment` outlives the host.
+  Host(const Deployment& deployment, std::string_view process,
+       std::span<const ComponentClass> classes, Duration patience = Manager::kDefaultPatience);
+  Host(const Host&) = delete;
+  Host& operator=(const Host&) = delete;
+
+  /// Starts the tasks, then makes every connection that begins in this process, waiting at most `patience` for each
+  /// other process. Throws DocumentError that names the connection.
+  void start();
+
+  const Manager& manager() const { return *manager_; }
+
+  /// What is broken now, by name, one sentence each: connections whose far end is gone, components whose handler
+  /// threw. Everything else keeps running.
+  std::vector<std::string> failures() const;
+
+ private:
+  void createComponents(std::span<const ComponentClass> classes);
+  std::unique_ptr<Component> create(const ComponentEntry& entry,
+                                    std::span<const ComponentClass> classes,
+                                    std::vector<std::string>& problems) const;
+  void createManager();
+
+  const Deployment& deployment_;
+  const ProcessEntry& process_;
+  const Duration patience_;
+  std::vector<std::unique_ptr<Component>> components_;  // in the order of the file
+  std::unique_ptr<Manager> manager_;                    // stops before the components go
+};
+
+}  // namespace suture

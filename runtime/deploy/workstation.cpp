@@ -1,0 +1,150 @@
+#include <suture/base/nearest.h>
+#include <suture/deploy/host.h>
+#include <suture/deploy/report_writer.h>
+#include <suture/deploy/signal_wait.h>
+#include <suture/deploy/workstation.h>
+#include <suture/observe/observe.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+
+// How soon a failure is noticed.
+constexpr Duration kWatchInterval = 50ms;
+// When a system is shut down its processes end one after the other; what is lost shortly before this one's turn
+// came was no accident.
+constexpr Duration kShutdown = 500ms;
+
+struct Options {
+  std::string deployment;
+  std::string process;
+  double seconds = 0;
+  double reportInterval = 1;
+  std::string reportTo;
+};
+
+int descriptorFrom(const std::string& text) {
+  if (text.empty()) return -1;
+  return text == "-" ? STDOUT_FILENO : std::stoi(text);
+}
+
+Duration fromSeconds(double seconds) {
+  return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));
+}
+
+void declare(CLI::App& app, Options& options) {
+  app.add_option("--deployment", options.deployment, "The deployment file (JSON)")->required();
+  app.add_option("--process", options.process,
+                 "Which of its processes this is; may be left out if there is one only");
+  app.add_option("--seconds", options.seconds, "How long to run; 0: until told to stop")
+      ->check(CLI::Range(0.0, 1e9));
+  app.add_option("--report-interval", options.reportInterval, "Seconds between two reports")
+      ->capture_default_str()
+      ->check(CLI::Range(0.01, 1e6));
+  app.add_option("--report-fd", options.reportTo,
+                 "Where to write reports, a JSON object a line: a file descriptor, or - for "
+                 "standard output")
+      ->check(CLI::IsMember({"-"}) | CLI::NonNegativeNumber);
+}
+
+/// Runs one host to its end and tells what happens.
+class Run {
+ public:
+  Run(const Host& host, const SignalWait& signals, const Options& options)
+      : host_(host),
+        signals_(signals),
+        reports_(descriptorFrom(options.reportTo)),
+        interval_(fromSeconds(options.reportInterval)),
+        end_(options.seconds > 0 ? began_ + fromSeconds(options.seconds) : Time::max()) {}
+
+  int untilEnd() {
+    reports_.started();
+    Time reportDue = began_ + interval_;
+    while (now() < end_) {
+      if (signals_.endBefore(std::min({reportDue, end_, now() + kWatchInterval}))) break;
+      watch();
+      if (now() < reportDue) continue;
+      reports_.report(observe(host_.manager(), began_));
+      reportDue += interval_;
+    }
+    reports_.report(observe(host_.manager(), began_));
+    const bool failed = std::any_of(failures_.begin(), failures_.end(), [](const Failure& failure) {
+      return failure.seen + kShutdown < now();
+    });
+    return failed ? 1 : 0;
+  }
+
+ private:
+  struct Failure {
+    std::string text;
+    Time seen;
+  };
+
+  void watch() {
+    for (std::string& text : host_.failures()) {
+      const bool known = std::any_of(failures_.begin(), failures_.end(),
+                                     [&](const Failure& failure) { return failure.text == text; });
+      if (known) continue;
+      std::fprintf(stderr, "%s: %s\n", host_.manager().process().c_str(), text.c_str());
+      reports_.failure(text);
+      failures_.push_back({std::move(text), now()});
+    }
+  }
+
+  const Host& host_;
+  const SignalWait& signals_;
+  const ReportWriter reports_;
+  const Duration interval_;
+  const Time began_ = now();
+  const Time end_;
+  std::vector<Failure> failures_;
+};
+
+std::string processOf(const Deployment& deployment, const Options& options) {
+  if (!options.process.empty()) return options.process;
+  if (deployment.processes().size() == 1) return deployment.processes().front().name;
+  std::vector<std::string> names;
+  for (const ProcessEntry& process : deployment.processes()) names.push_back(process.name);
+  throw DocumentError({deployment.document().locate(
+      "/processes", "there are several processes: " + listNames(names) + "; say which one with --process")});
+}
+
+int runWorkstation(const Options& options, std::span<const ComponentClass> classes) {
+  const SignalWait signals;
+  auto interruptible = std::make_optional<ExitOnSignal>(signals);
+  const Deployment deployment(JsonDocument::read(options.deployment));
+  Host host(deployment, processOf(deployment, options), classes);
+  host.start();
+  interruptible.reset();
+  return Run(host, signals, options).untilEnd();
+}
+
+}  // namespace
+
+int workstationMain(int argc, const char* const* argv, std::span<const ComponentClass> classes) {
+  Options options;
+  CLI::App app("Runs one process of a deployment.");
+  declare(app, options);
+  CLI11_PARSE(app, argc, argv);
+  try {
+    return runWorkstation(options, classes);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}
+
+}  // namespace suture

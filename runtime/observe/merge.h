@@ -1,0 +1,14 @@
+#pragma once
+// Makes one picture of what several processes report.
+
+#include <suture/observe/report.h>
+
+#include <vector>
+
+namespace suture {
+
+/// One report a connection, in the order of first appearance: what its two processes know of it, each about its
+/// own end. ConnectionEnd::Both once both ends are known.
+std::vector<ConnectionReport> mergeConnections(const std::vector<Report>& reports);
+
+}  // namespace suture

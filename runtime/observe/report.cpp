@@ -1,0 +1,131 @@
+#include <suture/observe/report.h>
+
+namespace suture {
+
+NLOHMANN_JSON_SERIALIZE_ENUM(ConnectionEnd, {{ConnectionEnd::Client, "client"},
+                                             {ConnectionEnd::Provider, "provider"},
+                                             {ConnectionEnd::Both, "both"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(ChannelStatus, {{ChannelStatus::Connected, "connected"},
+                                             {ChannelStatus::Lost, "lost"},
+                                             {ChannelStatus::Faulted, "faulted"},
+                                             {ChannelStatus::Closed, "closed"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(ComponentState, {{ComponentState::Constructed, "constructed"},
+                                              {ComponentState::Running, "running"},
+                                              {ComponentState::Faulted, "faulted"},
+                                              {ComponentState::Stopped, "stopped"}})
+
+namespace {
+
+using nlohmann::json;
+
+// One list of fields for both directions: Visit is called with each field's key and value.
+template <class Distributed, class Visit>
+void eachField(Distributed& value, const Visit& visit)
+  requires std::is_same_v<std::remove_const_t<Distributed>, Distribution>
+{
+  visit("count", value.count);
+  visit("p50", value.p50);
+  visit("p99", value.p99);
+  visit("max", value.max);
+}
+
+template <class Connection, class Visit>
+void eachField(Connection& value, const Visit& visit)
+  requires std::is_same_v<std::remove_const_t<Connection>, ConnectionReport>
+{
+  visit("name", value.name);
+  visit("lane", value.lane);
+  visit("end", value.end);
+  visit("status", value.status);
+  visit("bytes_sent", value.bytesSent);
+  visit("bytes_received", value.bytesReceived);
+  visit("sent", value.sent);
+  visit("executed", value.executed);
+  visit("full", value.full);
+  visit("too_large", value.tooLarge);
+  visit("replaced", value.replaced);
+  visit("superseded", value.superseded);
+  visit("late", value.late);
+  visit("failed", value.failed);
+  visit("events_delivered", value.eventsDelivered);
+  visit("events_dropped", value.eventsDropped);
+  visit("read_age", value.readAge);
+  visit("command_age", value.commandAge);
+}
+
+template <class TaskValue, class Visit>
+void eachField(TaskValue& value, const Visit& visit)
+  requires std::is_same_v<std::remove_const_t<TaskValue>, TaskReport>
+{
+  visit("name", value.name);
+  visit("state", value.state);
+  visit("fault", value.fault);
+  visit("cycles", value.cycles);
+  visit("skipped", value.skipped);
+  visit("lateness", value.lateness);
+  visit("compute_time", value.computeTime);
+}
+
+template <class Value>
+json fieldToJson(const Value& value) {
+  if constexpr (std::is_same_v<Value, Duration>) {
+    return value.count();
+  } else if constexpr (std::is_same_v<Value, Distribution>) {
+    json out;
+    eachField(value, [&](const char* key, const auto& field) { out[key] = fieldToJson(field); });
+    return out;
+  } else {
+    return value;
+  }
+}
+
+template <class Value>
+void fieldFromJson(const json& in, Value& value) {
+  if constexpr (std::is_same_v<Value, Duration>) {
+    value = Duration(in.get<std::int64_t>());
+  } else if constexpr (std::is_same_v<Value, Distribution>) {
+    eachField(value, [&](const char* key, auto& field) { fieldFromJson(in.at(key), field); });
+  } else {
+    in.get_to(value);
+  }
+}
+
+template <class Value>
+json structToJson(const Value& value) {
+  json out;
+  eachField(value, [&](const char* key, const auto& field) { out[key] = fieldToJson(field); });
+  return out;
+}
+
+template <class Value>
+Value structFromJson(const json& in) {
+  Value value;
+  eachField(value, [&](const char* key, auto& field) { fieldFromJson(in.at(key), field); });
+  return value;
+}
+
+}  // namespace
+
+json toJson(const ConnectionReport& report) { return structToJson(report); }
+json toJson(const TaskReport& report) { return structToJson(report); }
+
+json toJson(const Report& report) {
+  json out = {{"process", report.process},
+              {"age", report.age.count()},
+              {"connections", json::array()},
+              {"tasks", json::array()}};
+  for (const ConnectionReport& one : report.connections) out["connections"].push_back(toJson(one));
+  for (const TaskReport& one : report.tasks) out["tasks"].push_back(toJson(one));
+  return out;
+}
+
+Report reportFromJson(const json& in) {
+  Report report{in.at("process"), Duration(in.at("age").get<std::int64_t>()), {}, {}};
+  for (const json& one : in.at("connections")) {
+    report.connections.push_back(structFromJson<ConnectionReport>(one));
+  }
+  for (const json& one : in.at("tasks")) report.tasks.push_back(structFromJson<TaskReport>(one));
+  return report;
+}
+
+}  // namespace suture

@@ -1,0 +1,71 @@
+#pragma once
+// What a process does, as numbers: its connections and its tasks at one moment, counted from their start.
+
+#include <suture/base/time.h>
+#include <suture/component/channel.h>
+#include <suture/component/component.h>
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// How durations are distributed.
+struct Distribution {
+  std::uint64_t count = 0;
+  Duration p50{}, p99{}, max{};
+};
+
+/// Which ends of a connection a process sees.
+enum class ConnectionEnd : std::uint8_t { Client, Provider, Both };
+
+struct ConnectionReport {
+  std::string name;  ///< "left:Teleop/Slave -> right:PSM1/Arm": the same at both ends
+  std::string lane;
+  ConnectionEnd end = ConnectionEnd::Both;
+  ChannelStatus status = ChannelStatus::Connected;
+  std::uint64_t bytesSent = 0, bytesReceived = 0;  ///< on the wire; 0 within a process
+
+  std::uint64_t sent = 0;        ///< commands that the client's calls handed over
+  std::uint64_t executed = 0;    ///< by the provider
+  std::uint64_t full = 0;        ///< refused: too many waited
+  std::uint64_t tooLarge = 0;    ///< refused: beyond a declared capacity
+  std::uint64_t replaced = 0;    ///< a newer one of the same latest() command came first
+  std::uint64_t superseded = 0;  ///< a later command had run already
+  std::uint64_t late = 0;        ///< older than its ttl
+  std::uint64_t failed = 0;      ///< the handler threw
+  std::uint64_t eventsDelivered = 0, eventsDropped = 0;
+
+  Distribution readAge;     ///< of values when the client read them
+  Distribution commandAge;  ///< of commands when the provider executed them
+
+  /// Commands that were never executed and are not late: full, tooLarge, replaced and superseded.
+  std::uint64_t dropped() const { return full + tooLarge + replaced + superseded; }
+};
+
+struct TaskReport {
+  std::string name;
+  ComponentState state = ComponentState::Constructed;
+  std::string fault;  ///< what its handler threw, if state is Faulted
+  std::uint64_t cycles = 0, skipped = 0;
+  Distribution lateness;  ///< wake-up time minus due time: the jitter of the period
+  Distribution computeTime;
+};
+
+struct Report {
+  std::string process;
+  Duration age{};  ///< of the process's observation: time since it began
+  std::vector<ConnectionReport> connections;
+  std::vector<TaskReport> tasks;
+};
+
+/// Durations are written as whole nanoseconds.
+nlohmann::json toJson(const ConnectionReport& report);
+nlohmann::json toJson(const TaskReport& report);
+nlohmann::json toJson(const Report& report);
+/// What toJson() wrote. Throws nlohmann::json::exception for anything else.
+Report reportFromJson(const nlohmann::json& json);
+
+}  // namespace suture

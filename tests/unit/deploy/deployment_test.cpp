@@ -1,0 +1,177 @@
+#include <gtest/gtest.h>
+#include <suture/deploy/deployment.h>
+
+#include <algorithm>
+
+namespace {
+
+using suture::Deployment;
+using suture::DocumentError;
+using suture::JsonDocument;
+
+constexpr const char* kSound = R"({
+  "manager": "unix:/tmp/suture.sock",
+  "processes": [
+    {
+      "name": "left",
+      "components": [
+        {"name": "MTML", "class": "Mtm"},
+        {"name": "Teleop", "class": "Teleop", "parameters": {"scale": 0.2}}
+      ]
+    },
+    {
+      "name": "right",
+      "components": [{"name": "PSM1", "class": "Psm"}]
+    }
+  ],
+  "connections": [
+    {"from": "left:Teleop/Master", "to": "left:MTML/Arm"},
+    {"from": "left:Teleop/Slave", "to": "right:PSM1/Arm", "lane": "rpc"}
+  ]
+})";
+
+/// kSound with one piece replaced.
+std::string with(std::string_view piece, std::string_view replacement) {
+  std::string text = kSound;
+  const std::size_t at = text.find(piece);
+  EXPECT_NE(at, std::string::npos) << piece;
+  return text.replace(at, piece.size(), replacement);
+}
+
+std::vector<std::string> problemsOf(const std::string& text) {
+  try {
+    Deployment(JsonDocument::parse(text, "d.json"));
+  } catch (const DocumentError& error) {
+    return error.problems();
+  }
+  return {};
+}
+
+void expectOnly(const std::string& text, const std::string& problem) {
+  EXPECT_EQ(problemsOf(text), std::vector<std::string>{problem});
+}
+
+TEST(Deployment, Sound) {
+  const Deployment deployment(JsonDocument::parse(kSound, "d.json"));
+  EXPECT_EQ(deployment.manager(), "unix:/tmp/suture.sock");
+  ASSERT_EQ(deployment.processes().size(), 2u);
+  const auto& teleop = deployment.process("left").components.at(1);
+  EXPECT_EQ(teleop.className, "Teleop");
+  EXPECT_EQ(teleop.parameters.at("scale"), 0.2);
+  EXPECT_EQ(deployment.document().lineOf(teleop.pointer), 8);
+  ASSERT_EQ(deployment.connections().size(), 2u);
+  EXPECT_EQ(deployment.connections()[0].lane, suture::Lane::Auto);
+  EXPECT_EQ(deployment.connections()[1].lane, suture::Lane::Rpc);
+  EXPECT_EQ(deployment.connections()[1].to.toString(), "right:PSM1/Arm");
+}
+
+TEST(Deployment, OneProcessNeedsNeitherManagerNorProcessNames) {
+  const Deployment deployment(JsonDocument::parse(
+      R"({"processes": [{"name": "all", "components": [
+            {"name": "a", "class": "A"}, {"name": "b", "class": "B"}]}],
+          "connections": [{"from": "a/X", "to": "b/Y"}]})",
+      "d.json"));
+  EXPECT_EQ(deployment.connections()[0].from.toString(), "all:a/X");
+}
+
+TEST(Deployment, UnknownKeySuggestsTheRightOne) {
+  expectOnly(with("\"lane\"", "\"lanes\""),
+             "d.json:18: error: unknown key 'lanes'; did you mean 'lane'?");
+  expectOnly(with("\"manager\"", "\"x\": 1, \"manager\""),
+             "d.json:2: error: unknown key 'x'; known are '$schema', 'connections', 'manager' and "
+             "'processes'");
+}
+
+TEST(Deployment, EveryUnknownKeyIsTold) {
+  EXPECT_EQ(problemsOf(with("\"class\": \"Mtm\"", "\"class\": \"Mtm\", \"clas\": 1, \"nme\": 2")).size(), 2u);
+}
+
+TEST(Deployment, MissingKeySaysWhatItIs) {
+  expectOnly(with(", \"class\": \"Mtm\"", ""),
+             "d.json:7: error: key 'class' is missing; it is the name of a C++ class that the "
+             "program offers, without its namespace");
+}
+
+TEST(Deployment, WrongTypeSaysWhatWasFound) {
+  expectOnly(with("{\"scale\": 0.2}", "[1, 2]"),
+             "d.json:8: error: expected the parameters of that class; what is absent keeps its "
+             "default; found array [1,2]");
+}
+
+TEST(Deployment, UnknownLane) {
+  expectOnly(with("\"rpc\"", "\"fast\""),
+             "d.json:18: error: expected \"auto\": the fastest lane that fits; \"rpc\": Cap'n "
+             "Proto RPC, even within a process; found string \"fast\"");
+}
+
+TEST(Deployment, MalformedAddresses) {
+  const auto interface = problemsOf(with("left:MTML/Arm", "left:MTML"));
+  ASSERT_EQ(interface.size(), 1u);
+  EXPECT_TRUE(interface[0].starts_with("d.json:17: error: expected the provided interface"))
+      << interface[0];
+  const auto manager = problemsOf(with("unix:/tmp/suture.sock", "http://x"));
+  ASSERT_EQ(manager.size(), 1u);
+  EXPECT_TRUE(manager[0].starts_with("d.json:2: error: expected address of the global manager"))
+      << manager[0];
+}
+
+TEST(Deployment, ProblemsOfSeveralPlacesAreToldTogether) {
+  std::string text = with("\"lane\"", "\"lanes\"");
+  text.replace(text.find("\"components\""), 12, "\"component\"");
+  EXPECT_EQ(problemsOf(text).size(), 3u);  // unknown, missing, unknown
+}
+
+TEST(Deployment, UnknownProcess) {
+  expectOnly(with("right:PSM1/Arm", "rigth:PSM1/Arm"),
+             "d.json:18: error: 'rigth:PSM1/Arm' is in an unknown process 'rigth'; there are "
+             "'left' and 'right'; did you mean 'right'?");
+}
+
+TEST(Deployment, UnknownComponent) {
+  expectOnly(with("left:MTML/Arm", "left:MTMR/Arm"),
+             "d.json:17: error: process 'left' has no component 'MTMR'; it has 'MTML' and "
+             "'Teleop'; did you mean 'MTML'?");
+}
+
+TEST(Deployment, ProcessMustBeNamedIfThereAreTwo) {
+  expectOnly(with("left:MTML/Arm", "MTML/Arm"),
+             "d.json:17: error: 'MTML/Arm' does not say in which process; write \"left:MTML/Arm\" "
+             "or another of 'left' and 'right'");
+}
+
+TEST(Deployment, DuplicateNames) {
+  expectOnly(with("\"name\": \"Teleop\"", "\"name\": \"MTML\", \"parameters\": {}, \"class\": \"T\"}, {\"name\": \"Teleop\""),
+             "d.json:8: error: process 'left' has another component 'MTML'; give each its own name");
+  const auto twice = problemsOf(with("\"name\": \"right\"", "\"name\": \"left\""));
+  EXPECT_TRUE(std::any_of(twice.begin(), twice.end(), [](const std::string& problem) {
+    return problem ==
+           "d.json:12: error: there is another process 'left'; give each its own name";
+  }));
+}
+
+TEST(Deployment, TwoProvidersForOneRequiredInterface) {
+  expectOnly(with("left:Teleop/Master", "left:Teleop/Slave"),
+             "d.json:18: error: 'left:Teleop/Slave' is connected already, on line 17, to "
+             "'left:MTML/Arm'; a required interface has one provider: remove one of the two");
+}
+
+TEST(Deployment, TwoProcessesOrLaneRpcNeedAManager) {
+  const auto problems = problemsOf(with("\"manager\": \"unix:/tmp/suture.sock\",", ""));
+  ASSERT_EQ(problems.size(), 2u);
+  EXPECT_TRUE(problems[0].starts_with("d.json:1: error: 2 processes need a global manager"));
+  EXPECT_TRUE(problems[1].starts_with("d.json:18: error: lane \"rpc\" needs a global manager"));
+}
+
+TEST(Deployment, AskingForAProcessThatIsNotThere) {
+  const Deployment deployment(JsonDocument::parse(kSound, "d.json"));
+  try {
+    deployment.process("lift");
+    FAIL();
+  } catch (const DocumentError& error) {
+    EXPECT_STREQ(error.what(),
+                 "d.json:3: error: no process 'lift' here; there are 'left' and 'right'; did you "
+                 "mean 'left'?");
+  }
+}
+
+}  // namespace

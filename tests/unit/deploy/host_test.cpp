@@ -1,0 +1,174 @@
+#include <gtest/gtest.h>
+#include <suture/deploy/host.h>
+
+#include <array>
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+
+#include "reference/simulated_arm.suture.h"
+
+namespace {
+
+using namespace std::chrono_literals;
+using suture::Component;
+using suture::ComponentClass;
+using suture::Deployment;
+using suture::DocumentError;
+using suture::Host;
+using suture::JsonDocument;
+using suture::JsonReader;
+
+/// Sends its arm forward each cycle.
+class Client final : public suture::PeriodicTask {
+ public:
+  Client() : PeriodicTask({.period = 1ms}) {}
+
+ private:
+  void run() override {
+    reference::PoseStamped goal;
+    goal.valid = true;
+    (void)arm_.servo_cp(goal);
+  }
+
+  suture::Required<reference::ArmLike> arm_{*this, "Arm"};
+};
+
+class Throwing final : public suture::PeriodicTask {
+ public:
+  Throwing() : PeriodicTask({.period = 1ms}) {}
+
+ private:
+  void run() override { throw std::runtime_error("the encoder says nonsense"); }
+};
+
+class Refusing final : public suture::PeriodicTask {
+ public:
+  Refusing() : PeriodicTask({.period = 1ms}) { throw std::invalid_argument("no such device"); }
+
+ private:
+  void run() override {}
+};
+
+template <class T>
+std::unique_ptr<Component> createWithoutParameters(const JsonReader& in) {
+  JsonReader reader = in;
+  reader.finish();
+  return std::make_unique<T>();
+}
+
+const std::array kClasses{
+    suture::componentClass<reference::SimulatedArm>(),
+    ComponentClass{"Client", createWithoutParameters<Client>},
+    ComponentClass{"Throwing", createWithoutParameters<Throwing>},
+    ComponentClass{"Refusing", createWithoutParameters<Refusing>},
+};
+
+Deployment deploymentOf(const std::string& components, const std::string& connections = "") {
+  return Deployment(JsonDocument::parse("{\"processes\": [{\"name\": \"all\", \"components\": [\n" +
+                                            components + "]}],\n\"connections\": [\n" + connections + "]}",
+                                        "d.json"));
+}
+
+std::vector<std::string> problemsOf(const Deployment& deployment) {
+  try {
+    Host host(deployment, "all", kClasses);
+    host.start();
+  } catch (const DocumentError& error) {
+    return error.problems();
+  }
+  return {};
+}
+
+/// Waits until the host has failures, or ten seconds.
+std::vector<std::string> failuresOf(const Host& host) {
+  const auto deadline = suture::now() + 10s;
+  while (host.failures().empty() && suture::now() < deadline) std::this_thread::yield();
+  return host.failures();
+}
+
+TEST(Host, RunsAndConnectsWhatTheFileSays) {
+  const Deployment deployment =
+      deploymentOf("{\"name\": \"PSM\", \"class\": \"SimulatedArm\"},\n"
+                   "{\"name\": \"Client\", \"class\": \"Client\"}",
+                   "{\"from\": \"Client/Arm\", \"to\": \"PSM/Arm\"}");
+  Host host(deployment, "all", kClasses);
+  host.start();
+  const auto channels = host.manager().channels();
+  ASSERT_EQ(channels.size(), 1u);
+  EXPECT_EQ(channels[0]->name, "all:Client/Arm -> all:PSM/Arm");
+  const auto deadline = suture::now() + 10s;
+  while (channels[0]->commands.counters.executed == 0 && suture::now() < deadline) {
+    std::this_thread::yield();
+  }
+  EXPECT_GT(channels[0]->commands.counters.executed, 0u);
+  EXPECT_TRUE(host.failures().empty());
+}
+
+TEST(Host, UnknownClass) {
+  const auto problems = problemsOf(deploymentOf("{\"name\": \"PSM\", \"class\": \"SimulatedArn\"}"));
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0],
+            "d.json:2: error: no component class 'SimulatedArn' in this program; it offers "
+            "'SimulatedArm', 'Client', 'Throwing' and 'Refusing'; did you mean 'SimulatedArm'?");
+}
+
+TEST(Host, WrongParametersOfAllComponentsAreToldAtOnce) {
+  const auto problems = problemsOf(
+      deploymentOf("{\"name\": \"A\", \"class\": \"SimulatedArm\",\n"
+                   "\"parameters\": {\"perod\": 0.001,\n"
+                   "\"home\": 3}},\n"
+                   "{\"name\": \"B\", \"class\": \"SimulatedArm\", \"parameters\": {\"period\": 7}}"));
+  ASSERT_EQ(problems.size(), 3u);
+  EXPECT_EQ(problems[0],
+            "d.json:4: error: parameters of 'A' (SimulatedArm): expected a list of 3, found number 3");
+  EXPECT_EQ(problems[1],
+            "d.json:3: error: parameters of 'A' (SimulatedArm): unknown key 'perod'; did you mean "
+            "'period'?");
+  EXPECT_TRUE(problems[2].starts_with("d.json:5: error: parameters of 'B' (SimulatedArm): expected a number"))
+      << problems[2];
+}
+
+TEST(Host, ComponentThatRefusesToExist) {
+  const auto problems = problemsOf(deploymentOf("{\"name\": \"R\", \"class\": \"Refusing\"}"));
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0],
+            "d.json:2: error: component 'R' of class 'Refusing' cannot be created: no such device");
+}
+
+TEST(Host, UnknownInterfaceNamesTheConnection) {
+  const auto problems = problemsOf(
+      deploymentOf("{\"name\": \"PSM\", \"class\": \"SimulatedArm\"},\n"
+                   "{\"name\": \"Client\", \"class\": \"Client\"}",
+                   "{\"from\": \"Client/Arm\", \"to\": \"PSM/Amr\"}"));
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_TRUE(problems[0].starts_with("d.json:5: error: ")) << problems[0];
+  EXPECT_NE(problems[0].find("Did you mean 'Arm'?"), std::string::npos) << problems[0];
+}
+
+TEST(Host, ManagerThatIsNotRunning) {
+  const Deployment deployment(JsonDocument::parse(
+      "{\n\"manager\": \"unix:/tmp/suture-nobody-listens-here.sock\",\n"
+      "\"processes\": [{\"name\": \"all\", \"components\": []}]}",
+      "d.json"));
+  try {
+    Host(deployment, "all", kClasses, 100ms);
+    FAIL();
+  } catch (const DocumentError& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with("d.json:2: error: ")) << error.what();
+    EXPECT_NE(std::string(error.what()).find("suture-nobody-listens-here"), std::string::npos);
+  }
+}
+
+TEST(Host, ComponentThatThrowsIsNamedAndTheOthersGoOn) {
+  const Deployment deployment =
+      deploymentOf("{\"name\": \"T\", \"class\": \"Throwing\"},\n"
+                   "{\"name\": \"PSM\", \"class\": \"SimulatedArm\"}");
+  Host host(deployment, "all", kClasses);
+  host.start();
+  EXPECT_EQ(failuresOf(host),
+            (std::vector<std::string>{"component 'all:T' is parked, its code threw: the encoder says "
+                                      "nonsense. Correct the cause and start the process anew"}));
+}
+
+}  // namespace

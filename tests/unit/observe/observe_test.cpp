@@ -1,0 +1,68 @@
+#include <gtest/gtest.h>
+#include <suture/component/event_task.h>
+#include <suture/observe/observe.h>
+
+#include <chrono>
+#include <thread>
+
+#include "reference/simulated_arm.suture.h"
+
+namespace {
+
+using namespace std::chrono_literals;
+
+class Client final : public suture::PeriodicTask {
+ public:
+  Client() : PeriodicTask({.period = 1ms}) {}
+
+ private:
+  void run() override {
+    (void)arm_.servo_cp({});
+    (void)arm_.measured_cp();
+  }
+
+  suture::Required<reference::ArmLike> arm_{*this, "Arm"};
+};
+
+TEST(Observe, CountsWhatALocalConnectionDoes) {
+  reference::SimulatedArm arm({});
+  Client client;
+  suture::Manager manager("here");
+  manager.add("PSM", arm);
+  manager.add("Client", client);
+  manager.connect("Client/Arm", "PSM/Arm");
+  const auto began = suture::now();
+  manager.start();
+
+  suture::Report report;
+  const auto deadline = suture::now() + 10s;
+  do {
+    std::this_thread::yield();
+    report = suture::observe(manager, began);
+  } while ((report.connections.at(0).executed < 3 || report.connections.at(0).readAge.count < 3) &&
+           suture::now() < deadline);
+  manager.stop();
+
+  EXPECT_EQ(report.process, "here");
+  EXPECT_GT(report.age, 0ns);
+  ASSERT_EQ(report.connections.size(), 1u);
+  const auto& connection = report.connections[0];
+  EXPECT_EQ(connection.name, "here:Client/Arm -> here:PSM/Arm");
+  EXPECT_EQ(connection.lane, "local");
+  EXPECT_EQ(connection.end, suture::ConnectionEnd::Both);
+  EXPECT_EQ(connection.status, suture::ChannelStatus::Connected);
+  EXPECT_GE(connection.executed, 3u);
+  EXPECT_GE(connection.sent, connection.executed);
+  EXPECT_GE(connection.commandAge.count, 3u);
+  EXPECT_GE(connection.readAge.max, connection.readAge.p50);
+  EXPECT_EQ(connection.bytesSent, 0u);
+
+  ASSERT_EQ(report.tasks.size(), 2u);
+  EXPECT_EQ(report.tasks[0].name, "Client");
+  EXPECT_EQ(report.tasks[0].state, suture::ComponentState::Running);
+  EXPECT_GE(report.tasks[0].cycles, 3u);
+  EXPECT_GE(report.tasks[1].lateness.count, 3u);
+  EXPECT_GT(report.tasks[1].computeTime.max, 0ns);
+}
+
+}  // namespace

@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+#include <suture/observe/report.h>
+
+#include <chrono>
+
+namespace {
+
+using namespace std::chrono_literals;
+
+suture::Report sample() {
+  suture::ConnectionReport connection;
+  connection.name = "left:Teleop/Slave -> right:PSM1/Arm";
+  connection.lane = "rpc";
+  connection.end = suture::ConnectionEnd::Provider;
+  connection.status = suture::ChannelStatus::Lost;
+  connection.bytesSent = 1;
+  connection.bytesReceived = 2;
+  connection.sent = 3;
+  connection.executed = 4;
+  connection.full = 5;
+  connection.tooLarge = 6;
+  connection.replaced = 7;
+  connection.superseded = 8;
+  connection.late = 9;
+  connection.failed = 10;
+  connection.eventsDelivered = 11;
+  connection.eventsDropped = 12;
+  connection.readAge = {13, 14ns, 15ns, 16ns};
+  connection.commandAge = {17, 18ns, 19ns, 20ns};
+  suture::TaskReport task;
+  task.name = "Teleop";
+  task.state = suture::ComponentState::Faulted;
+  task.fault = "it threw";
+  task.cycles = 21;
+  task.skipped = 22;
+  task.lateness = {23, 24ns, 25ns, 26ns};
+  task.computeTime = {27, 28ns, 29ns, 30ns};
+  return {"left", 2s, {connection}, {task}};
+}
+
+TEST(Report, SurvivesJson) {
+  const auto json = suture::toJson(sample());
+  const auto again = suture::toJson(suture::reportFromJson(nlohmann::json::parse(json.dump())));
+  EXPECT_EQ(again, json);
+}
+
+TEST(Report, EveryFieldIsInTheJson) {
+  const auto json = suture::toJson(sample());
+  const auto& connection = json.at("connections").at(0);
+  EXPECT_EQ(connection.at("end"), "provider");
+  EXPECT_EQ(connection.at("status"), "lost");
+  EXPECT_EQ(connection.at("events_dropped"), 12);
+  EXPECT_EQ(connection.at("command_age").at("max"), 20);
+  const auto& task = json.at("tasks").at(0);
+  EXPECT_EQ(task.at("state"), "faulted");
+  EXPECT_EQ(task.at("fault"), "it threw");
+  EXPECT_EQ(task.at("compute_time").at("p99"), 29);
+  EXPECT_EQ(json.at("age"), 2'000'000'000);
+}
+
+TEST(Report, DroppedIsWhatWasNeitherExecutedNorLate) {
+  EXPECT_EQ(sample().connections[0].dropped(), 5u + 6 + 7 + 8);
+}
+
+TEST(Report, AnotherJsonIsAnError) {
+  EXPECT_THROW(suture::reportFromJson({{"process", "left"}}), nlohmann::json::exception);
+}
+
+}  // namespace
