@@ -1,0 +1,99 @@
+"""Builds and runs a contract of random types across two processes, as a foreign project would."""
+
+import argparse
+import os
+import pathlib
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+
+import random_types
+
+CMAKE = """cmake_minimum_required(VERSION 3.25)
+project(Invented LANGUAGES C CXX)
+find_package(Suture REQUIRED)
+add_compile_options(-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
+add_executable(invented main.cpp)
+suture_generate(TARGET invented HEADERS invented.h)
+"""
+
+
+def run(command, **options):
+    print("+", " ".join(map(str, command)), flush=True)
+    subprocess.run(list(map(str, command)), check=True, **options)
+
+
+def build(project, suture):
+    run(["cmake", "-S", project, "-B", project / "build", "-G", "Ninja", "--log-level=WARNING",
+         f"-DSuture_DIR={suture}", "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_STANDARD=20"])
+    run(["cmake", "--build", project / "build", "--target", "update-lock"])
+    run(["cmake", "--build", project / "build", "-j2"])
+
+
+def call_across_processes(project, suture, seed):
+    address = f"unix:{project}/manager.sock"
+    program = project / "build" / "invented"
+    started = []
+
+    def start(*command, **options):
+        process = subprocess.Popen(list(map(str, command)), **options)
+        started.append(process)
+        return process
+
+    try:
+        manager = start(suture / "bin" / "suture-manager", "--listen", address, stdout=subprocess.PIPE, text=True)
+        assert "ready" in manager.stdout.readline()
+        server = start(program, "serve", address, seed)
+        run([program, "call", address, seed], timeout=60)
+        assert server.poll() is None, "the server died"
+        server.send_signal(signal.SIGTERM)
+        assert server.wait(timeout=20) == 0, "the server did not end cleanly"
+    finally:
+        for process in started:
+            if process.poll() is None:
+                process.send_signal(signal.SIGTERM)
+        for process in started:
+            process.wait(timeout=20)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--suture", type=pathlib.Path, required=True, help="build folder of Suture")
+    parser.add_argument("--seed", type=int, default=random.SystemRandom().randrange(1 << 30))
+    parser.add_argument("--keep", type=pathlib.Path, help="write the project here and leave it")
+    options = parser.parse_args()
+    suture = options.suture.resolve()
+    print(f"seed {options.seed}", flush=True)
+
+    project = options.keep or pathlib.Path(tempfile.mkdtemp(prefix="suture random "))
+    project.mkdir(parents=True, exist_ok=True)
+    try:
+        types = random_types.Types(options.seed)
+        shutil.copy(pathlib.Path(__file__).with_name("values.h"), project)
+        (project / "CMakeLists.txt").write_text(CMAKE)
+        (project / "main.cpp").write_text(types.program())
+
+        def write_types():
+            (project / "invented.h").write_text(types.header())
+            (project / "invented_values.h").write_text(types.values())
+
+        write_types()
+        build(project, suture)
+        call_across_processes(project, suture, options.seed)
+
+        # A field more: one header edited, and update-lock.
+        types.structs["Record4"].append(random_types.Field("added", "Eigen::Vector3d"))
+        write_types()
+        build(project, suture)
+        call_across_processes(project, suture, options.seed)
+    finally:
+        if options.keep is None:
+            shutil.rmtree(project, ignore_errors=True)
+
+
+if __name__ == "__main__":
+    os.environ.pop("CXXFLAGS", None)
+    sys.exit(main())

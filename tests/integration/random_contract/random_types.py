@@ -1,0 +1,221 @@
+"""Random annotated C++ types: the header's text, and how a test fills and compares their values."""
+
+import random
+
+INTEGERS = ["std::int8_t", "std::int16_t", "std::int32_t", "std::int64_t",
+            "std::uint8_t", "std::uint16_t", "std::uint32_t", "std::uint64_t"]
+NUMBERS = INTEGERS + ["float", "double"]
+EIGEN = ["Eigen::Vector2d", "Eigen::Vector3d", "Eigen::Vector4d", "Eigen::Matrix3d", "Eigen::Matrix4d",
+         "Eigen::Vector3f", "Eigen::Matrix<double, 2, 5>", "Eigen::Matrix<double, 6, 1>", "Eigen::Matrix<float, 6, 6>"]
+CHRONO = ["std::chrono::nanoseconds", "std::chrono::milliseconds", "std::chrono::duration<double>", "suture::Time"]
+
+
+class Field:
+    """One member: its declaration and the capacity bounds that its annotation must state."""
+
+    def __init__(self, name, type_, capacity=(), owns_heap=False):
+        self.name, self.type, self.capacity, self.owns_heap = name, type_, capacity, owns_heap
+
+    def declaration(self):
+        annotation = f"SUTURE_FIELD(capacity({', '.join(map(str, self.capacity))})) " if self.capacity else ""
+        return f"  {annotation}{self.type} {self.name}{{}};"
+
+
+class Types:
+    """A set of enums and structs; a later struct may hold an earlier one."""
+
+    def __init__(self, seed):
+        self.random = random.Random(seed)
+        self.enums = [f"Choice{i}" for i in range(2)]
+        self.structs = {}
+        for i in range(5):
+            self.structs[f"Record{i}"] = [self.field(j) for j in range(self.random.randint(2, 7))]
+
+    def owns_heap(self, struct):
+        return any(field.owns_heap for field in self.structs[struct])
+
+    def simple(self):
+        kind = self.random.randrange(5)
+        if kind == 0:
+            return "bool"
+        if kind == 1:
+            return self.random.choice(self.enums)
+        if kind == 2:
+            return self.random.choice(EIGEN + ["Eigen::Quaterniond", "Eigen::Isometry3d"])
+        if kind == 3:
+            return self.random.choice(CHRONO)
+        return self.random.choice(NUMBERS)
+
+    def field(self, index):
+        name = f"member_{index}"
+        kind = self.random.randrange(6)
+        if kind == 0:
+            return Field(name, "std::string", (self.random.randint(1, 40),), True)
+        if kind == 1:
+            return Field(name, f"std::array<{self.random.choice(NUMBERS)}, {self.random.randint(1, 9)}>")
+        if kind == 2:
+            element = self.random.choice(["std::string", *NUMBERS, *self.structs])
+            bounds = (self.random.randint(1, 6),) + ((self.random.randint(1, 20),) if element == "std::string" else ())
+            return Field(name, f"std::vector<{element}>", bounds, True)
+        if kind == 3 and self.structs:
+            struct = self.random.choice(list(self.structs))
+            return Field(name, struct, (), self.owns_heap(struct))
+        return Field(name, self.simple())
+
+    def header(self):
+        lines = ["#pragma once", "#include <suture/annotate.h>", "#include <suture/base/time.h>",
+                 "#include <Eigen/Geometry>", "#include <array>", "#include <chrono>", "#include <cstdint>",
+                 "#include <string>", "#include <vector>", "", "namespace invented {", ""]
+        for name in self.enums:
+            lines += [f"enum class SUTURE_TYPE() {name} : std::uint16_t {{ First, Second = 7, Third }};", ""]
+        for name, fields in self.structs.items():
+            lines += [f"struct SUTURE_TYPE() {name} {{", *(field.declaration() for field in fields), "};", ""]
+        lines += ["class SUTURE_INTERFACE() Invented {", " public:", "  virtual ~Invented() = default;"]
+        for name in self.structs:
+            result = f"const {name}&" if self.owns_heap(name) else name
+            lines += [f"  SUTURE_COMMAND() virtual void put_{name}(const {name}& value) = 0;",
+                      f"  SUTURE_COMMAND() virtual {result} get_{name}() const = 0;",
+                      f"  SUTURE_COMMAND() virtual {name} echo_{name}(const {name}& value) const = 0;",
+                      f"  SUTURE_EVENT() suture::EventOf<{name}> got_{name};"]
+        lines += ["  SUTURE_COMMAND() virtual void finish() = 0;", "  SUTURE_EVENT() suture::EventOf<> finished;",
+                  "};", "", "}  // namespace invented", ""]
+        return "\n".join(lines)
+
+    def values(self):
+        """C++ that fills and compares the structs, on top of values.h."""
+        lines = ['#pragma once', '#include "values.h"', '#include "invented.h"', "", "namespace invented {", ""]
+        for name, fields in self.structs.items():
+            lines += [f"inline void fill({name}& value, Random& random);",
+                      f"inline bool same(const {name}& a, const {name}& b);"]
+        for name, fields in self.structs.items():
+            lines += ["", f"inline void fill({name}& value, Random& random) {{"]
+            for field in fields:
+                bounds = ", ".join(map(str, field.capacity))
+                lines.append(f"  fill(value.{field.name}, random{', ' + bounds if bounds else ''});")
+            lines += ["}", f"inline bool same(const {name}& a, const {name}& b) {{", "  return true"]
+            lines += [f"      && same(a.{field.name}, b.{field.name})" for field in fields]
+            lines += ["  ;", "}"]
+        return "\n".join(lines + ["", "}  // namespace invented", ""])
+
+    def program(self):
+        return PROGRAM.replace("@OVERRIDES@", "\n".join(self.override(name) for name in self.structs)) \
+                      .replace("@STORED@", "\n".join(f"  {name} {name}_;" for name in self.structs)) \
+                      .replace("@SUBSCRIBE@", "\n".join(
+                          f"    arm.on().got_{name}([this](const {name}& value) {{ {name}_ = value; ++events; }});"
+                          for name in self.structs)) \
+                      .replace("@CHECKS@", "\n".join(f"    CHECK_ALL({name})" for name in self.structs))
+
+    def override(self, name):
+        result = f"const {name}&" if self.owns_heap(name) else name
+        return (f"  void put_{name}(const {name}& value) override {{ {name}_ = value; "
+                f"if (!port_.emit().got_{name}(value)) std::abort(); }}\n"
+                f"  {result} get_{name}() const override {{ return {name}_; }}\n"
+                f"  {name} echo_{name}(const {name}& value) const override {{ return value; }}")
+
+
+PROGRAM = r'''
+#include <suture/component/device.h>
+#include <suture/component/event_task.h>
+#include <suture/manager/manager.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "invented.suture.h"
+#include "invented_values.h"
+
+namespace invented {
+
+using namespace std::chrono_literals;
+
+class Server final : public suture::EventTask, public Invented {
+ public:
+@OVERRIDES@
+  void finish() override { port_.emit().finished(); }
+
+ private:
+  void run() override {}
+@STORED@
+  suture::Provided<Invented> port_{*this, "Invented", *this};
+};
+
+struct Client final : suture::Device {
+  Client() {
+@SUBSCRIBE@
+    arm.on().finished([this] { finished = true; });
+  }
+  suture::Required<Invented> arm{*this, "Invented"};
+@STORED@
+  int events = 0;
+  bool finished = false;
+};
+
+#define CHECK(condition)                                             \
+  do {                                                               \
+    if (!(condition)) {                                              \
+      std::fprintf(stderr, "round %d: %s\n", round, #condition);     \
+      return 1;                                                      \
+    }                                                                \
+  } while (false)
+
+#define CHECK_ALL(T)                                                  \
+  {                                                                   \
+    T value;                                                          \
+    fill(value, random);                                              \
+    const auto echoed = client.arm.echo_##T.start(value).within(10s); \
+    CHECK(echoed && same(*echoed, value));                            \
+    const int before = client.events;                                 \
+    CHECK(client.arm.put_##T(value));                                 \
+    const auto until = suture::now() + 10s;                           \
+    while (client.events == before && suture::now() < until) client.waitForEvents(until); \
+    CHECK(client.events == before + 1 && same(client.T##_, value));   \
+    const auto fresh = client.arm.get_##T.fresh().within(10s);        \
+    CHECK(fresh && same(*fresh, value));                              \
+  }
+
+int call(Client& client, unsigned seed) {
+  Random random(seed);
+  for (int round = 0; round < 20; ++round) {
+@CHECKS@
+  }
+  const int round = -1;
+  CHECK(client.arm.finish.start().within(10s));
+  const auto until = suture::now() + 10s;
+  while (!client.finished && suture::now() < until) client.waitForEvents(until);
+  CHECK(client.finished);
+  std::printf("all values came back, process %d\n", getpid());
+  return 0;
+}
+
+}  // namespace invented
+
+int main(int argc, char** argv) {
+  if (argc != 4) return 2;
+  const std::string address = argv[2];
+  if (std::strcmp(argv[1], "serve") == 0) {
+    sigset_t end;
+    sigemptyset(&end);
+    sigaddset(&end, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &end, nullptr);
+    invented::Server server;
+    suture::Manager manager("server", address);
+    manager.add("Server", server);
+    manager.start();
+    int received = 0;
+    sigwait(&end, &received);
+    manager.stop();
+    return 0;
+  }
+  invented::Client client;
+  suture::Manager manager("client", address);
+  manager.add("Client", client);
+  manager.start();
+  manager.connect("Client/Invented", "server:Server/Invented");
+  const int status = invented::call(client, static_cast<unsigned>(std::atoi(argv[3])));
+  manager.stop();
+  return status;
+}
+'''
