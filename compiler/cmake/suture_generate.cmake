@@ -1,0 +1,53 @@
+# suture_generate(TARGET t HEADERS h... [BASE_DIR d] [LOCK_DIR d] [LOCK_PATH d...])
+#
+# Adds to target t the code that carries what its annotated headers declare. Users of t include
+# "X.suture.h" for each header X.h.
+#
+#   TARGET     an existing library or executable of the calling directory
+#   HEADERS    its annotated headers, all in one call
+#   BASE_DIR   include root: "arm/arm.h" is a path below it. Default: the calling directory
+#   LOCK_DIR   folder of the locked schemas, committed. Default: <project>/schemas
+#   LOCK_PATH  lock folders of other projects whose headers these include
+#
+# With suturec at hand it runs at build time: once per change of anything the headers read, and it
+# rewrites only files whose text changes. Without it, what is committed in <project>/generated is compiled.
+# Three targets serve all: update-lock, update-generated and the test check-generated.
+
+include(${CMAKE_CURRENT_LIST_DIR}/suture_generate_checks.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/suture_generate_parts.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/suture_generate_upkeep.cmake)
+
+function(suture_generate)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;BASE_DIR;LOCK_DIR" "HEADERS;LOCK_PATH")
+  suture_check_arguments("${arg_UNPARSED_ARGUMENTS}" "${arg_KEYWORDS_MISSING_VALUES}")
+  suture_check_target("${arg_TARGET}")
+  suture_default(arg_BASE_DIR ${CMAKE_CURRENT_SOURCE_DIR})
+  suture_default(arg_LOCK_DIR ${PROJECT_SOURCE_DIR}/schemas)
+  suture_stems(stems ${arg_TARGET} "${arg_BASE_DIR}" "${arg_HEADERS}")
+
+  set(wire ${CMAKE_BINARY_DIR}/generated-wire)
+  set(lock_dirs ${arg_LOCK_DIR} ${arg_LOCK_PATH})
+  if(TARGET suture::suturec)
+    set(generated ${CMAKE_BINARY_DIR}/generated)
+    set(schemas ${generated})
+    suture_run_compiler(${arg_TARGET} ${arg_BASE_DIR} ${generated} "${lock_dirs}" "${stems}")
+    suture_register_upkeep(${arg_TARGET} ${arg_LOCK_DIR} "${stems}")
+  else()
+    set(generated ${PROJECT_SOURCE_DIR}/generated)
+    set(schemas ${arg_LOCK_DIR})
+    suture_check_committed(${arg_TARGET} ${generated} "${stems}")
+  endif()
+
+  foreach(stem IN LISTS stems)
+    target_sources(${arg_TARGET} PRIVATE ${generated}/${stem}.suture.cpp)
+    # Without suturec, a header that has no lock declares nothing for a wire.
+    if(TARGET suture::suturec OR EXISTS ${schemas}/${stem}.capnp)
+      suture_compile_schema(${arg_TARGET} ${schemas} ${stem} ${wire} "${lock_dirs}")
+    endif()
+  endforeach()
+  target_include_directories(${arg_TARGET} PUBLIC
+    $<BUILD_INTERFACE:${arg_BASE_DIR}> $<BUILD_INTERFACE:${generated}>)
+  # Capnp's output is nobody's interface: seen by generated code alone.
+  target_include_directories(${arg_TARGET} SYSTEM PRIVATE ${wire})
+  target_link_libraries(${arg_TARGET} PUBLIC suture::suture PRIVATE CapnProto::capnp-rpc)
+endfunction()

@@ -1,0 +1,79 @@
+# The build steps behind suture_generate().
+
+# The directory of g++'s libraries, from which clang finds the same standard library.
+function(suture_gcc_install_dir result)
+  if(NOT DEFINED CACHE{SUTURE_GCC_INSTALL_DIR})
+    set(directory "")
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+      execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-libgcc-file-name
+        OUTPUT_VARIABLE libgcc OUTPUT_STRIP_TRAILING_WHITESPACE)
+      get_filename_component(directory "${libgcc}" DIRECTORY)
+    endif()
+    set(SUTURE_GCC_INSTALL_DIR "${directory}" CACHE INTERNAL "")
+  endif()
+  set(${result} "${SUTURE_GCC_INSTALL_DIR}" PARENT_SCOPE)
+endfunction()
+
+# One argument a line; lists of the target are complete only when the build files are written.
+function(suture_write_response_file file target base generated lock_dirs stems)
+  set(own --target-name ${target} --project ${PROJECT_NAME} --base-dir ${base} --out ${generated})
+  list(APPEND own --lock-command "cmake --build ${CMAKE_BINARY_DIR} --target update-lock")
+  foreach(directory IN LISTS lock_dirs)
+    list(APPEND own --lock-dir ${directory})
+  endforeach()
+  foreach(stem IN LISTS stems)
+    list(APPEND own ${base}/${stem}.h)
+  endforeach()
+  set(includes $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
+  set(definitions $<TARGET_PROPERTY:${target},COMPILE_DEFINITIONS>)
+  set(standard $<TARGET_PROPERTY:${target},CXX_STANDARD>)
+  suture_gcc_install_dir(gcc)
+  list(APPEND own -- "-std=c++$<IF:$<BOOL:${standard}>,${standard},20>")
+  if(gcc)
+    list(APPEND own --gcc-install-dir=${gcc})
+  endif()
+  list(JOIN own "\n" text)
+  string(APPEND text "\n$<$<BOOL:${includes}>:-I$<JOIN:${includes},\n-I>>\n"
+    "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},\n-D>>\n")
+  file(GENERATE OUTPUT ${file} CONTENT "${text}" TARGET ${target})
+endfunction()
+
+# A run of suturec: the stamp says when, the generated files change only with their text.
+function(suture_run_compiler target base generated lock_dirs stems)
+  set(work ${CMAKE_CURRENT_BINARY_DIR}/${target}.suture)
+  suture_write_response_file(${work}.rsp ${target} ${base} ${generated} "${lock_dirs}" "${stems}")
+  foreach(stem IN LISTS stems)
+    list(APPEND headers ${base}/${stem}.h)
+    list(APPEND outputs ${generated}/${stem}.suture.h ${generated}/${stem}.suture.cpp
+      ${generated}/${stem}.suture.json ${generated}/${stem}.capnp)
+  endforeach()
+  add_custom_command(
+    OUTPUT ${work}.stamp
+    BYPRODUCTS ${outputs}
+    COMMAND suture::suturec @${work}.rsp --stamp ${work}.stamp --depfile ${work}.d
+    DEPENDS suture::suturec ${work}.rsp ${headers}
+    DEPFILE ${work}.d
+    COMMENT "suturec ${target}"
+    VERBATIM)
+  set_source_files_properties(${outputs} PROPERTIES GENERATED TRUE)
+  add_custom_target(${target}_suture DEPENDS ${work}.stamp)
+  add_dependencies(${target} ${target}_suture)
+  target_sources(${target} PRIVATE ${work}.stamp)
+endfunction()
+
+function(suture_compile_schema target schemas stem wire lock_dirs)
+  # Not through capnp_generate_cpp(): it cannot write several folders into one include root.
+  foreach(directory IN LISTS lock_dirs ITEMS ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../../schemas)
+    list(APPEND imports -I ${directory})
+  endforeach()
+  add_custom_command(
+    OUTPUT ${wire}/${stem}.capnp.c++ ${wire}/${stem}.capnp.h
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${wire}
+    COMMAND ${CAPNP_EXECUTABLE} compile -o${CAPNPC_CXX_EXECUTABLE}:${wire}
+      --src-prefix ${schemas} -I ${schemas} ${imports} ${schemas}/${stem}.capnp
+    DEPENDS ${schemas}/${stem}.capnp
+    COMMENT "capnp ${stem}.capnp"
+    VERBATIM)
+  set_source_files_properties(${wire}/${stem}.capnp.c++ PROPERTIES COMPILE_OPTIONS -w)
+  target_sources(${target} PRIVATE ${wire}/${stem}.capnp.c++ ${wire}/${stem}.capnp.h)
+endfunction()
