@@ -10,8 +10,26 @@ namespace {
 
 constexpr std::size_t kStep = 2;
 
-std::size_t visibleLength(std::string_view text) {
-  return text.size() - static_cast<std::size_t>(std::count(text.begin(), text.end(), kBreak));
+bool isMark(char c) { return c == kBreak || c == kBody || c == kBodyEnd; }
+
+/// The text on one line: what is around a body then needs a blank each.
+std::string onOneLine(std::string_view text) {
+  std::string line;
+  for (const char c : text) {
+    if (c == kBody || c == kBodyEnd) line += ' ';
+    if (!isMark(c)) line += c;
+  }
+  return line;
+}
+
+/// Where the body that begins at `open` ends.
+std::size_t endOfBody(std::string_view text, std::size_t open) {
+  unsigned depth = 0;
+  for (std::size_t i = open; i < text.size(); ++i) {
+    if (text[i] == kBody) ++depth;
+    if (text[i] == kBodyEnd && --depth == 0) return i;
+  }
+  return text.size();
 }
 
 std::vector<std::string> split(std::string_view text, char at) {
@@ -49,37 +67,50 @@ class Brackets {
   std::vector<std::size_t> open_;  // the column behind each
 };
 
-void trimRight(std::string& text) {
-  text.erase(text.find_last_not_of(' ') + 1);
-}
+void trimRight(std::string& text) { text.erase(text.find_last_not_of(' ') + 1); }
 
 }  // namespace
 
 Code& Code::write(std::string_view text) {
-  const std::string indent(depth_ * kStep, ' ');
-  if (indent.size() + visibleLength(text) <= kColumns) {
-    text_ += indent;
-    std::copy_if(text.begin(), text.end(), std::back_inserter(text_),
-                 [](char c) { return c != kBreak; });
-    text_ += '\n';
-    return *this;
+  const std::size_t own = std::min(text.find_first_not_of(' '), text.size());
+  write(text.substr(own), depth_ * kStep + own);
+  return *this;
+}
+
+void Code::write(std::string_view text, std::size_t indent) {
+  const std::string whole = onOneLine(text);
+  const std::size_t body = text.find(kBody);
+  if (indent + whole.size() <= kColumns) {
+    text_ += std::string(indent, ' ') + whole + '\n';
+  } else if (body == std::string_view::npos) {
+    wrap(text, indent);
+  } else {
+    const std::size_t end = endOfBody(text, body);
+    const std::size_t base = wrap(text.substr(0, body), indent);
+    write(text.substr(body + 1, end - body - 1), base + kStep);
+    write(text.substr(end + 1), base);
   }
-  std::string line = indent;
+}
+
+/// Returns the indentation of the last line.
+std::size_t Code::wrap(std::string_view text, std::size_t indent) {
+  std::string line(indent, ' ');
+  std::size_t last = indent;
   Brackets brackets;
   for (const std::string& part : split(text, kBreak)) {
     std::string shown = part;
     trimRight(shown);
-    if (line.size() > indent.size() && line.size() + shown.size() > kColumns) {
-      const std::size_t column = brackets.continuation(line, indent.size());
+    if (line.size() > last && line.size() + shown.size() > kColumns) {
+      last = brackets.continuation(line, indent);
       trimRight(line);
       text_ += line + '\n';
-      line = std::string(column, ' ');
+      line = std::string(last, ' ');
     }
     brackets.read(part, line.size());
     line += part;
   }
   text_ += line + '\n';
-  return *this;
+  return last;
 }
 
 Code& Code::blank() {

@@ -13,6 +13,10 @@ namespace suture::compiler::emit {
 /// bracket.
 inline constexpr char kBreak = '\v';
 
+/// Around the body of a lambda, inside its braces: a line that is too long becomes three there.
+inline constexpr char kBody = '\x0e';
+inline constexpr char kBodyEnd = '\x0f';
+
 class Code {
  public:
   static constexpr std::size_t kColumns = 100;
@@ -49,6 +53,8 @@ class Code {
 
  private:
   Code& write(std::string_view text);
+  void write(std::string_view text, std::size_t indent);
+  std::size_t wrap(std::string_view text, std::size_t indent);
 
   std::string text_;
   std::size_t depth_ = 0;

@@ -25,28 +25,17 @@ std::string slotStruct(const std::string& structName, const model::Lookup& looku
 
 std::string cxxScalar(Scalar scalar) {
   switch (scalar) {
-    case Scalar::Bool:
-      return "bool";
-    case Scalar::Int8:
-      return "std::int8_t";
-    case Scalar::Int16:
-      return "std::int16_t";
-    case Scalar::Int32:
-      return "std::int32_t";
-    case Scalar::Int64:
-      return "std::int64_t";
-    case Scalar::UInt8:
-      return "std::uint8_t";
-    case Scalar::UInt16:
-      return "std::uint16_t";
-    case Scalar::UInt32:
-      return "std::uint32_t";
-    case Scalar::UInt64:
-      return "std::uint64_t";
-    case Scalar::Float32:
-      return "float";
-    case Scalar::Float64:
-      return "double";
+    case Scalar::Bool: return "bool";
+    case Scalar::Int8: return "std::int8_t";
+    case Scalar::Int16: return "std::int16_t";
+    case Scalar::Int32: return "std::int32_t";
+    case Scalar::Int64: return "std::int64_t";
+    case Scalar::UInt8: return "std::uint8_t";
+    case Scalar::UInt16: return "std::uint16_t";
+    case Scalar::UInt32: return "std::uint32_t";
+    case Scalar::UInt64: return "std::uint64_t";
+    case Scalar::Float32: return "float";
+    case Scalar::Float64: return "double";
   }
   return "void";
 }
@@ -58,26 +47,18 @@ std::string slotType(const Type& type, const Context& context, const std::string
   switch (type.shape) {
     case Shape::Scalar:
       return type.scalar == Scalar::Bool ? "std::uint8_t" : cxxScalar(type.scalar);
-    case Shape::Enum:
-      return cxxScalar(context.lookup.findEnum(type.name)->underlying);
-    case Shape::Struct:
-      return relative(slotStruct(type.name, context.lookup), inNamespace);
-    case Shape::Text:
-      return "suture::BoundedText<" + std::to_string(*type.capacity) + ">";
-    case Shape::Array:
-      return array(slotType(type.element[0], context, inNamespace), type.rows);
+    case Shape::Enum: return cxxScalar(context.lookup.findEnum(type.name)->underlying);
+    case Shape::Struct: return relative(slotStruct(type.name, context.lookup), inNamespace);
+    case Shape::Text: return "suture::BoundedText<" + std::to_string(*type.capacity) + ">";
+    case Shape::Array: return array(slotType(type.element[0], context, inNamespace), type.rows);
     case Shape::List:
       return "suture::BoundedList<" + slotType(type.element[0], context, inNamespace) + ", " +
              std::to_string(*type.capacity) + ">";
-    case Shape::Matrix:
-      return array(cxxScalar(type.scalar), type.rows * type.columns);
-    case Shape::Quaternion:
-      return array(cxxScalar(type.scalar), 4);
-    case Shape::Isometry:
-      return array(cxxScalar(type.scalar), 12);
+    case Shape::Matrix: return array(cxxScalar(type.scalar), type.rows * type.columns);
+    case Shape::Quaternion: return array(cxxScalar(type.scalar), 4);
+    case Shape::Isometry: return array(cxxScalar(type.scalar), 12);
     case Shape::Duration:
-    case Shape::TimePoint:
-      return "std::int64_t";
+    case Shape::TimePoint: return "std::int64_t";
   }
   return "void";
 }

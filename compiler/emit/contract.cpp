@@ -1,5 +1,7 @@
 #include "compiler/emit/contract.h"
 
+#include <charconv>
+
 namespace suture::compiler::emit {
 
 std::string eventArguments(const Context& context, const model::Event& event) {
@@ -23,6 +25,19 @@ void emitEventConstructor(Code& code, const model::Interface& interface,
 void emitNumberAliases(Code& code, const model::Interface& interface) {
   if (!interface.commands.empty()) code.line("using Id = ", interface.name, "Command;");
   if (!interface.events.empty()) code.line("using EventId = ", interface.name, "Event;");
+}
+
+std::vector<const model::Command*> readsOf(const model::Interface& interface) {
+  std::vector<const model::Command*> reads;
+  for (const model::Command& command : interface.commands) {
+    if (command.kind == model::CommandKind::Read) reads.push_back(&command);
+  }
+  return reads;
+}
+
+std::string number(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
 bool hasParameters(const model::Interface& interface) {

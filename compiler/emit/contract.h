@@ -2,6 +2,7 @@
 // What Required, Provided and the tables of a contract share in their spelling.
 
 #include <string>
+#include <vector>
 
 #include "compiler/emit/code.h"
 #include "compiler/emit/context.h"
@@ -21,6 +22,12 @@ void emitEventConstructor(Code& code, const model::Interface& interface,
 
 /// "using Id = robots::ArmCommand;" and the same for events, where there are any.
 void emitNumberAliases(Code& code, const model::Interface& interface);
+
+/// The read commands, in the order of their columns.
+std::vector<const model::Command*> readsOf(const model::Interface& interface);
+
+/// The shortest spelling of a number that reads back as the same.
+std::string number(double value);
 
 /// Has any command parameters?
 bool hasParameters(const model::Interface& interface);

@@ -5,8 +5,10 @@
 
 #include "compiler/emit/code.h"
 #include "compiler/emit/context.h"
+#include "compiler/emit/converters.h"
 #include "compiler/emit/parts.h"
 #include "compiler/emit/readers.h"
+#include "compiler/emit/remote.h"
 #include "compiler/lock/contract_hash.h"
 #include "compiler/model/naming.h"
 
@@ -36,14 +38,13 @@ void inNamespace(Code& code, const std::string& name, const EmitParts& emitParts
   code.verbatim(closeNamespace(name)).blank();
 }
 
-/// The same in the unnamed namespace within `name`.
+/// The same in the unnamed namespace.
 template <class EmitParts>
-void inHiddenNamespace(Code& code, const std::string& name, const EmitParts& emitParts) {
+void hidden(Code& code, const EmitParts& emitParts) {
   Code inner;
   emitParts(inner);
   if (inner.text().empty()) return;
-  code.verbatim(openNamespace(name)).line("namespace {").blank().verbatim(inner.text());
-  code.line("}  // namespace").verbatim(closeNamespace(name)).blank();
+  code.line("namespace {").blank().verbatim(inner.text()).line("}  // namespace").blank();
 }
 
 void emitHeaderIncludes(Code& code, const Context& context) {
@@ -88,16 +89,63 @@ std::string headerFile(const Context& context) {
   return code.finished();
 }
 
+void includeAll(Code& code, const char* folder, std::initializer_list<const char*> names) {
+  for (const char* const name : names) code.line("#include <suture/", folder, name, ".h>");
+}
+
+void emitSourceIncludes(Code& code, const Context& context, bool converts) {
+  const model::Header& header = context.header;
+  code.line("#include \"", model::stemOf(header.path), ".suture.h\"").blank();
+  if (!header.components.empty()) includeAll(code, "component/", {"json_reader"});
+  if (!header.interfaces.empty()) {
+    includeAll(code, "transport/rpc/", {"binding", "proxy_port", "servant_port"});
+  }
+  if (converts) includeAll(code, "transport/rpc/", {"wire"});
+  code.blank().line("#include <type_traits>").blank();
+  if (converts) code.line("#include \"", model::stemOf(header.path), ".capnp.h\"").blank();
+}
+
+void emitUsings(Code& code, const Context& context, bool converts) {
+  const bool contracts = !context.header.interfaces.empty();
+  std::vector<std::string> names;
+  if (contracts) names = {"CommandInfo", "CommandKind", "EventInfo"};
+  if (converts) {
+    names.insert(names.end(), {"Duration", "Errc", "rpc::allOf", "rpc::firstError", "rpc::fromWire",
+                               "rpc::fromWireList", "rpc::inRange", "rpc::isValid", "rpc::toWire",
+                               "rpc::toWireList"});
+  }
+  if (contracts) names.insert(names.end(), {"rpc::ProxyPort", "rpc::ServantPort"});
+  std::sort(names.begin(), names.end());
+  for (const std::string& name : names) code.line("using suture::", name, ";");
+  if (!names.empty()) code.blank();
+}
+
+/// Does anything of the header travel? Then its schema has to be there.
+bool converts(const Context& context) {
+  const model::Header& header = context.header;
+  return !header.interfaces.empty() || !header.enums.empty() || hasSlots(context);
+}
+
 std::string sourceFile(const Context& context) {
+  const std::string& home = context.header.cxxNamespace;
   Code code;
   code.verbatim(banner(context.header));
-  code.line("#include \"", model::stemOf(context.header.path), ".suture.h\"").blank();
-  if (!context.header.components.empty())
-    code.line("#include <suture/component/json_reader.h>").blank();
-  code.line("#include <type_traits>").blank();
-  inHiddenNamespace(code, context.header.cxxNamespace, [&](Code& inner) {
-    emitChecks(inner, context);
-    forEachInterface(inner, context, emitTables);
+  emitSourceIncludes(code, context, converts(context));
+  emitForeignConverters(code, context);
+  inNamespace(code, home, [&](Code& inner) {
+    emitUsings(inner, context, converts(context));
+    hidden(inner, [&](Code& part) {
+      emitChecks(part, context);
+      forEachInterface(part, context, emitTables);
+    });
+    emitConverters(inner, context);
+    hidden(inner, [&](Code& part) {
+      for (const model::Interface& one : context.header.interfaces) {
+        emitServant(part, context, one);
+        emitProxy(part, context, one);
+        emitBinding(part, context, one);
+      }
+    });
   });
   emitReaders(code, context);
   inNamespace(code, "suture", [&](Code& inner) {

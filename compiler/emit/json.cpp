@@ -14,9 +14,7 @@ using model::Type;
 using Shape = Type::Shape;
 using Bounds = std::optional<std::pair<double, double>>;
 
-std::string scalarName(model::Scalar scalar) {
-  return std::string(lock::capnpScalar(scalar));
-}
+std::string scalarName(model::Scalar scalar) { return std::string(lock::capnpScalar(scalar)); }
 
 Json typeOf(const Type& type) {
   const auto bounded = [&type](Json json) {
@@ -24,16 +22,11 @@ Json typeOf(const Type& type) {
     return json;
   };
   switch (type.shape) {
-    case Shape::Scalar:
-      return {{"kind", scalarName(type.scalar)}};
-    case Shape::Enum:
-      return {{"kind", "enum"}, {"name", type.name}};
-    case Shape::Struct:
-      return {{"kind", "struct"}, {"name", type.name}};
-    case Shape::Text:
-      return bounded({{"kind", "text"}});
-    case Shape::List:
-      return bounded({{"kind", "list"}, {"element", typeOf(type.element[0])}});
+    case Shape::Scalar: return {{"kind", scalarName(type.scalar)}};
+    case Shape::Enum: return {{"kind", "enum"}, {"name", type.name}};
+    case Shape::Struct: return {{"kind", "struct"}, {"name", type.name}};
+    case Shape::Text: return bounded({{"kind", "text"}});
+    case Shape::List: return bounded({{"kind", "list"}, {"element", typeOf(type.element[0])}});
     case Shape::Array:
       return {{"kind", "array"}, {"element", typeOf(type.element[0])}, {"length", type.rows}};
     case Shape::Matrix:
@@ -41,10 +34,8 @@ Json typeOf(const Type& type) {
               {"scalar", scalarName(type.scalar)},
               {"rows", type.rows},
               {"columns", type.columns}};
-    case Shape::Quaternion:
-      return {{"kind", "quaternion"}, {"scalar", scalarName(type.scalar)}};
-    case Shape::Isometry:
-      return {{"kind", "isometry"}, {"scalar", scalarName(type.scalar)}};
+    case Shape::Quaternion: return {{"kind", "quaternion"}, {"scalar", scalarName(type.scalar)}};
+    case Shape::Isometry: return {{"kind", "isometry"}, {"scalar", scalarName(type.scalar)}};
     case Shape::Duration:
       return {{"kind", "duration"},
               {"period", std::to_string(type.periodNumerator) + "/" +
@@ -94,14 +85,10 @@ Json structOf(const model::Struct& declaration) {
 
 const char* kindName(model::CommandKind kind) {
   switch (kind) {
-    case model::CommandKind::Void:
-      return "void";
-    case model::CommandKind::Write:
-      return "write";
-    case model::CommandKind::Read:
-      return "read";
-    case model::CommandKind::QualifiedRead:
-      return "qualified read";
+    case model::CommandKind::Void: return "void";
+    case model::CommandKind::Write: return "write";
+    case model::CommandKind::Read: return "read";
+    case model::CommandKind::QualifiedRead: return "qualified read";
   }
   return "";
 }

@@ -1,10 +1,10 @@
 #include "compiler/emit/readers.h"
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 #include <vector>
 
+#include "compiler/emit/contract.h"
 #include "compiler/model/naming.h"
 
 namespace suture::compiler::emit {
@@ -50,11 +50,6 @@ class Parts {
   std::set<std::string> seen_;
   std::vector<std::string> names_;
 };
-
-std::string number(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
 
 /// A stamp of this process's clock cannot come from a file.
 bool isReadable(const model::Type& type) {

@@ -22,8 +22,7 @@ std::string memberType(const Context& context, const model::Interface& interface
     case CommandKind::Void:
     case CommandKind::Write:
       return "Command<" + method + ", " + kBreak + argumentsSlot(interface, command) + ">";
-    case CommandKind::Read:
-      return "ReadCommand<" + method + ", " + kBreak + result() + ">";
+    case CommandKind::Read: return "ReadCommand<" + method + ", " + kBreak + result() + ">";
     case CommandKind::QualifiedRead:
       return "QualifiedReadCommand<" + method + ", " + kBreak + argumentsSlot(interface, command) +
              ", " + kBreak + result() + ">";

@@ -12,23 +12,18 @@ std::string remark(const model::Field& field, const std::string& home) {
   std::string unit = field.unit;
   switch (field.type.shape) {
     case Shape::Duration:
-    case Shape::TimePoint:
-      unit = "ns";
-      [[fallthrough]];
+    case Shape::TimePoint: unit = "ns"; [[fallthrough]];
     case Shape::Enum:
     case Shape::Matrix:
     case Shape::Quaternion:
-    case Shape::Isometry:
-      text = cxxType(field.type, home);
-      break;
+    case Shape::Isometry: text = cxxType(field.type, home); break;
     case Shape::Scalar:
       if (field.type.scalar == model::Scalar::Bool) text = "bool";
       break;
     case Shape::Struct:
     case Shape::Text:
     case Shape::Array:
-    case Shape::List:
-      break;
+    case Shape::List: break;
   }
   return text + (text.empty() || unit.empty() ? "" : ", ") + unit;
 }

@@ -1,4 +1,5 @@
 #include "compiler/emit/parts.h"
+#include "compiler/emit/remote.h"
 #include "compiler/model/naming.h"
 
 #include <vector>
@@ -8,14 +9,10 @@ namespace {
 
 const char* kindName(model::CommandKind kind) {
   switch (kind) {
-    case model::CommandKind::Void:
-      return "Void";
-    case model::CommandKind::Write:
-      return "Write";
-    case model::CommandKind::Read:
-      return "Read";
-    case model::CommandKind::QualifiedRead:
-      return "QualifiedRead";
+    case model::CommandKind::Void: return "Void";
+    case model::CommandKind::Write: return "Write";
+    case model::CommandKind::Read: return "Read";
+    case model::CommandKind::QualifiedRead: return "QualifiedRead";
   }
   return "";
 }
@@ -85,12 +82,6 @@ void emitEvents(Code& code, const Context& context, const model::Interface& inte
 }  // namespace
 
 void emitTables(Code& code, const Context& context, const model::Interface& interface) {
-  if (&interface == &context.header.interfaces.front()) {
-    for (const char* const name : {"CommandInfo", "CommandKind", "Duration", "EventInfo"}) {
-      code.line("using suture::", name, ";");
-    }
-    code.blank();
-  }
   emitCommands(code, context, interface);
   emitEvents(code, context, interface);
   code.line("// The self-description, as in ", model::stemOf(context.header.path), ".suture.json.");
@@ -110,7 +101,7 @@ void emitInfo(Code& code, const Context& context, const model::Interface& interf
   code.line("    .description = ", tables, "Description,");
   code.line("    .commands = ", interface.commands.empty() ? "{}" : tables + "Commands", ",");
   code.line("    .events = ", interface.events.empty() ? "{}" : tables + "Events", ",");
-  code.line("    .binding = nullptr,");
+  code.line("    .binding = &", home.empty() ? "::" : home + "::", bindingFunction(interface), ",");
   code.line("};").line("return kInfo;").close("}").blank();
 }
 

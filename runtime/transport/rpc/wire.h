@@ -83,6 +83,19 @@ Errc fromWire(const List& in, BoundedList<Element, N>& slot) {
   return Errc{};
 }
 
+// Bytes are Data.
+template <std::uint32_t N>
+void toWire(const BoundedList<std::uint8_t, N>& slot, capnp::Data::Builder out) {
+  std::memcpy(out.begin(), slot.data, out.size());
+}
+template <std::uint32_t N>
+Errc fromWire(capnp::Data::Reader in, BoundedList<std::uint8_t, N>& slot) {
+  if (in.size() > N) return Errc::TooLarge;
+  slot.size = static_cast<std::uint32_t>(in.size());
+  std::memcpy(slot.data, in.begin(), in.size());
+  return Errc{};
+}
+
 template <std::uint32_t M, std::uint32_t N, class List>
 void toWire(const BoundedList<BoundedText<M>, N>& slot, List out) {
   for (std::uint32_t i = 0; i < out.size(); ++i) toWire(slot.data[i], out.init(i, slot.data[i].size));

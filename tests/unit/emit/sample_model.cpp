@@ -12,28 +12,17 @@ namespace {
 
 const char* cxxScalar(Scalar scalar) {
   switch (scalar) {
-    case Scalar::Bool:
-      return "bool";
-    case Scalar::Int8:
-      return "std::int8_t";
-    case Scalar::Int16:
-      return "std::int16_t";
-    case Scalar::Int32:
-      return "std::int32_t";
-    case Scalar::Int64:
-      return "std::int64_t";
-    case Scalar::UInt8:
-      return "std::uint8_t";
-    case Scalar::UInt16:
-      return "std::uint16_t";
-    case Scalar::UInt32:
-      return "std::uint32_t";
-    case Scalar::UInt64:
-      return "std::uint64_t";
-    case Scalar::Float32:
-      return "float";
-    case Scalar::Float64:
-      return "double";
+    case Scalar::Bool: return "bool";
+    case Scalar::Int8: return "std::int8_t";
+    case Scalar::Int16: return "std::int16_t";
+    case Scalar::Int32: return "std::int32_t";
+    case Scalar::Int64: return "std::int64_t";
+    case Scalar::UInt8: return "std::uint8_t";
+    case Scalar::UInt16: return "std::uint16_t";
+    case Scalar::UInt32: return "std::uint32_t";
+    case Scalar::UInt64: return "std::uint64_t";
+    case Scalar::Float32: return "float";
+    case Scalar::Float64: return "double";
   }
   return "";
 }
@@ -53,9 +42,7 @@ Type scalar(Scalar scalar) {
   return type;
 }
 
-Type number() {
-  return scalar(Scalar::Float64);
-}
+Type number() { return scalar(Scalar::Float64); }
 
 Type text(unsigned capacity) {
   Type type = shaped(Type::Shape::Text, "std::string");
@@ -79,29 +66,25 @@ Type arrayOf(Type element, unsigned length) {
 }
 
 Type matrix(unsigned rows, unsigned columns, Scalar scalar) {
-  Type type =
-      shaped(Type::Shape::Matrix, std::string("Eigen::Matrix<") + cxxScalar(scalar) + ", " +
-                                      std::to_string(rows) + ", " + std::to_string(columns) + ">");
+  const char* const letter = scalar == Scalar::Float64 ? "d" : "f";
+  std::string spelling = std::string("Eigen::Matrix<") + cxxScalar(scalar) + ", " +
+                         std::to_string(rows) + ", " + std::to_string(columns) + ">";
+  if (rows <= 4 && columns == 1) spelling = "Eigen::Vector" + std::to_string(rows) + letter;
+  if (rows <= 4 && columns == rows) spelling = "Eigen::Matrix" + std::to_string(rows) + letter;
+  Type type = shaped(Type::Shape::Matrix, spelling);
   type.scalar = scalar;
   type.rows = rows;
   type.columns = columns;
   return type;
 }
 
-Type quaternion() {
-  return shaped(Type::Shape::Quaternion, "Eigen::Quaternion<double>");
-}
-Type isometry() {
-  return shaped(Type::Shape::Isometry, "Eigen::Isometry3d");
-}
+Type quaternion() { return shaped(Type::Shape::Quaternion, "Eigen::Quaterniond"); }
+Type isometry() { return shaped(Type::Shape::Isometry, "Eigen::Isometry3d"); }
 
-Type duration(std::int64_t periodNumerator, std::int64_t periodDenominator) {
-  Type type = shaped(Type::Shape::Duration, "std::chrono::duration<std::int64_t, std::ratio<" +
-                                                std::to_string(periodNumerator) + ", " +
-                                                std::to_string(periodDenominator) + ">>");
+Type milliseconds() {
+  Type type = shaped(Type::Shape::Duration, "std::chrono::milliseconds");
   type.scalar = Scalar::Int64;
-  type.periodNumerator = periodNumerator;
-  type.periodDenominator = periodDenominator;
+  type.periodDenominator = 1000;
   return type;
 }
 
@@ -225,7 +208,7 @@ model::Struct everything() {
       field("inertia", matrix(3, 3)),
       field("jacobian", matrix(6, 7)),
       field("attitude", quaternion()),
-      field("period", duration(1, 1000)),
+      field("period", milliseconds()),
       field("when", steadyTime()),
   };
   fields[3].range = {{-0.5, 2}};
@@ -239,8 +222,13 @@ model::Struct everything() {
 
 model::Struct parameters() {
   model::Struct result =
-      structure("robots::ArmParameters", {field("rate", number(), "Hz"), field("name", text(24))});
+      structure("robots::ArmParameters", {field("rate", number(), "Hz"), field("name", text(0)),
+                                          field("start", enumeration("robots::Mode"))});
+  result.fields[0].range = {{1, 4000}};
   result.fields[0].defaultJson = "1000.0";
+  result.fields[1].type.capacity.reset();
+  result.fields[2].defaultJson = "\"Disabled\"";
+  result.doc.text = "How a simulated arm behaves.";
   return result;
 }
 
@@ -258,6 +246,7 @@ model::Interface arm() {
   solve.parameters = servo.parameters;
   solve.parameters[0].name = solve.parameters[0].wireName = "x";
   solve.result = record("robots::Everything");
+  solve.resultByReference = true;
   model::Command all = read("everything", record("robots::Everything"));
   all.resultByReference = true;
   result.commands = {command("enable", CommandKind::Void),
@@ -278,16 +267,26 @@ model::Interface arm() {
   return result;
 }
 
-model::Header ownHeader() {
+model::Header contractHeader() {
   model::Header header;
   header.path = "robots/arm.h";
   header.cxxNamespace = "robots";
   header.imports = {"robots/geometry.h"};
   header.enums = {mode()};
-  header.structs = {everything(), parameters()};
+  header.structs = {everything()};
   header.interfaces = {arm()};
+  return header;
+}
+
+model::Header componentHeader() {
+  model::Header header;
+  header.path = "robots/simulated_arm.h";
+  header.cxxNamespace = "robots";
+  header.imports = {"robots/arm.h"};
+  header.structs = {parameters()};
   model::Component component;
   component.name = "robots::SimulatedArm";
+  component.doc.text = "Is where it was last sent to.";
   component.parameters = "robots::ArmParameters";
   component.ports = {{"arm_", "Arm", "robots::Arm", true, {}}};
   header.components = {component};
@@ -296,12 +295,8 @@ model::Header ownHeader() {
 
 }  // namespace
 
-model::Model robots() {
-  return {{ownHeader(), geometryHeader()}};
-}
+model::Model robots() { return {{contractHeader(), geometryHeader(), componentHeader()}}; }
 
-model::Header& armHeader(model::Model& model) {
-  return model.headers.front();
-}
+model::Header& armHeader(model::Model& model) { return model.headers.front(); }
 
 }  // namespace suture::compiler::sample

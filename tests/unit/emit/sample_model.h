@@ -18,7 +18,7 @@ model::Type arrayOf(model::Type element, unsigned length);
 model::Type matrix(unsigned rows, unsigned columns, model::Scalar scalar = model::Scalar::Float64);
 model::Type quaternion();
 model::Type isometry();
-model::Type duration(std::int64_t periodNumerator, std::int64_t periodDenominator);
+model::Type milliseconds();
 model::Type steadyTime();
 model::Type enumeration(const std::string& name);
 model::Type record(const std::string& name);

@@ -1,0 +1,171 @@
+#include <vector>
+
+#include "compiler/emit/contract.h"
+#include "compiler/emit/remote.h"
+#include "compiler/emit/wire_form.h"
+#include "compiler/model/naming.h"
+
+namespace suture::compiler::emit {
+namespace {
+
+std::string home(const Context& context) { return context.header.cxxNamespace; }
+
+// --- events and rows from the provider
+
+void emitColumn(Code& code, const Context& context, const model::Command& read, std::size_t i) {
+  const std::string column = std::to_string(i);
+  code.open("if (in.getEvaluated() >> ", column, " & 1) {");
+  code.line("auto& slot = *reinterpret_cast<", slotType(*read.result, context, home(context)),
+            "*>(port_->column(", column, "));");
+  const std::string outcome = emitDecode(code, {{*read.result, read.wireName, "slot", {}}}, "in",
+                                         "port_->shift()", context);
+  const std::string mark = "valid |= suture::rt::ColumnSet{1} << " + column + ";";
+  if (outcome == "Errc{}") {
+    code.line(mark);
+  } else {
+    emitError(code, outcome);
+    code.line("if (error == Errc{}) ", mark);
+  }
+  code.close("}");
+}
+
+void emitState(Code& code, const Context& context, const model::Interface& interface) {
+  code.open("kj::Promise<void> state(StateContext context) override {");
+  code.line("auto in = context.getParams().getRow();").line("suture::rt::ColumnSet valid = 0;");
+  const std::vector<const model::Command*> reads = readsOf(interface);
+  for (std::size_t i = 0; i < reads.size(); ++i) emitColumn(code, context, *reads[i], i);
+  code.line("port_->publish(in.getStamp(), valid);").line("return kj::READY_NOW;").close("}");
+}
+
+void emitEvent(Code& code, const Context& context, const model::Interface& interface,
+               const model::Event& event) {
+  const std::string id = "eventId(" + prefixOf(interface) + "Event::" + event.name + ")";
+  const bool carries = !event.payload.empty();
+  code.blank().open("kj::Promise<void> ", event.wireName, "(", model::titleCase(event.wireName),
+                    carries ? "Context context) override {" : "Context) override {");
+  if (carries) {
+    const model::Type& type = event.payload.front();
+    code.line("auto in = context.getParams();");
+    code.line(slotType(type, context, home(context)), " slot;");
+    const std::string outcome =
+        emitDecode(code, {{type, "value", "slot", {}}}, "in", "port_->shift()", context);
+    emitError(code, outcome);
+    code.line("return port_->event(", id, ", error, slot);");
+  } else {
+    code.line("return port_->event(", id, ");");
+  }
+  code.close("}");
+}
+
+void emitReceiver(Code& code, const Context& context, const model::Interface& interface) {
+  const std::string prefix = prefixOf(interface);
+  code.line("/// Receives events and rows.");
+  code.open("class ", prefix, "Receiver final : public wire::", interface.wireName,
+            "Events::Server {");
+  code.label("public:").line("explicit ", prefix,
+                             "Receiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}");
+  code.blank().label("protected:");
+  emitState(code, context, interface);
+  for (const model::Event& event : interface.events) emitEvent(code, context, interface, event);
+  code.blank().label("private:");
+  if (!interface.events.empty()) {
+    code.line("static std::uint16_t eventId(", prefix, "Event event) { ", kBreakText,
+              "return static_cast<std::uint16_t>(event); }");
+    code.blank();
+  }
+  code.line("kj::Own<ProxyPort> port_;").close("};").blank();
+}
+
+// --- commands to the provider
+
+void emitAnswer(Code& code, const Context& context, const model::Type& type) {
+  const std::string slot = slotType(type, context, home(context));
+  code.open("return request.send().then([this, call = record.call](auto&& response) {");
+  code.open("port_.answer<", slot, ">(call, [&](", slot, "& answer) {");
+  const std::string outcome =
+      emitDecode(code, {{type, "value", "answer", {}}}, "response", "port_.shift()", context);
+  code.line("return ", outcome, ";");
+
+  code.close("});").close("});");
+}
+
+void emitCase(Code& code, const Context& context, const model::Interface& interface,
+              const model::Command& command) {
+  code.open("case ", prefixOf(interface), "Command::", command.name, ": {");
+  if (!command.parameters.empty()) {
+    code.line("const auto& slot = ", kBreakText, "*reinterpret_cast<const ",
+              relative(argumentsStruct(interface, command), home(context)),
+              "*>(record.arguments());");
+  }
+  code.line("auto request = provider_.", command.wireName, "Request();");
+  for (const model::Parameter& one : command.parameters) {
+    code.line(encode({one.type, one.wireName, "slot." + one.name, {}}, "request", context), ";");
+  }
+  code.line("suture::rpc::fill(request.initSent(), record);");
+  if (command.result) {
+    emitAnswer(code, context, *command.result);
+  } else {
+    code.line("return request.send().then(", kBreakText,
+              "[this, call = record.call](auto&&) { port_.answer(call); });");
+  }
+  code.close("}");
+}
+
+void emitSend(Code& code, const Context& context, const model::Interface& interface) {
+  if (interface.commands.empty()) {
+    code.line("kj::Promise<void> send(const suture::rt::CommandRecord&) override { ", kBreakText,
+              "return kj::READY_NOW; }");
+    return;
+  }
+  code.open("kj::Promise<void> send(const suture::rt::CommandRecord& record) override {");
+  code.open("switch (static_cast<", prefixOf(interface), "Command>(record.command)) {");
+  for (const model::Command& command : interface.commands) {
+    emitCase(code, context, interface, command);
+  }
+  code.close("}").line("return kj::READY_NOW;").close("}");
+}
+
+}  // namespace
+
+void emitProxy(Code& code, const Context& context, const model::Interface& interface) {
+  const std::string prefix = prefixOf(interface);
+  const std::string client = "wire::" + interface.wireName + "::Client";
+  code.line("// --- ", prefix, " over Cap'n Proto RPC: the client's side").blank();
+  emitReceiver(code, context, interface);
+  code.line("/// Makes remote calls of commands.");
+  code.open("class ", prefix, "Proxy final : public suture::rpc::Proxy {").label("public:");
+  code.line(prefix, "Proxy(", client, " provider, ProxyPort& port)");
+  code.line("    : provider_(kj::mv(provider)), port_(port) {}").blank();
+  code.open("kj::Promise<void> subscribe(suture::EventSet events, ", kBreakText,
+            "suture::rt::ColumnSet columns) override {");
+  code.line("auto request = provider_.subscribeRequest();");
+  code.line("request.setEvents(kj::heap<", prefix, "Receiver>(kj::addRef(port_)));");
+  code.line("request.setEventMask(events);").line("request.setStateMask(columns);");
+  code.line("return request.send().ignoreResult();").close("}").blank();
+  emitSend(code, context, interface);
+  code.blank().label("private:").line(client, " provider_;").line("ProxyPort& port_;");
+  code.close("};").blank();
+}
+
+std::string bindingFunction(const model::Interface& interface) {
+  return model::camelCase(prefixOf(interface)) + "Binding";
+}
+
+void emitBinding(Code& code, const Context&, const model::Interface& interface) {
+  const std::string prefix = prefixOf(interface);
+  code.open("class ", prefix, "Binding final : public suture::rpc::Binding {").label("public:");
+  code.open("capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const override {");
+  code.line("return wire::", interface.wireName, "::Client(kj::heap<", prefix,
+            "Servant>(kj::mv(port)));");
+  code.close("}");
+  code.open("kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract, ",
+            kBreakText, "ProxyPort& port) const override {");
+  code.line("return kj::heap<", prefix, "Proxy>(contract.castAs<wire::", interface.wireName,
+            ">(), port);");
+  code.close("}").close("};").blank();
+  code.open("const suture::rpc::Binding& ", bindingFunction(interface), "() {");
+  code.line("static const ", prefix, "Binding kBinding;").line("return kBinding;");
+  code.close("}").blank();
+}
+
+}  // namespace suture::compiler::emit

@@ -1,0 +1,158 @@
+#include <vector>
+
+#include "compiler/emit/contract.h"
+#include "compiler/emit/remote.h"
+#include "compiler/emit/wire_form.h"
+#include "compiler/model/naming.h"
+
+namespace suture::compiler::emit {
+namespace {
+
+std::string home(const Context& context) { return context.header.cxxNamespace; }
+
+// --- events and rows to the subscriber
+
+void emitSinkCase(Code& code, const Context& context, const model::Interface& interface,
+                  const model::Event& event) {
+  code.open("case ", prefixOf(interface), "Event::", event.name, ": {");
+  if (event.payload.empty()) {
+    code.line("return subscriber_.", event.wireName, "Request().send().ignoreResult();");
+  } else {
+    const model::Type& type = event.payload.front();
+    code.line("const auto& slot = *reinterpret_cast<const ", slotType(type, context, home(context)),
+              "*>(payload);");
+    code.line("auto request = subscriber_.", event.wireName, "Request();");
+    code.line(encode({type, "value", "slot", {}}, "request", context), ";");
+    code.line("return request.send().ignoreResult();");
+  }
+  code.close("}");
+}
+
+void emitSinkEvent(Code& code, const Context& context, const model::Interface& interface) {
+  if (interface.events.empty()) {
+    code.line("kj::Promise<void> event(std::uint16_t, const std::byte*) override { ", kBreakText,
+              "return kj::READY_NOW; }");
+    return;
+  }
+  bool carries = false;
+  for (const model::Event& event : interface.events) carries = carries || !event.payload.empty();
+  code.open("kj::Promise<void> event(std::uint16_t event, const std::byte*",
+            carries ? " payload" : "", ") override {");
+  code.open("switch (static_cast<", prefixOf(interface), "Event>(event)) {");
+  for (const model::Event& event : interface.events) emitSinkCase(code, context, interface, event);
+  code.close("}").line("return kj::READY_NOW;").close("}");
+}
+
+void emitSinkRow(Code& code, const Context& context, const model::Interface& interface) {
+  const std::vector<const model::Command*> reads = readsOf(interface);
+  code.line("kj::Promise<void> row(const suture::rt::StateTable::Row& row,");
+  code.open("                      std::span<const std::byte* const>",
+            reads.empty() ? "" : " columns", ") override {");
+  code.line("auto request = subscriber_.stateRequest();").line("auto out = request.initRow();");
+  code.line("out.setStamp(suture::toNanoseconds(row.stamp));").line("out.setEvaluated(row.valid);");
+  for (std::size_t i = 0; i < reads.size(); ++i) {
+    const std::string column = std::to_string(i);
+    const model::Type& type = *reads[i]->result;
+    code.open("if (row.valid >> ", column, " & 1) {");
+    code.line("const auto& slot = *reinterpret_cast<const ", slotType(type, context, home(context)),
+              "*>(columns[", column, "]);");
+    code.line(encode({type, reads[i]->wireName, "slot", {}}, "out", context), ";").close("}");
+  }
+  code.line("return request.send().ignoreResult();").close("}");
+}
+
+void emitSink(Code& code, const Context& context, const model::Interface& interface) {
+  const std::string name = prefixOf(interface) + "Sink";
+  const std::string client = "wire::" + interface.wireName + "Events::Client";
+  code.line("/// Makes remote calls of a subscriber's events and rows.");
+  code.open("class ", name, " final : public suture::rpc::EventSink {").label("public:");
+  code.line("explicit ", name, "(", client, " subscriber) : ", kBreakText,
+            "subscriber_(kj::mv(subscriber)) {}");
+  code.blank();
+  emitSinkEvent(code, context, interface);
+  code.blank();
+  emitSinkRow(code, context, interface);
+  code.blank().label("private:").line(client, " subscriber_;").close("};").blank();
+}
+
+// --- commands from the client
+
+/// The lambda that fills the arguments' slot from `in`.
+void emitFill(Code& code, const Context& context, const model::Interface& interface,
+              const model::Command& command) {
+  std::vector<WireValue> values;
+  for (const model::Parameter& one : command.parameters) {
+    values.push_back({one.type, one.wireName, "slot." + one.name, one.range});
+  }
+  code.open("const auto fill = [&](std::byte* memory) {");
+  code.line("auto& slot = *reinterpret_cast<",
+            relative(argumentsStruct(interface, command), home(context)), "*>(memory);");
+  const std::string outcome = emitDecode(code, values, "in", "port_->shift()", context);
+  if (!hasConditions(values, context)) {
+    code.line("return ", outcome, ";");
+  } else {
+    if (outcome != "Errc{}") {
+      emitError(code, outcome);
+      code.line("if (error != Errc{}) return error;");
+    }
+    emitValidity(code, values, "Errc{}", "Errc::Invalid", context);
+  }
+
+  code.close("};");
+}
+
+/// The lambda that turns the result's slot into the answer.
+void emitTake(Code& code, const Context& context, const model::Command& command) {
+  const model::Type& type = *command.result;
+  code.open("auto take = [context](const std::byte* result) mutable {");
+  code.line("const auto& slot = *reinterpret_cast<const ", slotType(type, context, home(context)),
+            "*>(result);");
+  code.line("auto out = context.getResults();");
+  code.line(encode({type, "value", "slot", {}}, "out", context), ";");
+  code.close("};");
+}
+
+void emitMethod(Code& code, const Context& context, const model::Interface& interface,
+                const model::Command& command) {
+  code.open("kj::Promise<void> ", command.wireName, "(", model::titleCase(command.wireName),
+            "Context context) override {");
+  code.line("auto in = context.getParams();");
+  const bool takes = !command.parameters.empty();
+  if (takes) emitFill(code, context, interface, command);
+  if (command.result) emitTake(code, context, command);
+  code.line("return port_->", command.result ? "call(" : "command(", kBreakText, "commandId(",
+            prefixOf(interface), "Command::", command.name, "), ", kBreakText, "in.getSent(), ",
+            kBreakText, takes ? "fill" : "[](std::byte*) { return Errc{}; }",
+            command.result ? ", kj::mv(take));" : ");");
+  code.close("}").blank();
+}
+
+}  // namespace
+
+void emitServant(Code& code, const Context& context, const model::Interface& interface) {
+  const std::string prefix = prefixOf(interface);
+  code.line("// --- ", prefix, " over Cap'n Proto RPC: the provider's side").blank();
+  emitSink(code, context, interface);
+  code.line("/// Puts remote calls into the provider's mailbox.");
+  code.open("class ", prefix, "Servant final : public wire::", interface.wireName, "::Server {");
+  code.label("public:").line("explicit ", prefix,
+                             "Servant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}");
+  code.blank().label("protected:");
+  code.open("kj::Promise<void> subscribe(SubscribeContext context) override {");
+  code.line("auto in = context.getParams();");
+  code.line("port_->subscribe(kj::heap<", prefix, "Sink>(in.getEvents()), ", kBreakText,
+            "in.getEventMask(), ", kBreakText, "in.getStateMask());");
+  code.line("return kj::READY_NOW;").close("}").blank();
+  for (const model::Command& command : interface.commands) {
+    emitMethod(code, context, interface, command);
+  }
+  code.label("private:");
+  if (!interface.commands.empty()) {
+    code.line("static std::uint16_t commandId(", prefix, "Command command) { ", kBreakText,
+              "return static_cast<std::uint16_t>(command); }");
+    code.blank();
+  }
+  code.line("kj::Own<ServantPort> port_;").close("};").blank();
+}
+
+}  // namespace suture::compiler::emit

@@ -1,0 +1,54 @@
+#pragma once
+// The C++ of one value's way between its slot and its Cap'n Proto form.
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compiler/emit/code.h"
+#include "compiler/emit/context.h"
+
+namespace suture::compiler::emit {
+
+/// A value that is a field, a parameter or a result: where it lies on both sides.
+struct WireValue {
+  const model::Type& type;
+  std::string wireName;  ///< capnp's: "measuredCp"
+  std::string slot;      ///< an lvalue: "slot.measured_cp"
+  std::optional<std::pair<double, double>> range;
+};
+
+/// "toWire(slot.pose, out.initPose())": a statement without its end. `out` is a struct builder.
+std::string encode(const WireValue& value, const std::string& out, const Context& context);
+
+/// Reads `values` from struct reader `in`. Returns what there is to say about the outcome: an
+/// expression of type Errc, "Errc{}" when it cannot fail. `shift` is an expression of type
+/// Duration.
+std::string emitDecode(Code& code, const std::vector<WireValue>& values, const std::string& in,
+                       const std::string& shift, const Context& context);
+
+/// "const Errc error = ...;" of what emitDecode() returned, unless it is called so already.
+void emitError(Code& code, const std::string& outcome);
+
+/// Does decoding it need the shift of steady stamps?
+bool usesShift(const model::Type& type);
+
+/// Is there anything that emitValidity() would check?
+bool hasConditions(const std::vector<WireValue>& values, const Context& context);
+
+/// Returns expression `valid` if every number is finite and within its range, else `invalid`.
+void emitValidity(Code& code, const std::vector<WireValue>& values, const std::string& valid,
+                  const std::string& invalid, const Context& context);
+
+/// "wireMode": the function from an enum's slot to capnp's enum, qualified where it is another
+/// namespace's than the header's.
+std::string enumEncoder(const std::string& enumName, const Context& context);
+
+/// "2" for the second level of nested lambdas, whose parameters must not hide the first's.
+std::string depthSuffix(unsigned depth);
+
+/// The body of a lambda, to stand between its braces.
+std::string lambdaBody(const std::string& statements);
+
+}  // namespace suture::compiler::emit
