@@ -75,16 +75,17 @@ void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time d
     Component& owner;
     std::uint16_t command;
     std::uint32_t call;
+    bool usesCredit;  // a newest-wins command without an answer travels in its cell, not in the ring
     bool answered = false;
     ~Release() {
       channel.commands.pop();
-      channel.commands.returnCredit(command);
+      if (usesCredit) channel.commands.returnCredit(command);
       if (call != 0 && !answered) channel.replyError(call, Errc::Faulted);
       if (call != 0 || channel.wantsRows.load(std::memory_order_relaxed)) {
         owner.ringLater(*channel.ends.client);
       }
     }
-  } release{channel, owner_, record.command, record.call};
+  } release{channel, owner_, record.command, record.call, !command.latest || record.call != 0};
 
   if (command.ttl > Duration{0} && drainStart - record.stamp > command.ttl) {
     increment(channel.commands.counters.late);
