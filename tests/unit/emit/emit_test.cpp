@@ -1,0 +1,111 @@
+// Emitters on a hand-made model.
+
+#include "compiler/emit/emit.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "tests/unit/emit/sample_model.h"
+
+namespace suture::compiler::emit {
+namespace {
+
+class EmitTest : public testing::Test {
+ protected:
+  /// The generated text of `path`.
+  std::string text(const std::string& path) {
+    model::Diagnostics none;
+    const lock::Locks locks = lock::read(lock::update(model_, {}).files, none);
+    for (const Artefact& artefact : emit(model_, locks)) {
+      if (artefact.path == path) return artefact.text;
+    }
+    return "";
+  }
+
+  model::Interface& arm() { return sample::armHeader(model_).interfaces[0]; }
+
+  model::Model model_ = sample::robots();
+};
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST_F(EmitTest, ThreeFilesForEachOwnHeader) {
+  std::vector<std::string> paths;
+  for (const Artefact& artefact : emit(model_, {})) paths.push_back(artefact.path);
+  EXPECT_EQ(paths, (std::vector<std::string>{
+                       "robots/arm.suture.h", "robots/arm.suture.cpp", "robots/arm.suture.json",
+                       "robots/simulated_arm.suture.h", "robots/simulated_arm.suture.cpp",
+                       "robots/simulated_arm.suture.json"}));
+}
+
+TEST_F(EmitTest, EqualModelsGiveEqualBytes) {
+  const auto once = emit(model_, {});
+  EXPECT_EQ(emit(sample::robots(), {}), once);
+}
+
+TEST_F(EmitTest, SourcePositionsDoNotShow) {
+  const auto before = emit(model_, {});
+  for (model::Field& field : sample::armHeader(model_).structs[0].fields) field.source.line = 77;
+  arm().source.line = 99;
+  EXPECT_EQ(emit(model_, {}), before);
+}
+
+TEST_F(EmitTest, DocumentationIsCarriedOver) {
+  arm().commands[0].doc.text = "Powers the arm.";
+  EXPECT_TRUE(contains(text("robots/arm.suture.h"), "  /// Powers the arm.\n"));
+  EXPECT_TRUE(contains(text("robots/arm.suture.json"), "\"doc\": \"Powers the arm.\""));
+}
+
+TEST_F(EmitTest, AContractOfNothingIsStillWellFormed) {
+  arm().commands.clear();
+  arm().events.clear();
+  const std::string source = text("robots/arm.suture.cpp");
+  EXPECT_TRUE(contains(source, ".commands = {},"));
+  EXPECT_TRUE(contains(source, ".events = {},"));
+  EXPECT_FALSE(contains(text("robots/arm.suture.h"), "struct Events"));
+}
+
+TEST_F(EmitTest, UnboundedTypesHaveNoSlot) {
+  EXPECT_FALSE(contains(text("robots/simulated_arm.suture.h"), "ArmParametersSlot"));
+}
+
+TEST_F(EmitTest, NumbersFollowTheLock) {
+  model::Diagnostics none;
+  const lock::Locks locks = lock::read(lock::update(model_, {}).files, none);
+  const auto before = emit(model_, locks);
+  std::reverse(arm().commands.begin(), arm().commands.end());
+  std::reverse(arm().events.begin(), arm().events.end());
+  EXPECT_EQ(emit(model_, locks), before) << "two builds of one lock must number alike";
+}
+
+TEST_F(EmitTest, HashKnowsTheWireAndNothingElse) {
+  const auto hash = [this] {
+    const auto json = nlohmann::json::parse(text("robots/arm.suture.json"));
+    return json["interfaces"][0]["hash"].get<std::string>();
+  };
+  const std::string before = hash();
+  EXPECT_EQ(before.size(), 32u);
+  arm().doc.text = "Other words.";
+  arm().commands[0].queue = 1;
+  EXPECT_EQ(hash(), before);
+  model_.headers[1].structs[0].fields[0].unit = "mm";  // in a foreign header that it reaches
+  EXPECT_NE(hash(), before);
+}
+
+TEST_F(EmitTest, DescriptionSaysWhatTheTypesAre) {
+  const auto json = nlohmann::json::parse(text("robots/arm.suture.json"));
+  const auto& fields = json["structs"][0]["fields"];
+  EXPECT_EQ(fields[3]["unit"], "m/s");
+  EXPECT_EQ(fields[3]["range"][0], -0.5);
+  EXPECT_EQ(fields[3]["default"], 0.25);
+  EXPECT_EQ(fields[10]["type"]["element"]["length"], 2);
+  EXPECT_EQ(json["interfaces"][0]["commands"][1]["ttl"], 0.02);
+  EXPECT_EQ(json["interfaces"][0]["events"][0]["latched"], true);
+}
+
+}  // namespace
+}  // namespace suture::compiler::emit
