@@ -6,6 +6,7 @@
 #include "compiler/emit/code.h"
 #include "compiler/emit/context.h"
 #include "compiler/emit/converters.h"
+#include "compiler/emit/order.h"
 #include "compiler/emit/parts.h"
 #include "compiler/emit/readers.h"
 #include "compiler/emit/remote.h"
@@ -158,7 +159,8 @@ std::string sourceFile(const Context& context) {
 
 }  // namespace
 
-std::vector<Artefact> emit(const model::Model& model, const lock::Locks& locks) {
+std::vector<Artefact> emit(const model::Model& declared, const lock::Locks& locks) {
+  const model::Model model = ordered(declared, locks);
   const model::Lookup lookup(model);
   const std::map<std::string, std::string> hashes = lock::contractHashes(model, locks);
   std::vector<Artefact> artefacts;

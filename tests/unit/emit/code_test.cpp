@@ -26,22 +26,20 @@ TEST(Code, BehindABracketTheBreakIndentsByFour) {
   Code code;
   const std::string name(50, 'n');
   code.open("{").line("Type ", name, "{", kBreakText, "value, ", std::string(50, 'v'), "};");
-  EXPECT_EQ(code.text(),
-            "{\n  Type " + name + "{\n      value, " + std::string(50, 'v') + "};\n");
+  EXPECT_EQ(code.text(), "{\n  Type " + name + "{\n      value, " + std::string(50, 'v') + "};\n");
 }
 
 TEST(Code, LongLambdasGetLinesForTheirBodies) {
   Code code;
-  const std::string name(60, 'n');
+  const std::string name(50, 'n');
   code.line("each(", name, ", [](int element) {", std::string(1, kBody), "return use(element);",
             std::string(1, kBodyEnd), "});");
-  EXPECT_EQ(code.text(),
-            "each(" + name + ", [](int element) { return use(element); });\n");
+  EXPECT_EQ(code.text(), "each(" + name + ", [](int element) { return use(element); });\n");
   Code longer;
   longer.line("each(", name, name, ", [](int element) {", std::string(1, kBody),
               "return use(element);", std::string(1, kBodyEnd), "});");
-  EXPECT_EQ(longer.text(), "each(" + name + name +
-                               ", [](int element) {\n  return use(element);\n});\n");
+  EXPECT_EQ(longer.text(),
+            "each(" + name + name + ", [](int element) {\n  return use(element);\n});\n");
 }
 
 TEST(Code, DocumentationKeepsItsParagraphs) {
