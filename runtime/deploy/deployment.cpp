@@ -78,7 +78,8 @@ Endpoint Deployment::readEndpoint(const json& connection, const std::string& poi
     if (processes_.size() == 1) {
       endpoint.process = processes_.front().name;
     } else {
-      report(pointer + "/" + end, "'" + endpoint.toString() + "' does not say in which process; write \"" +
+      report(pointer + "/" + end, "'" + endpoint.toString() +
+                                      "' does not say in which process; write \"" +
                                       processes_.front().name + ":" + endpoint.toString() +
                                       "\" or another of " + listNames(namesOf(processes_)));
     }
@@ -95,8 +96,9 @@ void Deployment::checkNames() {
     }
     for (const ComponentEntry& component : process.components) {
       if (find(process.components, component.name) != &component) {
-        report(component.pointer + "/name", "process '" + process.name + "' has another component '" +
-                                                component.name + "'; give each its own name");
+        report(component.pointer + "/name", "process '" + process.name +
+                                                "' has another component '" + component.name +
+                                                "'; give each its own name");
       }
     }
   }
@@ -111,8 +113,8 @@ void Deployment::checkEndpoint(const Endpoint& endpoint, const std::string& poin
   const ProcessEntry* process = find(processes_, endpoint.process);
   if (process == nullptr) {
     const auto names = namesOf(processes_);
-    report(pointer, "'" + endpoint.toString() + "' is in an unknown process '" + endpoint.process + "'; there are " +
-                        listNames(names) + suggestion(endpoint.process, names));
+    report(pointer, "'" + endpoint.toString() + "' is in an unknown process '" + endpoint.process +
+                        "'; there are " + listNames(names) + suggestion(endpoint.process, names));
     return;
   }
   if (find(process->components, endpoint.component) == nullptr) {
@@ -153,9 +155,9 @@ void Deployment::checkManager() {
 const ProcessEntry& Deployment::process(std::string_view name) const {
   if (const ProcessEntry* process = find(processes_, name)) return *process;
   const auto names = namesOf(processes_);
-  throw DocumentError({document_.locate("/processes", "no process '" + std::string(name) +
-                                                          "' here; there are " + listNames(names) +
-                                                          suggestion(name, names))});
+  throw DocumentError(
+      {document_.locate("/processes", "no process '" + std::string(name) + "' here; there are " +
+                                          listNames(names) + suggestion(name, names))});
 }
 
 void Deployment::report(const std::string& pointer, const std::string& text) {

@@ -34,7 +34,8 @@ struct ConnectionEntry {
 /// A checked deployment file (schemas/deployment.schema.json). A value; set-up code only.
 class Deployment {
  public:
-  /// Throws DocumentError with every problem of the file: of its syntax, of its schema, or of its names.
+  /// Throws DocumentError with every problem of the file: of its syntax, of its schema, or of its
+  /// names.
   explicit Deployment(JsonDocument document);
 
   const JsonDocument& document() const { return document_; }

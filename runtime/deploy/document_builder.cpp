@@ -42,10 +42,12 @@ std::size_t columnAt(std::string_view text, std::size_t offset) {
   return newline == std::string_view::npos ? offset + 1 : offset - newline;
 }
 
-// nlohmann's text begins with the exception's name and, of a syntax error, the position of the token's end.
+// nlohmann's text begins with the exception's name and, of a syntax error, the position of the
+// token's end.
 std::string withoutPrefix(const std::string& text) {
   const std::size_t column = text.find("column ");
-  const std::size_t end = text.find(column == std::string::npos ? "] " : ": ", column == std::string::npos ? 0 : column);
+  const std::size_t end = text.find(column == std::string::npos ? "] " : ": ",
+                                    column == std::string::npos ? 0 : column);
   return end == std::string::npos ? text : text.substr(end + 2);
 }
 
@@ -63,9 +65,9 @@ bool DocumentBuilder::key(std::string& name) {
   frame.key = name;
   const std::string pointer = nextPointer();
   if (frame.container->contains(name)) {
-    problems_.push_back(document_.name_ + ":" + std::to_string(lineNow()) + ": error: key '" + name +
-                        "' was given before, on line " + std::to_string(document_.lineOf(pointer)) +
-                        ". Keep one of the two");
+    problems_.push_back(document_.name_ + ":" + std::to_string(lineNow()) + ": error: key '" +
+                        name + "' was given before, on line " +
+                        std::to_string(document_.lineOf(pointer)) + ". Keep one of the two");
   } else {
     document_.lines_[pointer] = lineNow();
   }
@@ -77,8 +79,8 @@ bool DocumentBuilder::parse_error(std::size_t position, const std::string& token
   const bool atEnd = position > text_.size();
   const std::size_t offset = atEnd ? text_.size() : position - std::min(position, token.size());
   problems_.push_back(document_.name_ + ":" + std::to_string(lineAt(text_, offset)) + ":" +
-                      std::to_string(columnAt(text_, offset)) + ": error: this is not JSON: " +
-                      withoutPrefix(error.what()));
+                      std::to_string(columnAt(text_, offset)) +
+                      ": error: this is not JSON: " + withoutPrefix(error.what()));
   return false;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// Reads a JSON text into a JsonDocument: the events of nlohmann's parser, and a count of the characters it has taken.
+// Reads a JSON text into a JsonDocument: the events of nlohmann's parser, and a count of the
+// characters it has taken.
 
 #include <suture/deploy/json_document.h>
 

@@ -35,9 +35,9 @@ std::unique_ptr<Component> Host::create(const ComponentEntry& entry,
                                         std::span<const ComponentClass> classes,
                                         std::vector<std::string>& problems) const {
   const JsonDocument& document = deployment_.document();
-  const auto found =
-      std::find_if(classes.begin(), classes.end(),
-                   [&](const ComponentClass& one) { return entry.className == one.name; });
+  const auto found = std::find_if(classes.begin(), classes.end(), [&](const ComponentClass& one) {
+    return entry.className == one.name;
+  });
   if (found == classes.end()) {
     problems.push_back(
         document.locate(entry.pointer + "/class", unknownClass(entry.className, classes)));
@@ -49,12 +49,14 @@ std::unique_ptr<Component> Host::create(const ComponentEntry& entry,
   try {
     component = found->create(parameters);
   } catch (const std::exception& error) {
-    problems.push_back(document.locate(entry.pointer, "component '" + entry.name + "' of class '" + entry.className +
+    problems.push_back(document.locate(entry.pointer, "component '" + entry.name + "' of class '" +
+                                                          entry.className +
                                                           "' cannot be created: " + error.what()));
   }
   for (const JsonProblem& problem : parameterProblems) {
     problems.push_back(document.locate(
-        problem.pointer, "parameters of '" + entry.name + "' (" + entry.className + "): " + problem.text));
+        problem.pointer,
+        "parameters of '" + entry.name + "' (" + entry.className + "): " + problem.text));
   }
   return component;
 }

@@ -13,25 +13,26 @@
 
 namespace suture {
 
-/// The components, the manager and the connections of one process. Used by one thread, which is none of the tasks'.
+/// The components, the manager and the connections of one process. Used by one thread, which is
+/// none of the tasks'.
 class Host {
  public:
-  /// Creates the components of `process` from `classes`, and its manager. Throws DocumentError: unknown class, wrong
-  /// parameters, a component that refuses its parameters, a global manager that does not answer within `patience`.
-  /// `deployment` outlives the host.
+  /// Creates the components of `process` from `classes`, and its manager. Throws DocumentError:
+  /// unknown class, wrong parameters, a component that refuses its parameters, a global manager
+  /// that does not answer within `patience`. `deployment` outlives the host.
   Host(const Deployment& deployment, std::string_view process,
        std::span<const ComponentClass> classes, Duration patience = Manager::kDefaultPatience);
   Host(const Host&) = delete;
   Host& operator=(const Host&) = delete;
 
-  /// Starts the tasks, then makes every connection that begins in this process, waiting at most `patience` for each
-  /// other process. Throws DocumentError that names the connection.
+  /// Starts the tasks, then makes every connection that begins in this process, waiting at most
+  /// `patience` for each other process. Throws DocumentError that names the connection.
   void start();
 
   const Manager& manager() const { return *manager_; }
 
-  /// What is broken now, by name, one sentence each: connections whose far end is gone, components whose handler
-  /// threw. Everything else keeps running.
+  /// What is broken now, by name, one sentence each: connections whose far end is gone, components
+  /// whose handler threw. Everything else keeps running.
   std::vector<std::string> failures() const;
 
  private:

@@ -13,7 +13,8 @@
 
 namespace suture {
 
-/// What is wrong with a document: every problem, each as "file:line: error: what was asked, found and to do".
+/// What is wrong with a document: every problem, each as "file:line: error: what was asked, found
+/// and to do".
 class DocumentError : public std::runtime_error {
  public:
   explicit DocumentError(std::vector<std::string> problems);
@@ -27,8 +28,8 @@ class DocumentError : public std::runtime_error {
 /// Set-up code only. Values are named by RFC 6901 pointers: "/processes/0/name".
 class JsonDocument {
  public:
-  /// Throws DocumentError if the file cannot be read or is not JSON. A key that appears twice in an object is an
-  /// error too: one of the two would silently not count.
+  /// Throws DocumentError if the file cannot be read or is not JSON. A key that appears twice in an
+  /// object is an error too: one of the two would silently not count.
   static JsonDocument read(const std::filesystem::path& file);
   /// The same for a text; `name` stands for the file in messages.
   static JsonDocument parse(std::string_view text, std::string name);
@@ -36,7 +37,8 @@ class JsonDocument {
   const nlohmann::json& value() const { return value_; }
   const std::string& name() const { return name_; }
 
-  /// Line, from 1, of the value at `pointer` (of its key, if it has one), or of the closest one around it.
+  /// Line, from 1, of the value at `pointer` (of its key, if it has one), or of the closest one
+  /// around it.
   int lineOf(std::string pointer) const;
   /// "file:line: error: text"
   std::string locate(const std::string& pointer, std::string_view text) const;

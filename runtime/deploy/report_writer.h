@@ -7,8 +7,9 @@
 
 namespace suture {
 
-/// {"kind": "started"}, {"kind": "report", ...}, {"kind": "failure", "text": ...}. Writes to a file descriptor, which
-/// it does not own; -1: says nothing. A reader that has gone away is not an error.
+/// {"kind": "started"}, {"kind": "report", ...}, {"kind": "failure", "text": ...}. Writes to a file
+/// descriptor, which it does not own; -1: says nothing. A reader that has gone away is not an
+/// error.
 class ReportWriter {
  public:
   explicit ReportWriter(int descriptor) : descriptor_(descriptor) {}

@@ -67,11 +67,10 @@ void reportMissingKeys(const Place& place, std::vector<JsonProblem>& problems) {
   for (const json& key : place.schema->at("required")) {
     const auto name = key.get<std::string>();
     if (place.value->contains(name)) continue;
-    problems.push_back({place.pointer, "key '" + name + "' is missing; it is " +
-                                           place.schema->at("properties")
-                                               .at(name)
-                                               .at("description")
-                                               .get<std::string>()});
+    problems.push_back(
+        {place.pointer,
+         "key '" + name + "' is missing; it is " +
+             place.schema->at("properties").at(name).at("description").get<std::string>()});
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// Checks a document against a JSON schema (draft 7), and says what is wrong in the schema's own words.
+// Checks a document against a JSON schema (draft 7), and says what is wrong in the schema's own
+// words.
 
 #include <suture/component/json_reader.h>
 
@@ -11,8 +12,8 @@ namespace suture {
 /// The text of schemas/deployment.schema.json.
 const char* deploymentSchema();
 
-/// Every place where `value` breaks `schema`; a pointer and a text each. The schema may use type, required,
-/// properties, items, enum and pattern, and describes each property. Set-up code only.
+/// Every place where `value` breaks `schema`; a pointer and a text each. The schema may use type,
+/// required, properties, items, enum and pattern, and describes each property. Set-up code only.
 std::vector<JsonProblem> checkSchema(const nlohmann::json& value, const nlohmann::json& schema);
 
 }  // namespace suture

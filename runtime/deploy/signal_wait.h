@@ -9,8 +9,8 @@
 
 namespace suture {
 
-/// Blocks SIGINT and SIGTERM in the calling thread and those it starts from now on, so that they can be waited for;
-/// ignores SIGPIPE. Before any thread is started.
+/// Blocks SIGINT and SIGTERM in the calling thread and those it starts from now on, so that they
+/// can be waited for; ignores SIGPIPE. Before any thread is started.
 class SignalWait {
  public:
   SignalWait();
@@ -22,8 +22,8 @@ class SignalWait {
   sigset_t signals_;
 };
 
-/// While it lives, being told to end ends the process at once, with status 0: for work that cannot be interrupted,
-/// such as waiting for other processes to appear.
+/// While it lives, being told to end ends the process at once, with status 0: for work that cannot
+/// be interrupted, such as waiting for other processes to appear.
 class ExitOnSignal {
  public:
   explicit ExitOnSignal(const SignalWait& signals);

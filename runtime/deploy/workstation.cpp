@@ -24,8 +24,8 @@ using namespace std::chrono_literals;
 
 // How soon a failure is noticed.
 constexpr Duration kWatchInterval = 50ms;
-// When a system is shut down its processes end one after the other; what is lost shortly before this one's turn
-// came was no accident.
+// When a system is shut down its processes end one after the other; what is lost shortly before
+// this one's turn came was no accident.
 constexpr Duration kShutdown = 500ms;
 
 struct Options {
@@ -119,7 +119,8 @@ std::string processOf(const Deployment& deployment, const Options& options) {
   std::vector<std::string> names;
   for (const ProcessEntry& process : deployment.processes()) names.push_back(process.name);
   throw DocumentError({deployment.document().locate(
-      "/processes", "there are several processes: " + listNames(names) + "; say which one with --process")});
+      "/processes",
+      "there are several processes: " + listNames(names) + "; say which one with --process")});
 }
 
 int runWorkstation(const Options& options, std::span<const ComponentClass> classes) {

@@ -1,5 +1,6 @@
 #pragma once
-// A whole program that runs any process of any deployment: main() lists the component classes it offers.
+// A whole program that runs any process of any deployment: main() lists the component classes it
+// offers.
 
 #include <suture/component/component_class.h>
 
@@ -7,9 +8,10 @@
 
 namespace suture {
 
-/// Options: --deployment FILE, --process NAME, --seconds N, --report-interval S, --report-fd N or "-" (--help explains
-/// them). Runs until the time is over or SIGINT or SIGTERM comes. Exit status 0: it ran, and lost no connection and no
-/// component before its end; 1: it did not, and standard error says why. Call it before any thread is started.
+/// Options: --deployment FILE, --process NAME, --seconds N, --report-interval S, --report-fd N or
+/// "-" (--help explains them). Runs until the time is over or SIGINT or SIGTERM comes. Exit status
+/// 0: it ran, and lost no connection and no component before its end; 1: it did not, and standard
+/// error says why. Call it before any thread is started.
 int workstationMain(int argc, const char* const* argv, std::span<const ComponentClass> classes);
 
 }  // namespace suture

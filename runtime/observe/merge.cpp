@@ -5,8 +5,8 @@
 namespace suture {
 namespace {
 
-// The client end counts what was sent and how old its reads were; the provider end what was executed; a command
-// can be dropped at either.
+// The client end counts what was sent and how old its reads were; the provider end what was
+// executed; a command can be dropped at either.
 void complete(ConnectionReport& whole, const ConnectionReport& other) {
   const bool otherIsClient = other.end == ConnectionEnd::Client;
   const ConnectionReport client = otherIsClient ? other : whole;
@@ -31,9 +31,11 @@ std::vector<ConnectionReport> mergeConnections(const std::vector<Report>& report
   std::vector<ConnectionReport> merged;
   for (const Report& report : reports) {
     for (const ConnectionReport& one : report.connections) {
-      const auto known = std::find_if(merged.begin(), merged.end(), [&](const ConnectionReport& whole) {
-        return whole.name == one.name && whole.end != one.end && whole.end != ConnectionEnd::Both;
-      });
+      const auto known =
+          std::find_if(merged.begin(), merged.end(), [&](const ConnectionReport& whole) {
+            return whole.name == one.name && whole.end != one.end &&
+                   whole.end != ConnectionEnd::Both;
+          });
       if (known == merged.end()) {
         merged.push_back(one);
       } else {

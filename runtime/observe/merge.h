@@ -7,8 +7,8 @@
 
 namespace suture {
 
-/// One report a connection, in the order of first appearance: what its two processes know of it, each about its
-/// own end. ConnectionEnd::Both once both ends are known.
+/// One report a connection, in the order of first appearance: what its two processes know of it,
+/// each about its own end. ConnectionEnd::Both once both ends are known.
 std::vector<ConnectionReport> mergeConnections(const std::vector<Report>& reports);
 
 }  // namespace suture

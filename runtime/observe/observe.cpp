@@ -17,9 +17,9 @@ std::uint64_t count(const std::atomic<std::uint64_t>& counter) {
 // A lane's own end of a channel is woken by a doorbell that is no component's.
 ConnectionEnd endOf(const Channel& channel, const std::vector<Component*>& components) {
   if (channel.lane == "local") return ConnectionEnd::Both;
-  const bool client =
-      std::any_of(components.begin(), components.end(),
-                  [&](Component* one) { return &one->doorbell() == channel.ends.client; });
+  const bool client = std::any_of(components.begin(), components.end(), [&](Component* one) {
+    return &one->doorbell() == channel.ends.client;
+  });
   return client ? ConnectionEnd::Client : ConnectionEnd::Provider;
 }
 

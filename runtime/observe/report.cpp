@@ -20,9 +20,8 @@ using nlohmann::json;
 
 // One list of fields for both directions: Visit is called with each field's key and value.
 template <class Distributed, class Visit>
-void eachField(Distributed& value, const Visit& visit)
-  requires std::is_same_v<std::remove_const_t<Distributed>, Distribution>
-{
+void eachField(Distributed& value, const Visit& visit) requires
+    std::is_same_v<std::remove_const_t<Distributed>, Distribution> {
   visit("count", value.count);
   visit("p50", value.p50);
   visit("p99", value.p99);
@@ -30,9 +29,8 @@ void eachField(Distributed& value, const Visit& visit)
 }
 
 template <class Connection, class Visit>
-void eachField(Connection& value, const Visit& visit)
-  requires std::is_same_v<std::remove_const_t<Connection>, ConnectionReport>
-{
+void eachField(Connection& value, const Visit& visit) requires
+    std::is_same_v<std::remove_const_t<Connection>, ConnectionReport> {
   visit("name", value.name);
   visit("lane", value.lane);
   visit("end", value.end);
@@ -54,9 +52,8 @@ void eachField(Connection& value, const Visit& visit)
 }
 
 template <class TaskValue, class Visit>
-void eachField(TaskValue& value, const Visit& visit)
-  requires std::is_same_v<std::remove_const_t<TaskValue>, TaskReport>
-{
+void eachField(TaskValue& value, const Visit& visit) requires
+    std::is_same_v<std::remove_const_t<TaskValue>, TaskReport> {
   visit("name", value.name);
   visit("state", value.state);
   visit("fault", value.fault);

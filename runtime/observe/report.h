@@ -1,5 +1,6 @@
 #pragma once
-// What a process does, as numbers: its connections and its tasks at one moment, counted from their start.
+// What a process does, as numbers: its connections and its tasks at one moment, counted from their
+// start.
 
 #include <suture/base/time.h>
 #include <suture/component/channel.h>

@@ -83,7 +83,9 @@ TEST(Deployment, UnknownKeySuggestsTheRightOne) {
 }
 
 TEST(Deployment, EveryUnknownKeyIsTold) {
-  EXPECT_EQ(problemsOf(with("\"class\": \"Mtm\"", "\"class\": \"Mtm\", \"clas\": 1, \"nme\": 2")).size(), 2u);
+  EXPECT_EQ(
+      problemsOf(with("\"class\": \"Mtm\"", "\"class\": \"Mtm\", \"clas\": 1, \"nme\": 2")).size(),
+      2u);
 }
 
 TEST(Deployment, MissingKeySaysWhatItIs) {
@@ -140,12 +142,13 @@ TEST(Deployment, ProcessMustBeNamedIfThereAreTwo) {
 }
 
 TEST(Deployment, DuplicateNames) {
-  expectOnly(with("\"name\": \"Teleop\"", "\"name\": \"MTML\", \"parameters\": {}, \"class\": \"T\"}, {\"name\": \"Teleop\""),
-             "d.json:8: error: process 'left' has another component 'MTML'; give each its own name");
+  expectOnly(
+      with("\"name\": \"Teleop\"",
+           "\"name\": \"MTML\", \"parameters\": {}, \"class\": \"T\"}, {\"name\": \"Teleop\""),
+      "d.json:8: error: process 'left' has another component 'MTML'; give each its own name");
   const auto twice = problemsOf(with("\"name\": \"right\"", "\"name\": \"left\""));
   EXPECT_TRUE(std::any_of(twice.begin(), twice.end(), [](const std::string& problem) {
-    return problem ==
-           "d.json:12: error: there is another process 'left'; give each its own name";
+    return problem == "d.json:12: error: there is another process 'left'; give each its own name";
   }));
 }
 

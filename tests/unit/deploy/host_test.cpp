@@ -66,7 +66,8 @@ const std::array kClasses{
 
 Deployment deploymentOf(const std::string& components, const std::string& connections = "") {
   return Deployment(JsonDocument::parse("{\"processes\": [{\"name\": \"all\", \"components\": [\n" +
-                                            components + "]}],\n\"connections\": [\n" + connections + "]}",
+                                            components + "]}],\n\"connections\": [\n" +
+                                            connections + "]}",
                                         "d.json"));
 }
 
@@ -88,10 +89,10 @@ std::vector<std::string> failuresOf(const Host& host) {
 }
 
 TEST(Host, RunsAndConnectsWhatTheFileSays) {
-  const Deployment deployment =
-      deploymentOf("{\"name\": \"PSM\", \"class\": \"SimulatedArm\"},\n"
-                   "{\"name\": \"Client\", \"class\": \"Client\"}",
-                   "{\"from\": \"Client/Arm\", \"to\": \"PSM/Arm\"}");
+  const Deployment deployment = deploymentOf(
+      "{\"name\": \"PSM\", \"class\": \"SimulatedArm\"},\n"
+      "{\"name\": \"Client\", \"class\": \"Client\"}",
+      "{\"from\": \"Client/Arm\", \"to\": \"PSM/Arm\"}");
   Host host(deployment, "all", kClasses);
   host.start();
   const auto channels = host.manager().channels();
@@ -106,7 +107,8 @@ TEST(Host, RunsAndConnectsWhatTheFileSays) {
 }
 
 TEST(Host, UnknownClass) {
-  const auto problems = problemsOf(deploymentOf("{\"name\": \"PSM\", \"class\": \"SimulatedArn\"}"));
+  const auto problems =
+      problemsOf(deploymentOf("{\"name\": \"PSM\", \"class\": \"SimulatedArn\"}"));
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_EQ(problems[0],
             "d.json:2: error: no component class 'SimulatedArn' in this program; it offers "
@@ -114,18 +116,20 @@ TEST(Host, UnknownClass) {
 }
 
 TEST(Host, WrongParametersOfAllComponentsAreToldAtOnce) {
-  const auto problems = problemsOf(
-      deploymentOf("{\"name\": \"A\", \"class\": \"SimulatedArm\",\n"
-                   "\"parameters\": {\"perod\": 0.001,\n"
-                   "\"home\": 3}},\n"
-                   "{\"name\": \"B\", \"class\": \"SimulatedArm\", \"parameters\": {\"period\": 7}}"));
+  const auto problems = problemsOf(deploymentOf(
+      "{\"name\": \"A\", \"class\": \"SimulatedArm\",\n"
+      "\"parameters\": {\"perod\": 0.001,\n"
+      "\"home\": 3}},\n"
+      "{\"name\": \"B\", \"class\": \"SimulatedArm\", \"parameters\": {\"period\": 7}}"));
   ASSERT_EQ(problems.size(), 3u);
-  EXPECT_EQ(problems[0],
-            "d.json:4: error: parameters of 'A' (SimulatedArm): expected a list of 3, found number 3");
+  EXPECT_EQ(
+      problems[0],
+      "d.json:4: error: parameters of 'A' (SimulatedArm): expected a list of 3, found number 3");
   EXPECT_EQ(problems[1],
             "d.json:3: error: parameters of 'A' (SimulatedArm): unknown key 'perod'; did you mean "
             "'period'?");
-  EXPECT_TRUE(problems[2].starts_with("d.json:5: error: parameters of 'B' (SimulatedArm): expected a number"))
+  EXPECT_TRUE(problems[2].starts_with(
+      "d.json:5: error: parameters of 'B' (SimulatedArm): expected a number"))
       << problems[2];
 }
 
@@ -137,20 +141,20 @@ TEST(Host, ComponentThatRefusesToExist) {
 }
 
 TEST(Host, UnknownInterfaceNamesTheConnection) {
-  const auto problems = problemsOf(
-      deploymentOf("{\"name\": \"PSM\", \"class\": \"SimulatedArm\"},\n"
-                   "{\"name\": \"Client\", \"class\": \"Client\"}",
-                   "{\"from\": \"Client/Arm\", \"to\": \"PSM/Amr\"}"));
+  const auto problems =
+      problemsOf(deploymentOf("{\"name\": \"PSM\", \"class\": \"SimulatedArm\"},\n"
+                              "{\"name\": \"Client\", \"class\": \"Client\"}",
+                              "{\"from\": \"Client/Arm\", \"to\": \"PSM/Amr\"}"));
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_TRUE(problems[0].starts_with("d.json:5: error: ")) << problems[0];
   EXPECT_NE(problems[0].find("Did you mean 'Arm'?"), std::string::npos) << problems[0];
 }
 
 TEST(Host, ManagerThatIsNotRunning) {
-  const Deployment deployment(JsonDocument::parse(
-      "{\n\"manager\": \"unix:/tmp/suture-nobody-listens-here.sock\",\n"
-      "\"processes\": [{\"name\": \"all\", \"components\": []}]}",
-      "d.json"));
+  const Deployment deployment(
+      JsonDocument::parse("{\n\"manager\": \"unix:/tmp/suture-nobody-listens-here.sock\",\n"
+                          "\"processes\": [{\"name\": \"all\", \"components\": []}]}",
+                          "d.json"));
   try {
     Host(deployment, "all", kClasses, 100ms);
     FAIL();
@@ -161,14 +165,14 @@ TEST(Host, ManagerThatIsNotRunning) {
 }
 
 TEST(Host, ComponentThatThrowsIsNamedAndTheOthersGoOn) {
-  const Deployment deployment =
-      deploymentOf("{\"name\": \"T\", \"class\": \"Throwing\"},\n"
-                   "{\"name\": \"PSM\", \"class\": \"SimulatedArm\"}");
+  const Deployment deployment = deploymentOf(
+      "{\"name\": \"T\", \"class\": \"Throwing\"},\n"
+      "{\"name\": \"PSM\", \"class\": \"SimulatedArm\"}");
   Host host(deployment, "all", kClasses);
   host.start();
-  EXPECT_EQ(failuresOf(host),
-            (std::vector<std::string>{"component 'all:T' is parked, its code threw: the encoder says "
-                                      "nonsense. Correct the cause and start the process anew"}));
+  EXPECT_EQ(failuresOf(host), (std::vector<std::string>{
+                                  "component 'all:T' is parked, its code threw: the encoder says "
+                                  "nonsense. Correct the cause and start the process anew"}));
 }
 
 }  // namespace

@@ -48,15 +48,14 @@ void expectWhole(const ConnectionReport& whole) {
 }
 
 TEST(Merge, TheTwoEndsOfAConnectionBecomeOne) {
-  const auto merged =
-      suture::mergeConnections({{"a", {}, {clientEnd("x")}, {}}, {"b", {}, {providerEnd("x")}, {}}});
+  const auto merged = suture::mergeConnections(
+      {{"a", {}, {clientEnd("x")}, {}}, {"b", {}, {providerEnd("x")}, {}}});
   ASSERT_EQ(merged.size(), 1u);
   expectWhole(merged[0]);
 }
 
 TEST(Merge, InEitherOrderAndFromOneProcess) {
-  const auto merged =
-      suture::mergeConnections({{"a", {}, {providerEnd("x"), clientEnd("x")}, {}}});
+  const auto merged = suture::mergeConnections({{"a", {}, {providerEnd("x"), clientEnd("x")}, {}}});
   ASSERT_EQ(merged.size(), 1u);
   expectWhole(merged[0]);
 }
@@ -70,8 +69,8 @@ TEST(Merge, ALossThatOneEndSeesIsTold) {
 }
 
 TEST(Merge, DifferentConnectionsStayApart) {
-  const auto merged =
-      suture::mergeConnections({{"a", {}, {clientEnd("x")}, {}}, {"b", {}, {providerEnd("y")}, {}}});
+  const auto merged = suture::mergeConnections(
+      {{"a", {}, {clientEnd("x")}, {}}, {"b", {}, {providerEnd("y")}, {}}});
   ASSERT_EQ(merged.size(), 2u);
   EXPECT_EQ(merged[0].end, ConnectionEnd::Client);
   EXPECT_EQ(merged[1].end, ConnectionEnd::Provider);
