@@ -87,6 +87,12 @@ class RecordingArm : public ArmLike {
     return log_;
   }
 
+  /// "" if nothing has been taken.
+  std::string lastTaken() const {
+    const std::lock_guard lock(mutex_);
+    return log_.empty() ? "" : log_.back();
+  }
+
   Gate gate;
   std::atomic<bool> throwOnEnable{false};
 
