@@ -48,7 +48,6 @@ struct SUTURE_TYPE() Everything {
   std::chrono::steady_clock::time_point when;
 };
 
-
 /// A robot arm.
 class SUTURE_INTERFACE() Arm {
  public:

@@ -22,7 +22,8 @@ struct SUTURE_TYPE() ArmParameters {
 class SUTURE_COMPONENT() SimulatedArm final : public suture::PeriodicTask, public Arm {
  public:
   explicit SimulatedArm(const ArmParameters& parameters)
-      : PeriodicTask({.period = suture::Duration(static_cast<std::int64_t>(1e9 / parameters.rate))}),
+      : PeriodicTask(
+            {.period = suture::Duration(static_cast<std::int64_t>(1e9 / parameters.rate))}),
         mode_(parameters.start) {}
 
   void enable() override { mode_ = Mode::HoldStill; }

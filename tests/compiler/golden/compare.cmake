@@ -1,0 +1,25 @@
+# Runs SUTUREC on the headers of ROOT and compares what it writes with ROOT/expected. EIGEN, RUNTIME: include
+# folders; OUT: scratch.
+file(REMOVE_RECURSE ${OUT})
+
+function(run)
+  execute_process(
+    COMMAND ${SUTUREC} --target-name robots --base-dir . --out ${OUT} --lock-dir expected ${ARGN}
+            -- -I. -I${RUNTIME} -isystem ${EIGEN}
+    WORKING_DIRECTORY ${ROOT}
+    RESULT_VARIABLE status)
+  if(status)
+    message(FATAL_ERROR "suturec refuses the headers")
+  endif()
+endfunction()
+
+run(robots/geometry.h)
+run(robots/arm.h robots/simulated_arm.h)
+foreach(stem robots/geometry robots/arm robots/simulated_arm)
+  foreach(suffix suture.h suture.cpp suture.json)
+    execute_process(COMMAND diff -u ${ROOT}/expected/${stem}.${suffix} ${OUT}/${stem}.${suffix} RESULT_VARIABLE differs)
+    if(differs)
+      message(SEND_ERROR "${stem}.${suffix} is not what is expected")
+    endif()
+  endforeach()
+endforeach()

@@ -1,0 +1,978 @@
+// Written by suturec from robots/arm.h. Do not edit.
+#include "robots/arm.suture.h"
+
+#include <suture/transport/rpc/binding.h>
+#include <suture/transport/rpc/proxy_port.h>
+#include <suture/transport/rpc/servant_port.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "robots/arm.capnp.h"
+
+// Defined in robots/geometry.suture.cpp.
+namespace robots {
+void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out);
+suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, suture::Duration shift);
+bool isValid(const PoseStampedSlot& slot);
+}  // namespace robots
+
+namespace robots {
+
+using suture::CommandInfo;
+using suture::CommandKind;
+using suture::Duration;
+using suture::Errc;
+using suture::EventInfo;
+using suture::rpc::ProxyPort;
+using suture::rpc::ServantPort;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<std::underlying_type_t<Mode>, std::int8_t>);
+static_assert(static_cast<std::int8_t>(Mode::Disabled) == -1);
+static_assert(static_cast<std::int8_t>(Mode::HoldStill) == 4);
+static_assert(static_cast<std::int8_t>(Mode::Servo) == 2);
+static_assert(std::is_same_v<decltype(Everything::on), bool>);
+static_assert(std::is_same_v<decltype(Everything::tiny), std::int8_t>);
+static_assert(std::is_same_v<decltype(Everything::count), std::uint64_t>);
+static_assert(std::is_same_v<decltype(Everything::speed), double>);
+static_assert(std::is_same_v<decltype(Everything::ratio), float>);
+static_assert(std::is_same_v<decltype(Everything::mode), Mode>);
+static_assert(std::is_same_v<decltype(Everything::label), std::string>);
+static_assert(std::is_same_v<decltype(Everything::bytes), std::vector<std::uint8_t>>);
+static_assert(std::is_same_v<decltype(Everything::flags), std::vector<bool>>);
+static_assert(std::is_same_v<decltype(Everything::names), std::vector<std::string>>);
+static_assert(std::is_same_v<decltype(Everything::pairs), std::vector<std::array<double, 2>>>);
+static_assert(std::is_same_v<decltype(Everything::modes), std::array<robots::Mode, 2>>);
+static_assert(std::is_same_v<decltype(Everything::goal), PoseStamped>);
+static_assert(std::is_same_v<decltype(Everything::track), std::vector<robots::PoseStamped>>);
+static_assert(std::is_same_v<decltype(Everything::point), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(Everything::plane), Eigen::Vector3f>);
+static_assert(std::is_same_v<decltype(Everything::inertia), Eigen::Matrix3d>);
+static_assert(std::is_same_v<decltype(Everything::jacobian), Eigen::Matrix<double, 6, 7>>);
+static_assert(std::is_same_v<decltype(Everything::attitude), Eigen::Quaterniond>);
+static_assert(std::is_same_v<decltype(Everything::period), std::chrono::milliseconds>);
+static_assert(std::is_same_v<decltype(Everything::when), std::chrono::steady_clock::time_point>);
+
+constexpr CommandInfo kArmCommands[] = {
+    {.name = "enable",
+     .kind = CommandKind::Void,
+     .argumentsSize = 0,
+     .resultSize = 0,
+     .depth = 4,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "servo_cp",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(ArmServoCpArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = true,
+     .ttl = Duration(20'000'000),
+     .column = -1},
+    {.name = "set_speed",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(ArmSetSpeedArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "measured_cp",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(PoseStampedSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 0},
+    {.name = "mode",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(std::int8_t),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 1},
+    {.name = "everything",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(EverythingSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 2},
+    {.name = "inverse_kinematics",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = sizeof(ArmInverseKinematicsArguments),
+     .resultSize = sizeof(EverythingSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+};
+
+constexpr EventInfo kArmEvents[] = {
+    {.name = "mode_changed",
+     .payloadSize = sizeof(std::int8_t),
+     .depth = 8,
+     .latest = false,
+     .latched = true},
+    {.name = "stopped", .payloadSize = 0, .depth = 16, .latest = false, .latched = false},
+    {.name = "arrived",
+     .payloadSize = sizeof(PoseStampedSlot),
+     .depth = 16,
+     .latest = false,
+     .latched = false},
+};
+
+// The self-description, as in robots/arm.suture.json.
+constexpr char kArmDescription[] = R"json({
+  "name": "robots::Arm",
+  "doc": "A robot arm.",
+  "hash": "ae78450c82666612c508c8780e9af28e",
+  "commands": [
+    {
+      "name": "enable",
+      "kind": "void",
+      "queue": 4
+    },
+    {
+      "name": "servo_cp",
+      "kind": "write",
+      "doc": "Follow the goal.",
+      "parameters": [
+        {
+          "name": "goal",
+          "type": {
+            "kind": "struct",
+            "name": "robots::PoseStamped"
+          }
+        }
+      ],
+      "queue": 16,
+      "latest": true,
+      "ttl": 0.02
+    },
+    {
+      "name": "set_speed",
+      "kind": "write",
+      "parameters": [
+        {
+          "name": "speed",
+          "type": {
+            "kind": "Float64"
+          },
+          "unit": "m/s"
+        }
+      ],
+      "queue": 16
+    },
+    {
+      "name": "measured_cp",
+      "kind": "read",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::PoseStamped"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "mode",
+      "kind": "read",
+      "result": {
+        "type": {
+          "kind": "enum",
+          "name": "robots::Mode"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "everything",
+      "kind": "read",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::Everything"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "inverse_kinematics",
+      "kind": "qualified read",
+      "parameters": [
+        {
+          "name": "x",
+          "type": {
+            "kind": "struct",
+            "name": "robots::PoseStamped"
+          }
+        }
+      ],
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::Everything"
+        }
+      },
+      "queue": 16
+    }
+  ],
+  "events": [
+    {
+      "name": "mode_changed",
+      "kind": "write",
+      "payload": {
+        "type": {
+          "kind": "enum",
+          "name": "robots::Mode"
+        }
+      },
+      "queue": 8,
+      "latched": true
+    },
+    {
+      "name": "stopped",
+      "kind": "void",
+      "queue": 16
+    },
+    {
+      "name": "arrived",
+      "kind": "write",
+      "payload": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::PoseStamped"
+        }
+      },
+      "queue": 16
+    }
+  ],
+  "enums": [
+    {
+      "name": "robots::Mode",
+      "doc": "What the arm does.",
+      "underlying": "Int8",
+      "enumerators": [
+        {
+          "name": "Disabled",
+          "value": -1
+        },
+        {
+          "name": "HoldStill",
+          "value": 4,
+          "doc": "Brakes off, set-point frozen."
+        },
+        {
+          "name": "Servo",
+          "value": 2
+        }
+      ]
+    }
+  ],
+  "structs": [
+    {
+      "name": "robots::PoseStamped",
+      "fields": [
+        {
+          "name": "pose",
+          "type": {
+            "kind": "isometry",
+            "scalar": "Float64"
+          }
+        },
+        {
+          "name": "stamp",
+          "type": {
+            "kind": "time",
+            "clock": "steady"
+          }
+        },
+        {
+          "name": "valid",
+          "type": {
+            "kind": "Bool"
+          }
+        }
+      ]
+    },
+    {
+      "name": "robots::Everything",
+      "doc": "Every kind of member.\n\nTwo paragraphs.",
+      "fields": [
+        {
+          "name": "on",
+          "type": {
+            "kind": "Bool"
+          }
+        },
+        {
+          "name": "tiny",
+          "type": {
+            "kind": "Int8"
+          }
+        },
+        {
+          "name": "count",
+          "type": {
+            "kind": "UInt64"
+          }
+        },
+        {
+          "name": "speed",
+          "doc": "Along the path.",
+          "type": {
+            "kind": "Float64"
+          },
+          "unit": "m/s",
+          "range": [
+            -0.5,
+            2.0
+          ],
+          "default": 0.25
+        },
+        {
+          "name": "ratio",
+          "type": {
+            "kind": "Float32"
+          }
+        },
+        {
+          "name": "mode",
+          "type": {
+            "kind": "enum",
+            "name": "robots::Mode"
+          },
+          "default": "Servo"
+        },
+        {
+          "name": "label",
+          "type": {
+            "kind": "text",
+            "capacity": 16
+          }
+        },
+        {
+          "name": "bytes",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "UInt8"
+            },
+            "capacity": 32
+          }
+        },
+        {
+          "name": "flags",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Bool"
+            },
+            "capacity": 4
+          }
+        },
+        {
+          "name": "names",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "text",
+              "capacity": 8
+            },
+            "capacity": 3
+          }
+        },
+        {
+          "name": "pairs",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "array",
+              "element": {
+                "kind": "Float64"
+              },
+              "length": 2
+            },
+            "capacity": 5
+          }
+        },
+        {
+          "name": "modes",
+          "type": {
+            "kind": "array",
+            "element": {
+              "kind": "enum",
+              "name": "robots::Mode"
+            },
+            "length": 2
+          }
+        },
+        {
+          "name": "goal",
+          "type": {
+            "kind": "struct",
+            "name": "robots::PoseStamped"
+          }
+        },
+        {
+          "name": "track",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "struct",
+              "name": "robots::PoseStamped"
+            },
+            "capacity": 2
+          }
+        },
+        {
+          "name": "point",
+          "type": {
+            "kind": "matrix",
+            "scalar": "Float64",
+            "rows": 3,
+            "columns": 1
+          },
+          "unit": "m"
+        },
+        {
+          "name": "plane",
+          "type": {
+            "kind": "matrix",
+            "scalar": "Float32",
+            "rows": 3,
+            "columns": 1
+          }
+        },
+        {
+          "name": "inertia",
+          "type": {
+            "kind": "matrix",
+            "scalar": "Float64",
+            "rows": 3,
+            "columns": 3
+          }
+        },
+        {
+          "name": "jacobian",
+          "type": {
+            "kind": "matrix",
+            "scalar": "Float64",
+            "rows": 6,
+            "columns": 7
+          }
+        },
+        {
+          "name": "attitude",
+          "type": {
+            "kind": "quaternion",
+            "scalar": "Float64"
+          }
+        },
+        {
+          "name": "period",
+          "type": {
+            "kind": "duration",
+            "period": "1/1000"
+          }
+        },
+        {
+          "name": "when",
+          "type": {
+            "kind": "time",
+            "clock": "steady"
+          }
+        }
+      ]
+    }
+  ]
+})json";
+
+}  // namespace
+
+// --- between slots and Cap'n Proto
+
+wire::Mode wireMode(std::int8_t slot) {
+  switch (static_cast<Mode>(slot)) {
+    case Mode::Disabled: return wire::Mode::DISABLED;
+    case Mode::HoldStill: return wire::Mode::HOLD_STILL;
+    case Mode::Servo: return wire::Mode::SERVO;
+  }
+  return wire::Mode{};
+}
+
+Errc fromWire(wire::Mode in, std::int8_t& slot) {
+  switch (in) {
+    case wire::Mode::DISABLED: return slot = static_cast<std::int8_t>(Mode::Disabled), Errc{};
+    case wire::Mode::HOLD_STILL: return slot = static_cast<std::int8_t>(Mode::HoldStill), Errc{};
+    case wire::Mode::SERVO: return slot = static_cast<std::int8_t>(Mode::Servo), Errc{};
+  }
+  return Errc::Invalid;
+}
+
+void toWire(const EverythingSlot& slot, wire::Everything::Builder out) {
+  out.setOn(slot.on != 0);
+  out.setTiny(slot.tiny);
+  out.setCount(slot.count);
+  out.setSpeed(slot.speed);
+  out.setRatio(slot.ratio);
+  out.setMode(wireMode(slot.mode));
+  toWire(slot.label, out.initLabel(slot.label.size));
+  toWire(slot.bytes, out.initBytes(slot.bytes.size));
+  toWire(slot.flags, out.initFlags(slot.flags.size));
+  toWire(slot.names, out.initNames(slot.names.size));
+  toWireList(slot.pairs, out.initPairs(slot.pairs.size),
+             [](const std::array<double, 2>& element, auto list, std::uint32_t i) {
+               toWire(element, list.init(i, 2));
+             });
+  toWireList(slot.modes, out.initModes(2),
+             [](const std::int8_t& element, auto list, std::uint32_t i) {
+               list.set(i, wireMode(element));
+             });
+  toWire(slot.goal, out.initGoal());
+  toWireList(slot.track, out.initTrack(slot.track.size),
+             [](const PoseStampedSlot& element, auto list, std::uint32_t i) {
+               toWire(element, list[i]);
+             });
+  toWire(slot.point, out.initPoint());
+  toWire(slot.plane, out.initPlane(3));
+  toWire(slot.inertia, out.initInertia());
+  toWire(slot.jacobian, out.initJacobian(42));
+  toWire(slot.attitude, out.initAttitude());
+  out.setPeriod(slot.period);
+  out.setWhen(slot.when);
+}
+
+Errc fromWire(wire::Everything::Reader in, EverythingSlot& slot, Duration shift) {
+  slot.on = in.getOn();
+  slot.tiny = in.getTiny();
+  slot.count = in.getCount();
+  slot.speed = in.getSpeed();
+  slot.ratio = in.getRatio();
+  slot.period = in.getPeriod();
+  slot.when = suture::rpc::shifted(in.getWhen(), shift);
+  const Errc error = firstError({
+      fromWire(in.getMode(), slot.mode),
+      fromWire(in.getLabel(), slot.label),
+      fromWire(in.getBytes(), slot.bytes),
+      fromWire(in.getFlags(), slot.flags),
+      fromWire(in.getNames(), slot.names),
+      fromWireList(in.getPairs(), slot.pairs, [](auto item, std::array<double, 2>& target) {
+        return fromWire(item, target);
+      }),
+      fromWireList(in.getModes(), slot.modes, [](auto item, std::int8_t& target) {
+        return fromWire(item, target);
+      }),
+      in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid,
+      fromWireList(in.getTrack(), slot.track, [&](auto item, PoseStampedSlot& target) {
+        return fromWire(item, target, shift);
+      }),
+      in.hasPoint() ? fromWire(in.getPoint(), slot.point) : Errc::Invalid,
+      fromWire(in.getPlane(), slot.plane),
+      in.hasInertia() ? fromWire(in.getInertia(), slot.inertia) : Errc::Invalid,
+      fromWire(in.getJacobian(), slot.jacobian),
+      in.hasAttitude() ? fromWire(in.getAttitude(), slot.attitude) : Errc::Invalid,
+  });
+  return error;
+}
+
+bool isValid(const EverythingSlot& slot) {
+  if (!allOf(slot.pairs, [](const std::array<double, 2>& element) { return isValid(element); })) {
+    return false;
+  }
+  if (!allOf(slot.track, [](const PoseStampedSlot& element) { return isValid(element); })) {
+    return false;
+  }
+  return inRange(slot.speed, -0.5, 2) && isValid(slot.ratio) && isValid(slot.goal) &&
+      isValid(slot.point) && isValid(slot.plane) && isValid(slot.inertia) &&
+      isValid(slot.jacobian) && isValid(slot.attitude);
+}
+
+namespace {
+
+// --- Arm over Cap'n Proto RPC: the provider's side
+
+/// Makes remote calls of a subscriber's events and rows.
+class ArmSink final : public suture::rpc::EventSink {
+ public:
+  explicit ArmSink(wire::ArmEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+
+  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
+    switch (static_cast<ArmEvent>(event)) {
+      case ArmEvent::mode_changed: {
+        const auto& slot = *reinterpret_cast<const std::int8_t*>(payload);
+        auto request = subscriber_.modeChangedRequest();
+        request.setValue(wireMode(slot));
+        return request.send().ignoreResult();
+      }
+      case ArmEvent::stopped: {
+        return subscriber_.stoppedRequest().send().ignoreResult();
+      }
+      case ArmEvent::arrived: {
+        const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(payload);
+        auto request = subscriber_.arrivedRequest();
+        toWire(slot, request.initValue());
+        return request.send().ignoreResult();
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
+                        std::span<const std::byte* const> columns) override {
+    auto request = subscriber_.stateRequest();
+    auto out = request.initRow();
+    out.setStamp(suture::toNanoseconds(row.stamp));
+    out.setEvaluated(row.valid);
+    if (row.valid >> 0 & 1) {
+      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(columns[0]);
+      toWire(slot, out.initMeasuredCp());
+    }
+    if (row.valid >> 1 & 1) {
+      const auto& slot = *reinterpret_cast<const std::int8_t*>(columns[1]);
+      out.setMode(wireMode(slot));
+    }
+    if (row.valid >> 2 & 1) {
+      const auto& slot = *reinterpret_cast<const EverythingSlot*>(columns[2]);
+      toWire(slot, out.initEverything());
+    }
+    return request.send().ignoreResult();
+  }
+
+ private:
+  wire::ArmEvents::Client subscriber_;
+};
+
+/// Puts remote calls into the provider's mailbox.
+class ArmServant final : public wire::Arm::Server {
+ public:
+  explicit ArmServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> subscribe(SubscribeContext context) override {
+    auto in = context.getParams();
+    port_->subscribe(kj::heap<ArmSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> enable(EnableContext context) override {
+    auto in = context.getParams();
+    return port_->command(commandId(ArmCommand::enable), in.getSent(),
+                          [](std::byte*) { return Errc{}; });
+  }
+
+  kj::Promise<void> servoCp(ServoCpContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<ArmServoCpArguments*>(memory);
+      const Errc error =
+          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(ArmCommand::servo_cp), in.getSent(), fill);
+  }
+
+  kj::Promise<void> setSpeed(SetSpeedContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<ArmSetSpeedArguments*>(memory);
+      slot.speed = in.getSpeed();
+      return isValid(slot.speed) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(ArmCommand::set_speed), in.getSent(), fill);
+  }
+
+  kj::Promise<void> measuredCp(MeasuredCpContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(ArmCommand::measured_cp), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> mode(ModeContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const std::int8_t*>(result);
+      auto out = context.getResults();
+      out.setValue(wireMode(slot));
+    };
+    return port_->call(commandId(ArmCommand::mode), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> everything(EverythingContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const EverythingSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(ArmCommand::everything), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> inverseKinematics(InverseKinematicsContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<ArmInverseKinematicsArguments*>(memory);
+      const Errc error = in.hasX() ? fromWire(in.getX(), slot.x, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.x) ? Errc{} : Errc::Invalid;
+    };
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const EverythingSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(ArmCommand::inverse_kinematics), in.getSent(), fill, kj::mv(take));
+  }
+
+ private:
+  static std::uint16_t commandId(ArmCommand command) { return static_cast<std::uint16_t>(command); }
+
+  kj::Own<ServantPort> port_;
+};
+
+// --- Arm over Cap'n Proto RPC: the client's side
+
+/// Receives events and rows.
+class ArmReceiver final : public wire::ArmEvents::Server {
+ public:
+  explicit ArmReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> state(StateContext context) override {
+    auto in = context.getParams().getRow();
+    suture::rt::ColumnSet valid = 0;
+    if (in.getEvaluated() >> 0 & 1) {
+      auto& slot = *reinterpret_cast<PoseStampedSlot*>(port_->column(0));
+      const Errc error =
+          in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
+    }
+    if (in.getEvaluated() >> 1 & 1) {
+      auto& slot = *reinterpret_cast<std::int8_t*>(port_->column(1));
+      const Errc error = fromWire(in.getMode(), slot);
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
+    }
+    if (in.getEvaluated() >> 2 & 1) {
+      auto& slot = *reinterpret_cast<EverythingSlot*>(port_->column(2));
+      const Errc error =
+          in.hasEverything() ? fromWire(in.getEverything(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 2;
+    }
+    port_->publish(in.getStamp(), valid);
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> modeChanged(ModeChangedContext context) override {
+    auto in = context.getParams();
+    std::int8_t slot;
+    const Errc error = fromWire(in.getValue(), slot);
+    return port_->event(eventId(ArmEvent::mode_changed), error, slot);
+  }
+
+  kj::Promise<void> stopped(StoppedContext) override {
+    return port_->event(eventId(ArmEvent::stopped));
+  }
+
+  kj::Promise<void> arrived(ArrivedContext context) override {
+    auto in = context.getParams();
+    PoseStampedSlot slot;
+    const Errc error =
+        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    return port_->event(eventId(ArmEvent::arrived), error, slot);
+  }
+
+ private:
+  static std::uint16_t eventId(ArmEvent event) { return static_cast<std::uint16_t>(event); }
+
+  kj::Own<ProxyPort> port_;
+};
+
+/// Makes remote calls of commands.
+class ArmProxy final : public suture::rpc::Proxy {
+ public:
+  ArmProxy(wire::Arm::Client provider, ProxyPort& port)
+      : provider_(kj::mv(provider)), port_(port) {}
+
+  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
+    auto request = provider_.subscribeRequest();
+    request.setEvents(kj::heap<ArmReceiver>(kj::addRef(port_)));
+    request.setEventMask(events);
+    request.setStateMask(columns);
+    return request.send().ignoreResult();
+  }
+
+  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
+    switch (static_cast<ArmCommand>(record.command)) {
+      case ArmCommand::enable: {
+        auto request = provider_.enableRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case ArmCommand::servo_cp: {
+        const auto& slot = *reinterpret_cast<const ArmServoCpArguments*>(record.arguments());
+        auto request = provider_.servoCpRequest();
+        toWire(slot.goal, request.initGoal());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case ArmCommand::set_speed: {
+        const auto& slot = *reinterpret_cast<const ArmSetSpeedArguments*>(record.arguments());
+        auto request = provider_.setSpeedRequest();
+        request.setSpeed(slot.speed);
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case ArmCommand::measured_cp: {
+        auto request = provider_.measuredCpRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case ArmCommand::mode: {
+        auto request = provider_.modeRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<std::int8_t>(call, [&](std::int8_t& answer) {
+            return fromWire(response.getValue(), answer);
+          });
+        });
+      }
+      case ArmCommand::everything: {
+        auto request = provider_.everythingRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<EverythingSlot>(call, [&](EverythingSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case ArmCommand::inverse_kinematics: {
+        const auto& slot =
+            *reinterpret_cast<const ArmInverseKinematicsArguments*>(record.arguments());
+        auto request = provider_.inverseKinematicsRequest();
+        toWire(slot.x, request.initX());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<EverythingSlot>(call, [&](EverythingSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+ private:
+  wire::Arm::Client provider_;
+  ProxyPort& port_;
+};
+
+class ArmBinding final : public suture::rpc::Binding {
+ public:
+  capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const override {
+    return wire::Arm::Client(kj::heap<ArmServant>(kj::mv(port)));
+  }
+  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
+                                        ProxyPort& port) const override {
+    return kj::heap<ArmProxy>(contract.castAs<wire::Arm>(), port);
+  }
+};
+
+const suture::rpc::Binding& armBinding() {
+  static const ArmBinding kBinding;
+  return kBinding;
+}
+
+}  // namespace
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<robots::Arm>() {
+  static constexpr InterfaceInfo kInfo{
+      .name = "robots::Arm",
+      .hash = "ae78450c82666612c508c8780e9af28e",
+      .description = robots::kArmDescription,
+      .commands = robots::kArmCommands,
+      .events = robots::kArmEvents,
+      .binding = &robots::armBinding,
+  };
+  return kInfo;
+}
+
+Errc Provided<robots::Arm>::execute(std::uint16_t command, const std::byte* arguments,
+                                    std::byte* result) {
+  using ::robots::ArmCommand;
+  switch (static_cast<ArmCommand>(command)) {
+    case ArmCommand::enable: {
+      implementation_.enable();
+      return Errc{};
+    }
+    case ArmCommand::servo_cp: {
+      const auto& slot = *reinterpret_cast<const robots::ArmServoCpArguments*>(arguments);
+      load(slot.goal, scratch_.servo_cp_goal);
+      implementation_.servo_cp(scratch_.servo_cp_goal);
+      return Errc{};
+    }
+    case ArmCommand::set_speed: {
+      const auto& slot = *reinterpret_cast<const robots::ArmSetSpeedArguments*>(arguments);
+      load(slot.speed, scratch_.set_speed_speed);
+      implementation_.set_speed(scratch_.set_speed_speed);
+      return Errc{};
+    }
+    case ArmCommand::measured_cp: {
+      auto& slot = *reinterpret_cast<robots::PoseStampedSlot*>(result);
+      return store(implementation_.measured_cp(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case ArmCommand::mode: {
+      auto& slot = *reinterpret_cast<std::int8_t*>(result);
+      return store(implementation_.mode(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case ArmCommand::everything: {
+      auto& slot = *reinterpret_cast<robots::EverythingSlot*>(result);
+      return store(implementation_.everything(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case ArmCommand::inverse_kinematics: {
+      const auto& slot = *reinterpret_cast<const robots::ArmInverseKinematicsArguments*>(arguments);
+      load(slot.x, scratch_.inverse_kinematics_x);
+      auto& answer = *reinterpret_cast<robots::EverythingSlot*>(result);
+      return store(implementation_.inverse_kinematics(scratch_.inverse_kinematics_x), answer)
+          ? Errc{} : Errc::TooLarge;
+    }
+  }
+  return Errc::Invalid;
+}
+
+}  // namespace suture

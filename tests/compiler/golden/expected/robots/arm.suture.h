@@ -1,0 +1,230 @@
+// Written by suturec from robots/arm.h. Do not edit.
+#pragma once
+
+#include <suture/base/slots.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "robots/arm.h"
+#include "robots/geometry.suture.h"
+
+namespace robots {
+
+/// Every kind of member.
+///
+/// Two paragraphs.
+struct EverythingSlot {
+  std::uint8_t on;  // bool
+  std::int8_t tiny;
+  std::uint64_t count;
+  double speed;  // m/s
+  float ratio;
+  std::int8_t mode;  // Mode
+  suture::BoundedText<16> label;
+  suture::BoundedList<std::uint8_t, 32> bytes;
+  suture::BoundedList<std::uint8_t, 4> flags;
+  suture::BoundedList<suture::BoundedText<8>, 3> names;
+  suture::BoundedList<std::array<double, 2>, 5> pairs;
+  std::array<std::int8_t, 2> modes;
+  PoseStampedSlot goal;
+  suture::BoundedList<PoseStampedSlot, 2> track;
+  std::array<double, 3> point;      // Eigen::Vector3d, m
+  std::array<float, 3> plane;       // Eigen::Vector3f
+  std::array<double, 9> inertia;    // Eigen::Matrix3d
+  std::array<double, 42> jacobian;  // Eigen::Matrix<double, 6, 7>
+  std::array<double, 4> attitude;   // Eigen::Quaterniond
+  std::int64_t period;              // std::chrono::milliseconds, ns
+  std::int64_t when;                // std::chrono::steady_clock::time_point, ns
+};
+
+inline bool store(const Everything& value, EverythingSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.on, slot.on);
+  fits &= store(value.tiny, slot.tiny);
+  fits &= store(value.count, slot.count);
+  fits &= store(value.speed, slot.speed);
+  fits &= store(value.ratio, slot.ratio);
+  fits &= store(value.mode, slot.mode);
+  fits &= store(value.label, slot.label);
+  fits &= store(value.bytes, slot.bytes);
+  fits &= store(value.flags, slot.flags);
+  fits &= store(value.names, slot.names);
+  fits &= store(value.pairs, slot.pairs);
+  fits &= store(value.modes, slot.modes);
+  fits &= store(value.goal, slot.goal);
+  fits &= store(value.track, slot.track);
+  fits &= store(value.point, slot.point);
+  fits &= store(value.plane, slot.plane);
+  fits &= store(value.inertia, slot.inertia);
+  fits &= store(value.jacobian, slot.jacobian);
+  fits &= store(value.attitude, slot.attitude);
+  fits &= store(value.period, slot.period);
+  fits &= store(value.when, slot.when);
+  return fits;
+}
+
+inline void load(const EverythingSlot& slot, Everything& value) {
+  using suture::load;
+  load(slot.on, value.on);
+  load(slot.tiny, value.tiny);
+  load(slot.count, value.count);
+  load(slot.speed, value.speed);
+  load(slot.ratio, value.ratio);
+  load(slot.mode, value.mode);
+  load(slot.label, value.label);
+  load(slot.bytes, value.bytes);
+  load(slot.flags, value.flags);
+  load(slot.names, value.names);
+  load(slot.pairs, value.pairs);
+  load(slot.modes, value.modes);
+  load(slot.goal, value.goal);
+  load(slot.track, value.track);
+  load(slot.point, value.point);
+  load(slot.plane, value.plane);
+  load(slot.inertia, value.inertia);
+  load(slot.jacobian, value.jacobian);
+  load(slot.attitude, value.attitude);
+  load(slot.period, value.period);
+  load(slot.when, value.when);
+}
+
+// --- Arm: the arguments of its commands ---
+
+struct ArmServoCpArguments {
+  PoseStampedSlot goal;
+};
+
+inline bool store(const PoseStamped& goal, ArmServoCpArguments& slot) {
+  using suture::store;
+  return store(goal, slot.goal);
+}
+
+struct ArmSetSpeedArguments {
+  double speed;  // m/s
+};
+
+inline bool store(const double& speed, ArmSetSpeedArguments& slot) {
+  using suture::store;
+  return store(speed, slot.speed);
+}
+
+struct ArmInverseKinematicsArguments {
+  PoseStampedSlot x;
+};
+
+inline bool store(const PoseStamped& x, ArmInverseKinematicsArguments& slot) {
+  using suture::store;
+  return store(x, slot.x);
+}
+
+/// The numbers of Arm's commands in every table and record.
+enum class ArmCommand : std::uint16_t {
+  enable,
+  servo_cp,
+  set_speed,
+  measured_cp,
+  mode,
+  everything,
+  inverse_kinematics,
+};
+
+/// The numbers of Arm's events.
+enum class ArmEvent : std::uint16_t {
+  mode_changed,
+  stopped,
+  arrived,
+};
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<robots::Arm>();
+
+/// What a client of robots::Arm calls.
+template <>
+class Required<robots::Arm> final : public RequiredBase {
+  using Contract = robots::Arm;
+  using Id = robots::ArmCommand;
+  using EventId = robots::ArmEvent;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : RequiredBase(owner, name, interfaceInfo<Contract>()) {}
+
+  Command<&Contract::enable, NoSlot> enable{*this, static_cast<std::uint16_t>(Id::enable)};
+  /// Follow the goal.
+  Command<&Contract::servo_cp, robots::ArmServoCpArguments> servo_cp{
+      *this, static_cast<std::uint16_t>(Id::servo_cp)};
+  Command<&Contract::set_speed, robots::ArmSetSpeedArguments> set_speed{
+      *this, static_cast<std::uint16_t>(Id::set_speed)};
+  ReadCommand<&Contract::measured_cp, robots::PoseStampedSlot> measured_cp{
+      *this, static_cast<std::uint16_t>(Id::measured_cp)};
+  ReadCommand<&Contract::mode, std::int8_t> mode{*this, static_cast<std::uint16_t>(Id::mode)};
+  ReadCommand<&Contract::everything, robots::EverythingSlot> everything{
+      *this, static_cast<std::uint16_t>(Id::everything)};
+  QualifiedReadCommand<&Contract::inverse_kinematics, robots::ArmInverseKinematicsArguments,
+                       robots::EverythingSlot> inverse_kinematics{
+      *this, static_cast<std::uint16_t>(Id::inverse_kinematics)};
+
+  /// The events of robots::Arm, to subscribe to.
+  struct Events {
+    explicit Events(RequiredBase& required)
+        : mode_changed{required, static_cast<std::uint16_t>(EventId::mode_changed)},
+          stopped{required, static_cast<std::uint16_t>(EventId::stopped)},
+          arrived{required, static_cast<std::uint16_t>(EventId::arrived)} {}
+
+    Subscription<std::int8_t, robots::Mode> mode_changed;
+    Subscription<void> stopped;
+    Subscription<robots::PoseStampedSlot, robots::PoseStamped> arrived;
+  };
+  Events& on() { return events_; }
+
+ private:
+  Events events_{*this};
+};
+
+/// What serves robots::Arm from a component.
+template <>
+class Provided<robots::Arm> final : public ProvidedBase {
+  using Contract = robots::Arm;
+  using EventId = robots::ArmEvent;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : ProvidedBase(owner, name, interfaceInfo<Contract>(), &implementation),
+        implementation_(implementation) {}
+
+  /// The events of robots::Arm, to emit.
+  struct Events {
+    explicit Events(ProvidedBase& provided)
+        : mode_changed{provided, static_cast<std::uint16_t>(EventId::mode_changed)},
+          stopped{provided, static_cast<std::uint16_t>(EventId::stopped)},
+          arrived{provided, static_cast<std::uint16_t>(EventId::arrived)} {}
+
+    Emitter<std::int8_t, robots::Mode> mode_changed;
+    Emitter<void> stopped;
+    Emitter<robots::PoseStampedSlot, robots::PoseStamped> arrived;
+  };
+  Events& emit() { return events_; }
+
+ private:
+  // Reused by every command, so that what they own is allocated once.
+  struct Scratch {
+    robots::PoseStamped servo_cp_goal;
+    double set_speed_speed;
+    robots::PoseStamped inverse_kinematics_x;
+  };
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+  Contract& implementation_;
+  Events events_{*this};
+  Scratch scratch_{};
+};
+
+}  // namespace suture

@@ -1,0 +1,50 @@
+// Written by suturec from robots/geometry.h. Do not edit.
+#include "robots/geometry.suture.h"
+
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "robots/geometry.capnp.h"
+
+namespace robots {
+
+using suture::Duration;
+using suture::Errc;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<decltype(PoseStamped::pose), Eigen::Isometry3d>);
+static_assert(std::is_same_v<decltype(PoseStamped::stamp), std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(PoseStamped::valid), bool>);
+
+}  // namespace
+
+// --- between slots and Cap'n Proto
+
+void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {
+  toWire(slot.pose, out.initPose());
+  out.setStamp(slot.stamp);
+  out.setValid(slot.valid != 0);
+}
+
+Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, Duration shift) {
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.valid = in.getValid();
+  return in.hasPose() ? fromWire(in.getPose(), slot.pose) : Errc::Invalid;
+}
+
+bool isValid(const PoseStampedSlot& slot) {
+  return isValid(slot.pose);
+}
+
+}  // namespace robots

@@ -1,0 +1,25 @@
+// Written by suturec from robots/simulated_arm.h. Do not edit.
+#pragma once
+
+#include <suture/component/component_class.h>
+
+#include "robots/simulated_arm.h"
+#include "robots/arm.suture.h"
+
+namespace suture {
+class JsonReader;
+}
+
+namespace robots {
+
+/// Reads what `in` says into `value`; what it does not mention keeps its default.
+void fromJson(const suture::JsonReader& in, ArmParameters& value);
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<robots::SimulatedArm>();
+
+}  // namespace suture
