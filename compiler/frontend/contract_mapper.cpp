@@ -200,7 +200,9 @@ void mapMembers(const clang::CXXRecordDecl* declaration, model::Interface& resul
       } else {
         mapping.error(field, "contract-data",
                       "member '" + field->getNameAsString() + "' of a contract is not an event",
-                      payload ? "add SUTURE_EVENT()" : "keep data in the component");
+                      payload
+                          ? "add SUTURE_EVENT()"
+                          : "declare an event as suture::EventOf<T>; keep data in the component");
       }
     }
   }

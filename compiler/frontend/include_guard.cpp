@@ -38,8 +38,7 @@ class Guard : public clang::PPCallbacks {
 
   void missing(clang::SourceLocation location) {
     report(Level::Note, clang::CharSourceRange::getCharRange(location, location),
-           "looked for the next file in the include directories of target '" + targetName_ +
-               "' [suture-missing-include]");
+           "it was looked for in the include directories of target '" + targetName_ + "'");
   }
 
   void report(Level level, clang::CharSourceRange range, const std::string& text) {

@@ -15,26 +15,29 @@ bool Reporter::report(const model::Diagnostics& findings) {
     clean = clean && !error;
     print(error ? Level::Error : Level::Warning, finding.source,
           finding.message + " [suture-" + finding.slug + "]");
+    if (!finding.help.empty()) print(Level::Note, finding.source, finding.help, Underline::No);
     for (const model::Note& note : finding.notes) print(Level::Note, note.source, note.text);
-    if (!finding.help.empty()) print(Level::Note, finding.source, finding.help);
   }
   return clean;
 }
 
-void Reporter::print(Level level, const model::Source& source, const std::string& text) {
+// Without an underline, clang does not repeat the source line after an error in the same place.
+void Reporter::print(Level level, const model::Source& source, const std::string& text,
+                     Underline underline) {
   const unsigned id = engine_.getDiagnosticIDs()->getCustomDiagID(
       static_cast<clang::DiagnosticIDs::Level>(level), "%0");
   if (const SourceTable::Place* place = table_.find(source)) {
     auto builder = engine_.Report(place->caret, id);
     builder << text;
-    if (place->range.isValid()) builder << place->range;
+    if (place->range.isValid() && underline == Underline::Yes) builder << place->range;
     return;
   }
   const clang::SourceLocation location = locate(source);
   if (location.isValid() || source.file.empty()) {
     engine_.Report(location, id) << text;
   } else {
-    engine_.Report(id) << source.file + ":" + std::to_string(source.line) + ": " + text;
+    const std::string line = source.line > 0 ? ":" + std::to_string(source.line) : "";
+    engine_.Report(id) << source.file + line + ": " + text;
   }
 }
 

@@ -18,8 +18,10 @@ class Reporter {
   bool report(const model::Diagnostics& findings);
 
  private:
+  enum class Underline { Yes, No };
+
   void print(clang::DiagnosticsEngine::Level level, const model::Source& source,
-             const std::string& text);
+             const std::string& text, Underline underline = Underline::Yes);
   clang::SourceLocation locate(const model::Source& source);
 
   clang::DiagnosticsEngine& engine_;

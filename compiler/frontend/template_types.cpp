@@ -132,8 +132,7 @@ MappedType mapTemplate(const Specialisation* type) {
     return TypeProblem{"template-type", "instances of an annotated template are not supported yet",
                        "write the struct out", type->getSpecializedTemplate()};
   }
-  return TypeProblem{"unsupported-type", "it has no wire form",
-                     "see the list of types in the docs"};
+  return noWireForm();
 }
 
 }  // namespace suture::compiler::frontend

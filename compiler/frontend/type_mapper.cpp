@@ -48,8 +48,7 @@ MappedType mapRecord(const clang::CXXRecordDecl* declaration) {
   if (!isAnnotated(declaration, Kind::Type)) {
     const std::string name = qualifiedName(declaration);
     if (llvm::StringRef(name).starts_with("std::")) {
-      return TypeProblem{"unsupported-type", "it has no wire form",
-                         "see the list of types in the docs"};
+      return noWireForm();
     }
     return unannotated(declaration, declaration->isClass() ? "class" : "struct");
   }
@@ -79,8 +78,7 @@ MappedType mapCanonical(clang::QualType type) {
   if (type->isArrayType()) {
     return TypeProblem{"c-array", "C arrays are not values", "use std::array"};
   }
-  return TypeProblem{"unsupported-type", "it has no wire form",
-                     "see the list of types in the docs"};
+  return noWireForm();
 }
 
 }  // namespace
@@ -97,6 +95,12 @@ MappedType mapType(clang::QualType type) {
   return mapCanonical(canonical);
 }
 
+TypeProblem noWireForm() {
+  return {"unsupported-type", "it has no wire form",
+          "a wire carries bool, fixed-width integers, float, double, enum class, std::string, "
+          "std::array, std::vector, chrono times, fixed-size Eigen types and SUTURE_TYPE structs"};
+}
+
 bool applyCapacity(model::Type& type, const std::vector<unsigned>& bounds) {
   std::size_t next = 0;
   for (model::Type* level = &type; next < bounds.size(); level = &level->element.front()) {
@@ -111,15 +115,11 @@ bool applyCapacity(model::Type& type, const std::vector<unsigned>& bounds) {
 bool holdsNumbers(const model::Type& type) {
   using Shape = model::Type::Shape;
   switch (type.shape) {
-    case Shape::Scalar:
-      return type.scalar != model::Scalar::Bool;
+    case Shape::Scalar: return type.scalar != model::Scalar::Bool;
     case Shape::Array:
-    case Shape::List:
-      return holdsNumbers(type.element.front());
-    case Shape::Matrix:
-      return true;
-    default:
-      return false;
+    case Shape::List: return holdsNumbers(type.element.front());
+    case Shape::Matrix: return true;
+    default: return false;
   }
 }
 

@@ -26,6 +26,9 @@ using MappedType = std::variant<model::Type, TypeProblem>;
 /// The wire view of a type that is held by value; const and references must be off.
 MappedType mapType(clang::QualType type);
 
+/// The problem of a type that is none of those that a wire carries.
+TypeProblem noWireForm();
+
 /// Gives the bounds of capacity(), outside in, to the strings and lists of the type. False if there
 /// are more bounds than levels.
 bool applyCapacity(model::Type& type, const std::vector<unsigned>& bounds);

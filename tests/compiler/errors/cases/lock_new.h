@@ -1,0 +1,8 @@
+#pragma once
+#include <suture/annotate.h>
+namespace demo {
+struct SUTURE_TYPE() Sample {
+  double x = 0;
+  double y = 0;
+};
+}  // namespace demo

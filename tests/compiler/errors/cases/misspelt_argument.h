@@ -1,0 +1,7 @@
+#pragma once
+#include <suture/annotate.h>
+namespace demo {
+struct SUTURE_TYPE() Fields {
+  SUTURE_FIELD(unti("m")) double length = 0;
+};
+}  // namespace demo

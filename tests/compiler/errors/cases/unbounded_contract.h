@@ -1,0 +1,16 @@
+#pragma once
+#include <suture/annotate.h>
+#include <string>
+#include <vector>
+namespace demo {
+struct SUTURE_TYPE() Joints {
+  SUTURE_FIELD(capacity(8)) std::vector<std::string> name;
+};
+class SUTURE_INTERFACE() Contract {
+ public:
+  SUTURE_COMMAND() virtual void move(const std::vector<Joints>& path) = 0;
+  SUTURE_COMMAND() virtual void say(SUTURE_FIELD(capacity(9)) const std::string& text) = 0;
+  SUTURE_COMMAND() virtual const Joints& measured() const = 0;
+  SUTURE_EVENT() suture::EventOf<std::string> said;
+};
+}  // namespace demo

@@ -1,0 +1,120 @@
+"""Runs suturec on each questionable header of cases/ and compares everything that it prints.
+
+  errors_test.py SUTUREC EIGEN            the test
+  errors_test.py SUTUREC EIGEN --record   writes the .err files anew; read the difference before committing
+"""
+
+import concurrent.futures
+import pathlib
+import random
+import re
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+CASES = HERE / "cases"
+COMPILER = HERE.parents[2] / "compiler"
+TIME_LIMIT = 60  # seconds; a hang must end the test, the machine may be slow
+
+# The forms in which a slug stands in the compiler's sources.
+SLUG_FORMS = [
+    r'\berror\(\s*\w+,\s*"([a-z-]+)"',
+    r'addError\(\s*\w+,\s*[\w.>-]+,\s*"([a-z-]+)"',
+    r'[\w.]*source, "([a-z-]+)",',
+    r'TypeProblem\{\s*"([a-z-]+)"',
+    r'problem\(\s*"([a-z-]+)"',
+    r'return \{\s*"([a-z-]+)"',
+    r'\] = \{\s*"([a-z-]+)"',
+    r"\[suture-([a-z-]+)\]",
+    r'"(lock-[a-z-]+)"',
+]
+
+
+def run(suturec, eigen, header, directory, out):
+    """Exit status and messages. The lock folder of a case has its name."""
+    command = [suturec, "--target-name", "cases", "--base-dir", ".", "--out", str(out),
+               "--lock-dir", f"schemas/{header.stem}", header.name, "--", "-I../include", "-isystem", eigen]
+    done = subprocess.run(command, cwd=directory, capture_output=True, text=True, timeout=TIME_LIMIT)
+    return done.returncode, done.stdout + done.stderr
+
+
+def check_case(suturec, eigen, header, record):
+    with tempfile.TemporaryDirectory() as out:
+        status, text = run(suturec, eigen, header, CASES, out)
+        written = [str(p) for p in pathlib.Path(out).rglob("*")]
+    expected = header.with_suffix(".err")
+    if record:
+        expected.write_text(text, encoding="utf-8")
+    problems = []
+    fails = "error:" in text
+    if status != (1 if fails else 0):
+        problems.append(f"exit status {status}")
+    if fails and written:
+        problems.append(f"wrote {written}")
+    if not expected.exists() or text != expected.read_text(encoding="utf-8"):
+        problems.append(f"printed this, which is not {expected.name}:\n{text}")
+    return [f"{header.name}: {p}" for p in problems]
+
+
+def check_slugs():
+    """Every slug in the sources is shown by a case."""
+    used = set()
+    for source in COMPILER.rglob("*.cpp"):
+        text = source.read_text(encoding="utf-8")
+        for form in SLUG_FORMS:
+            used.update(re.findall(form, text))
+    shown = set()
+    for case in CASES.glob("*.err"):
+        shown.update(re.findall(r"\[suture-([a-z-]+)\]", case.read_text(encoding="utf-8")))
+    yield from (f"no case shows [suture-{slug}]" for slug in sorted(used - shown))
+    yield from (f"[suture-{slug}] is shown but no source has it" for slug in sorted(shown - used))
+
+
+def mutated(text, random_source):
+    """A header after an accident: bytes dropped, doubled or replaced."""
+    text = bytearray(text)
+    for _ in range(random_source.randint(1, 6)):
+        place = random_source.randrange(len(text))
+        length = random_source.randint(1, 12)
+        action = random_source.randrange(3)
+        if action == 0:
+            del text[place:place + length]
+        elif action == 1:
+            text[place:place] = text[place:place + length]
+        else:
+            text[place] = random_source.randrange(256)
+    return bytes(text)
+
+
+def check_mutation(suturec, eigen, seed):
+    """Whatever the header, suturec ends by itself with 0 or 1."""
+    random_source = random.Random(seed)
+    original = random_source.choice(sorted(CASES.glob("*.h")))
+    with tempfile.TemporaryDirectory(dir=HERE) as folder:
+        header = pathlib.Path(folder) / original.name
+        header.write_bytes(mutated(original.read_bytes(), random_source))
+        try:
+            status, text = run(suturec, eigen, header, folder, pathlib.Path(folder) / "out")
+        except UnicodeDecodeError:
+            return []
+        except subprocess.TimeoutExpired:
+            return [f"seed {seed} ({original.name}): no end within {TIME_LIMIT} s"]
+    return [] if status in (0, 1) else [f"seed {seed} ({original.name}): exit status {status}\n{text}"]
+
+
+def main():
+    suturec, eigen = sys.argv[1:3]
+    record = "--record" in sys.argv
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        jobs = [pool.submit(check_case, suturec, eigen, h, record) for h in sorted(CASES.glob("*.h"))]
+        if not record:
+            jobs += [pool.submit(check_mutation, suturec, eigen, seed) for seed in range(20)]
+        problems = [p for job in jobs for p in job.result()]
+    problems += check_slugs()
+    print("\n".join(problems) or f"{len(jobs)} runs as expected")
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
