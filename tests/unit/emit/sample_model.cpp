@@ -175,6 +175,8 @@ model::Header geometryHeader() {
   header.structs = {
       structure("robots::PoseStamped", {field("pose", isometry()), field("stamp", steadyTime()),
                                         field("valid", scalar(Scalar::Bool))})};
+  header.structs[0].fields[2].defaultJson = "false";
+  header.structs[0].doc.text = "A pose with its time.";
   return header;
 }
 
@@ -211,6 +213,9 @@ model::Struct everything() {
       field("period", milliseconds()),
       field("when", steadyTime()),
   };
+  fields[0].defaultJson = "false";
+  fields[1].defaultJson = fields[2].defaultJson = "0";
+  fields[4].defaultJson = "0.0";
   fields[3].range = {{-0.5, 2}};
   fields[3].defaultJson = "0.25";
   fields[3].doc.text = "Along the path.";

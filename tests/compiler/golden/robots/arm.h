@@ -14,7 +14,7 @@
 namespace robots {
 
 /// What the arm does.
-enum class Mode : std::int8_t {
+enum class SUTURE_TYPE() Mode : std::int8_t {
   Disabled = -1,
   HoldStill = 4,  ///< Brakes off, set-point frozen.
   Servo = 2

@@ -288,6 +288,7 @@ constexpr char kArmDescription[] = R"json({
   "structs": [
     {
       "name": "robots::PoseStamped",
+      "doc": "A pose with its time.",
       "fields": [
         {
           "name": "pose",
@@ -307,7 +308,8 @@ constexpr char kArmDescription[] = R"json({
           "name": "valid",
           "type": {
             "kind": "Bool"
-          }
+          },
+          "default": false
         }
       ]
     },
@@ -319,19 +321,22 @@ constexpr char kArmDescription[] = R"json({
           "name": "on",
           "type": {
             "kind": "Bool"
-          }
+          },
+          "default": false
         },
         {
           "name": "tiny",
           "type": {
             "kind": "Int8"
-          }
+          },
+          "default": 0
         },
         {
           "name": "count",
           "type": {
             "kind": "UInt64"
-          }
+          },
+          "default": 0
         },
         {
           "name": "speed",
@@ -350,7 +355,8 @@ constexpr char kArmDescription[] = R"json({
           "name": "ratio",
           "type": {
             "kind": "Float32"
-          }
+          },
+          "default": 0.0
         },
         {
           "name": "mode",

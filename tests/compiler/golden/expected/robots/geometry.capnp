@@ -8,6 +8,8 @@ $Cxx.namespace("robots::wire");
 $Meta.header("robots/geometry.h");
 
 struct PoseStamped @0xe61654a89cf5f1dd $Meta.cxx("robots::PoseStamped") {
+  # A pose with its time.
+
   pose @0 :Types.Pose;
   stamp @1 :Int64 $Meta.clock("steady");
   valid @2 :Bool;
