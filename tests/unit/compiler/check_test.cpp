@@ -1,0 +1,132 @@
+// Rules on declarations: names, enums, numbers, recursion.
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "samples.h"
+
+namespace suture::compiler::check::samples {
+namespace {
+
+using Slugs = std::vector<std::string>;
+
+model::Enum enumOf(const std::vector<std::pair<std::string, std::int64_t>>& values) {
+  model::Enum result;
+  result.name = "demo::State";
+  result.wireName = "State";
+  for (const auto& [name, value] : values) {
+    model::Enumerator enumerator;
+    enumerator.name = enumerator.wireName = name;
+    enumerator.value = value;
+    result.enumerators.push_back(enumerator);
+  }
+  return result;
+}
+
+TEST(Check, AcceptsTheSample) { EXPECT_EQ(slugs(header()), Slugs{}); }
+
+TEST(Check, LeavesForeignHeadersToTheirTarget) {
+  model::Header foreign = header();
+  foreign.own = false;
+  foreign.structs[0].fields.push_back(field("x", number()));
+  EXPECT_EQ(slugs(foreign), Slugs{});
+}
+
+TEST(Check, NamesThatMeetOnTheWire) {
+  model::Header fields = header();
+  fields.structs[0].fields.push_back(field("x", number()));
+  EXPECT_EQ(slugs(fields), Slugs{"wire-name-clash"});
+
+  model::Header commands = header();
+  commands.interfaces[0].commands.push_back(write("move", number()));
+  EXPECT_EQ(slugs(commands), Slugs{"wire-name-clash"});
+
+  model::Header types = header();
+  types.interfaces[0].wireName = "Sample";
+  EXPECT_EQ(slugs(types), Slugs{"wire-name-clash"});
+}
+
+TEST(Check, CommandsAndEventsHaveSeparateNames) {
+  model::Header both = header();
+  both.interfaces[0].events.push_back(event("move", number()));
+  EXPECT_EQ(slugs(both), Slugs{});
+}
+
+TEST(Check, NamesThatCapnpRefuses) {
+  for (const std::string name : {"", "Upper", "with_underscore", "9lives", "winkel\xc3\x84"}) {
+    model::Header bad = header();
+    bad.structs[0].fields[0].wireName = name;
+    EXPECT_EQ(slugs(bad), Slugs{"wire-name"}) << name;
+  }
+  model::Header type = header();
+  type.structs[0].wireName = "sample";
+  EXPECT_EQ(slugs(type), Slugs{"wire-name"});
+}
+
+TEST(Check, NamesThatCapnpNests) {
+  for (const std::string name : {"Reader", "Builder", "Pipeline"}) {
+    model::Header bad = header();
+    bad.structs[0].wireName = name;
+    EXPECT_EQ(slugs(bad), Slugs{"reserved-name"}) << name;
+  }
+  model::Header client = header();
+  client.interfaces[0].wireName = "Client";
+  EXPECT_EQ(slugs(client), Slugs{"reserved-name"});
+  model::Header data = header();
+  data.structs[0].wireName = "Client";
+  EXPECT_EQ(slugs(data), Slugs{});
+}
+
+TEST(Check, EnumeratorsThatBecomeMacros) {
+  model::Header bad = header();
+  bad.enums.push_back(enumOf({{"eof", 0}}));
+  EXPECT_EQ(slugs(bad), Slugs{"macro-name"});
+}
+
+TEST(Check, Enums) {
+  model::Header bad = header();
+  bad.enums = {enumOf({})};
+  EXPECT_EQ(slugs(bad), Slugs{"empty-enum"});
+  bad.enums = {enumOf({{"one", 1}, {"uno", 1}})};
+  EXPECT_EQ(slugs(bad), Slugs{"duplicate-value"});
+  bad.enums = {enumOf({{"low", -1}, {"high", 1}})};
+  EXPECT_EQ(slugs(bad), Slugs{});
+}
+
+TEST(Check, UnknownUnitNamesTheNearest) {
+  model::Header bad = header();
+  bad.structs[0].fields[0].unit = "m/sec";
+  const model::Diagnostics findings = check(model::Model{{bad}});
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].slug, "unknown-unit");
+  EXPECT_EQ(findings[0].help, "did you mean 'm/s'?");
+}
+
+TEST(Check, UnitsAndRangesEverywhere) {
+  model::Header bad = header();
+  bad.interfaces[0].commands[0].parameters[0].unit = "furlong";
+  bad.interfaces[0].commands[1].resultRange = {1, 0};
+  bad.interfaces[0].events[0].payloadRange = {0, std::numeric_limits<double>::quiet_NaN()};
+  EXPECT_EQ(slugs(bad), (Slugs{"unknown-unit", "range-order", "range-order"}));
+}
+
+TEST(Check, RecursionEndsTheWalk) {
+  model::Header bad = header();
+  bad.structs[0].fields.push_back(field("children", list(named("demo::Sample"), 4)));
+  EXPECT_EQ(slugs(bad), Slugs{"recursive-type"});
+}
+
+TEST(Check, RecursionThroughAnotherType) {
+  model::Header bad = header();
+  model::Struct other;
+  other.name = "demo::Other";
+  other.wireName = "Other";
+  other.fields.push_back(field("sample", named("demo::Sample")));
+  bad.structs.push_back(other);
+  bad.structs[0].fields.push_back(field("others", list(named("demo::Other"), 4)));
+  EXPECT_EQ(slugs(bad), Slugs{"recursive-type"});
+}
+
+}  // namespace
+}  // namespace suture::compiler::check::samples
