@@ -117,19 +117,38 @@ kj::Promise<void> MessageStream::writeMessages(
   return last;
 }
 
-kj::Promise<void> MessageStream::write(
-    kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>> segments) {
+kj::Promise<void> MessageStream::write(Segments segments) {
   KJ_IF_MAYBE(failed, writeFailure_) return kj::cp(*failed);
   // The bytes are copied, so that the caller may go on and what it writes next leaves in the same send.
   appendFrame(segments, outgoing_);
-  if (!flushScheduled_) {
-    flushScheduled_ = true;
-    flushTask_ = kj::evalLast([this] { return flush(); }).eagerlyEvaluate([this](kj::Exception&& e) {
-      fail(kj::mv(e));
-    });
+  if (mayWait_ != nullptr && mayWait_(segments)) {
+    scheduleRide();
+  } else {
+    scheduleFlush();
   }
   if (outgoing_.size() - outgoingBegin_ < kHighWater) return kj::READY_NOW;
   return whenDrained();
+}
+
+void MessageStream::scheduleFlush() {
+  if (flushScheduled_) return;
+  flushScheduled_ = true;
+  flushTask_ = kj::evalLast([this] { return flush(); }).eagerlyEvaluate([this](kj::Exception&& e) {
+    fail(kj::mv(e));
+  });
+}
+
+// Never cancelled: in steady traffic one timer covers many messages, and finds that they have left.
+void MessageStream::scheduleRide() {
+  if (rideScheduled_) return;
+  rideScheduled_ = true;
+  rideTask_ = port_.getTimer()
+                  .afterDelay(kLongestRideMilliseconds * kj::MILLISECONDS)
+                  .then([this] {
+                    rideScheduled_ = false;
+                    if (!outgoing_.empty()) scheduleFlush();
+                  })
+                  .eagerlyEvaluate(nullptr);
 }
 
 kj::Promise<void> MessageStream::flush() {
@@ -179,8 +198,8 @@ kj::Promise<void> MessageStream::whenDrained() {
 
 kj::Promise<void> MessageStream::end() {
   KJ_IF_MAYBE(failed, writeFailure_) return kj::cp(*failed);
-  auto sent = flushScheduled_ ? whenDrained() : kj::Promise<void>(kj::READY_NOW);
-  return sent.then([this] { shutdown(socket_, SHUT_WR); });
+  scheduleFlush();
+  return whenDrained().then([this] { shutdown(socket_, SHUT_WR); });
 }
 
 kj::Maybe<int> MessageStream::getSendBufferSize() {

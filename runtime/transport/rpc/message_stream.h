@@ -47,6 +47,13 @@ class MessageStream final : public capnp::MessageStream {
   kj::Maybe<int> getSendBufferSize() override;
   kj::Promise<void> end() override;
 
+  using Segments = kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>>;
+
+  /// Messages of which `mayWait` is true leave with the next message of another kind, or after kLongestRide: worth
+  /// a system call and a wake-up of the peer each.
+  void letRide(bool (*mayWait)(Segments message)) { mayWait_ = mayWait; }
+  static constexpr int kLongestRideMilliseconds = 5;
+
   /// Shared, so that it outlives the link for whoever reports.
   std::shared_ptr<const LinkCounters> counters() const { return counters_; }
 
@@ -60,7 +67,9 @@ class MessageStream final : public capnp::MessageStream {
   Received receive();
   kj::Maybe<kj::TimePoint> readDeadline();
 
-  kj::Promise<void> write(kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>> segments);
+  kj::Promise<void> write(Segments segments);
+  void scheduleFlush();
+  void scheduleRide();
   kj::Promise<void> flush();
   kj::Promise<void> whenDrained();
   void discardSent();
@@ -82,10 +91,13 @@ class MessageStream final : public capnp::MessageStream {
   std::vector<std::byte> outgoing_;
   std::size_t outgoingBegin_ = 0;
   bool flushScheduled_ = false;
+  bool rideScheduled_ = false;
+  bool (*mayWait_)(Segments) = nullptr;
   kj::Maybe<kj::Exception> writeFailure_;
   kj::Vector<kj::Own<kj::PromiseFulfiller<void>>> awaitingDrain_;
   kj::Maybe<kj::Own<WriteObserver>> writeObserver_;  // made the first time the socket is full
-  kj::Promise<void> flushTask_ = kj::READY_NOW;      // last: cancelled first
+  kj::Promise<void> rideTask_ = kj::READY_NOW;
+  kj::Promise<void> flushTask_ = kj::READY_NOW;  // the tasks last: cancelled first
 };
 
 }  // namespace suture::rpc

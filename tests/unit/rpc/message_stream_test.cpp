@@ -196,6 +196,30 @@ TEST_F(MessageStreamTest, MessagesOfOneTurnLeaveTogether) {
   EXPECT_EQ(stream_->counters()->sentBytes, 3 * frame);
 }
 
+TEST_F(MessageStreamTest, WhatMayWaitLeavesWithTheNextMessageOrAfterAWhile) {
+  open();
+  stream_->letRide([](MessageStream::Segments message) { return message[0].size() == 2; });
+  capnp::MallocMessageBuilder waits, doesNot;
+  waits.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(8);
+  doesNot.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(16);
+  const auto arrived = [this] {
+    std::byte bytes[1024];
+    return recv(peer_, bytes, sizeof(bytes), 0);
+  };
+  const auto pass = [this](int milliseconds) {
+    io_.provider->getTimer().afterDelay(milliseconds * kj::MILLISECONDS).wait(io_.waitScope);
+  };
+  stream_->writeMessage(waits).wait(io_.waitScope);
+  EXPECT_EQ(arrived(), -1);
+  stream_->writeMessage(doesNot).wait(io_.waitScope);
+  kj::evalLast([] {}).wait(io_.waitScope);
+  pass(0);
+  EXPECT_EQ(arrived(), static_cast<ssize_t>(blobFrame(8).size() + blobFrame(16).size()));
+  stream_->writeMessage(waits).wait(io_.waitScope);
+  pass(3 * MessageStream::kLongestRideMilliseconds);
+  EXPECT_EQ(arrived(), static_cast<ssize_t>(blobFrame(8).size()));
+}
+
 TEST_F(MessageStreamTest, CountsReceivedBytes) {
   open();
   sendAll(peer_, blobFrame(100));
