@@ -1,6 +1,7 @@
 #include "compiler/emit/contract.h"
 
 #include <charconv>
+#include <cmath>
 
 namespace suture::compiler::emit {
 
@@ -36,8 +37,11 @@ std::vector<const model::Command*> readsOf(const model::Interface& interface) {
 }
 
 std::string number(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+  char text[64];
+  char* end = std::to_chars(text, text + sizeof text, value).ptr;
+  const bool everyday = std::abs(value) >= 1e-6 && std::abs(value) < 1e9;
+  if (everyday) end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed).ptr;
+  return {text, end};
 }
 
 bool hasParameters(const model::Interface& interface) {

@@ -91,8 +91,8 @@ void emitStruct(Code& code, const Context& context, const model::Struct& type) {
                                  [](const WireValue& value) { return usesShift(value.type); });
   code.open("Errc fromWire(", wire, "::Reader", named("in", any), ", ", slot, "&",
             named("slot", any), ", Duration", named("shift", shift), ") {");
-  const std::string outcome = emitDecode(code, values, "in", "shift", context);
-  code.line("return ", outcome, ";").close("}").blank();
+  emitDecodeAndReturn(code, values, "in", "shift", context);
+  code.close("}").blank();
 
   code.open("bool isValid(const ", slot, "&", named("slot", hasConditions(values, context)), ") {");
   emitValidity(code, values, "true", "false", context);

@@ -82,10 +82,7 @@ void emitAnswer(Code& code, const Context& context, const model::Type& type) {
   const std::string slot = slotType(type, context, home(context));
   code.open("return request.send().then([this, call = record.call](auto&& response) {");
   code.open("port_.answer<", slot, ">(call, [&](", slot, "& answer) {");
-  const std::string outcome =
-      emitDecode(code, {{type, "value", "answer", {}}}, "response", "port_.shift()", context);
-  code.line("return ", outcome, ";");
-
+  emitDecodeAndReturn(code, {{type, "value", "answer", {}}}, "response", "port_.shift()", context);
   code.close("});").close("});");
 }
 

@@ -87,17 +87,16 @@ void emitFill(Code& code, const Context& context, const model::Interface& interf
   code.open("const auto fill = [&](std::byte* memory) {");
   code.line("auto& slot = *reinterpret_cast<",
             relative(argumentsStruct(interface, command), home(context)), "*>(memory);");
-  const std::string outcome = emitDecode(code, values, "in", "port_->shift()", context);
   if (!hasConditions(values, context)) {
-    code.line("return ", outcome, ";");
+    emitDecodeAndReturn(code, values, "in", "port_->shift()", context);
   } else {
+    const std::string outcome = emitDecode(code, values, "in", "port_->shift()", context);
     if (outcome != "Errc{}") {
       emitError(code, outcome);
       code.line("if (error != Errc{}) return error;");
     }
     emitValidity(code, values, "Errc{}", "Errc::Invalid", context);
   }
-
   code.close("};");
 }
 

@@ -11,8 +11,11 @@ std::string remark(const model::Field& field, const std::string& home) {
   std::string text;
   std::string unit = field.unit;
   switch (field.type.shape) {
-    case Shape::Duration:
-    case Shape::TimePoint: unit = "ns"; [[fallthrough]];
+    case Shape::TimePoint:
+      text = field.type.clock == model::Clock::Steady ? "suture::Time" : cxxType(field.type, home);
+      unit = "ns";
+      break;
+    case Shape::Duration: unit = "ns"; [[fallthrough]];
     case Shape::Enum:
     case Shape::Matrix:
     case Shape::Quaternion:

@@ -162,8 +162,12 @@ std::string encode(const WireValue& value, const std::string& out, const Context
   return encodeInto(value.type, value.slot, Target::field(out, value.wireName), context, 0);
 }
 
-std::string emitDecode(Code& code, const std::vector<WireValue>& values, const std::string& in,
-                       const std::string& shift, const Context& context) {
+namespace {
+
+/// Writes the assignments; returns the expressions that may fail.
+std::vector<std::string> emitAssignments(Code& code, const std::vector<WireValue>& values,
+                                         const std::string& in, const std::string& shift,
+                                         const Context& context) {
   std::vector<std::string> checks;
   for (const WireValue& value : values) {
     const std::string source = in + ".get" + model::titleCase(value.wireName) + "()";
@@ -174,11 +178,34 @@ std::string emitDecode(Code& code, const std::vector<WireValue>& values, const s
       code.line(reading.text, ";");
     }
   }
+  return checks;
+}
+
+void emitChecks(Code& code, const char* beginning, const std::vector<std::string>& checks) {
+  if (checks.empty()) {
+    code.line(beginning, "Errc{};");
+  } else if (checks.size() == 1) {
+    code.line(beginning, checks.front(), ";");
+  } else {
+    code.line(beginning, "firstError({");
+    for (const std::string& check : checks) code.line("    ", check, ",");
+    code.line("});");
+  }
+}
+
+}  // namespace
+
+void emitDecodeAndReturn(Code& code, const std::vector<WireValue>& values, const std::string& in,
+                         const std::string& shift, const Context& context) {
+  emitChecks(code, "return ", emitAssignments(code, values, in, shift, context));
+}
+
+std::string emitDecode(Code& code, const std::vector<WireValue>& values, const std::string& in,
+                       const std::string& shift, const Context& context) {
+  const std::vector<std::string> checks = emitAssignments(code, values, in, shift, context);
   if (checks.empty()) return "Errc{}";
   if (checks.size() == 1) return checks.front();
-  code.line("const Errc error = firstError({");
-  for (const std::string& check : checks) code.line("    ", check, ",");
-  code.line("});");
+  emitChecks(code, "const Errc error = ", checks);
   return "error";
 }
 

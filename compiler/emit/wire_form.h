@@ -28,6 +28,10 @@ std::string encode(const WireValue& value, const std::string& out, const Context
 std::string emitDecode(Code& code, const std::vector<WireValue>& values, const std::string& in,
                        const std::string& shift, const Context& context);
 
+/// The same, and the outcome is returned.
+void emitDecodeAndReturn(Code& code, const std::vector<WireValue>& values, const std::string& in,
+                         const std::string& shift, const Context& context);
+
 /// "const Errc error = ...;" of what emitDecode() returned, unless it is called so already.
 void emitError(Code& code, const std::string& outcome);
 

@@ -573,7 +573,7 @@ Errc fromWire(wire::Everything::Reader in, EverythingSlot& slot, Duration shift)
   slot.ratio = in.getRatio();
   slot.period = in.getPeriod();
   slot.when = suture::rpc::shifted(in.getWhen(), shift);
-  const Errc error = firstError({
+  return firstError({
       fromWire(in.getMode(), slot.mode),
       fromWire(in.getLabel(), slot.label),
       fromWire(in.getBytes(), slot.bytes),
@@ -595,7 +595,6 @@ Errc fromWire(wire::Everything::Reader in, EverythingSlot& slot, Duration shift)
       fromWire(in.getJacobian(), slot.jacobian),
       in.hasAttitude() ? fromWire(in.getAttitude(), slot.attitude) : Errc::Invalid,
   });
-  return error;
 }
 
 bool isValid(const EverythingSlot& slot) {

@@ -36,7 +36,7 @@ struct EverythingSlot {
   std::array<double, 42> jacobian;  // Eigen::Matrix<double, 6, 7>
   std::array<double, 4> attitude;   // Eigen::Quaterniond
   std::int64_t period;              // std::chrono::milliseconds, ns
-  std::int64_t when;                // std::chrono::steady_clock::time_point, ns
+  std::int64_t when;                // suture::Time, ns
 };
 
 inline bool store(const Everything& value, EverythingSlot& slot) {

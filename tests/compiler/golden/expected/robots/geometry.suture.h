@@ -10,7 +10,7 @@ namespace robots {
 /// A pose with its time.
 struct PoseStampedSlot {
   std::array<double, 12> pose;  // Eigen::Isometry3d
-  std::int64_t stamp;           // std::chrono::steady_clock::time_point, ns
+  std::int64_t stamp;           // suture::Time, ns
   std::uint8_t valid;           // bool
 };
 
