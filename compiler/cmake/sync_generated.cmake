@@ -3,6 +3,7 @@
 # Compares, or with UPDATE makes equal, what a build generated and what is committed: the files of the
 # list, and no others.
 
+cmake_minimum_required(VERSION 3.25)
 file(STRINGS ${LIST} files)
 set(differences "")
 

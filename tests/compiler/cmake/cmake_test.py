@@ -1,0 +1,171 @@
+"""Builds scratch projects with suture_generate() and looks at what ran and what was rewritten."""
+
+import argparse
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+CMAKE_FUNCTIONS = HERE.parents[2] / "compiler" / "cmake"
+
+# A faulty call, and the words that tell what to do.
+REFUSALS = [
+    ("suture_generate(TARGET code HEADER a.h)", r"unknown argument 'HEADER.*it takes TARGET, HEADERS"),
+    ("suture_generate(TARGET code HEADERS)", r"no HEADERS|'HEADERS' has no value"),
+    ("suture_generate(HEADERS a.h)", r"no TARGET; name the library"),
+    ("suture_generate(TARGET missing HEADERS a.h)", r"no target 'missing'; call it after add_library"),
+    ("suture_generate(TARGET code::alias HEADERS a.h)", r"an alias; use the target itself, 'code'"),
+    ("suture_generate(TARGET imported HEADERS a.h)", r"imported; its own project generates"),
+    ("suture_generate(TARGET interface HEADERS a.h)", r"compiles nothing"),
+    ("suture_generate(TARGET elsewhere HEADERS a.h)", r"belongs to .*below; call it there"),
+    ("suture_generate(TARGET code HEADERS missing.h)", r"there is no header .*missing\.h"),
+    ("suture_generate(TARGET code HEADERS b.hpp)", r"b\.hpp does not end with \.h"),
+    ("suture_generate(TARGET code HEADERS a.h BASE_DIR below)", r"not below BASE_DIR"),
+    ("suture_generate(TARGET code HEADERS a.h)\nsuture_generate(TARGET code HEADERS a.h)",
+     r"called twice for 'code'; give all HEADERS"),
+    ("suture_generate(TARGET code HEADERS a.h)\nsuture_generate(TARGET other HEADERS a.h)",
+     r"belongs to target 'code' already; link to that"),
+]
+
+
+def run(command, **options):
+    done = subprocess.run([str(c) for c in command], capture_output=True, text=True, **options)
+    return done.returncode, done.stdout + done.stderr
+
+
+def expect(condition, what, text=""):
+    if not condition:
+        sys.exit(f"FAILED: {what}\n{text}")
+    print(f"ok: {what}")
+
+
+class Project:
+    """A copy of project/ with its build folder."""
+
+    def __init__(self, arguments):
+        self.root = pathlib.Path(arguments.scratch) / "a project"
+        shutil.rmtree(self.root, ignore_errors=True)
+        shutil.copytree(HERE / "project", self.root)
+        self.build_folder = self.root / "build"
+        self.settings = [f"-DSUTURE_CMAKE={CMAKE_FUNCTIONS}", "-DSUTURE_INCLUDES=" + ";".join(arguments.includes)]
+        self.suturec = f"-DSUTUREC={arguments.suturec}"
+
+    def configure(self, folder, *settings):
+        status, text = run(["cmake", "-S", self.root, "-B", folder, "-G", "Ninja", *self.settings, *settings])
+        expect(status == 0, f"configures {folder.name}", text)
+
+    def build(self, *targets):
+        return run(["ninja", "-C", self.build_folder, *targets])
+
+    def edit(self, file, old, new):
+        path = self.root / file
+        text = path.read_text(encoding="utf-8")
+        assert old in text
+        path.write_text(text.replace(old, new), encoding="utf-8")
+
+    def times(self):
+        """When each generated file was written."""
+        folders = [self.build_folder / "generated", self.build_folder / "generated-wire"]
+        return {p: p.stat().st_mtime_ns for folder in folders for p in folder.rglob("*") if p.is_file()}
+
+
+def runs_of_suturec(text):
+    return len(re.findall(r"\] suturec count", text))
+
+
+def check_first_build(project):
+    status, text = project.build()
+    expect(status != 0 and "[suture-lock-missing]" in text and "--target update-lock" in text,
+           "without a lock the build stops and says what to run", text)
+    expect(not project.times(), "a failed run writes nothing", str(project.times()))
+    status, text = project.build("update-lock")
+    expect(status == 0 and (project.root / "schemas/count/counter.capnp").exists(), "update-lock writes the lock", text)
+    status, text = project.build()
+    expect(status == 0, "builds", text)
+
+
+def check_reruns(project):
+    _, text = project.build()
+    expect("no work to do" in text, "no change: nothing runs", text)
+
+    before = project.times()
+    project.edit("count/sample.h", "namespace scratch {\n\n", "namespace scratch {\n\n// A plain comment.\n\n")
+    _, text = project.build()
+    expect(runs_of_suturec(text) == 1 and "capnp" not in text, "a comment edited: one run of suturec", text)
+    expect(project.times() == before, "a comment edited: no generated file is rewritten")
+    _, text = project.build()
+    expect("no work to do" in text, "and nothing runs after it", text)
+
+
+def check_real_change(project):
+    before = project.times()
+    project.edit("count/sample.h", "double value = 0;", "double value = 0;\n  double weight = 1;")
+    status, text = project.build()
+    expect(status != 0 and "[suture-lock-new]" in text, "a new field: the build stops until the lock has it", text)
+    expect(project.times() == before, "and writes nothing")
+    status, text = project.build("update-lock")
+    expect(status == 0, "update-lock takes the field", text)
+    status, text = project.build()
+    rewritten = {p.name for p, time in project.times().items() if before.get(p) != time}
+    expect(status == 0 and "sample.suture.h" in rewritten and "sample.capnp.h" in rewritten,
+           "the field is generated", text + str(rewritten))
+
+
+def check_committed(project):
+    def compare():
+        return run(["ctest", "--test-dir", project.build_folder, "--output-on-failure", "-R", "check-generated"])
+
+    status, text = compare()
+    expect(status != 0 and "update-generated" in text, "check-generated fails before anything is committed", text)
+    status, text = project.build("update-generated")
+    expect(status == 0, "update-generated copies", text)
+    status, text = compare()
+    expect(status == 0, "check-generated passes on equal files", text)
+    (project.root / "generated/count/old.suture.h").write_text("", encoding="utf-8")
+    status, text = compare()
+    expect(status != 0 and "count/old.suture.h is generated from no header" in text, "and names a left-over", text)
+    (project.root / "generated/count/old.suture.h").unlink()
+
+
+def check_without_suturec(project):
+    folder = project.root / "without"
+    project.configure(folder, "-DSUTUREC=")
+    status, text = run(["ninja", "-C", folder])
+    expect(status == 0 and "suturec" not in text, "without suturec it builds what is committed", text)
+    (project.root / "generated/count/sample.suture.h").unlink()
+    status, text = run(["cmake", folder])
+    expect(status != 0 and "sample.suture.h must exist" in re.sub(r"\s+", " ", text), "and says what is missing", text)
+
+
+def check_refusals(arguments):
+    folder = pathlib.Path(arguments.scratch) / "refusals"
+    folder.mkdir(exist_ok=True)
+    case = folder / "case.cmake"
+    for call, words in REFUSALS:
+        case.write_text(call + "\n", encoding="utf-8")
+        status, text = run(["cmake", "-S", HERE / "refusals", "-B", folder / "build", "-G", "Ninja",
+                            f"-DSUTURE_CMAKE={CMAKE_FUNCTIONS}", f"-DCASE={case}"])
+        found = re.search(words, re.sub(r"\s+", " ", text))
+        expect(status != 0 and found, "refuses " + call.replace("\n", " and "), text)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--suturec", required=True)
+    parser.add_argument("--includes", nargs="+", required=True)
+    parser.add_argument("--scratch", required=True)
+    arguments = parser.parse_args()
+    check_refusals(arguments)
+    project = Project(arguments)
+    project.configure(project.build_folder, project.suturec)
+    check_first_build(project)
+    check_reruns(project)
+    check_real_change(project)
+    check_committed(project)
+    check_without_suturec(project)
+
+
+if __name__ == "__main__":
+    main()
