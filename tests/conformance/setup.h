@@ -36,10 +36,11 @@ class Conformance : public testing::TestWithParam<Combination> {
   template <class Condition>
   static bool eventually(const Condition& condition) {
     const auto deadline = suture::now() + std::chrono::seconds(10);
-    while (!condition() && suture::now() < deadline) {
+    while (!condition()) {
+      if (suture::now() >= deadline) return false;
       std::this_thread::sleep_for(std::chrono::microseconds(200));
     }
-    return condition();
+    return true;
   }
   bool eventuallyTaken(const std::vector<std::string>& lines) {
     return eventually([&] { return arm->taken() == lines; });
