@@ -51,7 +51,7 @@ Everything something() {
   value.point = {1, 2, 3};
   value.plane = {4, 5, 6};
   value.inertia << 1, 2, 3, 4, 5, 6, 7, 8, 9;
-  value.jacobian = Eigen::Matrix<double, 6, 7>::Random();
+  for (int i = 0; i < 42; ++i) value.jacobian(i % 6, i / 6) = 0.1 * i;
   value.attitude = Eigen::Quaterniond(0.5, -0.5, 0.5, 0.5);
   value.period = std::chrono::milliseconds(20);
   value.when = suture::fromNanoseconds(99);
