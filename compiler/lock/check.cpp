@@ -82,6 +82,34 @@ class WireNames {
   std::map<std::string, WantedNode> owners_;
 };
 
+/// What suturec adds to every contract (subscribe, state, stamp, evaluated, sent) has its name
+/// already.
+Diagnostics clashesWithOwn(const std::vector<WantedNode>& wanted) {
+  Diagnostics result;
+  const auto report = [&result](const WantedMember& member, const std::string& name) {
+    result.push_back({member.source,
+                      "wire-name-clash",
+                      member.title + ": '" + name + "' is what suturec itself calls something here",
+                      "give it another name on the wire: name(\"...\")",
+                      {}});
+  };
+  for (const WantedNode& node : wanted) {
+    const auto isOwn = [&](const WantedMember& one) { return one.title == node.title; };
+    for (const WantedMember& member : node.members) {
+      const bool taken =
+          std::any_of(node.members.begin(), node.members.end(), [&](const WantedMember& other) {
+            return isOwn(other) && !isOwn(member) && other.member.name == member.member.name;
+          });
+      if (taken) report(member, member.member.name);
+      const auto& parameters = member.member.parameters;
+      const auto sents = std::count_if(parameters.begin(), parameters.end(),
+                                       [](const Member& one) { return one.name == "sent"; });
+      if (sents > 1) report(member, "sent");
+    }
+  }
+  return result;
+}
+
 /// A removed node keeps its name in the schema.
 Diagnostics clashesWithRemoved(const std::vector<WantedNode>& wanted, const Lock& merged) {
   Diagnostics result;
@@ -157,6 +185,7 @@ Diagnostics check(const model::Model& model, const Locks& locks, const Options& 
   const WireNames names(model, lookup);
   forEachOwn(model, lookup, locks, options, [&](const Judged& judged, Merge merge) {
     append(all, names.clashes(judged.header, judged.wanted));
+    append(all, clashesWithOwn(judged.wanted));
     append(all, clashesWithRemoved(judged.wanted, merge.lock));
     if (judged.old.text.empty()) {
       all.push_back(missing(judged, options));
@@ -179,6 +208,7 @@ Update update(const model::Model& model, const Locks& locks, const Options& opti
   const WireNames names(model, lookup);
   forEachOwn(model, lookup, locks, options, [&](const Judged& judged, Merge merge) {
     append(result.diagnostics, names.clashes(judged.header, judged.wanted));
+    append(result.diagnostics, clashesWithOwn(judged.wanted));
     append(result.diagnostics, clashesWithRemoved(judged.wanted, merge.lock));
     append(result.diagnostics, std::move(merge.breaks));
     std::string text = write(merge.lock);

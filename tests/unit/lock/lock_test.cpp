@@ -30,9 +30,7 @@ Locks lockOf(const model::Model& model, const Locks& old = {}) {
   return locks;
 }
 
-const Lock& armLock(const Locks& locks) {
-  return locks.files.at("robots/arm.capnp");
-}
+const Lock& armLock(const Locks& locks) { return locks.files.at("robots/arm.capnp"); }
 
 const Node& nodeOf(const Lock& lock, const std::string& name) {
   return *std::find_if(lock.nodes.begin(), lock.nodes.end(),
@@ -215,6 +213,15 @@ TEST_F(LockTest, DerivedNamesMayNotMeetDeclaredOnes) {
   const Diagnostics found = check(model_, before_);
   ASSERT_EQ(slugs(found), (Slugs{"wire-name-clash", "lock-new"}));
   EXPECT_NE(found[0].help.find("name("), std::string::npos);
+}
+
+TEST_F(LockTest, NamesThatSuturecNeedsItself) {
+  arm().commands[0].wireName = "subscribe";
+  arm().commands[1].parameters[0].wireName = "sent";
+  arm().events[0].wireName = "state";
+  arm().commands[3].wireName = "stamp";
+  const Slugs found = slugs(update(model_, {}).diagnostics);
+  EXPECT_EQ(found, Slugs(4, "wire-name-clash"));
 }
 
 TEST_F(LockTest, NamesOfOtherHeadersInTheSameNamespaceCount) {
