@@ -47,7 +47,7 @@ ControlThread::ControlThread()
   started.get_future().wait();
 }
 
-ControlThread::~ControlThread() {
+ControlThread::~ControlThread() noexcept {
   post([this] { loop_->stop->fulfill(); });
   thread_.join();
 }

@@ -32,7 +32,7 @@ class ControlThread {
  public:
   ControlThread();
   /// Cancels all tasks, fails what waits in run() and joins.
-  ~ControlThread();
+  ~ControlThread() noexcept;
   ControlThread(const ControlThread&) = delete;
   ControlThread& operator=(const ControlThread&) = delete;
 

@@ -1,0 +1,230 @@
+// A global manager and processes that talk to it over real sockets; every process is a control thread.
+
+#include <gtest/gtest.h>
+#include <suture/base/errors.h>
+#include <suture/manager/global_manager.h>
+#include <suture/manager/manager_link.h>
+#include <suture/transport/rpc/dialer.h>
+
+#include <thread>
+
+#include "unit/rpc/temporary_directory.h"
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// A process as the manager sees it.
+class Peer {
+ public:
+  Peer(const std::string& name, const std::string& manager)
+      : link_(control_.run(5s, [this, name, manager] {
+          return std::make_unique<ManagerLink>(control_, rpc::Address::parse(manager), name);
+        })),
+        name_(name) {}
+  ~Peer() {
+    control_.run(5s, [this] { link_.reset(); });
+  }
+
+  void open(Duration patience = 5s) {
+    control_.run(20s, [this, patience] { return link_->open(patience); });
+  }
+  void enrol() {
+    ProcessRecord self;
+    self.name = name_;
+    self.addresses = {"unix:/tmp/" + name_};
+    self.pid = 1;
+    control_.run(5s, [this, self] { return link_->enrol(self); });
+  }
+  void update(std::vector<ComponentRecord> components) {
+    control_.run(5s, [this, components] { link_->update(components); });
+  }
+  ProcessRecord resolve(const std::string& name, Duration wait = 0s) {
+    return control_.run(wait + 10s, [this, name, wait] { return link_->resolve(name, wait); });
+  }
+  std::vector<ProcessRecord> list() {
+    return control_.run(5s, [this] { return link_->list(); });
+  }
+  bool knows(const std::string& name) {
+    for (const auto& process : list()) {
+      if (process.name == name) return true;
+    }
+    return false;
+  }
+
+ private:
+  rpc::ControlThread control_;
+  std::unique_ptr<ManagerLink> link_;
+  const std::string name_;
+};
+
+template <class Work>
+std::string errorOf(Work work) {
+  try {
+    work();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+template <class Condition>
+bool eventually(Condition condition) {
+  const auto deadline = now() + 10s;
+  while (!condition() && now() < deadline) std::this_thread::sleep_for(1ms);
+  return condition();
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+class GlobalManagerTest : public testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    start(std::string(GetParam()) == "unix" ? "unix:" + directory_.file("m.sock")
+                                            : "tcp://127.0.0.1:0");
+  }
+  void start(const std::string& address) {
+    manager_ = std::make_unique<GlobalManager>(control_, address);
+    address_ = manager_->address();
+  }
+  std::unique_ptr<Peer> enrolled(const std::string& name) {
+    auto peer = std::make_unique<Peer>(name, address_);
+    peer->open();
+    peer->enrol();
+    return peer;
+  }
+
+  TemporaryDirectory directory_;
+  rpc::ControlThread control_;
+  std::unique_ptr<GlobalManager> manager_;
+  std::string address_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Sockets, GlobalManagerTest, testing::Values("unix", "tcp"),
+                         [](const auto& test) { return std::string(test.param); });
+
+TEST_P(GlobalManagerTest, TellsWhereAProcessIsAndWhatItOffers) {
+  auto left = enrolled("left"), right = enrolled("right");
+  right->update({{"PSM", {{"Arm", "robots::Arm", "abc"}}, {{"Camera", "robots::Camera", "def"}}}});
+  ASSERT_TRUE(eventually([&] { return !left->resolve("right").components.empty(); }));
+  const ProcessRecord found = left->resolve("right");
+  EXPECT_EQ(found.addresses, std::vector<std::string>{"unix:/tmp/right"});
+  EXPECT_EQ(found.components[0].name, "PSM");
+  EXPECT_EQ(found.components[0].provided[0].contract, "robots::Arm");
+  EXPECT_EQ(found.components[0].provided[0].hash, "abc");
+  EXPECT_EQ(found.components[0].required[0].name, "Camera");
+  EXPECT_EQ(left->list().size(), 2u);
+}
+
+TEST_P(GlobalManagerTest, AProcessThatEndsIsForgotten) {
+  auto left = enrolled("left"), right = enrolled("right");
+  EXPECT_TRUE(left->knows("right"));
+  right.reset();
+  EXPECT_TRUE(eventually([&] { return !left->knows("right"); }));
+  right = enrolled("right");  // and its name is free
+  EXPECT_TRUE(left->knows("right"));
+}
+
+TEST_P(GlobalManagerTest, ATakenNameIsRefused) {
+  auto left = enrolled("left");
+  Peer second("left", address_);
+  second.open();
+  const std::string error = errorOf([&] { second.enrol(); });
+  EXPECT_TRUE(contains(error, "register process 'left'")) << error;
+  EXPECT_TRUE(contains(error, "process 1 on")) << error;
+}
+
+TEST_P(GlobalManagerTest, AnUnknownProcessIsRefusedWithWhatThereIs) {
+  auto left = enrolled("left");
+  const std::string error = errorOf([&] { left->resolve("laft"); });
+  EXPECT_TRUE(contains(error, "Did you mean 'left'?")) << error;
+  EXPECT_FALSE(contains(error, ".cpp")) << error;
+}
+
+TEST_P(GlobalManagerTest, ResolvingWaitsForAProcessToAppear) {
+  auto left = enrolled("left");
+  std::unique_ptr<Peer> right;
+  std::thread late([&] {
+    std::this_thread::sleep_for(20ms);
+    right = enrolled("right");
+  });
+  EXPECT_EQ(left->resolve("right", 10s).name, "right");
+  late.join();
+}
+
+TEST_P(GlobalManagerTest, ResolvingWaitsNoLongerThanAsked) {
+  auto left = enrolled("left");
+  const std::string error = errorOf([&] { left->resolve("right", 30ms); });
+  EXPECT_TRUE(contains(error, "has waited 30 ms")) << error;
+}
+
+TEST_P(GlobalManagerTest, AManagerThatComesBackRelearnsItsProcesses) {
+  auto left = enrolled("left"), right = enrolled("right");
+  manager_.reset();
+  ASSERT_TRUE(eventually([&] { return contains(errorOf([&] { left->list(); }), "is gone"); }));
+  start(address_);
+  EXPECT_TRUE(eventually([&] {
+    try {
+      return left->knows("right") && right->knows("left");
+    } catch (const std::runtime_error&) {
+      return false;
+    }
+  }));
+}
+
+TEST_P(GlobalManagerTest, AnotherVersionIsRefusedInWords) {
+  rpc::ControlThread other;
+  const std::string answer = other.run(5s, [&other, address = address_] {
+    return rpc::dial(other.port(), rpc::Address::parse(address), 5s).then([&other](kj::AutoCloseFd socket) {
+      auto link = kj::heap<rpc::Link>(kj::heap<rpc::MessageStream>(other.port(), kj::mv(socket)),
+                                      capnp::rpc::twoparty::Side::CLIENT);
+      auto request = link->bootstrap<wire::GlobalManager>().helloRequest();
+      request.setVersion(999);
+      request.setProgram("ancient");
+      return request.send()
+          .then([](auto&& results) {
+            return results.isRefused() ? fromWire(results.getRefused()).text : std::string("accepted");
+          })
+          .attach(kj::mv(link));
+    });
+  });
+  EXPECT_TRUE(contains(answer, "version 999")) << answer;
+  EXPECT_TRUE(contains(answer, "'ancient'")) << answer;
+}
+
+TEST_P(GlobalManagerTest, ASecondManagerAtTheSameAddressIsRefused) {
+  const std::string error = errorOf([&] { GlobalManager second(control_, address_); });
+  EXPECT_TRUE(contains(error, address_)) << error;
+  EXPECT_TRUE(contains(error, "another process listens there")) << error;
+}
+
+TEST(ManagerLink, SaysHowToStartAManagerThatIsNotThere) {
+  const TemporaryDirectory directory;
+  const std::string address = "unix:" + directory.file("none.sock");
+  Peer left("left", address);
+  const std::string error = errorOf([&] { left.open(20ms); });
+  EXPECT_TRUE(contains(error, "there is no such socket")) << error;
+  EXPECT_TRUE(contains(error, "suture-manager --listen " + address)) << error;
+}
+
+TEST(ManagerLink, WaitsForAManagerToStart) {
+  const TemporaryDirectory directory;
+  const std::string address = "unix:" + directory.file("late.sock");
+  rpc::ControlThread control;
+  std::unique_ptr<GlobalManager> manager;
+  std::thread late([&] {
+    std::this_thread::sleep_for(20ms);
+    manager = std::make_unique<GlobalManager>(control, address);
+  });
+  Peer left("left", address);
+  left.open(10s);
+  late.join();
+  left.enrol();
+  EXPECT_TRUE(left.knows("left"));
+}
+
+}  // namespace
+}  // namespace suture

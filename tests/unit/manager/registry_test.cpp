@@ -1,0 +1,74 @@
+#include <gtest/gtest.h>
+#include <suture/manager/registry.h>
+
+namespace suture {
+namespace {
+
+using Kind = wire::Refusal::Kind;
+
+ProcessRecord process(const std::string& name, std::int32_t pid = 7) {
+  ProcessRecord record;
+  record.name = name;
+  record.pid = pid;
+  record.host = "theatre";
+  return record;
+}
+
+TEST(Registry, KnowsWhatWasAddedUntilItIsRemoved) {
+  Registry registry;
+  const auto generation = registry.add(process("left"));
+  ASSERT_TRUE(generation);
+  ASSERT_NE(registry.find("left"), nullptr);
+  EXPECT_EQ(registry.find("left")->generation, *generation);
+  registry.remove("left", *generation);
+  EXPECT_EQ(registry.find("left"), nullptr);
+}
+
+TEST(Registry, ATakenNameIsRefusedAndTheHolderNamed) {
+  Registry registry;
+  ASSERT_TRUE(registry.add(process("left", 4711)));
+  const auto second = registry.add(process("left", 4712));
+  ASSERT_FALSE(second);
+  EXPECT_EQ(second.error().kind, Kind::NAME_TAKEN);
+  EXPECT_NE(second.error().text.find("process 4711 on theatre"), std::string::npos)
+      << second.error().text;
+  EXPECT_EQ(registry.find("left")->pid, 4711);
+}
+
+TEST(Registry, ALateRemovalDoesNotTakeTheNameFromItsNextHolder) {
+  Registry registry;
+  const auto first = registry.add(process("left"));
+  registry.remove("left", *first);
+  const auto second = registry.add(process("left"));
+  EXPECT_GT(*second, *first);
+  registry.remove("left", *first);
+  registry.update("left", *first, {{"PSM", {}, {}}});
+  ASSERT_NE(registry.find("left"), nullptr);
+  EXPECT_TRUE(registry.find("left")->components.empty());
+}
+
+TEST(Registry, NamesThatWouldBeMistakenForAnAddressAreRefused) {
+  Registry registry;
+  for (const std::string name : {"", "a:b", "a/b", "a b"}) {
+    const auto added = registry.add(process(name));
+    ASSERT_FALSE(added) << name;
+    EXPECT_EQ(added.error().kind, Kind::MALFORMED);
+  }
+  EXPECT_FALSE(registry.add(process(std::string(101, 'x'))));
+  EXPECT_TRUE(registry.add(process(std::string(100, 'x'))));
+}
+
+TEST(Registry, AnUnknownNameIsAnsweredWithWhatThereIs) {
+  Registry registry;
+  EXPECT_NE(registry.unknown("left", 0).text.find("knows none"), std::string::npos);
+  ASSERT_TRUE(registry.add(process("left")));
+  ASSERT_TRUE(registry.add(process("right")));
+  const Refusal refusal = registry.unknown("lefd", 200);
+  EXPECT_EQ(refusal.kind, Kind::NO_SUCH_PROCESS);
+  for (const char* part : {"'lefd'", "'left' and 'right'", "200 ms", "Did you mean 'left'?"}) {
+    EXPECT_NE(refusal.text.find(part), std::string::npos) << refusal.text;
+  }
+}
+
+}  // namespace
+}  // namespace suture

@@ -1,0 +1,110 @@
+// The executable suture-manager.
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <string>
+#include <vector>
+
+#include "unit/rpc/temporary_directory.h"
+
+namespace suture {
+namespace {
+
+/// A child that runs suture-manager, with what it prints.
+class Program {
+ public:
+  explicit Program(const std::string& listen) {
+    int out[2];
+    if (pipe(out) != 0) std::abort();
+    child_ = fork();
+    if (child_ == 0) {
+      dup2(out[1], STDOUT_FILENO);
+      dup2(out[1], STDERR_FILENO);
+      execl(SUTURE_MANAGER, SUTURE_MANAGER, "--listen", listen.c_str(), nullptr);
+      _exit(127);
+    }
+    close(out[1]);
+    output_ = out[0];
+  }
+  ~Program() {
+    if (child_ > 0) end(SIGKILL);
+    close(output_);
+  }
+
+  std::string line() {
+    std::string text;
+    char one;
+    pollfd readable{output_, POLLIN, 0};
+    while (poll(&readable, 1, 20'000) > 0 && read(output_, &one, 1) == 1 && one != '\n') text += one;
+    return text;
+  }
+  /// Its exit status, or minus the signal that ended it. `signal` 0: waits for it to end by itself.
+  int end(int signal) {
+    if (signal != 0) kill(child_, signal);
+    int status = 0;
+    waitpid(child_, &status, 0);
+    child_ = 0;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  }
+
+ private:
+  pid_t child_ = 0;
+  int output_ = -1;
+};
+
+class SutureManagerTest : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Signals, SutureManagerTest, testing::Values(SIGINT, SIGTERM));
+
+TEST_P(SutureManagerTest, SaysWhereItIsReadyAndEndsCleanlyOnASignal) {
+  const TemporaryDirectory directory;
+  const std::string address = "unix:" + directory.file("new/manager.sock");
+  Program program(address);
+  EXPECT_EQ(program.line(), "suture-manager: ready on " + address);
+  EXPECT_EQ(program.end(GetParam()), 0);
+}
+
+TEST(SutureManager, TellsThePortItPicked) {
+  Program program("tcp://127.0.0.1:0");
+  const std::string line = program.line();
+  EXPECT_TRUE(line.starts_with("suture-manager: ready on tcp://127.0.0.1:")) << line;
+  EXPECT_FALSE(line.ends_with(":0")) << line;
+}
+
+TEST(SutureManager, AnAddressInUseIsAnErrorAndStatusOne) {
+  const TemporaryDirectory directory;
+  const std::string address = "unix:" + directory.file("manager.sock");
+  Program first(address);
+  first.line();
+  Program second(address);
+  const std::string line = second.line();
+  EXPECT_NE(line.find("listen at " + address), std::string::npos) << line;
+  EXPECT_NE(line.find("another process listens there"), std::string::npos) << line;
+  EXPECT_EQ(second.end(0), 1);
+}
+
+TEST(SutureManager, TakesOverFromOneThatWasKilled) {
+  const TemporaryDirectory directory;
+  const std::string address = "unix:" + directory.file("manager.sock");
+  {
+    Program first(address);
+    first.line();
+    EXPECT_EQ(first.end(SIGKILL), -SIGKILL);
+  }
+  Program second(address);
+  EXPECT_EQ(second.line(), "suture-manager: ready on " + address);
+}
+
+TEST(SutureManager, PlainTcpToTheOutsideIsRefused) {
+  Program program("tcp://0.0.0.0:0");
+  const std::string line = program.line();
+  EXPECT_NE(line.find("not a loopback"), std::string::npos) << line;
+  EXPECT_EQ(program.end(0), 1);
+}
+
+}  // namespace
+}  // namespace suture
