@@ -1,0 +1,88 @@
+// When the teleoperation task follows, when it stops, and how it begins again.
+
+#include <gtest/gtest.h>
+#include <suture/base/errors.h>
+
+#include "integration/teleoperation/workstation.h"
+
+namespace robots::test {
+namespace {
+
+bool reaches(Workstation& station, TeleopState state) {
+  return eventually([&] { return ask(station.client.teleop.teleop_state) == state; });
+}
+
+ArmState slaveState(Workstation& station) {
+  return ask(station.client.slave.operating_state).state;
+}
+
+TEST(Teleop, PreparesBothArmsAndFollows) {
+  Workstation station({.scale = 0.4});
+  station.manager.start();
+  ASSERT_TRUE(reaches(station, TeleopState::Following));
+  const FollowAnchors anchors = ask(station.client.teleop.anchors);
+  EXPECT_EQ(anchors.entry, 1u);
+  EXPECT_EQ(anchors.scale, 0.4);
+  EXPECT_TRUE(ask(station.client.slave.operating_state).is_homed);
+  EXPECT_TRUE(ask(station.client.master.operating_state).is_homed);
+  EXPECT_TRUE(eventually([&] {
+    const PoseStamped tip = ask(station.client.slave.measured_cp);
+    return (tip.pose.translation() - anchors.slave_setpoint.translation()).norm() > 0.02;
+  })) << "the surgeon moves the master; the slave does not follow";
+}
+
+TEST(Teleop, WaitsForEnable) {
+  Workstation station({.enable_at_start = false});
+  station.manager.start();
+  ASSERT_TRUE(cyclesPass(station.teleop, 50));
+  EXPECT_EQ(ask(station.client.teleop.teleop_state), TeleopState::Disabled);
+  EXPECT_EQ(slaveState(station), ArmState::Disabled);
+  ASSERT_TRUE(station.client.teleop.enable());
+  EXPECT_TRUE(reaches(station, TeleopState::Following));
+}
+
+// Someone disables the slave: following ends, and nobody but an operator may begin it again.
+TEST(Teleop, RespectsAnArmThatIsTakenAway) {
+  Workstation station({.scale = 0.4});
+  station.manager.start();
+  ASSERT_TRUE(reaches(station, TeleopState::Following));
+  ASSERT_TRUE(station.client.slave.disable());
+  ASSERT_TRUE(reaches(station, TeleopState::Preparing));
+  ASSERT_TRUE(cyclesPass(station.teleop, 100));
+  EXPECT_EQ(slaveState(station), ArmState::Disabled);
+  EXPECT_EQ(ask(station.client.teleop.teleop_state), TeleopState::Preparing);
+
+  const PoseStamped before = ask(station.client.slave.setpoint_cp);
+  ASSERT_TRUE(station.client.teleop.enable());
+  ASSERT_TRUE(reaches(station, TeleopState::Following));
+  const FollowAnchors anchors = ask(station.client.teleop.anchors);
+  EXPECT_EQ(anchors.entry, 2u);
+  EXPECT_TRUE(anchors.slave_setpoint.isApprox(before.pose, 1e-9)) << "the slave jumped";
+}
+
+TEST(Teleop, DisableLeavesTheSlaveWhereItIs) {
+  Workstation station({.scale = 0.4});
+  station.manager.start();
+  ASSERT_TRUE(reaches(station, TeleopState::Following));
+  ASSERT_TRUE(station.client.teleop.disable());
+  ASSERT_TRUE(reaches(station, TeleopState::Disabled));
+  ASSERT_TRUE(cyclesPass(station.psm, 3));  // whatever was under way has arrived
+  const PoseStamped before = ask(station.client.slave.setpoint_cp);
+  ASSERT_TRUE(cyclesPass(station.psm, 50));
+  EXPECT_TRUE(ask(station.client.slave.setpoint_cp).pose.isApprox(before.pose, 1e-12));
+  EXPECT_EQ(slaveState(station), ArmState::Enabled);
+}
+
+TEST(Teleop, RefusesAScaleThatIsNotAboveZero) {
+  for (const double scale : {0.0, -0.2}) {
+    try {
+      Teleop teleop({.scale = scale});
+      FAIL() << "scale " << scale << " was accepted";
+    } catch (const suture::SetupError& error) {
+      EXPECT_NE(std::string(error.what()).find("above zero"), std::string::npos);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace robots::test

@@ -1,0 +1,80 @@
+#pragma once
+// A master, a slave, the teleoperation between them and a surgeon in one process, and a client to
+// ask and command them from the test's thread.
+
+#include <gtest/gtest.h>
+#include <suture/base/errors.h>
+#include <suture/component/device.h>
+#include <suture/manager/manager.h>
+
+#include <chrono>
+#include <thread>
+
+#include "arm/arm.suture.h"
+#include "arm/mtm.h"
+#include "arm/psm.h"
+#include "surgeon/surgeon.h"
+#include "teleop/teleop.h"
+#include "teleop/teleoperation.suture.h"
+
+namespace robots::test {
+
+/// Stands for the operator.
+class Client : public suture::Device {
+ public:
+  suture::Required<Arm> master{*this, "Master"};
+  suture::Required<Arm> slave{*this, "Slave"};
+  suture::Required<Teleoperation> teleop{*this, "Teleoperation"};
+};
+
+struct Workstation {
+  explicit Workstation(const TeleopParameters& parameters) : teleop(parameters) {
+    manager.add("MTM", mtm);
+    manager.add("PSM", psm);
+    manager.add("Surgeon", surgeon);
+    manager.add("Teleop", teleop);
+    manager.add("Client", client);
+    manager.connect("Teleop/Master", "MTM/Arm");
+    manager.connect("Teleop/Slave", "PSM/Arm");
+    manager.connect("Surgeon/Master", "MTM/Arm");
+    manager.connect("Client/Master", "MTM/Arm");
+    manager.connect("Client/Slave", "PSM/Arm");
+    manager.connect("Client/Teleoperation", "Teleop/Teleoperation");
+  }
+  ~Workstation() { manager.stop(); }
+
+  Mtm mtm{MtmParameters{}};
+  Psm psm{PsmParameters{}};
+  Surgeon surgeon{SurgeonParameters{}};
+  Teleop teleop;
+  Client client;
+  suture::Manager manager{"workstation"};
+};
+
+/// True once `condition` is; false if it is not within ten seconds.
+template <class Condition>
+bool eventually(const Condition& condition) {
+  const suture::Time deadline = suture::now() + std::chrono::seconds(10);
+  while (!condition()) {
+    if (suture::now() > deadline) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return true;
+}
+
+/// What the provider answers now; a read's default value and a failed test if it does not.
+template <class Read>
+auto ask(Read& read) {
+  auto call = read.fresh();
+  const auto& sample = call.within(std::chrono::seconds(10));
+  EXPECT_TRUE(sample) << suture::toString(sample.error());
+  return *sample;
+}
+
+/// True once `task` has run `count` more cycles.
+inline bool cyclesPass(const suture::Task& task, std::uint64_t count) {
+  const std::uint64_t until = task.statistics().cycles.load() + count;
+  return eventually([&] { return task.statistics().cycles.load() >= until; });
+}
+
+}  // namespace robots::test
