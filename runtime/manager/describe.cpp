@@ -17,7 +17,8 @@ std::vector<InterfaceRecord> describe(const std::vector<Interface*>& interfaces)
 std::vector<ComponentRecord> describeComponents(const Directory& directory) {
   std::vector<ComponentRecord> records;
   for (const Component* component : directory.components()) {
-    records.push_back({component->name(), describe(component->provided()), describe(component->required())});
+    records.push_back(
+        {component->name(), describe(component->provided()), describe(component->required())});
   }
   return records;
 }

@@ -33,7 +33,8 @@ bool DeviceExecutor::awaitCycle() {
     if (served.interface->state()->demand() != 0) due = std::min(due, served.rowDue);
   }
   const bool waiting = std::any_of(served_.begin(), served_.end(), [](const Served& served) {
-    return served.interface->owner().state() != ComponentState::Faulted && served.interface->pending();
+    return served.interface->owner().state() != ComponentState::Faulted &&
+           served.interface->pending();
   });
   if (!stopping() && !waiting) doorbell().waitUntil(due);
   return !stopping();

@@ -10,8 +10,8 @@
 
 namespace suture {
 
-/// Executes the commands of remote clients as they arrive, and evaluates the reads they asked for at the period the
-/// device declares. Exists only in a process whose devices have remote clients.
+/// Executes the commands of remote clients as they arrive, and evaluates the reads they asked for
+/// at the period the device declares. Exists only in a process whose devices have remote clients.
 class DeviceExecutor final : public Task {
  public:
   DeviceExecutor();

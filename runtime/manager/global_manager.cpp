@@ -36,7 +36,8 @@ GlobalManager::GlobalManager(rpc::ControlThread& control, const std::string& add
     : control_(control) {
   const auto parsed = rpc::Address::parse(address);
   try {
-    impl_ = control.run(kPatience, [&control, parsed] { return std::make_unique<Impl>(control, parsed); });
+    impl_ = control.run(kPatience,
+                        [&control, parsed] { return std::make_unique<Impl>(control, parsed); });
   } catch (const rpc::ControlFailure& failure) {
     throw SetupError(failure.what());
   }
@@ -61,7 +62,8 @@ void GlobalManager::makeDirectory(const std::string& address) {
   const std::string directory = std::filesystem::path(parsed.path).parent_path();
   if (directory.empty() || mkdir(directory.c_str(), S_IRWXU) == 0) return;
   const std::string asked = "make the directory " + directory;
-  if (errno != EEXIST) throw SetupError(asked, std::strerror(errno), "Choose another with --listen.");
+  if (errno != EEXIST)
+    throw SetupError(asked, std::strerror(errno), "Choose another with --listen.");
   struct stat status {};
   const bool isDirectory = stat(directory.c_str(), &status) == 0 && S_ISDIR(status.st_mode);
   if (!isDirectory || (status.st_uid != getuid() && status.st_uid != 0)) {

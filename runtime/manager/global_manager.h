@@ -8,8 +8,8 @@
 
 namespace suture {
 
-/// Serves names at an address for as long as it lives. It hands out addresses; data never passes through it.
-/// Made and destroyed by any thread but the control thread, which outlives it.
+/// Serves names at an address for as long as it lives. It hands out addresses; data never passes
+/// through it. Made and destroyed by any thread but the control thread, which outlives it.
 class GlobalManager {
  public:
   /// Throws SetupError: not an address, in use, no permission.
@@ -23,8 +23,8 @@ class GlobalManager {
 
   /// The address of a user's manager: in $XDG_RUNTIME_DIR/suture, or in /tmp/suture-<uid>.
   static std::string defaultAddress();
-  /// Makes the directory of a "unix:" address, for its owner only, if it is not there. Throws SetupError if it is
-  /// somebody else's.
+  /// Makes the directory of a "unix:" address, for its owner only, if it is not there. Throws
+  /// SetupError if it is somebody else's.
   static void makeDirectory(const std::string& address);
 
  private:

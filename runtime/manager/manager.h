@@ -23,8 +23,8 @@ enum class Lane : std::uint8_t {
   Rpc,   ///< Cap'n Proto RPC, even within the process
 };
 
-/// Adds components, connects their interfaces and runs their tasks. Used by one thread, which is none of the tasks'.
-/// Does not own the components; they outlive it or stop() comes first.
+/// Adds components, connects their interfaces and runs their tasks. Used by one thread, which is
+/// none of the tasks'. Does not own the components; they outlive it or stop() comes first.
 ///
 ///   suture::Manager manager{"console", "unix:/tmp/suture.sock"};
 ///   manager.add("Teleop", teleop);
@@ -37,8 +37,9 @@ class Manager {
 
   /// A process on its own.
   explicit Manager(std::string process);
-  /// A process that is known at the global manager at `address` ("unix:/path" or "tcp://host:port"). Throws SetupError
-  /// if nobody answers there within `patience`, or if the name is taken.
+  /// A process that is known at the global manager at `address` ("unix:/path" or
+  /// "tcp://host:port"). Throws SetupError if nobody answers there within `patience`, or if the
+  /// name is taken.
   Manager(std::string process, const std::string& address, Duration patience = kDefaultPatience);
   ~Manager();
   Manager(const Manager&) = delete;
@@ -49,15 +50,15 @@ class Manager {
   /// `name` is unique in this process. Throws SetupError.
   void add(const std::string& name, Component& component);
 
-  /// Starts the tasks and makes the provided interfaces known. Throws SetupError if a thread cannot have the scheduling
-  /// it asks for.
+  /// Starts the tasks and makes the provided interfaces known. Throws SetupError if a thread cannot
+  /// have the scheduling it asks for.
   void start();
   /// Ends all connections and tasks. Also done by the destructor.
   void stop();
 
-  /// Connects a required interface of this process ("Teleop/Slave") to a provided one ("PSM/Arm", or
-  /// "psm-host:PSM/Arm" of another process, for which it waits at most `patience`). Before or after start(). Works or
-  /// throws a SetupError that says why not.
+  /// Connects a required interface of this process ("Teleop/Slave") to a provided one ("PSM/Arm",
+  /// or "psm-host:PSM/Arm" of another process, for which it waits at most `patience`). Before or
+  /// after start(). Works or throws a SetupError that says why not.
   void connect(std::string_view required, std::string_view provided, Lane lane = Lane::Auto,
                Duration patience = kDefaultPatience);
 

@@ -21,7 +21,8 @@ kj::Exception refused(wire::Refusal::Reader refusal) {
 
 }  // namespace
 
-ManagerLink::ManagerLink(rpc::ControlThread& control, const rpc::Address& manager, std::string program)
+ManagerLink::ManagerLink(rpc::ControlThread& control, const rpc::Address& manager,
+                         std::string program)
     : control_(control), manager_(manager), program_(std::move(program)) {}
 
 kj::Promise<void> ManagerLink::open(Duration patience) {
@@ -31,11 +32,12 @@ kj::Promise<void> ManagerLink::open(Duration patience) {
     const Duration left = deadline - now();
     if (left <= Duration{0}) {
       return rpc::failure(Type::FAILED, "reach the global manager: " + rpc::describe(e) +
-                                            " Start it with: suture-manager --listen " + manager_.text());
+                                            " Start it with: suture-manager --listen " +
+                                            manager_.text());
     }
-    return control_.timer().afterDelay(rpc::toKj(std::min(left, kFirstPause))).then([this, deadline] {
-      return open(deadline - now());
-    });
+    return control_.timer()
+        .afterDelay(rpc::toKj(std::min(left, kFirstPause)))
+        .then([this, deadline] { return open(deadline - now()); });
   });
 }
 
@@ -53,16 +55,15 @@ kj::Promise<void> ManagerLink::connect() {
     });
     link_ = kj::mv(link);
     return rpc::within(control_.timer(), kAnswerLimit, kj::mv(hello),
-                       "talk to " + manager_.text() + ": what listens there does not answer as a global "
-                       "manager. Check the address; if it is right, restart the manager.");
+                       "talk to " + manager_.text() +
+                           ": what listens there does not answer as a global "
+                           "manager. Check the address; if it is right, restart the manager.");
   });
 }
 
 kj::Promise<void> ManagerLink::enrol(ProcessRecord process) {
   process_ = std::move(process);
-  return enrolAgain().then([this] {
-    keeping_ = keep().eagerlyEvaluate(nullptr);
-  });
+  return enrolAgain().then([this] { keeping_ = keep().eagerlyEvaluate(nullptr); });
 }
 
 kj::Promise<void> ManagerLink::enrolAgain() {
@@ -77,9 +78,10 @@ kj::Promise<void> ManagerLink::enrolAgain() {
 }
 
 kj::Promise<void> ManagerLink::keep() {
-  return KJ_REQUIRE_NONNULL(link_)->onDisconnect().then([this] { return comeBack(kFirstPause); }).then([this] {
-    return keep();
-  });
+  return KJ_REQUIRE_NONNULL(link_)
+      ->onDisconnect()
+      .then([this] { return comeBack(kFirstPause); })
+      .then([this] { return keep(); });
 }
 
 kj::Promise<void> ManagerLink::comeBack(Duration pause) {
@@ -89,12 +91,13 @@ kj::Promise<void> ManagerLink::comeBack(Duration pause) {
       .afterDelay(rpc::toKj(pause))
       .then([this] { return connect(); })
       .then([this] { return enrolAgain(); })
-      .catch_([this, pause](kj::Exception&&) { return comeBack(std::min(2 * pause, kLongestPause)); });
+      .catch_(
+          [this, pause](kj::Exception&&) { return comeBack(std::min(2 * pause, kLongestPause)); });
 }
 
 void ManagerLink::update(std::vector<ComponentRecord> components) {
   process_.components = std::move(components);
-  KJ_IF_MAYBE(lease, lease_) {
+  KJ_IF_MAYBE (lease, lease_) {
     auto request = lease->updateRequest();
     toWire(process_.components,
            request.initComponents(static_cast<unsigned>(process_.components.size())));
@@ -104,22 +107,23 @@ void ManagerLink::update(std::vector<ComponentRecord> components) {
 }
 
 kj::Promise<ProcessRecord> ManagerLink::resolve(const std::string& process, Duration wait) {
-  KJ_IF_MAYBE(session, session_) {
+  KJ_IF_MAYBE (session, session_) {
     auto request = session->resolveRequest();
     request.setProcess(textOf(process));
     const auto milliseconds = std::chrono::ceil<std::chrono::milliseconds>(wait).count();
-    request.setWaitMilliseconds(static_cast<std::uint32_t>(std::clamp<std::int64_t>(milliseconds, 0, 60'000)));
+    request.setWaitMilliseconds(
+        static_cast<std::uint32_t>(std::clamp<std::int64_t>(milliseconds, 0, 60'000)));
     return request.send().then([](auto&& results) -> kj::Promise<ProcessRecord> {
       if (results.isRefused()) return refused(results.getRefused());
       return fromWire(results.getFound());
     });
   }
-  return rpc::disconnected("find process '" + process + "': the global manager at " + manager_.text() +
-                           " is gone. Start it again.");
+  return rpc::disconnected("find process '" + process + "': the global manager at " +
+                           manager_.text() + " is gone. Start it again.");
 }
 
 kj::Promise<std::vector<ProcessRecord>> ManagerLink::list() {
-  KJ_IF_MAYBE(session, session_) {
+  KJ_IF_MAYBE (session, session_) {
     return session->listRequest().send().then([](auto&& results) {
       std::vector<ProcessRecord> all;
       for (const auto process : results.getProcesses()) all.push_back(fromWire(process));

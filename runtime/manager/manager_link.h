@@ -2,17 +2,18 @@
 // A process's connection to the global manager.
 
 #include <suture/manager/records.h>
+#include <suture/transport/rpc/address.h>
 #include <suture/transport/rpc/control_thread.h>
 #include <suture/transport/rpc/link.h>
-#include <suture/transport/rpc/address.h>
 
 #include <string>
 #include <vector>
 
 namespace suture {
 
-/// Talks to the global manager and, once enrolled, keeps the process known: if the manager goes away it comes back
-/// to it, or to its successor, as often as needed. Belongs to the control thread; outlives its promises.
+/// Talks to the global manager and, once enrolled, keeps the process known: if the manager goes
+/// away it comes back to it, or to its successor, as often as needed. Belongs to the control
+/// thread; outlives its promises.
 class ManagerLink {
  public:
   ManagerLink(rpc::ControlThread& control, const rpc::Address& manager, std::string program);

@@ -84,10 +84,11 @@ class GlobalManagerServer final : public wire::GlobalManager::Server {
     if (theirs == ours) {
       context.getResults().setSession(kj::heap<SessionServer>(kj::addRef(*names_)));
     } else {
-      toWire({Kind::VERSION_MISMATCH,
-              "talk to the global manager: it speaks version " + std::to_string(ours) +
-                  " of the protocol and '" + stringOf(context.getParams().getProgram()) +
-                  "' speaks version " + std::to_string(theirs) + ". Build both from the same release."},
+      toWire({Kind::VERSION_MISMATCH, "talk to the global manager: it speaks version " +
+                                          std::to_string(ours) + " of the protocol and '" +
+                                          stringOf(context.getParams().getProgram()) +
+                                          "' speaks version " + std::to_string(theirs) +
+                                          ". Build both from the same release."},
              context.getResults().initRefused());
     }
     return kj::READY_NOW;

@@ -12,7 +12,8 @@
 
 namespace suture {
 
-/// The registry and those who wait for a name. Belongs to the control thread; shared by all sessions.
+/// The registry and those who wait for a name. Belongs to the control thread; shared by all
+/// sessions.
 class NameService final : public kj::Refcounted {
  public:
   explicit NameService(kj::Timer& timer) : timer_(timer) {}

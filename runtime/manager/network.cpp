@@ -37,8 +37,8 @@ rpc::Address peerAddress(rpc::Address manager, const std::string& process) {
     return manager;
   }
   const auto directory = std::filesystem::path(manager.path).parent_path();
-  return rpc::Address::parse("unix:" +
-                             (directory / (process + "." + std::to_string(getpid()) + ".sock")).string());
+  return rpc::Address::parse(
+      "unix:" + (directory / (process + "." + std::to_string(getpid()) + ".sock")).string());
 }
 
 }  // namespace
@@ -49,9 +49,10 @@ class Network::Impl {
        Duration patience)
       : directory_(directory), manager_(rpc::Address::parse(managerAddress)) {
     try {
-      run(control_, patience + kLocalWork, [this, serverOf = std::move(serverOf), patience]() mutable {
-        return join(std::move(serverOf), patience);
-      });
+      run(control_, patience + kLocalWork,
+          [this, serverOf = std::move(serverOf), patience]() mutable {
+            return join(std::move(serverOf), patience);
+          });
     } catch (const SetupError&) {
       leave();
       throw;
@@ -67,7 +68,8 @@ class Network::Impl {
     });
   }
 
-  std::shared_ptr<Channel> connect(RequiredBase& required, Endpoint from, Endpoint to, Duration patience) {
+  std::shared_ptr<Channel> connect(RequiredBase& required, Endpoint from, Endpoint to,
+                                   Duration patience) {
     if (from.process.empty()) from.process = directory_.process();
     if (to.process.empty()) to.process = directory_.process();
     return run(control_, patience + kLocalWork, [this, &required, from, to, patience] {

@@ -1,6 +1,6 @@
 #pragma once
-// A process's part in the network: its control thread, the address where peers reach it, its name at the global manager,
-// and its connections.
+// A process's part in the network: its control thread, the address where peers reach it, its name
+// at the global manager, and its connections.
 
 #include <suture/component/channel.h>
 #include <suture/component/provided.h>
@@ -17,7 +17,8 @@ namespace suture {
 /// Used by the manager's thread; all work happens on the control thread that it owns.
 class Network {
  public:
-  /// Tells which doorbell and thread serve an interface for remote clients: the task's, or an executor's.
+  /// Tells which doorbell and thread serve an interface for remote clients: the task's, or an
+  /// executor's.
   using ServerOf = std::function<rt::Doorbell&(ProvidedBase&)>;
 
   /// Listens, and registers the process at the global manager. Throws SetupError.

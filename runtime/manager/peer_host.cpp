@@ -11,10 +11,11 @@ PeerHost::PeerHost(rpc::ControlThread& control, const Directory& directory,
       directory_(directory),
       serverOf_(std::move(serverOf)),
       whenPublished_(nullptr),
-      server_(control.port(), address,
-              [this](std::shared_ptr<const rpc::LinkCounters> counters) -> capnp::Capability::Client {
-                return wire::Peer::Client(kj::heap<PeerServer>(*this, std::move(counters)));
-              }) {
+      server_(
+          control.port(), address,
+          [this](std::shared_ptr<const rpc::LinkCounters> counters) -> capnp::Capability::Client {
+            return wire::Peer::Client(kj::heap<PeerServer>(*this, std::move(counters)));
+          }) {
   auto pair = kj::newPromiseAndFulfiller<void>();
   published_ = kj::mv(pair.fulfiller);
   whenPublished_ = pair.promise.fork();

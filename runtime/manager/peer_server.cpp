@@ -86,12 +86,14 @@ kj::Promise<void> PeerServer::ping(PingContext context) {
 kj::Promise<void> PeerServer::describe(DescribeContext context) {
   return host_.whenPublished_.addBranch().then([this, context]() mutable {
     const auto components = describeComponents(host_.directory_);
-    toWire(components, context.getResults().initComponents(static_cast<unsigned>(components.size())));
+    toWire(components,
+           context.getResults().initComponents(static_cast<unsigned>(components.size())));
   });
 }
 
 template <class Answer, class Refuse>
-kj::Promise<void> PeerServer::withInterface(const Endpoint& endpoint, Answer answer, Refuse refuse) {
+kj::Promise<void> PeerServer::withInterface(const Endpoint& endpoint, Answer answer,
+                                            Refuse refuse) {
   try {
     answer(host_.directory_.provided(endpoint));
     return kj::READY_NOW;
@@ -113,7 +115,9 @@ kj::Promise<void> PeerServer::connect(ConnectContext context) {
                           stringOf(in.getProvided())};
   return withInterface(
       endpoint,
-      [this, context, endpoint](ProvidedBase& provided) mutable { accept(provided, endpoint, context); },
+      [this, context, endpoint](ProvidedBase& provided) mutable {
+        accept(provided, endpoint, context);
+      },
       [context](const Refusal& refusal) mutable {
         toWire(refusal, context.getResults().initRefused());
       });
@@ -159,7 +163,8 @@ kj::Promise<void> PeerServer::open(OpenContext context) {
 
 kj::Own<rpc::ServantPort> PeerServer::serve(ProvidedBase& provided, const std::string& name,
                                             EventSet events, Duration shift) {
-  const Channel::Ends ends{.client = &host_.control_.doorbell(), .provider = &host_.serverOf_(provided)};
+  const Channel::Ends ends{.client = &host_.control_.doorbell(),
+                           .provider = &host_.serverOf_(provided)};
   auto channel =
       std::make_shared<Channel>(provided.info(), name, "rpc", ends, provided.state(), events);
   auto port = kj::refcounted<rpc::ServantPort>(host_.control_, channel, shift, counters_);

@@ -20,8 +20,8 @@ class PeerServer final : public wire::Peer::Server {
   kj::Promise<void> open(OpenContext context) override;
 
  private:
-  /// Calls `answer(provided)`, after the process has published if the interface is not there yet; `refuse(refusal)`
-  /// if it does not exist then.
+  /// Calls `answer(provided)`, after the process has published if the interface is not there yet;
+  /// `refuse(refusal)` if it does not exist then.
   template <class Answer, class Refuse>
   kj::Promise<void> withInterface(const Endpoint& endpoint, Answer answer, Refuse refuse);
 

@@ -16,7 +16,8 @@ void interfacesToWire(const std::vector<InterfaceRecord>& interfaces, WireInterf
 std::vector<InterfaceRecord> interfacesFromWire(WireInterfaces::Reader in) {
   std::vector<InterfaceRecord> interfaces;
   for (const auto& one : in) {
-    interfaces.push_back({stringOf(one.getName()), stringOf(one.getContract()), stringOf(one.getHash())});
+    interfaces.push_back(
+        {stringOf(one.getName()), stringOf(one.getContract()), stringOf(one.getHash())});
   }
   return interfaces;
 }

@@ -11,7 +11,8 @@ constexpr std::size_t kMaxName = 100;
 
 /// A name that cannot be mistaken for part of "process:component/interface", nor for a path.
 bool isName(const std::string& name) {
-  return !name.empty() && name.size() <= kMaxName && name.find_first_of(":/ \t\n") == std::string::npos;
+  return !name.empty() && name.size() <= kMaxName &&
+         name.find_first_of(":/ \t\n") == std::string::npos;
 }
 
 std::string title(const ProcessRecord& process) {
@@ -24,17 +25,19 @@ std::string title(const ProcessRecord& process) {
 tl::expected<std::uint64_t, Refusal> Registry::add(ProcessRecord process) {
   const std::string asked = "register process '" + process.name + "': ";
   if (!isName(process.name)) {
-    return tl::unexpected(Refusal{Kind::MALFORMED, asked +
-                                  "a name has 1 to 100 characters, none of them ':', '/' or a space. "
-                                  "Choose another name."});
+    return tl::unexpected(Refusal{
+        Kind::MALFORMED, asked +
+                             "a name has 1 to 100 characters, none of them ':', '/' or a space. "
+                             "Choose another name."});
   }
   if (const ProcessRecord* holder = find(process.name)) {
-    return tl::unexpected(Refusal{Kind::NAME_TAKEN, asked + "the name is held by " + title(*holder) +
-                                                        ", which is alive. Stop it or choose another name."});
+    return tl::unexpected(
+        Refusal{Kind::NAME_TAKEN, asked + "the name is held by " + title(*holder) +
+                                      ", which is alive. Stop it or choose another name."});
   }
   if (processes_.size() == kMaxProcesses) {
-    return tl::unexpected(Refusal{Kind::LIMIT_REACHED,
-                                  asked + "the manager knows as many processes as it can. Stop some."});
+    return tl::unexpected(Refusal{
+        Kind::LIMIT_REACHED, asked + "the manager knows as many processes as it can. Stop some."});
   }
   process.generation = ++generation_;
   const std::string name = process.name;

@@ -14,7 +14,8 @@ namespace suture {
 /// Processes by name. Plain data of one thread.
 class Registry {
  public:
-  /// The generation under which the process is now known; or a refusal: the name is taken, or is none.
+  /// The generation under which the process is now known; or a refusal: the name is taken, or is
+  /// none.
   tl::expected<std::uint64_t, Refusal> add(ProcessRecord process);
   /// Replaces the components of a process. Ignored if the name has gone to a later generation.
   void update(const std::string& name, std::uint64_t generation,
@@ -24,7 +25,8 @@ class Registry {
 
   const ProcessRecord* find(const std::string& name) const;
   std::vector<ProcessRecord> list() const;
-  /// Why `name` cannot be found: what there is, and which comes closest. `waitedMilliseconds` are told if not 0.
+  /// Why `name` cannot be found: what there is, and which comes closest. `waitedMilliseconds` are
+  /// told if not 0.
   Refusal unknown(const std::string& name, std::uint32_t waitedMilliseconds) const;
 
  private:

@@ -52,7 +52,7 @@ RemoteConnection::RemoteConnection(rpc::ControlThread& control, ManagerLink& man
 
 RemoteConnection::~RemoteConnection() noexcept(false) {
   keeping_ = kj::READY_NOW;
-  KJ_IF_MAYBE(port, port_) (*port)->close(ChannelStatus::Lost);
+  KJ_IF_MAYBE (port, port_) (*port)->close(ChannelStatus::Lost);
 }
 
 kj::Promise<std::shared_ptr<Channel>> RemoteConnection::open(Duration patience) {
@@ -69,8 +69,9 @@ kj::Promise<void> RemoteConnection::connect(Duration patience) {
                        .then([this] { return ask(); });
   // The manager answers in time itself; what is left is the peer.
   return rpc::within(control_.timer(), patience + kDialLimit, kj::mv(connected),
-                     "process '" + to_.process + "' is there, but does not answer, or has not yet made its "
-                     "components known. Look at what it is doing.");
+                     "process '" + to_.process +
+                         "' is there, but does not answer, or has not yet made its "
+                         "components known. Look at what it is doing.");
 }
 
 kj::Promise<void> RemoteConnection::dial(const ProcessRecord& process) {
@@ -103,9 +104,11 @@ kj::Promise<void> RemoteConnection::greet() {
 }
 
 kj::Promise<void> RemoteConnection::ask() {
-  const Channel::Ends ends{.client = &required_.owner().doorbell(), .provider = &control_.doorbell()};
-  channel_ = std::make_shared<Channel>(required_.info(), from_.toString() + " -> " + to_.toString(), "rpc",
-                                       ends, makeStateTable(required_.info()), required_.subscribed());
+  const Channel::Ends ends{.client = &required_.owner().doorbell(),
+                           .provider = &control_.doorbell()};
+  channel_ =
+      std::make_shared<Channel>(required_.info(), from_.toString() + " -> " + to_.toString(), "rpc",
+                                ends, makeStateTable(required_.info()), required_.subscribed());
   auto port = kj::refcounted<rpc::ProxyPort>(control_, channel_, -clockOffset_,
                                              KJ_ASSERT_NONNULL(link_)->counters());
   auto request = KJ_ASSERT_NONNULL(peer_).connectRequest();
@@ -151,12 +154,13 @@ kj::Promise<void> RemoteConnection::whenSilent() {
   return control_.timer().afterDelay(rpc::toKj(kHeartbeat)).then([this] {
     auto ping = KJ_ASSERT_NONNULL(peer_).pingRequest().send().ignoreResult();
     return rpc::within(control_.timer(), kSilence, kj::mv(ping), "silent")
-        .then([this] { return whenSilent(); }, [](kj::Exception&&) -> kj::Promise<void> { return kj::READY_NOW; });
+        .then([this] { return whenSilent(); },
+              [](kj::Exception&&) -> kj::Promise<void> { return kj::READY_NOW; });
   });
 }
 
 void RemoteConnection::lost() {
-  KJ_IF_MAYBE(port, port_) (*port)->close(ChannelStatus::Lost);
+  KJ_IF_MAYBE (port, port_) (*port)->close(ChannelStatus::Lost);
   port_ = nullptr;
   connection_ = nullptr;
   peer_ = nullptr;

@@ -12,17 +12,18 @@
 
 namespace suture {
 
-/// Owns a link of its own, so that no other connection can hold it up. When the link breaks the required interface
-/// is Lost at once, and the connection is made anew, with back-off, for as long as this lives. Belongs to the
-/// control thread; outlives its promises.
+/// Owns a link of its own, so that no other connection can hold it up. When the link breaks the
+/// required interface is Lost at once, and the connection is made anew, with back-off, for as long
+/// as this lives. Belongs to the control thread; outlives its promises.
 class RemoteConnection {
  public:
   /// `from` and `to` with their processes.
-  RemoteConnection(rpc::ControlThread& control, ManagerLink& manager, RequiredBase& required, Endpoint from,
-                   Endpoint to);
+  RemoteConnection(rpc::ControlThread& control, ManagerLink& manager, RequiredBase& required,
+                   Endpoint from, Endpoint to);
   ~RemoteConnection() noexcept(false);
 
-  /// Connects, waiting at most `patience` for the other process and its component. Rejects with the reason.
+  /// Connects, waiting at most `patience` for the other process and its component. Rejects with the
+  /// reason.
   kj::Promise<std::shared_ptr<Channel>> open(Duration patience);
 
  private:

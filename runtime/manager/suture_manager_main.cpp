@@ -33,7 +33,8 @@ void serve(const std::string& address) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Knows the names of the processes of a Suture system, so that they find each other."};
+  CLI::App app{
+      "Knows the names of the processes of a Suture system, so that they find each other."};
   std::string address = suture::GlobalManager::defaultAddress();
   app.add_option("--listen", address, "unix:/path or tcp://127.0.0.1:port; port 0 picks one")
       ->capture_default_str();

@@ -271,7 +271,8 @@ class ArmLikeServant final : public wire::ArmLike::Server {
     return port_->call(
         id(ArmLikeCommand::measured_cp), in.getSent(), [](std::byte*) { return Errc{}; },
         [context](const std::byte* result) mutable {
-          toWire(*reinterpret_cast<const PoseStampedSlot*>(result), context.getResults().initValue());
+          toWire(*reinterpret_cast<const PoseStampedSlot*>(result),
+                 context.getResults().initValue());
         });
   }
 
@@ -280,7 +281,8 @@ class ArmLikeServant final : public wire::ArmLike::Server {
     return port_->call(
         id(ArmLikeCommand::measured_js), in.getSent(), [](std::byte*) { return Errc{}; },
         [context](const std::byte* result) mutable {
-          toWire(*reinterpret_cast<const JointStateSlot*>(result), context.getResults().initValue());
+          toWire(*reinterpret_cast<const JointStateSlot*>(result),
+                 context.getResults().initValue());
         });
   }
 
@@ -507,7 +509,8 @@ Errc Provided<reference::ArmLike>::execute(std::uint16_t command, const std::byt
       const auto& slot = *reinterpret_cast<const reference::ArmLikeDistanceArguments*>(arguments);
       load(slot.to, scratch_.distance_to);
       auto& answer = *reinterpret_cast<double*>(result);
-      return store(implementation_.distance(scratch_.distance_to), answer) ? Errc{} : Errc::TooLarge;
+      return store(implementation_.distance(scratch_.distance_to), answer) ? Errc{}
+                                                                           : Errc::TooLarge;
     }
   }
   return Errc::Invalid;

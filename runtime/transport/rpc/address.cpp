@@ -23,7 +23,8 @@ bool isLoopback(const std::string& host) {
 
 bool isNumeric(const std::string& host) {
   in6_addr any;
-  return inet_pton(AF_INET, host.c_str(), &any) == 1 || inet_pton(AF_INET6, host.c_str(), &any) == 1;
+  return inet_pton(AF_INET, host.c_str(), &any) == 1 ||
+         inet_pton(AF_INET6, host.c_str(), &any) == 1;
 }
 
 Address parseUnix(const std::string& text) {
@@ -32,8 +33,9 @@ Address parseUnix(const std::string& text) {
   if (address.path.empty()) refuse(text, "it has no path", "Write unix:/path/to/socket.");
   const std::size_t room = sizeof(sockaddr_un::sun_path) - 1;
   if (address.path.size() > room) {
-    refuse(text, "its path has " + std::to_string(address.path.size()) + " characters and a socket's may have " +
-                     std::to_string(room),
+    refuse(text,
+           "its path has " + std::to_string(address.path.size()) +
+               " characters and a socket's may have " + std::to_string(room),
            "Choose a shorter directory, for example under /tmp.");
   }
   return address;
@@ -56,8 +58,10 @@ Address parseTcp(const std::string& text) {
   }
   if (address.host == "localhost") address.host = "127.0.0.1";
   if (isLoopback(address.host)) return address;
-  refuse(text, isNumeric(address.host) ? "plain TCP carries no proof of who is talking, and this is not a loopback address"
-                                       : "its host is neither localhost nor a numeric address",
+  refuse(text,
+         isNumeric(address.host)
+             ? "plain TCP carries no proof of who is talking, and this is not a loopback address"
+             : "its host is neither localhost nor a numeric address",
          "Use 127.0.0.1, or unix:/path, and a tunnel between machines.");
 }
 
@@ -66,7 +70,8 @@ Address parseTcp(const std::string& text) {
 Address Address::parse(const std::string& text) {
   if (text.starts_with(kUnix)) return parseUnix(text);
   if (text.starts_with(kTcp)) return parseTcp(text);
-  refuse(text, "it begins with neither unix: nor tcp://", "Write unix:/path or tcp://127.0.0.1:7700.");
+  refuse(text, "it begins with neither unix: nor tcp://",
+         "Write unix:/path or tcp://127.0.0.1:7700.");
 }
 
 std::string Address::text() const {

@@ -14,8 +14,9 @@ namespace suture::rpc {
 struct Address {
   enum class Kind : std::uint8_t { Unix, Tcp };
 
-  /// Throws SetupError: not of either form, a path longer than a socket can have, a host that is neither a
-  /// number nor localhost, or (plain TCP is for one machine only) a host that is not loopback.
+  /// Throws SetupError: not of either form, a path longer than a socket can have, a host that is
+  /// neither a number nor localhost, or (plain TCP is for one machine only) a host that is not
+  /// loopback.
   static Address parse(const std::string& text);
 
   /// The form that parse() takes.

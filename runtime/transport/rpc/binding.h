@@ -1,6 +1,6 @@
 #pragma once
-// What suturec writes for each contract so that it can travel over Cap'n Proto RPC. Everything here belongs to
-// the control thread.
+// What suturec writes for each contract so that it can travel over Cap'n Proto RPC. Everything here
+// belongs to the control thread.
 
 #include <capnp/capability.h>
 #include <suture/component/channel.h>
@@ -25,12 +25,14 @@ class EventSink {
                                 std::span<const std::byte* const> columns) = 0;
 };
 
-/// The far end of a connection, as the client's side sees it: turns command records into typed calls.
+/// The far end of a connection, as the client's side sees it: turns command records into typed
+/// calls.
 class Proxy {
  public:
   virtual ~Proxy() noexcept(false) = default;
-  /// Sends one command. The promise resolves when the call has returned and, if the record asked for an answer,
-  /// the result has been given to ProxyPort::answer(). Rejects with remoteError() or as a broken link does.
+  /// Sends one command. The promise resolves when the call has returned and, if the record asked
+  /// for an answer, the result has been given to ProxyPort::answer(). Rejects with remoteError() or
+  /// as a broken link does.
   virtual kj::Promise<void> send(const rt::CommandRecord& record) = 0;
   /// Asks for these events and columns, in place of what was asked for before.
   virtual kj::Promise<void> subscribe(EventSet events, rt::ColumnSet columns) = 0;

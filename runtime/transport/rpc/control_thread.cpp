@@ -80,8 +80,8 @@ void ControlThread::remove(Pump& pump) {
   std::replace(pumps_.begin(), pumps_.end(), &pump, static_cast<Pump*>(nullptr));
 }
 
-// The edge of the eventfd is enough; its counter is never read. An edge that fires while no promise waits is
-// dropped, so the promise is made before looking at what has been rung for.
+// The edge of the eventfd is enough; its counter is never read. An edge that fires while no promise
+// waits is dropped, so the promise is made before looking at what has been rung for.
 kj::Promise<void> ControlThread::attend() {
   auto rung = loop_->rung.whenBecomesReadable();
   do {
@@ -101,7 +101,7 @@ void ControlThread::runPosted() {
     anyPosted_.store(false, std::memory_order_relaxed);
   }
   for (auto& item : work) {
-    KJ_IF_MAYBE(exception, kj::runCatchingExceptions([&] { item(); })) {
+    KJ_IF_MAYBE (exception, kj::runCatchingExceptions([&] { item(); })) {
       loop_->taskFailed(kj::mv(*exception));
     }
   }

@@ -26,8 +26,9 @@ class Pump {
   virtual void pump() = 0;
 };
 
-/// Owns an event loop and its thread. Whatever is made on it must be destroyed on it (or by its tasks) before
-/// the object ends. All signals are blocked in it. Construction throws SetupError if the kernel refuses.
+/// Owns an event loop and its thread. Whatever is made on it must be destroyed on it (or by its
+/// tasks) before the object ends. All signals are blocked in it. Construction throws SetupError if
+/// the kernel refuses.
 class ControlThread {
  public:
   ControlThread();
@@ -36,12 +37,13 @@ class ControlThread {
   ControlThread(const ControlThread&) = delete;
   ControlThread& operator=(const ControlThread&) = delete;
 
-  /// Any thread: runs `work` on the control thread soon, in the order of posting. Work that has not started
-  /// when the object ends is destroyed without running.
+  /// Any thread: runs `work` on the control thread soon, in the order of posting. Work that has not
+  /// started when the object ends is destroyed without running.
   void post(kj::Function<void()> work);
 
-  /// Any other thread: runs `work` there and waits for its result, or for that of the promise it returns; at
-  /// most for `deadline`, then the promise is cancelled. Throws ControlFailure. `work` must own what it uses.
+  /// Any other thread: runs `work` there and waits for its result, or for that of the promise it
+  /// returns; at most for `deadline`, then the promise is cancelled. Throws ControlFailure. `work`
+  /// must own what it uses.
   template <class Work>
   auto run(Duration deadline, Work work) {
     using Value = kj::_::UnwrapPromise<decltype(kj::evalLater(work))>;
@@ -62,7 +64,8 @@ class ControlThread {
   bool isCurrent() const { return std::this_thread::get_id() == thread_.get_id(); }
   kj::UnixEventPort& port() { return loop_->io.unixEventPort; }
   kj::Timer& timer() { return loop_->io.provider->getTimer(); }
-  /// Keeps a promise running until it ends or the thread does. A failure is reported on standard error.
+  /// Keeps a promise running until it ends or the thread does. A failure is reported on standard
+  /// error.
   void spawn(kj::Promise<void> task) { loop_->tasks.add(kj::mv(task)); }
   void add(Pump& pump);
   /// Also from within a pump.

@@ -50,7 +50,8 @@ kj::Promise<kj::AutoCloseFd> tryConnect(kj::UnixEventPort& port, const Address& 
 
 }  // namespace
 
-kj::Promise<kj::AutoCloseFd> dial(kj::UnixEventPort& port, const Address& address, Duration deadline) {
+kj::Promise<kj::AutoCloseFd> dial(kj::UnixEventPort& port, const Address& address,
+                                  Duration deadline) {
   auto late = port.getTimer()
                   .afterDelay(deadline.count() * kj::NANOSECONDS)
                   .then([address]() -> kj::Promise<kj::AutoCloseFd> {

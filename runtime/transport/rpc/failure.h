@@ -1,6 +1,6 @@
 #pragma once
-// Exceptions for promises. What they say may reach a peer, so it is only what we wrote: no source path, no
-// failed expression.
+// Exceptions for promises. What they say may reach a peer, so it is only what we wrote: no source
+// path, no failed expression.
 
 #include <kj/exception.h>
 

@@ -51,7 +51,8 @@ void appendFrame(kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>> segments,
 const char* toString(FrameFault fault) {
   switch (fault) {
     case FrameFault::None: return "no fault";
-    case FrameFault::TooManySegments: return "a frame header announces more segments than a message may have";
+    case FrameFault::TooManySegments:
+      return "a frame header announces more segments than a message may have";
     case FrameFault::TooLong: return "a frame header announces a message longer than the limit";
   }
   return "unknown fault";

@@ -1,10 +1,10 @@
 #pragma once
 // The guard in front of Cap'n Proto: looks at the header of a stream frame before the library does.
 //
-// A frame begins with the number of segments minus one and each segment's size in words, all 32-bit little
-// endian, padded to whole words. Release 0.9.2 computes with them in 32 bits, so a hostile count wraps to
-// zero and faults inside its reader (upstream advisory 2026-03-12-0). Here they are added in 64 bits and
-// bounded, and a frame that fails is never shown to the library.
+// A frame begins with the number of segments minus one and each segment's size in words, all 32-bit
+// little endian, padded to whole words. Release 0.9.2 computes with them in 32 bits, so a hostile
+// count wraps to zero and faults inside its reader (upstream advisory 2026-03-12-0). Here they are
+// added in 64 bits and bounded, and a frame that fails is never shown to the library.
 
 #include <capnp/common.h>
 
@@ -21,7 +21,8 @@ struct StreamLimits {
   std::uint32_t segments = 512;
   std::size_t messageBytes = 16u << 20;      ///< header and body of one message
   std::int64_t partialMilliseconds = 5'000;  ///< from the first byte of a message to its last
-  std::int64_t firstMilliseconds = 5'000;    ///< from the connection to its first whole message; 0: no bound
+  std::int64_t firstMilliseconds =
+      5'000;  ///< from the connection to its first whole message; 0: no bound
 };
 
 /// Where the parts of a frame lie. Sizes in bytes.
@@ -38,8 +39,8 @@ struct FrameParse {
   std::optional<FrameHeader> header;  ///< none: a fault, or not enough bytes yet
 };
 
-/// Reads the header at the start of `bytes`, of which any number may have arrived. Judges as early as
-/// possible: the count alone is enough to refuse.
+/// Reads the header at the start of `bytes`, of which any number may have arrived. Judges as early
+/// as possible: the count alone is enough to refuse.
 FrameParse parseFrameHeader(std::span<const std::byte> bytes, const StreamLimits& limits);
 
 /// Size in words of segment `index`, from a header that parseFrameHeader accepted.

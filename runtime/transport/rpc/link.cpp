@@ -22,8 +22,8 @@ bool isFinish(MessageStream::Segments message) {
 
 }  // namespace
 
-Link::Link(kj::Own<MessageStream> stream, Side side,
-           kj::Maybe<capnp::Capability::Client> offers, const StreamLimits& limits)
+Link::Link(kj::Own<MessageStream> stream, Side side, kj::Maybe<capnp::Capability::Client> offers,
+           const StreamLimits& limits)
     : stream_(kj::mv(stream)),
       network_(*stream_, side, readerOptions(limits)),
       system_(network_, kj::mv(offers)) {

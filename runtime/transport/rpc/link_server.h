@@ -9,10 +9,12 @@ namespace suture::rpc {
 /// Accepts until it is destroyed, which closes all its links. Belongs to the control thread.
 class LinkServer final : private kj::TaskSet::ErrorHandler {
  public:
-  /// `offer` makes the bootstrap capability of each new link; it learns the link's counters, for reports.
+  /// `offer` makes the bootstrap capability of each new link; it learns the link's counters, for
+  /// reports.
   using Offer = kj::Function<capnp::Capability::Client(std::shared_ptr<const LinkCounters>)>;
 
-  /// Throws SetupError as Listener does. More than `maxLinks` connections at a time are closed unheard.
+  /// Throws SetupError as Listener does. More than `maxLinks` connections at a time are closed
+  /// unheard.
   LinkServer(kj::UnixEventPort& port, const Address& address, Offer offer, StreamLimits limits = {},
              std::size_t maxLinks = 1024);
 

@@ -103,7 +103,9 @@ kj::Promise<void> Listener::acceptAll() {
     } else if (errno == EAGAIN) {
       return observer_.whenBecomesReadable().then([this] { return acceptAll(); });
     } else if (errno == EMFILE || errno == ENFILE || errno == ENOBUFS || errno == ENOMEM) {
-      return port_.getTimer().afterDelay(100 * kj::MILLISECONDS).then([this] { return acceptAll(); });
+      return port_.getTimer().afterDelay(100 * kj::MILLISECONDS).then([this] {
+        return acceptAll();
+      });
     } else if (errno != EINTR && errno != ECONNABORTED) {
       cannotListen(address_, errno);
     }

@@ -12,8 +12,9 @@ namespace suture::rpc {
 
 /// A listening socket. Belongs to the control thread.
 ///
-/// Unix: the socket file is readable and writable by its owner only; one that a dead process left behind is
-/// replaced, one that somebody answers at is an error. It is removed at the end. TCP: port 0 picks a free port.
+/// Unix: the socket file is readable and writable by its owner only; one that a dead process left
+/// behind is replaced, one that somebody answers at is an error. It is removed at the end. TCP:
+/// port 0 picks a free port.
 class Listener {
  public:
   /// Throws SetupError: in use, no such directory, no permission.
@@ -25,8 +26,8 @@ class Listener {
   /// Where it really listens.
   const Address& address() const { return address_; }
 
-  /// Hands every connection (non-blocking, TCP without delay) to `accept`. The promise never resolves;
-  /// dropping it stops. Running out of descriptors delays acceptance, it does not end it.
+  /// Hands every connection (non-blocking, TCP without delay) to `accept`. The promise never
+  /// resolves; dropping it stops. Running out of descriptors delays acceptance, it does not end it.
   kj::Promise<void> listen(kj::Function<void(kj::AutoCloseFd)> accept);
 
  private:

@@ -50,11 +50,10 @@ MessageStream::Reading MessageStream::read(capnp::ReaderOptions options) {
 MessageStream::Reading MessageStream::waitAndRead(capnp::ReaderOptions options) {
   auto readable = kj::mv(KJ_ASSERT_NONNULL(readable_));
   readable_ = nullptr;
-  KJ_IF_MAYBE(deadline, readDeadline()) {
+  KJ_IF_MAYBE (deadline, readDeadline()) {
     readable = readable.exclusiveJoin(port_.getTimer().atTime(*deadline).then([this] {
-      kj::throwFatalException(disconnected(anyMessage_
-                                               ? "the peer did not finish a message in time"
-                                               : "the peer sent no message in time"));
+      kj::throwFatalException(disconnected(anyMessage_ ? "the peer did not finish a message in time"
+                                                       : "the peer sent no message in time"));
     }));
   }
   return readable.then([this, options] { return read(options); });
@@ -69,8 +68,8 @@ kj::Maybe<capnp::MessageReaderAndFds> MessageStream::takeMessage(capnp::ReaderOp
   if (!parse.header || bytes.size() < parse.header->totalBytes) return nullptr;
   anyMessage_ = true;
   partialSince_ = nullptr;
-  auto reader = kj::heap<ReceivedMessage>(incoming_.take(parse.header->totalBytes), *parse.header,
-                                          options);
+  auto reader =
+      kj::heap<ReceivedMessage>(incoming_.take(parse.header->totalBytes), *parse.header, options);
   return capnp::MessageReaderAndFds{kj::mv(reader), nullptr};
 }
 
@@ -81,10 +80,11 @@ MessageStream::Received MessageStream::receive() {
   if (count < 0 && errno == EINTR) return Received::Some;
   if (count < 0 && errno != EAGAIN) kj::throwFatalException(lost(errno));
 
-  // The socket is known to be empty after EAGAIN, and after a short read unless the end has been seen: then
-  // only another receive reports it. An edge that fires while no promise waits is dropped, so make it now.
+  // The socket is known to be empty after EAGAIN, and after a short read unless the end has been
+  // seen: then only another receive reports it. An edge that fires while no promise waits is
+  // dropped, so make it now.
   bool ended = true;
-  KJ_IF_MAYBE(hint, readObserver_.atEndHint()) ended = *hint;
+  KJ_IF_MAYBE (hint, readObserver_.atEndHint()) ended = *hint;
   const bool shortRead = count > 0 && static_cast<std::size_t>(count) < space.size();
   if (count < 0 || (shortRead && !ended)) readable_ = readObserver_.whenBecomesReadable();
   if (count < 0) return Received::Nothing;
@@ -118,8 +118,9 @@ kj::Promise<void> MessageStream::writeMessages(
 }
 
 kj::Promise<void> MessageStream::write(Segments segments) {
-  KJ_IF_MAYBE(failed, writeFailure_) return kj::cp(*failed);
-  // The bytes are copied, so that the caller may go on and what it writes next leaves in the same send.
+  KJ_IF_MAYBE (failed, writeFailure_) return kj::cp(*failed);
+  // The bytes are copied, so that the caller may go on and what it writes next leaves in the same
+  // send.
   appendFrame(segments, outgoing_);
   if (mayWait_ != nullptr && mayWait_(segments)) {
     scheduleRide();
@@ -197,7 +198,7 @@ kj::Promise<void> MessageStream::whenDrained() {
 }
 
 kj::Promise<void> MessageStream::end() {
-  KJ_IF_MAYBE(failed, writeFailure_) return kj::cp(*failed);
+  KJ_IF_MAYBE (failed, writeFailure_) return kj::cp(*failed);
   scheduleFlush();
   return whenDrained().then([this] { shutdown(socket_, SHUT_WR); });
 }

@@ -21,12 +21,14 @@ struct LinkCounters {
   std::atomic<std::uint64_t> receivedBytes{0};
 };
 
-/// Messages over a connected, non-blocking stream socket (Unix or TCP). Belongs to the control thread.
+/// Messages over a connected, non-blocking stream socket (Unix or TCP). Belongs to the control
+/// thread.
 ///
-/// One receive brings as many messages as have arrived; messages written during one turn of the event loop
-/// leave in one send. A peer that breaks the limits gets its connection ended with a kj::Exception from the
-/// pending read; nothing it sent beyond that point is looked at. Descriptors are not carried: those offered
-/// to writeMessage() are ignored and tryReadMessage() never delivers any.
+/// One receive brings as many messages as have arrived; messages written during one turn of the
+/// event loop leave in one send. A peer that breaks the limits gets its connection ended with a
+/// kj::Exception from the pending read; nothing it sent beyond that point is looked at. Descriptors
+/// are not carried: those offered to writeMessage() are ignored and tryReadMessage() never delivers
+/// any.
 class MessageStream final : public capnp::MessageStream {
  public:
   MessageStream(kj::UnixEventPort& port, kj::AutoCloseFd socket, StreamLimits limits = {});
@@ -49,8 +51,8 @@ class MessageStream final : public capnp::MessageStream {
 
   using Segments = kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>>;
 
-  /// Messages of which `mayWait` is true leave with the next message of another kind, or after kLongestRide: worth
-  /// a system call and a wake-up of the peer each.
+  /// Messages of which `mayWait` is true leave with the next message of another kind, or after
+  /// kLongestRide: worth a system call and a wake-up of the peer each.
   void letRide(bool (*mayWait)(Segments message)) { mayWait_ = mayWait; }
   static constexpr int kLongestRideMilliseconds = 5;
 

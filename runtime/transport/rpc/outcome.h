@@ -42,7 +42,8 @@ class Outcome {
     });
   }
 
-  /// Waits a little longer than `deadline`: the control thread itself settles at the deadline unless it hangs.
+  /// Waits a little longer than `deadline`: the control thread itself settles at the deadline
+  /// unless it hangs.
   T wait(Duration deadline) {
     std::unique_lock lock(mutex_);
     settled_.wait_until(lock, now() + deadline + std::chrono::seconds(1),
@@ -68,7 +69,8 @@ class Outcome {
   std::string text_;
 };
 
-/// The obligation to settle an outcome: if it is destroyed first, the waiter learns that the thread stopped.
+/// The obligation to settle an outcome: if it is destroyed first, the waiter learns that the thread
+/// stopped.
 template <class T>
 class Settles {
  public:
@@ -83,7 +85,8 @@ class Settles {
     auto outcome = outcome_;
     auto failed = [outcome](kj::Exception&& e) {
       const bool late = e.getType() == kj::Exception::Type::OVERLOADED;
-      outcome->fail(late ? ControlFailure::Kind::TimedOut : ControlFailure::Kind::Failed, describe(e));
+      outcome->fail(late ? ControlFailure::Kind::TimedOut : ControlFailure::Kind::Failed,
+                    describe(e));
     };
     return succeedWith(kj::mv(promise), kj::mv(failed)).attach(kj::mv(*this));
   }
@@ -95,7 +98,8 @@ class Settles {
     if constexpr (std::is_void_v<T>) {
       return promise.then([outcome] { outcome->succeed({}); }, kj::mv(failed));
     } else {
-      return promise.then([outcome](T&& value) { outcome->succeed(kj::mv(value)); }, kj::mv(failed));
+      return promise.then([outcome](T&& value) { outcome->succeed(kj::mv(value)); },
+                          kj::mv(failed));
     }
   }
 

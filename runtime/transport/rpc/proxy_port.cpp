@@ -66,7 +66,7 @@ void ProxyPort::pumpSubscription() {
   const rt::ColumnSet wanted = channel_->state->demand();
   if (wanted == columns_) return;
   columns_ = wanted;
-  KJ_IF_MAYBE(proxy, proxy_) calls_.add((*proxy)->subscribe(channel_->subscribed, columns_));
+  KJ_IF_MAYBE (proxy, proxy_) calls_.add((*proxy)->subscribe(channel_->subscribed, columns_));
 }
 
 void ProxyPort::pumpCommands() {
@@ -83,7 +83,7 @@ void ProxyPort::transmit(const rt::CommandRecord& record) {
   const std::uint16_t command = record.command;
   const std::uint32_t call = record.call;
   if (channel_->info.commands[command].latest && call == 0) ++latestInFlight_;
-  KJ_IF_MAYBE(proxy, proxy_) {
+  KJ_IF_MAYBE (proxy, proxy_) {
     calls_.add((*proxy)->send(record).then(
         [this, command, call] { returned(command, call, Errc{}); },
         [this, command, call](kj::Exception&& e) { returned(command, call, errcOf(e)); }));

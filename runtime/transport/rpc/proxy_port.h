@@ -1,5 +1,6 @@
 #pragma once
-// The client's side of an rpc connection: the provider endpoint of a channel, emptied into remote calls.
+// The client's side of an rpc connection: the provider endpoint of a channel, emptied into remote
+// calls.
 
 #include <kj/async.h>
 #include <kj/refcount.h>
@@ -15,24 +16,25 @@
 
 namespace suture::rpc {
 
-/// Takes the commands of one client out of its mailbox in their order and sends each as a call; puts answers,
-/// events and rows that arrive where the client looks for them. Belongs to the control thread; shared by the
-/// connection and by the capability that receives events.
+/// Takes the commands of one client out of its mailbox in their order and sends each as a call;
+/// puts answers, events and rows that arrive where the client looks for them. Belongs to the
+/// control thread; shared by the connection and by the capability that receives events.
 class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet::ErrorHandler {
  public:
-  /// More newest-wins commands than this under way, and the next wait in their cells, where newer replace them.
+  /// More newest-wins commands than this under way, and the next wait in their cells, where newer
+  /// replace them.
   static constexpr unsigned kWindow = 16;
 
-  /// `channel`'s provider doorbell is the control thread's, its state table a mirror that this writes. `shift`
-  /// turns the provider's steady clock into this process's.
+  /// `channel`'s provider doorbell is the control thread's, its state table a mirror that this
+  /// writes. `shift` turns the provider's steady clock into this process's.
   ProxyPort(ControlThread& control, std::shared_ptr<Channel> channel, Duration shift,
             std::shared_ptr<const LinkCounters> counters);
   ~ProxyPort() noexcept(false);
 
   /// Begins: subscribes and sends what waits.
   void open(kj::Own<Proxy> proxy);
-  /// The connection is over: the client is told `why`, calls under way end with their outcome unknown. May be
-  /// called again.
+  /// The connection is over: the client is told `why`, calls under way end with their outcome
+  /// unknown. May be called again.
   void close(ChannelStatus why);
   /// The provider's component was parked.
   void faulted();
@@ -44,7 +46,8 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
   /// Answers call `call`: `produce(Slot&)` converts the result and returns an Errc.
   template <class Slot, class Produce>
   void answer(std::uint32_t call, const Produce& produce) {
-    reply(call, sizeof(Slot), [&](std::byte* slot) { return produce(*reinterpret_cast<Slot*>(slot)); });
+    reply(call, sizeof(Slot),
+          [&](std::byte* slot) { return produce(*reinterpret_cast<Slot*>(slot)); });
   }
   /// Answers a call without a result; 0: nobody asked for an answer.
   void answer(std::uint32_t call) {

@@ -11,16 +11,14 @@
 
 namespace suture::rpc {
 
-/// Holds what one receive brought, possibly several messages, and grows only as bytes really arrive (a
-/// header that announces much costs nothing). Not thread-safe.
+/// Holds what one receive brought, possibly several messages, and grows only as bytes really arrive
+/// (a header that announces much costs nothing). Not thread-safe.
 class ReceiveBuffer {
  public:
   explicit ReceiveBuffer(std::size_t bytes = 64u << 10);
 
   /// What has arrived.
-  std::span<const std::byte> bytes() const {
-    return {storage_.begin() + begin_, end_ - begin_};
-  }
+  std::span<const std::byte> bytes() const { return {storage_.begin() + begin_, end_ - begin_}; }
   /// Where the next receive may write; never empty. Moves or grows what is there if need be.
   std::span<std::byte> space();
   /// `count` bytes have been written at the start of space().

@@ -9,8 +9,8 @@ namespace suture::rpc {
 /// The rejection that tells `error` to the caller, as a number and in words.
 kj::Exception remoteError(Errc error);
 
-/// What a remote call ended in. A broken connection is OutcomeUnknown, anything else that did not come from
-/// remoteError() is Invalid.
+/// What a remote call ended in. A broken connection is OutcomeUnknown, anything else that did not
+/// come from remoteError() is Invalid.
 Errc errcOf(const kj::Exception& exception);
 
 }  // namespace suture::rpc

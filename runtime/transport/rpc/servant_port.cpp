@@ -65,8 +65,9 @@ kj::Promise<void> ServantPort::whenTaken(std::uint16_t command) {
 }
 
 ServantPort::PendingCall* ServantPort::openCall() {
-  const auto free = std::find_if(calls_.begin(), calls_.end(),
-                                 [](const PendingCall& call) { return call.done.get() == nullptr; });
+  const auto free = std::find_if(calls_.begin(), calls_.end(), [](const PendingCall& call) {
+    return call.done.get() == nullptr;
+  });
   if (free == calls_.end()) return nullptr;
   free->number = ++callsOpened_ == 0 ? ++callsOpened_ : callsOpened_;
   return &*free;
@@ -119,7 +120,7 @@ void ServantPort::pumpCredits() {
 }
 
 void ServantPort::pumpEvents() {
-  KJ_IF_MAYBE(sink, sink_) {
+  KJ_IF_MAYBE (sink, sink_) {
     while (eventsInFlight_ < kWindow) {
       const rt::EventRecord* record = channel_->events.next();
       if (record == nullptr) return;
@@ -136,7 +137,7 @@ void ServantPort::pumpEvents() {
 }
 
 void ServantPort::pumpRow() {
-  KJ_IF_MAYBE(sink, sink_) {
+  KJ_IF_MAYBE (sink, sink_) {
     if (columns_ == 0 || rowsInFlight_ == kWindow || channel_->state->rows() == lastRow_) return;
     rt::StateTable::Row row = channel_->state->readRow(rowPointers_);
     lastRow_ = row.sequence;
@@ -164,7 +165,7 @@ void ServantPort::pumpStatus() {
     }
     calls.clear();
   }
-  KJ_IF_MAYBE(listener, listener_) {
+  KJ_IF_MAYBE (listener, listener_) {
     status == ChannelStatus::Faulted ? (*listener)->faulted() : (*listener)->closed();
   }
 }

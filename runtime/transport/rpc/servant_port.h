@@ -5,11 +5,11 @@
 #include <kj/function.h>
 #include <kj/refcount.h>
 #include <suture/component/channel.h>
+#include <suture/rpc.capnp.h>
 #include <suture/transport/rpc/binding.h>
 #include <suture/transport/rpc/control_thread.h>
 #include <suture/transport/rpc/message_stream.h>
 #include <suture/transport/rpc/remote_error.h>
-#include <suture/rpc.capnp.h>
 
 #include <array>
 #include <deque>
@@ -18,9 +18,10 @@
 
 namespace suture::rpc {
 
-/// Puts the commands of one remote client into a provider's mailbox in the order of their arrival, returns the
-/// answers, and sends events and rows with at most kWindow of each unacknowledged, so that a slow client holds
-/// up nobody. Belongs to the control thread; shared by the generated servant and the connection.
+/// Puts the commands of one remote client into a provider's mailbox in the order of their arrival,
+/// returns the answers, and sends events and rows with at most kWindow of each unacknowledged, so
+/// that a slow client holds up nobody. Belongs to the control thread; shared by the generated
+/// servant and the connection.
 class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskSet::ErrorHandler {
  public:
   static constexpr unsigned kWindow = 4;
@@ -32,8 +33,8 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
     virtual void closed() = 0;
   };
 
-  /// `channel` has been, or is about to be, attached to the provider; its client doorbell is the control thread's.
-  /// `shift` turns the client's steady clock into this process's.
+  /// `channel` has been, or is about to be, attached to the provider; its client doorbell is the
+  /// control thread's. `shift` turns the client's steady clock into this process's.
   ServantPort(ControlThread& control, std::shared_ptr<Channel> channel, Duration shift,
               std::shared_ptr<const LinkCounters> counters);
   ~ServantPort() noexcept(false);
@@ -44,8 +45,8 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
 
   // --- for generated servants
 
-  /// A void or write command. `fill(std::byte* slot)` converts the arguments and returns an Errc. Returns when the
-  /// provider has taken it, or executed it if the sender asked for an answer.
+  /// A void or write command. `fill(std::byte* slot)` converts the arguments and returns an Errc.
+  /// Returns when the provider has taken it, or executed it if the sender asked for an answer.
   template <class Fill>
   kj::Promise<void> command(std::uint16_t command, wire::Sent::Reader sent, const Fill& fill) {
     if (sent.getAnswer()) return call(command, sent, fill, [](const std::byte*) {});
@@ -54,9 +55,11 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
     return whenTaken(command);
   }
 
-  /// A read or qualified read, evaluated by the provider. `take(const std::byte* slot)` converts the result.
+  /// A read or qualified read, evaluated by the provider. `take(const std::byte* slot)` converts
+  /// the result.
   template <class Fill, class Take>
-  kj::Promise<void> call(std::uint16_t command, wire::Sent::Reader sent, const Fill& fill, Take take) {
+  kj::Promise<void> call(std::uint16_t command, wire::Sent::Reader sent, const Fill& fill,
+                         Take take) {
     PendingCall* pending = openCall();
     if (pending == nullptr) return remoteError(Errc::TooManyCalls);
     const Errc error = post(command, sent, pending->number, fill);
@@ -81,7 +84,8 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
 
   template <class Fill>
   Errc post(std::uint16_t command, wire::Sent::Reader sent, std::uint32_t call, const Fill& fill) {
-    if (const Errc error = errorOf(channel_->status.load(std::memory_order_acquire)); error != Errc{}) {
+    if (const Errc error = errorOf(channel_->status.load(std::memory_order_acquire));
+        error != Errc{}) {
       return error;
     }
     const auto slot = channel_->commands.claim(command, stampOf(sent), call);
@@ -113,7 +117,8 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
   bool closed_ = false;
   bool faultTold_ = false;
 
-  std::vector<std::deque<Taken>> taken_;  // by command: calls that wait for their credit, oldest first
+  std::vector<std::deque<Taken>>
+      taken_;  // by command: calls that wait for their credit, oldest first
   std::array<PendingCall, Channel::kMaxCalls> calls_;
   std::uint32_t callsOpened_ = 0;
 

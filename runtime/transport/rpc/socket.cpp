@@ -8,7 +8,8 @@
 namespace suture::rpc {
 
 kj::AutoCloseFd openSocket(const Address& address) {
-  const int opened = socket(SocketAddress(address).family(), SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+  const int opened =
+      socket(SocketAddress(address).family(), SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
   if (opened < 0) {
     throw SetupError("open a socket for " + address.text(), std::strerror(errno),
                      "Raise the limit of open files (ulimit -n).");

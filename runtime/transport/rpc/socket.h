@@ -6,7 +6,8 @@
 
 namespace suture::rpc {
 
-/// An unconnected stream socket of the address's family: non-blocking, closed on exec. Throws SetupError.
+/// An unconnected stream socket of the address's family: non-blocking, closed on exec. Throws
+/// SetupError.
 kj::AutoCloseFd openSocket(const Address& address);
 
 /// TCP only: every send leaves at once.

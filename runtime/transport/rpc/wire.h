@@ -1,10 +1,10 @@
 #pragma once
-// Between slots and Cap'n Proto, for what every contract is made of. Generated converters are built on these
-// overloads; all run on the control thread.
+// Between slots and Cap'n Proto, for what every contract is made of. Generated converters are built
+// on these overloads; all run on the control thread.
 //
 //   toWire(slot, builder)     slot -> message; the builder has the slot's size already
-//   fromWire(reader, slot)    message -> slot; Errc::TooLarge or Errc::Invalid if it is not what the header says
-//   isValid(slot)             may the provider act on it: every number is finite
+//   fromWire(reader, slot)    message -> slot; Errc::TooLarge or Errc::Invalid if it is not what
+//   the header says isValid(slot)             may the provider act on it: every number is finite
 
 #include <capnp/blob.h>
 #include <suture/base/errors.h>
@@ -98,7 +98,8 @@ Errc fromWire(capnp::Data::Reader in, BoundedList<std::uint8_t, N>& slot) {
 
 template <std::uint32_t M, std::uint32_t N, class List>
 void toWire(const BoundedList<BoundedText<M>, N>& slot, List out) {
-  for (std::uint32_t i = 0; i < out.size(); ++i) toWire(slot.data[i], out.init(i, slot.data[i].size));
+  for (std::uint32_t i = 0; i < out.size(); ++i)
+    toWire(slot.data[i], out.init(i, slot.data[i].size));
 }
 template <class List, std::uint32_t M, std::uint32_t N>
 Errc fromWire(const List& in, BoundedList<BoundedText<M>, N>& slot) {
@@ -107,7 +108,8 @@ Errc fromWire(const List& in, BoundedList<BoundedText<M>, N>& slot) {
   });
 }
 
-// --- arrays: lists of exactly their length. Eigen matrices without a named form are such arrays, column-major.
+// --- arrays: lists of exactly their length. Eigen matrices without a named form are such arrays,
+// column-major.
 
 template <Number Element, std::size_t N, class List>
 void toWire(const std::array<Element, N>& slot, List out) {

@@ -8,9 +8,10 @@
 
 namespace suture::rpc {
 
-/// A second registration of a socket with the event port, through a duplicate descriptor (one registration
-/// cannot change what it observes, and observing writability all the time costs a wake-up for every read of
-/// the peer). The duplicate keeps the connection open: destroy this with, not after, the socket.
+/// A second registration of a socket with the event port, through a duplicate descriptor (one
+/// registration cannot change what it observes, and observing writability all the time costs a
+/// wake-up for every read of the peer). The duplicate keeps the connection open: destroy this with,
+/// not after, the socket.
 class WriteObserver {
  public:
   WriteObserver(kj::UnixEventPort& port, int socket)

@@ -1,4 +1,5 @@
-// A global manager and processes that talk to it over real sockets; every process is a control thread.
+// A global manager and processes that talk to it over real sockets; every process is a control
+// thread.
 
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
@@ -19,9 +20,11 @@ using namespace std::chrono_literals;
 class Peer {
  public:
   Peer(const std::string& name, const std::string& manager)
-      : link_(control_.run(5s, [this, name, manager] {
-          return std::make_unique<ManagerLink>(control_, rpc::Address::parse(manager), name);
-        })),
+      : link_(control_.run(5s,
+                           [this, name, manager] {
+                             return std::make_unique<ManagerLink>(
+                                 control_, rpc::Address::parse(manager), name);
+                           })),
         name_(name) {}
   ~Peer() {
     control_.run(5s, [this] { link_.reset(); });
@@ -178,18 +181,21 @@ TEST_P(GlobalManagerTest, AManagerThatComesBackRelearnsItsProcesses) {
 TEST_P(GlobalManagerTest, AnotherVersionIsRefusedInWords) {
   rpc::ControlThread other;
   const std::string answer = other.run(5s, [&other, address = address_] {
-    return rpc::dial(other.port(), rpc::Address::parse(address), 5s).then([&other](kj::AutoCloseFd socket) {
-      auto link = kj::heap<rpc::Link>(kj::heap<rpc::MessageStream>(other.port(), kj::mv(socket)),
-                                      capnp::rpc::twoparty::Side::CLIENT);
-      auto request = link->bootstrap<wire::GlobalManager>().helloRequest();
-      request.setVersion(999);
-      request.setProgram("ancient");
-      return request.send()
-          .then([](auto&& results) {
-            return results.isRefused() ? fromWire(results.getRefused()).text : std::string("accepted");
-          })
-          .attach(kj::mv(link));
-    });
+    return rpc::dial(other.port(), rpc::Address::parse(address), 5s)
+        .then([&other](kj::AutoCloseFd socket) {
+          auto link =
+              kj::heap<rpc::Link>(kj::heap<rpc::MessageStream>(other.port(), kj::mv(socket)),
+                                  capnp::rpc::twoparty::Side::CLIENT);
+          auto request = link->bootstrap<wire::GlobalManager>().helloRequest();
+          request.setVersion(999);
+          request.setProgram("ancient");
+          return request.send()
+              .then([](auto&& results) {
+                return results.isRefused() ? fromWire(results.getRefused()).text
+                                           : std::string("accepted");
+              })
+              .attach(kj::mv(link));
+        });
   });
   EXPECT_TRUE(contains(answer, "version 999")) << answer;
   EXPECT_TRUE(contains(answer, "'ancient'")) << answer;

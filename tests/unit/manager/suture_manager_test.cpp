@@ -40,7 +40,8 @@ class Program {
     std::string text;
     char one;
     pollfd readable{output_, POLLIN, 0};
-    while (poll(&readable, 1, 20'000) > 0 && read(output_, &one, 1) == 1 && one != '\n') text += one;
+    while (poll(&readable, 1, 20'000) > 0 && read(output_, &one, 1) == 1 && one != '\n')
+      text += one;
     return text;
   }
   /// Its exit status, or minus the signal that ended it. `signal` 0: waits for it to end by itself.

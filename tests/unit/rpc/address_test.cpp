@@ -13,7 +13,8 @@ std::string errorOf(const std::string& text) {
 }
 
 TEST(Address, ParsesWhatItPrints) {
-  for (const char* text : {"unix:/tmp/a.sock", "tcp://127.0.0.1:7700", "tcp://[::1]:80", "tcp://127.1.2.3:0"}) {
+  for (const char* text :
+       {"unix:/tmp/a.sock", "tcp://127.0.0.1:7700", "tcp://[::1]:80", "tcp://127.1.2.3:0"}) {
     EXPECT_EQ(Address::parse(text).text(), text);
   }
   EXPECT_EQ(Address::parse("tcp://localhost:1").text(), "tcp://127.0.0.1:1");

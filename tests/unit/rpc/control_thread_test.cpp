@@ -34,19 +34,21 @@ TEST(ControlThread, RunReturnsAValue) {
 TEST(ControlThread, RunWaitsForAPromise) {
   ControlThread control;
   const auto text = control.run(5s, [&control] {
-    return control.timer().afterDelay(1 * kj::MILLISECONDS).then([] { return std::string("late"); });
+    return control.timer().afterDelay(1 * kj::MILLISECONDS).then([] {
+      return std::string("late");
+    });
   });
   EXPECT_EQ(text, "late");
 }
 
 TEST(ControlThread, RunPassesOnWhatWasThrown) {
   ControlThread control;
-  const auto thrown = failureOf([&] { control.run(5s, [] { throw std::runtime_error("no such robot"); }); });
+  const auto thrown =
+      failureOf([&] { control.run(5s, [] { throw std::runtime_error("no such robot"); }); });
   EXPECT_EQ(thrown.kind(), Kind::Failed);
   EXPECT_STREQ(thrown.what(), "no such robot");
-  const auto rejected = failureOf([&] {
-    control.run(5s, []() -> kj::Promise<void> { return disconnected("gone"); });
-  });
+  const auto rejected = failureOf(
+      [&] { control.run(5s, []() -> kj::Promise<void> { return disconnected("gone"); }); });
   EXPECT_STREQ(rejected.what(), "gone");
 }
 
@@ -55,7 +57,9 @@ TEST(ControlThread, RunEndsAtItsDeadlineAndCancels) {
   auto cancelled = std::make_shared<std::atomic<bool>>(false);
   const auto failed = failureOf([&] {
     control.run(10ms, [cancelled] {
-      return kj::Promise<void>(kj::NEVER_DONE).attach(kj::defer([cancelled] { *cancelled = true; }));
+      return kj::Promise<void>(kj::NEVER_DONE).attach(kj::defer([cancelled] {
+        *cancelled = true;
+      }));
     });
   });
   EXPECT_EQ(failed.kind(), Kind::TimedOut);

@@ -25,8 +25,9 @@ class MessageStreamTest : public testing::Test {
   /// Size of the blob in the next message, -1 at the end of the stream.
   std::int64_t nextBlob() {
     auto message = bounded(read()).wait(io_.waitScope);
-    KJ_IF_MAYBE(reader, message) {
-      return static_cast<std::int64_t>((*reader)->getRoot<capnp::AnyPointer>().getAs<capnp::Data>().size());
+    KJ_IF_MAYBE (reader, message) {
+      return static_cast<std::int64_t>(
+          (*reader)->getRoot<capnp::AnyPointer>().getAs<capnp::Data>().size());
     }
     return -1;
   }
@@ -174,7 +175,7 @@ TEST_F(MessageStreamTest, ALargeMessageArrivesWhole) {
   for (std::size_t i = 0; i < blob.size(); ++i) blob[i] = static_cast<capnp::byte>(i * 31);
   auto writing = sender.writeMessage(message);
   auto received = bounded(read()).wait(io_.waitScope);
-  KJ_IF_MAYBE(reader, received) {
+  KJ_IF_MAYBE (reader, received) {
     const auto root = (*reader)->getRoot<capnp::AnyPointer>().getAs<capnp::Data>();
     EXPECT_TRUE(root == blob.asReader());
   } else {
