@@ -1,0 +1,26 @@
+#pragma once
+// A subcommand of suture-bench.
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "bench/report.h"
+
+namespace bench {
+
+/// Measures, prints its tables and leaves every figure in the report. `--json` and `--check` are
+/// added to each by the program.
+class Benchmark {
+ public:
+  virtual ~Benchmark() = default;
+  virtual const char* name() const = 0;
+  virtual const char* description() const = 0;
+  virtual void addOptions(CLI::App& options) = 0;
+  /// Throws what it cannot handle; the program then ends with an error.
+  virtual void run(Report& report) = 0;
+};
+
+/// The loops and the overhead of the paper's Table 2.
+std::unique_ptr<Benchmark> makeTable2();
+
+}  // namespace bench

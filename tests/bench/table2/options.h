@@ -1,0 +1,34 @@
+#pragma once
+// What a user may choose of `suture-bench table2`.
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "bench/table2/setup.h"
+
+namespace bench {
+
+struct Table2Options {
+  std::size_t samples = 10000;
+  std::size_t skip = 1000;
+  double rateHz = 1000;
+  int cpu;  ///< of the event-driven loops and of the ping-pong
+  int fifoPriority = 80;
+  bool tcp = false;
+  bool quick = false;
+
+  Table2Options();
+  void addTo(CLI::App& options);
+  nlohmann::json toJson() const;
+
+  Transport transport() const { return tcp ? Transport::Tcp : Transport::Unix; }
+  const char* transportName() const { return tcp ? "TCP" : "a Unix socket"; }
+  std::size_t kept() const { return quick ? 200 : samples; }
+  std::size_t skipped() const { return quick ? 20 : skip; }
+  std::size_t codecLoops() const { return quick ? 10 : 100; }
+  LoopSetup periodic(Loop loop, bool fifo) const;
+  LoopSetup eventDriven(Loop loop) const;
+};
+
+}  // namespace bench

@@ -1,0 +1,41 @@
+#include "bench/table2/placement.h"
+
+#include <suture/base/errors.h>
+#include <suture/rt/thread.h>
+
+#include <thread>
+
+namespace bench {
+
+Pinned::Pinned(std::optional<int> cpu) {
+  sched_getaffinity(0, sizeof(before_), &before_);
+  if (cpu) suture::rt::configureThisThread("suture-bench", {.cpu = cpu});
+}
+
+Pinned::~Pinned() { sched_setaffinity(0, sizeof(before_), &before_); }
+
+int preferredCpu() {
+  cpu_set_t allowed;
+  CPU_ZERO(&allowed);
+  sched_getaffinity(0, sizeof(allowed), &allowed);
+  int last = 0;
+  for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
+    if (CPU_ISSET(cpu, &allowed)) last = cpu;
+  }
+  return last;
+}
+
+std::string whyNotFifo(int priority) {
+  std::string reason;
+  std::thread probe([&] {
+    try {
+      suture::rt::configureThisThread("probe", {.fifoPriority = priority});
+    } catch (const suture::SetupError& error) {
+      reason = error.what();
+    }
+  });
+  probe.join();
+  return reason;
+}
+
+}  // namespace bench

@@ -1,0 +1,72 @@
+#include "bench/table2/server.h"
+
+#include <suture/component/event_task.h>
+#include <suture/component/periodic_task.h>
+
+namespace bench {
+namespace {
+
+/// What both kinds of task do.
+class Core final : public LoopServer {
+ public:
+  Core(suture::Component& owner, std::size_t capacity) : provided_(owner, "Loop", *this) {
+    elapsed_.reserve(capacity);
+  }
+
+  void put(const robots::PosePrm& value) override {
+    const suture::Duration away = suture::now() - value.timestamp;
+    if (elapsed_.size() < elapsed_.capacity()) elapsed_.push_back(away.count());
+  }
+  void bounce(const robots::PosePrm& value) override { provided_.emit().echo(value); }
+  const robots::PosePrm& value() const override {
+    value_.timestamp = suture::now();
+    return value_;
+  }
+
+  const std::vector<std::int64_t>& elapsed() const { return elapsed_; }
+
+ private:
+  suture::Provided<LoopServer> provided_;
+  mutable robots::PosePrm value_ = samplePose();
+  std::vector<std::int64_t> elapsed_;
+};
+
+template <class Kind, class Options>
+class ServerTask final : public Kind, public Server {
+ public:
+  ServerTask(const Options& options, std::size_t capacity)
+      : Kind(options), core_(*this, capacity) {}
+  suture::Task& task() override { return *this; }
+  const std::vector<std::int64_t>& elapsed() const override { return core_.elapsed(); }
+
+ private:
+  void run() override {}
+
+  Core core_;
+};
+
+}  // namespace
+
+std::unique_ptr<Server> makeServer(const LoopSetup& setup) {
+  if (setup.pace == Pace::Periodic) {
+    const suture::PeriodicOptions options{.period = setup.period, .scheduling = setup.scheduling};
+    return std::make_unique<ServerTask<suture::PeriodicTask, suture::PeriodicOptions>>(
+        options, setup.total());
+  }
+  const suture::EventOptions options{.scheduling = setup.scheduling};
+  return std::make_unique<ServerTask<suture::EventTask, suture::EventOptions>>(options,
+                                                                               setup.total());
+}
+
+robots::PosePrm samplePose() {
+  robots::PosePrm pose;
+  pose.timestamp = suture::now();
+  pose.valid = true;
+  pose.moving_frame = "tool";
+  pose.reference_frame = "base";
+  pose.position.translate(Eigen::Vector3d(0.1, -0.02, 0.3));
+  pose.position.rotate(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()));
+  return pose;
+}
+
+}  // namespace bench

@@ -1,0 +1,94 @@
+#include "bench/table2/server_process.h"
+
+#include <suture/manager/manager.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "bench/table2/placement.h"
+#include "bench/table2/server.h"
+
+namespace bench {
+namespace {
+
+constexpr const char* kSubcommand = "table2-server";
+
+struct Options {
+  std::string manager;
+  LoopSetup setup;
+  bool periodic = false;
+  std::int64_t periodNanoseconds = 0;
+  int fifo = 0;
+  int cpu = -1;
+};
+
+void awaitEndOfInput() {
+  char ignored = 0;
+  while (read(STDIN_FILENO, &ignored, 1) > 0) {
+  }
+}
+
+void serve(Options options) {
+  LoopSetup& setup = options.setup;
+  setup.pace = options.periodic ? Pace::Periodic : Pace::EventDriven;
+  setup.period = suture::Duration(options.periodNanoseconds);
+  if (options.fifo > 0) setup.scheduling.fifoPriority = options.fifo;
+  if (options.cpu >= 0) setup.scheduling.cpu = options.cpu;
+
+  const Pinned pinned(setup.scheduling.cpu);
+  const auto server = makeServer(setup);
+  suture::Manager manager{"server", options.manager};
+  manager.add("Server", server->task());
+  manager.start();
+  awaitEndOfInput();
+  manager.stop();
+  const auto& samples = server->elapsed();
+  std::fwrite(samples.data(), sizeof(samples[0]), samples.size(), stdout);
+}
+
+}  // namespace
+
+void addServerProcess(CLI::App& program) {
+  auto options = std::make_shared<Options>();
+  CLI::App* process = program.add_subcommand(kSubcommand, "the server process of a loop");
+  process->group("");  // hidden
+  process->add_option("--manager", options->manager)->required();
+  process->add_flag("--periodic", options->periodic);
+  process->add_option("--period-ns", options->periodNanoseconds)->required();
+  process->add_option("--fifo", options->fifo);
+  process->add_option("--cpu", options->cpu);
+  process->add_option("--skip", options->setup.skip);
+  process->add_option("--samples", options->setup.samples);
+  process->callback([options] { serve(*options); });
+}
+
+std::vector<std::string> serverProcessArguments(const LoopSetup& setup,
+                                                const std::string& managerAddress) {
+  std::vector<std::string> arguments{kSubcommand,
+                                     "--manager",
+                                     managerAddress,
+                                     "--period-ns",
+                                     std::to_string(setup.period.count()),
+                                     "--skip",
+                                     std::to_string(setup.skip),
+                                     "--samples",
+                                     std::to_string(setup.samples)};
+  if (setup.pace == Pace::Periodic) arguments.emplace_back("--periodic");
+  if (const auto priority = setup.scheduling.fifoPriority) {
+    arguments.insert(arguments.end(), {"--fifo", std::to_string(*priority)});
+  }
+  if (const auto cpu = setup.scheduling.cpu) {
+    arguments.insert(arguments.end(), {"--cpu", std::to_string(*cpu)});
+  }
+  return arguments;
+}
+
+std::vector<std::int64_t> samplesOf(const std::vector<std::byte>& written) {
+  std::vector<std::int64_t> samples(written.size() / sizeof(std::int64_t));
+  std::memcpy(samples.data(), written.data(), samples.size() * sizeof(std::int64_t));
+  return samples;
+}
+
+}  // namespace bench

@@ -1,0 +1,25 @@
+#pragma once
+// The server of a loop in a process of its own.
+
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "bench/table2/setup.h"
+
+namespace bench {
+
+/// The hidden subcommand that is the server process: serves "server:Server/Loop" until its standard
+/// input ends, then writes its samples.
+void addServerProcess(CLI::App& program);
+
+/// How this program is called to be that process.
+std::vector<std::string> serverProcessArguments(const LoopSetup& setup,
+                                                const std::string& managerAddress);
+
+/// The samples in what it wrote, ns.
+std::vector<std::int64_t> samplesOf(const std::vector<std::byte>& written);
+
+}  // namespace bench

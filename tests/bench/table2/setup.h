@@ -1,0 +1,34 @@
+#pragma once
+// What one measurement of a loop is.
+
+#include <suture/base/time.h>
+#include <suture/rt/thread.h>
+
+#include <cstddef>
+#include <string>
+
+namespace bench {
+
+enum class Loop {
+  Scs,  ///< server, client, server: a value is read, written back, and measured by the server
+  Csc,  ///< client, server, client: a value is written, raised as an event, and measured by the
+        ///< client
+};
+enum class Pace {
+  Periodic,     ///< both tasks run once a period, as in the paper
+  EventDriven,  ///< both tasks sleep until something arrives; SCS uses fresh() and a blocking write
+};
+enum class Transport { Unix, Tcp };
+
+struct LoopSetup {
+  Loop loop = Loop::Scs;
+  Pace pace = Pace::Periodic;
+  suture::Duration period = std::chrono::milliseconds(1);
+  suture::rt::Scheduling scheduling{};  ///< of both tasks; a processor is for all other threads too
+  std::size_t skip = 1000;
+  std::size_t samples = 10000;
+
+  std::size_t total() const { return skip + samples; }
+};
+
+}  // namespace bench
