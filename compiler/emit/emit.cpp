@@ -1,6 +1,7 @@
 #include "compiler/emit/emit.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "compiler/emit/code.h"
@@ -35,7 +36,12 @@ void inNamespace(Code& code, const std::string& name, const EmitParts& emitParts
   Code inner;
   emitParts(inner);
   if (inner.text().empty()) return;
-  code.verbatim(openNamespace(name)).blank().verbatim(inner.text());
+  // An unnamed namespace right inside shares the lines of the named one.
+  const std::string text = inner.text();
+  constexpr std::string_view kInnerEnd = "}  // namespace\n\n";
+  code.verbatim(openNamespace(name));
+  if (!text.starts_with("namespace {")) code.blank();
+  code.verbatim(text.substr(0, text.size() - (text.ends_with(kInnerEnd) ? 1 : 0)));
   code.verbatim(closeNamespace(name)).blank();
 }
 

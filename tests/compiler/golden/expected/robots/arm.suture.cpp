@@ -919,7 +919,6 @@ const suture::rpc::Binding& armBinding() {
 }
 
 }  // namespace
-
 }  // namespace robots
 
 namespace suture {

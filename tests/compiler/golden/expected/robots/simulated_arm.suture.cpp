@@ -6,7 +6,6 @@
 #include <type_traits>
 
 namespace robots {
-
 namespace {
 
 // What this compiler sees must be what suturec read.
@@ -15,7 +14,6 @@ static_assert(std::is_same_v<decltype(ArmParameters::name), std::string>);
 static_assert(std::is_same_v<decltype(ArmParameters::start), Mode>);
 
 }  // namespace
-
 }  // namespace robots
 
 namespace robots {
