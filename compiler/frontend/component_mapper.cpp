@@ -1,5 +1,6 @@
 #include "compiler/frontend/component_mapper.h"
 
+#include <clang/AST/CXXInheritance.h>
 #include <clang/AST/DeclTemplate.h>
 #include <clang/AST/ExprCXX.h>
 
@@ -117,6 +118,20 @@ void mapConstructor(const clang::CXXRecordDecl* declaration, model::Component& c
   }
 }
 
+std::vector<const clang::CXXMethodDecl*> pureMethodsOf(const clang::CXXRecordDecl* declaration) {
+  std::vector<const clang::CXXMethodDecl*> pure;
+  clang::CXXFinalOverriderMap overriders;
+  declaration->getFinalOverriders(overriders);
+  for (const auto& [declared, subobjects] : overriders) {
+    for (const auto& [subobject, finals] : subobjects) {
+      for (const clang::UniqueVirtualMethod& last : finals) {
+        if (last.Method->isPureVirtual()) pure.push_back(last.Method);
+      }
+    }
+  }
+  return pure;
+}
+
 }  // namespace
 
 model::Component mapComponentDeclaration(const clang::CXXRecordDecl* declaration,
@@ -125,10 +140,13 @@ model::Component mapComponentDeclaration(const clang::CXXRecordDecl* declaration
   model::Component component;
   component.name = qualifiedName(declaration);
   component.base = mapBase(declaration, mapping);
-  if (declaration->isAbstract()) {
-    mapping.error(declaration, "abstract-component",
-                  "component " + quoted(declaration) + " leaves pure virtual methods",
-                  "override every command of the contracts it implements, and run()");
+  for (const clang::CXXMethodDecl* method : pureMethodsOf(declaration)) {
+    mapping
+        .error(declaration, "abstract-component",
+               "component " + quoted(declaration) + " leaves " + quoted(method) +
+                   " without an implementation",
+               "override it")
+        .notes.push_back({mapping.sourceOf(method), "it is declared here"});
   }
   mapPorts(declaration, component.ports, mapping);
   mapConstructor(declaration, component, mapping);

@@ -1,1 +1,0 @@
-#include "count/counter.suture.h"
