@@ -8,9 +8,7 @@ namespace {
 
 using Range = std::optional<std::pair<double, double>>;
 
-std::string shown(double number) {
-  return nlohmann::json(number).dump();
-}
+std::string shown(double number) { return nlohmann::json(number).dump(); }
 
 class Rule {
  public:

@@ -37,17 +37,13 @@ std::uint64_t scalarSize(model::Scalar scalar) {
   switch (scalar) {
     case Scalar::Bool:
     case Scalar::Int8:
-    case Scalar::UInt8:
-      return 1;
+    case Scalar::UInt8: return 1;
     case Scalar::Int16:
-    case Scalar::UInt16:
-      return 2;
+    case Scalar::UInt16: return 2;
     case Scalar::Int32:
     case Scalar::UInt32:
-    case Scalar::Float32:
-      return 4;
-    default:
-      return 8;
+    case Scalar::Float32: return 4;
+    default: return 8;
   }
 }
 
@@ -74,28 +70,19 @@ bool ownsHeap(const model::Type& type, const model::Lookup& lookup) {
 std::uint64_t flatSize(const model::Type& type, const model::Lookup& lookup) {
   constexpr std::uint64_t kLength = 4;
   switch (type.shape) {
-    case Shape::Scalar:
-      return scalarSize(type.scalar);
-    case Shape::Enum:
-      return 8;
-    case Shape::Struct:
-      return structSize(lookup.findStruct(type.name), lookup);
-    case Shape::Text:
-      return plus(kLength, type.capacity.value_or(0));
-    case Shape::Array:
-      return times(type.rows, flatSize(type.element.front(), lookup));
+    case Shape::Scalar: return scalarSize(type.scalar);
+    case Shape::Enum: return 8;
+    case Shape::Struct: return structSize(lookup.findStruct(type.name), lookup);
+    case Shape::Text: return plus(kLength, type.capacity.value_or(0));
+    case Shape::Array: return times(type.rows, flatSize(type.element.front(), lookup));
     case Shape::List:
       return plus(kLength,
                   times(type.capacity.value_or(0), flatSize(type.element.front(), lookup)));
-    case Shape::Matrix:
-      return times(times(type.rows, type.columns), scalarSize(type.scalar));
-    case Shape::Quaternion:
-      return 32;
-    case Shape::Isometry:
-      return 96;
+    case Shape::Matrix: return times(times(type.rows, type.columns), scalarSize(type.scalar));
+    case Shape::Quaternion: return 32;
+    case Shape::Isometry: return 96;
     case Shape::Duration:
-    case Shape::TimePoint:
-      return 8;
+    case Shape::TimePoint: return 8;
   }
   return 0;
 }

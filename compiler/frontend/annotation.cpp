@@ -29,9 +29,7 @@ constexpr std::array kKinds{
     KindInfo{Kind::Component, "suture::component", "SUTURE_COMPONENT", ""},
 };
 
-const KindInfo& infoOf(Kind kind) {
-  return kKinds[static_cast<std::size_t>(kind)];
-}
+const KindInfo& infoOf(Kind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
 
 const KindInfo* infoOf(const clang::AnnotateAttr* attribute) {
   for (const KindInfo& info : kKinds) {
@@ -150,9 +148,7 @@ class Reader {
 
 }  // namespace
 
-std::string macroOf(Kind kind) {
-  return std::string(infoOf(kind).macro);
-}
+std::string macroOf(Kind kind) { return std::string(infoOf(kind).macro); }
 
 std::vector<Kind> annotationKinds(const clang::Decl* declaration) {
   std::vector<Kind> kinds;

@@ -44,17 +44,11 @@ Frontend::Frontend(Request request)
     : implementation_(std::make_unique<Implementation>(std::move(request))) {}
 Frontend::~Frontend() = default;
 
-bool Frontend::run() {
-  return implementation_->run();
-}
-const model::Model& Frontend::model() const {
-  return implementation_->model();
-}
+bool Frontend::run() { return implementation_->run(); }
+const model::Model& Frontend::model() const { return implementation_->model(); }
 bool Frontend::report(const model::Diagnostics& findings) {
   return implementation_->report(findings);
 }
-std::vector<std::string> Frontend::dependencies() const {
-  return implementation_->dependencies();
-}
+std::vector<std::string> Frontend::dependencies() const { return implementation_->dependencies(); }
 
 }  // namespace suture::compiler::frontend

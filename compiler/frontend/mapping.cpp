@@ -7,12 +7,14 @@
 namespace suture::compiler::frontend {
 
 model::Source Mapping::sourceOf(const clang::NamedDecl* declaration) {
-  // Of a field or parameter the type is underlined as well; of a class or method the caret is enough.
-  const bool typed = llvm::isa<clang::DeclaratorDecl>(declaration) &&
-                     !llvm::isa<clang::FunctionDecl>(declaration);
+  // Of a field or parameter the type is underlined as well; of a class or method the caret is
+  // enough.
+  const bool typed =
+      llvm::isa<clang::DeclaratorDecl>(declaration) && !llvm::isa<clang::FunctionDecl>(declaration);
   return table_.add(sources(), declaration->getLocation(),
-                    typed ? clang::SourceRange(declaration->getBeginLoc(), declaration->getLocation())
-                          : clang::SourceRange());
+                    typed
+                        ? clang::SourceRange(declaration->getBeginLoc(), declaration->getLocation())
+                        : clang::SourceRange());
 }
 
 model::Documentation Mapping::documentationOf(const clang::Decl* declaration) const {

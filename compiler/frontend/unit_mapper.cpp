@@ -36,8 +36,7 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
     switch (kind) {
       case Kind::Type:
       case Kind::Interface:
-      case Kind::Component:
-        return visitTag(declaration, kind);
+      case Kind::Component: return visitTag(declaration, kind);
       case Kind::Command:
         if (parentIs(declaration, Kind::Interface) &&
             llvm::isa<clang::CXXMethodDecl>(declaration)) {
