@@ -45,7 +45,7 @@ void emitStore(Code& code, const Context& context, const model::Command& command
   code.line("using suture::store;");
   std::string call;
   for (const model::Parameter& parameter : command.parameters) {
-    if (!call.empty()) call += std::string(" & ") + kBreak;
+    if (!call.empty()) call += std::string(" && ") + kBreak;
     call += "store(" + parameter.name + ", " + target + "." + parameter.name + ")";
   }
   code.line("return ", call, ";").close("}").blank();

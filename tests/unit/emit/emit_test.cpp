@@ -82,6 +82,16 @@ TEST_F(EmitTest, NumbersFollowTheLock) {
   EXPECT_EQ(emit(model_, locks), before) << "two builds of one lock must number alike";
 }
 
+TEST_F(EmitTest, RemovedEnumeratorsAreRefusedByName) {
+  model::Diagnostics none;
+  const lock::Locks before = lock::read(lock::update(model_, {}).files, none);
+  sample::armHeader(model_).enums[0].enumerators.erase(
+      sample::armHeader(model_).enums[0].enumerators.begin() + 1);
+  std::vector<Artefact> texts = lock::update(model_, before).files;
+  const std::string source = emit(model_, lock::read(texts, none))[1].text;
+  EXPECT_TRUE(contains(source, "    case wire::Mode::REMOVED1: break;\n"));
+}
+
 TEST_F(EmitTest, HashKnowsTheWireAndNothingElse) {
   const auto hash = [this] {
     const auto json = nlohmann::json::parse(text("robots/arm.suture.json"));

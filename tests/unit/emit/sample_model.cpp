@@ -250,6 +250,9 @@ model::Interface arm() {
   model::Command solve = command("inverse_kinematics", CommandKind::QualifiedRead);
   solve.parameters = servo.parameters;
   solve.parameters[0].name = solve.parameters[0].wireName = "x";
+  solve.parameters.push_back(write("", "tolerance", number()).parameters[0]);
+  solve.parameters[1].byReference = false;
+  solve.parameters[1].range = {{0, 1}};
   solve.result = record("robots::Everything");
   solve.resultByReference = true;
   model::Command all = read("everything", record("robots::Everything"));

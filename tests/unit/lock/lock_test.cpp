@@ -176,9 +176,9 @@ TEST_F(LockTest, SignaturesOnlyGrow) {
   EXPECT_EQ(slugs(check(model_, before_)), Slugs{"lock-new"});
   const Locks after = lockOf(model_, before_);
   const Member& method = nodeOf(armLock(after), "Arm").members.back();
-  ASSERT_EQ(method.parameters.size(), 3u);
-  EXPECT_EQ(method.parameters[1].name, "sent");
-  EXPECT_EQ(method.parameters[2].name, "seed");
+  ASSERT_EQ(method.parameters.size(), 4u);
+  EXPECT_EQ(method.parameters[2].name, "sent");
+  EXPECT_EQ(method.parameters[3].name, "seed");
 
   solve.parameters.erase(solve.parameters.begin());
   EXPECT_EQ(slugs(check(model_, after)), Slugs{"lock-break"});

@@ -59,7 +59,10 @@ class SUTURE_INTERFACE() Arm {
   SUTURE_COMMAND() virtual PoseStamped measured_cp() const = 0;
   SUTURE_COMMAND() virtual Mode mode() const = 0;
   SUTURE_COMMAND() virtual const Everything& everything() const = 0;
-  SUTURE_COMMAND() virtual const Everything& inverse_kinematics(const PoseStamped& x) const = 0;
+  SUTURE_COMMAND()
+  virtual const Everything& inverse_kinematics(const PoseStamped& x,
+                                               SUTURE_FIELD(range(0,
+                                                                  1)) double tolerance) const = 0;
   SUTURE_EVENT(latched(), queue(8), name("mode_changed")) suture::EventOf<Mode> mode_changed_event;
   SUTURE_EVENT(name("stopped")) suture::EventOf<> stopped_event;
   SUTURE_EVENT(name("arrived")) suture::EventOf<PoseStamped> arrived_event;

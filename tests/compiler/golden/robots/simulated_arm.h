@@ -32,7 +32,9 @@ class SUTURE_COMPONENT() SimulatedArm final : public suture::PeriodicTask, publi
   PoseStamped measured_cp() const override { return everything_.goal; }
   Mode mode() const override { return mode_; }
   const Everything& everything() const override { return everything_; }
-  const Everything& inverse_kinematics(const PoseStamped&) const override { return everything_; }
+  const Everything& inverse_kinematics(const PoseStamped&, double) const override {
+    return everything_;
+  }
 
  private:
   void run() override {}

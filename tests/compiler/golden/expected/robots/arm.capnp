@@ -62,7 +62,7 @@ interface Arm @0x974e120931408f6d $Meta.cxx("robots::Arm") {
       $Meta.kind("read");
   mode @5 (sent :Rpc.Sent) -> (value :Mode) $Meta.kind("read");
   everything @6 (sent :Rpc.Sent) -> (value :Everything) $Meta.kind("read");
-  inverseKinematics @7 (x :Geometry.PoseStamped, sent :Rpc.Sent) -> (value :Everything)
+  inverseKinematics @7 (x :Geometry.PoseStamped, tolerance :Float64 $Meta.range(lowest = 0, highest = 1), sent :Rpc.Sent) -> (value :Everything)
       $Meta.cxx("inverse_kinematics") $Meta.kind("qualifiedRead");
 }
 

@@ -141,7 +141,7 @@ constexpr EventInfo kArmEvents[] = {
 constexpr char kArmDescription[] = R"json({
   "name": "robots::Arm",
   "doc": "A robot arm.",
-  "hash": "ae78450c82666612c508c8780e9af28e",
+  "hash": "e20d81e5c2c25c149b2cf8ace5b8d9b5",
   "commands": [
     {
       "name": "enable",
@@ -222,6 +222,16 @@ constexpr char kArmDescription[] = R"json({
             "kind": "struct",
             "name": "robots::PoseStamped"
           }
+        },
+        {
+          "name": "tolerance",
+          "type": {
+            "kind": "Float64"
+          },
+          "range": [
+            0.0,
+            1.0
+          ]
         }
       ],
       "result": {
@@ -741,9 +751,10 @@ class ArmServant final : public wire::Arm::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = *reinterpret_cast<ArmInverseKinematicsArguments*>(memory);
+      slot.tolerance = in.getTolerance();
       const Errc error = in.hasX() ? fromWire(in.getX(), slot.x, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.x) ? Errc{} : Errc::Invalid;
+      return isValid(slot.x) && inRange(slot.tolerance, 0, 1) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result) mutable {
       const auto& slot = *reinterpret_cast<const EverythingSlot*>(result);
@@ -885,6 +896,7 @@ class ArmProxy final : public suture::rpc::Proxy {
             *reinterpret_cast<const ArmInverseKinematicsArguments*>(record.arguments());
         auto request = provider_.inverseKinematicsRequest();
         toWire(slot.x, request.initX());
+        request.setTolerance(slot.tolerance);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<EverythingSlot>(call, [&](EverythingSlot& answer) {
@@ -927,7 +939,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::Arm>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::Arm",
-      .hash = "ae78450c82666612c508c8780e9af28e",
+      .hash = "e20d81e5c2c25c149b2cf8ace5b8d9b5",
       .description = robots::kArmDescription,
       .commands = robots::kArmCommands,
       .events = robots::kArmEvents,
@@ -971,8 +983,10 @@ Errc Provided<robots::Arm>::execute(std::uint16_t command, const std::byte* argu
     case ArmCommand::inverse_kinematics: {
       const auto& slot = *reinterpret_cast<const robots::ArmInverseKinematicsArguments*>(arguments);
       load(slot.x, scratch_.inverse_kinematics_x);
+      load(slot.tolerance, scratch_.inverse_kinematics_tolerance);
       auto& answer = *reinterpret_cast<robots::EverythingSlot*>(result);
-      return store(implementation_.inverse_kinematics(scratch_.inverse_kinematics_x), answer)
+      return store(implementation_.inverse_kinematics(scratch_.inverse_kinematics_x,
+                                                      scratch_.inverse_kinematics_tolerance), answer)
           ? Errc{} : Errc::TooLarge;
     }
   }

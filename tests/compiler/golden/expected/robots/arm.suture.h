@@ -113,11 +113,13 @@ inline bool store(const double& speed, ArmSetSpeedArguments& slot) {
 
 struct ArmInverseKinematicsArguments {
   PoseStampedSlot x;
+  double tolerance;
 };
 
-inline bool store(const PoseStamped& x, ArmInverseKinematicsArguments& slot) {
+inline bool store(const PoseStamped& x, const double& tolerance,
+                  ArmInverseKinematicsArguments& slot) {
   using suture::store;
-  return store(x, slot.x);
+  return store(x, slot.x) && store(tolerance, slot.tolerance);
 }
 
 /// The numbers of Arm's commands in every table and record.
@@ -218,6 +220,7 @@ class Provided<robots::Arm> final : public ProvidedBase {
     robots::PoseStamped servo_cp_goal;
     double set_speed_speed;
     robots::PoseStamped inverse_kinematics_x;
+    double inverse_kinematics_tolerance;
   };
 
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
