@@ -26,9 +26,7 @@ Eigen::Isometry3d toPose(const Json& json) {
   return pose;
 }
 
-suture::Time toTime(const Json& json) {
-  return suture::fromNanoseconds(json.get<std::int64_t>());
-}
+suture::Time toTime(const Json& json) { return suture::fromNanoseconds(json.get<std::int64_t>()); }
 
 Json toJson(const ArmRow& row) {
   return {{"stamp", suture::toNanoseconds(row.stamp)},

@@ -36,12 +36,8 @@ Chain<6> psm() {
           tip};
 }
 
-Chain<7> mtmLeft() {
-  return mtm(-0.698, 1.134, -0.262, -3.578, 1.658);
-}
+Chain<7> mtmLeft() { return mtm(-0.698, 1.134, -0.262, -3.578, 1.658); }
 
-Chain<7> mtmRight() {
-  return mtm(-1.134, 0.698, -0.314, -1.658, 3.578);
-}
+Chain<7> mtmRight() { return mtm(-1.134, 0.698, -0.314, -1.658, 3.578); }
 
 }  // namespace robots::kinematics

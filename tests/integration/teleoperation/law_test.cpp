@@ -33,6 +33,8 @@ TEST(Law, HoldsForARecordedRun) {
   const Recording slave = readRecording(slaveFile);
   const Judgement judgement = judge(readRecording(masterFile).arm, slave.followed, slave.arm,
                                     PsmParameters{}.time_constant);
+  std::filesystem::remove(masterFile);
+  std::filesystem::remove(slaveFile);
   for (const std::string& violation : violations(judgement)) ADD_FAILURE() << violation;
   EXPECT_GT(judgement.compared, 1000u);
 }

@@ -48,15 +48,9 @@ void expectSameAsKdl(const Chain<N>& chain, const KDL::Chain& oracle) {
   }
 }
 
-TEST(DaVinci, PsmAgreesWithKdl) {
-  expectSameAsKdl(psm(), kdlPsm());
-}
-TEST(DaVinci, LeftMtmAgreesWithKdl) {
-  expectSameAsKdl(mtmLeft(), kdlMtm());
-}
-TEST(DaVinci, RightMtmAgreesWithKdl) {
-  expectSameAsKdl(mtmRight(), kdlMtm());
-}
+TEST(DaVinci, PsmAgreesWithKdl) { expectSameAsKdl(psm(), kdlPsm()); }
+TEST(DaVinci, LeftMtmAgreesWithKdl) { expectSameAsKdl(mtmLeft(), kdlMtm()); }
+TEST(DaVinci, RightMtmAgreesWithKdl) { expectSameAsKdl(mtmRight(), kdlMtm()); }
 
 // With the roll frame 0.4162 m beyond a carriage that starts 0.4318 m behind, the wrist reaches the
 // remote centre when the insertion makes up the difference.

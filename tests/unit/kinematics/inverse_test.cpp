@@ -37,15 +37,9 @@ void expectUndoesForward(const Chain<N>& chain) {
   }
 }
 
-TEST(Inverse, UndoesForwardForThePsm) {
-  expectUndoesForward(psm());
-}
-TEST(Inverse, UndoesForwardForTheLeftMtm) {
-  expectUndoesForward(mtmLeft());
-}
-TEST(Inverse, UndoesForwardForTheRightMtm) {
-  expectUndoesForward(mtmRight());
-}
+TEST(Inverse, UndoesForwardForThePsm) { expectUndoesForward(psm()); }
+TEST(Inverse, UndoesForwardForTheLeftMtm) { expectUndoesForward(mtmLeft()); }
+TEST(Inverse, UndoesForwardForTheRightMtm) { expectUndoesForward(mtmRight()); }
 
 TEST(Inverse, NeedsNoIterationAtTheGoal) {
   const auto chain = psm();
