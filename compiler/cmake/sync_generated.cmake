@@ -1,7 +1,7 @@
 # cmake -DBUILT=dir -DCOMMITTED=dir -DLIST=file [-DUPDATE=ON] -P sync_generated.cmake
 #
-# Compares, or with UPDATE makes equal, what a build generated and what is committed: the files of the
-# list, and no others.
+# Compares what a build generated, the files of the list, with what is committed, left-overs included; with
+# UPDATE copies what differs.
 
 cmake_minimum_required(VERSION 3.25)
 file(STRINGS ${LIST} files)
@@ -27,8 +27,8 @@ foreach(file IN LISTS committed)
     continue()
   endif()
   if(UPDATE)
-    file(REMOVE ${COMMITTED}/${file})
-    message(STATUS "removed ${file}")
+    # Not removed: another configuration, say one with tests, may still generate it.
+    message(STATUS "left alone ${file}: this build generates no such file")
   else()
     string(APPEND differences "\n  ${file} is generated from no header any more")
   endif()
