@@ -74,10 +74,10 @@ bool DocumentBuilder::key(std::string& name) {
   return true;
 }
 
-bool DocumentBuilder::parse_error(std::size_t position, const std::string& token,
+// `position` counts the characters read, the last of which belongs to the offending token.
+bool DocumentBuilder::parse_error(std::size_t position, const std::string&,
                                   const nlohmann::json::exception& error) {
-  const bool atEnd = position > text_.size();
-  const std::size_t offset = atEnd ? text_.size() : position - std::min(position, token.size());
+  const std::size_t offset = std::min(position - std::min<std::size_t>(position, 1), text_.size());
   problems_.push_back(document_.name_ + ":" + std::to_string(lineAt(text_, offset)) + ":" +
                       std::to_string(columnAt(text_, offset)) +
                       ": error: this is not JSON: " + withoutPrefix(error.what()));

@@ -50,7 +50,8 @@ std::string JsonDocument::locate(const std::string& pointer, std::string_view te
 }
 
 std::string childPointer(const std::string& pointer, std::string_view key) {
-  std::string text = pointer + "/";
+  std::string text = pointer;
+  text += '/';
   for (const char c : key) {
     if (c == '~') {
       text += "~0";

@@ -42,8 +42,8 @@ struct ConnectionReport {
   Distribution readAge;     ///< of values when the client read them
   Distribution commandAge;  ///< of commands when the provider executed them
 
-  /// Commands that were never executed and are not late: full, tooLarge, replaced and superseded.
-  std::uint64_t dropped() const { return full + tooLarge + replaced + superseded; }
+  /// Commands that were neither executed, nor late, nor gave way to a newer one of the same kind.
+  std::uint64_t dropped() const { return full + tooLarge + superseded; }
 };
 
 struct TaskReport {

@@ -53,8 +53,14 @@ TEST(JsonDocument, KeysWithSlashAndTilde) {
 TEST(JsonDocument, SyntaxErrorNamesLineAndColumn) {
   const auto problems = problemsOf("{\n  \"a\": 1\n  \"b\": 2\n}");
   ASSERT_EQ(problems.size(), 1u);
-  EXPECT_TRUE(problems[0].starts_with("f.json:3:3: error: this is not JSON: ")) << problems[0];
+  EXPECT_TRUE(problems[0].starts_with("f.json:3:5: error: this is not JSON: ")) << problems[0];
   EXPECT_NE(problems[0].find("expected '}'"), std::string::npos) << problems[0];
+}
+
+TEST(JsonDocument, SyntaxErrorAfterALineBreakIsOnItsOwnLine) {
+  const auto problems = problemsOf("{\n]");
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_TRUE(problems[0].starts_with("f.json:2:1: error: ")) << problems[0];
 }
 
 TEST(JsonDocument, UnexpectedEnd) {

@@ -1,0 +1,208 @@
+#include "crew.h"
+
+#include <poll.h>
+#include <sys/signalfd.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace demo {
+namespace {
+
+using namespace std::chrono_literals;
+using suture::Duration;
+using suture::Time;
+
+constexpr Duration kStartPatience = 30s;
+constexpr Duration kEndPatience = 5s;
+// After a process has died, how long the others may tell what they lost.
+constexpr Duration kAftermath = 1500ms;
+constexpr int kReportDescriptor = 3;
+
+int blockAndWatchSignals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) sigaddset(&signals, number);
+  sigprocmask(SIG_BLOCK, &signals, nullptr);
+  return signalfd(-1, &signals, SFD_NONBLOCK | SFD_CLOEXEC);
+}
+
+}  // namespace
+
+Crew::Crew(const Plan& plan, std::filesystem::path programs, std::filesystem::path folder)
+    : plan_(plan),
+      programs_(std::move(programs)),
+      folder_(std::move(folder)),
+      signals_(blockAndWatchSignals()) {}
+
+Crew::~Crew() { close(signals_); }
+
+CrewResult Crew::run(Duration length, const Progress& progress) {
+  if (plan_.needsManager()) startManager();
+  if (!over()) startWorkstations();
+  if (!over()) awaitStarted();
+  if (!over()) watch(length, progress);
+  end();
+  result_.reports = reports();
+  return std::move(result_);
+}
+
+void Crew::startManager() {
+  manager_ = std::make_unique<ChildProcess>(ChildProcess::Start{
+      .title = "the global manager",
+      .arguments = {programs_ / "suture-manager", "--listen", plan_.deployment().manager()},
+      .directory = folder_,
+      .reportsTo = STDOUT_FILENO});
+  pumpUntil(suture::now() + kStartPatience, [this] { return over() || managerReady_; });
+}
+
+void Crew::startWorkstations() {
+  for (const suture::ProcessEntry& process : plan_.deployment().processes()) {
+    workstations_.push_back(std::unique_ptr<Workstation>(new Workstation{
+        .process = ChildProcess({.title = "process '" + process.name + "'",
+                                 .arguments = {programs_ / "suture-workstation", "--deployment",
+                                               plan_.file(), "--process", process.name,
+                                               "--report-fd", std::to_string(kReportDescriptor)},
+                                 .directory = folder_,
+                                 .reportsTo = kReportDescriptor}),
+        .report = {.process = process.name, .age = {}, .connections = {}, .tasks = {}}}));
+  }
+}
+
+bool Crew::allStarted() const {
+  return std::all_of(workstations_.begin(), workstations_.end(),
+                     [](const auto& one) { return one->started; });
+}
+
+void Crew::awaitStarted() {
+  pumpUntil(suture::now() + kStartPatience, [this] { return over() || allStarted(); });
+  for (const auto& one : workstations_) {
+    if (over() || one->started) continue;
+    result_.failures.push_back(one->process.title() + " has not made its connections within 30 s");
+  }
+}
+
+std::uint64_t Crew::reportsOfEach() const {
+  std::uint64_t fewest = std::numeric_limits<std::uint64_t>::max();
+  for (const auto& one : workstations_) fewest = std::min(fewest, one->reports);
+  return fewest;
+}
+
+void Crew::watch(Duration length, const Progress& progress) {
+  const Time began = suture::now();
+  std::uint64_t shown = 0;
+  while (!over() && suture::now() < began + length) {
+    pumpUntil(began + length, [&] { return over() || reportsOfEach() > shown; });
+    if (reportsOfEach() == shown) continue;
+    shown = reportsOfEach();
+    progress(suture::now() - began, reports());
+  }
+  result_.ran = suture::now() - began;
+}
+
+void Crew::end() {
+  if (!result_.interrupted && !result_.failures.empty()) {
+    pumpUntil(suture::now() + kAftermath, [this] { return result_.interrupted; });
+  }
+  ending_ = true;
+  std::vector<ChildProcess*> workstations;
+  for (const auto& one : workstations_) workstations.push_back(&one->process);
+  endAll(workstations);
+  if (manager_ != nullptr) endAll({manager_.get()});
+  readOutputs();
+}
+
+void Crew::endAll(const std::vector<ChildProcess*>& processes) {
+  const auto allEnded = [&] {
+    return std::none_of(processes.begin(), processes.end(),
+                        [](auto* one) { return one->running(); });
+  };
+  for (ChildProcess* process : processes) process->signal(SIGTERM);
+  pumpUntil(suture::now() + kEndPatience, allEnded);
+  for (ChildProcess* process : processes) {
+    if (!process->running()) continue;
+    result_.failures.push_back(process->title() + " did not end within 5 s of being asked to");
+    process->signal(SIGKILL);
+  }
+  pumpUntil(suture::now() + kEndPatience, allEnded);
+  noticeEnds();
+}
+
+template <class Ended>
+void Crew::pumpUntil(Time deadline, const Ended& ended) {
+  while (!ended() && suture::now() < deadline) pump(deadline);
+}
+
+void Crew::pump(Time until) {
+  std::vector<pollfd> waited{{.fd = signals_, .events = POLLIN, .revents = 0}};
+  for (const ChildProcess* process : processes()) {
+    if (process->output() >= 0) {
+      waited.push_back({.fd = process->output(), .events = POLLIN, .revents = 0});
+    }
+  }
+  const Duration left = std::max(until - suture::now(), Duration{0});
+  const timespec timeout{.tv_sec = left / 1s, .tv_nsec = (left % 1s).count()};
+  ppoll(waited.data(), waited.size(), &timeout, nullptr);
+  readOutputs();
+  readSignals();
+}
+
+void Crew::readSignals() {
+  signalfd_siginfo info{};
+  while (read(signals_, &info, sizeof(info)) == sizeof(info)) {
+    if (info.ssi_signo != SIGCHLD) result_.interrupted = true;
+  }
+  noticeEnds();
+}
+
+void Crew::readOutputs() {
+  for (const auto& one : workstations_) {
+    for (const std::string& line : one->process.readLines()) handle(*one, line);
+  }
+  if (manager_ != nullptr && !manager_->readLines().empty()) managerReady_ = true;
+}
+
+void Crew::handle(Workstation& workstation, const std::string& line) {
+  const auto message = nlohmann::json::parse(line);
+  const std::string kind = message.at("kind");
+  if (kind == "started") {
+    workstation.started = true;
+  } else if (kind == "report") {
+    workstation.report = suture::reportFromJson(message);
+    ++workstation.reports;
+  } else if (kind == "failure" && !ending_) {
+    result_.failures.push_back(workstation.process.title() + ": " +
+                               message.at("text").get<std::string>());
+  }
+}
+
+void Crew::noticeEnds() {
+  for (ChildProcess* process : processes()) {
+    if (process->running() || std::find(ended_.begin(), ended_.end(), process) != ended_.end()) {
+      continue;
+    }
+    ended_.push_back(process);
+    // Whoever lost a peer says so with its status too; that has been told.
+    if (ending_ && (process->succeeded() || !result_.failures.empty())) continue;
+    result_.failures.push_back(process->title() + " " + process->ending());
+  }
+}
+
+std::vector<ChildProcess*> Crew::processes() {
+  std::vector<ChildProcess*> all;
+  for (const auto& one : workstations_) all.push_back(&one->process);
+  if (manager_ != nullptr) all.push_back(manager_.get());
+  return all;
+}
+
+std::vector<suture::Report> Crew::reports() const {
+  std::vector<suture::Report> all;
+  for (const auto& one : workstations_) all.push_back(one->report);
+  return all;
+}
+
+}  // namespace demo

@@ -1,0 +1,83 @@
+#pragma once
+// The processes of one run: started together, watched, ended together.
+
+#include <suture/base/time.h>
+#include <suture/observe/report.h>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "child_process.h"
+#include "plan.h"
+
+namespace demo {
+
+struct CrewResult {
+  std::vector<suture::Report> reports;  ///< the last of each process
+  std::vector<std::string> failures;    ///< what went wrong, by name
+  bool interrupted = false;             ///< by Ctrl-C, or a request to end
+  suture::Duration ran{};               ///< from when all were connected
+};
+
+/// A global manager, if the plan needs one, and a workstation a process. One run an object;
+/// single-threaded.
+class Crew {
+ public:
+  /// Called whenever every process has reported once more, which each does once a second.
+  using Progress = std::function<void(suture::Duration ran, const std::vector<suture::Report>&)>;
+
+  /// `programs`: the folder of the executables; `folder`: where they run and record.
+  Crew(const Plan& plan, std::filesystem::path programs, std::filesystem::path folder);
+  ~Crew();
+  Crew(const Crew&) = delete;
+  Crew& operator=(const Crew&) = delete;
+
+  /// Runs for `length` and ends every process, whatever happens; never longer than that and some
+  /// seconds.
+  CrewResult run(suture::Duration length, const Progress& progress);
+
+ private:
+  struct Workstation {
+    ChildProcess process;
+    suture::Report report;  ///< the newest
+    std::uint64_t reports = 0;
+    bool started = false;
+  };
+
+  void startManager();
+  void startWorkstations();
+  void awaitStarted();
+  void watch(suture::Duration length, const Progress& progress);
+  void end();
+
+  /// Handles what happens until `until`, at least once.
+  void pump(suture::Time until);
+  void readSignals();
+  void readOutputs();
+  void handle(Workstation& workstation, const std::string& line);
+  void noticeEnds();
+  template <class Ended>
+  void pumpUntil(suture::Time deadline, const Ended& ended);
+  void endAll(const std::vector<ChildProcess*>& processes);
+
+  bool over() const { return result_.interrupted || !result_.failures.empty(); }
+  bool allStarted() const;
+  std::uint64_t reportsOfEach() const;
+  std::vector<ChildProcess*> processes();
+  std::vector<suture::Report> reports() const;
+
+  const Plan& plan_;
+  const std::filesystem::path programs_, folder_;
+  int signals_;
+  std::unique_ptr<ChildProcess> manager_;
+  bool managerReady_ = false;
+  std::vector<std::unique_ptr<Workstation>> workstations_;
+  std::vector<const ChildProcess*> ended_;
+  bool ending_ = false;
+  CrewResult result_;
+};
+
+}  // namespace demo

@@ -1,0 +1,113 @@
+#include "plan.h"
+
+#include <suture/base/errors.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace demo {
+namespace {
+
+using nlohmann::json;
+using suture::ComponentEntry;
+using suture::ConnectionEntry;
+using suture::ProcessEntry;
+
+std::filesystem::path write(const Options& options, const std::filesystem::path& topologies,
+                            const std::filesystem::path& folder) {
+  json system = suture::JsonDocument::read(topologies / (options.topology + ".json")).value();
+  system.erase("$schema");
+  system.erase("manager");
+  if (system.at("processes").size() > 1 || options.lane == "rpc") {
+    system["manager"] = "unix:" + (folder / "manager.sock").string();
+  }
+  for (json& process : system.at("processes")) {
+    for (json& component : process.at("components")) {
+      component["parameters"]["period"] = 1 / options.rate;
+    }
+  }
+  for (json& connection : system.at("connections")) connection["lane"] = options.lane;
+  const auto file = folder / "deployment.json";
+  std::ofstream(file) << system.dump(2) << '\n';
+  return file;
+}
+
+std::string nameOf(const suture::Endpoint& endpoint) {
+  return endpoint.process + ":" + endpoint.component;
+}
+
+bool isArm(const ComponentEntry& component) {
+  return component.className == "Mtm" || component.className == "Psm";
+}
+
+}  // namespace
+
+Plan::Plan(const Options& options, const std::filesystem::path& topologies,
+           const std::filesystem::path& folder)
+    : file_(write(options, topologies, folder)), deployment_(suture::JsonDocument::read(file_)) {
+  findArms();
+  findFollowings(folder);
+  findLanes();
+}
+
+void Plan::findArms() {
+  for (const ProcessEntry& process : deployment_.processes()) {
+    for (const ComponentEntry& component : process.components) {
+      if (isArm(component)) arms_.push_back(process.name + ":" + component.name);
+    }
+  }
+}
+
+void Plan::findFollowings(const std::filesystem::path& folder) {
+  for (const ProcessEntry& process : deployment_.processes()) {
+    for (const ComponentEntry& component : process.components) {
+      if (component.className != "Teleop") continue;
+      const std::string teleop = process.name + ":" + component.name;
+      const std::string master = connectedTo(teleop + "/Master");
+      const std::string slave = connectedTo(teleop + "/Slave");
+      followings_.push_back({master, slave, teleop, folder / recordingOf(master + "/Arm"),
+                             folder / recordingOf(slave + "/Arm"),
+                             folder / recordingOf(teleop + "/Teleoperation"),
+                             this->component(slave).parameters.at("time_constant")});
+    }
+  }
+}
+
+void Plan::findLanes() {
+  for (const ConnectionEntry& connection : deployment_.connections()) {
+    const bool local =
+        connection.lane == suture::Lane::Auto && connection.from.process == connection.to.process;
+    lanes_[connection.from.toString() + " -> " + connection.to.toString()] =
+        local ? "local" : "rpc";
+  }
+}
+
+const ComponentEntry& Plan::component(const std::string& name) const {
+  for (const ProcessEntry& process : deployment_.processes()) {
+    for (const ComponentEntry& component : process.components) {
+      if (process.name + ":" + component.name == name) return component;
+    }
+  }
+  throw suture::SetupError("judging '" + name + "'", "the deployment has no such component",
+                           "Correct the topology's file");
+}
+
+std::string Plan::connectedTo(const std::string& required) const {
+  for (const ConnectionEntry& connection : deployment_.connections()) {
+    if (connection.from.toString() == required) return nameOf(connection.to);
+  }
+  throw suture::SetupError("judging '" + required + "'", "the deployment does not connect it",
+                           "Connect it in the topology's file");
+}
+
+std::filesystem::path Plan::recordingOf(const std::string& provided) const {
+  for (const ConnectionEntry& connection : deployment_.connections()) {
+    if (connection.to.toString() != provided) continue;
+    const ComponentEntry& client = component(nameOf(connection.from));
+    if (client.className == "Recorder") return client.parameters.at("file").get<std::string>();
+  }
+  throw suture::SetupError("judging '" + provided + "'", "nothing in the deployment records it",
+                           "Connect a Recorder to it in the topology's file");
+}
+
+}  // namespace demo

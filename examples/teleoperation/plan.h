@@ -1,0 +1,60 @@
+#pragma once
+// What one run of the demo consists of: a deployment, and what must be true of it afterwards.
+
+#include <suture/deploy/deployment.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace demo {
+
+struct Options {
+  std::string topology = "fig3c";
+  std::string lane = "auto";
+  double seconds = 10;
+  double rate = 1000;  // Hz
+  std::string json;    // "": not wanted
+};
+
+/// One slave that shall follow one master, and where the two are recorded.
+struct Following {
+  std::string master, slave, teleop;  ///< "process:component"
+  std::filesystem::path masterRecording, slaveRecording, teleopRecording;
+  double timeConstant;  ///< s, as declared for the slave
+};
+
+/// The topology's deployment file with the run's rate, lane and manager, written into the run's
+/// folder.
+class Plan {
+ public:
+  /// Throws suture::DocumentError.
+  Plan(const Options& options, const std::filesystem::path& topologies,
+       const std::filesystem::path& folder);
+
+  const std::filesystem::path& file() const { return file_; }
+  const suture::Deployment& deployment() const { return deployment_; }
+  bool needsManager() const { return !deployment_.manager().empty(); }
+  /// "process:component" of every arm, in the order of the file.
+  const std::vector<std::string>& arms() const { return arms_; }
+  const std::vector<Following>& followings() const { return followings_; }
+  /// The lane that each connection must have, by name.
+  const std::map<std::string, std::string>& lanes() const { return lanes_; }
+
+ private:
+  void findArms();
+  void findFollowings(const std::filesystem::path& folder);
+  void findLanes();
+  const suture::ComponentEntry& component(const std::string& name) const;
+  std::string connectedTo(const std::string& required) const;
+  std::filesystem::path recordingOf(const std::string& provided) const;
+
+  std::filesystem::path file_;
+  suture::Deployment deployment_;
+  std::vector<std::string> arms_;
+  std::vector<Following> followings_;
+  std::map<std::string, std::string> lanes_;
+};
+
+}  // namespace demo

@@ -1,0 +1,59 @@
+#include "result_file.h"
+
+#include <suture/base/errors.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace demo {
+namespace {
+
+using nlohmann::json;
+
+json toJson(const robots::ErrorSummary& error) {
+  return {{"p50", error.p50}, {"p99", error.p99}, {"max", error.max}};
+}
+
+json toJson(const ArmFigures& arm) {
+  json out = {{"name", arm.name}, {"task", suture::toJson(arm.task)}};
+  if (arm.following) {
+    out["follows"] = arm.master;
+    out["position_error"] = toJson(arm.following->position);
+    out["orientation_error"] = toJson(arm.following->orientation);
+    out["travel"] = arm.following->travel;
+    out["compared"] = arm.following->compared;
+    out["unmatched"] = arm.following->unmatched;
+  }
+  return out;
+}
+
+}  // namespace
+
+void writeResult(const std::filesystem::path& file, const Options& options,
+                 const CrewResult& result, const Verdict& verdict) {
+  json out = {{"topology", options.topology},
+              {"lane", options.lane},
+              {"rate", options.rate},
+              {"seconds", std::chrono::duration<double>(result.ran).count()},
+              {"interrupted", result.interrupted},
+              {"failures", result.failures},
+              {"passed", verdict.passed() && !result.interrupted},
+              {"connections", json::array()},
+              {"arms", json::array()},
+              {"processes", json::array()},
+              {"checks", json::array()}};
+  for (const auto& one : verdict.connections) out["connections"].push_back(suture::toJson(one));
+  for (const auto& one : verdict.arms) out["arms"].push_back(toJson(one));
+  for (const auto& one : result.reports) out["processes"].push_back(suture::toJson(one));
+  for (const auto& one : verdict.checks) {
+    out["checks"].push_back({{"passed", one.passed}, {"text", one.text}});
+  }
+  std::ofstream stream(file);
+  stream << out.dump(2) << '\n';
+  if (!stream) {
+    throw suture::SetupError("writing the result to " + file.string(), "the file cannot be written",
+                             "Name a file in an existing folder that you may write to");
+  }
+}
+
+}  // namespace demo

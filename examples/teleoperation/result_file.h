@@ -1,0 +1,17 @@
+#pragma once
+// A run's figures as a file.
+
+#include <filesystem>
+
+#include "crew.h"
+#include "plan.h"
+#include "verdict.h"
+
+namespace demo {
+
+/// JSON: the options, each connection, arm, task and check. Durations are ns, lengths m, angles
+/// rad. Throws suture::SetupError if the file cannot be written.
+void writeResult(const std::filesystem::path& file, const Options& options,
+                 const CrewResult& result, const Verdict& verdict);
+
+}  // namespace demo

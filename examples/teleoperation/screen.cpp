@@ -1,0 +1,194 @@
+#include "screen.h"
+
+#include <fmt/format.h>
+#include <suture/observe/merge.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <numbers>
+
+#include "table.h"
+
+namespace demo {
+namespace {
+
+using suture::ConnectionReport;
+using suture::Distribution;
+using suture::Duration;
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+std::string milliseconds(Duration duration) {
+  return fmt::format("{:.2f}", std::chrono::duration<double, std::milli>(duration).count());
+}
+
+std::string microseconds(Duration duration) {
+  return fmt::format("{:.0f}", std::chrono::duration<double, std::micro>(duration).count());
+}
+
+std::string bytes(std::uint64_t count) {
+  if (count == 0) return "-";
+  const auto number = static_cast<double>(count);
+  return number < 1e6 ? fmt::format("{:.1f} kB", number / 1e3)
+                      : fmt::format("{:.1f} MB", number / 1e6);
+}
+
+std::string count(std::uint64_t number) { return number == 0 ? "-" : fmt::format("{}", number); }
+
+std::vector<std::string> ageCells(const char* what, const Distribution& age) {
+  if (age.count == 0) return {"-", "", "", ""};
+  return {what, milliseconds(age.p50), milliseconds(age.p99), milliseconds(age.max)};
+}
+
+// "left: Teleop/Master -> MTM/Arm" within a process, as it is between two.
+std::string shortName(const std::string& name) {
+  const std::size_t colon = name.find(':');
+  const std::string process = name.substr(0, colon + 1);
+  const std::size_t second = name.find(" -> " + process);
+  if (second == std::string::npos) return name;
+  return process + " " + name.substr(colon + 1, second - colon - 1) + " -> " +
+         name.substr(second + 4 + process.size());
+}
+
+void addConnection(Table& table, const ConnectionReport& one) {
+  std::vector<std::string> cells{shortName(one.name),
+                                 one.lane,
+                                 bytes(one.bytesSent + one.bytesReceived),
+                                 count(one.sent),
+                                 count(one.executed),
+                                 count(one.replaced),
+                                 count(one.dropped()),
+                                 count(one.late)};
+  const bool both = one.readAge.count > 0 && one.commandAge.count > 0;
+  const auto first =
+      one.readAge.count > 0 ? ageCells("reads", one.readAge) : ageCells("commands", one.commandAge);
+  cells.insert(cells.end(), first.begin(), first.end());
+  table.add(cells);
+  if (!both) return;
+  std::vector<std::string> more(8);
+  const auto second = ageCells("commands", one.commandAge);
+  more.insert(more.end(), second.begin(), second.end());
+  table.add(more);
+}
+
+}  // namespace
+
+Screen::Screen() : colours_(isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr) {}
+
+std::string Screen::bold(const std::string& text) const {
+  return colours_ ? "\x1b[1m" + text + "\x1b[0m" : text;
+}
+
+std::string Screen::verdictMark(bool passed) const {
+  const char* word = passed ? "ok    " : "FAILED";
+  if (!colours_) return word;
+  return fmt::format("\x1b[{}m{}\x1b[0m", passed ? "32" : "1;31", word);
+}
+
+void Screen::begin(const Options& options, const Plan& plan) {
+  const std::size_t processes = plan.deployment().processes().size();
+  fmt::print("{}  {} process{}{}, {} connections, lane {}, {:g} Hz, {:g} s\n\n",
+             bold("Teleoperation " + options.topology), processes, processes == 1 ? "" : "es",
+             plan.needsManager() ? " and a global manager" : "",
+             plan.deployment().connections().size(), options.lane, options.rate, options.seconds);
+  for (const Following& following : plan.followings()) {
+    fmt::print("  {} drives {}\n", following.master, following.slave);
+  }
+  fmt::print("\n{}\n",
+             bold("  time   cycles  commands  replaced  dropped  late  command age   read age   "
+                  "jitter  skipped"));
+  fmt::print("{:>59}{:>12}{:>11}\n", "p99", "p99", "p99");
+  std::fflush(stdout);
+}
+
+Screen::Totals Screen::totalsOf(const std::vector<suture::Report>& reports) {
+  Totals totals;
+  for (const ConnectionReport& one : suture::mergeConnections(reports)) {
+    totals.executed += one.executed;
+    totals.replaced += one.replaced;
+    totals.dropped += one.dropped();
+    totals.late += one.late;
+    totals.commandAge = std::max(totals.commandAge, one.commandAge.p99);
+    totals.readAge = std::max(totals.readAge, one.readAge.p99);
+  }
+  for (const suture::Report& report : reports) {
+    for (const suture::TaskReport& task : report.tasks) {
+      totals.cycles += task.cycles;
+      totals.skipped += task.skipped;
+      totals.jitter = std::max(totals.jitter, task.lateness.p99);
+    }
+  }
+  return totals;
+}
+
+void Screen::progress(Duration ran, const std::vector<suture::Report>& reports) {
+  const Totals now = totalsOf(reports);
+  fmt::print("{:>4.0f} s {:>8} {:>9} {:>9} {:>8} {:>5} {:>9} ms {:>7} ms {:>5} us {:>8}\n",
+             std::chrono::duration<double>(ran).count(), now.cycles - before_.cycles,
+             now.executed - before_.executed, now.replaced - before_.replaced,
+             now.dropped - before_.dropped, now.late - before_.late, milliseconds(now.commandAge),
+             milliseconds(now.readAge), microseconds(now.jitter), now.skipped - before_.skipped);
+  std::fflush(stdout);
+  before_ = now;
+}
+
+void Screen::printTable(const std::vector<std::string>& lines) const {
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    fmt::print("{}\n", i == 0 ? bold(lines[i]) : lines[i]);
+  fmt::print("\n");
+}
+
+void Screen::printConnections(const std::vector<ConnectionReport>& connections) const {
+  Table table({"connection", "lane", "bytes", "sent", "executed", "replaced", "dropped", "late",
+               "age of", "p50 ms", "p99 ms", "max ms"});
+  for (const ConnectionReport& one : connections) addConnection(table, one);
+  printTable(table.lines());
+}
+
+void Screen::printArms(const std::vector<ArmFigures>& arms) const {
+  Table table({"arm", "follows", "error p50 mm", "p99 mm", "max mm", "p99 deg", "travel mm",
+               "period jitter p99 us", "cycles", "skipped"});
+  for (const ArmFigures& arm : arms) {
+    std::vector<std::string> cells{arm.name};
+    if (arm.following) {
+      const robots::Judgement& following = *arm.following;
+      for (const std::string& cell :
+           {arm.master, fmt::format("{:.3f}", 1e3 * following.position.p50),
+            fmt::format("{:.3f}", 1e3 * following.position.p99),
+            fmt::format("{:.3f}", 1e3 * following.position.max),
+            fmt::format("{:.3f}", kDegrees * following.orientation.p99),
+            fmt::format("{:.1f}", 1e3 * following.travel)}) {
+        cells.push_back(cell);
+      }
+    } else {
+      cells.insert(cells.end(), {"-", "-", "-", "-", "-", "-"});
+    }
+    cells.push_back(microseconds(arm.task.lateness.p99));
+    cells.push_back(fmt::format("{}", arm.task.cycles));
+    cells.push_back(fmt::format("{}", arm.task.skipped));
+    table.add(cells);
+  }
+  printTable(table.lines());
+}
+
+void Screen::printChecks(const std::vector<Check>& checks) const {
+  for (const Check& check : checks) fmt::print("{}  {}\n", verdictMark(check.passed), check.text);
+}
+
+void Screen::end(const CrewResult& result, const Verdict& verdict) {
+  fmt::print("\n");
+  if (result.interrupted) {
+    fmt::print("Interrupted after {:.1f} s; every process has been ended.\n\n",
+               std::chrono::duration<double>(result.ran).count());
+  }
+  printConnections(verdict.connections);
+  printArms(verdict.arms);
+  printChecks(verdict.checks);
+  // The first failure is a check's text already.
+  for (std::size_t i = 1; i < result.failures.size(); ++i) {
+    fmt::print("        {}\n", result.failures[i]);
+  }
+}
+
+}  // namespace demo

@@ -1,0 +1,100 @@
+#include "verdict.h"
+
+#include <fmt/format.h>
+#include <suture/base/errors.h>
+#include <suture/observe/merge.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "recorder/recording.h"
+
+namespace demo {
+namespace {
+
+using suture::ConnectionReport;
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+suture::TaskReport taskOf(const std::vector<suture::Report>& reports, const std::string& name) {
+  for (const suture::Report& report : reports) {
+    for (const suture::TaskReport& task : report.tasks) {
+      if (report.process + ":" + task.name == name) return task;
+    }
+  }
+  return {};
+}
+
+Check checkProcesses(const CrewResult& result) {
+  if (!result.failures.empty()) return {false, result.failures.front()};
+  return {true, fmt::format("{} process{} ran to the end and lost nothing", result.reports.size(),
+                            result.reports.size() == 1 ? "" : "es")};
+}
+
+/// "" if the connection had the lane that it was given.
+std::string laneProblem(const std::string& name, const std::string& lane,
+                        const std::vector<ConnectionReport>& connections) {
+  const auto found = std::find_if(connections.begin(), connections.end(),
+                                  [&](const ConnectionReport& one) { return one.name == name; });
+  if (found == connections.end()) return name + " was not made";
+  if (found->lane != lane) {
+    return fmt::format("{} was to use lane '{}' and used '{}'", name, lane, found->lane);
+  }
+  if (lane != "local" && found->bytesSent + found->bytesReceived == 0) {
+    return fmt::format("{}: nothing crossed its lane '{}'", name, lane);
+  }
+  return "";
+}
+
+Check checkLanes(const Plan& plan, const std::vector<ConnectionReport>& connections) {
+  for (const auto& [name, lane] : plan.lanes()) {
+    if (const auto problem = laneProblem(name, lane, connections); !problem.empty()) {
+      return {false, problem};
+    }
+  }
+  return {true, fmt::format("{} connections used the lane they were given", plan.lanes().size())};
+}
+
+/// Judges one slave from the recordings; fills its figures.
+Check checkFollowing(const Following& following, ArmFigures& slave) {
+  slave.master = following.master;
+  const std::string pair = following.slave + " follows " + following.master;
+  try {
+    slave.following =
+        robots::judge(robots::readRecording(following.masterRecording).arm,
+                      robots::readRecording(following.teleopRecording).followed,
+                      robots::readRecording(following.slaveRecording).arm, following.timeConstant);
+  } catch (const suture::SetupError& error) {
+    return {false, pair + ": " + error.what()};
+  }
+  const robots::Judgement& judgement = *slave.following;
+  const auto violations = robots::violations(judgement);
+  if (!violations.empty()) return {false, fmt::format("{}: {}", pair, fmt::join(violations, "; "))};
+  return {true, fmt::format("{} within {:.2f} mm and {:.2f} deg at p99, over {:.0f} mm", pair,
+                            1e3 * judgement.position.p99, kDegrees * judgement.orientation.p99,
+                            1e3 * judgement.travel)};
+}
+
+}  // namespace
+
+bool Verdict::passed() const {
+  return std::all_of(checks.begin(), checks.end(), [](const Check& check) { return check.passed; });
+}
+
+Verdict judgeRun(const Plan& plan, const CrewResult& result) {
+  Verdict verdict;
+  verdict.connections = suture::mergeConnections(result.reports);
+  for (const std::string& arm : plan.arms()) {
+    verdict.arms.push_back({arm, taskOf(result.reports, arm), "", std::nullopt});
+  }
+  verdict.checks = {checkProcesses(result), checkLanes(plan, verdict.connections)};
+  for (const Following& following : plan.followings()) {
+    const auto slave =
+        std::find_if(verdict.arms.begin(), verdict.arms.end(),
+                     [&](const ArmFigures& arm) { return arm.name == following.slave; });
+    verdict.checks.push_back(checkFollowing(following, *slave));
+  }
+  return verdict;
+}
+
+}  // namespace demo

@@ -1,0 +1,39 @@
+#pragma once
+// What the run is worth: the figures of each connection and arm, and whether they are good enough.
+
+#include <suture/observe/report.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "crew.h"
+#include "plan.h"
+#include "recorder/judge.h"
+
+namespace demo {
+
+struct ArmFigures {
+  std::string name;  ///< "right:PSM1"
+  suture::TaskReport task;
+  std::string master;                          ///< "": nothing drives it
+  std::optional<robots::Judgement> following;  ///< of a slave whose run could be judged
+};
+
+struct Check {
+  bool passed;
+  std::string text;
+};
+
+struct Verdict {
+  std::vector<suture::ConnectionReport> connections;
+  std::vector<ArmFigures> arms;
+  std::vector<Check> checks;
+
+  bool passed() const;
+};
+
+/// Reads the recordings. An interrupted run is judged too.
+Verdict judgeRun(const Plan& plan, const CrewResult& result);
+
+}  // namespace demo

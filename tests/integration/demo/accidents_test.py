@@ -1,0 +1,157 @@
+"""What happens when processes of a running demo are killed, and when it is interrupted."""
+
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+from programs import Demo, all_end, interrupt
+
+PROGRAMS = pathlib.Path(sys.argv.pop(1))
+TOPOLOGIES = pathlib.Path(__file__).resolve().parents[3] / "examples" / "teleoperation"
+
+
+class Killed(unittest.TestCase):
+    def kill(self, name, blamed):
+        with Demo(PROGRAMS, "--seconds", "60") as demo:
+            demo.await_first_second()
+            children = demo.children()
+            self.assertEqual(len(children), 3)
+            killed = time.monotonic()
+            os.kill(demo.child(name), signal.SIGKILL)
+            status, output = demo.finish()
+            took = time.monotonic() - killed
+            self.assertEqual(status, 1, output)
+            self.assertIn(f"{blamed} was killed by signal 9 (Killed)", output)
+            self.assertLess(took, 10)
+            self.assertTrue(all_end(children), "processes are left")
+            self.assertEqual(demo.leftovers(), [])
+            return output
+
+    def test_left_workstation(self):
+        output = self.kill("left", "process 'left'")
+        self.assertIn("connection 'right:TeleopR/Slave -> left:PSM2/Arm' is lost", output)
+
+    def test_right_workstation(self):
+        output = self.kill("right", "process 'right'")
+        self.assertIn("connection 'left:TeleopL/Slave -> right:PSM1/Arm' is lost", output)
+
+    def test_global_manager(self):
+        self.kill("suture-manager", "the global manager")
+
+
+class Ended(unittest.TestCase):
+    def test_interrupt_ends_every_process(self):
+        with Demo(PROGRAMS, "--seconds", "60") as demo:
+            demo.await_first_second()
+            children = demo.children()
+            interrupt(demo.process)
+            status, output = demo.finish()
+            self.assertEqual(status, 130, output)
+            self.assertIn("Interrupted after", output)
+            self.assertTrue(all_end(children), "processes are left")
+            self.assertEqual(demo.result()["failures"], [])
+            self.assertEqual(demo.leftovers(), [])
+
+    def test_interrupt_while_starting(self):
+        with Demo(PROGRAMS, "--seconds", "60") as demo:
+            demo.process.stdout.readline()
+            children = demo.children()
+            interrupt(demo.process)
+            status, output = demo.finish()
+            self.assertEqual(status, 130, output)
+            self.assertTrue(all_end(children), "processes are left")
+
+    def test_a_killed_demo_leaves_no_process(self):
+        with Demo(PROGRAMS, "--seconds", "60") as demo:
+            demo.await_first_second()
+            children = demo.children()
+            demo.process.kill()
+            demo.process.wait()
+            self.assertTrue(all_end(children), "processes are left")
+
+
+class Workstation(unittest.TestCase):
+    """The programs without the demo around them."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def start(self, program, *arguments):
+        process = subprocess.Popen([PROGRAMS / program, *arguments], cwd=self.folder, text=True,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.addCleanup(process.stderr.close)
+        self.addCleanup(process.stdout.close)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        return process
+
+    def workstation(self, topology, *arguments):
+        process = self.start("suture-workstation", "--deployment", topology, "--report-fd", "-",
+                             *arguments)
+        return process
+
+    def await_message(self, process, kind):
+        for line in process.stdout:
+            message = json.loads(line)
+            if message["kind"] == kind:
+                return message
+        self.fail(f"no message {kind}: {process.stderr.read()}")
+
+    def two_processes(self):
+        topology = json.loads((TOPOLOGIES / "fig3c.json").read_text())
+        topology["manager"] = f"unix:{self.folder}/manager.sock"
+        file = self.folder / "d.json"
+        file.write_text(json.dumps(topology))
+        manager = self.start("suture-manager", "--listen", topology["manager"])
+        self.assertIn("ready on", manager.stdout.readline())
+        stations = [self.workstation(file, "--process", name) for name in ("left", "right")]
+        for station in stations:
+            self.await_message(station, "started")
+        return stations
+
+    def test_runs_for_its_time_alone(self):
+        process = self.workstation(TOPOLOGIES / "single.json", "--seconds", "0.5")
+        report = self.await_message(process, "report")
+        self.assertEqual(report["process"], "console")
+        self.assertEqual(len(report["connections"]), 12)
+        self.assertEqual(len(report["tasks"]), 12)
+        self.assertEqual(process.wait(timeout=60), 0)
+
+    def test_being_told_to_end_is_a_success(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            process = self.workstation(TOPOLOGIES / "single.json")
+            self.await_message(process, "started")
+            process.send_signal(number)
+            self.assertEqual(process.wait(timeout=60), 0)
+
+    def test_a_killed_slave_leaves_the_masters_process_running_and_telling_so(self):
+        left, right = self.two_processes()
+        right.kill()
+        text = self.await_message(left, "failure")["text"]
+        self.assertIn("connection 'left:TeleopL/Slave -> right:PSM1/Arm' is lost", text)
+        before, after = self.await_message(left, "report"), self.await_message(left, "report")
+        for one, next_one in zip(before["tasks"], after["tasks"]):
+            self.assertEqual(next_one["state"], "running")
+            self.assertGreater(next_one["cycles"], one["cycles"])
+        left.terminate()
+        self.assertEqual(left.wait(timeout=60), 1)
+        self.assertIn(text, left.stderr.read())
+
+    def test_two_that_are_told_to_end_lose_nothing(self):
+        stations = self.two_processes()
+        for station in stations:
+            station.terminate()
+        for station in stations:
+            self.assertEqual(station.wait(timeout=60), 0)
+            self.assertEqual(station.stderr.read(), "")
+
+
+unittest.main()

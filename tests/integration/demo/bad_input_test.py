@@ -1,0 +1,101 @@
+"""Workstations that cannot start: each says what was asked, what was found and what to do, and ends with 1."""
+
+import json
+import pathlib
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PROGRAMS = pathlib.Path(sys.argv.pop(1))
+
+ARM = {"name": "PSM1", "class": "Psm"}
+TELEOP = {"name": "Teleop", "class": "Teleop"}
+
+
+def system(components, connections=(), **more):
+    return {"processes": [{"name": "p", "components": components}],
+            "connections": [dict(zip(("from", "to"), one)) for one in connections], **more}
+
+
+class Workstation(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.file = self.folder / "d.json"
+
+    def error_of(self, deployment, *options):
+        """Standard error of a workstation that must refuse `deployment`."""
+        text = deployment if isinstance(deployment, str) else json.dumps(deployment, indent=1)
+        self.file.write_text(text)
+        process = subprocess.run(
+            [PROGRAMS / "suture-workstation", "--deployment", self.file, "--seconds", "1", *options],
+            capture_output=True, text=True, timeout=60)
+        self.assertEqual(process.returncode, 1, process.stderr)
+        return process.stderr
+
+    def test_file_that_is_not_there(self):
+        process = subprocess.run([PROGRAMS / "suture-workstation", "--deployment", "/no/such.json"],
+                                 capture_output=True, text=True, timeout=60)
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("/no/such.json: error: cannot be read: No such file", process.stderr)
+
+    def test_syntax_error(self):
+        self.assertIn(f"{self.file}:2:1: error: this is not JSON", self.error_of("{\n]"))
+
+    def test_unknown_key(self):
+        error = self.error_of({"processes": [], "conections": []})
+        self.assertIn("error: unknown key 'conections'; did you mean 'connections'?", error)
+
+    def test_unknown_class(self):
+        error = self.error_of(system([{"name": "PSM1", "class": "Pms"}]))
+        self.assertIn(f"{self.file}:8: error: no component class 'Pms' in this program", error)
+        self.assertIn("did you mean 'Psm'?", error)
+
+    def test_wrong_parameter(self):
+        error = self.error_of(system([dict(ARM, parameters={"time_constnt": 1})]))
+        self.assertIn("unknown key 'time_constnt'; did you mean 'time_constant'?", error)
+
+    def test_unknown_interface(self):
+        error = self.error_of(system([ARM, TELEOP], [("p:Teleop/Slave", "p:PSM1/Amr")]))
+        self.assertIn("component 'PSM1' has provided interfaces 'Arm'", error)
+        self.assertIn("Did you mean 'Arm'?", error)
+
+    def test_contracts_that_differ(self):
+        recorder = {"name": "R", "class": "Recorder",
+                    "parameters": {"file": str(self.folder / "r.jsonl")}}
+        error = self.error_of(system([ARM, recorder], [("p:R/Teleoperation", "p:PSM1/Arm")]))
+        self.assertIn("it requires robots::Teleoperation and is offered robots::Arm", error)
+
+    def test_process_that_must_be_named(self):
+        deployment = system([ARM], manager="unix:/tmp/nobody.sock")
+        deployment["processes"].append({"name": "q", "components": []})
+        self.assertIn("there are several processes: 'p' and 'q'; say which one with --process",
+                      self.error_of(deployment))
+        self.assertIn("no process 'r' here", self.error_of(deployment, "--process", "r"))
+
+    def test_manager_that_is_not_running(self):
+        address = f"unix:{self.folder}/nobody.sock"
+        began = time.monotonic()
+        error = self.error_of(system([ARM], manager=address))
+        self.assertLess(time.monotonic() - began, 30)
+        self.assertIn(f"{self.file}:", error)
+        self.assertIn(address, error)
+        self.assertIn("suture-manager --listen", error)
+
+    def test_port_in_use(self):
+        with socket.socket() as taken:
+            taken.bind(("127.0.0.1", 0))
+            taken.listen()
+            address = f"tcp://127.0.0.1:{taken.getsockname()[1]}"
+            process = subprocess.run([PROGRAMS / "suture-manager", "--listen", address],
+                                     capture_output=True, text=True, timeout=60)
+        self.assertEqual(process.returncode, 1)
+        self.assertIn(address, process.stderr)
+        self.assertIn("another process listens there. Stop it, or choose another", process.stderr)
+
+
+unittest.main()

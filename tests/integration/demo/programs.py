@@ -1,0 +1,89 @@
+"""Starting the demo's programs, and looking for what they leave behind."""
+
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import tempfile
+import time
+
+PATIENCE = 60  # s; only so that a hang ends the test
+
+
+class Demo:
+    """A demo under way. Standard output and error together."""
+
+    def __init__(self, programs, *arguments):
+        self.folder = tempfile.TemporaryDirectory()
+        self.json = pathlib.Path(self.folder.name) / "result.json"
+        # Its own temporary folder, so that what it leaves there can be seen.
+        environment = dict(os.environ, TMPDIR=self.folder.name)
+        self.process = subprocess.Popen(
+            [programs / "suture-demo", "--json", self.json, *arguments],
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=environment)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *unused):
+        self.process.kill()
+        self.process.wait()
+        self.process.stdout.close()
+        self.folder.cleanup()
+
+    def finish(self):
+        """Exit status and output."""
+        output, _ = self.process.communicate(timeout=PATIENCE)
+        return self.process.returncode, output
+
+    def await_first_second(self):
+        """Reads up to the first line of progress: everything is connected and runs."""
+        for line in self.process.stdout:
+            if line.lstrip().startswith("1 s "):
+                return
+        raise AssertionError("the demo ended before its first second")
+
+    def result(self):
+        return json.loads(self.json.read_text())
+
+    def child(self, name):
+        """Process id of the workstation `name`, or of the program `name`."""
+        for pid, arguments in children_of(self.process.pid):
+            if name in arguments or pathlib.Path(arguments[0]).name == name:
+                return pid
+        raise AssertionError(f"no process {name}")
+
+    def children(self):
+        return [pid for pid, _ in children_of(self.process.pid)]
+
+    def leftovers(self):
+        """What is in the temporary folder beside the result."""
+        return [path.name for path in pathlib.Path(self.folder.name).iterdir() if path != self.json]
+
+
+def children_of(parent):
+    for entry in pathlib.Path("/proc").iterdir():
+        if not entry.name.isdigit():
+            continue
+        try:
+            status = (entry / "stat").read_text().rsplit(")", 1)[1].split()
+            arguments = (entry / "cmdline").read_bytes().decode().split("\0")
+        except (FileNotFoundError, ProcessLookupError):
+            continue
+        if int(status[1]) == parent:
+            yield int(entry.name), arguments
+
+
+def all_end(pids, patience=10):
+    """True once none of the processes exists."""
+    deadline = time.monotonic() + patience
+    while any(pathlib.Path(f"/proc/{pid}").exists() for pid in pids):
+        if time.monotonic() > deadline:
+            return False
+        time.sleep(0.02)
+    return True
+
+
+def interrupt(process):
+    process.send_signal(signal.SIGINT)
