@@ -1,0 +1,1257 @@
+// Written by suturec from arm/arm.h. Do not edit.
+#include "arm/arm.suture.h"
+
+#include <suture/transport/rpc/binding.h>
+#include <suture/transport/rpc/proxy_port.h>
+#include <suture/transport/rpc/servant_port.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "arm/arm.capnp.h"
+
+// Defined in robot_types/joints.suture.cpp.
+namespace robots {
+void toWire(const JointGoalSlot& slot, wire::JointGoal::Builder out);
+suture::Errc fromWire(wire::JointGoal::Reader in, JointGoalSlot& slot, suture::Duration shift);
+bool isValid(const JointGoalSlot& slot);
+void toWire(const JointSolutionSlot& slot, wire::JointSolution::Builder out);
+suture::Errc fromWire(wire::JointSolution::Reader in, JointSolutionSlot& slot,
+                      suture::Duration shift);
+bool isValid(const JointSolutionSlot& slot);
+void toWire(const JointStateSlot& slot, wire::JointState::Builder out);
+suture::Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, suture::Duration shift);
+bool isValid(const JointStateSlot& slot);
+}  // namespace robots
+
+// Defined in robot_types/operating_state.suture.cpp.
+namespace robots {
+void toWire(const OperatingStateSlot& slot, wire::OperatingState::Builder out);
+suture::Errc fromWire(wire::OperatingState::Reader in, OperatingStateSlot& slot,
+                      suture::Duration shift);
+bool isValid(const OperatingStateSlot& slot);
+}  // namespace robots
+
+// Defined in robot_types/pose.suture.cpp.
+namespace robots {
+void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out);
+suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, suture::Duration shift);
+bool isValid(const PoseStampedSlot& slot);
+}  // namespace robots
+
+namespace robots {
+
+using suture::CommandInfo;
+using suture::CommandKind;
+using suture::Duration;
+using suture::Errc;
+using suture::EventInfo;
+using suture::rpc::ProxyPort;
+using suture::rpc::ServantPort;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<std::underlying_type_t<ArmWarning>, std::uint8_t>);
+static_assert(static_cast<std::uint8_t>(ArmWarning::NotEnabled) == 0);
+static_assert(static_cast<std::uint8_t>(ArmWarning::OutOfReach) == 1);
+static_assert(static_cast<std::uint8_t>(ArmWarning::Malformed) == 2);
+
+constexpr CommandInfo kArmCommands[] = {
+    {.name = "enable",
+     .kind = CommandKind::Void,
+     .argumentsSize = 0,
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "disable",
+     .kind = CommandKind::Void,
+     .argumentsSize = 0,
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "home",
+     .kind = CommandKind::Void,
+     .argumentsSize = 0,
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "hold",
+     .kind = CommandKind::Void,
+     .argumentsSize = 0,
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "servo_cp",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(ArmServoCpArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = true,
+     .ttl = Duration(20'000'000),
+     .column = -1},
+    {.name = "servo_jp",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(ArmServoJpArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = true,
+     .ttl = Duration(20'000'000),
+     .column = -1},
+    {.name = "move_jp",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(ArmMoveJpArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "measured_js",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(JointStateSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 0},
+    {.name = "setpoint_js",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(JointStateSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 1},
+    {.name = "measured_cp",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(PoseStampedSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 2},
+    {.name = "setpoint_cp",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(PoseStampedSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 3},
+    {.name = "operating_state",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(OperatingStateSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 4},
+    {.name = "forward_kinematics",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = sizeof(ArmForwardKinematicsArguments),
+     .resultSize = sizeof(PoseStampedSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "inverse_kinematics",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = sizeof(ArmInverseKinematicsArguments),
+     .resultSize = sizeof(JointSolutionSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+};
+
+constexpr EventInfo kArmEvents[] = {
+    {.name = "operating_state",
+     .payloadSize = sizeof(OperatingStateSlot),
+     .depth = 16,
+     .latest = false,
+     .latched = true},
+    {.name = "goal_reached",
+     .payloadSize = sizeof(std::uint8_t),
+     .depth = 16,
+     .latest = false,
+     .latched = false},
+    {.name = "warning",
+     .payloadSize = sizeof(std::uint8_t),
+     .depth = 16,
+     .latest = false,
+     .latched = false},
+};
+
+// The self-description, as in arm/arm.suture.json.
+constexpr char kArmDescription[] = R"json({
+  "name": "robots::Arm",
+  "doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. Poses are of the tool tip in the arm's base frame. An arm starts, and restarts, disabled\nand not homed; until it is enabled it ignores motion commands.",
+  "hash": "fdf2d74e850d0104f38c77232c4c9351",
+  "commands": [
+    {
+      "name": "enable",
+      "kind": "void",
+      "doc": "Powers the arm; it holds its position.",
+      "queue": 16
+    },
+    {
+      "name": "disable",
+      "kind": "void",
+      "doc": "Stops at once and ignores motion until enabled again.",
+      "queue": 16
+    },
+    {
+      "name": "home",
+      "kind": "void",
+      "doc": "Moves to the home position; needs an enabled arm. Ends with goal_reached.",
+      "queue": 16
+    },
+    {
+      "name": "hold",
+      "kind": "void",
+      "doc": "Drops what is under way; the set-point stays where it is.",
+      "queue": 16
+    },
+    {
+      "name": "servo_cp",
+      "kind": "write",
+      "doc": "Streams Cartesian goals, newest wins. A goal out of reach leaves the set-point and says so in\n`warning`. setpoint_cp keeps the goal's stamp.",
+      "parameters": [
+        {
+          "name": "goal",
+          "type": {
+            "kind": "struct",
+            "name": "robots::PoseStamped"
+          }
+        }
+      ],
+      "queue": 16,
+      "latest": true,
+      "ttl": 0.02
+    },
+    {
+      "name": "servo_jp",
+      "kind": "write",
+      "doc": "Streams joint goals, newest wins; cut to the joint limits.",
+      "parameters": [
+        {
+          "name": "goal",
+          "type": {
+            "kind": "struct",
+            "name": "robots::JointGoal"
+          }
+        }
+      ],
+      "queue": 16,
+      "latest": true,
+      "ttl": 0.02
+    },
+    {
+      "name": "move_jp",
+      "kind": "write",
+      "doc": "Plans and executes a smooth motion from the set-point. Ends with goal_reached.",
+      "parameters": [
+        {
+          "name": "goal",
+          "type": {
+            "kind": "struct",
+            "name": "robots::JointGoal"
+          }
+        }
+      ],
+      "queue": 16
+    },
+    {
+      "name": "measured_js",
+      "kind": "read",
+      "doc": "Where the joints are. Stamp: the arm's cycle.",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::JointState"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "setpoint_js",
+      "kind": "read",
+      "doc": "Where the joints shall be.",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::JointState"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "measured_cp",
+      "kind": "read",
+      "doc": "Where the tool tip is. Stamp: the arm's cycle.",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::PoseStamped"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "setpoint_cp",
+      "kind": "read",
+      "doc": "Where the tool tip shall be. Stamp: that of the servo_cp goal it came from, else the arm's\ncycle.",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::PoseStamped"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "operating_state",
+      "kind": "read",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::OperatingState"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "forward_kinematics",
+      "kind": "qualified read",
+      "doc": "The tool tip for a joint vector; not valid if it has the wrong length.",
+      "parameters": [
+        {
+          "name": "q",
+          "type": {
+            "kind": "struct",
+            "name": "robots::JointGoal"
+          }
+        }
+      ],
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::PoseStamped"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "inverse_kinematics",
+      "kind": "qualified read",
+      "doc": "A joint vector for a tool tip, searched from the present set-point.",
+      "parameters": [
+        {
+          "name": "goal",
+          "type": {
+            "kind": "struct",
+            "name": "robots::PoseStamped"
+          }
+        }
+      ],
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::JointSolution"
+        }
+      },
+      "queue": 16
+    }
+  ],
+  "events": [
+    {
+      "name": "operating_state",
+      "kind": "write",
+      "doc": "Each change of the operating state, and the last one to whoever connects.",
+      "payload": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::OperatingState"
+        }
+      },
+      "queue": 16,
+      "latched": true
+    },
+    {
+      "name": "goal_reached",
+      "kind": "write",
+      "doc": "A move ended: true at its goal, false when something else replaced it.",
+      "payload": {
+        "type": {
+          "kind": "Bool"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "warning",
+      "kind": "write",
+      "doc": "The arm refuses what it is asked to do; once per reason, until it obeys again.",
+      "payload": {
+        "type": {
+          "kind": "enum",
+          "name": "robots::ArmWarning"
+        }
+      },
+      "queue": 16
+    }
+  ],
+  "enums": [
+    {
+      "name": "robots::ArmState",
+      "doc": "The states of CRTK.",
+      "underlying": "UInt8",
+      "enumerators": [
+        {
+          "name": "Undefined",
+          "value": 0
+        },
+        {
+          "name": "Disabled",
+          "value": 1
+        },
+        {
+          "name": "Enabled",
+          "value": 2
+        },
+        {
+          "name": "Paused",
+          "value": 3
+        },
+        {
+          "name": "Fault",
+          "value": 4
+        }
+      ]
+    },
+    {
+      "name": "robots::ArmWarning",
+      "doc": "Why an arm does not do what it is asked.",
+      "underlying": "UInt8",
+      "enumerators": [
+        {
+          "name": "NotEnabled",
+          "value": 0,
+          "doc": "motion commands need an enabled arm"
+        },
+        {
+          "name": "OutOfReach",
+          "value": 1,
+          "doc": "no joint vector within limits reaches the goal"
+        },
+        {
+          "name": "Malformed",
+          "value": 2,
+          "doc": "the goal has the wrong length, is not finite or not a pose"
+        }
+      ]
+    }
+  ],
+  "structs": [
+    {
+      "name": "robots::PoseStamped",
+      "doc": "A pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.",
+      "fields": [
+        {
+          "name": "pose",
+          "doc": "Tool tip in the base frame.",
+          "type": {
+            "kind": "isometry",
+            "scalar": "Float64"
+          },
+          "unit": "m"
+        },
+        {
+          "name": "stamp",
+          "doc": "When the pose was true; of a set-point, the stamp of the data it was made from.",
+          "type": {
+            "kind": "time",
+            "clock": "steady"
+          }
+        },
+        {
+          "name": "valid",
+          "doc": "False: do not use.",
+          "type": {
+            "kind": "Bool"
+          },
+          "default": false
+        }
+      ]
+    },
+    {
+      "name": "robots::JointGoal",
+      "doc": "Where joints shall go: CRTK's servo_jp and move_jp.",
+      "fields": [
+        {
+          "name": "position",
+          "doc": "One entry a joint, in chain order.",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Float64"
+            },
+            "capacity": 8
+          },
+          "unit": "rad"
+        },
+        {
+          "name": "stamp",
+          "type": {
+            "kind": "time",
+            "clock": "steady"
+          }
+        }
+      ]
+    },
+    {
+      "name": "robots::JointState",
+      "doc": "The state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list is\nempty where its quantity is not known, and as long as `name` otherwise.",
+      "fields": [
+        {
+          "name": "name",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "text",
+              "capacity": 15
+            },
+            "capacity": 8
+          }
+        },
+        {
+          "name": "position",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Float64"
+            },
+            "capacity": 8
+          },
+          "unit": "rad"
+        },
+        {
+          "name": "velocity",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Float64"
+            },
+            "capacity": 8
+          },
+          "unit": "rad/s"
+        },
+        {
+          "name": "effort",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Float64"
+            },
+            "capacity": 8
+          },
+          "unit": "N.m"
+        },
+        {
+          "name": "stamp",
+          "type": {
+            "kind": "time",
+            "clock": "steady"
+          }
+        },
+        {
+          "name": "valid",
+          "doc": "False: do not use.",
+          "type": {
+            "kind": "Bool"
+          },
+          "default": false
+        }
+      ]
+    },
+    {
+      "name": "robots::OperatingState",
+      "doc": "CRTK's operating_state.",
+      "fields": [
+        {
+          "name": "state",
+          "type": {
+            "kind": "enum",
+            "name": "robots::ArmState"
+          },
+          "default": "Undefined"
+        },
+        {
+          "name": "sub_state",
+          "doc": "What the arm is doing within its state, for people: \"holding\", \"servo_cp\".",
+          "type": {
+            "kind": "text",
+            "capacity": 15
+          }
+        },
+        {
+          "name": "is_homed",
+          "type": {
+            "kind": "Bool"
+          },
+          "default": false
+        },
+        {
+          "name": "is_busy",
+          "doc": "A move is under way; servo commands do not set it.",
+          "type": {
+            "kind": "Bool"
+          },
+          "default": false
+        },
+        {
+          "name": "stamp",
+          "doc": "When the arm entered this state.",
+          "type": {
+            "kind": "time",
+            "clock": "steady"
+          }
+        }
+      ]
+    },
+    {
+      "name": "robots::JointSolution",
+      "doc": "A joint vector that an arm computed, without heap so that a control loop may return it.",
+      "fields": [
+        {
+          "name": "position",
+          "doc": "The first `joints` entries count.",
+          "type": {
+            "kind": "array",
+            "element": {
+              "kind": "Float64"
+            },
+            "length": 8
+          },
+          "unit": "rad"
+        },
+        {
+          "name": "joints",
+          "type": {
+            "kind": "UInt32"
+          },
+          "default": 0
+        },
+        {
+          "name": "found",
+          "doc": "False: no joint vector within limits reaches the pose; `position` is the nearest one found.",
+          "type": {
+            "kind": "Bool"
+          },
+          "default": false
+        }
+      ]
+    }
+  ]
+})json";
+
+}  // namespace
+
+// --- between slots and Cap'n Proto
+
+wire::ArmWarning wireArmWarning(std::uint8_t slot) {
+  switch (static_cast<ArmWarning>(slot)) {
+    case ArmWarning::NotEnabled: return wire::ArmWarning::NOT_ENABLED;
+    case ArmWarning::OutOfReach: return wire::ArmWarning::OUT_OF_REACH;
+    case ArmWarning::Malformed: return wire::ArmWarning::MALFORMED;
+  }
+  return wire::ArmWarning{};
+}
+
+Errc fromWire(wire::ArmWarning in, std::uint8_t& slot) {
+  switch (in) {
+    case wire::ArmWarning::NOT_ENABLED: return slot =
+        static_cast<std::uint8_t>(ArmWarning::NotEnabled), Errc{};
+    case wire::ArmWarning::OUT_OF_REACH: return slot =
+        static_cast<std::uint8_t>(ArmWarning::OutOfReach), Errc{};
+    case wire::ArmWarning::MALFORMED: return slot =
+        static_cast<std::uint8_t>(ArmWarning::Malformed), Errc{};
+  }
+  return Errc::Invalid;
+}
+
+namespace {
+
+// --- Arm over Cap'n Proto RPC: the provider's side
+
+/// Makes remote calls of a subscriber's events and rows.
+class ArmSink final : public suture::rpc::EventSink {
+ public:
+  explicit ArmSink(wire::ArmEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+
+  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
+    switch (static_cast<ArmEvent>(event)) {
+      case ArmEvent::operating_state: {
+        const auto& slot = *reinterpret_cast<const OperatingStateSlot*>(payload);
+        auto request = subscriber_.operatingStateRequest();
+        toWire(slot, request.initValue());
+        return request.send().ignoreResult();
+      }
+      case ArmEvent::goal_reached: {
+        const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
+        auto request = subscriber_.goalReachedRequest();
+        request.setValue(slot != 0);
+        return request.send().ignoreResult();
+      }
+      case ArmEvent::warning: {
+        const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
+        auto request = subscriber_.warningRequest();
+        request.setValue(wireArmWarning(slot));
+        return request.send().ignoreResult();
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
+                        std::span<const std::byte* const> columns) override {
+    auto request = subscriber_.stateRequest();
+    auto out = request.initRow();
+    out.setStamp(suture::toNanoseconds(row.stamp));
+    out.setEvaluated(row.valid);
+    if (row.valid >> 0 & 1) {
+      const auto& slot = *reinterpret_cast<const JointStateSlot*>(columns[0]);
+      toWire(slot, out.initMeasuredJs());
+    }
+    if (row.valid >> 1 & 1) {
+      const auto& slot = *reinterpret_cast<const JointStateSlot*>(columns[1]);
+      toWire(slot, out.initSetpointJs());
+    }
+    if (row.valid >> 2 & 1) {
+      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(columns[2]);
+      toWire(slot, out.initMeasuredCp());
+    }
+    if (row.valid >> 3 & 1) {
+      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(columns[3]);
+      toWire(slot, out.initSetpointCp());
+    }
+    if (row.valid >> 4 & 1) {
+      const auto& slot = *reinterpret_cast<const OperatingStateSlot*>(columns[4]);
+      toWire(slot, out.initOperatingState());
+    }
+    return request.send().ignoreResult();
+  }
+
+ private:
+  wire::ArmEvents::Client subscriber_;
+};
+
+/// Puts remote calls into the provider's mailbox.
+class ArmServant final : public wire::Arm::Server {
+ public:
+  explicit ArmServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> subscribe(SubscribeContext context) override {
+    auto in = context.getParams();
+    port_->subscribe(kj::heap<ArmSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> enable(EnableContext context) override {
+    auto in = context.getParams();
+    return port_->command(commandId(ArmCommand::enable), in.getSent(),
+                          [](std::byte*) { return Errc{}; });
+  }
+
+  kj::Promise<void> disable(DisableContext context) override {
+    auto in = context.getParams();
+    return port_->command(commandId(ArmCommand::disable), in.getSent(),
+                          [](std::byte*) { return Errc{}; });
+  }
+
+  kj::Promise<void> home(HomeContext context) override {
+    auto in = context.getParams();
+    return port_->command(commandId(ArmCommand::home), in.getSent(),
+                          [](std::byte*) { return Errc{}; });
+  }
+
+  kj::Promise<void> hold(HoldContext context) override {
+    auto in = context.getParams();
+    return port_->command(commandId(ArmCommand::hold), in.getSent(),
+                          [](std::byte*) { return Errc{}; });
+  }
+
+  kj::Promise<void> servoCp(ServoCpContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<ArmServoCpArguments*>(memory);
+      const Errc error =
+          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(ArmCommand::servo_cp), in.getSent(), fill);
+  }
+
+  kj::Promise<void> servoJp(ServoJpContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<ArmServoJpArguments*>(memory);
+      const Errc error =
+          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(ArmCommand::servo_jp), in.getSent(), fill);
+  }
+
+  kj::Promise<void> moveJp(MoveJpContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<ArmMoveJpArguments*>(memory);
+      const Errc error =
+          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(ArmCommand::move_jp), in.getSent(), fill);
+  }
+
+  kj::Promise<void> measuredJs(MeasuredJsContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(ArmCommand::measured_js), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> setpointJs(SetpointJsContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(ArmCommand::setpoint_js), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> measuredCp(MeasuredCpContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(ArmCommand::measured_cp), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> setpointCp(SetpointCpContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(ArmCommand::setpoint_cp), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> operatingState(OperatingStateContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const OperatingStateSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(ArmCommand::operating_state), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> forwardKinematics(ForwardKinematicsContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<ArmForwardKinematicsArguments*>(memory);
+      const Errc error = in.hasQ() ? fromWire(in.getQ(), slot.q, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.q) ? Errc{} : Errc::Invalid;
+    };
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(ArmCommand::forward_kinematics), in.getSent(), fill, kj::mv(take));
+  }
+
+  kj::Promise<void> inverseKinematics(InverseKinematicsContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<ArmInverseKinematicsArguments*>(memory);
+      const Errc error =
+          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+    };
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const JointSolutionSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(ArmCommand::inverse_kinematics), in.getSent(), fill, kj::mv(take));
+  }
+
+ private:
+  static std::uint16_t commandId(ArmCommand command) { return static_cast<std::uint16_t>(command); }
+
+  kj::Own<ServantPort> port_;
+};
+
+// --- Arm over Cap'n Proto RPC: the client's side
+
+/// Receives events and rows.
+class ArmReceiver final : public wire::ArmEvents::Server {
+ public:
+  explicit ArmReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> state(StateContext context) override {
+    auto in = context.getParams().getRow();
+    suture::rt::ColumnSet valid = 0;
+    if (in.getEvaluated() >> 0 & 1) {
+      auto& slot = *reinterpret_cast<JointStateSlot*>(port_->column(0));
+      const Errc error =
+          in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
+    }
+    if (in.getEvaluated() >> 1 & 1) {
+      auto& slot = *reinterpret_cast<JointStateSlot*>(port_->column(1));
+      const Errc error =
+          in.hasSetpointJs() ? fromWire(in.getSetpointJs(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
+    }
+    if (in.getEvaluated() >> 2 & 1) {
+      auto& slot = *reinterpret_cast<PoseStampedSlot*>(port_->column(2));
+      const Errc error =
+          in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 2;
+    }
+    if (in.getEvaluated() >> 3 & 1) {
+      auto& slot = *reinterpret_cast<PoseStampedSlot*>(port_->column(3));
+      const Errc error =
+          in.hasSetpointCp() ? fromWire(in.getSetpointCp(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 3;
+    }
+    if (in.getEvaluated() >> 4 & 1) {
+      auto& slot = *reinterpret_cast<OperatingStateSlot*>(port_->column(4));
+      const Errc error =
+          in.hasOperatingState() ? fromWire(in.getOperatingState(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 4;
+    }
+    port_->publish(in.getStamp(), valid);
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> operatingState(OperatingStateContext context) override {
+    auto in = context.getParams();
+    OperatingStateSlot slot;
+    const Errc error =
+        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    return port_->event(eventId(ArmEvent::operating_state), error, slot);
+  }
+
+  kj::Promise<void> goalReached(GoalReachedContext context) override {
+    auto in = context.getParams();
+    std::uint8_t slot;
+    slot = in.getValue();
+    const Errc error = Errc{};
+    return port_->event(eventId(ArmEvent::goal_reached), error, slot);
+  }
+
+  kj::Promise<void> warning(WarningContext context) override {
+    auto in = context.getParams();
+    std::uint8_t slot;
+    const Errc error = fromWire(in.getValue(), slot);
+    return port_->event(eventId(ArmEvent::warning), error, slot);
+  }
+
+ private:
+  static std::uint16_t eventId(ArmEvent event) { return static_cast<std::uint16_t>(event); }
+
+  kj::Own<ProxyPort> port_;
+};
+
+/// Makes remote calls of commands.
+class ArmProxy final : public suture::rpc::Proxy {
+ public:
+  ArmProxy(wire::Arm::Client provider, ProxyPort& port)
+      : provider_(kj::mv(provider)), port_(port) {}
+
+  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
+    auto request = provider_.subscribeRequest();
+    request.setEvents(kj::heap<ArmReceiver>(kj::addRef(port_)));
+    request.setEventMask(events);
+    request.setStateMask(columns);
+    return request.send().ignoreResult();
+  }
+
+  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
+    switch (static_cast<ArmCommand>(record.command)) {
+      case ArmCommand::enable: {
+        auto request = provider_.enableRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case ArmCommand::disable: {
+        auto request = provider_.disableRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case ArmCommand::home: {
+        auto request = provider_.homeRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case ArmCommand::hold: {
+        auto request = provider_.holdRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case ArmCommand::servo_cp: {
+        const auto& slot = *reinterpret_cast<const ArmServoCpArguments*>(record.arguments());
+        auto request = provider_.servoCpRequest();
+        toWire(slot.goal, request.initGoal());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case ArmCommand::servo_jp: {
+        const auto& slot = *reinterpret_cast<const ArmServoJpArguments*>(record.arguments());
+        auto request = provider_.servoJpRequest();
+        toWire(slot.goal, request.initGoal());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case ArmCommand::move_jp: {
+        const auto& slot = *reinterpret_cast<const ArmMoveJpArguments*>(record.arguments());
+        auto request = provider_.moveJpRequest();
+        toWire(slot.goal, request.initGoal());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case ArmCommand::measured_js: {
+        auto request = provider_.measuredJsRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<JointStateSlot>(call, [&](JointStateSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case ArmCommand::setpoint_js: {
+        auto request = provider_.setpointJsRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<JointStateSlot>(call, [&](JointStateSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case ArmCommand::measured_cp: {
+        auto request = provider_.measuredCpRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case ArmCommand::setpoint_cp: {
+        auto request = provider_.setpointCpRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case ArmCommand::operating_state: {
+        auto request = provider_.operatingStateRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<OperatingStateSlot>(call, [&](OperatingStateSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case ArmCommand::forward_kinematics: {
+        const auto& slot =
+            *reinterpret_cast<const ArmForwardKinematicsArguments*>(record.arguments());
+        auto request = provider_.forwardKinematicsRequest();
+        toWire(slot.q, request.initQ());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case ArmCommand::inverse_kinematics: {
+        const auto& slot =
+            *reinterpret_cast<const ArmInverseKinematicsArguments*>(record.arguments());
+        auto request = provider_.inverseKinematicsRequest();
+        toWire(slot.goal, request.initGoal());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<JointSolutionSlot>(call, [&](JointSolutionSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+ private:
+  wire::Arm::Client provider_;
+  ProxyPort& port_;
+};
+
+class ArmBinding final : public suture::rpc::Binding {
+ public:
+  capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const override {
+    return wire::Arm::Client(kj::heap<ArmServant>(kj::mv(port)));
+  }
+  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
+                                        ProxyPort& port) const override {
+    return kj::heap<ArmProxy>(contract.castAs<wire::Arm>(), port);
+  }
+};
+
+const suture::rpc::Binding& armBinding() {
+  static const ArmBinding kBinding;
+  return kBinding;
+}
+
+}  // namespace
+}  // namespace robots
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<robots::Arm>() {
+  static constexpr InterfaceInfo kInfo{
+      .name = "robots::Arm",
+      .hash = "fdf2d74e850d0104f38c77232c4c9351",
+      .description = robots::kArmDescription,
+      .commands = robots::kArmCommands,
+      .events = robots::kArmEvents,
+      .binding = &robots::armBinding,
+  };
+  return kInfo;
+}
+
+Errc Provided<robots::Arm>::execute(std::uint16_t command, const std::byte* arguments,
+                                    std::byte* result) {
+  using ::robots::ArmCommand;
+  switch (static_cast<ArmCommand>(command)) {
+    case ArmCommand::enable: {
+      implementation_.enable();
+      return Errc{};
+    }
+    case ArmCommand::disable: {
+      implementation_.disable();
+      return Errc{};
+    }
+    case ArmCommand::home: {
+      implementation_.home();
+      return Errc{};
+    }
+    case ArmCommand::hold: {
+      implementation_.hold();
+      return Errc{};
+    }
+    case ArmCommand::servo_cp: {
+      const auto& slot = *reinterpret_cast<const robots::ArmServoCpArguments*>(arguments);
+      load(slot.goal, scratch_.servo_cp_goal);
+      implementation_.servo_cp(scratch_.servo_cp_goal);
+      return Errc{};
+    }
+    case ArmCommand::servo_jp: {
+      const auto& slot = *reinterpret_cast<const robots::ArmServoJpArguments*>(arguments);
+      load(slot.goal, scratch_.servo_jp_goal);
+      implementation_.servo_jp(scratch_.servo_jp_goal);
+      return Errc{};
+    }
+    case ArmCommand::move_jp: {
+      const auto& slot = *reinterpret_cast<const robots::ArmMoveJpArguments*>(arguments);
+      load(slot.goal, scratch_.move_jp_goal);
+      implementation_.move_jp(scratch_.move_jp_goal);
+      return Errc{};
+    }
+    case ArmCommand::measured_js: {
+      auto& slot = *reinterpret_cast<robots::JointStateSlot*>(result);
+      return store(implementation_.measured_js(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case ArmCommand::setpoint_js: {
+      auto& slot = *reinterpret_cast<robots::JointStateSlot*>(result);
+      return store(implementation_.setpoint_js(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case ArmCommand::measured_cp: {
+      auto& slot = *reinterpret_cast<robots::PoseStampedSlot*>(result);
+      return store(implementation_.measured_cp(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case ArmCommand::setpoint_cp: {
+      auto& slot = *reinterpret_cast<robots::PoseStampedSlot*>(result);
+      return store(implementation_.setpoint_cp(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case ArmCommand::operating_state: {
+      auto& slot = *reinterpret_cast<robots::OperatingStateSlot*>(result);
+      return store(implementation_.operating_state(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case ArmCommand::forward_kinematics: {
+      const auto& slot = *reinterpret_cast<const robots::ArmForwardKinematicsArguments*>(arguments);
+      load(slot.q, scratch_.forward_kinematics_q);
+      auto& answer = *reinterpret_cast<robots::PoseStampedSlot*>(result);
+      return store(implementation_.forward_kinematics(scratch_.forward_kinematics_q), answer)
+          ? Errc{} : Errc::TooLarge;
+    }
+    case ArmCommand::inverse_kinematics: {
+      const auto& slot = *reinterpret_cast<const robots::ArmInverseKinematicsArguments*>(arguments);
+      load(slot.goal, scratch_.inverse_kinematics_goal);
+      auto& answer = *reinterpret_cast<robots::JointSolutionSlot*>(result);
+      return store(implementation_.inverse_kinematics(scratch_.inverse_kinematics_goal), answer)
+          ? Errc{} : Errc::TooLarge;
+    }
+  }
+  return Errc::Invalid;
+}
+
+}  // namespace suture

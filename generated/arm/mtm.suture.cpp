@@ -1,0 +1,106 @@
+// Written by suturec from arm/mtm.h. Do not edit.
+#include "arm/mtm.suture.h"
+
+#include <suture/component/json_reader.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "arm/mtm.capnp.h"
+
+namespace robots {
+
+using suture::Duration;
+using suture::Errc;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<std::underlying_type_t<MtmSide>, std::uint8_t>);
+static_assert(static_cast<std::uint8_t>(MtmSide::Left) == 0);
+static_assert(static_cast<std::uint8_t>(MtmSide::Right) == 1);
+static_assert(std::is_same_v<decltype(MtmParameters::side), MtmSide>);
+static_assert(std::is_same_v<decltype(MtmParameters::period), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(MtmParameters::time_constant), double>);
+static_assert(std::is_same_v<decltype(MtmParameters::angular_rate), double>);
+
+}  // namespace
+
+// --- between slots and Cap'n Proto
+
+wire::MtmSide wireMtmSide(std::uint8_t slot) {
+  switch (static_cast<MtmSide>(slot)) {
+    case MtmSide::Left: return wire::MtmSide::LEFT;
+    case MtmSide::Right: return wire::MtmSide::RIGHT;
+  }
+  return wire::MtmSide{};
+}
+
+Errc fromWire(wire::MtmSide in, std::uint8_t& slot) {
+  switch (in) {
+    case wire::MtmSide::LEFT: return slot = static_cast<std::uint8_t>(MtmSide::Left), Errc{};
+    case wire::MtmSide::RIGHT: return slot = static_cast<std::uint8_t>(MtmSide::Right), Errc{};
+  }
+  return Errc::Invalid;
+}
+
+void toWire(const MtmParametersSlot& slot, wire::MtmParameters::Builder out) {
+  out.setSide(wireMtmSide(slot.side));
+  out.setPeriod(slot.period);
+  out.setTimeConstant(slot.time_constant);
+  out.setAngularRate(slot.angular_rate);
+}
+
+Errc fromWire(wire::MtmParameters::Reader in, MtmParametersSlot& slot, Duration) {
+  slot.period = in.getPeriod();
+  slot.time_constant = in.getTimeConstant();
+  slot.angular_rate = in.getAngularRate();
+  return fromWire(in.getSide(), slot.side);
+}
+
+bool isValid(const MtmParametersSlot& slot) {
+  return inRange(slot.time_constant, 0.0001, 10) && inRange(slot.angular_rate, 0.01, 20);
+}
+
+}  // namespace robots
+
+namespace robots {
+
+inline void fromJson(const suture::JsonReader& in, MtmSide& value) {
+  static constexpr MtmSide kValues[] = {MtmSide::Left, MtmSide::Right};
+  const int index = suture::enumeratorFromJson(in, {"Left", "Right"});
+  if (index >= 0) value = kValues[index];
+}
+
+void fromJson(const suture::JsonReader& in, MtmParameters& value) {
+  suture::JsonReader reader = in;
+  reader.field("side", value.side);
+  reader.field("period", value.period);
+  reader.field("time_constant", value.time_constant, 0.0001, 10);
+  reader.field("angular_rate", value.angular_rate, 0.01, 20);
+  reader.finish();
+}
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<robots::Mtm>() {
+  return {"Mtm", [](const JsonReader& parameters) -> std::unique_ptr<Component> {
+            robots::MtmParameters values;
+            fromJson(parameters, values);
+            if (parameters.failed()) return nullptr;
+            return std::make_unique<robots::Mtm>(values);
+          }};
+}
+
+}  // namespace suture

@@ -1,0 +1,83 @@
+// Written by suturec from arm/psm.h. Do not edit.
+#include "arm/psm.suture.h"
+
+#include <suture/component/json_reader.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "arm/psm.capnp.h"
+
+namespace robots {
+
+using suture::Duration;
+using suture::Errc;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<decltype(PsmParameters::period), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(PsmParameters::time_constant), double>);
+static_assert(std::is_same_v<decltype(PsmParameters::angular_rate), double>);
+static_assert(std::is_same_v<decltype(PsmParameters::insertion_rate), double>);
+
+}  // namespace
+
+// --- between slots and Cap'n Proto
+
+void toWire(const PsmParametersSlot& slot, wire::PsmParameters::Builder out) {
+  out.setPeriod(slot.period);
+  out.setTimeConstant(slot.time_constant);
+  out.setAngularRate(slot.angular_rate);
+  out.setInsertionRate(slot.insertion_rate);
+}
+
+Errc fromWire(wire::PsmParameters::Reader in, PsmParametersSlot& slot, Duration) {
+  slot.period = in.getPeriod();
+  slot.time_constant = in.getTimeConstant();
+  slot.angular_rate = in.getAngularRate();
+  slot.insertion_rate = in.getInsertionRate();
+  return Errc{};
+}
+
+bool isValid(const PsmParametersSlot& slot) {
+  return inRange(slot.time_constant, 0.0001, 10) && inRange(slot.angular_rate, 0.01, 20) &&
+      inRange(slot.insertion_rate, 0.001, 2);
+}
+
+}  // namespace robots
+
+namespace robots {
+
+void fromJson(const suture::JsonReader& in, PsmParameters& value) {
+  suture::JsonReader reader = in;
+  reader.field("period", value.period);
+  reader.field("time_constant", value.time_constant, 0.0001, 10);
+  reader.field("angular_rate", value.angular_rate, 0.01, 20);
+  reader.field("insertion_rate", value.insertion_rate, 0.001, 2);
+  reader.finish();
+}
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<robots::Psm>() {
+  return {"Psm", [](const JsonReader& parameters) -> std::unique_ptr<Component> {
+            robots::PsmParameters values;
+            fromJson(parameters, values);
+            if (parameters.failed()) return nullptr;
+            return std::make_unique<robots::Psm>(values);
+          }};
+}
+
+}  // namespace suture

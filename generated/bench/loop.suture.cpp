@@ -1,0 +1,432 @@
+// Written by suturec from bench/loop.h. Do not edit.
+#include "bench/loop.suture.h"
+
+#include <suture/transport/rpc/binding.h>
+#include <suture/transport/rpc/proxy_port.h>
+#include <suture/transport/rpc/servant_port.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "bench/loop.capnp.h"
+
+// Defined in robot_types/pose.suture.cpp.
+namespace robots {
+void toWire(const PosePrmSlot& slot, wire::PosePrm::Builder out);
+suture::Errc fromWire(wire::PosePrm::Reader in, PosePrmSlot& slot, suture::Duration shift);
+bool isValid(const PosePrmSlot& slot);
+}  // namespace robots
+
+namespace bench {
+
+using suture::CommandInfo;
+using suture::CommandKind;
+using suture::Duration;
+using suture::Errc;
+using suture::EventInfo;
+using suture::rpc::ProxyPort;
+using suture::rpc::ServantPort;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+constexpr CommandInfo kLoopServerCommands[] = {
+    {.name = "put",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(LoopServerPutArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "bounce",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(LoopServerBounceArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "value",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(robots::PosePrmSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 0},
+};
+
+constexpr EventInfo kLoopServerEvents[] = {
+    {.name = "echo",
+     .payloadSize = sizeof(robots::PosePrmSlot),
+     .depth = 16,
+     .latest = false,
+     .latched = false},
+};
+
+// The self-description, as in bench/loop.suture.json.
+constexpr char kLoopServerDescription[] = R"json({
+  "name": "bench::LoopServer",
+  "doc": "What the server of a loop offers.",
+  "hash": "a6b177c242d365ca955f9e82f13a1b52",
+  "commands": [
+    {
+      "name": "put",
+      "kind": "write",
+      "doc": "Server, client, server: takes back what value() answered and measures how long it was away.",
+      "parameters": [
+        {
+          "name": "value",
+          "type": {
+            "kind": "struct",
+            "name": "robots::PosePrm"
+          }
+        }
+      ],
+      "queue": 16
+    },
+    {
+      "name": "bounce",
+      "kind": "write",
+      "doc": "Client, server, client: sends the value back as the event echo.",
+      "parameters": [
+        {
+          "name": "value",
+          "type": {
+            "kind": "struct",
+            "name": "robots::PosePrm"
+          }
+        }
+      ],
+      "queue": 16
+    },
+    {
+      "name": "value",
+      "kind": "read",
+      "doc": "A pose, stamped when it is evaluated.",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::PosePrm"
+        }
+      },
+      "queue": 16
+    }
+  ],
+  "events": [
+    {
+      "name": "echo",
+      "kind": "write",
+      "doc": "The value that bounce() took.",
+      "payload": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::PosePrm"
+        }
+      },
+      "queue": 16
+    }
+  ],
+  "enums": [],
+  "structs": [
+    {
+      "name": "robots::PosePrm",
+      "doc": "The fields of the cisst libraries' prmPositionCartesianGet, the type of the paper's\nmeasurements.",
+      "fields": [
+        {
+          "name": "timestamp",
+          "type": {
+            "kind": "time",
+            "clock": "steady"
+          }
+        },
+        {
+          "name": "automatic_timestamp",
+          "doc": "Whether the provider stamps the data itself.",
+          "type": {
+            "kind": "Bool"
+          },
+          "default": true
+        },
+        {
+          "name": "valid",
+          "type": {
+            "kind": "Bool"
+          },
+          "default": false
+        },
+        {
+          "name": "moving_frame",
+          "type": {
+            "kind": "text",
+            "capacity": 15
+          }
+        },
+        {
+          "name": "reference_frame",
+          "type": {
+            "kind": "text",
+            "capacity": 15
+          }
+        },
+        {
+          "name": "position",
+          "doc": "The moving frame in the reference frame.",
+          "type": {
+            "kind": "isometry",
+            "scalar": "Float64"
+          },
+          "unit": "m"
+        }
+      ]
+    }
+  ]
+})json";
+
+}  // namespace
+
+namespace {
+
+// --- LoopServer over Cap'n Proto RPC: the provider's side
+
+/// Makes remote calls of a subscriber's events and rows.
+class LoopServerSink final : public suture::rpc::EventSink {
+ public:
+  explicit LoopServerSink(wire::LoopServerEvents::Client subscriber) :
+      subscriber_(kj::mv(subscriber)) {}
+
+  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
+    switch (static_cast<LoopServerEvent>(event)) {
+      case LoopServerEvent::echo: {
+        const auto& slot = *reinterpret_cast<const robots::PosePrmSlot*>(payload);
+        auto request = subscriber_.echoRequest();
+        toWire(slot, request.initValue());
+        return request.send().ignoreResult();
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
+                        std::span<const std::byte* const> columns) override {
+    auto request = subscriber_.stateRequest();
+    auto out = request.initRow();
+    out.setStamp(suture::toNanoseconds(row.stamp));
+    out.setEvaluated(row.valid);
+    if (row.valid >> 0 & 1) {
+      const auto& slot = *reinterpret_cast<const robots::PosePrmSlot*>(columns[0]);
+      toWire(slot, out.initValue());
+    }
+    return request.send().ignoreResult();
+  }
+
+ private:
+  wire::LoopServerEvents::Client subscriber_;
+};
+
+/// Puts remote calls into the provider's mailbox.
+class LoopServerServant final : public wire::LoopServer::Server {
+ public:
+  explicit LoopServerServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> subscribe(SubscribeContext context) override {
+    auto in = context.getParams();
+    port_->subscribe(kj::heap<LoopServerSink>(in.getEvents()), in.getEventMask(),
+                     in.getStateMask());
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> put(PutContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<LoopServerPutArguments*>(memory);
+      const Errc error =
+          in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(LoopServerCommand::put), in.getSent(), fill);
+  }
+
+  kj::Promise<void> bounce(BounceContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<LoopServerBounceArguments*>(memory);
+      const Errc error =
+          in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(LoopServerCommand::bounce), in.getSent(), fill);
+  }
+
+  kj::Promise<void> value(ValueContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const robots::PosePrmSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(LoopServerCommand::value), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+ private:
+  static std::uint16_t commandId(LoopServerCommand command) {
+                                                             return static_cast<std::uint16_t>(command); }
+
+  kj::Own<ServantPort> port_;
+};
+
+// --- LoopServer over Cap'n Proto RPC: the client's side
+
+/// Receives events and rows.
+class LoopServerReceiver final : public wire::LoopServerEvents::Server {
+ public:
+  explicit LoopServerReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> state(StateContext context) override {
+    auto in = context.getParams().getRow();
+    suture::rt::ColumnSet valid = 0;
+    if (in.getEvaluated() >> 0 & 1) {
+      auto& slot = *reinterpret_cast<robots::PosePrmSlot*>(port_->column(0));
+      const Errc error =
+          in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
+    }
+    port_->publish(in.getStamp(), valid);
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> echo(EchoContext context) override {
+    auto in = context.getParams();
+    robots::PosePrmSlot slot;
+    const Errc error =
+        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    return port_->event(eventId(LoopServerEvent::echo), error, slot);
+  }
+
+ private:
+  static std::uint16_t eventId(LoopServerEvent event) { return static_cast<std::uint16_t>(event); }
+
+  kj::Own<ProxyPort> port_;
+};
+
+/// Makes remote calls of commands.
+class LoopServerProxy final : public suture::rpc::Proxy {
+ public:
+  LoopServerProxy(wire::LoopServer::Client provider, ProxyPort& port)
+      : provider_(kj::mv(provider)), port_(port) {}
+
+  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
+    auto request = provider_.subscribeRequest();
+    request.setEvents(kj::heap<LoopServerReceiver>(kj::addRef(port_)));
+    request.setEventMask(events);
+    request.setStateMask(columns);
+    return request.send().ignoreResult();
+  }
+
+  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
+    switch (static_cast<LoopServerCommand>(record.command)) {
+      case LoopServerCommand::put: {
+        const auto& slot = *reinterpret_cast<const LoopServerPutArguments*>(record.arguments());
+        auto request = provider_.putRequest();
+        toWire(slot.value, request.initValue());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case LoopServerCommand::bounce: {
+        const auto& slot = *reinterpret_cast<const LoopServerBounceArguments*>(record.arguments());
+        auto request = provider_.bounceRequest();
+        toWire(slot.value, request.initValue());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case LoopServerCommand::value: {
+        auto request = provider_.valueRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<robots::PosePrmSlot>(call, [&](robots::PosePrmSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+ private:
+  wire::LoopServer::Client provider_;
+  ProxyPort& port_;
+};
+
+class LoopServerBinding final : public suture::rpc::Binding {
+ public:
+  capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const override {
+    return wire::LoopServer::Client(kj::heap<LoopServerServant>(kj::mv(port)));
+  }
+  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
+                                        ProxyPort& port) const override {
+    return kj::heap<LoopServerProxy>(contract.castAs<wire::LoopServer>(), port);
+  }
+};
+
+const suture::rpc::Binding& loopServerBinding() {
+  static const LoopServerBinding kBinding;
+  return kBinding;
+}
+
+}  // namespace
+}  // namespace bench
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<bench::LoopServer>() {
+  static constexpr InterfaceInfo kInfo{
+      .name = "bench::LoopServer",
+      .hash = "a6b177c242d365ca955f9e82f13a1b52",
+      .description = bench::kLoopServerDescription,
+      .commands = bench::kLoopServerCommands,
+      .events = bench::kLoopServerEvents,
+      .binding = &bench::loopServerBinding,
+  };
+  return kInfo;
+}
+
+Errc Provided<bench::LoopServer>::execute(std::uint16_t command, const std::byte* arguments,
+                                          std::byte* result) {
+  using ::bench::LoopServerCommand;
+  switch (static_cast<LoopServerCommand>(command)) {
+    case LoopServerCommand::put: {
+      const auto& slot = *reinterpret_cast<const bench::LoopServerPutArguments*>(arguments);
+      load(slot.value, scratch_.put_value);
+      implementation_.put(scratch_.put_value);
+      return Errc{};
+    }
+    case LoopServerCommand::bounce: {
+      const auto& slot = *reinterpret_cast<const bench::LoopServerBounceArguments*>(arguments);
+      load(slot.value, scratch_.bounce_value);
+      implementation_.bounce(scratch_.bounce_value);
+      return Errc{};
+    }
+    case LoopServerCommand::value: {
+      auto& slot = *reinterpret_cast<robots::PosePrmSlot*>(result);
+      return store(implementation_.value(), slot) ? Errc{} : Errc::TooLarge;
+    }
+  }
+  return Errc::Invalid;
+}
+
+}  // namespace suture

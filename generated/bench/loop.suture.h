@@ -1,0 +1,124 @@
+// Written by suturec from bench/loop.h. Do not edit.
+#pragma once
+
+#include <suture/base/slots.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "bench/loop.h"
+#include "robot_types/pose.suture.h"
+
+namespace bench {
+
+// --- LoopServer: the arguments of its commands ---
+
+struct LoopServerPutArguments {
+  robots::PosePrmSlot value;
+};
+
+inline bool store(const robots::PosePrm& value, LoopServerPutArguments& slot) {
+  using suture::store;
+  return store(value, slot.value);
+}
+
+struct LoopServerBounceArguments {
+  robots::PosePrmSlot value;
+};
+
+inline bool store(const robots::PosePrm& value, LoopServerBounceArguments& slot) {
+  using suture::store;
+  return store(value, slot.value);
+}
+
+/// The numbers of LoopServer's commands in every table and record.
+enum class LoopServerCommand : std::uint16_t {
+  put,
+  bounce,
+  value,
+};
+
+/// The numbers of LoopServer's events.
+enum class LoopServerEvent : std::uint16_t {
+  echo,
+};
+
+}  // namespace bench
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<bench::LoopServer>();
+
+/// What a client of bench::LoopServer calls.
+template <>
+class Required<bench::LoopServer> final : public RequiredBase {
+  using Contract = bench::LoopServer;
+  using Id = bench::LoopServerCommand;
+  using EventId = bench::LoopServerEvent;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : RequiredBase(owner, name, interfaceInfo<Contract>()) {}
+
+  /// Server, client, server: takes back what value() answered and measures how long it was away.
+  Command<&Contract::put, bench::LoopServerPutArguments> put{
+      *this, static_cast<std::uint16_t>(Id::put)};
+  /// Client, server, client: sends the value back as the event echo.
+  Command<&Contract::bounce, bench::LoopServerBounceArguments> bounce{
+      *this, static_cast<std::uint16_t>(Id::bounce)};
+  /// A pose, stamped when it is evaluated.
+  ReadCommand<&Contract::value, robots::PosePrmSlot> value{
+      *this, static_cast<std::uint16_t>(Id::value)};
+
+  /// The events of bench::LoopServer, to subscribe to.
+  struct Events {
+    explicit Events(RequiredBase& required)
+        : echo{required, static_cast<std::uint16_t>(EventId::echo)} {}
+
+    /// The value that bounce() took.
+    Subscription<robots::PosePrmSlot, robots::PosePrm> echo;
+  };
+  Events& on() { return events_; }
+
+ private:
+  Events events_{*this};
+};
+
+/// What serves bench::LoopServer from a component.
+template <>
+class Provided<bench::LoopServer> final : public ProvidedBase {
+  using Contract = bench::LoopServer;
+  using EventId = bench::LoopServerEvent;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : ProvidedBase(owner, name, interfaceInfo<Contract>(), &implementation),
+        implementation_(implementation) {}
+
+  /// The events of bench::LoopServer, to emit.
+  struct Events {
+    explicit Events(ProvidedBase& provided)
+        : echo{provided, static_cast<std::uint16_t>(EventId::echo)} {}
+
+    /// The value that bounce() took.
+    Emitter<robots::PosePrmSlot, robots::PosePrm> echo;
+  };
+  Events& emit() { return events_; }
+
+ private:
+  // Reused by every command, so that what they own is allocated once.
+  struct Scratch {
+    robots::PosePrm put_value;
+    robots::PosePrm bounce_value;
+  };
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+  Contract& implementation_;
+  Events events_{*this};
+  Scratch scratch_{};
+};
+
+}  // namespace suture

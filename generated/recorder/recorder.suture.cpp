@@ -1,0 +1,73 @@
+// Written by suturec from recorder/recorder.h. Do not edit.
+#include "recorder/recorder.suture.h"
+
+#include <suture/component/json_reader.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "recorder/recorder.capnp.h"
+
+namespace robots {
+
+using suture::Duration;
+using suture::Errc;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<decltype(RecorderParameters::period), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(RecorderParameters::file), std::string>);
+
+}  // namespace
+
+// --- between slots and Cap'n Proto
+
+void toWire(const RecorderParametersSlot& slot, wire::RecorderParameters::Builder out) {
+  out.setPeriod(slot.period);
+  toWire(slot.file, out.initFile(slot.file.size));
+}
+
+Errc fromWire(wire::RecorderParameters::Reader in, RecorderParametersSlot& slot, Duration) {
+  slot.period = in.getPeriod();
+  return fromWire(in.getFile(), slot.file);
+}
+
+bool isValid(const RecorderParametersSlot&) {
+  return true;
+}
+
+}  // namespace robots
+
+namespace robots {
+
+void fromJson(const suture::JsonReader& in, RecorderParameters& value) {
+  suture::JsonReader reader = in;
+  reader.field("period", value.period);
+  reader.field("file", value.file);
+  reader.finish();
+}
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<robots::Recorder>() {
+  return {"Recorder", [](const JsonReader& parameters) -> std::unique_ptr<Component> {
+            robots::RecorderParameters values;
+            fromJson(parameters, values);
+            if (parameters.failed()) return nullptr;
+            return std::make_unique<robots::Recorder>(values);
+          }};
+}
+
+}  // namespace suture

@@ -1,0 +1,46 @@
+// Written by suturec from recorder/recorder.h. Do not edit.
+#pragma once
+
+#include <suture/base/slots.h>
+#include <suture/component/component_class.h>
+
+#include "recorder/recorder.h"
+#include "arm/arm.suture.h"
+#include "teleop/teleoperation.suture.h"
+
+namespace suture {
+class JsonReader;
+}
+
+namespace robots {
+
+struct RecorderParametersSlot {
+  std::int64_t period;  // std::chrono::nanoseconds, ns
+  suture::BoundedText<255> file;
+};
+
+inline bool store(const RecorderParameters& value, RecorderParametersSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.period, slot.period);
+  fits &= store(value.file, slot.file);
+  return fits;
+}
+
+inline void load(const RecorderParametersSlot& slot, RecorderParameters& value) {
+  using suture::load;
+  load(slot.period, value.period);
+  load(slot.file, value.file);
+}
+
+/// Reads what `in` says into `value`; what it does not mention keeps its default.
+void fromJson(const suture::JsonReader& in, RecorderParameters& value);
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<robots::Recorder>();
+
+}  // namespace suture

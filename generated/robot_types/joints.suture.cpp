@@ -1,0 +1,96 @@
+// Written by suturec from robot_types/joints.h. Do not edit.
+#include "robot_types/joints.suture.h"
+
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "robot_types/joints.capnp.h"
+
+namespace robots {
+
+using suture::Duration;
+using suture::Errc;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<decltype(JointState::name), std::vector<std::string>>);
+static_assert(std::is_same_v<decltype(JointState::position), std::vector<double>>);
+static_assert(std::is_same_v<decltype(JointState::velocity), std::vector<double>>);
+static_assert(std::is_same_v<decltype(JointState::effort), std::vector<double>>);
+static_assert(std::is_same_v<decltype(JointState::stamp), std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(JointState::valid), bool>);
+static_assert(std::is_same_v<decltype(JointGoal::position), std::vector<double>>);
+static_assert(std::is_same_v<decltype(JointGoal::stamp), std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(JointSolution::position), std::array<double, 8>>);
+static_assert(std::is_same_v<decltype(JointSolution::joints), std::uint32_t>);
+static_assert(std::is_same_v<decltype(JointSolution::found), bool>);
+
+}  // namespace
+
+// --- between slots and Cap'n Proto
+
+void toWire(const JointStateSlot& slot, wire::JointState::Builder out) {
+  toWire(slot.name, out.initName(slot.name.size));
+  toWire(slot.position, out.initPosition(slot.position.size));
+  toWire(slot.velocity, out.initVelocity(slot.velocity.size));
+  toWire(slot.effort, out.initEffort(slot.effort.size));
+  out.setStamp(slot.stamp);
+  out.setValid(slot.valid != 0);
+}
+
+Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, Duration shift) {
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.valid = in.getValid();
+  return firstError({
+      fromWire(in.getName(), slot.name),
+      fromWire(in.getPosition(), slot.position),
+      fromWire(in.getVelocity(), slot.velocity),
+      fromWire(in.getEffort(), slot.effort),
+  });
+}
+
+bool isValid(const JointStateSlot& slot) {
+  return isValid(slot.position) && isValid(slot.velocity) && isValid(slot.effort);
+}
+
+void toWire(const JointGoalSlot& slot, wire::JointGoal::Builder out) {
+  toWire(slot.position, out.initPosition(slot.position.size));
+  out.setStamp(slot.stamp);
+}
+
+Errc fromWire(wire::JointGoal::Reader in, JointGoalSlot& slot, Duration shift) {
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  return fromWire(in.getPosition(), slot.position);
+}
+
+bool isValid(const JointGoalSlot& slot) {
+  return isValid(slot.position);
+}
+
+void toWire(const JointSolutionSlot& slot, wire::JointSolution::Builder out) {
+  toWire(slot.position, out.initPosition(8));
+  out.setJoints(slot.joints);
+  out.setFound(slot.found != 0);
+}
+
+Errc fromWire(wire::JointSolution::Reader in, JointSolutionSlot& slot, Duration) {
+  slot.joints = in.getJoints();
+  slot.found = in.getFound();
+  return fromWire(in.getPosition(), slot.position);
+}
+
+bool isValid(const JointSolutionSlot& slot) {
+  return isValid(slot.position);
+}
+
+}  // namespace robots

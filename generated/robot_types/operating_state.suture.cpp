@@ -1,0 +1,90 @@
+// Written by suturec from robot_types/operating_state.h. Do not edit.
+#include "robot_types/operating_state.suture.h"
+
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "robot_types/operating_state.capnp.h"
+
+namespace robots {
+
+using suture::Duration;
+using suture::Errc;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<std::underlying_type_t<ArmState>, std::uint8_t>);
+static_assert(static_cast<std::uint8_t>(ArmState::Undefined) == 0);
+static_assert(static_cast<std::uint8_t>(ArmState::Disabled) == 1);
+static_assert(static_cast<std::uint8_t>(ArmState::Enabled) == 2);
+static_assert(static_cast<std::uint8_t>(ArmState::Paused) == 3);
+static_assert(static_cast<std::uint8_t>(ArmState::Fault) == 4);
+static_assert(std::is_same_v<decltype(OperatingState::state), ArmState>);
+static_assert(std::is_same_v<decltype(OperatingState::sub_state), std::string>);
+static_assert(std::is_same_v<decltype(OperatingState::is_homed), bool>);
+static_assert(std::is_same_v<decltype(OperatingState::is_busy), bool>);
+static_assert(std::is_same_v<decltype(OperatingState::stamp),
+                             std::chrono::steady_clock::time_point>);
+
+}  // namespace
+
+// --- between slots and Cap'n Proto
+
+wire::ArmState wireArmState(std::uint8_t slot) {
+  switch (static_cast<ArmState>(slot)) {
+    case ArmState::Undefined: return wire::ArmState::UNDEFINED;
+    case ArmState::Disabled: return wire::ArmState::DISABLED;
+    case ArmState::Enabled: return wire::ArmState::ENABLED;
+    case ArmState::Paused: return wire::ArmState::PAUSED;
+    case ArmState::Fault: return wire::ArmState::FAULT;
+  }
+  return wire::ArmState{};
+}
+
+Errc fromWire(wire::ArmState in, std::uint8_t& slot) {
+  switch (in) {
+    case wire::ArmState::UNDEFINED: return slot =
+        static_cast<std::uint8_t>(ArmState::Undefined), Errc{};
+    case wire::ArmState::DISABLED: return slot =
+        static_cast<std::uint8_t>(ArmState::Disabled), Errc{};
+    case wire::ArmState::ENABLED: return slot =
+        static_cast<std::uint8_t>(ArmState::Enabled), Errc{};
+    case wire::ArmState::PAUSED: return slot = static_cast<std::uint8_t>(ArmState::Paused), Errc{};
+    case wire::ArmState::FAULT: return slot = static_cast<std::uint8_t>(ArmState::Fault), Errc{};
+  }
+  return Errc::Invalid;
+}
+
+void toWire(const OperatingStateSlot& slot, wire::OperatingState::Builder out) {
+  out.setState(wireArmState(slot.state));
+  toWire(slot.sub_state, out.initSubState(slot.sub_state.size));
+  out.setIsHomed(slot.is_homed != 0);
+  out.setIsBusy(slot.is_busy != 0);
+  out.setStamp(slot.stamp);
+}
+
+Errc fromWire(wire::OperatingState::Reader in, OperatingStateSlot& slot, Duration shift) {
+  slot.is_homed = in.getIsHomed();
+  slot.is_busy = in.getIsBusy();
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  return firstError({
+      fromWire(in.getState(), slot.state),
+      fromWire(in.getSubState(), slot.sub_state),
+  });
+}
+
+bool isValid(const OperatingStateSlot&) {
+  return true;
+}
+
+}  // namespace robots

@@ -1,0 +1,107 @@
+// Written by suturec from robot_types/pose.h. Do not edit.
+#include "robot_types/pose.suture.h"
+
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "robot_types/pose.capnp.h"
+
+namespace robots {
+
+using suture::Duration;
+using suture::Errc;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<decltype(PoseStamped::pose), Eigen::Isometry3d>);
+static_assert(std::is_same_v<decltype(PoseStamped::stamp), std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(PoseStamped::valid), bool>);
+static_assert(std::is_same_v<decltype(PoseSample::rotation), Eigen::Matrix3d>);
+static_assert(std::is_same_v<decltype(PoseSample::position), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(PoseSample::stamp), std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(PoseSample::sequence), std::uint64_t>);
+static_assert(std::is_same_v<decltype(PoseSample::flags), std::uint64_t>);
+static_assert(std::is_same_v<decltype(PosePrm::timestamp), std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(PosePrm::automatic_timestamp), bool>);
+static_assert(std::is_same_v<decltype(PosePrm::valid), bool>);
+static_assert(std::is_same_v<decltype(PosePrm::moving_frame), std::string>);
+static_assert(std::is_same_v<decltype(PosePrm::reference_frame), std::string>);
+static_assert(std::is_same_v<decltype(PosePrm::position), Eigen::Isometry3d>);
+
+}  // namespace
+
+// --- between slots and Cap'n Proto
+
+void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {
+  toWire(slot.pose, out.initPose());
+  out.setStamp(slot.stamp);
+  out.setValid(slot.valid != 0);
+}
+
+Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, Duration shift) {
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.valid = in.getValid();
+  return in.hasPose() ? fromWire(in.getPose(), slot.pose) : Errc::Invalid;
+}
+
+bool isValid(const PoseStampedSlot& slot) {
+  return isValid(slot.pose);
+}
+
+void toWire(const PoseSampleSlot& slot, wire::PoseSample::Builder out) {
+  toWire(slot.rotation, out.initRotation());
+  toWire(slot.position, out.initPosition());
+  out.setStamp(slot.stamp);
+  out.setSequence(slot.sequence);
+  out.setFlags(slot.flags);
+}
+
+Errc fromWire(wire::PoseSample::Reader in, PoseSampleSlot& slot, Duration shift) {
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.sequence = in.getSequence();
+  slot.flags = in.getFlags();
+  return firstError({
+      in.hasRotation() ? fromWire(in.getRotation(), slot.rotation) : Errc::Invalid,
+      in.hasPosition() ? fromWire(in.getPosition(), slot.position) : Errc::Invalid,
+  });
+}
+
+bool isValid(const PoseSampleSlot& slot) {
+  return isValid(slot.rotation) && isValid(slot.position);
+}
+
+void toWire(const PosePrmSlot& slot, wire::PosePrm::Builder out) {
+  out.setTimestamp(slot.timestamp);
+  out.setAutomaticTimestamp(slot.automatic_timestamp != 0);
+  out.setValid(slot.valid != 0);
+  toWire(slot.moving_frame, out.initMovingFrame(slot.moving_frame.size));
+  toWire(slot.reference_frame, out.initReferenceFrame(slot.reference_frame.size));
+  toWire(slot.position, out.initPosition());
+}
+
+Errc fromWire(wire::PosePrm::Reader in, PosePrmSlot& slot, Duration shift) {
+  slot.timestamp = suture::rpc::shifted(in.getTimestamp(), shift);
+  slot.automatic_timestamp = in.getAutomaticTimestamp();
+  slot.valid = in.getValid();
+  return firstError({
+      fromWire(in.getMovingFrame(), slot.moving_frame),
+      fromWire(in.getReferenceFrame(), slot.reference_frame),
+      in.hasPosition() ? fromWire(in.getPosition(), slot.position) : Errc::Invalid,
+  });
+}
+
+bool isValid(const PosePrmSlot& slot) {
+  return isValid(slot.position);
+}
+
+}  // namespace robots

@@ -1,0 +1,87 @@
+// Written by suturec from surgeon/surgeon.h. Do not edit.
+#include "surgeon/surgeon.suture.h"
+
+#include <suture/component/json_reader.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "surgeon/surgeon.capnp.h"
+
+namespace robots {
+
+using suture::Duration;
+using suture::Errc;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<decltype(SurgeonParameters::period), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(SurgeonParameters::amplitude), double>);
+static_assert(std::is_same_v<decltype(SurgeonParameters::turn), double>);
+static_assert(std::is_same_v<decltype(SurgeonParameters::frequency), double>);
+static_assert(std::is_same_v<decltype(SurgeonParameters::ramp), double>);
+
+}  // namespace
+
+// --- between slots and Cap'n Proto
+
+void toWire(const SurgeonParametersSlot& slot, wire::SurgeonParameters::Builder out) {
+  out.setPeriod(slot.period);
+  out.setAmplitude(slot.amplitude);
+  out.setTurn(slot.turn);
+  out.setFrequency(slot.frequency);
+  out.setRamp(slot.ramp);
+}
+
+Errc fromWire(wire::SurgeonParameters::Reader in, SurgeonParametersSlot& slot, Duration) {
+  slot.period = in.getPeriod();
+  slot.amplitude = in.getAmplitude();
+  slot.turn = in.getTurn();
+  slot.frequency = in.getFrequency();
+  slot.ramp = in.getRamp();
+  return Errc{};
+}
+
+bool isValid(const SurgeonParametersSlot& slot) {
+  return inRange(slot.amplitude, 0, 0.2) && inRange(slot.turn, 0, 1) &&
+      inRange(slot.frequency, 0.001, 10) && inRange(slot.ramp, 0.1, 100);
+}
+
+}  // namespace robots
+
+namespace robots {
+
+void fromJson(const suture::JsonReader& in, SurgeonParameters& value) {
+  suture::JsonReader reader = in;
+  reader.field("period", value.period);
+  reader.field("amplitude", value.amplitude, 0, 0.2);
+  reader.field("turn", value.turn, 0, 1);
+  reader.field("frequency", value.frequency, 0.001, 10);
+  reader.field("ramp", value.ramp, 0.1, 100);
+  reader.finish();
+}
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<robots::Surgeon>() {
+  return {"Surgeon", [](const JsonReader& parameters) -> std::unique_ptr<Component> {
+            robots::SurgeonParameters values;
+            fromJson(parameters, values);
+            if (parameters.failed()) return nullptr;
+            return std::make_unique<robots::Surgeon>(values);
+          }};
+}
+
+}  // namespace suture

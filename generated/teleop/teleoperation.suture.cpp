@@ -1,0 +1,545 @@
+// Written by suturec from teleop/teleoperation.h. Do not edit.
+#include "teleop/teleoperation.suture.h"
+
+#include <suture/transport/rpc/binding.h>
+#include <suture/transport/rpc/proxy_port.h>
+#include <suture/transport/rpc/servant_port.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "teleop/teleoperation.capnp.h"
+
+namespace robots {
+
+using suture::CommandInfo;
+using suture::CommandKind;
+using suture::Duration;
+using suture::Errc;
+using suture::EventInfo;
+using suture::rpc::ProxyPort;
+using suture::rpc::ServantPort;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<std::underlying_type_t<TeleopState>, std::uint8_t>);
+static_assert(static_cast<std::uint8_t>(TeleopState::Disabled) == 0);
+static_assert(static_cast<std::uint8_t>(TeleopState::Preparing) == 1);
+static_assert(static_cast<std::uint8_t>(TeleopState::Following) == 2);
+static_assert(std::is_same_v<decltype(FollowAnchors::master_stamp),
+                             std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(FollowAnchors::master), Eigen::Isometry3d>);
+static_assert(std::is_same_v<decltype(FollowAnchors::slave_setpoint), Eigen::Isometry3d>);
+static_assert(std::is_same_v<decltype(FollowAnchors::scale), double>);
+static_assert(std::is_same_v<decltype(FollowAnchors::entry), std::uint64_t>);
+
+constexpr CommandInfo kTeleoperationCommands[] = {
+    {.name = "enable",
+     .kind = CommandKind::Void,
+     .argumentsSize = 0,
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "disable",
+     .kind = CommandKind::Void,
+     .argumentsSize = 0,
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "teleop_state",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(std::uint8_t),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 0},
+    {.name = "anchors",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(FollowAnchorsSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 1},
+};
+
+constexpr EventInfo kTeleoperationEvents[] = {
+    {.name = "teleop_state",
+     .payloadSize = sizeof(std::uint8_t),
+     .depth = 16,
+     .latest = false,
+     .latched = true},
+    {.name = "followed",
+     .payloadSize = sizeof(FollowAnchorsSlot),
+     .depth = 16,
+     .latest = false,
+     .latched = true},
+};
+
+// The self-description, as in teleop/teleoperation.suture.json.
+constexpr char kTeleoperationDescription[] = R"json({
+  "name": "robots::Teleoperation",
+  "hash": "9ffc79316b7be3956818c7a6dc4f5c3b",
+  "commands": [
+    {
+      "name": "enable",
+      "kind": "void",
+      "doc": "Enables and homes arms that are not, then follows.",
+      "queue": 16
+    },
+    {
+      "name": "disable",
+      "kind": "void",
+      "doc": "Stops following; the slave holds.",
+      "queue": 16
+    },
+    {
+      "name": "teleop_state",
+      "kind": "read",
+      "result": {
+        "type": {
+          "kind": "enum",
+          "name": "robots::TeleopState"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "anchors",
+      "kind": "read",
+      "doc": "Of the present or last time of following.",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::FollowAnchors"
+        }
+      },
+      "queue": 16
+    }
+  ],
+  "events": [
+    {
+      "name": "teleop_state",
+      "kind": "write",
+      "payload": {
+        "type": {
+          "kind": "enum",
+          "name": "robots::TeleopState"
+        }
+      },
+      "queue": 16,
+      "latched": true
+    },
+    {
+      "name": "followed",
+      "kind": "write",
+      "doc": "Following begins.",
+      "payload": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::FollowAnchors"
+        }
+      },
+      "queue": 16,
+      "latched": true
+    }
+  ],
+  "enums": [
+    {
+      "name": "robots::TeleopState",
+      "underlying": "UInt8",
+      "enumerators": [
+        {
+          "name": "Disabled",
+          "value": 0,
+          "doc": "until enable()"
+        },
+        {
+          "name": "Preparing",
+          "value": 1,
+          "doc": "waits for both arms: connected, enabled, homed, and fresh data of both"
+        },
+        {
+          "name": "Following",
+          "value": 2
+        }
+      ]
+    }
+  ],
+  "structs": [
+    {
+      "name": "robots::FollowAnchors",
+      "doc": "Where following began: with it and the master's poses, anyone can compute what the slave should\ndo.",
+      "fields": [
+        {
+          "name": "master_stamp",
+          "doc": "Stamp of the first master pose that was followed.",
+          "type": {
+            "kind": "time",
+            "clock": "steady"
+          }
+        },
+        {
+          "name": "master",
+          "doc": "The master's measured pose at that stamp, in the master's base frame.",
+          "type": {
+            "kind": "isometry",
+            "scalar": "Float64"
+          },
+          "unit": "m"
+        },
+        {
+          "name": "slave_setpoint",
+          "doc": "The slave's set-point at entry, in the slave's base frame.",
+          "type": {
+            "kind": "isometry",
+            "scalar": "Float64"
+          },
+          "unit": "m"
+        },
+        {
+          "name": "scale",
+          "doc": "Slave metres a master metre.",
+          "type": {
+            "kind": "Float64"
+          },
+          "default": 0.0
+        },
+        {
+          "name": "entry",
+          "doc": "How many times following began, this one included; 0: never.",
+          "type": {
+            "kind": "UInt64"
+          },
+          "default": 0
+        }
+      ]
+    }
+  ]
+})json";
+
+}  // namespace
+
+// --- between slots and Cap'n Proto
+
+wire::TeleopState wireTeleopState(std::uint8_t slot) {
+  switch (static_cast<TeleopState>(slot)) {
+    case TeleopState::Disabled: return wire::TeleopState::DISABLED;
+    case TeleopState::Preparing: return wire::TeleopState::PREPARING;
+    case TeleopState::Following: return wire::TeleopState::FOLLOWING;
+  }
+  return wire::TeleopState{};
+}
+
+Errc fromWire(wire::TeleopState in, std::uint8_t& slot) {
+  switch (in) {
+    case wire::TeleopState::DISABLED: return slot =
+        static_cast<std::uint8_t>(TeleopState::Disabled), Errc{};
+    case wire::TeleopState::PREPARING: return slot =
+        static_cast<std::uint8_t>(TeleopState::Preparing), Errc{};
+    case wire::TeleopState::FOLLOWING: return slot =
+        static_cast<std::uint8_t>(TeleopState::Following), Errc{};
+  }
+  return Errc::Invalid;
+}
+
+void toWire(const FollowAnchorsSlot& slot, wire::FollowAnchors::Builder out) {
+  out.setMasterStamp(slot.master_stamp);
+  toWire(slot.master, out.initMaster());
+  toWire(slot.slave_setpoint, out.initSlaveSetpoint());
+  out.setScale(slot.scale);
+  out.setEntry(slot.entry);
+}
+
+Errc fromWire(wire::FollowAnchors::Reader in, FollowAnchorsSlot& slot, Duration shift) {
+  slot.master_stamp = suture::rpc::shifted(in.getMasterStamp(), shift);
+  slot.scale = in.getScale();
+  slot.entry = in.getEntry();
+  return firstError({
+      in.hasMaster() ? fromWire(in.getMaster(), slot.master) : Errc::Invalid,
+      in.hasSlaveSetpoint() ? fromWire(in.getSlaveSetpoint(), slot.slave_setpoint) : Errc::Invalid,
+  });
+}
+
+bool isValid(const FollowAnchorsSlot& slot) {
+  return isValid(slot.master) && isValid(slot.slave_setpoint) && isValid(slot.scale);
+}
+
+namespace {
+
+// --- Teleoperation over Cap'n Proto RPC: the provider's side
+
+/// Makes remote calls of a subscriber's events and rows.
+class TeleoperationSink final : public suture::rpc::EventSink {
+ public:
+  explicit TeleoperationSink(wire::TeleoperationEvents::Client subscriber) :
+      subscriber_(kj::mv(subscriber)) {}
+
+  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
+    switch (static_cast<TeleoperationEvent>(event)) {
+      case TeleoperationEvent::teleop_state: {
+        const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
+        auto request = subscriber_.teleopStateRequest();
+        request.setValue(wireTeleopState(slot));
+        return request.send().ignoreResult();
+      }
+      case TeleoperationEvent::followed: {
+        const auto& slot = *reinterpret_cast<const FollowAnchorsSlot*>(payload);
+        auto request = subscriber_.followedRequest();
+        toWire(slot, request.initValue());
+        return request.send().ignoreResult();
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
+                        std::span<const std::byte* const> columns) override {
+    auto request = subscriber_.stateRequest();
+    auto out = request.initRow();
+    out.setStamp(suture::toNanoseconds(row.stamp));
+    out.setEvaluated(row.valid);
+    if (row.valid >> 0 & 1) {
+      const auto& slot = *reinterpret_cast<const std::uint8_t*>(columns[0]);
+      out.setTeleopState(wireTeleopState(slot));
+    }
+    if (row.valid >> 1 & 1) {
+      const auto& slot = *reinterpret_cast<const FollowAnchorsSlot*>(columns[1]);
+      toWire(slot, out.initAnchors());
+    }
+    return request.send().ignoreResult();
+  }
+
+ private:
+  wire::TeleoperationEvents::Client subscriber_;
+};
+
+/// Puts remote calls into the provider's mailbox.
+class TeleoperationServant final : public wire::Teleoperation::Server {
+ public:
+  explicit TeleoperationServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> subscribe(SubscribeContext context) override {
+    auto in = context.getParams();
+    port_->subscribe(kj::heap<TeleoperationSink>(in.getEvents()), in.getEventMask(),
+                     in.getStateMask());
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> enable(EnableContext context) override {
+    auto in = context.getParams();
+    return port_->command(commandId(TeleoperationCommand::enable), in.getSent(),
+                          [](std::byte*) { return Errc{}; });
+  }
+
+  kj::Promise<void> disable(DisableContext context) override {
+    auto in = context.getParams();
+    return port_->command(commandId(TeleoperationCommand::disable), in.getSent(),
+                          [](std::byte*) { return Errc{}; });
+  }
+
+  kj::Promise<void> teleopState(TeleopStateContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
+      auto out = context.getResults();
+      out.setValue(wireTeleopState(slot));
+    };
+    return port_->call(commandId(TeleoperationCommand::teleop_state), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> anchors(AnchorsContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const FollowAnchorsSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(TeleoperationCommand::anchors), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+ private:
+  static std::uint16_t commandId(TeleoperationCommand command) {
+                                                                return static_cast<std::uint16_t>(command); }
+
+  kj::Own<ServantPort> port_;
+};
+
+// --- Teleoperation over Cap'n Proto RPC: the client's side
+
+/// Receives events and rows.
+class TeleoperationReceiver final : public wire::TeleoperationEvents::Server {
+ public:
+  explicit TeleoperationReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> state(StateContext context) override {
+    auto in = context.getParams().getRow();
+    suture::rt::ColumnSet valid = 0;
+    if (in.getEvaluated() >> 0 & 1) {
+      auto& slot = *reinterpret_cast<std::uint8_t*>(port_->column(0));
+      const Errc error = fromWire(in.getTeleopState(), slot);
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
+    }
+    if (in.getEvaluated() >> 1 & 1) {
+      auto& slot = *reinterpret_cast<FollowAnchorsSlot*>(port_->column(1));
+      const Errc error =
+          in.hasAnchors() ? fromWire(in.getAnchors(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
+    }
+    port_->publish(in.getStamp(), valid);
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> teleopState(TeleopStateContext context) override {
+    auto in = context.getParams();
+    std::uint8_t slot;
+    const Errc error = fromWire(in.getValue(), slot);
+    return port_->event(eventId(TeleoperationEvent::teleop_state), error, slot);
+  }
+
+  kj::Promise<void> followed(FollowedContext context) override {
+    auto in = context.getParams();
+    FollowAnchorsSlot slot;
+    const Errc error =
+        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    return port_->event(eventId(TeleoperationEvent::followed), error, slot);
+  }
+
+ private:
+  static std::uint16_t eventId(TeleoperationEvent event) {
+                                                          return static_cast<std::uint16_t>(event); }
+
+  kj::Own<ProxyPort> port_;
+};
+
+/// Makes remote calls of commands.
+class TeleoperationProxy final : public suture::rpc::Proxy {
+ public:
+  TeleoperationProxy(wire::Teleoperation::Client provider, ProxyPort& port)
+      : provider_(kj::mv(provider)), port_(port) {}
+
+  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
+    auto request = provider_.subscribeRequest();
+    request.setEvents(kj::heap<TeleoperationReceiver>(kj::addRef(port_)));
+    request.setEventMask(events);
+    request.setStateMask(columns);
+    return request.send().ignoreResult();
+  }
+
+  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
+    switch (static_cast<TeleoperationCommand>(record.command)) {
+      case TeleoperationCommand::enable: {
+        auto request = provider_.enableRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case TeleoperationCommand::disable: {
+        auto request = provider_.disableRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case TeleoperationCommand::teleop_state: {
+        auto request = provider_.teleopStateRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<std::uint8_t>(call, [&](std::uint8_t& answer) {
+            return fromWire(response.getValue(), answer);
+          });
+        });
+      }
+      case TeleoperationCommand::anchors: {
+        auto request = provider_.anchorsRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<FollowAnchorsSlot>(call, [&](FollowAnchorsSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+ private:
+  wire::Teleoperation::Client provider_;
+  ProxyPort& port_;
+};
+
+class TeleoperationBinding final : public suture::rpc::Binding {
+ public:
+  capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const override {
+    return wire::Teleoperation::Client(kj::heap<TeleoperationServant>(kj::mv(port)));
+  }
+  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
+                                        ProxyPort& port) const override {
+    return kj::heap<TeleoperationProxy>(contract.castAs<wire::Teleoperation>(), port);
+  }
+};
+
+const suture::rpc::Binding& teleoperationBinding() {
+  static const TeleoperationBinding kBinding;
+  return kBinding;
+}
+
+}  // namespace
+}  // namespace robots
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<robots::Teleoperation>() {
+  static constexpr InterfaceInfo kInfo{
+      .name = "robots::Teleoperation",
+      .hash = "9ffc79316b7be3956818c7a6dc4f5c3b",
+      .description = robots::kTeleoperationDescription,
+      .commands = robots::kTeleoperationCommands,
+      .events = robots::kTeleoperationEvents,
+      .binding = &robots::teleoperationBinding,
+  };
+  return kInfo;
+}
+
+Errc Provided<robots::Teleoperation>::execute(std::uint16_t command, const std::byte* /*arguments*/,
+                                              std::byte* result) {
+  using ::robots::TeleoperationCommand;
+  switch (static_cast<TeleoperationCommand>(command)) {
+    case TeleoperationCommand::enable: {
+      implementation_.enable();
+      return Errc{};
+    }
+    case TeleoperationCommand::disable: {
+      implementation_.disable();
+      return Errc{};
+    }
+    case TeleoperationCommand::teleop_state: {
+      auto& slot = *reinterpret_cast<std::uint8_t*>(result);
+      return store(implementation_.teleop_state(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case TeleoperationCommand::anchors: {
+      auto& slot = *reinterpret_cast<robots::FollowAnchorsSlot*>(result);
+      return store(implementation_.anchors(), slot) ? Errc{} : Errc::TooLarge;
+    }
+  }
+  return Errc::Invalid;
+}
+
+}  // namespace suture
