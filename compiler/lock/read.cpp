@@ -5,9 +5,7 @@
 
 namespace suture::compiler::lock {
 
-std::string lockPath(std::string_view headerPath) {
-  return model::stemOf(headerPath) + ".capnp";
-}
+std::string lockPath(std::string_view headerPath) { return model::stemOf(headerPath) + ".capnp"; }
 
 bool needsLock(const model::Header& header) {
   return !header.enums.empty() || !header.structs.empty() || !header.interfaces.empty();

@@ -74,8 +74,6 @@ class Tokenizer {
 
 }  // namespace
 
-std::vector<Token> tokenize(std::string_view text) {
-  return Tokenizer(text).run();
-}
+std::vector<Token> tokenize(std::string_view text) { return Tokenizer(text).run(); }
 
 }  // namespace suture::compiler::lock

@@ -120,14 +120,10 @@ WantedNode wantedStruct(const model::Struct& declaration, const model::Lookup& l
 
 const char* kindName(model::CommandKind kind) {
   switch (kind) {
-    case model::CommandKind::Void:
-      return "void";
-    case model::CommandKind::Write:
-      return "write";
-    case model::CommandKind::Read:
-      return "read";
-    case model::CommandKind::QualifiedRead:
-      return "qualifiedRead";
+    case model::CommandKind::Void: return "void";
+    case model::CommandKind::Write: return "write";
+    case model::CommandKind::Read: return "read";
+    case model::CommandKind::QualifiedRead: return "qualifiedRead";
   }
   return "";
 }

@@ -10,9 +10,7 @@ namespace {
 using model::Type;
 using Shape = Type::Shape;
 
-std::string list(const std::string& element) {
-  return "List(" + element + ")";
-}
+std::string list(const std::string& element) { return "List(" + element + ")"; }
 
 std::string declaredName(const Type& type, const model::Lookup& lookup,
                          const model::Header& inside) {
@@ -81,48 +79,33 @@ std::string namedEigenType(const Type& type) {
 
 std::string_view capnpScalar(model::Scalar scalar) {
   switch (scalar) {
-    case model::Scalar::Bool:
-      return "Bool";
-    case model::Scalar::Int8:
-      return "Int8";
-    case model::Scalar::Int16:
-      return "Int16";
-    case model::Scalar::Int32:
-      return "Int32";
-    case model::Scalar::Int64:
-      return "Int64";
-    case model::Scalar::UInt8:
-      return "UInt8";
-    case model::Scalar::UInt16:
-      return "UInt16";
-    case model::Scalar::UInt32:
-      return "UInt32";
-    case model::Scalar::UInt64:
-      return "UInt64";
-    case model::Scalar::Float32:
-      return "Float32";
-    case model::Scalar::Float64:
-      return "Float64";
+    case model::Scalar::Bool: return "Bool";
+    case model::Scalar::Int8: return "Int8";
+    case model::Scalar::Int16: return "Int16";
+    case model::Scalar::Int32: return "Int32";
+    case model::Scalar::Int64: return "Int64";
+    case model::Scalar::UInt8: return "UInt8";
+    case model::Scalar::UInt16: return "UInt16";
+    case model::Scalar::UInt32: return "UInt32";
+    case model::Scalar::UInt64: return "UInt64";
+    case model::Scalar::Float32: return "Float32";
+    case model::Scalar::Float64: return "Float64";
   }
   return "Void";
 }
 
 std::string wireType(const Type& type, const model::Lookup& lookup, const model::Header& inside) {
   switch (type.shape) {
-    case Shape::Scalar:
-      return std::string(capnpScalar(type.scalar));
+    case Shape::Scalar: return std::string(capnpScalar(type.scalar));
     case Shape::Enum:
-    case Shape::Struct:
-      return declaredName(type, lookup, inside);
-    case Shape::Text:
-      return "Text";
+    case Shape::Struct: return declaredName(type, lookup, inside);
+    case Shape::Text: return "Text";
     case Shape::List: {
       const Type& element = type.element.front();
       const bool bytes = element.shape == Shape::Scalar && element.scalar == model::Scalar::UInt8;
       return bytes ? "Data" : list(wireType(element, lookup, inside));
     }
-    case Shape::Array:
-      return list(wireType(type.element.front(), lookup, inside));
+    case Shape::Array: return list(wireType(type.element.front(), lookup, inside));
     case Shape::Matrix:
     case Shape::Quaternion:
     case Shape::Isometry: {
@@ -130,8 +113,7 @@ std::string wireType(const Type& type, const model::Lookup& lookup, const model:
       return named.empty() ? list(std::string(capnpScalar(type.scalar))) : named;
     }
     case Shape::Duration:
-    case Shape::TimePoint:
-      return "Int64";
+    case Shape::TimePoint: return "Int64";
   }
   return "Void";
 }

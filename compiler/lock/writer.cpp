@@ -17,9 +17,7 @@ constexpr std::size_t kColumns = 100;
 /// Path of another schema file to the name it is imported under.
 using Aliases = std::map<std::string, std::string>;
 
-std::string titleOf(const std::string& snake) {
-  return model::titleCase(model::camelCase(snake));
-}
+std::string titleOf(const std::string& snake) { return model::titleCase(model::camelCase(snake)); }
 
 /// "/robot_types/robot_types.capnp" -> "RobotTypes"; with `full`, the folder's name in front.
 std::string aliasOf(const std::string& path, bool full) {
@@ -128,12 +126,9 @@ std::string comment(const std::string& doc, const std::string& indent) {
 
 const char* keyword(Node::Kind kind) {
   switch (kind) {
-    case Node::Kind::Struct:
-      return "struct";
-    case Node::Kind::Enum:
-      return "enum";
-    case Node::Kind::Interface:
-      return "interface";
+    case Node::Kind::Struct: return "struct";
+    case Node::Kind::Enum: return "enum";
+    case Node::Kind::Interface: return "interface";
   }
   return "";
 }

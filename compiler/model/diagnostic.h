@@ -1,6 +1,6 @@
 #pragma once
-// A finding about the model. check/ and lock/ produce them; the frontend, which still has the source,
-// prints them in clang's form with caret and help.
+// A finding about the model. check/ and lock/ produce them; the frontend, which still has the
+// source, prints them in clang's form with caret and help.
 
 #include <string>
 #include <vector>
@@ -18,9 +18,10 @@ struct Diagnostic {
   enum class Severity { Error, Warning };
 
   Source source;
-  std::string slug;     ///< "pointer-field": printed as [suture-pointer-field]
-  std::string message;  ///< what was found: "field 'p' has pointer type 'int *'; ownership is unknown"
-  std::string help;     ///< what to do; printed as a note
+  std::string slug;  ///< "pointer-field": printed as [suture-pointer-field]
+  std::string
+      message;       ///< what was found: "field 'p' has pointer type 'int *'; ownership is unknown"
+  std::string help;  ///< what to do; printed as a note
   std::vector<Note> notes;
   Severity severity = Severity::Error;
 };

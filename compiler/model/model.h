@@ -1,6 +1,6 @@
 #pragma once
-// What one set of annotated headers declares, as plain values. The frontend fills it from clang's tree,
-// check/ and lock/ judge it, emit/ writes it out. Nothing here knows clang.
+// What one set of annotated headers declares, as plain values. The frontend fills it from clang's
+// tree, check/ and lock/ judge it, emit/ writes it out. Nothing here knows clang.
 
 #include <cstdint>
 #include <optional>
@@ -89,9 +89,9 @@ struct Command {
 };
 
 struct Event {
-  std::string member;    ///< C++ member: "operating_state_event"
-  std::string name;      ///< name in descriptions and in emit()/on(): "operating_state"
-  std::string wireName;  ///< capnp's: "operatingState"
+  std::string member;         ///< C++ member: "operating_state_event"
+  std::string name;           ///< name in descriptions and in emit()/on(): "operating_state"
+  std::string wireName;       ///< capnp's: "operatingState"
   std::vector<Type> payload;  ///< none: a void event; one: a write event
   std::string payloadUnit;    ///< from SUTURE_FIELD on the event; "" = none said
   std::optional<std::pair<double, double>> payloadRange;
@@ -135,9 +135,9 @@ struct Component {
 
 /// Everything one header declares, in the order of its text.
 struct Header {
-  std::string path;       ///< "arm/arm.h": as included, and the stem of every artefact
+  std::string path;          ///< "arm/arm.h": as included, and the stem of every artefact
   std::string cxxNamespace;  ///< enclosing namespace of its declarations: "robots::arm"
-  bool own = true;        ///< false: another target's; read for its declarations, nothing is emitted
+  bool own = true;  ///< false: another target's; read for its declarations, nothing is emitted
   std::vector<std::string> imports;  ///< paths of the annotated headers whose types it uses, sorted
   std::vector<Enum> enums;
   std::vector<Struct> structs;

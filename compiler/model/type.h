@@ -8,8 +8,8 @@
 
 namespace suture::compiler::model {
 
-/// Where something was declared. `handle` is opaque to all but the frontend, which turns it back into
-/// a clang location to draw the caret; `file` and `line` serve the artefacts.
+/// Where something was declared. `handle` is opaque to all but the frontend, which turns it back
+/// into a clang location to draw the caret; `file` and `line` serve the artefacts.
 struct Source {
   std::uint32_t handle = 0;
   std::string file;  ///< as the target's include path spells it: "arm/arm.h"
@@ -17,7 +17,17 @@ struct Source {
 };
 
 enum class Scalar {
-  Bool, Int8, Int16, Int32, Int64, UInt8, UInt16, UInt32, UInt64, Float32, Float64
+  Bool,
+  Int8,
+  Int16,
+  Int32,
+  Int64,
+  UInt8,
+  UInt16,
+  UInt32,
+  UInt64,
+  Float32,
+  Float64
 };
 
 enum class Clock { Steady, System };

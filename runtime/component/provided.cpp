@@ -75,7 +75,8 @@ void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time d
     Component& owner;
     std::uint16_t command;
     std::uint32_t call;
-    bool usesCredit;  // a newest-wins command without an answer travels in its cell, not in the ring
+    bool
+        usesCredit;  // a newest-wins command without an answer travels in its cell, not in the ring
     bool answered = false;
     ~Release() {
       channel.commands.pop();

@@ -71,7 +71,7 @@ def check_lengths(root):
     for folder in ("compiler", "runtime", "components", "examples", "tests"):
         for path in sources(root, folder):
             lines = path.read_text(encoding="utf-8").count("\n")
-            if lines > MAX_LINES:
+            if lines > MAX_LINES and "golden" not in path.parts:
                 yield f"{path.relative_to(root)}: {lines} lines, at most {MAX_LINES}"
 
 
@@ -94,7 +94,8 @@ def check_format(root):
         yield "clang-format-14 is missing: run .ci/install tests"
         return
     files = [p for folder in ("compiler", "runtime", "components", "examples", "tests") for p in sources(root, folder)]
-    files = [p for p in files if "golden" not in p.parts and "errors" not in p.parts]
+    # Not ours to lay out: expected outputs, deliberately broken inputs, the model of generated code.
+    files = [p for p in files if not {"golden", "errors"} & set(p.parts) and ".suture." not in p.name]
     for i in range(0, len(files), 100):
         result = subprocess.run([tool, "--dry-run", "--style=file", *map(str, files[i : i + 100])],
                                 capture_output=True, text=True, cwd=root)

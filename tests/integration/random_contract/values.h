@@ -16,7 +16,7 @@ namespace invented {
 using Random = std::mt19937_64;
 
 template <class T>
-  requires std::is_arithmetic_v<T>
+requires std::is_arithmetic_v<T>
 void fill(T& value, Random& random) {
   if constexpr (std::is_same_v<T, bool>) {
     value = random() % 2 == 0;
@@ -27,22 +27,18 @@ void fill(T& value, Random& random) {
   }
 }
 template <class T>
-  requires std::is_arithmetic_v<T>
-bool same(T a, T b) {
-  return a == b;
-}
+requires std::is_arithmetic_v<T>
+bool same(T a, T b) { return a == b; }
 
 template <class E>
-  requires std::is_enum_v<E>
+requires std::is_enum_v<E>
 void fill(E& value, Random& random) {
   constexpr std::array<E, 3> kAll{E::First, E::Second, E::Third};
   value = kAll[random() % 3];
 }
 template <class E>
-  requires std::is_enum_v<E>
-bool same(E a, E b) {
-  return a == b;
-}
+requires std::is_enum_v<E>
+bool same(E a, E b) { return a == b; }
 
 inline void fill(std::string& value, Random& random, unsigned capacity) {
   value.resize(random() % (capacity + 1));
@@ -52,7 +48,8 @@ inline bool same(const std::string& a, const std::string& b) { return a == b; }
 
 template <class Rep, class Period>
 void fill(std::chrono::duration<Rep, Period>& value, Random& random) {
-  // Less than half a year, so that it fits in nanoseconds; whole milliseconds, so that nothing is rounded.
+  // Less than half a year, so that it fits in nanoseconds; whole milliseconds, so that nothing is
+  // rounded.
   value = std::chrono::duration_cast<std::chrono::duration<Rep, Period>>(
       std::chrono::milliseconds(static_cast<std::int64_t>(random() % 10'000'000'000)));
 }
