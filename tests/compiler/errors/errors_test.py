@@ -57,6 +57,31 @@ def check_case(suturec, eigen, header, record):
     return [f"{header.name}: {p}" for p in problems]
 
 
+# A faulty command line, run in cases/, and the words that must come.
+USAGE = [
+    ("--out OUT --lock-dir schemas", "headers is required"),
+    ("--lock-dir schemas pointer.h", r"--out \(or --update-lock\) is required"),
+    ("--out OUT pointer.h", "--lock-dir is required"),
+    ("--out OUT --lock-dir schemas missing.h", "there is no header 'missing.h'"),
+    ("--out OUT --lock-dir schemas ../include/suture/base/time.h", "is not below the base directory '.'"),
+    ("--out OUT --lock-dir schemas pointer.err", "does not end with .h"),
+    ("--out OUT --base-dir ../include --lock-dir schemas ../include/suture/base/time.h", "declares nothing annotated"),
+    ("--out OUT --lock-dir schemas --resource-dir /nowhere pointer.h", "install libclang-common-19-dev"),
+    ("@missing.rsp", "cannot read the response file 'missing.rsp'"),
+    ("--out OUT --lock-dir schemas --colour pointer.h", "was not expected: --colour"),
+    ("--out OUT --lock-dir schemas pointer.h -- -std=c++99", "invalid value 'c\\+\\+99'"),
+]
+
+
+def check_usage(suturec, arguments, words):
+    with tempfile.TemporaryDirectory() as out:
+        command = [suturec, *arguments.replace("OUT", out).split()]
+        done = subprocess.run(command, cwd=CASES, capture_output=True, text=True, timeout=TIME_LIMIT)
+        text = done.stdout + done.stderr
+    good = done.returncode == 1 and re.search(words, text)
+    return [] if good else [f"suturec {arguments}: status {done.returncode}, no '{words}' in\n{text}"]
+
+
 def check_slugs():
     """Every slug in the sources is shown by a case."""
     used = set()
@@ -109,6 +134,7 @@ def main():
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         jobs = [pool.submit(check_case, suturec, eigen, h, record) for h in sorted(CASES.glob("*.h"))]
         if not record:
+            jobs += [pool.submit(check_usage, suturec, *usage) for usage in USAGE]
             jobs += [pool.submit(check_mutation, suturec, eigen, seed) for seed in range(20)]
         problems = [p for job in jobs for p in job.result()]
     problems += check_slugs()
