@@ -1,0 +1,316 @@
+// Written by suturec from 01_counter/counter.h. Do not edit.
+#include "01_counter/counter.suture.h"
+
+#include <suture/transport/rpc/binding.h>
+#include <suture/transport/rpc/proxy_port.h>
+#include <suture/transport/rpc/servant_port.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "01_counter/counter.capnp.h"
+
+namespace counting {
+
+using suture::CommandInfo;
+using suture::CommandKind;
+using suture::Duration;
+using suture::Errc;
+using suture::EventInfo;
+using suture::rpc::ProxyPort;
+using suture::rpc::ServantPort;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+constexpr CommandInfo kCounterCommands[] = {
+    {.name = "add",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(CounterAddArguments),
+     .resultSize = 0,
+     .depth = 8,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "value",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(std::int64_t),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 0},
+};
+
+constexpr EventInfo kCounterEvents[] = {
+    {.name = "ten_more",
+     .payloadSize = sizeof(std::int64_t),
+     .depth = 16,
+     .latest = false,
+     .latched = false},
+};
+
+// The self-description, as in 01_counter/counter.suture.json.
+constexpr char kCounterDescription[] = R"json({
+  "name": "counting::Counter",
+  "hash": "cb78bdb6b7ac9c71886fbf72d7dffeb6",
+  "commands": [
+    {
+      "name": "add",
+      "kind": "write",
+      "doc": "Adds to the count. Runs in the provider's thread.",
+      "parameters": [
+        {
+          "name": "amount",
+          "type": {
+            "kind": "Int32"
+          }
+        }
+      ],
+      "queue": 8
+    },
+    {
+      "name": "value",
+      "kind": "read",
+      "doc": "The newest count; never waits for anyone.",
+      "result": {
+        "type": {
+          "kind": "Int64"
+        }
+      },
+      "queue": 16
+    }
+  ],
+  "events": [
+    {
+      "name": "ten_more",
+      "kind": "write",
+      "doc": "The count has passed a multiple of ten.",
+      "payload": {
+        "type": {
+          "kind": "Int64"
+        }
+      },
+      "queue": 16
+    }
+  ],
+  "enums": [],
+  "structs": []
+})json";
+
+}  // namespace
+
+namespace {
+
+// --- Counter over Cap'n Proto RPC: the provider's side
+
+/// Makes remote calls of a subscriber's events and rows.
+class CounterSink final : public suture::rpc::EventSink {
+ public:
+  explicit CounterSink(wire::CounterEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+
+  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
+    switch (static_cast<CounterEvent>(event)) {
+      case CounterEvent::ten_more: {
+        const auto& slot = *reinterpret_cast<const std::int64_t*>(payload);
+        auto request = subscriber_.tenMoreRequest();
+        request.setValue(slot);
+        return request.send().ignoreResult();
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
+                        std::span<const std::byte* const> columns) override {
+    auto request = subscriber_.stateRequest();
+    auto out = request.initRow();
+    out.setStamp(suture::toNanoseconds(row.stamp));
+    out.setEvaluated(row.valid);
+    if (row.valid >> 0 & 1) {
+      const auto& slot = *reinterpret_cast<const std::int64_t*>(columns[0]);
+      out.setValue(slot);
+    }
+    return request.send().ignoreResult();
+  }
+
+ private:
+  wire::CounterEvents::Client subscriber_;
+};
+
+/// Puts remote calls into the provider's mailbox.
+class CounterServant final : public wire::Counter::Server {
+ public:
+  explicit CounterServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> subscribe(SubscribeContext context) override {
+    auto in = context.getParams();
+    port_->subscribe(kj::heap<CounterSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> add(AddContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<CounterAddArguments*>(memory);
+      slot.amount = in.getAmount();
+      return Errc{};
+    };
+    return port_->command(commandId(CounterCommand::add), in.getSent(), fill);
+  }
+
+  kj::Promise<void> value(ValueContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const std::int64_t*>(result);
+      auto out = context.getResults();
+      out.setValue(slot);
+    };
+    return port_->call(commandId(CounterCommand::value), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+ private:
+  static std::uint16_t commandId(CounterCommand command) {
+                                                          return static_cast<std::uint16_t>(command); }
+
+  kj::Own<ServantPort> port_;
+};
+
+// --- Counter over Cap'n Proto RPC: the client's side
+
+/// Receives events and rows.
+class CounterReceiver final : public wire::CounterEvents::Server {
+ public:
+  explicit CounterReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> state(StateContext context) override {
+    auto in = context.getParams().getRow();
+    suture::rt::ColumnSet valid = 0;
+    if (in.getEvaluated() >> 0 & 1) {
+      auto& slot = *reinterpret_cast<std::int64_t*>(port_->column(0));
+      slot = in.getValue();
+      valid |= suture::rt::ColumnSet{1} << 0;
+    }
+    port_->publish(in.getStamp(), valid);
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> tenMore(TenMoreContext context) override {
+    auto in = context.getParams();
+    std::int64_t slot;
+    slot = in.getValue();
+    const Errc error = Errc{};
+    return port_->event(eventId(CounterEvent::ten_more), error, slot);
+  }
+
+ private:
+  static std::uint16_t eventId(CounterEvent event) { return static_cast<std::uint16_t>(event); }
+
+  kj::Own<ProxyPort> port_;
+};
+
+/// Makes remote calls of commands.
+class CounterProxy final : public suture::rpc::Proxy {
+ public:
+  CounterProxy(wire::Counter::Client provider, ProxyPort& port)
+      : provider_(kj::mv(provider)), port_(port) {}
+
+  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
+    auto request = provider_.subscribeRequest();
+    request.setEvents(kj::heap<CounterReceiver>(kj::addRef(port_)));
+    request.setEventMask(events);
+    request.setStateMask(columns);
+    return request.send().ignoreResult();
+  }
+
+  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
+    switch (static_cast<CounterCommand>(record.command)) {
+      case CounterCommand::add: {
+        const auto& slot = *reinterpret_cast<const CounterAddArguments*>(record.arguments());
+        auto request = provider_.addRequest();
+        request.setAmount(slot.amount);
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CounterCommand::value: {
+        auto request = provider_.valueRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<std::int64_t>(call, [&](std::int64_t& answer) {
+            answer = response.getValue();
+            return Errc{};
+          });
+        });
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+ private:
+  wire::Counter::Client provider_;
+  ProxyPort& port_;
+};
+
+class CounterBinding final : public suture::rpc::Binding {
+ public:
+  capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const override {
+    return wire::Counter::Client(kj::heap<CounterServant>(kj::mv(port)));
+  }
+  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
+                                        ProxyPort& port) const override {
+    return kj::heap<CounterProxy>(contract.castAs<wire::Counter>(), port);
+  }
+};
+
+const suture::rpc::Binding& counterBinding() {
+  static const CounterBinding kBinding;
+  return kBinding;
+}
+
+}  // namespace
+}  // namespace counting
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<counting::Counter>() {
+  static constexpr InterfaceInfo kInfo{
+      .name = "counting::Counter",
+      .hash = "cb78bdb6b7ac9c71886fbf72d7dffeb6",
+      .description = counting::kCounterDescription,
+      .commands = counting::kCounterCommands,
+      .events = counting::kCounterEvents,
+      .binding = &counting::counterBinding,
+  };
+  return kInfo;
+}
+
+Errc Provided<counting::Counter>::execute(std::uint16_t command, const std::byte* arguments,
+                                          std::byte* result) {
+  using ::counting::CounterCommand;
+  switch (static_cast<CounterCommand>(command)) {
+    case CounterCommand::add: {
+      const auto& slot = *reinterpret_cast<const counting::CounterAddArguments*>(arguments);
+      load(slot.amount, scratch_.add_amount);
+      implementation_.add(scratch_.add_amount);
+      return Errc{};
+    }
+    case CounterCommand::value: {
+      auto& slot = *reinterpret_cast<std::int64_t*>(result);
+      return store(implementation_.value(), slot) ? Errc{} : Errc::TooLarge;
+    }
+  }
+  return Errc::Invalid;
+}
+
+}  // namespace suture

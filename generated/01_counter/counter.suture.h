@@ -1,0 +1,108 @@
+// Written by suturec from 01_counter/counter.h. Do not edit.
+#pragma once
+
+#include <suture/base/slots.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "01_counter/counter.h"
+
+namespace counting {
+
+// --- Counter: the arguments of its commands ---
+
+struct CounterAddArguments {
+  std::int32_t amount;
+};
+
+inline bool store(const std::int32_t& amount, CounterAddArguments& slot) {
+  using suture::store;
+  return store(amount, slot.amount);
+}
+
+/// The numbers of Counter's commands in every table and record.
+enum class CounterCommand : std::uint16_t {
+  add,
+  value,
+};
+
+/// The numbers of Counter's events.
+enum class CounterEvent : std::uint16_t {
+  ten_more,
+};
+
+}  // namespace counting
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<counting::Counter>();
+
+/// What a client of counting::Counter calls.
+template <>
+class Required<counting::Counter> final : public RequiredBase {
+  using Contract = counting::Counter;
+  using Id = counting::CounterCommand;
+  using EventId = counting::CounterEvent;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : RequiredBase(owner, name, interfaceInfo<Contract>()) {}
+
+  /// Adds to the count. Runs in the provider's thread.
+  Command<&Contract::add, counting::CounterAddArguments> add{
+      *this, static_cast<std::uint16_t>(Id::add)};
+  /// The newest count; never waits for anyone.
+  ReadCommand<&Contract::value, std::int64_t> value{*this, static_cast<std::uint16_t>(Id::value)};
+
+  /// The events of counting::Counter, to subscribe to.
+  struct Events {
+    explicit Events(RequiredBase& required)
+        : ten_more{required, static_cast<std::uint16_t>(EventId::ten_more)} {}
+
+    /// The count has passed a multiple of ten.
+    Subscription<std::int64_t, std::int64_t> ten_more;
+  };
+  Events& on() { return events_; }
+
+ private:
+  Events events_{*this};
+};
+
+/// What serves counting::Counter from a component.
+template <>
+class Provided<counting::Counter> final : public ProvidedBase {
+  using Contract = counting::Counter;
+  using EventId = counting::CounterEvent;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : ProvidedBase(owner, name, interfaceInfo<Contract>(), &implementation),
+        implementation_(implementation) {}
+
+  /// The events of counting::Counter, to emit.
+  struct Events {
+    explicit Events(ProvidedBase& provided)
+        : ten_more{provided, static_cast<std::uint16_t>(EventId::ten_more)} {}
+
+    /// The count has passed a multiple of ten.
+    Emitter<std::int64_t, std::int64_t> ten_more;
+  };
+  Events& emit() { return events_; }
+
+ private:
+  // Reused by every command, so that what they own is allocated once.
+  struct Scratch {
+    std::int32_t add_amount;
+  };
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+  Contract& implementation_;
+  Events events_{*this};
+  Scratch scratch_{};
+};
+
+}  // namespace suture
