@@ -21,6 +21,8 @@ constexpr Duration kStartPatience = 30s;
 constexpr Duration kEndPatience = 5s;
 // After a process has died, how long the others may tell what they lost.
 constexpr Duration kAftermath = 1500ms;
+// The report of a last full second is on its way when that second is over.
+constexpr Duration kLastReport = 100ms;
 constexpr int kReportDescriptor = 3;
 
 int blockAndWatchSignals() {
@@ -95,13 +97,15 @@ std::uint64_t Crew::reportsOfEach() const {
 void Crew::watch(Duration length, const Progress& progress) {
   const Time began = suture::now();
   std::uint64_t shown = 0;
-  while (!over() && suture::now() < began + length) {
-    pumpUntil(began + length, [&] { return over() || reportsOfEach() > shown; });
-    if (reportsOfEach() == shown) continue;
+  const auto showNewReports = [&](Time until) {
+    pumpUntil(until, [&] { return over() || reportsOfEach() > shown; });
+    if (reportsOfEach() == shown) return;
     shown = reportsOfEach();
     progress(suture::now() - began, reports());
-  }
+  };
+  while (!over() && suture::now() < began + length) showNewReports(began + length);
   result_.ran = suture::now() - began;
+  showNewReports(suture::now() + kLastReport);
 }
 
 void Crew::end() {
