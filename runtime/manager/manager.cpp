@@ -43,8 +43,10 @@ void Manager::start() {
 
 void Manager::stop() {
   for (Task* task : tasks()) task->stop();
-  network_.reset();
+  // The executor rings the network's doorbell, and the network may yet ask for an executor.
+  if (network_ != nullptr) network_->leave();
   executor_.reset();
+  network_.reset();
 }
 
 void Manager::connect(std::string_view requiredName, std::string_view providedName, Lane lane,

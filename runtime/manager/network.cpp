@@ -81,7 +81,18 @@ class Network::Impl {
     });
   }
 
-  std::vector<std::shared_ptr<Channel>> served() const { return host_->served(); }
+  /// What lives on the control thread ends there.
+  void leave() {
+    control_.run(kLocalWork, [this] {
+      connections_.clear();
+      host_.reset();
+      link_.reset();
+    });
+  }
+
+  std::vector<std::shared_ptr<Channel>> served() const {
+    return host_ == nullptr ? std::vector<std::shared_ptr<Channel>>{} : host_->served();
+  }
 
  private:
   kj::Promise<void> join(ServerOf serverOf, Duration patience) {
@@ -98,15 +109,6 @@ class Network::Impl {
     });
   }
 
-  /// What lives on the control thread ends there.
-  void leave() {
-    control_.run(kLocalWork, [this] {
-      connections_.clear();
-      host_.reset();
-      link_.reset();
-    });
-  }
-
   const Directory& directory_;
   const rpc::Address manager_;
   rpc::ControlThread control_;
@@ -120,6 +122,8 @@ Network::Network(const Directory& directory, const std::string& managerAddress, 
     : impl_(std::make_unique<Impl>(directory, managerAddress, std::move(serverOf), patience)) {}
 
 Network::~Network() = default;
+
+void Network::leave() { impl_->leave(); }
 
 void Network::publish() { impl_->publish(); }
 

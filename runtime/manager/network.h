@@ -35,6 +35,10 @@ class Network {
   std::shared_ptr<Channel> connect(RequiredBase& required, const Endpoint& from, const Endpoint& to,
                                    Duration patience);
 
+  /// Ends all connections and gives the name back. What rings the network's doorbell may still do
+  /// so, until this is destroyed.
+  void leave();
+
   /// The provider ends of what peers have connected to this process.
   std::vector<std::shared_ptr<Channel>> served() const;
 

@@ -91,8 +91,8 @@ const CommandRecord* Mailbox::next() {
       }
     }
     if (earliest == nullptr || earliest->sequence > cut_) return nullptr;
-    if (earliest->sequence > lastReturned_) {
-      lastReturned_ = earliest->sequence;
+    if (earliest->sequence > lastReturned_.load(std::memory_order_relaxed)) {
+      lastReturned_.store(earliest->sequence, std::memory_order_relaxed);
       return earliest;
     }
     const std::uint16_t command = earliest->command;
@@ -116,6 +116,8 @@ void Mailbox::returnCredit(std::uint16_t command) {
   returned.store(returned.load(std::memory_order_relaxed) + 1, std::memory_order_release);
 }
 
-bool Mailbox::pending() const { return published_.load(std::memory_order_acquire) > lastReturned_; }
+bool Mailbox::pending() const {
+  return published_.load(std::memory_order_acquire) > lastReturned_.load(std::memory_order_relaxed);
+}
 
 }  // namespace suture::rt

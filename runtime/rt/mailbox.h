@@ -72,7 +72,7 @@ class Mailbox {
   /// Tells the producer that one more of `command` may wait. After pop(), at once or when a far end
   /// has taken the command.
   void returnCredit(std::uint16_t command);
-  /// True if something is waiting that next() has not returned.
+  /// Any thread: true if something is waiting that next() has not returned.
   bool pending() const;
 
   MailboxCounters counters;
@@ -102,7 +102,7 @@ class Mailbox {
   // Consumer's side.
   std::vector<std::atomic<std::uint32_t>> returned_;  // credits given back so far, by command
   std::uint64_t cut_ = 0;
-  std::uint64_t lastReturned_ = 0;
+  std::atomic<std::uint64_t> lastReturned_{0};  // written by the consumer only
   Cell* nextCell_ = nullptr;  // where the record of the last next() lies; nullptr: in the ring
 };
 
