@@ -12,7 +12,7 @@
 
 namespace reference {
 
-enum class Mode : std::uint8_t { Disabled, Enabled };
+enum class SUTURE_TYPE() Mode : std::uint8_t { Disabled, Enabled };
 
 /// A pose with its time.
 struct SUTURE_TYPE() PoseStamped {

@@ -6,26 +6,39 @@
 #include <suture/transport/rpc/servant_port.h>
 #include <suture/transport/rpc/wire.h>
 
+#include <type_traits>
+
 #include "reference/arm_like.capnp.h"
 
 namespace reference {
-namespace {
-
-// What g++ compiles must be what suturec read.
-static_assert(std::is_same_v<decltype(PoseStamped::pose), Eigen::Isometry3d>);
-static_assert(std::is_same_v<decltype(PoseStamped::stamp), suture::Time>);
-static_assert(std::is_same_v<decltype(PoseStamped::valid), bool>);
-static_assert(std::is_same_v<decltype(JointState::name), std::vector<std::string>>);
-static_assert(std::is_same_v<decltype(JointState::position), std::vector<double>>);
 
 using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
-using suture::rpc::firstError;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<std::underlying_type_t<Mode>, std::uint8_t>);
+static_assert(static_cast<std::uint8_t>(Mode::Disabled) == 0);
+static_assert(static_cast<std::uint8_t>(Mode::Enabled) == 1);
+static_assert(std::is_same_v<decltype(PoseStamped::pose), Eigen::Isometry3d>);
+static_assert(std::is_same_v<decltype(PoseStamped::stamp), std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(PoseStamped::valid), bool>);
+static_assert(std::is_same_v<decltype(JointState::name), std::vector<std::string>>);
+static_assert(std::is_same_v<decltype(JointState::position), std::vector<double>>);
 
 constexpr CommandInfo kArmLikeCommands[] = {
     {.name = "servo_cp",
@@ -100,14 +113,12 @@ constexpr EventInfo kArmLikeEvents[] = {
     {.name = "stopped", .payloadSize = 0, .depth = 16, .latest = false, .latched = false},
 };
 
-// The self-description, as in arm_like.suture.json.
+// The self-description, as in reference/arm_like.suture.json.
 constexpr char kArmLikeDescription[] = R"json({"name": "reference::ArmLike"})json";
 
 }  // namespace
 
 // --- between slots and Cap'n Proto
-
-namespace {
 
 wire::Mode wireMode(std::uint8_t slot) {
   switch (static_cast<Mode>(slot)) {
@@ -125,37 +136,28 @@ Errc fromWire(wire::Mode in, std::uint8_t& slot) {
   return Errc::Invalid;
 }
 
-}  // namespace
-
 void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {
-  using suture::rpc::toWire;
   toWire(slot.pose, out.initPose());
   out.setStamp(slot.stamp);
   out.setValid(slot.valid != 0);
 }
 
 Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, Duration shift) {
-  using suture::rpc::fromWire;
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
-  return firstError({
-      in.hasPose() ? fromWire(in.getPose(), slot.pose) : Errc::Invalid,
-  });
+  return in.hasPose() ? fromWire(in.getPose(), slot.pose) : Errc::Invalid;
 }
 
 bool isValid(const PoseStampedSlot& slot) {
-  using suture::rpc::isValid;
   return isValid(slot.pose);
 }
 
 void toWire(const JointStateSlot& slot, wire::JointState::Builder out) {
-  using suture::rpc::toWire;
   toWire(slot.name, out.initName(slot.name.size));
   toWire(slot.position, out.initPosition(slot.position.size));
 }
 
 Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, Duration) {
-  using suture::rpc::fromWire;
   return firstError({
       fromWire(in.getName(), slot.name),
       fromWire(in.getPosition(), slot.position),
@@ -163,7 +165,6 @@ Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, Duration) {
 }
 
 bool isValid(const JointStateSlot& slot) {
-  using suture::rpc::isValid;
   return isValid(slot.position);
 }
 
@@ -179,13 +180,15 @@ class ArmLikeSink final : public suture::rpc::EventSink {
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
     switch (static_cast<ArmLikeEvent>(event)) {
       case ArmLikeEvent::mode: {
+        const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
         auto request = subscriber_.modeRequest();
-        request.setValue(wireMode(*reinterpret_cast<const std::uint8_t*>(payload)));
+        request.setValue(wireMode(slot));
         return request.send().ignoreResult();
       }
       case ArmLikeEvent::arrived: {
+        const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(payload);
         auto request = subscriber_.arrivedRequest();
-        toWire(*reinterpret_cast<const PoseStampedSlot*>(payload), request.initValue());
+        toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
       case ArmLikeEvent::stopped: {
@@ -202,10 +205,12 @@ class ArmLikeSink final : public suture::rpc::EventSink {
     out.setStamp(suture::toNanoseconds(row.stamp));
     out.setEvaluated(row.valid);
     if (row.valid >> 0 & 1) {
-      toWire(*reinterpret_cast<const PoseStampedSlot*>(columns[0]), out.initMeasuredCp());
+      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(columns[0]);
+      toWire(slot, out.initMeasuredCp());
     }
     if (row.valid >> 1 & 1) {
-      toWire(*reinterpret_cast<const JointStateSlot*>(columns[1]), out.initMeasuredJs());
+      const auto& slot = *reinterpret_cast<const JointStateSlot*>(columns[1]);
+      toWire(slot, out.initMeasuredJs());
     }
     return request.send().ignoreResult();
   }
@@ -228,83 +233,84 @@ class ArmLikeServant final : public wire::ArmLike::Server {
 
   kj::Promise<void> servoCp(ServoCpContext context) override {
     auto in = context.getParams();
-    return port_->command(id(ArmLikeCommand::servo_cp), in.getSent(), [&](std::byte* memory) {
+    const auto fill = [&](std::byte* memory) {
       auto& slot = *reinterpret_cast<ArmLikeServoCpArguments*>(memory);
-      const Errc error = firstError({
-          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid,
-      });
+      const Errc error =
+          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
       return isValid(slot.goal) ? Errc{} : Errc::Invalid;
-    });
+    };
+    return port_->command(commandId(ArmLikeCommand::servo_cp), in.getSent(), fill);
   }
 
   kj::Promise<void> servoJp(ServoJpContext context) override {
     auto in = context.getParams();
-    return port_->command(id(ArmLikeCommand::servo_jp), in.getSent(), [&](std::byte* memory) {
+    const auto fill = [&](std::byte* memory) {
       auto& slot = *reinterpret_cast<ArmLikeServoJpArguments*>(memory);
-      const Errc error = firstError({
-          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid,
-      });
+      const Errc error =
+          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
       return isValid(slot.goal) ? Errc{} : Errc::Invalid;
-    });
+    };
+    return port_->command(commandId(ArmLikeCommand::servo_jp), in.getSent(), fill);
   }
 
   kj::Promise<void> hold(HoldContext context) override {
     auto in = context.getParams();
-    return port_->command(id(ArmLikeCommand::hold), in.getSent(),
+    return port_->command(commandId(ArmLikeCommand::hold), in.getSent(),
                           [](std::byte*) { return Errc{}; });
   }
 
   kj::Promise<void> setMode(SetModeContext context) override {
     auto in = context.getParams();
-    return port_->command(id(ArmLikeCommand::set_mode), in.getSent(), [&](std::byte* memory) {
+    const auto fill = [&](std::byte* memory) {
       auto& slot = *reinterpret_cast<ArmLikeSetModeArguments*>(memory);
-      return firstError({
-          fromWire(in.getMode(), slot.mode),
-      });
-    });
+      return fromWire(in.getMode(), slot.mode);
+    };
+    return port_->command(commandId(ArmLikeCommand::set_mode), in.getSent(), fill);
   }
 
   kj::Promise<void> measuredCp(MeasuredCpContext context) override {
     auto in = context.getParams();
-    return port_->call(
-        id(ArmLikeCommand::measured_cp), in.getSent(), [](std::byte*) { return Errc{}; },
-        [context](const std::byte* result) mutable {
-          toWire(*reinterpret_cast<const PoseStampedSlot*>(result),
-                 context.getResults().initValue());
-        });
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(ArmLikeCommand::measured_cp), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
   kj::Promise<void> measuredJs(MeasuredJsContext context) override {
     auto in = context.getParams();
-    return port_->call(
-        id(ArmLikeCommand::measured_js), in.getSent(), [](std::byte*) { return Errc{}; },
-        [context](const std::byte* result) mutable {
-          toWire(*reinterpret_cast<const JointStateSlot*>(result),
-                 context.getResults().initValue());
-        });
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(ArmLikeCommand::measured_js), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
   kj::Promise<void> distance(DistanceContext context) override {
     auto in = context.getParams();
-    return port_->call(
-        id(ArmLikeCommand::distance), in.getSent(),
-        [&](std::byte* memory) {
-          auto& slot = *reinterpret_cast<ArmLikeDistanceArguments*>(memory);
-          const Errc error = firstError({
-              in.hasTo() ? fromWire(in.getTo(), slot.to, port_->shift()) : Errc::Invalid,
-          });
-          if (error != Errc{}) return error;
-          return isValid(slot.to) ? Errc{} : Errc::Invalid;
-        },
-        [context](const std::byte* result) mutable {
-          context.getResults().setValue(*reinterpret_cast<const double*>(result));
-        });
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<ArmLikeDistanceArguments*>(memory);
+      const Errc error = in.hasTo() ? fromWire(in.getTo(), slot.to, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.to) ? Errc{} : Errc::Invalid;
+    };
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const double*>(result);
+      auto out = context.getResults();
+      out.setValue(slot);
+    };
+    return port_->call(commandId(ArmLikeCommand::distance), in.getSent(), fill, kj::mv(take));
   }
 
  private:
-  static std::uint16_t id(ArmLikeCommand command) { return static_cast<std::uint16_t>(command); }
+  static std::uint16_t commandId(ArmLikeCommand command) {
+                                                          return static_cast<std::uint16_t>(command); }
 
   kj::Own<ServantPort> port_;
 };
@@ -322,12 +328,14 @@ class ArmLikeReceiver final : public wire::ArmLikeEvents::Server {
     suture::rt::ColumnSet valid = 0;
     if (in.getEvaluated() >> 0 & 1) {
       auto& slot = *reinterpret_cast<PoseStampedSlot*>(port_->column(0));
-      const Errc error = fromWire(in.getMeasuredCp(), slot, port_->shift());
+      const Errc error =
+          in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
     }
     if (in.getEvaluated() >> 1 & 1) {
       auto& slot = *reinterpret_cast<JointStateSlot*>(port_->column(1));
-      const Errc error = fromWire(in.getMeasuredJs(), slot, port_->shift());
+      const Errc error =
+          in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
     }
     port_->publish(in.getStamp(), valid);
@@ -335,23 +343,26 @@ class ArmLikeReceiver final : public wire::ArmLikeEvents::Server {
   }
 
   kj::Promise<void> mode(ModeContext context) override {
+    auto in = context.getParams();
     std::uint8_t slot;
-    const Errc error = fromWire(context.getParams().getValue(), slot);
-    return port_->event(id(ArmLikeEvent::mode), error, slot);
+    const Errc error = fromWire(in.getValue(), slot);
+    return port_->event(eventId(ArmLikeEvent::mode), error, slot);
   }
 
   kj::Promise<void> arrived(ArrivedContext context) override {
+    auto in = context.getParams();
     PoseStampedSlot slot;
-    const Errc error = fromWire(context.getParams().getValue(), slot, port_->shift());
-    return port_->event(id(ArmLikeEvent::arrived), error, slot);
+    const Errc error =
+        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    return port_->event(eventId(ArmLikeEvent::arrived), error, slot);
   }
 
   kj::Promise<void> stopped(StoppedContext) override {
-    return port_->event(id(ArmLikeEvent::stopped));
+    return port_->event(eventId(ArmLikeEvent::stopped));
   }
 
  private:
-  static std::uint16_t id(ArmLikeEvent event) { return static_cast<std::uint16_t>(event); }
+  static std::uint16_t eventId(ArmLikeEvent event) { return static_cast<std::uint16_t>(event); }
 
   kj::Own<ProxyPort> port_;
 };
@@ -402,8 +413,9 @@ class ArmLikeProxy final : public suture::rpc::Proxy {
         auto request = provider_.measuredCpRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& slot) {
-            return fromWire(response.getValue(), slot, port_.shift());
+          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
           });
         });
       }
@@ -411,8 +423,9 @@ class ArmLikeProxy final : public suture::rpc::Proxy {
         auto request = provider_.measuredJsRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<JointStateSlot>(call, [&](JointStateSlot& slot) {
-            return fromWire(response.getValue(), slot, port_.shift());
+          port_.answer<JointStateSlot>(call, [&](JointStateSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
           });
         });
       }
@@ -473,7 +486,7 @@ const InterfaceInfo& interfaceInfo<reference::ArmLike>() {
 
 Errc Provided<reference::ArmLike>::execute(std::uint16_t command, const std::byte* arguments,
                                            std::byte* result) {
-  using reference::ArmLikeCommand;
+  using ::reference::ArmLikeCommand;
   switch (static_cast<ArmLikeCommand>(command)) {
     case ArmLikeCommand::servo_cp: {
       const auto& slot = *reinterpret_cast<const reference::ArmLikeServoCpArguments*>(arguments);
@@ -509,8 +522,8 @@ Errc Provided<reference::ArmLike>::execute(std::uint16_t command, const std::byt
       const auto& slot = *reinterpret_cast<const reference::ArmLikeDistanceArguments*>(arguments);
       load(slot.to, scratch_.distance_to);
       auto& answer = *reinterpret_cast<double*>(result);
-      return store(implementation_.distance(scratch_.distance_to), answer) ? Errc{}
-                                                                           : Errc::TooLarge;
+      return store(implementation_.distance(scratch_.distance_to), answer)
+          ? Errc{} : Errc::TooLarge;
     }
   }
   return Errc::Invalid;

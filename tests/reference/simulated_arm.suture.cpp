@@ -3,6 +3,19 @@
 
 #include <suture/component/json_reader.h>
 
+#include <type_traits>
+
+namespace reference {
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<decltype(SimulatedArmParameters::period), double>);
+static_assert(std::is_same_v<decltype(SimulatedArmParameters::home), std::array<double, 3>>);
+static_assert(std::is_same_v<decltype(SimulatedArmParameters::model), std::string>);
+
+}  // namespace
+}  // namespace reference
+
 namespace reference {
 
 void fromJson(const suture::JsonReader& in, SimulatedArmParameters& value) {

@@ -4,6 +4,7 @@
 #include <suture/component/component_class.h>
 
 #include "reference/simulated_arm.h"
+#include "reference/arm_like.suture.h"
 
 namespace suture {
 class JsonReader;
