@@ -15,13 +15,7 @@ class Order : public Conformance {
     client->with([](Arm& remote) { EXPECT_TRUE(remote.set_mode(Mode::Disabled)); });
     arm->gate.awaitVisitor();
     client->with(work);
-    if (std::get<0>(GetParam()) != LaneUnderTest::Local) letThemCross();
     arm->gate.open();
-  }
-
-  // What was sent before has reached the provider's process when a later refusal comes back.
-  void letThemCross() {
-    EXPECT_TRUE(eventually([&] { return channel()->commands.pending() == false; }));
   }
 };
 
@@ -54,7 +48,9 @@ TEST_P(Order, OfManyServosTheNewestRuns) {
     for (int x = 1; x <= 100; ++x) EXPECT_TRUE(remote.servo_cp(poseAt(x)));
   });
   EXPECT_TRUE(eventually([&] { return arm->lastTaken() == "servo_cp 100"; }));
-  EXPECT_LT(arm->taken().size(), 100u);
+  if (std::get<0>(GetParam()) == LaneUnderTest::Local) {
+    EXPECT_EQ(arm->taken().size(), 2u);  // while it was stalled, each replaced the one before
+  }
 }
 
 TEST_P(Order, ALateCommandIsNotExecuted) {
