@@ -52,10 +52,17 @@ TEST(Bounds, EventsAndResultsCount) {
   EXPECT_EQ(slugs(withCommand(name)), Slugs{"unbounded-contract"});
 }
 
+model::Type array(model::Type element, unsigned rows) {
+  model::Type type;
+  type.shape = model::Type::Shape::Array;
+  type.rows = rows;
+  type.element.push_back(std::move(element));
+  return type;
+}
+
 TEST(Bounds, SizesDoNotOverflow) {
-  const unsigned most = 4'000'000'000;
-  EXPECT_EQ(slugs(withCommand(write("flood", list(list(list(number(), most), most), most)))),
-            Slugs{"slot-size"});
+  const model::Type wraps = array(array(number(), 1u << 30), 1u << 31);  // 2^64 bytes
+  EXPECT_EQ(slugs(withCommand(write("flood", wraps))), Slugs{"slot-size"});
 }
 
 TEST(Reads, HeapComesByReference) {
