@@ -15,7 +15,7 @@ std::vector<std::string> Table::lines() const {
   for (const auto& row : rows_) {
     std::string line = fmt::format("{:<{}}", row[0], widths[0]);
     for (std::size_t i = 1; i < row.size(); ++i) line += fmt::format("  {:>{}}", row[i], widths[i]);
-    lines.push_back(line);
+    lines.push_back(line.substr(0, line.find_last_not_of(' ') + 1));
   }
   return lines;
 }

@@ -13,13 +13,14 @@ import unittest
 from programs import Demo, all_end, interrupt
 
 PROGRAMS = pathlib.Path(sys.argv.pop(1))
+SECONDS = 20  # the longest that a death may go unanswered, on a machine that does much else besides
 TOPOLOGIES = pathlib.Path(__file__).resolve().parents[3] / "examples" / "teleoperation"
 
 
 class Killed(unittest.TestCase):
     def kill(self, name, blamed):
         with Demo(PROGRAMS, "--seconds", "60") as demo:
-            demo.await_first_second()
+            demo.await_progress()
             children = demo.children()
             self.assertEqual(len(children), 3)
             killed = time.monotonic()
@@ -28,7 +29,7 @@ class Killed(unittest.TestCase):
             took = time.monotonic() - killed
             self.assertEqual(status, 1, output)
             self.assertIn(f"{blamed} was killed by signal 9 (Killed)", output)
-            self.assertLess(took, 10)
+            self.assertLess(took, SECONDS)
             self.assertTrue(all_end(children), "processes are left")
             self.assertEqual(demo.leftovers(), [])
             return output
@@ -48,7 +49,7 @@ class Killed(unittest.TestCase):
 class Ended(unittest.TestCase):
     def test_interrupt_ends_every_process(self):
         with Demo(PROGRAMS, "--seconds", "60") as demo:
-            demo.await_first_second()
+            demo.await_progress()
             children = demo.children()
             interrupt(demo.process)
             status, output = demo.finish()
@@ -69,7 +70,7 @@ class Ended(unittest.TestCase):
 
     def test_a_killed_demo_leaves_no_process(self):
         with Demo(PROGRAMS, "--seconds", "60") as demo:
-            demo.await_first_second()
+            demo.await_progress()
             children = demo.children()
             demo.process.kill()
             demo.process.wait()
