@@ -31,7 +31,7 @@ interface ArmLike @0xeba4d683d0a91822 $Meta.cxx("reference::ArmLike") {
   subscribe @0 (events :ArmLikeEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   servoCp @1 (goal :PoseStamped, sent :Rpc.Sent) -> () $Meta.cxx("servo_cp") $Meta.kind("write")
-      $Meta.latest $Meta.queue(16) $Meta.ttl(50000000);
+      $Meta.latest $Meta.queue(16) $Meta.ttl(500000000);
   # Follows a stream of poses.
   servoJp @2 (goal :JointState, sent :Rpc.Sent) -> () $Meta.cxx("servo_jp") $Meta.kind("write")
       $Meta.latest $Meta.queue(16);

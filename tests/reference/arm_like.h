@@ -30,7 +30,7 @@ class SUTURE_INTERFACE() ArmLike {
  public:
   virtual ~ArmLike() = default;
   /// Follows a stream of poses.
-  SUTURE_COMMAND(latest(), ttl(50ms)) virtual void servo_cp(const PoseStamped& goal) = 0;
+  SUTURE_COMMAND(latest(), ttl(500ms)) virtual void servo_cp(const PoseStamped& goal) = 0;
   SUTURE_COMMAND(latest()) virtual void servo_jp(const JointState& goal) = 0;
   SUTURE_COMMAND(queue(4)) virtual void hold() = 0;
   SUTURE_COMMAND() virtual void set_mode(Mode mode) = 0;
