@@ -22,7 +22,7 @@ constexpr Duration kEndPatience = 5s;
 // After a process has died, how long the others may tell what they lost.
 constexpr Duration kAftermath = 1500ms;
 // The report of a last full second is on its way when that second is over.
-constexpr Duration kLastReport = 100ms;
+constexpr Duration kLastReport = 500ms;
 constexpr int kReportDescriptor = 3;
 
 int blockAndWatchSignals() {
