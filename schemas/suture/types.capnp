@@ -64,7 +64,18 @@ struct Quat @0x9be710324fc0e8f1 {
 }
 
 struct Pose @0xd59227e454cf7e66 {
-  # A rotation matrix rather than a quaternion: what arrives is bit for bit what was sent.
-  rot @0 :Mat3;
-  pos @1 :Vec3;
+  # A rotation matrix rather than a quaternion: what arrives is bit for bit what was sent. mRC: row R, column C of the
+  # rotation; x, y, z: the translation. One struct without pointers: each would cost as much as all the numbers.
+  m00 @0 :Float64;
+  m01 @1 :Float64;
+  m02 @2 :Float64;
+  m10 @3 :Float64;
+  m11 @4 :Float64;
+  m12 @5 :Float64;
+  m20 @6 :Float64;
+  m21 @7 :Float64;
+  m22 @8 :Float64;
+  x @9 :Float64;
+  y @10 :Float64;
+  z @11 :Float64;
 }

@@ -34,18 +34,20 @@ std::uint32_t segmentWords(std::span<const std::byte> header, std::uint32_t inde
 
 void appendFrame(kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>> segments,
                  std::vector<std::byte>& bytes) {
-  const auto append = [&bytes](const void* data, std::size_t size) {
-    const auto* from = static_cast<const std::byte*>(data);
-    bytes.insert(bytes.end(), from, from + size);
+  const auto count = static_cast<std::uint32_t>(segments.size());
+  const std::size_t begin = bytes.size();
+  bytes.resize(begin + (count / 2 + 1) * kWord);
+  std::byte* header = bytes.data() + begin;
+  const auto putSize = [header](std::size_t position, std::size_t value) {
+    const auto size = static_cast<std::uint32_t>(value);
+    std::memcpy(header + position * sizeof(size), &size, sizeof(size));
   };
-  const auto appendWord = [&append](std::size_t value) {
-    const auto word = static_cast<std::uint32_t>(value);
-    append(&word, sizeof(word));
-  };
-  appendWord(segments.size() - 1);
-  for (const auto& segment : segments) appendWord(segment.size());
-  if (segments.size() % 2 == 0) appendWord(0);
-  for (const auto& segment : segments) append(segment.begin(), segment.size() * kWord);
+  putSize(0, count - 1);
+  for (std::uint32_t i = 0; i < count; ++i) putSize(i + 1, segments[i].size());
+  for (const auto& segment : segments) {
+    const auto* from = reinterpret_cast<const std::byte*>(segment.begin());
+    bytes.insert(bytes.end(), from, from + segment.size() * kWord);
+  }
 }
 
 const char* toString(FrameFault fault) {

@@ -1,6 +1,23 @@
 #include <suture/transport/rpc/wire.h>
 
 namespace suture::rpc {
+namespace {
+
+// The slot is column-major, alone or in front of a translation.
+template <std::size_t N, class Builder>
+void rotationToWire(const std::array<double, N>& slot, Builder& out) {
+  out.setM00(slot[0]);
+  out.setM10(slot[1]);
+  out.setM20(slot[2]);
+  out.setM01(slot[3]);
+  out.setM11(slot[4]);
+  out.setM21(slot[5]);
+  out.setM02(slot[6]);
+  out.setM12(slot[7]);
+  out.setM22(slot[8]);
+}
+
+}  // namespace
 
 void toWire(const std::array<double, 2>& slot, wire::Vec2::Builder out) {
   out.setX(slot[0]);
@@ -28,15 +45,7 @@ void toWire(const std::array<double, 4>& slot, wire::Quat::Builder out) {
 }
 
 void toWire(const std::array<double, 9>& slot, wire::Mat3::Builder out) {
-  out.setM00(slot[0]);
-  out.setM10(slot[1]);
-  out.setM20(slot[2]);
-  out.setM01(slot[3]);
-  out.setM11(slot[4]);
-  out.setM21(slot[5]);
-  out.setM02(slot[6]);
-  out.setM12(slot[7]);
-  out.setM22(slot[8]);
+  rotationToWire(slot, out);
 }
 
 void toWire(const std::array<double, 16>& slot, wire::Mat4::Builder out) {
@@ -59,12 +68,10 @@ void toWire(const std::array<double, 16>& slot, wire::Mat4::Builder out) {
 }
 
 void toWire(const std::array<double, 12>& slot, wire::Pose::Builder out) {
-  std::array<double, 9> rotation;
-  std::array<double, 3> position;
-  std::copy_n(slot.begin(), 9, rotation.begin());
-  std::copy_n(slot.begin() + 9, 3, position.begin());
-  toWire(rotation, out.initRot());
-  toWire(position, out.initPos());
+  rotationToWire(slot, out);
+  out.setX(slot[9]);
+  out.setY(slot[10]);
+  out.setZ(slot[11]);
 }
 
 Errc fromWire(wire::Vec2::Reader in, std::array<double, 2>& slot) {
@@ -101,14 +108,11 @@ Errc fromWire(wire::Mat4::Reader in, std::array<double, 16>& slot) {
 }
 
 Errc fromWire(wire::Pose::Reader in, std::array<double, 12>& slot) {
-  if (!in.hasRot() || !in.hasPos()) return Errc::Invalid;
-  std::array<double, 9> rotation;
-  std::array<double, 3> position;
-  fromWire(in.getRot(), rotation);
-  fromWire(in.getPos(), position);
-  std::copy(rotation.begin(), rotation.end(), slot.begin());
-  std::copy(position.begin(), position.end(), slot.begin() + 9);
-  return Errc{};
+  slot = {in.getM00(), in.getM10(), in.getM20(), in.getM01(), in.getM11(), in.getM21(),
+          in.getM02(), in.getM12(), in.getM22(), in.getX(),   in.getY(),   in.getZ()};
+  // What was not sent reads as zeros, and no rotation has a column of them.
+  const bool sent = slot[0] != 0 || slot[1] != 0 || slot[2] != 0;
+  return sent ? Errc{} : Errc::Invalid;
 }
 
 }  // namespace suture::rpc

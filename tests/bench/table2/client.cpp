@@ -4,7 +4,7 @@
 #include <suture/component/periodic_task.h>
 
 #include "bench/loop.suture.h"
-#include "bench/table2/server.h"
+#include "bench/table2/sample_pose.h"
 
 namespace bench {
 namespace {

@@ -3,12 +3,16 @@
 #include <capnp/message.h>
 #include <capnp/serialize.h>
 #include <suture/base/errors.h>
+#include <suture/transport/rpc/frame_header.h>
 
 #include <array>
+#include <cstring>
 #include <memory>
+#include <span>
 #include <stdexcept>
+#include <vector>
 
-#include "bench/table2/server.h"
+#include "bench/table2/sample_pose.h"
 #include "bench/table2/timed_loops.h"
 #include "robot_types/pose.capnp.h"
 #include "robot_types/pose.suture.h"
@@ -26,23 +30,50 @@ using robots::PosePrm;
 using robots::PosePrmSlot;
 namespace wire = robots::wire;
 
-/// Room for one message, used again for each.
-class Codec {
+using Words = kj::ArrayPtr<const capnp::word>;
+
+/// Builds one message in memory that is used again for the next, and leaves it zeroed as it must
+/// be.
+class ReusingBuilder final : public capnp::MessageBuilder {
  public:
-  kj::ArrayPtr<const kj::byte> encode(const PosePrm& value) {
-    PosePrmSlot slot;
-    if (!store(value, slot)) throw std::logic_error("the pose exceeds its own capacity");
-    capnp::MallocMessageBuilder message(kj::arrayPtr(scratch_.data(), scratch_.size()));
-    toWire(slot, message.initRoot<wire::PosePrm>());
-    kj::ArrayOutputStream out(kj::arrayPtr(bytes_.data(), bytes_.size()).asBytes());
-    capnp::writeMessage(out, message);
-    return out.getArray();
+  explicit ReusingBuilder(std::span<capnp::word> memory) : memory_(memory) {}
+  ~ReusingBuilder() noexcept(false) override { std::memset(memory_.data(), 0, usedBytes_); }
+
+  kj::ArrayPtr<const Words> finish() {
+    const auto segments = getSegmentsForOutput();
+    usedBytes_ = segments[0].asBytes().size();
+    return segments;
+  }
+  kj::ArrayPtr<capnp::word> allocateSegment(capnp::uint minimumSize) override {
+    if (minimumSize > memory_.size()) throw std::logic_error("a pose larger than its message");
+    return kj::arrayPtr(memory_.data(), memory_.size());
   }
 
-  static void decode(kj::ArrayPtr<const kj::byte> bytes, PosePrm& value) {
-    const auto words = kj::arrayPtr(reinterpret_cast<const capnp::word*>(bytes.begin()),
-                                    bytes.size() / sizeof(capnp::word));
-    capnp::FlatArrayMessageReader message(words);
+ private:
+  std::span<capnp::word> memory_;
+  std::size_t usedBytes_ = 0;
+};
+
+/// Objects into the frames of a stream and back, as a lane does it.
+class Codec {
+ public:
+  std::span<const std::byte> encode(const PosePrm& value) {
+    PosePrmSlot slot;
+    if (!store(value, slot)) throw std::logic_error("the pose exceeds its own capacity");
+    ReusingBuilder message(scratch_);
+    toWire(slot, message.initRoot<wire::PosePrm>());
+    frame_.clear();
+    suture::rpc::appendFrame(message.finish(), frame_);
+    return frame_;
+  }
+
+  static void decode(std::span<const std::byte> frame, PosePrm& value) {
+    const auto parsed = suture::rpc::parseFrameHeader(frame, {});
+    if (!parsed.header || parsed.header->segments != 1) throw std::logic_error("not one message");
+    const auto* words = reinterpret_cast<const capnp::word*>(frame.data());
+    const Words segments[] = {kj::arrayPtr(words + parsed.header->headerBytes / sizeof(capnp::word),
+                                           suture::rpc::segmentWords(frame, 0))};
+    capnp::SegmentArrayMessageReader message(kj::arrayPtr(segments, 1));
     PosePrmSlot slot;
     if (fromWire(message.getRoot<wire::PosePrm>(), slot, suture::Duration{0}) != suture::Errc{}) {
       throw std::logic_error("the pose does not survive its own wire form");
@@ -52,7 +83,7 @@ class Codec {
 
  private:
   std::array<capnp::word, 64> scratch_{};
-  std::array<capnp::word, 64> bytes_{};
+  std::vector<std::byte> frame_;
 };
 
 bool same(const PosePrm& a, const PosePrm& b) {
@@ -84,7 +115,7 @@ CodecCost measureCodec(std::size_t loops) {
     keep(written);
   });
   cost.create = timedLoops(loops, kCodecLoop, [] {
-    auto created = std::make_unique<PosePrm>();
+    auto created = std::make_unique_for_overwrite<PosePrm>();
     keep(*created);
   });
   cost.decode = timedLoops(loops, kCodecLoop, [&] {
@@ -94,7 +125,7 @@ CodecCost measureCodec(std::size_t loops) {
   cost.sum = timedLoops(loops, kCodecLoop, [&] {
     keep(value);
     const auto written = codec.encode(value);
-    auto created = std::make_unique<PosePrm>();
+    auto created = std::make_unique_for_overwrite<PosePrm>();
     Codec::decode(written, *created);
     keep(*created);
   });

@@ -8,7 +8,7 @@
 
 namespace bench {
 
-/// ns a value; each sample is the mean of one loop of kCodecLoop values.
+/// ns of processor time a value; each sample is the mean of one loop of kCodecLoop values.
 struct CodecCost {
   Statistics encode;  ///< an object into the bytes of a Cap'n Proto message, through its slot
   Statistics create;  ///< a new object, and its end

@@ -3,6 +3,8 @@
 #include <suture/component/event_task.h>
 #include <suture/component/periodic_task.h>
 
+#include "bench/table2/sample_pose.h"
+
 namespace bench {
 namespace {
 
@@ -56,17 +58,6 @@ std::unique_ptr<Server> makeServer(const LoopSetup& setup) {
   const suture::EventOptions options{.scheduling = setup.scheduling};
   return std::make_unique<ServerTask<suture::EventTask, suture::EventOptions>>(options,
                                                                                setup.total());
-}
-
-robots::PosePrm samplePose() {
-  robots::PosePrm pose;
-  pose.timestamp = suture::now();
-  pose.valid = true;
-  pose.moving_frame = "tool";
-  pose.reference_frame = "base";
-  pose.position.translate(Eigen::Vector3d(0.1, -0.02, 0.3));
-  pose.position.rotate(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()));
-  return pose;
 }
 
 }  // namespace bench

@@ -23,7 +23,4 @@ class Server {
 
 std::unique_ptr<Server> makeServer(const LoopSetup& setup);
 
-/// The pose that all measurements send: two frames with four-character names.
-robots::PosePrm samplePose();
-
 }  // namespace bench

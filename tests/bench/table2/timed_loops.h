@@ -1,9 +1,8 @@
 #pragma once
 // Costs too small for a clock: the mean over a loop, many times.
 
-#include <suture/base/time.h>
-
 #include <cstddef>
+#include <ctime>
 #include <vector>
 
 #include "bench/statistics.h"
@@ -16,15 +15,22 @@ void keep(T& value) {
   asm volatile("" : : "r"(&value) : "memory");
 }
 
-/// ns a call of `work`: statistics over `loops` loops of `length` calls each, after one that warms
-/// up.
+/// Processor time of the calling thread, ns: while others have the processor it stands still.
+inline double threadTime() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) * 1e9 + static_cast<double>(time.tv_nsec);
+}
+
+/// ns of processor time a call of `work`: statistics over `loops` loops of `length` calls each,
+/// after one that warms up.
 template <class Work>
 Statistics timedLoops(std::size_t loops, std::size_t length, const Work& work) {
   std::vector<double> means;
   for (std::size_t loop = 0; loop <= loops; ++loop) {
-    const suture::Time begin = suture::now();
+    const double begin = threadTime();
     for (std::size_t i = 0; i < length; ++i) work();
-    const auto took = static_cast<double>((suture::now() - begin).count());
+    const double took = threadTime() - begin;
     if (loop > 0) means.push_back(took / static_cast<double>(length));
   }
   return statisticsOf(std::move(means));

@@ -29,11 +29,11 @@ class Listener final : public ArmLikeEvents::Server {
 };
 
 void setPose(reference::wire::PoseStamped::Builder pose, double x) {
-  auto rotation = pose.initPose().initRot();
-  rotation.setM00(1);
-  rotation.setM11(1);
-  rotation.setM22(1);
-  pose.getPose().initPos().setX(x);
+  auto transform = pose.initPose();
+  transform.setM00(1);
+  transform.setM11(1);
+  transform.setM22(1);
+  transform.setX(x);
   pose.setValid(true);
 }
 
@@ -52,7 +52,7 @@ void talk(ArmLike::Client arm, kj::WaitScope& scope) {
   setPose(move.initGoal(), 0.25);
   move.send().wait(scope);
   auto measured = arm.measuredCpRequest().send().wait(scope);
-  std::printf("x: %.2f\n", measured.getValue().getPose().getPos().getX());
+  std::printf("x: %.2f\n", measured.getValue().getPose().getX());
 
   auto question = arm.distanceRequest();
   setPose(question.initTo(), 1.25);
