@@ -20,7 +20,7 @@ void Table2Options::addTo(CLI::App& options) {
       ->capture_default_str()
       ->check(CLI::Range(1, 99));
   options.add_flag("--tcp", tcp, "TCP over the loopback instead of a Unix socket");
-  options.add_flag("--quick", quick, "200 samples a loop: shows that it works, not how well");
+  options.add_flag("--quick", quick, "100 samples a loop: shows that it works, not how well");
 }
 
 nlohmann::json Table2Options::toJson() const {

@@ -24,8 +24,8 @@ struct Table2Options {
 
   Transport transport() const { return tcp ? Transport::Tcp : Transport::Unix; }
   const char* transportName() const { return tcp ? "TCP" : "a Unix socket"; }
-  std::size_t kept() const { return quick ? 200 : samples; }
-  std::size_t skipped() const { return quick ? 20 : skip; }
+  std::size_t kept() const { return quick ? 100 : samples; }
+  std::size_t skipped() const { return quick ? 10 : skip; }
   std::size_t codecLoops() const { return quick ? 10 : 100; }
   LoopSetup periodic(Loop loop, bool fifo) const;
   LoopSetup eventDriven(Loop loop) const;
