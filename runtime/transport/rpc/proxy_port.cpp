@@ -32,6 +32,7 @@ void ProxyPort::close(ChannelStatus why) {
   if (closed_) return;
   closed_ = true;
   control_.remove(*this);
+  releaseAcknowledgement();
   proxy_ = nullptr;
   channel_->status.store(why, std::memory_order_release);
   channel_->ends.client->ring();
@@ -53,6 +54,19 @@ void ProxyPort::push(std::uint16_t event, std::span<const std::byte> payload) {
   if (closed_) return;
   channel_->events.push(event, now(), payload);
   channel_->ends.client->ring();
+}
+
+kj::Promise<void> ProxyPort::acknowledge() {
+  releaseAcknowledgement();
+  if (closed_) return kj::READY_NOW;
+  auto pair = kj::newPromiseAndFulfiller<void>();
+  acknowledgement_ = kj::mv(pair.fulfiller);
+  return kj::mv(pair.promise);
+}
+
+void ProxyPort::releaseAcknowledgement() {
+  KJ_IF_MAYBE (answer, acknowledgement_) (*answer)->fulfill();
+  acknowledgement_ = nullptr;
 }
 
 void ProxyPort::pump() {
@@ -83,6 +97,7 @@ void ProxyPort::transmit(const rt::CommandRecord& record) {
   const std::uint16_t command = record.command;
   const std::uint32_t call = record.call;
   if (channel_->info.commands[command].latest && call == 0) ++latestInFlight_;
+  releaseAcknowledgement();
   KJ_IF_MAYBE (proxy, proxy_) {
     calls_.add((*proxy)->send(record).then(
         [this, command, call] { returned(command, call, Errc{}); },

@@ -59,16 +59,17 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
   /// Publishes the columns in `valid`; `stamp` is on the provider's clock, ns.
   void publish(std::int64_t stamp, rt::ColumnSet valid);
 
-  /// Hands an event to the client, unless its payload could not be converted.
+  /// Hands an event to the client, unless its payload could not be converted. The promise is the
+  /// answer to the provider; see acknowledge().
   template <class Slot>
   kj::Promise<void> event(std::uint16_t event, Errc error, const Slot& payload) {
     if (error != Errc{}) return remoteError(error);
     push(event, std::as_bytes(std::span(&payload, 1)));
-    return kj::READY_NOW;
+    return acknowledge();
   }
   kj::Promise<void> event(std::uint16_t event) {
     push(event, {});
-    return kj::READY_NOW;
+    return acknowledge();
   }
 
  private:
@@ -80,6 +81,11 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
   }
 
   void push(std::uint16_t event, std::span<const std::byte> payload);
+  /// The newest event is answered with the next command, or when another event arrives: a message
+  /// of its own would cost both processes a wake-up, and the provider does not wait for it before
+  /// ServantPort::kWindow of them.
+  kj::Promise<void> acknowledge();
+  void releaseAcknowledgement();
   void pump() override;
   void pumpSubscription();
   void pumpCommands();
@@ -95,6 +101,7 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
   bool closed_ = false;
   unsigned latestInFlight_ = 0;
   rt::ColumnSet columns_ = 0;
+  kj::Maybe<kj::Own<kj::PromiseFulfiller<void>>> acknowledgement_;
   kj::TaskSet calls_;  // last: cancelled first
 };
 
