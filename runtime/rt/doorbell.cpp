@@ -32,18 +32,20 @@ bool Doorbell::lieDown() {
   return expected == kAsleep;
 }
 
+void Doorbell::standUp() {
+  std::uint32_t expected = kAsleep;
+  word_.compare_exchange_strong(expected, kAwake, std::memory_order_seq_cst);
+}
+
 bool Doorbell::waitUntil(Time deadline) {
   const timespec until = toTimespec(deadline);
   while (lieDown()) {
     // FUTEX_WAIT_BITSET takes an absolute time on the monotonic clock.
     syscall(SYS_futex, &word_, FUTEX_WAIT_BITSET, kAsleep, &until, nullptr, FUTEX_BITSET_MATCH_ANY);
     if (word_.load(std::memory_order_seq_cst) == kRung) break;
-    if (now() >= deadline) {
-      return word_.exchange(kAwake, std::memory_order_seq_cst) == kRung;
-    }
+    if (now() >= deadline) return takeRing();
   }
-  standUp();
-  return true;
+  return takeRing();
 }
 
 }  // namespace suture::rt

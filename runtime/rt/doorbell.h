@@ -24,11 +24,13 @@ class Doorbell {
   /// The owner only: sleeps until rung or until `deadline`. Returns true if it was rung.
   bool waitUntil(Time deadline);
 
-  /// For an owner that sleeps in epoll: true if it may go to sleep, false if it has been rung
-  /// meanwhile. After true, the next ring writes the eventfd.
+  /// For an owner that sleeps in epoll: true if it may go to sleep, false if there is a ring to
+  /// take. After true, the next ring writes the eventfd.
   bool lieDown();
-  /// For an owner that sleeps in epoll: takes notice of all rings so far.
-  void standUp() { word_.store(kAwake, std::memory_order_seq_cst); }
+  /// For an owner that sleeps in epoll, when it is back: a ring costs no system call from here on.
+  void standUp();
+  /// For an owner that sleeps in epoll: true if it has been rung since it last asked.
+  bool takeRing() { return word_.exchange(kAwake, std::memory_order_seq_cst) == kRung; }
 
  private:
   static constexpr std::uint32_t kAwake = 0, kRung = 1, kAsleep = 2;

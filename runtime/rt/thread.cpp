@@ -2,7 +2,11 @@
 #include <sched.h>
 #include <suture/base/errors.h>
 #include <suture/rt/thread.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
+#include <cstdint>
 #include <cstring>
 
 namespace suture::rt {
@@ -30,12 +34,34 @@ void makeFifo(const std::string& name, int priority) {
   }
 }
 
+/// The kernel's struct sched_attr; glibc 2.36 has none.
+struct SchedulingAttributes {
+  std::uint32_t size = sizeof(SchedulingAttributes);
+  std::uint32_t policy = SCHED_OTHER;
+  std::uint64_t flags = 0;
+  std::int32_t nice = 0;
+  std::uint32_t priority = 0;
+  std::uint64_t runtime = 0, deadline = 0, period = 0;
+};
+
 }  // namespace
+
+void askForSlice(Duration slice) {
+  if (sched_getscheduler(0) != SCHED_OTHER) return;
+  SchedulingAttributes attributes;
+  attributes.nice = getpriority(PRIO_PROCESS, 0);
+  attributes.runtime = static_cast<std::uint64_t>(slice.count());
+  syscall(SYS_sched_setattr, 0, &attributes, 0);
+}
 
 void configureThisThread(const std::string& name, const Scheduling& scheduling) {
   pthread_setname_np(pthread_self(), name.substr(0, 15).c_str());
   if (scheduling.cpu) pin(name, *scheduling.cpu);
-  if (scheduling.fifoPriority) makeFifo(name, *scheduling.fifoPriority);
+  if (scheduling.fifoPriority) {
+    makeFifo(name, *scheduling.fifoPriority);
+  } else {
+    askForSlice(kTaskSlice);
+  }
 }
 
 }  // namespace suture::rt

@@ -1,4 +1,5 @@
 #include <suture/base/errors.h>
+#include <suture/rt/thread.h>
 #include <suture/transport/rpc/control_thread.h>
 #include <sys/eventfd.h>
 
@@ -22,12 +23,22 @@ kj::AutoCloseFd makeEventDescriptor() {
 
 }  // namespace
 
-ControlThread::Loop::Loop(int eventDescriptor)
-    : io(kj::setupAsyncIo()),
-      rung(io.unixEventPort, eventDescriptor, kj::UnixEventPort::FdObserver::OBSERVE_READ),
-      tasks(*this) {}
+ControlThread::Loop::Loop(ControlThread& thread)
+    : owner(thread), rung(*this, thread.eventDescriptor_, FdObserver::OBSERVE_READ), tasks(*this) {}
 
-void ControlThread::Loop::taskFailed(kj::Exception&& exception) {
+void ControlThread::Loop::runUntilStopped() {
+  auto pair = kj::newPromiseAndFulfiller<void>();
+  stop = kj::mv(pair.fulfiller);
+  pair.promise.wait(scope());
+}
+
+void ControlThread::Loop::takeWork() {
+  if (!owner.doorbell_.takeRing()) return;
+  owner.runPosted();
+  owner.runPumps();
+}
+
+void ControlThread::Loop::report(const kj::Exception& exception) {
   std::fprintf(stderr, "suture: a background task failed: %s\n", describe(exception).c_str());
 }
 
@@ -38,10 +49,13 @@ ControlThread::ControlThread()
   pthread_sigmask(SIG_SETMASK, &all, &before);
   std::promise<void> started;
   thread_ = std::thread([this, &started] {
-    Loop loop(eventDescriptor_);
+    rt::askForSlice(rt::kServiceSlice);
+    Loop loop(*this);
     loop_ = &loop;
     started.set_value();
-    main();
+    loop.runUntilStopped();
+    std::lock_guard lock(mutex_);
+    posted_.clear();
   });
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
   started.get_future().wait();
@@ -50,15 +64,6 @@ ControlThread::ControlThread()
 ControlThread::~ControlThread() noexcept {
   post([this] { loop_->stop->fulfill(); });
   thread_.join();
-}
-
-void ControlThread::main() {
-  auto stop = kj::newPromiseAndFulfiller<void>();
-  loop_->stop = kj::mv(stop.fulfiller);
-  auto attending = attend().eagerlyEvaluate(nullptr);
-  stop.promise.exclusiveJoin(kj::mv(attending)).wait(loop_->io.waitScope);
-  std::lock_guard lock(mutex_);
-  posted_.clear();
 }
 
 void ControlThread::post(kj::Function<void()> work) {
@@ -80,18 +85,6 @@ void ControlThread::remove(Pump& pump) {
   std::replace(pumps_.begin(), pumps_.end(), &pump, static_cast<Pump*>(nullptr));
 }
 
-// The edge of the eventfd is enough; its counter is never read. An edge that fires while no promise
-// waits is dropped, so the promise is made before looking at what has been rung for.
-kj::Promise<void> ControlThread::attend() {
-  auto rung = loop_->rung.whenBecomesReadable();
-  do {
-    doorbell_.standUp();
-    runPosted();
-    runPumps();
-  } while (!doorbell_.lieDown());
-  return rung.then([this] { return attend(); });
-}
-
 void ControlThread::runPosted() {
   if (!anyPosted_.load(std::memory_order_acquire)) return;
   std::vector<kj::Function<void()>> work;
@@ -102,7 +95,7 @@ void ControlThread::runPosted() {
   }
   for (auto& item : work) {
     KJ_IF_MAYBE (exception, kj::runCatchingExceptions([&] { item(); })) {
-      loop_->taskFailed(kj::mv(*exception));
+      loop_->report(*exception);
     }
   }
 }

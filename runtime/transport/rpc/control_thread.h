@@ -1,12 +1,12 @@
 #pragma once
 // The one thread of a process that runs KJ and Cap'n Proto.
 
-#include <kj/async-io.h>
-#include <kj/async-unix.h>
+#include <kj/async.h>
 #include <kj/function.h>
 #include <kj/io.h>
 #include <suture/base/time.h>
 #include <suture/rt/doorbell.h>
+#include <suture/transport/rpc/event_port.h>
 #include <suture/transport/rpc/outcome.h>
 
 #include <atomic>
@@ -62,8 +62,8 @@ class ControlThread {
 
   /// The rest is for the control thread only.
   bool isCurrent() const { return std::this_thread::get_id() == thread_.get_id(); }
-  kj::UnixEventPort& port() { return loop_->io.unixEventPort; }
-  kj::Timer& timer() { return loop_->io.provider->getTimer(); }
+  EventPort& port() { return *loop_; }
+  kj::Timer& timer() { return loop_->getTimer(); }
   /// Keeps a promise running until it ends or the thread does. A failure is reported on standard
   /// error.
   void spawn(kj::Promise<void> task) { loop_->tasks.add(kj::mv(task)); }
@@ -72,19 +72,24 @@ class ControlThread {
   void remove(Pump& pump);
 
  private:
-  struct Loop : kj::TaskSet::ErrorHandler {
-    explicit Loop(int eventDescriptor);
-    void taskFailed(kj::Exception&& exception) override;
+  /// Attends to the doorbell whenever KJ has nothing to do.
+  struct Loop final : EventPort, kj::TaskSet::ErrorHandler {
+    explicit Loop(ControlThread& owner);
+    void runUntilStopped();
+    void report(const kj::Exception& exception);
 
-    kj::AsyncIoContext io;
-    kj::UnixEventPort::FdObserver rung;
+    void takeWork() override;
+    bool lieDown() override { return owner.doorbell_.lieDown(); }
+    void standUp() override { owner.doorbell_.standUp(); }
+    void taskFailed(kj::Exception&& exception) override { report(exception); }
+
+    ControlThread& owner;
+    FdObserver rung;  // its edge ends the sleep; the eventfd is never read
     kj::Own<kj::PromiseFulfiller<void>> stop;
     kj::TaskSet tasks;
   };
 
   void requireOther() const;
-  void main();
-  kj::Promise<void> attend();
   void runPosted();
   void runPumps();
 

@@ -7,8 +7,8 @@ namespace suture::rpc {
 
 using capnp::rpc::twoparty::Side;
 
-LinkServer::LinkServer(kj::UnixEventPort& port, const Address& address, Offer offer,
-                       StreamLimits limits, std::size_t maxLinks)
+LinkServer::LinkServer(EventPort& port, const Address& address, Offer offer, StreamLimits limits,
+                       std::size_t maxLinks)
     : port_(port),
       listener_(port, address),
       offer_(kj::mv(offer)),

@@ -15,7 +15,7 @@ class LinkServer final : private kj::TaskSet::ErrorHandler {
 
   /// Throws SetupError as Listener does. More than `maxLinks` connections at a time are closed
   /// unheard.
-  LinkServer(kj::UnixEventPort& port, const Address& address, Offer offer, StreamLimits limits = {},
+  LinkServer(EventPort& port, const Address& address, Offer offer, StreamLimits limits = {},
              std::size_t maxLinks = 1024);
 
   const Address& address() const { return listener_.address(); }
@@ -24,7 +24,7 @@ class LinkServer final : private kj::TaskSet::ErrorHandler {
   void accept(kj::AutoCloseFd socket);
   void taskFailed(kj::Exception&& exception) override;
 
-  kj::UnixEventPort& port_;
+  EventPort& port_;
   Listener listener_;
   Offer offer_;
   StreamLimits limits_;

@@ -12,6 +12,8 @@ namespace {
 
 // Beyond this much unsent data a writer is told to wait.
 constexpr std::size_t kHighWater = 1u << 20;
+// This much is worth a send of its own.
+constexpr std::size_t kSendAtOnce = 1u << 16;
 
 kj::Exception lost(int error) {
   return disconnected(std::string("connection lost: ") + std::strerror(error));
@@ -19,14 +21,14 @@ kj::Exception lost(int error) {
 
 }  // namespace
 
-MessageStream::MessageStream(kj::UnixEventPort& port, kj::AutoCloseFd socket, StreamLimits limits)
+MessageStream::MessageStream(EventPort& port, kj::AutoCloseFd socket, StreamLimits limits)
     : port_(port),
       socket_(kj::mv(socket)),
       limits_(limits),
       readObserver_(port, socket_, kj::UnixEventPort::FdObserver::OBSERVE_READ),
       opened_(port.getTimer().now()) {}
 
-MessageStream::~MessageStream() noexcept(false) = default;
+MessageStream::~MessageStream() noexcept(false) { port_.forget(*this); }
 
 // ---- reading
 
@@ -122,21 +124,15 @@ kj::Promise<void> MessageStream::write(Segments segments) {
   // The bytes are copied, so that the caller may go on and what it writes next leaves in the same
   // send.
   appendFrame(segments, outgoing_);
-  if (mayWait_ != nullptr && mayWait_(segments)) {
+  if (outgoing_.size() - outgoingBegin_ >= kSendAtOnce) {
+    flush();
+  } else if (mayWait_ != nullptr && mayWait_(segments)) {
     scheduleRide();
   } else {
-    scheduleFlush();
+    port_.flushBeforeSleep(*this);
   }
   if (outgoing_.size() - outgoingBegin_ < kHighWater) return kj::READY_NOW;
   return whenDrained();
-}
-
-void MessageStream::scheduleFlush() {
-  if (flushScheduled_) return;
-  flushScheduled_ = true;
-  flushTask_ = kj::evalLast([this] { return flush(); }).eagerlyEvaluate([this](kj::Exception&& e) {
-    fail(kj::mv(e));
-  });
 }
 
 // Never cancelled: in steady traffic one timer covers many messages, and finds that they have left.
@@ -147,12 +143,13 @@ void MessageStream::scheduleRide() {
                   .afterDelay(kLongestRideMilliseconds * kj::MILLISECONDS)
                   .then([this] {
                     rideScheduled_ = false;
-                    if (!outgoing_.empty()) scheduleFlush();
+                    if (!outgoing_.empty()) port_.flushBeforeSleep(*this);
                   })
                   .eagerlyEvaluate(nullptr);
 }
 
-kj::Promise<void> MessageStream::flush() {
+void MessageStream::flush() {
+  if (awaitingRoom_) return;
   while (outgoingBegin_ < outgoing_.size()) {
     const ssize_t count = send(socket_, outgoing_.data() + outgoingBegin_,
                                outgoing_.size() - outgoingBegin_, MSG_NOSIGNAL);
@@ -160,15 +157,25 @@ kj::Promise<void> MessageStream::flush() {
       outgoingBegin_ += static_cast<std::size_t>(count);
       counters_->sentBytes.fetch_add(static_cast<std::uint64_t>(count), std::memory_order_relaxed);
     } else if (errno == EAGAIN) {
-      discardSent();
-      if (writeObserver_ == nullptr) writeObserver_ = kj::heap<WriteObserver>(port_, socket_);
-      return KJ_ASSERT_NONNULL(writeObserver_)->whenWritable().then([this] { return flush(); });
+      return awaitRoom();
     } else if (errno != EINTR) {
-      return lost(errno);
+      return fail(lost(errno));
     }
   }
   drained();
-  return kj::READY_NOW;
+}
+
+void MessageStream::awaitRoom() {
+  discardSent();
+  awaitingRoom_ = true;
+  if (writeObserver_ == nullptr) writeObserver_ = kj::heap<WriteObserver>(port_, socket_);
+  roomTask_ = KJ_ASSERT_NONNULL(writeObserver_)
+                  ->whenWritable()
+                  .then([this] {
+                    awaitingRoom_ = false;
+                    port_.flushBeforeSleep(*this);
+                  })
+                  .eagerlyEvaluate([this](kj::Exception&& e) { fail(kj::mv(e)); });
 }
 
 void MessageStream::discardSent() {
@@ -178,7 +185,6 @@ void MessageStream::discardSent() {
 }
 
 void MessageStream::drained() {
-  flushScheduled_ = false;
   discardSent();
   if (outgoing_.capacity() > kHighWater) outgoing_.shrink_to_fit();
   for (auto& waiting : awaitingDrain_) waiting->fulfill();
@@ -188,6 +194,8 @@ void MessageStream::drained() {
 void MessageStream::fail(kj::Exception exception) {
   for (auto& waiting : awaitingDrain_) waiting->reject(kj::cp(exception));
   awaitingDrain_.clear();
+  outgoing_.clear();
+  outgoingBegin_ = 0;
   writeFailure_ = kj::mv(exception);
 }
 
@@ -199,7 +207,7 @@ kj::Promise<void> MessageStream::whenDrained() {
 
 kj::Promise<void> MessageStream::end() {
   KJ_IF_MAYBE (failed, writeFailure_) return kj::cp(*failed);
-  scheduleFlush();
+  port_.flushBeforeSleep(*this);
   return whenDrained().then([this] { shutdown(socket_, SHUT_WR); });
 }
 

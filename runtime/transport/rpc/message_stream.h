@@ -4,6 +4,7 @@
 #include <capnp/serialize-async.h>
 #include <kj/async-unix.h>
 #include <kj/vector.h>
+#include <suture/transport/rpc/event_port.h>
 #include <suture/transport/rpc/frame_header.h>
 #include <suture/transport/rpc/receive_buffer.h>
 #include <suture/transport/rpc/write_observer.h>
@@ -29,9 +30,9 @@ struct LinkCounters {
 /// kj::Exception from the pending read; nothing it sent beyond that point is looked at. Descriptors
 /// are not carried: those offered to writeMessage() are ignored and tryReadMessage() never delivers
 /// any.
-class MessageStream final : public capnp::MessageStream {
+class MessageStream final : public capnp::MessageStream, private EventPort::Output {
  public:
-  MessageStream(kj::UnixEventPort& port, kj::AutoCloseFd socket, StreamLimits limits = {});
+  MessageStream(EventPort& port, kj::AutoCloseFd socket, StreamLimits limits = {});
   ~MessageStream() noexcept(false);
 
   using capnp::MessageStream::tryReadMessage;
@@ -70,15 +71,15 @@ class MessageStream final : public capnp::MessageStream {
   kj::Maybe<kj::TimePoint> readDeadline();
 
   kj::Promise<void> write(Segments segments);
-  void scheduleFlush();
   void scheduleRide();
-  kj::Promise<void> flush();
+  void flush() override;
+  void awaitRoom();
   kj::Promise<void> whenDrained();
   void discardSent();
   void drained();
   void fail(kj::Exception exception);
 
-  kj::UnixEventPort& port_;
+  EventPort& port_;
   kj::AutoCloseFd socket_;  // before the observers: they must go first
   StreamLimits limits_;
   std::shared_ptr<LinkCounters> counters_ = std::make_shared<LinkCounters>();
@@ -92,14 +93,14 @@ class MessageStream final : public capnp::MessageStream {
 
   std::vector<std::byte> outgoing_;
   std::size_t outgoingBegin_ = 0;
-  bool flushScheduled_ = false;
+  bool awaitingRoom_ = false;  // the socket is full
   bool rideScheduled_ = false;
   bool (*mayWait_)(Segments) = nullptr;
   kj::Maybe<kj::Exception> writeFailure_;
   kj::Vector<kj::Own<kj::PromiseFulfiller<void>>> awaitingDrain_;
   kj::Maybe<kj::Own<WriteObserver>> writeObserver_;  // made the first time the socket is full
   kj::Promise<void> rideTask_ = kj::READY_NOW;
-  kj::Promise<void> flushTask_ = kj::READY_NOW;  // the tasks last: cancelled first
+  kj::Promise<void> roomTask_ = kj::READY_NOW;  // the tasks last: cancelled first
 };
 
 }  // namespace suture::rpc

@@ -21,6 +21,7 @@ void Table2Options::addTo(CLI::App& options) {
       ->check(CLI::Range(1, 99));
   options.add_flag("--tcp", tcp, "TCP over the loopback instead of a Unix socket");
   options.add_flag("--quick", quick, "100 samples a loop: shows that it works, not how well");
+  options.add_flag("--event-driven-only", eventDrivenOnly, "without the loops of periodic tasks");
 }
 
 nlohmann::json Table2Options::toJson() const {
@@ -30,7 +31,8 @@ nlohmann::json Table2Options::toJson() const {
           {"cpu", cpu},
           {"fifo_priority", fifoPriority},
           {"transport", tcp ? "tcp" : "unix"},
-          {"quick", quick}};
+          {"quick", quick},
+          {"event_driven_only", eventDrivenOnly}};
 }
 
 LoopSetup Table2Options::periodic(Loop loop, bool fifo) const {

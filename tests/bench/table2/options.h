@@ -17,6 +17,7 @@ struct Table2Options {
   int fifoPriority = 80;
   bool tcp = false;
   bool quick = false;
+  bool eventDrivenOnly = false;
 
   Table2Options();
   void addTo(CLI::App& options);

@@ -29,7 +29,7 @@ class Table2 final : public Benchmark {
     const CodecCost codec = measureCodec(options_.codecLoops());
     const Statistics execution = measureExecution(options_.codecLoops());
     addOverhead(codec, execution, report);
-    fmt::print("{}\n", periodicRows(options_, report));
+    if (!options_.eventDrivenOnly) fmt::print("{}\n", periodicRows(options_, report));
     fmt::print("{}\n", eventRows(options_, codec.bytes, report));
     fmt::print("{}", overheadRows(codec, execution, report));
     std::fflush(stdout);

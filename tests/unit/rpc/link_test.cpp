@@ -44,19 +44,19 @@ class LinkTest : public testing::TestWithParam<const char*> {
 
   void serve() {
     server_ = kj::heap<LinkServer>(
-        io_.unixEventPort, Address::parse(freshAddress()),
+        port_, Address::parse(freshAddress()),
         [](auto&&) -> capnp::Capability::Client { return Echo::Client(kj::heap<EchoServer>()); },
         StreamLimits{}, 2);
   }
 
   kj::Own<Link> connect() {
-    auto socket = dial(io_.unixEventPort, server_->address(), 5s).wait(io_.waitScope);
-    return kj::heap<Link>(kj::heap<MessageStream>(io_.unixEventPort, kj::mv(socket)), Side::CLIENT);
+    auto socket = dial(port_, server_->address(), 5s).wait(port_.scope());
+    return kj::heap<Link>(kj::heap<MessageStream>(port_, kj::mv(socket)), Side::CLIENT);
   }
 
   std::string dialFault(const Address& address) {
     try {
-      dial(io_.unixEventPort, address, 1s).wait(io_.waitScope);
+      dial(port_, address, 1s).wait(port_.scope());
     } catch (const kj::Exception& e) {
       return describe(e);
     }
@@ -65,7 +65,7 @@ class LinkTest : public testing::TestWithParam<const char*> {
 
   /// True if the peer ends the connection within five seconds.
   bool closes(int socket) {
-    kj::UnixEventPort::FdObserver observer(io_.unixEventPort, socket,
+    kj::UnixEventPort::FdObserver observer(port_, socket,
                                            kj::UnixEventPort::FdObserver::OBSERVE_READ);
     std::byte bytes[4096];
     for (ssize_t count = -1; count != 0;) {
@@ -73,8 +73,8 @@ class LinkTest : public testing::TestWithParam<const char*> {
       if (count >= 0) continue;
       if (errno != EAGAIN) return true;
       auto readable = observer.whenBecomesReadable().then([] { return true; });
-      auto late = io_.provider->getTimer().afterDelay(5 * kj::SECONDS).then([] { return false; });
-      if (!readable.exclusiveJoin(kj::mv(late)).wait(io_.waitScope)) return false;
+      auto late = port_.getTimer().afterDelay(5 * kj::SECONDS).then([] { return false; });
+      if (!readable.exclusiveJoin(kj::mv(late)).wait(port_.scope())) return false;
     }
     return true;
   }
@@ -86,7 +86,7 @@ class LinkTest : public testing::TestWithParam<const char*> {
   }
 
   TemporaryDirectory directory_;
-  kj::AsyncIoContext io_ = kj::setupAsyncIo();
+  EventPort port_;
   kj::Own<LinkServer> server_;
 };
 
@@ -98,7 +98,7 @@ TEST_P(LinkTest, CallsReturn) {
   auto link = connect();
   auto client = link->bootstrap<Echo>();
   for (std::size_t size : {0u, 1u, 1000u, 1u << 20}) {
-    EXPECT_EQ(echo(client, size).wait(io_.waitScope), size);
+    EXPECT_EQ(echo(client, size).wait(port_.scope()), size);
   }
   EXPECT_GT(link->counters()->sentBytes, 1u << 20);
   EXPECT_GT(link->counters()->receivedBytes, 1u << 20);
@@ -110,7 +110,7 @@ TEST_P(LinkTest, ManyCallsInFlight) {
   auto client = link->bootstrap<Echo>();
   auto calls = kj::heapArrayBuilder<kj::Promise<std::size_t>>(1000);
   for (std::size_t i = 0; i < 1000; ++i) calls.add(echo(client, i));
-  auto sizes = kj::joinPromises(calls.finish()).wait(io_.waitScope);
+  auto sizes = kj::joinPromises(calls.finish()).wait(port_.scope());
   for (std::size_t i = 0; i < 1000; ++i) EXPECT_EQ(sizes[i], i);
 }
 
@@ -120,7 +120,7 @@ TEST_P(LinkTest, AFailureArrivesAsItsTextAlone) {
   auto request = link->bootstrap<Echo>().failRequest();
   request.setText("the arm is not homed");
   try {
-    request.send().ignoreResult().wait(io_.waitScope);
+    request.send().ignoreResult().wait(port_.scope());
     FAIL() << "no failure";
   } catch (const kj::Exception& e) {
     EXPECT_EQ(describe(e), "the arm is not homed");
@@ -131,41 +131,41 @@ TEST_P(LinkTest, APeerThatClosesEndsCallsAndTheLink) {
   serve();
   auto link = connect();
   auto client = link->bootstrap<Echo>();
-  EXPECT_EQ(echo(client, 1).wait(io_.waitScope), 1u);
+  EXPECT_EQ(echo(client, 1).wait(port_.scope()), 1u);
   auto pending = client.neverRequest().send().ignoreResult();
   server_ = nullptr;
-  EXPECT_THROW(pending.wait(io_.waitScope), kj::Exception);
-  link->onDisconnect().wait(io_.waitScope);
-  EXPECT_THROW(echo(client, 1).wait(io_.waitScope), kj::Exception);
+  EXPECT_THROW(pending.wait(port_.scope()), kj::Exception);
+  link->onDisconnect().wait(port_.scope());
+  EXPECT_THROW(echo(client, 1).wait(port_.scope()), kj::Exception);
 }
 
 TEST_P(LinkTest, AHostilePeerIsCutOffAndOthersAreServed) {
   serve();
   auto link = connect();
   auto client = link->bootstrap<Echo>();
-  auto hostile = dial(io_.unixEventPort, server_->address(), 5s).wait(io_.waitScope);
+  auto hostile = dial(port_, server_->address(), 5s).wait(port_.scope());
   sendAll(hostile, std::vector(64, std::byte{0xff}));
   EXPECT_TRUE(closes(hostile));
-  EXPECT_EQ(echo(client, 1).wait(io_.waitScope), 1u);
+  EXPECT_EQ(echo(client, 1).wait(port_.scope()), 1u);
 }
 
 TEST_P(LinkTest, ConnectionsBeyondTheLimitAreClosedAndThoseWithinServed) {
   serve();  // for two at a time
   auto first = connect();
   auto second = connect();
-  auto third = dial(io_.unixEventPort, server_->address(), 5s).wait(io_.waitScope);
-  EXPECT_EQ(echo(second->bootstrap<Echo>(), 1).wait(io_.waitScope), 1u);
+  auto third = dial(port_, server_->address(), 5s).wait(port_.scope());
+  EXPECT_EQ(echo(second->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
   EXPECT_TRUE(closes(third));
   first = nullptr;
-  EXPECT_EQ(echo(second->bootstrap<Echo>(), 1).wait(io_.waitScope), 1u);
+  EXPECT_EQ(echo(second->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
   auto fourth = connect();
-  EXPECT_EQ(echo(fourth->bootstrap<Echo>(), 1).wait(io_.waitScope), 1u);
+  EXPECT_EQ(echo(fourth->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
 }
 
 TEST_P(LinkTest, AnAddressInUseIsRefused) {
   serve();
   try {
-    Listener second(io_.unixEventPort, server_->address());
+    Listener second(port_, server_->address());
     FAIL() << "bound twice";
   } catch (const SetupError& error) {
     const std::string text = error.what();
@@ -173,7 +173,7 @@ TEST_P(LinkTest, AnAddressInUseIsRefused) {
     EXPECT_NE(text.find("another process listens"), std::string::npos) << text;
   }
   auto link = connect();
-  EXPECT_EQ(echo(link->bootstrap<Echo>(), 3).wait(io_.waitScope), 3u);
+  EXPECT_EQ(echo(link->bootstrap<Echo>(), 3).wait(port_.scope()), 3u);
 }
 
 TEST_P(LinkTest, NobodyListening) {
@@ -214,13 +214,13 @@ TEST_P(UnixListenerTest, AStaleSocketFileIsReplaced) {
   }
   serve();
   auto link = connect();
-  EXPECT_EQ(echo(link->bootstrap<Echo>(), 3).wait(io_.waitScope), 3u);
+  EXPECT_EQ(echo(link->bootstrap<Echo>(), 3).wait(port_.scope()), 3u);
 }
 
 TEST_P(UnixListenerTest, AnOrdinaryFileIsNotTouched) {
   const Address address = Address::parse(freshAddress());
   std::ofstream(address.path) << "notes";
-  EXPECT_THROW(Listener(io_.unixEventPort, address), SetupError);
+  EXPECT_THROW(Listener(port_, address), SetupError);
   std::string content;
   std::ifstream(address.path) >> content;
   EXPECT_EQ(content, "notes");
@@ -228,7 +228,7 @@ TEST_P(UnixListenerTest, AnOrdinaryFileIsNotTouched) {
 
 TEST_P(UnixListenerTest, AMissingDirectoryIsAnError) {
   try {
-    Listener(io_.unixEventPort, Address::parse("unix:/nonexistent/s"));
+    Listener(port_, Address::parse("unix:/nonexistent/s"));
     FAIL() << "listens in a directory that does not exist";
   } catch (const SetupError& error) {
     EXPECT_NE(std::string(error.what()).find("directory"), std::string::npos) << error.what();

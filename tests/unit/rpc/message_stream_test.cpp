@@ -17,14 +17,14 @@ class MessageStreamTest : public testing::Test {
   void open(StreamLimits limits = {}) {
     auto pair = makeSocketPair();
     peer_ = kj::mv(pair.theirs);
-    stream_ = kj::heap<MessageStream>(io_.unixEventPort, kj::mv(pair.ours), limits);
+    stream_ = kj::heap<MessageStream>(port_, kj::mv(pair.ours), limits);
   }
 
   auto read() { return stream_->tryReadMessage(); }
 
   /// Size of the blob in the next message, -1 at the end of the stream.
   std::int64_t nextBlob() {
-    auto message = bounded(read()).wait(io_.waitScope);
+    auto message = bounded(read()).wait(port_.scope());
     KJ_IF_MAYBE (reader, message) {
       return static_cast<std::int64_t>(
           (*reader)->getRoot<capnp::AnyPointer>().getAs<capnp::Data>().size());
@@ -35,7 +35,7 @@ class MessageStreamTest : public testing::Test {
   /// The text of the exception that the next read ends with.
   std::string nextFault() {
     try {
-      auto message = bounded(read()).wait(io_.waitScope);
+      auto message = bounded(read()).wait(port_.scope());
       return message == nullptr ? "end of stream" : "a message";
     } catch (const kj::Exception& e) {
       EXPECT_EQ(e.getType(), kj::Exception::Type::DISCONNECTED);
@@ -45,10 +45,10 @@ class MessageStreamTest : public testing::Test {
 
   template <class T>
   kj::Promise<T> bounded(kj::Promise<T> promise) {
-    return io_.provider->getTimer().timeoutAfter(10 * kj::SECONDS, kj::mv(promise));
+    return port_.getTimer().timeoutAfter(10 * kj::SECONDS, kj::mv(promise));
   }
 
-  kj::AsyncIoContext io_ = kj::setupAsyncIo();
+  EventPort port_;
   kj::AutoCloseFd peer_;
   kj::Own<MessageStream> stream_;
 };
@@ -115,8 +115,8 @@ TEST_F(MessageStreamTest, AnIdleConnectionMayStaySilentForEver) {
   sendAll(peer_, blobFrame(8));
   EXPECT_EQ(nextBlob(), 8);
   auto reading = read();
-  io_.provider->getTimer().afterDelay(30 * kj::MILLISECONDS).wait(io_.waitScope);
-  EXPECT_FALSE(reading.poll(io_.waitScope));
+  port_.getTimer().afterDelay(30 * kj::MILLISECONDS).wait(port_.scope());
+  EXPECT_FALSE(reading.poll(port_.scope()));
 }
 
 TEST_F(MessageStreamTest, ATruncatedMessageIsAnError) {
@@ -138,9 +138,9 @@ TEST_F(MessageStreamTest, AnOrderlyCloseIsTheEnd) {
 TEST_F(MessageStreamTest, ACloseWhileWaitingIsTheEnd) {
   open();
   auto reading = bounded(read());
-  EXPECT_FALSE(reading.poll(io_.waitScope));
+  EXPECT_FALSE(reading.poll(port_.scope()));
   peer_ = nullptr;
-  EXPECT_TRUE(reading.wait(io_.waitScope) == nullptr);
+  EXPECT_TRUE(reading.wait(port_.scope()) == nullptr);
 }
 
 TEST_F(MessageStreamTest, ManyMessagesInOneSegment) {
@@ -159,29 +159,29 @@ TEST_F(MessageStreamTest, OneByteAtATime) {
   const auto frame = blobFrame(100);
   auto reading = bounded(read());
   for (std::size_t i = 0; i < frame.size(); ++i) {
-    EXPECT_FALSE(reading.poll(io_.waitScope)) << i;
+    EXPECT_FALSE(reading.poll(port_.scope())) << i;
     sendAll(peer_, std::span(frame).subspan(i, 1));
   }
-  EXPECT_TRUE(reading.wait(io_.waitScope) != nullptr);
+  EXPECT_TRUE(reading.wait(port_.scope()) != nullptr);
 }
 
 TEST_F(MessageStreamTest, ALargeMessageArrivesWhole) {
   open();
   auto pair = makeSocketPair();
-  MessageStream sender(io_.unixEventPort, kj::mv(pair.ours));
-  stream_ = kj::heap<MessageStream>(io_.unixEventPort, kj::mv(pair.theirs));
+  MessageStream sender(port_, kj::mv(pair.ours));
+  stream_ = kj::heap<MessageStream>(port_, kj::mv(pair.theirs));
   capnp::MallocMessageBuilder message;
   auto blob = message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(1 << 20);
   for (std::size_t i = 0; i < blob.size(); ++i) blob[i] = static_cast<capnp::byte>(i * 31);
   auto writing = sender.writeMessage(message);
-  auto received = bounded(read()).wait(io_.waitScope);
+  auto received = bounded(read()).wait(port_.scope());
   KJ_IF_MAYBE (reader, received) {
     const auto root = (*reader)->getRoot<capnp::AnyPointer>().getAs<capnp::Data>();
     EXPECT_TRUE(root == blob.asReader());
   } else {
     FAIL() << "the stream ended";
   }
-  bounded(kj::mv(writing)).wait(io_.waitScope);
+  bounded(kj::mv(writing)).wait(port_.scope());
   EXPECT_EQ(sender.counters()->sentBytes, stream_->counters()->receivedBytes);
 }
 
@@ -189,8 +189,8 @@ TEST_F(MessageStreamTest, MessagesOfOneTurnLeaveTogether) {
   open();
   capnp::MallocMessageBuilder message;
   message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(16);
-  for (int i = 0; i < 3; ++i) stream_->writeMessage(message).wait(io_.waitScope);
-  io_.provider->getTimer().afterDelay(1 * kj::MILLISECONDS).wait(io_.waitScope);
+  for (int i = 0; i < 3; ++i) stream_->writeMessage(message).wait(port_.scope());
+  port_.getTimer().afterDelay(1 * kj::MILLISECONDS).wait(port_.scope());
   std::byte bytes[1024];
   const auto frame = blobFrame(16).size();
   EXPECT_EQ(recv(peer_, bytes, sizeof(bytes), 0), static_cast<ssize_t>(3 * frame));
@@ -208,15 +208,15 @@ TEST_F(MessageStreamTest, WhatMayWaitLeavesWithTheNextMessageOrAfterAWhile) {
     return recv(peer_, bytes, sizeof(bytes), 0);
   };
   const auto pass = [this](int milliseconds) {
-    io_.provider->getTimer().afterDelay(milliseconds * kj::MILLISECONDS).wait(io_.waitScope);
+    port_.getTimer().afterDelay(milliseconds * kj::MILLISECONDS).wait(port_.scope());
   };
-  stream_->writeMessage(waits).wait(io_.waitScope);
+  stream_->writeMessage(waits).wait(port_.scope());
   EXPECT_EQ(arrived(), -1);
-  stream_->writeMessage(doesNot).wait(io_.waitScope);
-  kj::evalLast([] {}).wait(io_.waitScope);
+  stream_->writeMessage(doesNot).wait(port_.scope());
+  kj::evalLast([] {}).wait(port_.scope());
   pass(0);
   EXPECT_EQ(arrived(), static_cast<ssize_t>(blobFrame(8).size() + blobFrame(16).size()));
-  stream_->writeMessage(waits).wait(io_.waitScope);
+  stream_->writeMessage(waits).wait(port_.scope());
   pass(3 * MessageStream::kLongestRideMilliseconds);
   EXPECT_EQ(arrived(), static_cast<ssize_t>(blobFrame(8).size()));
 }
@@ -233,10 +233,10 @@ TEST_F(MessageStreamTest, WritingToAPeerThatDoesNotReadIsHeldBackNotBuffered) {
   capnp::MallocMessageBuilder message;
   message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(2 << 20);
   auto writing = stream_->writeMessage(message);
-  EXPECT_FALSE(writing.poll(io_.waitScope));
+  EXPECT_FALSE(writing.poll(port_.scope()));
   peer_ = nullptr;
-  EXPECT_THROW(bounded(kj::mv(writing)).wait(io_.waitScope), kj::Exception);
-  EXPECT_THROW(stream_->writeMessage(message).wait(io_.waitScope), kj::Exception);
+  EXPECT_THROW(bounded(kj::mv(writing)).wait(port_.scope()), kj::Exception);
+  EXPECT_THROW(stream_->writeMessage(message).wait(port_.scope()), kj::Exception);
 }
 
 TEST_F(MessageStreamTest, EndSendsWhatIsPendingThenCloses) {
@@ -244,7 +244,7 @@ TEST_F(MessageStreamTest, EndSendsWhatIsPendingThenCloses) {
   capnp::MallocMessageBuilder message;
   message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(16);
   auto writing = stream_->writeMessage(message);
-  bounded(stream_->end()).wait(io_.waitScope);
+  bounded(stream_->end()).wait(port_.scope());
   std::byte bytes[1024];
   EXPECT_EQ(recv(peer_, bytes, sizeof(bytes), 0), static_cast<ssize_t>(blobFrame(16).size()));
   EXPECT_EQ(recv(peer_, bytes, sizeof(bytes), 0), 0);

@@ -35,12 +35,20 @@ TEST(Doorbell, WritesItsEventDescriptorOnlyForASleeper) {
   bell.ring();
   EXPECT_EQ(read(descriptor, &count, sizeof(count)), -1);
   EXPECT_FALSE(bell.lieDown());
-  bell.standUp();
+  EXPECT_TRUE(bell.takeRing());
+  EXPECT_FALSE(bell.takeRing());
   ASSERT_TRUE(bell.lieDown());
   bell.ring();
   bell.ring();
   EXPECT_EQ(read(descriptor, &count, sizeof(count)), 8);
   EXPECT_EQ(count, 1u);
+  bell.standUp();
+  EXPECT_TRUE(bell.takeRing()) << "what was rung for during sleep is still to be done";
+
+  ASSERT_TRUE(bell.lieDown());
+  bell.standUp();
+  bell.ring();
+  EXPECT_EQ(read(descriptor, &count, sizeof(count)), -1);
   close(descriptor);
 }
 

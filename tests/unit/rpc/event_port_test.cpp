@@ -1,0 +1,100 @@
+#include <gtest/gtest.h>
+#include <suture/transport/rpc/event_port.h>
+#include <unistd.h>
+
+#include <functional>
+
+namespace suture::rpc {
+namespace {
+
+/// A port whose other threads are played by functions.
+class Port final : public EventPort {
+ public:
+  std::function<void()> work = [] {};
+  std::function<bool()> mayLieDown = [] { return true; };
+  unsigned sleeps = 0;
+
+ private:
+  void takeWork() override { work(); }
+  bool lieDown() override { return mayLieDown(); }
+  void standUp() override { ++sleeps; }
+};
+
+struct CountedOutput final : EventPort::Output {
+  void flush() override { ++flushes; }
+  unsigned flushes = 0;
+};
+
+/// An event that arms itself again and again.
+kj::Promise<void> turns(unsigned count) {
+  if (count == 0) return kj::READY_NOW;
+  return kj::evalLater([count] { return turns(count - 1); });
+}
+
+TEST(EventPort, FlushesOnceWhenThereIsNothingElseToDo) {
+  Port port;
+  CountedOutput output;
+  auto writes = turns(10).then([&] {
+    port.flushBeforeSleep(output);
+    port.flushBeforeSleep(output);
+    EXPECT_EQ(output.flushes, 0u);
+  });
+  writes.wait(port.scope());
+  port.getTimer().afterDelay(1 * kj::MILLISECONDS).wait(port.scope());
+  EXPECT_EQ(output.flushes, 1u);
+}
+
+TEST(EventPort, FlushesAfterTheWorkThatOthersHandOver) {
+  Port port;
+  CountedOutput output;
+  auto gate = kj::newPromiseAndFulfiller<void>();
+  bool handedOver = false;
+  port.work = [&] {
+    if (std::exchange(handedOver, true)) return;
+    EXPECT_EQ(output.flushes, 0u);
+    gate.fulfiller->fulfill();
+  };
+  port.flushBeforeSleep(output);
+  gate.promise.then([&] { EXPECT_EQ(output.flushes, 0u); }).wait(port.scope());
+  EXPECT_EQ(port.sleeps, 0u);
+}
+
+TEST(EventPort, DoesNotSleepOverARing) {
+  Port port;
+  unsigned asked = 0;
+  port.mayLieDown = [&] { return ++asked > 5; };
+  port.getTimer().afterDelay(1 * kj::MILLISECONDS).wait(port.scope());
+  EXPECT_GT(asked, 5u);
+}
+
+// Work without end: each turn finds more. Neither output nor a socket may wait for its end.
+TEST(EventPort, EndlessWorkStarvesNobody) {
+  Port port;
+  CountedOutput output;
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  kj::AutoCloseFd reading(ends[0]), writing(ends[1]);
+  EventPort::FdObserver observer(port, reading, EventPort::FdObserver::OBSERVE_READ);
+  kj::Promise<void> endless = kj::READY_NOW;
+  unsigned handedOver = 0;
+  port.work = [&] {
+    ASSERT_LT(++handedOver, 1000u) << "the socket is never looked at";
+    endless = kj::evalLater([] {}).eagerlyEvaluate(nullptr);
+  };
+  port.flushBeforeSleep(output);
+  ASSERT_EQ(write(writing, "x", 1), 1);
+  observer.whenBecomesReadable().wait(port.scope());
+  EXPECT_EQ(output.flushes, 1u);
+}
+
+TEST(EventPort, AnOutputThatEndsIsForgotten) {
+  Port port;
+  CountedOutput output;
+  port.flushBeforeSleep(output);
+  port.forget(output);
+  port.getTimer().afterDelay(1 * kj::MILLISECONDS).wait(port.scope());
+  EXPECT_EQ(output.flushes, 0u);
+}
+
+}  // namespace
+}  // namespace suture::rpc
