@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
-#include <optional>
 
 namespace robots {
 namespace {
@@ -16,59 +15,14 @@ using suture::Time;
 
 // A hole in the master's recording that interpolation must not bridge.
 constexpr double kLongestGap = 0.05;  // s
-
-struct Pose {
-  Vector3d p;
-  Quaterniond q;
-};
-
-Pose toPose(const Eigen::Isometry3d& pose) {
-  return {pose.translation(), Quaterniond(pose.linear())};
-}
+// How much later than the row of its stamp a record may be written.
+constexpr auto kPatience = std::chrono::milliseconds(200);
 
 double secondsBetween(Time from, Time to) {
   return std::chrono::duration<double>(to - from).count();
 }
 
-Pose blend(const Pose& from, const Pose& to, double share) {
-  return {from.p + share * (to.p - from.p), from.q.slerp(share, to.q)};
-}
-
-/// The recorded master at `stamp`, between the two rows around it.
-std::optional<Pose> masterAt(const std::vector<ArmRow>& master, Time stamp) {
-  const auto after = std::lower_bound(master.begin(), master.end(), stamp,
-                                      [](const ArmRow& row, Time t) { return row.stamp < t; });
-  if (after == master.end()) return std::nullopt;
-  if (after->stamp == stamp) return toPose(after->measured);
-  if (after == master.begin()) return std::nullopt;
-  const auto before = std::prev(after);
-  const double gap = secondsBetween(before->stamp, after->stamp);
-  if (gap > kLongestGap) return std::nullopt;
-  return blend(toPose(before->measured), toPose(after->measured),
-               secondsBetween(before->stamp, stamp) / gap);
-}
-
-/// The law, written down a second time on purpose: this is what the component's own is checked
-/// against.
-Pose law(const FollowAnchors& anchors, const Pose& master) {
-  const Pose master0 = toPose(anchors.master), slave0 = toPose(anchors.slave_setpoint);
-  return {slave0.p + anchors.scale * (master.p - master0.p),
-          master.q * master0.q.conjugate() * slave0.q};
-}
-
-/// Where the slave was told to be by data of time `stamp`.
-std::optional<Pose> targetAt(const std::vector<ArmRow>& master,
-                             const std::vector<FollowAnchors>& followed, Time stamp) {
-  const auto next =
-      std::upper_bound(followed.begin(), followed.end(), stamp,
-                       [](Time t, const FollowAnchors& a) { return t < a.master_stamp; });
-  if (next == followed.begin()) return std::nullopt;
-  const auto pose = masterAt(master, stamp);
-  if (!pose) return std::nullopt;
-  return law(*std::prev(next), *pose);
-}
-
-ErrorSummary summarise(std::vector<double>& errors) {
+ErrorSummary summarise(std::vector<double> errors) {
   if (errors.empty()) return {};
   std::sort(errors.begin(), errors.end());
   const auto at = [&](double share) {
@@ -85,39 +39,117 @@ std::string sentence(const char* format, double found, double bound) {
 
 }  // namespace
 
+Judge::Pose Judge::toPose(const Eigen::Isometry3d& pose) {
+  return {pose.translation(), Quaterniond(pose.linear())};
+}
+
+Judge::Pose Judge::blend(const Pose& from, const Pose& to, double share) {
+  return {from.p + share * (to.p - from.p), from.q.slerp(share, to.q)};
+}
+
+// Written down a second time on purpose: this is what the component's own is checked against.
+Judge::Pose Judge::law(const FollowAnchors& anchors, const Pose& master) {
+  const Pose master0 = toPose(anchors.master), slave0 = toPose(anchors.slave_setpoint);
+  return {slave0.p + anchors.scale * (master.p - master0.p),
+          master.q * master0.q.conjugate() * slave0.q};
+}
+
+/// The recorded master at `stamp`, between the two rows around it.
+std::optional<Judge::Pose> Judge::masterAt(Time stamp) const {
+  const auto after = std::lower_bound(master_.begin(), master_.end(), stamp,
+                                      [](const ArmRow& row, Time t) { return row.stamp < t; });
+  if (after == master_.end()) return std::nullopt;
+  if (after->stamp == stamp) return toPose(after->measured);
+  if (after == master_.begin()) return std::nullopt;
+  const auto before = std::prev(after);
+  const double gap = secondsBetween(before->stamp, after->stamp);
+  if (gap > kLongestGap) return std::nullopt;
+  return blend(toPose(before->measured), toPose(after->measured),
+               secondsBetween(before->stamp, stamp) / gap);
+}
+
+/// Where the slave was told to be by data of time `stamp`.
+std::optional<Judge::Pose> Judge::targetAt(Time stamp) const {
+  const auto next =
+      std::upper_bound(followed_.begin(), followed_.end(), stamp,
+                       [](Time t, const FollowAnchors& a) { return t < a.master_stamp; });
+  if (next == followed_.begin()) return std::nullopt;
+  const auto pose = masterAt(stamp);
+  if (!pose) return std::nullopt;
+  return law(*std::prev(next), *pose);
+}
+
+void Judge::addMaster(const std::vector<ArmRow>& rows) {
+  master_.insert(master_.end(), rows.begin(), rows.end());
+}
+
+void Judge::addFollowed(const std::vector<FollowAnchors>& followed) {
+  followed_.insert(followed_.end(), followed.begin(), followed.end());
+}
+
+void Judge::addSlave(const std::vector<ArmRow>& rows) {
+  waiting_.insert(waiting_.end(), rows.begin(), rows.end());
+}
+
+void Judge::advance() {
+  while (!waiting_.empty() && !master_.empty() &&
+         std::max(waiting_.front().stamp, waiting_.front().goal_stamp) + kPatience <
+             master_.back().stamp) {
+    judge(waiting_.front());
+    forgetMasterBefore(waiting_.front().goal_stamp);
+    waiting_.pop_front();
+  }
+}
+
+// A set-point that is held keeps an old stamp; a later one may be a little older than the last.
+void Judge::forgetMasterBefore(Time stamp) {
+  while (!master_.empty() && master_.front().stamp + kPatience < stamp) master_.pop_front();
+}
+
+void Judge::judge(const ArmRow& row) {
+  if (followed_.empty() || row.goal_stamp < followed_.front().master_stamp) return;
+  const Pose measured = toPose(row.measured);
+  if (!expected_) {
+    expected_ = measured;
+    start_ = measured.p;
+  } else if (target_) {
+    const double share = 1 - std::exp(-secondsBetween(last_, row.stamp) / timeConstant_);
+    expected_ = blend(*expected_, *target_, share);
+    position_.push_back((measured.p - expected_->p).norm());
+    orientation_.push_back(measured.q.angularDistance(expected_->q));
+  }
+  travel_ = std::max(travel_, (measured.p - start_).norm());
+  last_ = row.stamp;
+  if (const auto next = targetAt(row.goal_stamp)) {
+    target_ = next;
+  } else {
+    ++unmatched_;
+  }
+}
+
+ErrorSummary Judge::recentPosition() {
+  const auto from = position_.begin() + static_cast<std::ptrdiff_t>(reported_);
+  reported_ = position_.size();
+  return summarise({from, position_.end()});
+}
+
+Judgement Judge::finish() {
+  for (const ArmRow& row : waiting_) judge(row);
+  waiting_.clear();
+  return {.position = summarise(position_),
+          .orientation = summarise(orientation_),
+          .travel = travel_,
+          .compared = position_.size(),
+          .unmatched = unmatched_};
+}
+
 Judgement judge(const std::vector<ArmRow>& master, const std::vector<FollowAnchors>& followed,
                 const std::vector<ArmRow>& slave, double timeConstant) {
-  Judgement judgement;
-  std::vector<double> position, orientation;
-  std::optional<Pose> target;    // what acts on the slave since its last cycle
-  std::optional<Pose> expected;  // where the slave should be
-  Time last;
-  Vector3d start = Vector3d::Zero();
-  for (const ArmRow& row : slave) {
-    if (followed.empty() || row.goal_stamp < followed.front().master_stamp) continue;
-    const Pose measured = toPose(row.measured);
-    if (!expected) {
-      expected = measured;
-      start = measured.p;
-    } else if (target) {
-      const double share = 1 - std::exp(-secondsBetween(last, row.stamp) / timeConstant);
-      expected = blend(*expected, *target, share);
-      position.push_back((measured.p - expected->p).norm());
-      orientation.push_back(measured.q.angularDistance(expected->q));
-    }
-    judgement.travel = std::max(judgement.travel, (measured.p - start).norm());
-    last = row.stamp;
-    const auto next = targetAt(master, followed, row.goal_stamp);
-    if (next) {
-      target = next;
-    } else {
-      ++judgement.unmatched;
-    }
-  }
-  judgement.compared = position.size();
-  judgement.position = summarise(position);
-  judgement.orientation = summarise(orientation);
-  return judgement;
+  Judge judge(timeConstant);
+  judge.addMaster(master);
+  judge.addFollowed(followed);
+  judge.addSlave(slave);
+  return judge.finish();
 }
 
 std::vector<std::string> violations(const Judgement& judgement, const JudgementBounds& bounds) {

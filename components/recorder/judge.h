@@ -4,6 +4,8 @@
 // declared one.
 
 #include <cstddef>
+#include <deque>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,12 +26,55 @@ struct Judgement {
   std::size_t unmatched = 0;
 };
 
-/// `master` and `slave` by ascending stamp, on one clock; `followed` is what the teleoperation
-/// between them announced. From the first entry on, the law x_s = x_s0 + s (x_m - x_m0), R_s = R_m
+/// Judges a slave while it is recorded. Rows come by ascending stamp, all on one clock. From the
+/// first announcement of the teleoperation on, the law x_s = x_s0 + s (x_m - x_m0), R_s = R_m
 /// R_m0^T R_s0 gives the target of each slave cycle from the recorded master at the stamp of the
 /// set-point; a first-order filter of `timeConstant` (s) in Cartesian space, on the slave's own
 /// cycle times, gives where the slave should be. Rate limits are not modelled: a slave that met one
 /// is late, and that shows.
+class Judge {
+ public:
+  explicit Judge(double timeConstant) : timeConstant_(timeConstant) {}
+
+  void addMaster(const std::vector<ArmRow>& rows);
+  void addFollowed(const std::vector<FollowAnchors>& followed);
+  void addSlave(const std::vector<ArmRow>& rows);
+
+  /// Judges every slave cycle whose master is known by now, with some patience for records that
+  /// come late.
+  void advance();
+  /// Of what was judged since the last call.
+  ErrorSummary recentPosition();
+  /// Judges what is left, with or without its master.
+  Judgement finish();
+
+ private:
+  struct Pose {
+    Eigen::Vector3d p;
+    Eigen::Quaterniond q;
+  };
+
+  static Pose toPose(const Eigen::Isometry3d& pose);
+  static Pose blend(const Pose& from, const Pose& to, double share);
+  static Pose law(const FollowAnchors& anchors, const Pose& master);
+  std::optional<Pose> masterAt(suture::Time stamp) const;
+  std::optional<Pose> targetAt(suture::Time stamp) const;
+  void judge(const ArmRow& row);
+  void forgetMasterBefore(suture::Time stamp);
+
+  const double timeConstant_;
+  std::deque<ArmRow> master_, waiting_;  // waiting: the slave's
+  std::vector<FollowAnchors> followed_;
+  std::optional<Pose> target_;    // what acts on the slave since its last cycle
+  std::optional<Pose> expected_;  // where the slave should be
+  suture::Time last_;
+  Eigen::Vector3d start_ = Eigen::Vector3d::Zero();
+  double travel_ = 0;
+  std::size_t unmatched_ = 0, reported_ = 0;
+  std::vector<double> position_, orientation_;  // one error a cycle, m and rad
+};
+
+/// A whole run at once.
 Judgement judge(const std::vector<ArmRow>& master, const std::vector<FollowAnchors>& followed,
                 const std::vector<ArmRow>& slave, double timeConstant);
 

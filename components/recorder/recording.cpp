@@ -60,19 +60,41 @@ void write(std::ostream& out, const Record& record) {
   out << std::visit([](const auto& value) { return toJson(value); }, record) << '\n';
 }
 
-Recording readRecording(const std::filesystem::path& file) {
-  const std::string asked = "reading the recording " + file.string();
-  std::ifstream in(file);
-  if (!in) throw suture::SetupError(asked, "it cannot be opened", "check that the recorder ran");
+void RecordingReader::parse(const std::string& line, Recording& into) {
+  ++lines_;
+  try {
+    add(into, Json::parse(line));
+  } catch (const Json::exception& error) {
+    throw suture::SetupError(
+        "reading the recording " + file_.string() + ":" + std::to_string(lines_), error.what(),
+        "the recorder may have been killed while it wrote; record anew");
+  }
+}
+
+Recording RecordingReader::next() {
   Recording recording;
-  std::string line;
-  for (std::size_t number = 1; std::getline(in, line); ++number) try {
-      add(recording, Json::parse(line));
-    } catch (const Json::exception& error) {
-      throw suture::SetupError(asked + ":" + std::to_string(number), error.what(),
-                               "the recorder may have been killed while it wrote; record anew");
-    }
+  if (!in_.is_open()) in_.open(file_);
+  in_.clear();  // more may have come behind the end
+  std::string text;
+  while (std::getline(in_, text)) {
+    unfinished_ += text;
+    if (in_.eof()) break;
+    parse(unfinished_, recording);
+    unfinished_.clear();
+  }
   return recording;
 }
+
+Recording RecordingReader::rest() {
+  Recording recording = next();
+  if (!in_.is_open()) {
+    throw suture::SetupError("reading the recording " + file_.string(), "it cannot be opened",
+                             "check that the recorder ran");
+  }
+  if (!unfinished_.empty()) parse(unfinished_, recording);
+  return recording;
+}
+
+Recording readRecording(const std::filesystem::path& file) { return RecordingReader(file).rest(); }
 
 }  // namespace robots

@@ -4,8 +4,11 @@
 #include <suture/base/time.h>
 
 #include <Eigen/Geometry>
+#include <cstddef>
 #include <filesystem>
+#include <fstream>
 #include <iosfwd>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -32,7 +35,28 @@ struct Recording {
 /// z.
 void write(std::ostream& out, const Record& record);
 
-/// Reads what write() wrote. Throws suture::SetupError that names the file and the line.
+/// Reads what write() wrote, also while it is being written. One thread.
+class RecordingReader {
+ public:
+  explicit RecordingReader(std::filesystem::path file) : file_(std::move(file)) {}
+
+  /// The whole records that are new since the last call; none before the file exists. Throws
+  /// suture::SetupError that names the file and the line.
+  Recording next();
+  /// What is left, once nobody writes any more. Also throws if the file was never there, or ends
+  /// within a record.
+  Recording rest();
+
+ private:
+  void parse(const std::string& line, Recording& into);
+
+  std::filesystem::path file_;
+  std::ifstream in_;
+  std::string unfinished_;  // a line without its end
+  std::size_t lines_ = 0;
+};
+
+/// All of a recording that nobody writes any more.
 Recording readRecording(const std::filesystem::path& file);
 
 }  // namespace robots

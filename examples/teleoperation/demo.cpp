@@ -3,14 +3,17 @@
 #include <suture/base/errors.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <system_error>
+#include <vector>
 
 #include "crew.h"
+#include "following_watch.h"
 #include "plan.h"
 #include "result_file.h"
 #include "screen.h"
@@ -64,6 +67,13 @@ void declare(CLI::App& app, demo::Options& options) {
   app.add_option("--json", options.json, "Also write all figures to this file");
 }
 
+/// Since the last call, of the slave that was farthest off, m at p99.
+double worstError(std::vector<demo::FollowingWatch>& watches) {
+  double worst = 0;
+  for (demo::FollowingWatch& watch : watches) worst = std::max(worst, watch.recent().p99);
+  return worst;
+}
+
 int run(const demo::Options& options) {
   const RunFolder folder;
   const demo::Plan plan(options, SUTURE_DEMO_TOPOLOGIES, folder.path());
@@ -72,9 +82,11 @@ int run(const demo::Options& options) {
   demo::Crew crew(plan, fs::read_symlink("/proc/self/exe").parent_path(), folder.path());
   const auto length =
       std::chrono::duration_cast<suture::Duration>(std::chrono::duration<double>(options.seconds));
-  const demo::CrewResult result =
-      crew.run(length, [&](auto ran, const auto& reports) { screen.progress(ran, reports); });
-  const demo::Verdict verdict = demo::judgeRun(plan, result);
+  auto watches = demo::watchAll(plan.followings());
+  const demo::CrewResult result = crew.run(length, [&](auto ran, const auto& reports) {
+    screen.progress(ran, reports, worstError(watches));
+  });
+  const demo::Verdict verdict = demo::judgeRun(plan, result, watches);
   screen.end(result, verdict);
   if (!options.json.empty()) demo::writeResult(options.json, options, result, verdict);
   if (result.interrupted) return kInterrupted;

@@ -97,8 +97,8 @@ void Screen::begin(const Options& options, const Plan& plan) {
   }
   fmt::print("\n{}\n",
              bold("  time   cycles  commands  replaced  dropped  late  command age   read age   "
-                  "jitter  skipped"));
-  fmt::print("{:>59}{:>12}{:>11}\n", "p99", "p99", "p99");
+                  "jitter  skipped     error"));
+  fmt::print("{:>59}{:>12}{:>11}{:>19}\n", "p99", "p99", "p99", "p99");
   std::fflush(stdout);
 }
 
@@ -122,13 +122,15 @@ Screen::Totals Screen::totalsOf(const std::vector<suture::Report>& reports) {
   return totals;
 }
 
-void Screen::progress(Duration ran, const std::vector<suture::Report>& reports) {
+void Screen::progress(Duration ran, const std::vector<suture::Report>& reports, double error) {
   const Totals now = totalsOf(reports);
-  fmt::print("{:>4.0f} s {:>8} {:>9} {:>9} {:>8} {:>5} {:>9} ms {:>7} ms {:>5} us {:>8}\n",
-             std::chrono::duration<double>(ran).count(), now.cycles - before_.cycles,
-             now.executed - before_.executed, now.replaced - before_.replaced,
-             now.dropped - before_.dropped, now.late - before_.late, milliseconds(now.commandAge),
-             milliseconds(now.readAge), microseconds(now.jitter), now.skipped - before_.skipped);
+  fmt::print(
+      "{:>4.0f} s {:>8} {:>9} {:>9} {:>8} {:>5} {:>9} ms {:>7} ms {:>5} us {:>8} {:>6.3f} mm\n",
+      std::chrono::duration<double>(ran).count(), now.cycles - before_.cycles,
+      now.executed - before_.executed, now.replaced - before_.replaced,
+      now.dropped - before_.dropped, now.late - before_.late, milliseconds(now.commandAge),
+      milliseconds(now.readAge), microseconds(now.jitter), now.skipped - before_.skipped,
+      1e3 * error);
   std::fflush(stdout);
   before_ = now;
 }

@@ -18,8 +18,9 @@ class Screen {
   Screen();
 
   void begin(const Options& options, const Plan& plan);
-  /// One line on what happened since the last call.
-  void progress(suture::Duration ran, const std::vector<suture::Report>& reports);
+  /// One line on what happened since the last call; `error`: how far the worst slave was off, m at
+  /// p99.
+  void progress(suture::Duration ran, const std::vector<suture::Report>& reports, double error);
   void end(const CrewResult& result, const Verdict& verdict);
 
  private:

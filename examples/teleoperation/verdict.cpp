@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <numbers>
 
-#include "recorder/recording.h"
-
 namespace demo {
 namespace {
 
@@ -56,14 +54,12 @@ Check checkLanes(const Plan& plan, const std::vector<ConnectionReport>& connecti
 }
 
 /// Judges one slave from the recordings; fills its figures.
-Check checkFollowing(const Following& following, ArmFigures& slave) {
+Check checkFollowing(FollowingWatch& watch, ArmFigures& slave) {
+  const Following& following = watch.following();
   slave.master = following.master;
   const std::string pair = following.slave + " follows " + following.master;
   try {
-    slave.following =
-        robots::judge(robots::readRecording(following.masterRecording).arm,
-                      robots::readRecording(following.teleopRecording).followed,
-                      robots::readRecording(following.slaveRecording).arm, following.timeConstant);
+    slave.following = watch.finish();
   } catch (const suture::SetupError& error) {
     return {false, pair + ": " + error.what()};
   }
@@ -81,18 +77,18 @@ bool Verdict::passed() const {
   return std::all_of(checks.begin(), checks.end(), [](const Check& check) { return check.passed; });
 }
 
-Verdict judgeRun(const Plan& plan, const CrewResult& result) {
+Verdict judgeRun(const Plan& plan, const CrewResult& result, std::vector<FollowingWatch>& watches) {
   Verdict verdict;
   verdict.connections = suture::mergeConnections(result.reports);
   for (const std::string& arm : plan.arms()) {
     verdict.arms.push_back({arm, taskOf(result.reports, arm), "", std::nullopt});
   }
   verdict.checks = {checkProcesses(result), checkLanes(plan, verdict.connections)};
-  for (const Following& following : plan.followings()) {
+  for (FollowingWatch& watch : watches) {
     const auto slave =
         std::find_if(verdict.arms.begin(), verdict.arms.end(),
-                     [&](const ArmFigures& arm) { return arm.name == following.slave; });
-    verdict.checks.push_back(checkFollowing(following, *slave));
+                     [&](const ArmFigures& arm) { return arm.name == watch.following().slave; });
+    verdict.checks.push_back(checkFollowing(watch, *slave));
   }
   return verdict;
 }

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "crew.h"
+#include "following_watch.h"
 #include "plan.h"
-#include "recorder/judge.h"
 
 namespace demo {
 
@@ -33,7 +33,7 @@ struct Verdict {
   bool passed() const;
 };
 
-/// Reads the recordings. An interrupted run is judged too.
-Verdict judgeRun(const Plan& plan, const CrewResult& result);
+/// Reads the recordings to their end. An interrupted run is judged too.
+Verdict judgeRun(const Plan& plan, const CrewResult& result, std::vector<FollowingWatch>& watches);
 
 }  // namespace demo

@@ -154,5 +154,30 @@ TEST(Judge, SaysWhenThereIsNothingToCompare) {
   EXPECT_FALSE(violations(judgement).empty());
 }
 
+// As the demo does it: pieces of recordings that are written at different speeds.
+TEST(Judge, SaysTheSameOfARunThatComesInPieces) {
+  const Recorded run = makeRun({.extraLag = 0.005, .missedRows = 0.1});
+  Judge judge(kTimeConstant);
+  double worst = 0;
+  for (std::size_t i = 0; i < run.master.size(); i += 250) {
+    const auto piece = [i](const std::vector<ArmRow>& rows, std::size_t lead) {
+      const auto at = [&](std::size_t k) { return rows.begin() + std::min(k, rows.size()); };
+      return std::vector<ArmRow>(at(i == 0 ? 0 : i + lead), at(i + 250 + lead));
+    };
+    judge.addSlave(piece(run.slave, 100));
+    judge.addMaster(piece(run.master, 0));
+    if (i == 0) judge.addFollowed(run.followed);
+    judge.advance();
+    worst = std::max(worst, judge.recentPosition().max);
+  }
+  const Judgement whole = judged(run), pieces = judge.finish();
+  EXPECT_EQ(pieces.compared, whole.compared);
+  EXPECT_EQ(pieces.unmatched, whole.unmatched);
+  EXPECT_EQ(pieces.travel, whole.travel);
+  EXPECT_EQ(pieces.position.p99, whole.position.p99);
+  EXPECT_EQ(pieces.orientation.max, whole.orientation.max);
+  EXPECT_GT(worst, 0.9 * whole.position.max) << "the pieces told of it on the way";
+}
+
 }  // namespace
 }  // namespace robots::test

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "recorder/recording_writer.h"
 
@@ -51,6 +53,27 @@ TEST_F(RecordingTest, ReadsBackWhatWasPushed) {
   EXPECT_EQ(recording.followed[0].scale, 0.2);
   EXPECT_EQ(recording.followed[0].entry, 3u);
   EXPECT_TRUE(recording.followed[0].slave_setpoint.isApprox(somePose().inverse(), 1e-15));
+}
+
+TEST_F(RecordingTest, IsReadWhileItIsWritten) {
+  RecordingReader reader(file_);
+  EXPECT_TRUE(reader.next().arm.empty()) << "nobody has begun";
+  EXPECT_THROW(reader.rest(), suture::SetupError);
+  std::ostringstream text;
+  for (std::int64_t i = 0; i < 3; ++i) write(text, ArmRow{suture::fromNanoseconds(i), {}, {}, {}});
+  const std::string all = text.str();
+  std::ofstream out(file_);
+  std::vector<ArmRow> rows;
+  for (const std::size_t end : {std::size_t{10}, all.size() / 2, all.size() - 1, all.size()}) {
+    out << all.substr(static_cast<std::size_t>(out.tellp()),
+                      end - static_cast<std::size_t>(out.tellp()))
+        << std::flush;
+    for (const ArmRow& row : reader.next().arm) rows.push_back(row);
+    EXPECT_EQ(rows.size(), static_cast<std::size_t>(std::count(
+                               all.begin(), all.begin() + static_cast<std::ptrdiff_t>(end), '\n')));
+  }
+  EXPECT_EQ(rows.back().stamp, suture::fromNanoseconds(2));
+  EXPECT_TRUE(reader.rest().arm.empty());
 }
 
 TEST_F(RecordingTest, NamesFileAndLineOfABrokenRecording) {
