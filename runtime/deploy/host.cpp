@@ -91,26 +91,31 @@ void Host::start() {
   }
 }
 
-std::vector<std::string> Host::failures() const {
-  std::vector<std::string> found;
+std::vector<Trouble> Host::troubles() const {
+  std::vector<Trouble> found;
   for (const Component* component : manager_->directory().components()) {
     if (component->state() != ComponentState::Faulted) continue;
-    found.push_back("component '" + process_.name + ":" + component->name() +
-                    "' is parked, its code threw: " + component->fault() +
-                    ". Correct the cause and start the process anew");
+    found.push_back({"component '" + process_.name + ":" + component->name() + "'",
+                     "is parked, its code threw: " + component->fault() +
+                         ". Correct the cause and start the process anew"});
   }
   for (const auto& channel : manager_->channels()) {
+    const std::string subject = "connection '" + channel->name + "'";
     switch (channel->status.load(std::memory_order_acquire)) {
       case ChannelStatus::Lost:
-        found.push_back("connection '" + channel->name +
-                        "' is lost: the other process does not answer. Start it again");
+        found.push_back({subject, "is lost: the other process does not answer. Start it again"});
         break;
       case ChannelStatus::Faulted:
-        found.push_back("connection '" + channel->name + "' is useless: its provider's code threw");
+        found.push_back({subject, "is useless: its provider's code threw"});
         break;
       case ChannelStatus::Connected:
       case ChannelStatus::Closed: break;
     }
+  }
+  if (const std::string address = manager_->missingGlobalManager(); !address.empty()) {
+    found.push_back({"the global manager at " + address,
+                     "does not answer: connections live on, new ones have to wait. Start it again",
+                     false});
   }
   return found;
 }

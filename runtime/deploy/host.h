@@ -13,6 +13,13 @@
 
 namespace suture {
 
+/// Something that is wrong at present, while everything else keeps running.
+struct Trouble {
+  std::string subject;  ///< "connection 'left:Teleop/Slave -> right:PSM1/Arm'"
+  std::string text;     ///< "is lost: the other process does not answer. Start it again"
+  bool failure = true;  ///< false: the process does all it is there for
+};
+
 /// The components, the manager and the connections of one process. Used by one thread, which is
 /// none of the tasks'.
 class Host {
@@ -31,9 +38,9 @@ class Host {
 
   const Manager& manager() const { return *manager_; }
 
-  /// What is broken now, by name, one sentence each: connections whose far end is gone, components
-  /// whose handler threw. Everything else keeps running.
-  std::vector<std::string> failures() const;
+  /// Connections whose far end is gone, components whose handler threw, a global manager that does
+  /// not answer. What mends is there no more at the next call.
+  std::vector<Trouble> troubles() const;
 
  private:
   void createComponents(std::span<const ComponentClass> classes);

@@ -81,27 +81,41 @@ class Run {
       reportDue += interval_;
     }
     reports_.report(observe(host_.manager(), began_));
-    const bool failed = std::any_of(failures_.begin(), failures_.end(), [](const Failure& failure) {
-      return failure.seen + kShutdown < now();
+    const bool failed = std::any_of(known_.begin(), known_.end(), [](const Known& one) {
+      return one.trouble.failure && one.seen + kShutdown < now();
     });
     return failed ? 1 : 0;
   }
 
  private:
-  struct Failure {
-    std::string text;
+  struct Known {
+    Trouble trouble;
     Time seen;
   };
 
   void watch() {
-    for (std::string& text : host_.failures()) {
-      const bool known = std::any_of(failures_.begin(), failures_.end(),
-                                     [&](const Failure& failure) { return failure.text == text; });
-      if (known) continue;
-      std::fprintf(stderr, "%s: %s\n", host_.manager().process().c_str(), text.c_str());
-      reports_.failure(text);
-      failures_.push_back({std::move(text), now()});
+    const std::vector<Trouble> present = host_.troubles();
+    std::erase_if(known_, [&](const Known& one) {
+      const bool stays = std::any_of(present.begin(), present.end(), [&](const Trouble& trouble) {
+        return trouble.subject == one.trouble.subject;
+      });
+      if (!stays) tell(one.trouble.subject + " is there again");
+      return !stays;
+    });
+    for (const Trouble& trouble : present) {
+      const bool old = std::any_of(known_.begin(), known_.end(), [&](const Known& one) {
+        return one.trouble.subject == trouble.subject;
+      });
+      if (old) continue;
+      const std::string text = trouble.subject + " " + trouble.text;
+      tell(text);
+      if (trouble.failure) reports_.failure(text);
+      known_.push_back({trouble, now()});
     }
+  }
+
+  void tell(const std::string& text) const {
+    std::fprintf(stderr, "%s: %s\n", host_.manager().process().c_str(), text.c_str());
   }
 
   const Host& host_;
@@ -110,7 +124,7 @@ class Run {
   const Duration interval_;
   const Time began_ = now();
   const Time end_;
-  std::vector<Failure> failures_;
+  std::vector<Known> known_;
 };
 
 std::string processOf(const Deployment& deployment, const Options& options) {

@@ -55,29 +55,40 @@ void Manager::connect(std::string_view requiredName, std::string_view providedNa
   RequiredBase& required = directory_.required(from);
   const std::string connection = process() + ":" + from.component + "/" + from.interface + " -> " +
                                  (to.process.empty() ? process() + ":" : "") + to.toString();
-  if (const auto existing = connected_.find(from.toString()); existing != connected_.end()) {
-    throw SetupError("connecting " + connection,
-                     "it is already connected: " + existing->second->name,
+  if (const auto existing = connectionOf(from.toString()); existing != nullptr) {
+    throw SetupError("connecting " + connection, "it is already connected: " + existing->name,
                      "A required interface has one provider; add another required interface");
   }
   const bool sameProcess = to.process.empty() || to.process == process();
   if (sameProcess && lane == Lane::Auto) {
-    connected_[from.toString()] = connectLocally(required, directory_.provided(to), connection);
+    local_[from.toString()] = connectLocally(required, directory_.provided(to), connection);
     return;
   }
   if (network_ == nullptr) {
     throw SetupError("connecting " + connection, "this process has no global manager",
                      "Give the manager's address when constructing suture::Manager");
   }
-  connected_[from.toString()] = network_->connect(required, from, to, patience);
+  network_->connect(required, from, to, patience);
+}
+
+std::shared_ptr<Channel> Manager::connectionOf(const std::string& required) const {
+  if (const auto found = local_.find(required); found != local_.end()) return found->second;
+  if (network_ == nullptr) return nullptr;
+  const auto remote = network_->connected();
+  const auto found = remote.find(required);
+  return found == remote.end() ? nullptr : found->second;
+}
+
+std::string Manager::missingGlobalManager() const {
+  return network_ == nullptr ? "" : network_->missingManager();
 }
 
 std::vector<std::shared_ptr<Channel>> Manager::channels() const {
   std::vector<std::shared_ptr<Channel>> all;
-  for (const auto& [name, channel] : connected_) all.push_back(channel);
-  if (network_ != nullptr) {
-    for (auto& channel : network_->served()) all.push_back(std::move(channel));
-  }
+  for (const auto& [name, channel] : local_) all.push_back(channel);
+  if (network_ == nullptr) return all;
+  for (auto& [name, channel] : network_->connected()) all.push_back(std::move(channel));
+  for (auto& channel : network_->served()) all.push_back(std::move(channel));
   return all;
 }
 

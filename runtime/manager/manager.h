@@ -63,16 +63,21 @@ class Manager {
                Duration patience = kDefaultPatience);
 
   const Directory& directory() const { return directory_; }
-  /// Every connection that has an end in this process.
+  /// The address of the global manager while it does not answer, else "". Connections live on
+  /// without it, and it is asked again until it answers; only new ones have to wait.
+  std::string missingGlobalManager() const;
+  /// Every connection that has an end in this process, as it is now: one that has been lost and
+  /// made anew is a channel of its own.
   std::vector<std::shared_ptr<Channel>> channels() const;
 
  private:
   std::vector<Task*> tasks() const;
+  std::shared_ptr<Channel> connectionOf(const std::string& required) const;
 
   Directory directory_;
   std::unique_ptr<DeviceExecutor> executor_;
   std::unique_ptr<Network> network_;
-  std::map<std::string, std::shared_ptr<Channel>> connected_;  // by required interface
+  std::map<std::string, std::shared_ptr<Channel>> local_;  // by required interface
 };
 
 }  // namespace suture

@@ -73,6 +73,7 @@ kj::Promise<void> ManagerLink::enrolAgain() {
     if (results.isRefused()) return refused(results.getRefused());
     process_.generation = results.getGeneration();
     lease_ = results.getLease();
+    enrolled_ = true;
     return kj::READY_NOW;
   });
 }
@@ -85,6 +86,7 @@ kj::Promise<void> ManagerLink::keep() {
 }
 
 kj::Promise<void> ManagerLink::comeBack(Duration pause) {
+  enrolled_ = false;
   session_ = nullptr;
   lease_ = nullptr;
   return control_.timer()

@@ -6,6 +6,7 @@
 #include <suture/transport/rpc/control_thread.h>
 #include <suture/transport/rpc/link.h>
 
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,10 @@ class ManagerLink {
   kj::Promise<ProcessRecord> resolve(const std::string& process, Duration wait);
   kj::Promise<std::vector<ProcessRecord>> list();
 
+  const rpc::Address& address() const { return manager_; }
+  /// Any thread: the manager answers and knows this process.
+  bool enrolled() const { return enrolled_.load(std::memory_order_relaxed); }
+
  private:
   kj::Promise<void> connect();
   kj::Promise<void> enrolAgain();
@@ -42,6 +47,7 @@ class ManagerLink {
   kj::Maybe<wire::Session::Client> session_;
   kj::Maybe<wire::Lease::Client> lease_;
   ProcessRecord process_;
+  std::atomic<bool> enrolled_{false};
   kj::Promise<void> keeping_ = kj::READY_NOW;  // last: cancelled first
 };
 

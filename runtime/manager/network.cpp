@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <map>
+#include <mutex>
 
 namespace suture {
 namespace {
@@ -68,17 +68,26 @@ class Network::Impl {
     });
   }
 
-  std::shared_ptr<Channel> connect(RequiredBase& required, Endpoint from, Endpoint to,
-                                   Duration patience) {
+  void connect(RequiredBase& required, Endpoint from, Endpoint to, Duration patience) {
+    const std::string name = from.toString();
     if (from.process.empty()) from.process = directory_.process();
     if (to.process.empty()) to.process = directory_.process();
-    return run(control_, patience + kLocalWork, [this, &required, from, to, patience] {
-      auto connection = std::make_unique<RemoteConnection>(control_, *link_, required, from, to);
-      auto opened = connection->open(patience);
-      auto& kept = connections_[from.toString()];
-      kept = std::move(connection);
-      return opened;
+    run(control_, patience + kLocalWork, [this, &required, name, from, to, patience] {
+      const auto made = [this, name](std::shared_ptr<Channel> channel) {
+        std::lock_guard lock(mutex_);
+        connected_[name] = std::move(channel);
+      };
+      auto& connection = connections_[name];
+      connection = std::make_unique<RemoteConnection>(control_, *link_, required, from, to, made);
+      return connection->open(patience);
     });
+  }
+
+  std::string missingManager() const { return link_->enrolled() ? "" : manager_.text(); }
+
+  std::map<std::string, std::shared_ptr<Channel>> connected() const {
+    std::lock_guard lock(mutex_);
+    return connected_;
   }
 
   /// What lives on the control thread ends there.
@@ -115,6 +124,8 @@ class Network::Impl {
   std::unique_ptr<ManagerLink> link_;
   std::unique_ptr<PeerHost> host_;
   std::map<std::string, std::unique_ptr<RemoteConnection>> connections_;  // by required interface
+  mutable std::mutex mutex_;  // never taken by a task thread
+  std::map<std::string, std::shared_ptr<Channel>> connected_;
 };
 
 Network::Network(const Directory& directory, const std::string& managerAddress, ServerOf serverOf,
@@ -127,9 +138,15 @@ void Network::leave() { impl_->leave(); }
 
 void Network::publish() { impl_->publish(); }
 
-std::shared_ptr<Channel> Network::connect(RequiredBase& required, const Endpoint& from,
-                                          const Endpoint& to, Duration patience) {
-  return impl_->connect(required, from, to, patience);
+void Network::connect(RequiredBase& required, const Endpoint& from, const Endpoint& to,
+                      Duration patience) {
+  impl_->connect(required, from, to, patience);
+}
+
+std::string Network::missingManager() const { return impl_->missingManager(); }
+
+std::map<std::string, std::shared_ptr<Channel>> Network::connected() const {
+  return impl_->connected();
 }
 
 std::vector<std::shared_ptr<Channel>> Network::served() const { return impl_->served(); }

@@ -8,6 +8,7 @@
 #include <suture/wiring/directory.h>
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,13 +33,17 @@ class Network {
   void publish();
 
   /// Connects over Cap'n Proto RPC, also to this process itself. Throws SetupError.
-  std::shared_ptr<Channel> connect(RequiredBase& required, const Endpoint& from, const Endpoint& to,
-                                   Duration patience);
+  void connect(RequiredBase& required, const Endpoint& from, const Endpoint& to, Duration patience);
 
   /// Ends all connections and gives the name back. What rings the network's doorbell may still do
   /// so, until this is destroyed.
   void leave();
 
+  /// The global manager's address while it does not answer, else "".
+  std::string missingManager() const;
+
+  /// The client ends of what has been connected, by required interface ("Teleop/Slave").
+  std::map<std::string, std::shared_ptr<Channel>> connected() const;
   /// The provider ends of what peers have connected to this process.
   std::vector<std::shared_ptr<Channel>> served() const;
 

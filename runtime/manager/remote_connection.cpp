@@ -43,23 +43,21 @@ class RemoteConnection::NoticesReceiver final : public wire::Notices::Server {
 };
 
 RemoteConnection::RemoteConnection(rpc::ControlThread& control, ManagerLink& manager,
-                                   RequiredBase& required, Endpoint from, Endpoint to)
+                                   RequiredBase& required, Endpoint from, Endpoint to, Made made)
     : control_(control),
       manager_(manager),
       required_(required),
       from_(std::move(from)),
-      to_(std::move(to)) {}
+      to_(std::move(to)),
+      made_(std::move(made)) {}
 
 RemoteConnection::~RemoteConnection() noexcept(false) {
   keeping_ = kj::READY_NOW;
   KJ_IF_MAYBE (port, port_) (*port)->close(ChannelStatus::Lost);
 }
 
-kj::Promise<std::shared_ptr<Channel>> RemoteConnection::open(Duration patience) {
-  return connect(patience).then([this] {
-    keeping_ = keep().eagerlyEvaluate(nullptr);
-    return channel_;
-  });
+kj::Promise<void> RemoteConnection::open(Duration patience) {
+  return connect(patience).then([this] { keeping_ = keep().eagerlyEvaluate(nullptr); });
 }
 
 kj::Promise<void> RemoteConnection::connect(Duration patience) {
@@ -136,6 +134,7 @@ void RemoteConnection::begin(wire::ConnectResults::Accepted::Reader accepted) {
   auto& port = *KJ_ASSERT_NONNULL(port_);
   port.open(required_.info().binding().makeProxy(accepted.getContract(), port));
   required_.attach(channel_);
+  made_(channel_);
 }
 
 kj::Promise<void> RemoteConnection::keep() {

@@ -7,6 +7,7 @@
 #include <suture/transport/rpc/proxy_port.h>
 #include <suture/wiring/endpoint.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -17,14 +18,17 @@ namespace suture {
 /// as this lives. Belongs to the control thread; outlives its promises.
 class RemoteConnection {
  public:
+  /// Told each channel, when the connection has been made or made anew.
+  using Made = std::function<void(std::shared_ptr<Channel>)>;
+
   /// `from` and `to` with their processes.
   RemoteConnection(rpc::ControlThread& control, ManagerLink& manager, RequiredBase& required,
-                   Endpoint from, Endpoint to);
+                   Endpoint from, Endpoint to, Made made);
   ~RemoteConnection() noexcept(false);
 
   /// Connects, waiting at most `patience` for the other process and its component. Rejects with the
   /// reason.
-  kj::Promise<std::shared_ptr<Channel>> open(Duration patience);
+  kj::Promise<void> open(Duration patience);
 
  private:
   class NoticesReceiver;
@@ -43,6 +47,7 @@ class RemoteConnection {
   ManagerLink& manager_;
   RequiredBase& required_;
   const Endpoint from_, to_;
+  const Made made_;
   std::shared_ptr<Channel> channel_;
   kj::Maybe<kj::Own<rpc::Link>> link_;
   kj::Maybe<wire::Peer::Client> peer_;

@@ -113,10 +113,17 @@ class Workstation(unittest.TestCase):
         file.write_text(json.dumps(topology))
         manager = self.start("suture-manager", "--listen", topology["manager"])
         self.assertIn("ready on", manager.stdout.readline())
+        self.file, self.manager = file, manager
         stations = [self.workstation(file, "--process", name) for name in ("left", "right")]
         for station in stations:
             self.await_message(station, "started")
         return stations
+
+    def await_line(self, process, text):
+        for line in process.stderr:
+            if text in line:
+                return
+        self.fail(f"never told: {text}")
 
     def test_runs_for_its_time_alone(self):
         process = self.workstation(TOPOLOGIES / "single.json", "--seconds", "0.5")
@@ -145,6 +152,31 @@ class Workstation(unittest.TestCase):
         left.terminate()
         self.assertEqual(left.wait(timeout=60), 1)
         self.assertIn(text, left.stderr.read())
+
+    def test_a_slave_that_is_started_again_is_found_again(self):
+        left, right = self.two_processes()
+        right.kill()
+        self.await_line(left, "connection 'left:TeleopL/Slave -> right:PSM1/Arm' is lost")
+        right = self.workstation(self.file, "--process", "right")
+        self.await_message(right, "started")
+        self.await_line(left, "connection 'left:TeleopL/Slave -> right:PSM1/Arm' is there again")
+        reports = [self.await_message(left, "report") for _ in range(3)]
+        slave = {one["name"]: one for one in reports[-1]["connections"]}
+        self.assertEqual(slave["left:TeleopL/Slave -> right:PSM1/Arm"]["status"], "connected")
+        left.terminate()
+        self.assertEqual(left.wait(timeout=60), 0)
+
+    def test_without_the_global_manager_everything_runs_on(self):
+        left, _ = self.two_processes()
+        self.manager.kill()
+        self.await_line(left, "does not answer: connections live on, new ones have to wait")
+        before, after = self.await_message(left, "report"), self.await_message(left, "report")
+        for one, next_one in zip(before["tasks"], after["tasks"]):
+            self.assertGreater(next_one["cycles"], one["cycles"])
+        self.start("suture-manager", "--listen", f"unix:{self.folder}/manager.sock")
+        self.await_line(left, "manager.sock is there again")
+        left.terminate()
+        self.assertEqual(left.wait(timeout=60), 0)
 
     def test_two_that_are_told_to_end_lose_nothing(self):
         stations = self.two_processes()

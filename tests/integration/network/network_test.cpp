@@ -177,9 +177,12 @@ TEST_P(NetworkTest, AKilledPeerIsLostAndItsSuccessorFound) {
     return !sent && sent.error() == Errc::Lost;
   }));
   EXPECT_EQ(console.arm.measured_cp().error(), Errc::Lost);
+  EXPECT_EQ(manager.channels().at(0)->status, ChannelStatus::Lost);
 
   child = host("left");
   EXPECT_TRUE(eventually([&] { return console.arm.connected(); }));
+  ASSERT_EQ(manager.channels().size(), 1u);
+  EXPECT_EQ(manager.channels()[0]->status, ChannelStatus::Connected) << "reports tell of the new";
   EXPECT_TRUE(reaches(console, 2));
   EXPECT_TRUE(console.arm.set_mode.start(Mode::Enabled).within(5s));
   EXPECT_TRUE(eventually([&] {
@@ -215,8 +218,20 @@ TEST_P(NetworkTest, TheConnectionLivesOnWithoutTheGlobalManager) {
   manager.start();
   manager.connect("Console/Arm", "left:PSM/Arm");
   ASSERT_TRUE(reaches(console, 1));
+  EXPECT_EQ(manager.missingGlobalManager(), "");
+  const std::string asked = names->address();
   names.reset();
   EXPECT_TRUE(reaches(console, 2));
+  EXPECT_TRUE(eventually([&] { return manager.missingGlobalManager() == asked; }));
+
+  const GlobalManager successor(control_, asked);
+  EXPECT_TRUE(eventually([&] { return manager.missingGlobalManager().empty(); }));
+  Console another;
+  Manager third("third", asked);
+  third.add("Console", another);
+  third.start();
+  third.connect("Console/Arm", "left:PSM/Arm");
+  EXPECT_TRUE(reaches(another, 3)) << "it has learned again who is there";
 }
 
 TEST_P(NetworkTest, StartingAndKillingOverAndOver) {

@@ -81,11 +81,15 @@ std::vector<std::string> problemsOf(const Deployment& deployment) {
   return {};
 }
 
-/// Waits until the host has failures, or ten seconds.
-std::vector<std::string> failuresOf(const Host& host) {
+/// Waits until the host has troubles, or ten seconds.
+std::vector<std::string> troublesOf(const Host& host) {
   const auto deadline = suture::now() + 10s;
-  while (host.failures().empty() && suture::now() < deadline) std::this_thread::yield();
-  return host.failures();
+  while (host.troubles().empty() && suture::now() < deadline) std::this_thread::yield();
+  std::vector<std::string> texts;
+  for (const suture::Trouble& trouble : host.troubles()) {
+    texts.push_back(trouble.subject + " " + trouble.text);
+  }
+  return texts;
 }
 
 TEST(Host, RunsAndConnectsWhatTheFileSays) {
@@ -103,7 +107,7 @@ TEST(Host, RunsAndConnectsWhatTheFileSays) {
     std::this_thread::yield();
   }
   EXPECT_GT(channels[0]->commands.counters.executed, 0u);
-  EXPECT_TRUE(host.failures().empty());
+  EXPECT_TRUE(host.troubles().empty());
 }
 
 TEST(Host, UnknownClass) {
@@ -170,7 +174,7 @@ TEST(Host, ComponentThatThrowsIsNamedAndTheOthersGoOn) {
       "{\"name\": \"PSM\", \"class\": \"SimulatedArm\"}");
   Host host(deployment, "all", kClasses);
   host.start();
-  EXPECT_EQ(failuresOf(host), (std::vector<std::string>{
+  EXPECT_EQ(troublesOf(host), (std::vector<std::string>{
                                   "component 'all:T' is parked, its code threw: the encoder says "
                                   "nonsense. Correct the cause and start the process anew"}));
 }
