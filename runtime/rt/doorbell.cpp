@@ -18,7 +18,7 @@ timespec toTimespec(Time time) {
 void Doorbell::ring() {
   if (word_.exchange(kRung, std::memory_order_seq_cst) != kAsleep) return;
   if (eventDescriptor_ < 0) {
-    syscall(SYS_futex, &word_, FUTEX_WAKE, 1, nullptr, nullptr, 0);
+    syscall(SYS_futex, &word_, FUTEX_WAKE_PRIVATE, 1, nullptr, nullptr, 0);
     return;
   }
   const std::uint64_t one = 1;
@@ -41,7 +41,8 @@ bool Doorbell::waitUntil(Time deadline) {
   const timespec until = toTimespec(deadline);
   while (lieDown()) {
     // FUTEX_WAIT_BITSET takes an absolute time on the monotonic clock.
-    syscall(SYS_futex, &word_, FUTEX_WAIT_BITSET, kAsleep, &until, nullptr, FUTEX_BITSET_MATCH_ANY);
+    syscall(SYS_futex, &word_, FUTEX_WAIT_BITSET_PRIVATE, kAsleep, &until, nullptr,
+            FUTEX_BITSET_MATCH_ANY);
     if (word_.load(std::memory_order_seq_cst) == kRung) break;
     if (now() >= deadline) return takeRing();
   }
