@@ -6,19 +6,8 @@
 namespace suture {
 namespace {
 
-// RFC 6901: '~' and '/' inside a key are escaped.
-std::string escaped(const std::string& key) {
-  std::string text;
-  for (const char c : key) {
-    if (c == '~') {
-      text += "~0";
-    } else if (c == '/') {
-      text += "~1";
-    } else {
-      text += c;
-    }
-  }
-  return text;
+std::string child(const std::string& pointer, const std::string& key) {
+  return (nlohmann::json::json_pointer(pointer) / key).to_string();
 }
 
 }  // namespace
@@ -28,7 +17,7 @@ void JsonReader::expected(std::string_view what) const {
 }
 
 JsonReader JsonReader::at(const std::string& key) const {
-  return {json_.at(key), pointer_ + "/" + escaped(key), problems_};
+  return {json_.at(key), child(pointer_, key), problems_};
 }
 
 JsonReader JsonReader::at(std::size_t index) const {
@@ -44,10 +33,10 @@ void JsonReader::finish() const {
   for (const auto& [key, value] : json_.items()) {
     if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
     const std::string nearest = nearestName(key, known_);
-    problems_.push_back({pointer_ + "/" + escaped(key),
-                         "unknown key '" + key + "'" +
-                             (nearest.empty() ? "; known are " + listNames(known_)
-                                              : "; did you mean '" + nearest + "'?")});
+    problems_.push_back(
+        {child(pointer_, key), "unknown key '" + key + "'" +
+                                   (nearest.empty() ? "; known are " + listNames(known_)
+                                                    : "; did you mean '" + nearest + "'?")});
   }
 }
 

@@ -50,18 +50,7 @@ std::string JsonDocument::locate(const std::string& pointer, std::string_view te
 }
 
 std::string childPointer(const std::string& pointer, std::string_view key) {
-  std::string text = pointer;
-  text += '/';
-  for (const char c : key) {
-    if (c == '~') {
-      text += "~0";
-    } else if (c == '/') {
-      text += "~1";
-    } else {
-      text += c;
-    }
-  }
-  return text;
+  return (nlohmann::json::json_pointer(pointer) / std::string(key)).to_string();
 }
 
 }  // namespace suture

@@ -15,10 +15,6 @@ constexpr Duration kAnswerLimit = std::chrono::seconds(2);
 constexpr Duration kFirstPause = std::chrono::milliseconds(50);
 constexpr Duration kLongestPause = std::chrono::seconds(1);
 
-kj::Exception refused(wire::Refusal::Reader refusal) {
-  return rpc::failure(Type::FAILED, fromWire(refusal).text);
-}
-
 }  // namespace
 
 ManagerLink::ManagerLink(rpc::ControlThread& control, const rpc::Address& manager,

@@ -1,4 +1,5 @@
 #include <suture/manager/records.h>
+#include <suture/transport/rpc/failure.h>
 
 namespace suture {
 namespace {
@@ -74,5 +75,9 @@ ProcessRecord fromWire(wire::ProcessRecord::Reader in) {
 }
 
 Refusal fromWire(wire::Refusal::Reader in) { return {in.getKind(), stringOf(in.getText())}; }
+
+kj::Exception refused(wire::Refusal::Reader in) {
+  return rpc::failure(kj::Exception::Type::FAILED, fromWire(in).text);
+}
 
 }  // namespace suture

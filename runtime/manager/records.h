@@ -43,6 +43,8 @@ void toWire(const Refusal& refusal, wire::Refusal::Builder out);
 std::vector<ComponentRecord> fromWire(capnp::List<wire::ComponentRecord>::Reader in);
 ProcessRecord fromWire(wire::ProcessRecord::Reader in);
 Refusal fromWire(wire::Refusal::Reader in);
+/// A refusal as what ends a promise.
+kj::Exception refused(wire::Refusal::Reader in);
 
 /// Text as capnp has it: with the zero, of any size.
 inline kj::StringPtr textOf(const std::string& text) { return {text.c_str(), text.size()}; }

@@ -17,10 +17,6 @@ constexpr Duration kComeBackPatience = std::chrono::seconds(5);
 constexpr Duration kHeartbeat = std::chrono::milliseconds(500);
 constexpr Duration kSilence = std::chrono::seconds(2);
 
-kj::Exception refused(wire::Refusal::Reader refusal) {
-  return rpc::failure(Type::FAILED, fromWire(refusal).text);
-}
-
 }  // namespace
 
 /// Hears what befalls the provider.
