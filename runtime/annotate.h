@@ -18,7 +18,8 @@
 namespace suture {
 
 /// Declares an event inside a contract. It is a tag without state: only Provided emits an event,
-/// only Required subscribes to one. `EventOf<>` is a void event, `EventOf<T>` a write event.
+/// only Required subscribes to one. `EventOf<>` is a void event, `EventOf<T>` and `EventOf<T, U>`
+/// are write events.
 template <class... Arguments>
 struct EventOf {};
 
@@ -59,6 +60,33 @@ struct Ttl {
 struct Latched {
   bool set;
 };
+struct Deadline {
+  long long nanoseconds;
+};
+struct MaxAge {
+  long long nanoseconds;
+};
+struct Optional {
+  bool set;
+};
+struct Concurrent {
+  bool set;
+};
+struct Direct {
+  bool set;
+};
+struct Crtk {
+  bool set;
+};
+struct Version {
+  unsigned number;
+};
+struct Since {
+  unsigned version;
+};
+struct Deprecated {
+  const char* why;
+};
 
 /// Unit of a number, SI or derived: "m", "rad", "m/s", "N.m".
 consteval Unit unit(const char* symbol) { return {symbol}; }
@@ -80,6 +108,24 @@ consteval Latest latest() { return {true}; }
 consteval Ttl ttl(Nanoseconds age) { return {age.count()}; }
 /// A late subscriber receives the last value.
 consteval Latched latched() { return {true}; }
+/// How long within() waits for the answer of this command when it is not told otherwise.
+consteval Deadline deadline(Nanoseconds limit) { return {limit.count()}; }
+/// A command that a provider may lack, or a required interface that may stay unconnected.
+consteval Optional optional() { return {true}; }
+/// A qualified read that may run while the component runs. Today: described, not acted on.
+consteval Concurrent concurrent() { return {true}; }
+/// A command that needs no queue because it only touches atomics. Today: described, not acted on.
+consteval Direct direct() { return {true}; }
+/// The names and payloads of this contract follow CRTK; suturec checks them.
+consteval Crtk crtk() { return {true}; }
+/// The major version of a contract: two of them do not connect.
+consteval Version version(unsigned number) { return {number}; }
+/// The version of the contract that this came with.
+consteval Since since(unsigned version) { return {version}; }
+/// Who still uses this is warned by the compiler, with the reason.
+consteval Deprecated deprecated(const char* why) { return {why}; }
+/// What is older is of no use to the component. Today: described, not acted on.
+consteval MaxAge max_age(Nanoseconds age) { return {age.count()}; }
 
 }  // namespace suture::dsl
 
@@ -105,6 +151,7 @@ consteval Latched latched() { return {true}; }
 #define SUTURE_COMMAND(...) SUTURE_ANNOTATE("command", __VA_ARGS__)
 #define SUTURE_EVENT(...) SUTURE_ANNOTATE("event", __VA_ARGS__)
 #define SUTURE_COMPONENT(...) SUTURE_ANNOTATE("component", __VA_ARGS__)
+#define SUTURE_REQUIRED(...) SUTURE_ANNOTATE("required", __VA_ARGS__)
 
 #else
 
@@ -114,5 +161,6 @@ consteval Latched latched() { return {true}; }
 #define SUTURE_COMMAND(...)
 #define SUTURE_EVENT(...)
 #define SUTURE_COMPONENT(...)
+#define SUTURE_REQUIRED(...)
 
 #endif

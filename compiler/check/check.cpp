@@ -1,5 +1,7 @@
 #include "compiler/check/check.h"
 
+#include <vector>
+
 #include "compiler/check/rules.h"
 
 namespace suture::compiler::check {
@@ -14,17 +16,35 @@ model::Diagnostic& addError(model::Diagnostics& findings, const model::Source& s
   return findings.emplace_back(std::move(finding));
 }
 
+namespace {
+
+/// Without what contracts inherit: that was judged where it is declared.
+model::Header declaredIn(model::Header header) {
+  const auto inherited = [](const auto& member) { return !member.inheritedFrom.empty(); };
+  for (model::Interface& interface : header.interfaces) {
+    std::erase_if(interface.commands, inherited);
+    std::erase_if(interface.events, inherited);
+  }
+  return header;
+}
+
+}  // namespace
+
 model::Diagnostics check(const model::Model& model) {
   const model::Lookup lookup(model);
   model::Diagnostics findings;
   checkRecursion(model, lookup, findings);
   const bool finite = findings.empty();
-  for (const model::Header& header : model.headers) {
-    if (!header.own) continue;
-    checkNames(header, findings);
+  for (const model::Header& complete : model.headers) {
+    if (!complete.own) continue;
+    checkNames(complete, findings);
+    const model::Header header = declaredIn(complete);
     checkEnums(header, findings);
     checkNumbers(header, findings);
     checkQueues(header, findings);
+    checkContracts(header, findings);
+    checkCrtk(header, lookup, findings);
+    checkComponents(header, findings);
     if (!finite) continue;  // the others walk through types to their end
     checkReads(header, lookup, findings);
     checkBounds(header, lookup, findings);

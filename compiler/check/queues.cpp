@@ -30,9 +30,14 @@ void checkRead(const model::Command& command, const std::string& subject,
                          : command.queueGiven     ? "queue()"
                                                   : nullptr;
   if (!argument) return;
-  addError(findings, command.source, "queued-read",
-           subject + " is a read but has " + argument + ", which is for void and write commands",
-           "drop it, or drop const if the command changes state");
+  addError(
+      findings, command.source, "queued-read",
+      subject + " is a read but has " + argument + ", which is for commands that wait in a queue",
+      "drop it, or drop const if the command changes state");
+}
+
+bool returns(model::CommandKind kind) {
+  return kind == model::CommandKind::VoidReturn || kind == model::CommandKind::WriteReturn;
 }
 
 void checkCommand(const model::Command& command, model::Diagnostics& findings) {
@@ -47,6 +52,11 @@ void checkCommand(const model::Command& command, model::Diagnostics& findings) {
   if (command.kind == model::CommandKind::Read) checkRead(command, subject, findings);
   if (command.kind == model::CommandKind::QualifiedRead && command.latest) {
     checkRead(command, subject, findings);
+  }
+  if (command.latest && returns(command.kind)) {
+    addError(findings, command.source, "latest-with-result",
+             subject + " is latest() but returns a value; of a replaced call there is none",
+             "drop latest(), or return void");
   }
 }
 

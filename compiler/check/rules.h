@@ -19,6 +19,17 @@ void checkNumbers(const model::Header& header, model::Diagnostics& findings);
 /// queue(), latest() and ttl(): where they mean something, and which exclude each other.
 void checkQueues(const model::Header& header, model::Diagnostics& findings);
 
+/// Contracts as wholes: versions, deadlines, what an annotation means for a kind of command, names
+/// that generated code needs for itself.
+void checkContracts(const model::Header& header, model::Diagnostics& findings);
+
+/// Contracts that say crtk(): names by its grammar, payloads by its table.
+void checkCrtk(const model::Header& header, const model::Lookup& lookup,
+               model::Diagnostics& findings);
+
+/// Components: the names and annotations of their interfaces.
+void checkComponents(const model::Header& header, model::Diagnostics& findings);
+
 /// Types that contain themselves, foreign ones too: the rules below walk through all.
 void checkRecursion(const model::Model& model, const model::Lookup& lookup,
                     model::Diagnostics& findings);

@@ -1,5 +1,6 @@
 #include "compiler/emit/contract.h"
 #include "compiler/emit/parts.h"
+#include "compiler/lock/wanted.h"
 #include "compiler/model/naming.h"
 
 namespace suture::compiler::emit {
@@ -51,6 +52,43 @@ void emitStore(Code& code, const Context& context, const model::Command& command
   code.line("return ", call, ";").close("}").blank();
 }
 
+/// The slot of several values, its store() and its load().
+void emitPayload(Code& code, const Context& context, const model::Interface& interface,
+                 const model::Event& event) {
+  const std::string& home = context.header.cxxNamespace;
+  const std::string slot = payloadSlot(interface, event, context, home);
+  code.open("struct ", slot, " {");
+  std::string constants, variables, stores;
+  for (std::size_t i = 0; i < event.payload.size(); ++i) {
+    const std::string type = cxxType(event.payload[i], home);
+    const std::string name = lock::payloadName(i);
+    code.line(slotType(event.payload[i], context, home), " ", name, ";");
+    constants += "const " + type + "& " + name + ", " + kBreak;
+    variables += std::string(", ") + kBreak + type + "& " + name;
+    stores +=
+        (i == 0 ? "" : std::string(" && ") + kBreak) + "store(" + name + ", slot." + name + ")";
+  }
+  code.close("};").blank();
+  code.open("inline bool store(", constants, slot, "& slot) {").line("using suture::store;");
+  code.line("return ", stores, ";").close("}").blank();
+  code.open("inline void load(const ", slot, "& slot", variables, ") {")
+      .line("using suture::load;");
+  for (std::size_t i = 0; i < event.payload.size(); ++i) {
+    code.line("load(slot.", lock::payloadName(i), ", ", lock::payloadName(i), ");");
+  }
+  code.close("}").blank();
+}
+
+void emitPayloads(Code& code, const Context& context, const model::Interface& interface) {
+  bool first = true;
+  for (const model::Event& event : interface.events) {
+    if (event.payload.size() < 2 || !event.inheritedFrom.empty()) continue;
+    if (first) code.line("// --- ", prefixOf(interface), ": what its events carry ---").blank();
+    first = false;
+    emitPayload(code, context, interface, event);
+  }
+}
+
 template <class Declarations>
 void emitNumbers(Code& code, const std::string& contract, const char* kind, const char* plural,
                  const Declarations& declarations) {
@@ -66,15 +104,16 @@ void emitNumbers(Code& code, const std::string& contract, const char* kind, cons
 void emitArguments(Code& code, const Context& context, const model::Interface& interface) {
   const std::string& home = context.header.cxxNamespace;
   const std::string contract = prefixOf(interface);
-  if (hasParameters(interface)) {
-    code.line("// --- ", contract, ": the arguments of its commands ---").blank();
-  }
+  bool first = true;
   for (const model::Command& command : interface.commands) {
-    if (command.parameters.empty()) continue;
+    if (command.parameters.empty() || !command.inheritedFrom.empty()) continue;
+    if (first) code.line("// --- ", contract, ": the arguments of its commands ---").blank();
+    first = false;
     const std::string slot = relative(argumentsStruct(interface, command), home);
     emitStruct(code, context, command, slot);
     emitStore(code, context, command, slot);
   }
+  emitPayloads(code, context, interface);
   emitNumbers(code, contract, "Command", "commands in every table and record", interface.commands);
   emitNumbers(code, contract, "Event", "events", interface.events);
 }

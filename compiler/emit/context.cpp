@@ -87,10 +87,25 @@ std::string prefixOf(const model::Interface& interface) {
   return model::unqualified(interface.name);
 }
 
+namespace {
+
+/// "robots::ArmServoCp" + `ending`, of the contract that declares the member.
+std::string memberStruct(const std::string& contract, const std::string& inheritedFrom,
+                         const std::string& member, const char* ending) {
+  return (inheritedFrom.empty() ? contract : inheritedFrom) + pascalCase(member) + ending;
+}
+
+}  // namespace
+
 std::string argumentsStruct(const model::Interface& interface, const model::Command& command) {
-  const std::string home = model::namespaceOf(interface.name);
-  return (home.empty() ? "" : home + "::") + prefixOf(interface) + pascalCase(command.name) +
-         "Arguments";
+  return memberStruct(interface.name, command.inheritedFrom, command.name, "Arguments");
+}
+
+std::string payloadSlot(const model::Interface& interface, const model::Event& event,
+                        const Context& context, const std::string& inNamespace) {
+  if (event.payload.size() == 1) return slotType(event.payload[0], context, inNamespace);
+  return relative(memberStruct(interface.name, event.inheritedFrom, event.name, "Payload"),
+                  inNamespace);
 }
 
 std::string openNamespace(const std::string& name) {

@@ -17,6 +17,7 @@ struct Context {
   const model::Lookup& lookup;
   const lock::Locks& locks;
   const std::map<std::string, std::string>& hashes;  ///< by contract, see lock/contract_hash.h
+  const std::map<std::string, std::string>& cores;   ///< the same without optional commands
   const model::Header& header;                       ///< the one being written
 };
 
@@ -46,8 +47,14 @@ std::string pascalCase(const std::string& cxxName);
 /// The unqualified name of a contract, which begins the names of what is generated for it.
 std::string prefixOf(const model::Interface& interface);
 
-/// "robots::ArmServoCpArguments": the slot of a command's parameters.
+/// "robots::ArmServoCpArguments": the slot of a command's parameters, of the contract that declares
+/// it.
 std::string argumentsStruct(const model::Interface& interface, const model::Command& command);
+
+/// The slot of an event's payload: the value's own, or "robots::ArmMovedPayload" when it has
+/// several. Spelled as within namespace `inNamespace`.
+std::string payloadSlot(const model::Interface& interface, const model::Event& event,
+                        const Context& context, const std::string& inNamespace);
 
 /// "namespace robots {", or nothing at global scope; and its end.
 std::string openNamespace(const std::string& name);

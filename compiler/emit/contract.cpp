@@ -3,12 +3,22 @@
 #include <charconv>
 #include <cmath>
 
+#include "compiler/lock/wanted.h"
+
 namespace suture::compiler::emit {
 
-std::string eventArguments(const Context& context, const model::Event& event) {
+std::string eventArguments(const Context& context, const model::Interface& interface,
+                           const model::Event& event) {
   if (event.payload.empty()) return "void";
-  const model::Type& type = event.payload.front();
-  return slotType(type, context, "suture") + ", " + kBreak + cxxType(type, "suture");
+  std::string text = payloadSlot(interface, event, context, "suture");
+  for (const model::Type& type : event.payload) {
+    text += std::string(", ") + kBreak + cxxType(type, "suture");
+  }
+  return text;
+}
+
+std::string payloadMember(const model::Event& event, const std::string& slot, std::size_t index) {
+  return event.payload.size() == 1 ? slot : slot + "." + lock::payloadName(index);
 }
 
 void emitEventConstructor(Code& code, const model::Interface& interface,

@@ -14,7 +14,8 @@ inline constexpr char kBreakText[] = {kBreak, '\0'};
 
 /// "robots::PoseStampedSlot, robots::PoseStamped": the template arguments of an Emitter or
 /// Subscription.
-std::string eventArguments(const Context& context, const model::Event& event);
+std::string eventArguments(const Context& context, const model::Interface& interface,
+                           const model::Event& event);
 
 /// The constructor of an Events struct, which gives each event its number.
 void emitEventConstructor(Code& code, const model::Interface& interface,
@@ -28,6 +29,9 @@ std::vector<const model::Command*> readsOf(const model::Interface& interface);
 
 /// The shortest spelling of a number that reads back as the same.
 std::string number(double value);
+
+/// Where value `index` of a payload lies: "slot" for a single value, else "slot.value2".
+std::string payloadMember(const model::Event& event, const std::string& slot, std::size_t index);
 
 /// Has any command parameters?
 bool hasParameters(const model::Interface& interface);

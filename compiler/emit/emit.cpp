@@ -169,10 +169,11 @@ std::vector<Artefact> emit(const model::Model& declared, const lock::Locks& lock
   const model::Model model = ordered(declared, locks);
   const model::Lookup lookup(model);
   const std::map<std::string, std::string> hashes = lock::contractHashes(model, locks);
+  const std::map<std::string, std::string> cores = lock::coreHashes(model, locks);
   std::vector<Artefact> artefacts;
   for (const model::Header& header : model.headers) {
     if (!header.own) continue;
-    const Context context{model, lookup, locks, hashes, header};
+    const Context context{model, lookup, locks, hashes, cores, header};
     const std::string stem = model::stemOf(header.path);
     artefacts.push_back({stem + ".suture.h", headerFile(context)});
     artefacts.push_back({stem + ".suture.cpp", sourceFile(context)});

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "compiler/emit/parts.h"
+#include "compiler/lock/wanted.h"
 #include "compiler/lock/wire_type.h"
 
 namespace suture::compiler::emit {
@@ -89,8 +90,19 @@ const char* kindName(model::CommandKind kind) {
     case model::CommandKind::Write: return "write";
     case model::CommandKind::Read: return "read";
     case model::CommandKind::QualifiedRead: return "qualified read";
+    case model::CommandKind::VoidReturn: return "void with return";
+    case model::CommandKind::WriteReturn: return "write with return";
   }
   return "";
+}
+
+double seconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1e-9; }
+
+/// Which contract declared it, since when, and whether it is on its way out.
+void addOrigin(Json& json, const std::string& inheritedFrom, const model::Lifecycle& lifecycle) {
+  if (!inheritedFrom.empty()) json["from"] = inheritedFrom;
+  if (lifecycle.since) json["since"] = *lifecycle.since;
+  if (!lifecycle.deprecated.empty()) json["deprecated"] = lifecycle.deprecated;
 }
 
 Json commandOf(const model::Command& command) {
@@ -106,26 +118,43 @@ Json commandOf(const model::Command& command) {
   }
   json["queue"] = command.queue;
   if (command.latest) json["latest"] = true;
-  if (command.ttlNanoseconds) json["ttl"] = static_cast<double>(*command.ttlNanoseconds) * 1e-9;
+  if (command.ttlNanoseconds) json["ttl"] = seconds(*command.ttlNanoseconds);
+  if (command.deadlineNanoseconds) json["deadline"] = seconds(*command.deadlineNanoseconds);
+  if (command.optional) json["optional"] = true;
+  if (command.concurrent) json["concurrent"] = true;
+  if (command.direct) json["direct"] = true;
+  addOrigin(json, command.inheritedFrom, command.lifecycle);
   return json;
 }
 
 Json eventOf(const model::Event& event) {
   Json json{{"name", event.name}, {"kind", event.payload.empty() ? "void" : "write"}};
   addDoc(json, event.doc);
-  for (const Type& type : event.payload) {
-    addValue(json["payload"], type, event.payloadUnit, event.payloadRange);
+  if (event.payload.size() == 1) {
+    addValue(json["payload"], event.payload[0], event.payloadUnit, event.payloadRange);
+  }
+  for (std::size_t i = 0; event.payload.size() > 1 && i < event.payload.size(); ++i) {
+    Json one{{"name", lock::payloadName(i)}};
+    addValue(one, event.payload[i], "", std::nullopt);
+    json["payload"].push_back(std::move(one));
   }
   json["queue"] = event.queue;
   if (event.latest) json["latest"] = true;
   if (event.latched) json["latched"] = true;
+  addOrigin(json, event.inheritedFrom, event.lifecycle);
   return json;
 }
 
-Json interfaceOf(const model::Interface& interface, const std::string& hash) {
+Json interfaceOf(const model::Interface& interface, const Context& context) {
   Json json{{"name", interface.name}};
   addDoc(json, interface.doc);
-  json["hash"] = hash;
+  json["hash"] = context.hashes.at(interface.name);
+  const std::string& core = context.cores.at(interface.name);
+  if (json["hash"] != core) json["core"] = core;
+  if (interface.version > 1) json["version"] = interface.version;
+  if (!interface.base.empty()) json["base"] = interface.base;
+  if (interface.crtk) json["crtk"] = true;
+  addOrigin(json, "", interface.lifecycle);
   json["commands"] = Json::array();
   for (const model::Command& command : interface.commands) {
     json["commands"].push_back(commandOf(command));
@@ -142,8 +171,10 @@ Json componentOf(const model::Component& component) {
   if (component.parameters) json["parameters"] = *component.parameters;
   json["provided"] = json["required"] = Json::array();
   for (const model::Port& port : component.ports) {
-    json[port.provided ? "provided" : "required"].push_back(
-        {{"name", port.name}, {"member", port.member}, {"interface", port.interface}});
+    Json one{{"name", port.name}, {"member", port.member}, {"interface", port.interface}};
+    if (port.optional) one["optional"] = true;
+    if (port.maxAgeNanoseconds) one["max_age"] = seconds(*port.maxAgeNanoseconds);
+    json[port.provided ? "provided" : "required"].push_back(std::move(one));
   }
   return json;
 }
@@ -185,9 +216,8 @@ std::string emitJson(const Context& context) {
   Json json{{"header", header.path}, {"namespace", header.cxxNamespace}};
   addAll(json, "enums", header.enums, enumOf);
   addAll(json, "structs", header.structs, structOf);
-  addAll(json, "interfaces", header.interfaces, [&](const model::Interface& interface) {
-    return interfaceOf(interface, context.hashes.at(interface.name));
-  });
+  addAll(json, "interfaces", header.interfaces,
+         [&](const model::Interface& interface) { return interfaceOf(interface, context); });
   addAll(json, "components", header.components, componentOf);
   return json.dump(2) + "\n";
 }
@@ -201,7 +231,7 @@ std::string describe(const Context& context, const model::Interface& interface) 
   for (const model::Event& event : interface.events) {
     for (const Type& type : event.payload) reached.add(type);
   }
-  Json json = interfaceOf(interface, context.hashes.at(interface.name));
+  Json json = interfaceOf(interface, context);
   json["enums"] = reached.enums;
   json["structs"] = reached.structs;
   return json.dump(2);

@@ -10,7 +10,7 @@ void emitEvents(Code& code, const Context& context, const model::Interface& inte
   emitEventConstructor(code, interface, "ProvidedBase& provided", "provided");
   for (const model::Event& event : interface.events) {
     code.doc(event.doc.text);
-    code.line("Emitter<", eventArguments(context, event), "> ", event.name, ";");
+    code.line("Emitter<", eventArguments(context, interface, event), "> ", event.name, ";");
   }
   code.close("};").line("Events& emit() { return events_; }");
 }

@@ -44,11 +44,10 @@ void emitEvent(Code& code, const Context& context, const model::Interface& inter
   code.blank().open("kj::Promise<void> ", event.wireName, "(", model::titleCase(event.wireName),
                     carries ? "Context context) override {" : "Context) override {");
   if (carries) {
-    const model::Type& type = event.payload.front();
     code.line("auto in = context.getParams();");
-    code.line(slotType(type, context, home(context)), " slot;");
+    code.line(payloadSlot(interface, event, context, home(context)), " slot;");
     const std::string outcome =
-        emitDecode(code, {{type, "value", "slot", {}}}, "in", "port_->shift()", context);
+        emitDecode(code, payloadValues(event), "in", "port_->shift()", context);
     emitError(code, outcome);
     code.line("return port_->event(", id, ", error, slot);");
   } else {
@@ -159,6 +158,11 @@ void emitBinding(Code& code, const Context&, const model::Interface& interface) 
             kBreakText, "ProxyPort& port) const override {");
   code.line("return kj::heap<", prefix, "Proxy>(contract.castAs<wire::", interface.wireName,
             ">(), port);");
+  code.close("}");
+  code.open("kj::Own<suture::rpc::EventSink> makeSink(", kBreakText,
+            "capnp::Capability::Client subscriber) const override {");
+  code.line("return kj::heap<", prefix, "Sink>(subscriber.castAs<wire::", interface.wireName,
+            "Events>());");
   code.close("}").close("};").blank();
   code.open("const suture::rpc::Binding& ", bindingFunction(interface), "() {");
   code.line("static const ", prefix, "Binding kBinding;").line("return kBinding;");

@@ -1,5 +1,8 @@
+#include <algorithm>
+
 #include "compiler/emit/contract.h"
 #include "compiler/emit/parts.h"
+#include "compiler/lock/wire_type.h"
 
 namespace suture::compiler::emit {
 namespace {
@@ -26,6 +29,10 @@ std::string memberType(const Context& context, const model::Interface& interface
     case CommandKind::QualifiedRead:
       return "QualifiedReadCommand<" + method + ", " + kBreak + argumentsSlot(interface, command) +
              ", " + kBreak + result() + ">";
+    case CommandKind::VoidReturn:
+    case CommandKind::WriteReturn:
+      return "ReturningCommand<" + method + ", " + kBreak + argumentsSlot(interface, command) +
+             ", " + kBreak + result() + ">";
   }
   return "";
 }
@@ -36,10 +43,33 @@ void emitEvents(Code& code, const Context& context, const model::Interface& inte
   emitEventConstructor(code, interface, "RequiredBase& required", "required");
   for (const model::Event& event : interface.events) {
     code.doc(event.doc.text);
-    code.line("Subscription<", eventArguments(context, event), "> ", event.name, ";");
+    code.line("Subscription<", eventArguments(context, interface, event), "> ", event.name, ";");
   }
   code.close("};").line("Events& on() { return events_; }");
   code.blank().label("private:").line("Events events_{*this};");
+}
+
+bool isDeprecated(const model::Command& command) { return !command.lifecycle.deprecated.empty(); }
+
+/// A parameter's name that hides no command.
+std::string freeName(std::string name, const model::Interface& interface) {
+  const auto& all = interface.commands;
+  const auto isTaken = [&](const model::Command& command) { return command.name == name; };
+  while (std::any_of(all.begin(), all.end(), isTaken)) name += "Given";
+  return name;
+}
+
+/// It initialises all members, and shall not be warned of those that users should not use.
+void emitConstructor(Code& code, const model::Interface& interface) {
+  const auto& all = interface.commands;
+  const bool quiet = std::any_of(all.begin(), all.end(), isDeprecated);
+  if (quiet) code.verbatim("#pragma GCC diagnostic push\n");
+  if (quiet) code.verbatim("#pragma GCC diagnostic ignored \"-Wdeprecated-declarations\"\n");
+  const std::string owner = freeName("owner", interface), name = freeName("name", interface);
+  code.line("Required(Component& ", owner, ", std::string_view ", name, ")");
+  code.line("    : RequiredBase(", owner, ", ", name, ", interfaceInfo<Contract>()) {}");
+  if (quiet) code.verbatim("#pragma GCC diagnostic pop\n");
+  code.blank();
 }
 
 }  // namespace
@@ -50,10 +80,12 @@ void emitRequired(Code& code, const Context& context, const model::Interface& in
   code.line("using Contract = ", interface.name, ";");
   emitNumberAliases(code, interface);
   code.blank().label("public:");
-  code.line("Required(Component& owner, std::string_view name)");
-  code.line("    : RequiredBase(owner, name, interfaceInfo<Contract>()) {}").blank();
+  emitConstructor(code, interface);
   for (const model::Command& command : interface.commands) {
     code.doc(command.doc.text);
+    if (isDeprecated(command)) {
+      code.line("[[deprecated(", lock::quoted(command.lifecycle.deprecated), ")]]");
+    }
     code.line(memberType(context, interface, command), " ", command.name, "{", kBreakText,
               "*this, static_cast<std::uint16_t>(Id::", command.name, ")};");
   }

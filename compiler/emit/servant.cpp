@@ -18,11 +18,12 @@ void emitSinkCase(Code& code, const Context& context, const model::Interface& in
   if (event.payload.empty()) {
     code.line("return subscriber_.", event.wireName, "Request().send().ignoreResult();");
   } else {
-    const model::Type& type = event.payload.front();
-    code.line("const auto& slot = *reinterpret_cast<const ", slotType(type, context, home(context)),
-              "*>(payload);");
+    code.line("const auto& slot = ", kBreakText, "*reinterpret_cast<const ",
+              payloadSlot(interface, event, context, home(context)), "*>(payload);");
     code.line("auto request = subscriber_.", event.wireName, "Request();");
-    code.line(encode({type, "value", "slot", {}}, "request", context), ";");
+    for (const WireValue& value : payloadValues(event)) {
+      code.line(encode(value, "request", context), ";");
+    }
     code.line("return request.send().ignoreResult();");
   }
   code.close("}");
@@ -73,6 +74,23 @@ void emitSink(Code& code, const Context& context, const model::Interface& interf
   code.blank();
   emitSinkRow(code, context, interface);
   code.blank().label("private:").line(client, " subscriber_;").close("};").blank();
+}
+
+/// Subscribing through a contract that this one derives from: its events and columns are the first
+/// of this one's.
+void emitBaseSubscribe(Code& code, const Context& context, const model::Interface& interface) {
+  const model::Interface* const base = context.lookup.findInterface(interface.base);
+  if (base == nullptr) return;
+  const std::string space = context.lookup.headerOf(base->name)->cxxNamespace;
+  const std::string wire = relative(model::wireNamespace(space), home(context));
+  code.open("kj::Promise<void> subscribe(", kBreakText, wire, "::", base->wireName,
+            "::Server::SubscribeContext context) override {");
+  code.line("auto in = context.getParams();");
+  code.line("port_->subscribe(suture::interfaceInfo<", base->name, ">().binding().makeSink(",
+            kBreakText, "in.getEvents()), ", kBreakText, "in.getEventMask(), ", kBreakText,
+            "in.getStateMask());");
+  code.line("return kj::READY_NOW;").close("}").blank();
+  emitBaseSubscribe(code, context, *base);
 }
 
 // --- commands from the client
@@ -142,6 +160,7 @@ void emitServant(Code& code, const Context& context, const model::Interface& int
   code.line("port_->subscribe(kj::heap<", prefix, "Sink>(in.getEvents()), ", kBreakText,
             "in.getEventMask(), ", kBreakText, "in.getStateMask());");
   code.line("return kj::READY_NOW;").close("}").blank();
+  emitBaseSubscribe(code, context, interface);
   for (const model::Command& command : interface.commands) {
     emitMethod(code, context, interface, command);
   }

@@ -1,3 +1,4 @@
+#include "compiler/emit/contract.h"
 #include "compiler/emit/parts.h"
 #include "compiler/emit/remote.h"
 #include "compiler/model/naming.h"
@@ -13,6 +14,8 @@ const char* kindName(model::CommandKind kind) {
     case model::CommandKind::Write: return "Write";
     case model::CommandKind::Read: return "Read";
     case model::CommandKind::QualifiedRead: return "QualifiedRead";
+    case model::CommandKind::VoidReturn: return "VoidReturn";
+    case model::CommandKind::WriteReturn: return "WriteReturn";
   }
   return "";
 }
@@ -45,12 +48,19 @@ void emitCommand(Code& code, const Context& context, const model::Interface& int
           : "sizeof(" + relative(argumentsStruct(interface, command), home) + ")";
   const std::string result =
       command.result ? "sizeof(" + slotType(*command.result, context, home) + ")" : "0";
-  emitEntry(code, {".name = \"" + command.name + "\"",
-                   std::string(".kind = CommandKind::") + kindName(command.kind),
-                   ".argumentsSize = " + arguments, ".resultSize = " + result,
-                   ".depth = " + std::to_string(command.queue), flag(".latest", command.latest),
-                   ".ttl = Duration(" + grouped(command.ttlNanoseconds.value_or(0)) + ")",
-                   ".column = " + std::to_string(column)});
+  std::vector<std::string> members = {
+      ".name = \"" + command.name + "\"",
+      std::string(".kind = CommandKind::") + kindName(command.kind),
+      ".argumentsSize = " + arguments,
+      ".resultSize = " + result,
+      ".depth = " + std::to_string(command.queue),
+      flag(".latest", command.latest),
+      ".ttl = Duration(" + grouped(command.ttlNanoseconds.value_or(0)) + ")",
+      ".column = " + std::to_string(column)};
+  if (command.deadlineNanoseconds) {
+    members.push_back(".deadline = Duration(" + grouped(*command.deadlineNanoseconds) + ")");
+  }
+  emitEntry(code, members);
 }
 
 void emitCommands(Code& code, const Context& context, const model::Interface& interface) {
@@ -71,7 +81,7 @@ void emitEvents(Code& code, const Context& context, const model::Interface& inte
     const std::string size =
         event.payload.empty()
             ? "0"
-            : "sizeof(" + slotType(event.payload[0], context, context.header.cxxNamespace) + ")";
+            : "sizeof(" + payloadSlot(interface, event, context, context.header.cxxNamespace) + ")";
     emitEntry(code, {".name = \"" + event.name + "\"", ".payloadSize = " + size,
                      ".depth = " + std::to_string(event.queue), flag(".latest", event.latest),
                      flag(".latched", event.latched)});
@@ -102,6 +112,10 @@ void emitInfo(Code& code, const Context& context, const model::Interface& interf
   code.line("    .commands = ", interface.commands.empty() ? "{}" : tables + "Commands", ",");
   code.line("    .events = ", interface.events.empty() ? "{}" : tables + "Events", ",");
   code.line("    .binding = &", home.empty() ? "::" : home + "::", bindingFunction(interface), ",");
+  if (!interface.base.empty()) {
+    code.line("    .base = &interfaceInfo<", interface.base, ">,");
+    code.line("    .toBase = &castToBase<", interface.name, ", ", kBreakText, interface.base, ">,");
+  }
   code.line("};").line("return kInfo;").close("}").blank();
 }
 

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "compiler/emit/contract.h"
+#include "compiler/lock/wanted.h"
 #include "compiler/lock/wire_type.h"
 #include "compiler/model/naming.h"
 
@@ -156,6 +157,15 @@ std::string lambdaBody(const std::string& statements) {
 
 std::string enumEncoder(const std::string& enumName, const Context& context) {
   return qualifier(enumName, context) + "wire" + model::unqualified(enumName);
+}
+
+std::vector<WireValue> payloadValues(const model::Event& event) {
+  std::vector<WireValue> values;
+  for (std::size_t i = 0; i < event.payload.size(); ++i) {
+    values.push_back(
+        {event.payload[i], lock::payloadName(i), payloadMember(event, "slot", i), std::nullopt});
+  }
+  return values;
 }
 
 std::string encode(const WireValue& value, const std::string& out, const Context& context) {

@@ -19,6 +19,9 @@ struct WireValue {
   std::optional<std::pair<double, double>> range;
 };
 
+/// What an event carries, in the slot "slot".
+std::vector<WireValue> payloadValues(const model::Event& event);
+
 /// "toWire(slot.pose, out.initPose())": a statement without its end. `out` is a struct builder.
 std::string encode(const WireValue& value, const std::string& out, const Context& context);
 

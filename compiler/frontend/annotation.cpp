@@ -21,12 +21,15 @@ constexpr std::array kKinds{
     KindInfo{Kind::Type, "suture::type", "SUTURE_TYPE", "name()"},
     KindInfo{Kind::Field, "suture::field", "SUTURE_FIELD",
              "unit(), range(), capacity(), name(), was()"},
-    KindInfo{Kind::Interface, "suture::interface", "SUTURE_INTERFACE", "name()"},
+    KindInfo{Kind::Interface, "suture::interface", "SUTURE_INTERFACE",
+             "crtk(), version(), name(), was(), since(), deprecated()"},
     KindInfo{Kind::Command, "suture::command", "SUTURE_COMMAND",
-             "queue(), latest(), ttl(), name(), was()"},
+             "queue(), latest(), ttl(), deadline(), concurrent(), direct(), optional(), name(), "
+             "was(), since(), deprecated()"},
     KindInfo{Kind::Event, "suture::event", "SUTURE_EVENT",
-             "queue(), latest(), latched(), name(), was()"},
-    KindInfo{Kind::Component, "suture::component", "SUTURE_COMPONENT", ""},
+             "queue(), latest(), latched(), name(), was(), since(), deprecated()"},
+    KindInfo{Kind::Component, "suture::component", "SUTURE_COMPONENT", "optional(), max_age()"},
+    KindInfo{Kind::Required, "suture::required", "SUTURE_REQUIRED", "optional(), max_age()"},
 };
 
 const KindInfo& infoOf(Kind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
@@ -56,12 +59,16 @@ std::optional<std::string> textOf(const clang::APValue& value) {
   return literal->getString().str();
 }
 
-/// The dsl name of an argument, as "capacity" for a value of type suture::dsl::Capacity.
+/// The dsl name of an argument, as "max_age" for a value of type suture::dsl::MaxAge.
 std::string nameOf(const clang::Expr* argument) {
   const auto* record = argument->getType()->getAsCXXRecordDecl();
-  if (!record || record->getName().empty()) return "";
-  std::string name = record->getName().str();
-  name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
+  if (!record) return "";
+  std::string name;
+  for (const char c : record->getName()) {
+    const bool capital = std::isupper(static_cast<unsigned char>(c)) != 0;
+    if (capital && !name.empty()) name += '_';
+    name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
   return name;
 }
 
@@ -108,21 +115,41 @@ class Reader {
 
   void store(const std::string& name, const clang::APValue& value) {
     const clang::APValue& first = value.getStructField(0);
-    if (name == "unit" || name == "was" || name == "name") return storeText(name, first);
     if (name == "range") {
       result_.range = {first.getFloat().convertToDouble(),
                        value.getStructField(1).getFloat().convertToDouble()};
     } else if (name == "capacity") {
       result_.capacity = capacityOf(value);
-    } else if (name == "queue") {
-      result_.queue = static_cast<unsigned>(first.getInt().getZExtValue());
-    } else if (name == "ttl") {
-      result_.ttlNanoseconds = first.getInt().getSExtValue();
-    } else if (name == "latest") {
-      result_.latest = true;
-    } else if (name == "latched") {
-      result_.latched = true;
+    } else if (std::optional<unsigned>* number = numberOf(name)) {
+      *number = static_cast<unsigned>(first.getInt().getZExtValue());
+    } else if (std::optional<std::int64_t>* time = timeOf(name)) {
+      *time = first.getInt().getSExtValue();
+    } else if (bool* flag = flagOf(name)) {
+      *flag = true;
+    } else {
+      storeText(name, first);
     }
+  }
+
+  std::optional<unsigned>* numberOf(const std::string& name) {
+    if (name == "queue") return &result_.queue;
+    if (name == "version") return &result_.version;
+    return name == "since" ? &result_.since : nullptr;
+  }
+
+  std::optional<std::int64_t>* timeOf(const std::string& name) {
+    if (name == "ttl") return &result_.ttlNanoseconds;
+    if (name == "deadline") return &result_.deadlineNanoseconds;
+    return name == "max_age" ? &result_.maxAgeNanoseconds : nullptr;
+  }
+
+  bool* flagOf(const std::string& name) {
+    if (name == "latest") return &result_.latest;
+    if (name == "latched") return &result_.latched;
+    if (name == "optional") return &result_.optional;
+    if (name == "concurrent") return &result_.concurrent;
+    if (name == "direct") return &result_.direct;
+    return name == "crtk" ? &result_.crtk : nullptr;
   }
 
   void storeText(const std::string& name, const clang::APValue& value) {
@@ -132,6 +159,8 @@ class Reader {
               "write it as " + name + "(\"...\")");
     } else if (name == "unit") {
       result_.unit = *text;
+    } else if (name == "deprecated") {
+      result_.deprecated = *text;
     } else {
       (name == "was" ? result_.was : result_.name) = text;
     }

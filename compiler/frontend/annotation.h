@@ -13,7 +13,7 @@
 
 namespace suture::compiler::frontend {
 
-enum class Kind { Type, Field, Interface, Command, Event, Component };
+enum class Kind { Type, Field, Interface, Command, Event, Component, Required };
 
 /// "SUTURE_TYPE" for messages.
 std::string macroOf(Kind kind);
@@ -26,8 +26,15 @@ struct Annotation {
   std::optional<std::string> was, name;
   std::optional<unsigned> queue;
   std::optional<std::int64_t> ttlNanoseconds;
+  std::optional<std::int64_t> deadlineNanoseconds, maxAgeNanoseconds;
+  std::optional<unsigned> version, since;
+  std::string deprecated;
   bool latest = false;
   bool latched = false;
+  bool optional = false;
+  bool concurrent = false;
+  bool direct = false;
+  bool crtk = false;
 };
 
 /// What is wrong with an annotation's arguments, without the place.

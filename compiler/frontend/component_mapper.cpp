@@ -50,12 +50,19 @@ std::string portName(const clang::Stmt* initialiser) {
   return "";
 }
 
-std::optional<model::Port> mapPort(const clang::FieldDecl* field, Mapping& mapping) {
-  const auto* instance = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(
+constexpr char kProvided[] = "suture::Provided";
+constexpr char kRequired[] = "suture::Required";
+
+const clang::ClassTemplateSpecializationDecl* instanceOf(const clang::FieldDecl* field) {
+  return llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(
       field->getType().getCanonicalType()->getAsCXXRecordDecl());
+}
+
+std::optional<model::Port> mapPort(const clang::FieldDecl* field, Mapping& mapping) {
+  const auto* instance = instanceOf(field);
   if (!instance) return std::nullopt;
   const std::string name = qualifiedName(instance->getSpecializedTemplate());
-  if (name != "suture::Provided" && name != "suture::Required") return std::nullopt;
+  if (name != kProvided && name != kRequired) return std::nullopt;
   const clang::QualType contract = instance->getTemplateArgs()[0].getAsType();
   const auto* record = definitionOf(contract);
   if (!record || !isAnnotated(record, Kind::Interface)) {
@@ -70,7 +77,10 @@ std::optional<model::Port> mapPort(const clang::FieldDecl* field, Mapping& mappi
   port.member = field->getNameAsString();
   port.name = portName(field->getInClassInitializer());
   port.interface = qualifiedName(record);
-  port.provided = name == "suture::Provided";
+  port.provided = name == kProvided;
+  const Annotation annotation = mapping.annotationOf(field, Kind::Required);
+  port.optional = annotation.optional;
+  port.maxAgeNanoseconds = annotation.maxAgeNanoseconds;
   port.source = mapping.sourceOf(field);
   return port;
 }
@@ -84,6 +94,15 @@ void mapPorts(const clang::CXXRecordDecl* declaration, std::vector<model::Port>&
   }
   for (const clang::FieldDecl* field : declaration->fields()) {
     if (auto port = mapPort(field, mapping)) ports.push_back(std::move(*port));
+  }
+}
+
+/// What the component says of its required interfaces holds for those that say nothing themselves.
+void applyDefaults(const Annotation& annotation, std::vector<model::Port>& ports) {
+  for (model::Port& port : ports) {
+    if (port.provided) continue;
+    port.optional = port.optional || annotation.optional;
+    if (!port.maxAgeNanoseconds) port.maxAgeNanoseconds = annotation.maxAgeNanoseconds;
   }
 }
 
@@ -134,9 +153,15 @@ std::vector<const clang::CXXMethodDecl*> pureMethodsOf(const clang::CXXRecordDec
 
 }  // namespace
 
+bool isRequiredInterface(const clang::Decl* declaration) {
+  const auto* field = llvm::dyn_cast<clang::FieldDecl>(declaration);
+  const auto* instance = field ? instanceOf(field) : nullptr;
+  return instance && qualifiedName(instance->getSpecializedTemplate()) == kRequired;
+}
+
 model::Component mapComponentDeclaration(const clang::CXXRecordDecl* declaration,
                                          Mapping& mapping) {
-  mapping.annotationOf(declaration, Kind::Component);
+  const Annotation annotation = mapping.annotationOf(declaration, Kind::Component);
   model::Component component;
   component.name = qualifiedName(declaration);
   component.base = mapBase(declaration, mapping);
@@ -149,6 +174,7 @@ model::Component mapComponentDeclaration(const clang::CXXRecordDecl* declaration
         .notes.push_back({mapping.sourceOf(method), "it is declared here"});
   }
   mapPorts(declaration, component.ports, mapping);
+  applyDefaults(annotation, component.ports);
   mapConstructor(declaration, component, mapping);
   component.doc = mapping.documentationOf(declaration);
   component.source = mapping.sourceOf(declaration);

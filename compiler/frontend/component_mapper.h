@@ -7,4 +7,7 @@ namespace suture::compiler::frontend {
 
 model::Component mapComponentDeclaration(const clang::CXXRecordDecl* declaration, Mapping& mapping);
 
+/// Whether the declaration is a suture::Required member.
+bool isRequiredInterface(const clang::Decl* declaration);
+
 }  // namespace suture::compiler::frontend

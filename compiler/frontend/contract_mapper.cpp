@@ -110,23 +110,31 @@ void mapResult(const clang::CXXMethodDecl* method, const Annotation& field, mode
 /// Const decides: const = the read family, else void or write.
 void mapKind(const clang::CXXMethodDecl* method, const Annotation& field, model::Command& command,
              Mapping& mapping) {
+  using model::CommandKind;
   const bool parameters = method->getNumParams() > 0;
   const bool result = !method->getReturnType()->isVoidType();
   if (method->isConst()) {
-    command.kind = parameters ? model::CommandKind::QualifiedRead : model::CommandKind::Read;
-    if (result) return mapResult(method, field, command, mapping);
-    mapping.error(method, "const-without-result",
-                  commandSubject(method) + " is const, thus a read, but returns nothing",
-                  "return what it reads, or drop const to make it a write");
-    return;
+    command.kind = parameters ? CommandKind::QualifiedRead : CommandKind::Read;
+  } else if (result) {
+    command.kind = parameters ? CommandKind::WriteReturn : CommandKind::VoidReturn;
+  } else {
+    command.kind = parameters ? CommandKind::Write : CommandKind::Void;
   }
-  command.kind = parameters ? model::CommandKind::Write : model::CommandKind::Void;
-  if (result) {
-    mapping.error(method, "command-with-result",
-                  commandSubject(method) + " changes state and returns a value, which is not " +
-                      "supported yet",
-                  "make it const if it only reads, or return void and publish an event");
-  }
+  if (result) return mapResult(method, field, command, mapping);
+  if (!method->isConst()) return;
+  mapping.error(method, "const-without-result",
+                commandSubject(method) + " is const, thus a read, but returns nothing",
+                "return what it reads, or drop const to make it a write");
+}
+
+/// What optional() asks of the declaration.
+void mapOptional(const clang::CXXMethodDecl* method, const Annotation& annotation,
+                 model::Command& command, Mapping& mapping) {
+  command.optional = annotation.optional;
+  if (!command.optional || !method->isPureVirtual()) return;
+  mapping.error(method, "optional-without-body",
+                commandSubject(method) + " is optional() but has no body for those who lack it",
+                "replace '= 0' by a body, such as '{}'");
 }
 
 model::Command mapCommand(const clang::CXXMethodDecl* method, Mapping& mapping) {
@@ -141,9 +149,14 @@ model::Command mapCommand(const clang::CXXMethodDecl* method, Mapping& mapping) 
   command.queueGiven = annotation.queue.has_value();
   command.latest = annotation.latest;
   command.ttlNanoseconds = annotation.ttlNanoseconds;
+  command.deadlineNanoseconds = annotation.deadlineNanoseconds;
+  command.concurrent = annotation.concurrent;
+  command.direct = annotation.direct;
+  command.lifecycle = {annotation.since, annotation.deprecated};
   command.was = annotation.was;
   if (rejectMethod(method, mapping)) return command;
   mapKind(method, field, command, mapping);
+  mapOptional(method, annotation, command, mapping);
   for (const clang::ParmVarDecl* parameter : method->parameters()) {
     if (auto mapped = mapParameter(parameter, mapping)) {
       command.parameters.push_back(std::move(*mapped));
@@ -167,32 +180,47 @@ model::Event mapEvent(const clang::FieldDecl* field, const clang::TemplateArgume
   event.queueGiven = annotation.queue.has_value();
   event.latest = annotation.latest;
   event.latched = annotation.latched;
+  event.lifecycle = {annotation.since, annotation.deprecated};
   event.was = annotation.was;
   event.doc = mapping.documentationOf(field);
   event.source = mapping.sourceOf(field);
-  if (payload.pack_size() > 1) {
-    mapping.error(field, "event-payload", subject + " carries more than one value",
-                  "put them into one SUTURE_TYPE");
-  } else if (payload.pack_size() == 1) {
-    auto type = mapping.typeOf(field, payload.pack_begin()->getAsType(),
-                               "the payload of " + subject, bounds);
+  if (payload.pack_size() > 1 && isAnnotated(field, Kind::Field)) {
+    mapping.error(
+        field, "event-payload",
+        subject + " carries several values; SUTURE_FIELD() does not say of which it speaks",
+        "put what it is about into a SUTURE_TYPE of its own");
+  }
+  for (const clang::TemplateArgument& value : payload.pack_elements()) {
+    auto type = mapping.typeOf(field, value.getAsType(), "the payload of " + subject, bounds);
     if (type) event.payload.push_back(std::move(*type));
   }
   return event;
+}
+
+/// A method of a contract without the macro, or with it where the base has it already.
+void mapMethod(const clang::CXXMethodDecl* method, model::Interface& result, Mapping& mapping) {
+  const std::string name = "'" + method->getNameAsString() + "'";
+  const bool command = isAnnotated(method, Kind::Command);
+  const bool overrides = method->size_overridden_methods() > 0;
+  if (command && overrides) {
+    mapping
+        .error(method, "repeated-command", "command " + name + " is a command of the base already",
+               "drop SUTURE_COMMAND() here, or give the new command a name of its own")
+        .notes.push_back({mapping.sourceOf(*method->begin_overridden_methods()), "it is this one"});
+  } else if (command) {
+    result.commands.push_back(mapCommand(method, mapping));
+  } else if (method->isVirtual() && !overrides && !llvm::isa<clang::CXXDestructorDecl>(method)) {
+    mapping.error(method, "unannotated-command",
+                  "virtual method " + name + " of a contract is not a command",
+                  "add SUTURE_COMMAND(), or make it non-virtual");
+  }
 }
 
 void mapMembers(const clang::CXXRecordDecl* declaration, model::Interface& result,
                 Mapping& mapping) {
   for (const clang::Decl* member : declaration->decls()) {
     if (const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(member)) {
-      if (isAnnotated(method, Kind::Command)) {
-        result.commands.push_back(mapCommand(method, mapping));
-      } else if (method->isVirtual() && !llvm::isa<clang::CXXDestructorDecl>(method)) {
-        mapping.error(
-            method, "unannotated-command",
-            "virtual method '" + method->getNameAsString() + "' of a contract is not a command",
-            "add SUTURE_COMMAND(), or make it non-virtual");
-      }
+      mapMethod(method, result, mapping);
     } else if (const auto* field = llvm::dyn_cast<clang::FieldDecl>(member)) {
       const clang::TemplateArgument* payload = eventArguments(field->getType());
       if (payload && isAnnotated(field, Kind::Event)) {
@@ -204,6 +232,33 @@ void mapMembers(const clang::CXXRecordDecl* declaration, model::Interface& resul
                           ? "add SUTURE_EVENT()"
                           : "declare an event as suture::EventOf<T>; keep data in the component");
       }
+    }
+  }
+}
+
+/// At most one base, itself a contract: its commands keep their numbers in every contract that
+/// derives from it.
+void mapBase(const clang::CXXRecordDecl* declaration, model::Interface& result, Mapping& mapping) {
+  const std::string subject = "contract '" + declaration->getNameAsString() + "'";
+  if (declaration->getNumBases() > 1) {
+    mapping.error(declaration, "contract-bases", subject + " has more than one base class",
+                  "derive from one contract; a component may provide several");
+    return;
+  }
+  for (const clang::CXXBaseSpecifier& base : declaration->bases()) {
+    const auto* record = base.getType().getCanonicalType()->getAsCXXRecordDecl();
+    if (!record || !isAnnotated(record, Kind::Interface)) {
+      mapping.error(declaration, "contract-base",
+                    subject + " has the base class '" + spelled(base.getType(), mapping.context()) +
+                        "', which is not a SUTURE_INTERFACE",
+                    "annotate the base with SUTURE_INTERFACE(), or declare its methods here");
+    } else if (base.isVirtual() || base.getAccessSpecifier() != clang::AS_public) {
+      mapping.error(
+          declaration, "contract-base-access",
+          subject + " derives from '" + record->getNameAsString() + "' privately or virtually",
+          "derive from it as 'public " + record->getNameAsString() + "'");
+    } else {
+      result.base = qualifiedName(record);
     }
   }
 }
@@ -227,12 +282,11 @@ model::Interface mapInterfaceDeclaration(const clang::CXXRecordDecl* declaration
   result.wireName = wireTypeName(declaration, annotation.name);
   result.doc = mapping.documentationOf(declaration);
   result.source = mapping.sourceOf(declaration);
-  if (declaration->getNumBases() > 0) {
-    mapping.error(declaration, "contract-base",
-                  "contract '" + declaration->getNameAsString() +
-                      "' has a base class, which is not supported yet",
-                  "declare all its commands and events in it");
-  }
+  result.version = annotation.version.value_or(1);
+  result.crtk = annotation.crtk;
+  result.was = annotation.was;
+  result.lifecycle = {annotation.since, annotation.deprecated};
+  mapBase(declaration, result, mapping);
   mapMembers(declaration, result, mapping);
   return result;
 }

@@ -18,6 +18,7 @@ std::set<std::string> namesUsedBy(const model::Header& header) {
     for (const model::Field& field : type.fields) collect(field.type, names);
   }
   for (const model::Interface& interface : header.interfaces) {
+    if (!interface.base.empty()) names.insert(interface.base);
     for (const model::Command& command : interface.commands) {
       for (const model::Parameter& parameter : command.parameters) collect(parameter.type, names);
       if (command.result) collect(*command.result, names);

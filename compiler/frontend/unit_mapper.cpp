@@ -6,6 +6,7 @@
 #include "compiler/frontend/contract_mapper.h"
 #include "compiler/frontend/data_mapper.h"
 #include "compiler/frontend/imports.h"
+#include "compiler/frontend/inheritance.h"
 #include "compiler/frontend/names.h"
 
 namespace suture::compiler::frontend {
@@ -48,6 +49,10 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
           return;
         }
         return misplaced(declaration, kind, "a suture::EventOf member of a SUTURE_INTERFACE class");
+      case Kind::Required:
+        if (parentIs(declaration, Kind::Component) && isRequiredInterface(declaration)) return;
+        return misplaced(declaration, kind,
+                         "a suture::Required member of a SUTURE_COMPONENT class");
       case Kind::Field:
         if (!isField(declaration)) {
           misplaced(declaration, kind,
@@ -168,6 +173,7 @@ model::Model mapUnit(clang::ASTContext& context, HeaderTable& headers, SourceTab
   Mapping mapping(context, table, findings);
   Visitor(mapping, headers).TraverseDecl(context.getTranslationUnitDecl());
   model::Model result{headers.take()};
+  addInherited(result);
   addImports(result);
   return result;
 }

@@ -12,7 +12,8 @@ namespace {
 /// Writes out a node and, behind it, everything that it names.
 class Canonical {
  public:
-  explicit Canonical(const std::map<std::string, Lock>& locks) : locks_(locks) {}
+  Canonical(const std::map<std::string, Lock>& locks, bool withoutOptional)
+      : locks_(locks), withoutOptional_(withoutOptional) {}
 
   void add(const Lock& lock, const std::string& name) {
     for (const Node& node : lock.nodes) {
@@ -24,11 +25,20 @@ class Canonical {
 
  private:
   void write(const Lock& lock, const Node& node) {
-    text_ += identity(node) + " " + node.name + " " + std::to_string(node.id) + "\n";
+    text_ += identity(node) + " " + node.name + " " + std::to_string(node.id);
+    const auto version = node.annotations.find("version");
+    text_ += version == node.annotations.end() ? "\n" : " version " + version->second + "\n";
     for (const Member& member : node.members) {
-      if (!member.removed()) write(member);
+      if (counts(member)) write(member);
     }
-    for (const Member& member : node.members) follow(lock, member);
+    for (const std::string& base : node.extends) follow(lock, base);
+    for (const Member& member : node.members) {
+      if (counts(member)) follow(lock, member);
+    }
+  }
+
+  bool counts(const Member& member) const {
+    return !member.removed() && !(withoutOptional_ && member.annotations.contains("optional"));
   }
 
   void write(const Member& member) {
@@ -44,11 +54,14 @@ class Canonical {
   }
 
   void follow(const Lock& lock, const Member& member) {
-    if (member.removed()) return;
     for (const Member& parameter : member.parameters) follow(lock, parameter);
     for (const Member& result : member.results) follow(lock, result);
-    const std::size_t inner = member.type.rfind('(') + 1;  // 0 when there is no list
-    const std::string leaf = member.type.substr(inner, member.type.find(')') - inner);
+    follow(lock, member.type);
+  }
+
+  void follow(const Lock& lock, const std::string& type) {
+    const std::size_t inner = type.rfind('(') + 1;  // 0 when there is no list
+    const std::string leaf = type.substr(inner, type.find(')') - inner);
     if (leaf.empty() || leaf.front() != '/') {
       add(lock, leaf);
       return;
@@ -59,13 +72,13 @@ class Canonical {
   }
 
   const std::map<std::string, Lock>& locks_;
+  const bool withoutOptional_;
   std::set<std::string> seen_;
   std::string text_;
 };
 
-}  // namespace
-
-std::map<std::string, std::string> contractHashes(const model::Model& model, const Locks& locks) {
+std::map<std::string, std::string> hashes(const model::Model& model, const Locks& locks,
+                                          bool withoutOptional) {
   const model::Lookup lookup(model);
   std::map<std::string, Lock> merged;
   for (const model::Header& header : model.headers) {
@@ -75,16 +88,26 @@ std::map<std::string, std::string> contractHashes(const model::Model& model, con
     if (committed != locks.files.end()) old = committed->second;
     merged.emplace(path, merge(wanted(header, lookup), header, old, {}).lock);
   }
-  std::map<std::string, std::string> hashes;
+  std::map<std::string, std::string> result;
   for (const model::Header& header : model.headers) {
     if (!header.own) continue;
     for (const model::Interface& interface : header.interfaces) {
-      Canonical canonical(merged);
+      Canonical canonical(merged, withoutOptional);
       canonical.add(merged.at(lockPath(header.path)), interface.wireName);
-      hashes.emplace(interface.name, sha256Hex(canonical.text(), 16));
+      result.emplace(interface.name, sha256Hex(canonical.text(), 16));
     }
   }
-  return hashes;
+  return result;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> contractHashes(const model::Model& model, const Locks& locks) {
+  return hashes(model, locks, false);
+}
+
+std::map<std::string, std::string> coreHashes(const model::Model& model, const Locks& locks) {
+  return hashes(model, locks, true);
 }
 
 }  // namespace suture::compiler::lock

@@ -14,4 +14,8 @@ namespace suture::compiler::lock {
 /// and policies do not count.
 std::map<std::string, std::string> contractHashes(const model::Model& model, const Locks& locks);
 
+/// The same without optional commands: where these are equal, two ends may differ in optional
+/// commands alone.
+std::map<std::string, std::string> coreHashes(const model::Model& model, const Locks& locks);
+
 }  // namespace suture::compiler::lock

@@ -49,6 +49,7 @@ struct Node {
   Kind kind = Kind::Struct;
   std::string name;  ///< on the wire
   std::uint64_t id = 0;
+  std::vector<std::string> extends;  ///< an interface's bases, spelled as Member::type
   Annotations annotations;
   std::vector<Member> members;  ///< in the order of the ordinals, without a gap
   std::string doc;

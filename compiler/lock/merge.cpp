@@ -1,6 +1,7 @@
 #include "compiler/lock/merge.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "compiler/lock/wire_type.h"
@@ -29,9 +30,11 @@ class Merger {
     if (merge_.lock.id == 0) merge_.lock.id = freshId(options_.project, header.path);
     std::vector<bool> used(wanted.size(), false);
     for (const Node& node : old_.nodes) {
-      const auto same = std::find_if(wanted.begin(), wanted.end(), [&](const WantedNode& one) {
-        return identity(one.node) == identity(node);
-      });
+      const auto same = find(wanted, node);
+      if (same != wanted.end()) renamed_[node.name] = same->node.name;
+    }
+    for (const Node& node : old_.nodes) {
+      const auto same = find(wanted, node);
       if (same == wanted.end()) {
         merge_.lock.nodes.push_back(buried(node, header));
       } else {
@@ -46,6 +49,25 @@ class Merger {
   }
 
  private:
+  /// The node of the header that `locked` is: by its C++ name, else by was().
+  std::vector<WantedNode>::const_iterator find(const std::vector<WantedNode>& wanted,
+                                               const Node& locked) const {
+    const std::string name = identity(locked);
+    const auto same = std::find_if(wanted.begin(), wanted.end(), [&](const WantedNode& one) {
+      return identity(one.node) == name;
+    });
+    if (same != wanted.end() || locked.removed()) return same;
+    return std::find_if(wanted.begin(), wanted.end(), [&](const WantedNode& one) {
+      return formerIdentity(one) == name && !lives(identity(one.node));
+    });
+  }
+
+  /// Has the lock a node of this name already? Then a was() beside it is an old, done rename.
+  bool lives(const std::string& name) const {
+    return std::any_of(old_.nodes.begin(), old_.nodes.end(),
+                       [&](const Node& node) { return !node.removed() && identity(node) == name; });
+  }
+
   std::string where(unsigned line) const {
     return options_.folder + "/" + old_.path + (line > 0 ? ":" + std::to_string(line) : "");
   }
@@ -97,6 +119,7 @@ class Merger {
   Node merged(const WantedNode& wanted, const Node& locked) {
     Node node = wanted.node;
     node.id = locked.id;
+    compareBases(wanted, locked);
     if (node.name != locked.name) {
       pending(wanted.source, "lock-renamed",
               wanted.title + " has a new wire name, '" + node.name + "'",
@@ -119,6 +142,23 @@ class Merger {
       append(node, wanted.members[i].member);
     }
     return node;
+  }
+
+  /// A contract may get a base, and then has more to offer; it never loses one.
+  void compareBases(const WantedNode& wanted, const Node& locked) {
+    for (const std::string& base : locked.extends) {
+      const auto& now = wanted.node.extends;
+      if (std::find(now.begin(), now.end(), base) != now.end()) continue;
+      merge_.breaks.push_back({wanted.source,
+                               "lock-break",
+                               wanted.title + " no longer derives from " + base,
+                               "put the base back: its commands are part of the contract",
+                               {lockNote(locked.line, locked.name)}});
+    }
+    if (wanted.node.extends.size() > locked.extends.size()) {
+      pending(wanted.source, "lock-new",
+              "the base of " + wanted.title + " is not in the lock " + where(locked.line));
+    }
   }
 
   /// The member of the header that `locked` is: by its wire name, else by was().
@@ -173,11 +213,20 @@ class Merger {
     return member;
   }
 
+  /// A type as it is called now, where a node of this file got another name.
+  std::string renamed(const std::string& type) const {
+    const std::size_t begin = type.rfind('(') + 1;  // 0 when there is no list
+    const std::size_t end = std::min(type.find(')'), type.size());
+    const auto found = renamed_.find(type.substr(begin, end - begin));
+    if (found == renamed_.end()) return type;
+    return type.substr(0, begin) + found->second + type.substr(end);
+  }
+
   /// `now` and `before` are the member itself, or one of its parameters or results.
   void compare(const WantedMember& wanted, const Member& locked, const Member& now,
                const Member& before) {
     const std::string what = &before == &locked ? "" : "'" + before.name + "': ";
-    if (now.type != before.type || now.isMethod != before.isMethod) {
+    if (now.type != renamed(before.type) || now.isMethod != before.isMethod) {
       broken(wanted, locked, what + "type " + now.type + " instead of " + before.type,
              "a type never changes: add '" + before.name +
                  "' anew under another name and remove the old one");
@@ -228,6 +277,7 @@ class Merger {
 
   const Lock& old_;
   const Options& options_;
+  std::map<std::string, std::string> renamed_;  // wire names of nodes, the locked to the present
   Merge merge_;
 };
 

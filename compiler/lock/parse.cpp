@@ -138,6 +138,16 @@ class Parser {
     return import->second + ":" + name.text.substr(dot + 1);
   }
 
+  std::vector<std::string> bases() {
+    std::vector<std::string> types;
+    expect("(");
+    while (!accept(")")) {
+      if (!types.empty()) expect(",");
+      types.push_back(type());
+    }
+    return types;
+  }
+
   std::vector<Member> list() {
     std::vector<Member> members;
     expect("(");
@@ -188,6 +198,7 @@ class Parser {
     result.kind = kind->second;
     result.name = take().text;
     result.id = id();
+    if (accept("extends")) result.extends = bases();
     result.annotations = annotations();
     expect("{");
     while (!accept("}")) result.members.push_back(member());

@@ -1,15 +1,27 @@
 #include "compiler/lock/wanted.h"
 
+#include <array>
 #include <charconv>
 #include <utility>
 
 #include "compiler/lock/sha256.h"
 #include "compiler/lock/wire_type.h"
+#include "compiler/model/naming.h"
 
 namespace suture::compiler::lock {
 namespace {
 
 constexpr char kSent[] = "/suture/rpc.capnp:Sent";
+
+/// The annotations that name what a node stands for.
+constexpr std::array<const char*, 3> kIdentities{"cxx", "eventsOf", "stateOf"};
+
+/// The name in was(), qualified as the present one is where it is not qualified itself.
+std::optional<std::string> formerName(const model::Interface& declaration) {
+  if (!declaration.was || declaration.was->find("::") != std::string::npos) return declaration.was;
+  const std::string space = model::namespaceOf(declaration.name);
+  return (space.empty() ? "" : space + "::") + *declaration.was;
+}
 
 Member plain(std::string name, std::string type, std::string doc = "") {
   Member member;
@@ -124,6 +136,8 @@ const char* kindName(model::CommandKind kind) {
     case model::CommandKind::Write: return "write";
     case model::CommandKind::Read: return "read";
     case model::CommandKind::QualifiedRead: return "qualifiedRead";
+    case model::CommandKind::VoidReturn: return "voidReturn";
+    case model::CommandKind::WriteReturn: return "writeReturn";
   }
   return "";
 }
@@ -146,12 +160,18 @@ WantedMember wantedCommand(const model::Interface& owner, const model::Command& 
         valueAnnotations(*command.result, command.resultUnit, command.resultRange);
   }
   const bool queued =
-      command.kind == model::CommandKind::Void || command.kind == model::CommandKind::Write;
+      command.kind != model::CommandKind::Read && command.kind != model::CommandKind::QualifiedRead;
   if (queued) member.annotations.emplace("queue", std::to_string(command.queue));
   if (command.latest) member.annotations.emplace("latest", "");
   if (command.ttlNanoseconds) {
     member.annotations.emplace("ttl", std::to_string(*command.ttlNanoseconds));
   }
+  if (command.deadlineNanoseconds) {
+    member.annotations.emplace("deadline", std::to_string(*command.deadlineNanoseconds));
+  }
+  if (command.optional) member.annotations.emplace("optional", "");
+  if (command.concurrent) member.annotations.emplace("concurrent", "");
+  if (command.direct) member.annotations.emplace("direct", "");
   return {std::move(member), "command '" + owner.name + "::" + command.name + "'", command.was,
           command.source};
 }
@@ -161,6 +181,12 @@ WantedNode wantedInterface(const model::Interface& declaration, const model::Loo
   WantedNode result = startNode(Node::Kind::Interface, declaration.name, declaration.wireName,
                                 "interface '" + declaration.name + "'", declaration.source);
   result.node.annotations = {{"cxx", quoted(declaration.name)}};
+  if (declaration.version > 1) {
+    result.node.annotations.emplace("version", std::to_string(declaration.version));
+  }
+  if (!declaration.base.empty()) {
+    result.node.extends = {declaredType(declaration.base, lookup, header)};
+  }
   result.node.doc = declaration.doc.text;
 
   Member subscribe = method("subscribe",
@@ -170,6 +196,7 @@ WantedNode wantedInterface(const model::Interface& declaration, const model::Loo
                           plain("eventMask", "UInt64"), plain("stateMask", "UInt64")};
   result.members.push_back({std::move(subscribe), result.title, std::nullopt, result.source});
   for (const model::Command& command : declaration.commands) {
+    if (!command.inheritedFrom.empty()) continue;  // a method of the base's interface
     result.members.push_back(wantedCommand(declaration, command, lookup, header));
   }
   return result;
@@ -180,7 +207,7 @@ WantedMember wantedEvent(const model::Interface& owner, const model::Event& even
   Member member = method(event.wireName, event.doc.text);
   addCxxName(member, event.name);
   for (const model::Type& type : event.payload) {
-    Member value = plain("value", wireType(type, lookup, header));
+    Member value = plain(payloadName(member.parameters.size()), wireType(type, lookup, header));
     value.annotations = valueAnnotations(type, event.payloadUnit, event.payloadRange);
     member.parameters.push_back(std::move(value));
   }
@@ -225,6 +252,7 @@ WantedNode wantedState(const model::Interface& declaration, const model::Lookup&
     Member column = plain(command.wireName, wireType(*command.result, lookup, header));
     column.annotations = valueAnnotations(*command.result, command.resultUnit, command.resultRange);
     addCxxName(column, command.name);
+    if (command.optional) column.annotations.emplace("optional", "");
     result.members.push_back({std::move(column),
                               "command '" + declaration.name + "::" + command.name + "'",
                               command.was, command.source});
@@ -241,11 +269,17 @@ std::vector<WantedNode> wanted(const model::Header& header, const model::Lookup&
     nodes.push_back(wantedStruct(declaration, lookup, header));
   }
   for (const model::Interface& declaration : header.interfaces) {
-    nodes.push_back(wantedInterface(declaration, lookup, header));
-    nodes.push_back(wantedEvents(declaration, lookup, header));
-    nodes.push_back(wantedState(declaration, lookup, header));
+    const std::optional<std::string> was = formerName(declaration);
+    for (const auto& part : {wantedInterface, wantedEvents, wantedState}) {
+      nodes.push_back(part(declaration, lookup, header));
+      nodes.back().was = was;
+    }
   }
   return nodes;
+}
+
+std::string payloadName(std::size_t index) {
+  return index == 0 ? "value" : "value" + std::to_string(index + 1);
 }
 
 std::uint64_t freshId(const std::string& project, const std::string& name) {
@@ -256,11 +290,19 @@ std::uint64_t freshId(const std::string& project, const std::string& name) {
 }
 
 std::string identity(const Node& node) {
-  for (const char* name : {"cxx", "eventsOf", "stateOf"}) {
+  for (const char* name : kIdentities) {
     const auto found = node.annotations.find(name);
     if (found != node.annotations.end()) return name + (" " + found->second);
   }
   return node.name;
+}
+
+std::string formerIdentity(const WantedNode& wanted) {
+  if (!wanted.was) return "";
+  for (const char* name : kIdentities) {
+    if (wanted.node.annotations.contains(name)) return name + (" " + quoted(*wanted.was));
+  }
+  return "";
 }
 
 }  // namespace suture::compiler::lock

@@ -22,6 +22,7 @@ struct WantedNode {
   std::string cxxName;
   std::string title;  ///< "struct 'robots::Pose'"
   std::vector<WantedMember> members;
+  std::optional<std::string> was;  ///< its C++ name before, qualified
   model::Source source;
 };
 
@@ -29,10 +30,16 @@ struct WantedNode {
 /// row.
 std::vector<WantedNode> wanted(const model::Header& header, const model::Lookup& lookup);
 
+/// What value `index` of an event's payload is called on the wire: "value", "value2", "value3".
+std::string payloadName(std::size_t index);
+
 /// The id that a new thing receives.
 std::uint64_t freshId(const std::string& project, const std::string& name);
 
 /// What makes two nodes the same thing in header and lock: "cxx \"robots::Pose\"".
 std::string identity(const Node& node);
+
+/// The identity that a node had under the name of its was(); "" when it has none.
+std::string formerIdentity(const WantedNode& wanted);
 
 }  // namespace suture::compiler::lock

@@ -12,14 +12,11 @@ using Shape = Type::Shape;
 
 std::string list(const std::string& element) { return "List(" + element + ")"; }
 
-std::string declaredName(const Type& type, const model::Lookup& lookup,
-                         const model::Header& inside) {
-  const model::Enum* const enumeration = lookup.findEnum(type.name);
-  const model::Struct* const record = lookup.findStruct(type.name);
-  const model::Header* const header = lookup.headerOf(type.name);
-  if (header == nullptr || (enumeration == nullptr && record == nullptr)) return type.name;
-  const std::string& name = enumeration != nullptr ? enumeration->wireName : record->wireName;
-  return header->path == inside.path ? name : "/" + lockPath(header->path) + ":" + name;
+std::string wireNameOf(const std::string& name, const model::Lookup& lookup) {
+  if (const model::Enum* const one = lookup.findEnum(name)) return one->wireName;
+  if (const model::Struct* const one = lookup.findStruct(name)) return one->wireName;
+  if (const model::Interface* const one = lookup.findInterface(name)) return one->wireName;
+  return "";
 }
 
 /// "*,3,6x7": one entry a level; empty when every level is open or says its own length.
@@ -94,11 +91,19 @@ std::string_view capnpScalar(model::Scalar scalar) {
   return "Void";
 }
 
+std::string declaredType(const std::string& name, const model::Lookup& lookup,
+                         const model::Header& inside) {
+  const model::Header* const header = lookup.headerOf(name);
+  const std::string wireName = wireNameOf(name, lookup);
+  if (header == nullptr || wireName.empty()) return name;
+  return header->path == inside.path ? wireName : "/" + lockPath(header->path) + ":" + wireName;
+}
+
 std::string wireType(const Type& type, const model::Lookup& lookup, const model::Header& inside) {
   switch (type.shape) {
     case Shape::Scalar: return std::string(capnpScalar(type.scalar));
     case Shape::Enum:
-    case Shape::Struct: return declaredName(type, lookup, inside);
+    case Shape::Struct: return declaredType(type.name, lookup, inside);
     case Shape::Text: return "Text";
     case Shape::List: {
       const Type& element = type.element.front();

@@ -20,6 +20,11 @@ std::string namedEigenType(const model::Type& type);
 /// "Int32", "Float64"...
 std::string_view capnpScalar(model::Scalar scalar);
 
+/// A declared enum, struct or contract by its qualified C++ name: "PoseStamped", or of another file
+/// "/arm/arm.capnp:PoseStamped".
+std::string declaredType(const std::string& name, const model::Lookup& lookup,
+                         const model::Header& inside);
+
 /// "List(Int32)"; a type of another file as "/arm/arm.capnp:PoseStamped".
 std::string wireType(const model::Type& type, const model::Lookup& lookup,
                      const model::Header& inside);

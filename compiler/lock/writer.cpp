@@ -45,6 +45,7 @@ Aliases aliasesOf(const Lock& lock) {
   std::set<std::string> taken = {"Cxx", "Meta"};
   for (const Node& node : lock.nodes) {
     taken.insert(node.name);
+    for (const std::string& base : node.extends) collectPaths(base, paths);
     for (const Member& member : node.members) collectPaths(member, paths);
   }
   Aliases aliases;
@@ -139,8 +140,15 @@ std::string hex(std::uint64_t id) {
   return text;
 }
 
+std::string spellBases(const std::vector<std::string>& bases, const Aliases& aliases) {
+  std::string text;
+  for (const std::string& base : bases) text += (text.empty() ? "" : ", ") + spell(base, aliases);
+  return text.empty() ? "" : " extends(" + text + ")";
+}
+
 std::string write(const Node& node, const Aliases& aliases) {
-  std::string text = fill(std::string(keyword(node.kind)) + " " + node.name + " " + hex(node.id),
+  std::string text = fill(std::string(keyword(node.kind)) + " " + node.name + " " + hex(node.id) +
+                              spellBases(node.extends, aliases),
                           spell(node.annotations), " {\n", "    ");
   text += comment(node.doc, "  ");
   if (!node.doc.empty() && !node.members.empty()) text += "\n";

@@ -55,6 +55,12 @@ struct Struct {
   Source source;
 };
 
+/// What a declaration says of its own history.
+struct Lifecycle {
+  std::optional<unsigned> since;  ///< the version of the contract that it came with
+  std::string deprecated;         ///< why it should not be used any more; "" = it may be
+};
+
 struct Parameter {
   std::string name;
   std::string wireName;
@@ -68,7 +74,7 @@ struct Parameter {
 /// How many of a command or event may wait where its header does not say.
 inline constexpr unsigned kDefaultQueue = 16;
 
-enum class CommandKind { Void, Write, Read, QualifiedRead };
+enum class CommandKind { Void, Write, Read, QualifiedRead, VoidReturn, WriteReturn };
 
 struct Command {
   std::string name;      ///< C++ name, also the name in descriptions: "servo_cp"
@@ -83,6 +89,12 @@ struct Command {
   bool queueGiven = false;  ///< queue() was written, not defaulted
   bool latest = false;
   std::optional<std::int64_t> ttlNanoseconds;
+  std::optional<std::int64_t> deadlineNanoseconds;
+  bool optional = false;  ///< a provider may lack it
+  bool concurrent = false;
+  bool direct = false;
+  std::string inheritedFrom;  ///< the contract that declares it, fully qualified; "" = this one
+  Lifecycle lifecycle;
   std::optional<std::string> was;
   Documentation doc;
   Source source;
@@ -92,13 +104,15 @@ struct Event {
   std::string member;         ///< C++ member: "operating_state_event"
   std::string name;           ///< name in descriptions and in emit()/on(): "operating_state"
   std::string wireName;       ///< capnp's: "operatingState"
-  std::vector<Type> payload;  ///< none: a void event; one: a write event
+  std::vector<Type> payload;  ///< none: a void event; else a write event
   std::string payloadUnit;    ///< from SUTURE_FIELD on the event; "" = none said
   std::optional<std::pair<double, double>> payloadRange;
   unsigned queue = kDefaultQueue;
   bool queueGiven = false;  ///< queue() was written, not defaulted
   bool latest = false;
   bool latched = false;
+  std::string inheritedFrom;  ///< the contract that declares it, fully qualified; "" = this one
+  Lifecycle lifecycle;
   std::optional<std::string> was;
   Documentation doc;
   Source source;
@@ -107,8 +121,13 @@ struct Event {
 struct Interface {
   std::string name;  ///< fully qualified
   std::string wireName;
-  std::vector<Command> commands;
-  std::vector<Event> events;
+  std::string base;               ///< the contract it derives from, fully qualified; "" = none
+  std::vector<Command> commands;  ///< those of the base first
+  std::vector<Event> events;      ///< those of the base first
+  unsigned version = 1;
+  bool crtk = false;               ///< names and payloads follow CRTK
+  std::optional<std::string> was;  ///< its C++ name before, as written
+  Lifecycle lifecycle;
   Documentation doc;
   Source source;
 };
@@ -119,6 +138,8 @@ struct Port {
   std::string name;       ///< "Slave", where the member's initialiser says it; else ""
   std::string interface;  ///< fully qualified
   bool provided = false;
+  bool optional = false;                            ///< the component works without it
+  std::optional<std::int64_t> maxAgeNanoseconds{};  ///< what is older is of no use to it
   Source source;
 };
 

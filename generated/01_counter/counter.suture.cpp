@@ -270,6 +270,9 @@ class CounterBinding final : public suture::rpc::Binding {
                                         ProxyPort& port) const override {
     return kj::heap<CounterProxy>(contract.castAs<wire::Counter>(), port);
   }
+  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
+    return kj::heap<CounterSink>(subscriber.castAs<wire::CounterEvents>());
+  }
 };
 
 const suture::rpc::Binding& counterBinding() {

@@ -1153,6 +1153,9 @@ class ArmBinding final : public suture::rpc::Binding {
                                         ProxyPort& port) const override {
     return kj::heap<ArmProxy>(contract.castAs<wire::Arm>(), port);
   }
+  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
+    return kj::heap<ArmSink>(subscriber.castAs<wire::ArmEvents>());
+  }
 };
 
 const suture::rpc::Binding& armBinding() {

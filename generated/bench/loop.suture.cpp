@@ -380,6 +380,9 @@ class LoopServerBinding final : public suture::rpc::Binding {
                                         ProxyPort& port) const override {
     return kj::heap<LoopServerProxy>(contract.castAs<wire::LoopServer>(), port);
   }
+  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
+    return kj::heap<LoopServerSink>(subscriber.castAs<wire::LoopServerEvents>());
+  }
 };
 
 const suture::rpc::Binding& loopServerBinding() {

@@ -493,6 +493,9 @@ class TeleoperationBinding final : public suture::rpc::Binding {
                                         ProxyPort& port) const override {
     return kj::heap<TeleoperationProxy>(contract.castAs<wire::Teleoperation>(), port);
   }
+  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
+    return kj::heap<TeleoperationSink>(subscriber.castAs<wire::TeleoperationEvents>());
+  }
 };
 
 const suture::rpc::Binding& teleoperationBinding() {

@@ -17,6 +17,7 @@ const char* toString(Errc error) {
     case Errc::Invalid: return "value outside its declared limits";
     case Errc::TooManyCalls: return "too many unfinished calls";
     case Errc::WrongThread: return "called from a thread that does not own the required interface";
+    case Errc::NotImplemented: return "the provider does not have this optional command";
   }
   return "unknown error";
 }

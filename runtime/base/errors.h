@@ -26,6 +26,7 @@ enum class Errc : std::uint8_t {
   Invalid,           ///< a value is outside what its header allows
   TooManyCalls,      ///< this required interface has as many unfinished calls as it can follow
   WrongThread,       ///< a required interface belongs to one thread, and this is another
+  NotImplemented,    ///< an optional command that this provider does not have
 };
 
 /// The error in words, for people. Any thread; static storage.

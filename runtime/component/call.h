@@ -44,8 +44,9 @@ class [[nodiscard]] Call {
  public:
   Call(Errc error) : answer_(Traits::error(error)) {}  // NOLINT: converts on purpose
   Call(Answer answer) : answer_(std::move(answer)) {}  // NOLINT: converts on purpose
-  Call(RequiredBase& required, RequiredBase::PendingCall& pending, Errc sent)
-      : required_(&required), pending_(&pending) {
+  /// `limit`: how long within() waits when it is not told.
+  Call(RequiredBase& required, RequiredBase::PendingCall& pending, Duration limit, Errc sent)
+      : required_(&required), pending_(&pending), limit_(limit) {
     if (sent != Errc{}) {
       answer_ = Traits::error(sent);
       pending.number = 0;
@@ -55,10 +56,12 @@ class [[nodiscard]] Call {
   Call(Call&& other) noexcept
       : required_(other.required_),
         pending_(std::exchange(other.pending_, nullptr)),
+        limit_(other.limit_),
         answer_(std::move(other.answer_)) {}
   Call& operator=(Call&& other) noexcept {
     std::swap(required_, other.required_);
     std::swap(pending_, other.pending_);
+    std::swap(limit_, other.limit_);
     std::swap(answer_, other.answer_);
     return *this;
   }
@@ -81,6 +84,8 @@ class [[nodiscard]] Call {
     }
     return *answer_;
   }
+  /// The same with the deadline() that the contract states for the command, else kDefaultDeadline.
+  const Answer& within() { return within(limit_); }
 
  private:
   using Traits = AnswerTraits<Answer>;
@@ -101,6 +106,7 @@ class [[nodiscard]] Call {
 
   RequiredBase* required_ = nullptr;
   RequiredBase::PendingCall* pending_ = nullptr;
+  Duration limit_ = kDefaultDeadline;
   std::optional<Answer> answer_;
 };
 

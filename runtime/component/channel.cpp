@@ -38,6 +38,7 @@ Channel::Channel(const InterfaceInfo& contract, std::string channelName, std::st
       ends(bothEnds),
       state(std::move(table)),
       subscribed(subscribedEvents),
+      offered(contract.commands.size()),
       commands(commandLimits(contract)),
       replies(replyBytes(contract)),
       events(eventLimits(contract)) {}

@@ -64,6 +64,9 @@ class Channel {
   const Ends ends;
   const std::shared_ptr<rt::StateTable> state;
   const EventSet subscribed;
+  /// How many commands of `info`, from the first, the provider has: fewer than all where it lacks
+  /// optional ones. Set before either end is attached.
+  std::size_t offered;
 
   rt::Mailbox commands;
   rt::SpscRing replies;

@@ -36,14 +36,15 @@ class Command<Method, ArgumentsSlot> {
 
   /// As above, and the answer comes when the command has been executed.
   [[nodiscard]] Call<Result<void>, NoSlot> start(Arguments... arguments) {
-    if (const Errc error = required_.unusable(); error != Errc{}) return error;
+    if (const Errc error = required_.unusable(id_); error != Errc{}) return error;
     if (required_.device() != nullptr) {
       const Errc error = onDevice(arguments...);
       return error == Errc{} ? Result<void>{} : tl::unexpected(error);
     }
     auto* pending = required_.openCall();
     if (pending == nullptr) return Errc::TooManyCalls;
-    return {required_, *pending, send(pending->number, arguments...)};
+    return {required_, *pending, required_.info_.commands[id_].deadline,
+            send(pending->number, arguments...)};
   }
 
  private:
@@ -53,7 +54,7 @@ class Command<Method, ArgumentsSlot> {
   }
 
   Errc send(std::uint32_t call, Arguments... arguments) {
-    if (const Errc error = required_.unusable(); error != Errc{}) return error;
+    if (const Errc error = required_.unusable(id_); error != Errc{}) return error;
     if (required_.device() != nullptr) return onDevice(arguments...);
     return required_.send(id_, call, [&]([[maybe_unused]] std::byte* memory) {
       if constexpr (sizeof...(Arguments) == 0) {
@@ -94,7 +95,7 @@ class ReadCommand<Method, ResultSlot> {
 
   /// The same into `value`, which keeps its memory and is left alone if there is no value.
   Sample<void> operator()(Value& value) {
-    if (const Errc error = required_.unusable(); error != Errc{}) return error;
+    if (const Errc error = required_.unusable(id_); error != Errc{}) return error;
     Channel& channel = *required_.channel_;
     if (required_.device() != nullptr) return readDevice(value);
     const auto column = static_cast<unsigned>(required_.info_.commands[id_].column);
@@ -109,11 +110,11 @@ class ReadCommand<Method, ResultSlot> {
 
   /// Has the provider evaluate the value now, in its own thread.
   [[nodiscard]] Call<Sample<Value>, ResultSlot> fresh() {
-    if (const Errc error = required_.unusable(); error != Errc{}) return error;
+    if (const Errc error = required_.unusable(id_); error != Errc{}) return error;
     if (required_.device() != nullptr) return (*this)();
     auto* pending = required_.openCall();
     if (pending == nullptr) return Errc::TooManyCalls;
-    return {required_, *pending,
+    return {required_, *pending, kDefaultDeadline,
             required_.send(id_, pending->number, [](std::byte*) { return true; })};
   }
 
@@ -129,39 +130,70 @@ class ReadCommand<Method, ResultSlot> {
   std::uint16_t id_;
 };
 
-/// A qualified read: a question with arguments, answered in the provider's thread.
-///   auto call = slave_.inverse_kinematics.start(pose);
-template <auto Method, class ArgumentsSlot, class ResultSlot>
-class QualifiedReadCommand;
-
-template <class Contract, class ReturnType, class... Arguments,
-          ReturnType (Contract::*Method)(Arguments...) const, class ArgumentsSlot, class ResultSlot>
-class QualifiedReadCommand<Method, ArgumentsSlot, ResultSlot> {
+/// What qualified reads and commands with a return value have in common: the provider's thread
+/// runs `Method` on the arguments, and its result is the answer.
+///   auto call = slave_.inverse_kinematics.start(pose);   look at call.poll() in a control loop
+///   call.within(20ms)                                    or wait, for a bounded time
+template <class Contract, auto Method, class ArgumentsSlot, class ResultSlot, class ReturnType,
+          class... Arguments>
+class AnsweredCommand {
  public:
   using Value = std::remove_cvref_t<ReturnType>;
 
-  QualifiedReadCommand(RequiredBase& required, std::uint16_t id) : required_(required), id_(id) {}
+  AnsweredCommand(RequiredBase& required, std::uint16_t id) : required_(required), id_(id) {}
 
   [[nodiscard]] Call<Result<Value>, ResultSlot> start(Arguments... arguments) {
-    if (const Errc error = required_.unusable(); error != Errc{}) return error;
+    if (const Errc error = required_.unusable(id_); error != Errc{}) return error;
     if (required_.device() != nullptr) return askDevice(arguments...);
     auto* pending = required_.openCall();
     if (pending == nullptr) return Errc::TooManyCalls;
-    return {required_, *pending, required_.send(id_, pending->number, [&](std::byte* memory) {
-              return store(arguments..., *reinterpret_cast<ArgumentsSlot*>(memory));
+    return {required_, *pending, required_.info_.commands[id_].deadline,
+            required_.send(id_, pending->number, [&]([[maybe_unused]] std::byte* memory) {
+              if constexpr (sizeof...(Arguments) == 0) {
+                return true;
+              } else {
+                return store(arguments..., *reinterpret_cast<ArgumentsSlot*>(memory));
+              }
             })};
   }
 
  private:
   Result<Value> askDevice(Arguments... arguments) {
     Value value{};
-    const Errc error = required_.template callDevice<const Contract>(
-        [&](const Contract& contract) { value = (contract.*Method)(arguments...); });
+    const Errc error = required_.template callDevice<Contract>(
+        [&](Contract& contract) { value = (contract.*Method)(arguments...); });
     return error == Errc{} ? Result<Value>(std::move(value)) : tl::unexpected(error);
   }
 
   RequiredBase& required_;
   std::uint16_t id_;
+};
+
+/// A qualified read: a question with arguments, to which the answer changes nothing.
+template <auto Method, class ArgumentsSlot, class ResultSlot>
+class QualifiedReadCommand;
+
+template <class Contract, class ReturnType, class... Arguments,
+          ReturnType (Contract::*Method)(Arguments...) const, class ArgumentsSlot, class ResultSlot>
+class QualifiedReadCommand<Method, ArgumentsSlot, ResultSlot>
+    : public AnsweredCommand<const Contract, Method, ArgumentsSlot, ResultSlot, ReturnType,
+                             Arguments...> {
+ public:
+  using QualifiedReadCommand::AnsweredCommand::AnsweredCommand;
+};
+
+/// A void or write command that returns a value: queued like any other, and the answer brings what
+/// it returned.
+template <auto Method, class ArgumentsSlot, class ResultSlot>
+class ReturningCommand;
+
+template <class Contract, class ReturnType, class... Arguments,
+          ReturnType (Contract::*Method)(Arguments...), class ArgumentsSlot, class ResultSlot>
+class ReturningCommand<Method, ArgumentsSlot, ResultSlot>
+    : public AnsweredCommand<Contract, Method, ArgumentsSlot, ResultSlot, ReturnType,
+                             Arguments...> {
+ public:
+  using ReturningCommand::AnsweredCommand::AnsweredCommand;
 };
 
 }  // namespace suture

@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <memory>
+#include <tuple>
 
 namespace suture {
 
@@ -29,15 +30,15 @@ class Emitter<void> {
   std::uint16_t event_;
 };
 
-template <class Slot, class Payload>
-class Emitter<Slot, Payload> {
+template <class Slot, class... Payload>
+class Emitter {
  public:
   Emitter(ProvidedBase& provided, std::uint16_t event) : provided_(provided), event_(event) {}
   /// Never blocks, never allocates. Errc::TooLarge if the payload exceeds its declared capacity;
   /// nobody gets it then.
-  Result<void> operator()(const Payload& payload) {
+  Result<void> operator()(const Payload&... payload) {
     Slot slot;
-    if (!store(payload, slot)) return tl::unexpected(Errc::TooLarge);
+    if (!store(payload..., slot)) return tl::unexpected(Errc::TooLarge);
     provided_.emit(event_, std::as_bytes(std::span(&slot, 1)));
     return {};
   }
@@ -67,17 +68,23 @@ class Subscription<void> {
   std::uint16_t event_;
 };
 
-template <class Slot, class Payload>
-class Subscription<Slot, Payload> {
+template <class Slot, class... Payload>
+class Subscription {
  public:
   Subscription(RequiredBase& required, std::uint16_t event) : required_(required), event_(event) {}
-  void operator()(std::function<void(const Payload&)> handler) {
+  void operator()(std::function<void(const Payload&...)> handler) {
     // One object for all events of this kind, so that what it owns is allocated once.
-    required_.handlers_[event_] = [handler = std::move(handler),
-                                   scratch = std::make_shared<Payload>()](const std::byte* slot) {
-      load(*reinterpret_cast<const Slot*>(slot), *scratch);
-      handler(*scratch);
-    };
+    required_.handlers_[event_] =
+        [handler = std::move(handler),
+         scratch = std::make_shared<std::tuple<Payload...>>()](const std::byte* memory) {
+          const auto& slot = *reinterpret_cast<const Slot*>(memory);
+          std::apply(
+              [&](Payload&... payload) {
+                load(slot, payload...);
+                handler(payload...);
+              },
+              *scratch);
+        };
     required_.subscribed_ |= EventSet{1} << event_;
   }
 

@@ -14,17 +14,21 @@ class Binding;
 
 namespace suture {
 
-enum class CommandKind : std::uint8_t { Void, Write, Read, QualifiedRead };
+enum class CommandKind : std::uint8_t { Void, Write, Read, QualifiedRead, VoidReturn, WriteReturn };
+
+/// How long within() waits for the answer of a command that states no deadline().
+inline constexpr Duration kDefaultDeadline = std::chrono::seconds(1);
 
 struct CommandInfo {
   const char* name;  ///< as in C++: "servo_cp"
   CommandKind kind;
-  std::uint32_t argumentsSize;  ///< bytes of the arguments' slot; 0: none
-  std::uint32_t resultSize;     ///< bytes of the result's slot; 0: none
-  std::uint32_t depth;          ///< how many may wait at the provider
-  bool latest;                  ///< newest wins
-  Duration ttl;                 ///< discarded when older; 0: never
-  int column;                   ///< of a read: its column in the state table; else -1
+  std::uint32_t argumentsSize;           ///< bytes of the arguments' slot; 0: none
+  std::uint32_t resultSize;              ///< bytes of the result's slot; 0: none
+  std::uint32_t depth;                   ///< how many may wait at the provider
+  bool latest;                           ///< newest wins
+  Duration ttl;                          ///< discarded when older; 0: never
+  int column;                            ///< of a read: its column in the state table; else -1
+  Duration deadline = kDefaultDeadline;  ///< how long within() waits by itself
 };
 
 struct EventInfo {
@@ -43,7 +47,17 @@ struct InterfaceInfo {
   std::span<const CommandInfo> commands;
   std::span<const EventInfo> events;
   const rpc::Binding& (*binding)();  ///< how the contract travels over Cap'n Proto
+  /// The contract that this one derives from, or null. Its commands, events and columns are the
+  /// first of this one's.
+  const InterfaceInfo& (*base)() = nullptr;
+  void* (*toBase)(void* implementation) = nullptr;  ///< from this contract to its base
 };
+
+/// InterfaceInfo::toBase of a contract and its base.
+template <class Contract, class Base>
+void* castToBase(void* implementation) {
+  return static_cast<Base*>(static_cast<Contract*>(implementation));
+}
 
 /// The tables of `Contract`. Each contract's generated header "X.suture.h" declares its own.
 template <class Contract>

@@ -35,6 +35,15 @@ ProvidedBase::ProvidedBase(Component& owner, std::string_view name, const Interf
   owner.provided_.push_back(this);
 }
 
+void* ProvidedBase::implementation(const InterfaceInfo& contract) const {
+  void* pointer = implementation_;
+  for (const InterfaceInfo* one = &info_; one != &contract && one->base != nullptr;
+       one = &one->base()) {
+    pointer = one->toBase(pointer);
+  }
+  return pointer;
+}
+
 void ProvidedBase::attach(std::shared_ptr<Channel> channel) {
   if (!owner_.ownsThread()) replayLatched(*channel);
   if (owner_.state() == ComponentState::Faulted) channel->status = ChannelStatus::Faulted;

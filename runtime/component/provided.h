@@ -27,8 +27,9 @@ class ProvidedBase {
   Component& owner() const { return owner_; }
   const std::shared_ptr<rt::StateTable>& state() const { return state_; }
   const ChannelList& channels() const { return channels_; }
-  /// The implementation, as the Contract* that a local client of a device calls directly.
-  void* implementation() const { return implementation_; }
+  /// The implementation, as a pointer to `contract`, which is this one's or one of its bases: what
+  /// a local client of a device calls directly.
+  void* implementation(const InterfaceInfo& contract) const;
 
   /// Any thread: one more client. It is served from the next cycle on.
   void attach(std::shared_ptr<Channel> channel);

@@ -46,6 +46,12 @@ Errc RequiredBase::unusable() {
   return errorOf(channel_->status.load(std::memory_order_acquire));
 }
 
+Errc RequiredBase::unusable(std::uint16_t command) {
+  const Errc error = unusable();
+  if (error != Errc{} || command < channel_->offered) return error;
+  return Errc::NotImplemented;
+}
+
 void RequiredBase::handleEvents() {
   adopt();
   if (channel_ == nullptr) return;

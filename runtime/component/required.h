@@ -13,6 +13,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace suture {
@@ -32,6 +33,8 @@ class RequiredBase {
   bool connected() { return unusable() == Errc{}; }
   /// Why they cannot; 0 if they can.
   Errc unusable();
+  /// The same for one command, which the provider may lack.
+  Errc unusable(std::uint16_t command);
 
   /// The events that have a handler.
   EventSet subscribed() const { return subscribed_; }
@@ -58,8 +61,8 @@ class RequiredBase {
   friend class Command;
   template <auto, class>
   friend class ReadCommand;
-  template <auto, class, class>
-  friend class QualifiedReadCommand;
+  template <class, auto, class, class, class, class...>
+  friend class AnsweredCommand;
   template <class, class...>
   friend class Subscription;
 
@@ -102,7 +105,8 @@ class RequiredBase {
 template <class Contract, class Body>
 Errc RequiredBase::callDevice(const Body& body) {
   try {
-    body(*static_cast<Contract*>(device()->implementation()));
+    const InterfaceInfo& contract = interfaceInfo<std::remove_const_t<Contract>>();
+    body(*static_cast<Contract*>(device()->implementation(contract)));
     return Errc{};
   } catch (const std::exception& error) {
     device()->owner().park(error.what());

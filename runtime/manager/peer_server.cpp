@@ -130,9 +130,9 @@ void PeerServer::accept(ProvidedBase& provided, const Endpoint& endpoint, Connec
   const std::string name = client.toString() + " -> " + endpoint.toString();
   const std::string contract = stringOf(in.getContract()), hash = stringOf(in.getHash()),
                     description = stringOf(in.getDescription());
+  std::size_t offered = 0;
   try {
-    requireSameContract(requiredInfo(contract, hash, description), provided.info().name,
-                        provided.info().hash, provided.info().description, name);
+    offered = requireSameContract(requiredInfo(contract, hash, description), provided.info(), name);
   } catch (const SetupError& error) {
     toWire({Kind::CONTRACT_MISMATCH, error.what()}, context.getResults().initRefused());
     return;
@@ -141,6 +141,7 @@ void PeerServer::accept(ProvidedBase& provided, const Endpoint& endpoint, Connec
   auto port = serve(provided, name, in.getEvents(), Duration(-in.getClockOffset()));
   port->setListener(kj::heap<NoticesSender>(host_.control_, in.getNotices()));
   auto accepted = context.getResults().initAccepted();
+  accepted.setOffered(static_cast<std::uint16_t>(offered));
   accepted.setConnection(kj::heap<ConnectionServer>(kj::addRef(*port)));
   accepted.setContract(provided.info().binding().makeServant(kj::mv(port)));
 }

@@ -127,6 +127,7 @@ kj::Promise<void> RemoteConnection::ask() {
 
 void RemoteConnection::begin(wire::ConnectResults::Accepted::Reader accepted) {
   connection_ = accepted.getConnection();
+  channel_->offered = std::min<std::size_t>(accepted.getOffered(), channel_->info.commands.size());
   auto& port = *KJ_ASSERT_NONNULL(port_);
   port.open(required_.info().binding().makeProxy(accepted.getContract(), port));
   required_.attach(channel_);

@@ -1,32 +1,40 @@
 #include <suture/wiring/connect.h>
 #include <suture/wiring/differences.h>
+#include <suture/wiring/optional_commands.h>
+
+#include <algorithm>
+#include <string_view>
 
 namespace suture {
 
-void requireSameContract(const InterfaceInfo& required, std::string_view providedContract,
-                         std::string_view providedHash, std::string_view providedDescription,
-                         const std::string& connection) {
-  if (required.hash == providedHash) return;
-  std::string found = "it requires " + std::string(required.name) + " and is offered " +
-                      std::string(providedContract);
-  for (const std::string& line : differences(required.description, providedDescription)) {
+std::size_t requireSameContract(const InterfaceInfo& required, const InterfaceInfo& provided,
+                                const std::string& connection) {
+  for (const InterfaceInfo* one = &provided;; one = &one->base()) {
+    if (std::string_view(required.hash) == one->hash) return kAllCommands;
+    if (const auto common = commonCommands(required.description, one->description)) return *common;
+    if (one->base == nullptr) break;
+  }
+  std::string found =
+      "it requires " + std::string(required.name) + " and is offered " + provided.name;
+  for (const std::string& line : differences(required.description, provided.description)) {
     found += "\n    " + line;
   }
   throw SetupError("connecting " + connection, found + "\n  ",
-                   required.name == providedContract ? "Build both sides from the same header"
-                                                     : "Connect interfaces of the same contract");
+                   std::string_view(required.name) == provided.name
+                       ? "Build both sides from the same header"
+                       : "Connect interfaces of the same contract");
 }
 
 std::shared_ptr<Channel> connectLocally(RequiredBase& required, ProvidedBase& provided,
                                         const std::string& connection) {
-  requireSameContract(required.info(), provided.info().name, provided.info().hash,
-                      provided.info().description, connection);
+  const std::size_t offered = requireSameContract(required.info(), provided.info(), connection);
   Component& provider = provided.owner();
   const Channel::Ends ends{.client = &required.owner().doorbell(),
                            .provider = &provider.doorbell(),
                            .device = provider.ownsThread() ? nullptr : &provided};
   auto channel = std::make_shared<Channel>(required.info(), connection, "local", ends,
                                            provided.state(), required.subscribed());
+  channel->offered = std::min(offered, required.info().commands.size());
   provided.attach(channel);
   required.attach(channel);
   return channel;

@@ -9,10 +9,11 @@
 
 namespace suture {
 
-/// Throws SetupError, naming every difference, unless the two contracts are the same.
-void requireSameContract(const InterfaceInfo& required, std::string_view providedContract,
-                         std::string_view providedHash, std::string_view providedDescription,
-                         const std::string& connection);
+/// Throws SetupError, naming every difference, unless the provided contract is the required one, or
+/// derives from it, or differs from it in optional commands alone. Returns how many of the required
+/// commands, from the first, the provider has.
+std::size_t requireSameContract(const InterfaceInfo& required, const InterfaceInfo& provided,
+                                const std::string& connection);
 
 /// The `local` lane: one channel that both ends share. Takes effect at each end's next cycle.
 /// Throws SetupError if the contracts differ.

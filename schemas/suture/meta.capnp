@@ -53,6 +53,21 @@ annotation latest @0xc849b8fe6fa70774 (method) :Void;
 annotation ttl @0xa9274b46a0b5d1f3 (method) :Int64;
 # Nanoseconds after which a waiting command is discarded.
 
+annotation deadline @0xc9d7bd12c2be7f41 (method) :Int64;
+# Nanoseconds that a caller waits for the answer when it does not say otherwise.
+
+annotation optional @0xb6f1b4d0a4f4a6a8 (field, method) :Void;
+# A provider may lack it.
+
+annotation concurrent @0xd8f27cc9a1f5a3b6 (method) :Void;
+# May run while the component runs.
+
+annotation direct @0xae3e7dd9f1c64d27 (method) :Void;
+# Needs no queue.
+
+annotation version @0xf5d6a4cd23f0b9c4 (interface) :UInt32;
+# break. The major version of the contract where it is not 1.
+
 annotation latched @0xe2f9c1d7b8405a6e (method) :Void;
 # A late subscriber receives the last value.
 

@@ -60,6 +60,8 @@ struct ConnectResults {
       contract @0 :Capability;
       # The capability of the contract's own interface (its generated schema).
       connection @1 :Connection;
+      offered @3 :UInt16 = 65535;
+      # How many of the caller's commands, from the first, the provider has: it may lack optional ones.
     }
     refused @2 :Manager.Refusal;
   }

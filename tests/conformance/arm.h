@@ -11,11 +11,12 @@
 #include <string>
 #include <vector>
 
-#include "reference/arm_like.suture.h"
+#include "reference/gripper_arm.suture.h"
 
 namespace conformance {
 
 using reference::ArmLike;
+using reference::GripperArm;
 using reference::JointState;
 using reference::Mode;
 using reference::PoseStamped;
@@ -52,7 +53,7 @@ class Gate {
 };
 
 /// The contract's implementation. Its log may be read by any thread.
-class RecordingArm : public ArmLike {
+class RecordingArm : public GripperArm {
  public:
   void servo_cp(const PoseStamped& goal) override {
     log("servo_cp " + std::to_string(static_cast<int>(goal.pose.translation().x())));
@@ -82,6 +83,30 @@ class RecordingArm : public ArmLike {
     return (measured_cp().pose.translation() - to.pose.translation()).norm();
   }
 
+  bool move(const PoseStamped& goal, double speed, const std::string& reason) override {
+    if (reason == "wait") gate.pass();
+    if (reason == "throw") throw std::runtime_error("the drive did not answer");
+    servo_cp(goal);
+    log("move " + std::to_string(static_cast<int>(speed * 100)) + "% " + reason);
+    return speed > 0.5;
+  }
+  std::uint32_t reset() override {
+    const std::lock_guard lock(mutex_);
+    const auto forgotten = static_cast<std::uint32_t>(log_.size());
+    log_.clear();
+    return forgotten;
+  }
+  void limit(double speed, Mode mode) override {
+    log("limit " + std::to_string(static_cast<int>(speed)) +
+        (mode == Mode::Enabled ? " enabled" : " disabled"));
+  }
+  double close(double width) override {
+    log("close");
+    opening_ = width / 2;
+    return opening_;
+  }
+  double opening() const override { return opening_; }
+
   std::vector<std::string> taken() const {
     const std::lock_guard lock(mutex_);
     return log_;
@@ -106,24 +131,31 @@ class RecordingArm : public ArmLike {
   std::vector<std::string> log_;
   PoseStamped measured_;
   JointState joints_;
+  std::atomic<double> opening_{0};
+};
+
+/// What a component provides: the contract, and one that derives from it.
+struct Ports {
+  suture::Provided<ArmLike>& arm;
+  suture::Provided<GripperArm>& gripper;
 };
 
 /// Emits, in the provider's own thread, what the test asks for.
 class Emissions {
  public:
-  void ask(std::function<void(suture::Provided<ArmLike>&)> emission) {
+  void ask(std::function<void(Ports)> emission) {
     const std::lock_guard lock(mutex_);
     asked_.push_back(std::move(emission));
   }
-  void perform(suture::Provided<ArmLike>& provided) {
+  void perform(Ports ports) {
     const std::lock_guard lock(mutex_);
-    for (auto& emission : asked_) emission(provided);
+    for (auto& emission : asked_) emission(ports);
     asked_.clear();
   }
 
  private:
   std::mutex mutex_;
-  std::vector<std::function<void(suture::Provided<ArmLike>&)>> asked_;
+  std::vector<std::function<void(Ports)>> asked_;
 };
 
 /// What every kind of provider offers the test.
@@ -131,7 +163,7 @@ class ArmComponent : public RecordingArm {
  public:
   virtual suture::Component& component() = 0;
   /// Has `emission` run where this kind of component emits.
-  virtual void emitSoon(std::function<void(suture::Provided<ArmLike>&)> emission) = 0;
+  virtual void emitSoon(std::function<void(Ports)> emission) = 0;
 };
 
 template <class Task>
@@ -139,28 +171,28 @@ class ArmTask final : public Task, public ArmComponent {
  public:
   using Task::Task;
   suture::Component& component() override { return *this; }
-  void emitSoon(std::function<void(suture::Provided<ArmLike>&)> emission) override {
+  void emitSoon(std::function<void(Ports)> emission) override {
     emissions_.ask(std::move(emission));
     this->doorbell().ring();
   }
 
  private:
-  void run() override { emissions_.perform(arm_); }
+  void run() override { emissions_.perform({arm_, gripper_}); }
 
   Emissions emissions_;
   suture::Provided<ArmLike> arm_{*this, "Arm", *this};
+  suture::Provided<GripperArm> gripper_{*this, "Gripper", *this};
 };
 
 class ArmDevice final : public suture::Device, public ArmComponent {
  public:
   ArmDevice() : Device(std::chrono::milliseconds(2)) {}
   suture::Component& component() override { return *this; }
-  void emitSoon(std::function<void(suture::Provided<ArmLike>&)> emission) override {
-    emission(arm_);
-  }
+  void emitSoon(std::function<void(Ports)> emission) override { emission({arm_, gripper_}); }
 
  private:
   suture::Provided<ArmLike> arm_{*this, "Arm", *this};
+  suture::Provided<GripperArm> gripper_{*this, "Gripper", *this};
 };
 
 }  // namespace conformance

@@ -8,6 +8,7 @@
 #include <functional>
 #include <future>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "conformance/arm.h"
@@ -15,11 +16,14 @@
 namespace conformance {
 
 using Arm = suture::Required<ArmLike>;
+using Gripper = suture::Required<GripperArm>;
 
 /// What arrived as events.
 struct Received {
   std::vector<Mode> modes;
   std::vector<double> arrivals;
+  std::vector<std::pair<double, double>> moves;
+  std::vector<double> grips;
   int stops = 0;
 };
 
@@ -29,22 +33,36 @@ class Client {
   virtual suture::Component& component() = 0;
   /// Runs `work` in the client's thread and returns when it has ended.
   virtual void with(const std::function<void(Arm&)>& work) = 0;
+  /// The same with the other interface, where it is connected.
+  void withGripper(const std::function<void(Gripper&)>& work) {
+    with([&](Arm&) { work(gripper()); });
+  }
   /// Has the client look for events until `enough` says so of what has been received, at most 10 s.
   virtual bool await(const std::function<bool(const Received&)>& enough) = 0;
 
  protected:
+  virtual Gripper& gripper() = 0;
+  static void listen(Gripper& gripper, Received& received) {
+    gripper.on().gripped([&received](double width) { received.grips.push_back(width); });
+  }
   static void listen(Arm& arm, Received& received) {
     arm.on().mode([&received](const Mode& mode) { received.modes.push_back(mode); });
     arm.on().arrived([&received](const PoseStamped& pose) {
       received.arrivals.push_back(pose.pose.translation().x());
     });
     arm.on().stopped([&received] { ++received.stops; });
+    arm.on().moved([&received](const PoseStamped& pose, double speed) {
+      received.moves.emplace_back(pose.pose.translation().x(), speed);
+    });
   }
 };
 
 class TaskClient final : public suture::EventTask, public Client {
  public:
-  TaskClient() { listen(arm_, received_); }
+  TaskClient() {
+    listen(arm_, received_);
+    listen(gripper_, received_);
+  }
   suture::Component& component() override { return *this; }
   void with(const std::function<void(Arm&)>& work) override {
     std::packaged_task<void()> task([this, &work] { work(arm_); });
@@ -79,12 +97,18 @@ class TaskClient final : public suture::EventTask, public Client {
   std::mutex mutex_;
   std::vector<std::packaged_task<void()>> work_;
   Received received_;
+  Gripper& gripper() override { return gripper_; }
+
   Arm arm_{*this, "Arm"};
+  Gripper gripper_{*this, "Gripper"};
 };
 
 class DeviceClient final : public suture::Device, public Client {
  public:
-  DeviceClient() { listen(arm_, received_); }
+  DeviceClient() {
+    listen(arm_, received_);
+    listen(gripper_, received_);
+  }
   suture::Component& component() override { return *this; }
   void with(const std::function<void(Arm&)>& work) override { work(arm_); }
   bool await(const std::function<bool(const Received&)>& enough) override {
@@ -96,7 +120,10 @@ class DeviceClient final : public suture::Device, public Client {
 
  private:
   Received received_;
+  Gripper& gripper() override { return gripper_; }
+
   Arm arm_{*this, "Arm"};
+  Gripper gripper_{*this, "Gripper"};
 };
 
 }  // namespace conformance

@@ -7,27 +7,31 @@ namespace {
 class Events : public Conformance {};
 
 TEST_P(Events, AVoidEventArrives) {
-  arm->emitSoon([](suture::Provided<ArmLike>& provided) { provided.emit().stopped(); });
+  arm->emitSoon([](Ports ports) { ports.arm.emit().stopped(); });
   EXPECT_TRUE(client->await([](const Received& received) { return received.stops == 1; }));
 }
 
 TEST_P(Events, AWriteEventBringsItsPayload) {
-  arm->emitSoon(
-      [](suture::Provided<ArmLike>& provided) { EXPECT_TRUE(provided.emit().arrived(poseAt(4))); });
+  arm->emitSoon([](Ports ports) { EXPECT_TRUE(ports.arm.emit().arrived(poseAt(4))); });
   EXPECT_TRUE(client->await(
       [](const Received& received) { return received.arrivals == std::vector<double>{4}; }));
 }
 
 TEST_P(Events, TheirOrderHolds) {
   for (int x = 1; x <= 50; ++x) {
-    arm->emitSoon([x](suture::Provided<ArmLike>& provided) {
-      EXPECT_TRUE(provided.emit().arrived(poseAt(x)));
-    });
+    arm->emitSoon([x](Ports ports) { EXPECT_TRUE(ports.arm.emit().arrived(poseAt(x))); });
     ASSERT_TRUE(client->await([x](const Received& received) {
       return received.arrivals.size() == static_cast<std::size_t>(x) &&
              received.arrivals.back() == x;
     }));
   }
+}
+
+TEST_P(Events, SeveralValuesArriveTogether) {
+  arm->emitSoon([](Ports ports) { EXPECT_TRUE(ports.arm.emit().moved(poseAt(4), 0.25)); });
+  EXPECT_TRUE(client->await([](const Received& received) {
+    return received.moves == std::vector<std::pair<double, double>>{{4, 0.25}};
+  }));
 }
 
 INSTANTIATE_TEST_SUITE_P(Lanes, Events, allCombinations(), nameOf);

@@ -66,8 +66,12 @@ void Conformance::SetUp() {
   clientManager_->add("Console", client->component());
   providerManager_->start();
   if (ownClientManager_ != nullptr) ownClientManager_->start();
-  clientManager_->connect("Console/Arm",
-                          lane == LaneUnderTest::Local ? "PSM/Arm" : "provider:PSM/Arm");
+  connect("Arm", provided());
+}
+
+void Conformance::connect(const std::string& required, const std::string& provided) {
+  const bool local = std::get<0>(GetParam()) == LaneUnderTest::Local;
+  clientManager_->connect("Console/" + required, (local ? "PSM/" : "provider:PSM/") + provided);
 }
 
 void Conformance::TearDown() {

@@ -28,6 +28,9 @@ class Conformance : public testing::TestWithParam<Combination> {
   void SetUp() override;
   void TearDown() override;
 
+  /// Connects another required interface of the client.
+  void connect(const std::string& required, const std::string& provided);
+
   bool providerIsDevice() const { return std::get<1>(GetParam()) == ProviderKind::Device; }
   bool runsInCallersThread() const {
     return providerIsDevice() && std::get<0>(GetParam()) == LaneUnderTest::Local;
@@ -48,6 +51,8 @@ class Conformance : public testing::TestWithParam<Combination> {
   /// The connection as the client's process sees it.
   std::shared_ptr<suture::Channel> channel() const { return clientManager_->channels().at(0); }
 
+  /// The provided interface that the client's "Arm" is connected to.
+  virtual const char* provided() const { return "Arm"; }
   /// The provider's process goes away; its component object stays.
   void stopProvider();
 

@@ -42,6 +42,14 @@ interface ArmLike @0xeba4d683d0a91822 $Meta.cxx("reference::ArmLike") {
       $Meta.kind("read");
   measuredJs @6 (sent :Rpc.Sent) -> (value :JointState) $Meta.cxx("measured_js") $Meta.kind("read");
   distance @7 (to :PoseStamped, sent :Rpc.Sent) -> (value :Float64) $Meta.kind("qualifiedRead");
+  move @8 (goal :PoseStamped, speed :Float64 $Meta.range(lowest = 0, highest = 1), reason :Text $Meta.capacity([15]), sent :Rpc.Sent) -> (value :Bool)
+      $Meta.deadline(200000000) $Meta.kind("writeReturn") $Meta.queue(16);
+  # Moves along a line; answers whether it can.
+  reset @9 (sent :Rpc.Sent) -> (value :UInt32) $Meta.kind("voidReturn") $Meta.queue(16);
+  # Forgets what it was told; answers how much that was.
+  limit @10 (speed :Float64, mode :Mode, sent :Rpc.Sent) -> () $Meta.kind("write") $Meta.queue(2);
+  park @11 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.optional $Meta.queue(16);
+  # Folds the arm.
 }
 
 interface ArmLikeEvents @0xdb1787086decafde $Meta.eventsOf("reference::ArmLike") {
@@ -52,6 +60,8 @@ interface ArmLikeEvents @0xdb1787086decafde $Meta.eventsOf("reference::ArmLike")
   mode @1 (value :Mode) -> () $Meta.latched $Meta.queue(16);
   arrived @2 (value :PoseStamped) -> () $Meta.queue(4);
   stopped @3 () -> () $Meta.queue(16);
+  moved @4 (value :PoseStamped, value2 :Float64) -> () $Meta.queue(16);
+  # Where it is and how fast.
 }
 
 struct ArmLikeStateRow @0xd6b993de04cbfb08 $Meta.stateOf("reference::ArmLike") {

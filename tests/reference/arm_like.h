@@ -37,9 +37,20 @@ class SUTURE_INTERFACE() ArmLike {
   SUTURE_COMMAND() virtual PoseStamped measured_cp() const = 0;
   SUTURE_COMMAND() virtual const JointState& measured_js() const = 0;
   SUTURE_COMMAND() virtual double distance(const PoseStamped& to) const = 0;
+  /// Moves along a line; answers whether it can.
+  SUTURE_COMMAND(deadline(200ms))
+  virtual bool move(const PoseStamped& goal, SUTURE_FIELD(range(0, 1)) double speed,
+                    SUTURE_FIELD(capacity(15)) const std::string& reason) = 0;
+  /// Forgets what it was told; answers how much that was.
+  SUTURE_COMMAND() virtual std::uint32_t reset() = 0;
+  SUTURE_COMMAND(queue(2)) virtual void limit(double speed, Mode mode) = 0;
+  /// Folds the arm.
+  SUTURE_COMMAND(optional()) virtual void park() {}
   SUTURE_EVENT(latched(), name("mode")) suture::EventOf<Mode> mode_event;
   SUTURE_EVENT(queue(4)) suture::EventOf<PoseStamped> arrived;
   SUTURE_EVENT() suture::EventOf<> stopped;
+  /// Where it is and how fast.
+  SUTURE_EVENT() suture::EventOf<PoseStamped, double> moved;
 };
 
 }  // namespace reference

@@ -97,6 +97,39 @@ constexpr CommandInfo kArmLikeCommands[] = {
      .latest = false,
      .ttl = Duration(0),
      .column = -1},
+    {.name = "move",
+     .kind = CommandKind::WriteReturn,
+     .argumentsSize = sizeof(ArmLikeMoveArguments),
+     .resultSize = sizeof(std::uint8_t),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1,
+     .deadline = Duration(200'000'000)},
+    {.name = "reset",
+     .kind = CommandKind::VoidReturn,
+     .argumentsSize = 0,
+     .resultSize = sizeof(std::uint32_t),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "limit",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(ArmLikeLimitArguments),
+     .resultSize = 0,
+     .depth = 2,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "park",
+     .kind = CommandKind::Void,
+     .argumentsSize = 0,
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
 };
 
 constexpr EventInfo kArmLikeEvents[] = {
@@ -111,6 +144,11 @@ constexpr EventInfo kArmLikeEvents[] = {
      .latest = false,
      .latched = false},
     {.name = "stopped", .payloadSize = 0, .depth = 16, .latest = false, .latched = false},
+    {.name = "moved",
+     .payloadSize = sizeof(ArmLikeMovedPayload),
+     .depth = 16,
+     .latest = false,
+     .latched = false},
 };
 
 // The self-description, as in reference/arm_like.suture.json.
@@ -193,6 +231,13 @@ class ArmLikeSink final : public suture::rpc::EventSink {
       }
       case ArmLikeEvent::stopped: {
         return subscriber_.stoppedRequest().send().ignoreResult();
+      }
+      case ArmLikeEvent::moved: {
+        const auto& slot = *reinterpret_cast<const ArmLikeMovedPayload*>(payload);
+        auto request = subscriber_.movedRequest();
+        toWire(slot.value, request.initValue());
+        request.setValue2(slot.value2);
+        return request.send().ignoreResult();
       }
     }
     return kj::READY_NOW;
@@ -308,6 +353,55 @@ class ArmLikeServant final : public wire::ArmLike::Server {
     return port_->call(commandId(ArmLikeCommand::distance), in.getSent(), fill, kj::mv(take));
   }
 
+  kj::Promise<void> move(MoveContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<ArmLikeMoveArguments*>(memory);
+      slot.speed = in.getSpeed();
+      const Errc error = firstError({
+          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid,
+          fromWire(in.getReason(), slot.reason),
+      });
+      if (error != Errc{}) return error;
+      return isValid(slot.goal) && inRange(slot.speed, 0, 1) ? Errc{} : Errc::Invalid;
+    };
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
+      auto out = context.getResults();
+      out.setValue(slot != 0);
+    };
+    return port_->call(commandId(ArmLikeCommand::move), in.getSent(), fill, kj::mv(take));
+  }
+
+  kj::Promise<void> reset(ResetContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const std::uint32_t*>(result);
+      auto out = context.getResults();
+      out.setValue(slot);
+    };
+    return port_->call(commandId(ArmLikeCommand::reset), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> limit(LimitContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<ArmLikeLimitArguments*>(memory);
+      slot.speed = in.getSpeed();
+      const Errc error = fromWire(in.getMode(), slot.mode);
+      if (error != Errc{}) return error;
+      return isValid(slot.speed) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(ArmLikeCommand::limit), in.getSent(), fill);
+  }
+
+  kj::Promise<void> park(ParkContext context) override {
+    auto in = context.getParams();
+    return port_->command(commandId(ArmLikeCommand::park), in.getSent(),
+                          [](std::byte*) { return Errc{}; });
+  }
+
  private:
   static std::uint16_t commandId(ArmLikeCommand command) {
                                                           return static_cast<std::uint16_t>(command); }
@@ -359,6 +453,15 @@ class ArmLikeReceiver final : public wire::ArmLikeEvents::Server {
 
   kj::Promise<void> stopped(StoppedContext) override {
     return port_->event(eventId(ArmLikeEvent::stopped));
+  }
+
+  kj::Promise<void> moved(MovedContext context) override {
+    auto in = context.getParams();
+    ArmLikeMovedPayload slot;
+    slot.value2 = in.getValue2();
+    const Errc error =
+        in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
+    return port_->event(eventId(ArmLikeEvent::moved), error, slot);
   }
 
  private:
@@ -441,6 +544,43 @@ class ArmLikeProxy final : public suture::rpc::Proxy {
           });
         });
       }
+      case ArmLikeCommand::move: {
+        const auto& slot = *reinterpret_cast<const ArmLikeMoveArguments*>(record.arguments());
+        auto request = provider_.moveRequest();
+        toWire(slot.goal, request.initGoal());
+        request.setSpeed(slot.speed);
+        toWire(slot.reason, request.initReason(slot.reason.size));
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<std::uint8_t>(call, [&](std::uint8_t& answer) {
+            answer = response.getValue();
+            return Errc{};
+          });
+        });
+      }
+      case ArmLikeCommand::reset: {
+        auto request = provider_.resetRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<std::uint32_t>(call, [&](std::uint32_t& answer) {
+            answer = response.getValue();
+            return Errc{};
+          });
+        });
+      }
+      case ArmLikeCommand::limit: {
+        const auto& slot = *reinterpret_cast<const ArmLikeLimitArguments*>(record.arguments());
+        auto request = provider_.limitRequest();
+        request.setSpeed(slot.speed);
+        request.setMode(wireMode(slot.mode));
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case ArmLikeCommand::park: {
+        auto request = provider_.parkRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
     }
     return kj::READY_NOW;
   }
@@ -458,6 +598,9 @@ class ArmLikeBinding final : public suture::rpc::Binding {
   kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
                                         ProxyPort& port) const override {
     return kj::heap<ArmLikeProxy>(contract.castAs<wire::ArmLike>(), port);
+  }
+  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
+    return kj::heap<ArmLikeSink>(subscriber.castAs<wire::ArmLikeEvents>());
   }
 };
 
@@ -524,6 +667,30 @@ Errc Provided<reference::ArmLike>::execute(std::uint16_t command, const std::byt
       auto& answer = *reinterpret_cast<double*>(result);
       return store(implementation_.distance(scratch_.distance_to), answer)
           ? Errc{} : Errc::TooLarge;
+    }
+    case ArmLikeCommand::move: {
+      const auto& slot = *reinterpret_cast<const reference::ArmLikeMoveArguments*>(arguments);
+      load(slot.goal, scratch_.move_goal);
+      load(slot.speed, scratch_.move_speed);
+      load(slot.reason, scratch_.move_reason);
+      auto& answer = *reinterpret_cast<std::uint8_t*>(result);
+      return store(implementation_.move(scratch_.move_goal, scratch_.move_speed,
+                                        scratch_.move_reason), answer) ? Errc{} : Errc::TooLarge;
+    }
+    case ArmLikeCommand::reset: {
+      auto& slot = *reinterpret_cast<std::uint32_t*>(result);
+      return store(implementation_.reset(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case ArmLikeCommand::limit: {
+      const auto& slot = *reinterpret_cast<const reference::ArmLikeLimitArguments*>(arguments);
+      load(slot.speed, scratch_.limit_speed);
+      load(slot.mode, scratch_.limit_mode);
+      implementation_.limit(scratch_.limit_speed, scratch_.limit_mode);
+      return Errc{};
+    }
+    case ArmLikeCommand::park: {
+      implementation_.park();
+      return Errc{};
     }
   }
   return Errc::Invalid;

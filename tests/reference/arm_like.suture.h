@@ -91,6 +91,46 @@ inline bool store(const PoseStamped& to, ArmLikeDistanceArguments& slot) {
   return store(to, slot.to);
 }
 
+struct ArmLikeMoveArguments {
+  PoseStampedSlot goal;
+  double speed;
+  suture::BoundedText<15> reason;
+};
+
+inline bool store(const PoseStamped& goal, const double& speed, const std::string& reason,
+                  ArmLikeMoveArguments& slot) {
+  using suture::store;
+  return store(goal, slot.goal) && store(speed, slot.speed) && store(reason, slot.reason);
+}
+
+struct ArmLikeLimitArguments {
+  double speed;
+  std::uint8_t mode;  // Mode
+};
+
+inline bool store(const double& speed, const Mode& mode, ArmLikeLimitArguments& slot) {
+  using suture::store;
+  return store(speed, slot.speed) && store(mode, slot.mode);
+}
+
+// --- ArmLike: what its events carry ---
+
+struct ArmLikeMovedPayload {
+  PoseStampedSlot value;
+  double value2;
+};
+
+inline bool store(const PoseStamped& value, const double& value2, ArmLikeMovedPayload& slot) {
+  using suture::store;
+  return store(value, slot.value) && store(value2, slot.value2);
+}
+
+inline void load(const ArmLikeMovedPayload& slot, PoseStamped& value, double& value2) {
+  using suture::load;
+  load(slot.value, value);
+  load(slot.value2, value2);
+}
+
 /// The numbers of ArmLike's commands in every table and record.
 enum class ArmLikeCommand : std::uint16_t {
   servo_cp,
@@ -100,6 +140,10 @@ enum class ArmLikeCommand : std::uint16_t {
   measured_cp,
   measured_js,
   distance,
+  move,
+  reset,
+  limit,
+  park,
 };
 
 /// The numbers of ArmLike's events.
@@ -107,6 +151,7 @@ enum class ArmLikeEvent : std::uint16_t {
   mode,
   arrived,
   stopped,
+  moved,
 };
 
 }  // namespace reference
@@ -141,17 +186,30 @@ class Required<reference::ArmLike> final : public RequiredBase {
       *this, static_cast<std::uint16_t>(Id::measured_js)};
   QualifiedReadCommand<&Contract::distance, reference::ArmLikeDistanceArguments, double> distance{
       *this, static_cast<std::uint16_t>(Id::distance)};
+  /// Moves along a line; answers whether it can.
+  ReturningCommand<&Contract::move, reference::ArmLikeMoveArguments, std::uint8_t> move{
+      *this, static_cast<std::uint16_t>(Id::move)};
+  /// Forgets what it was told; answers how much that was.
+  ReturningCommand<&Contract::reset, NoSlot, std::uint32_t> reset{
+      *this, static_cast<std::uint16_t>(Id::reset)};
+  Command<&Contract::limit, reference::ArmLikeLimitArguments> limit{
+      *this, static_cast<std::uint16_t>(Id::limit)};
+  /// Folds the arm.
+  Command<&Contract::park, NoSlot> park{*this, static_cast<std::uint16_t>(Id::park)};
 
   /// The events of reference::ArmLike, to subscribe to.
   struct Events {
     explicit Events(RequiredBase& required)
         : mode{required, static_cast<std::uint16_t>(EventId::mode)},
           arrived{required, static_cast<std::uint16_t>(EventId::arrived)},
-          stopped{required, static_cast<std::uint16_t>(EventId::stopped)} {}
+          stopped{required, static_cast<std::uint16_t>(EventId::stopped)},
+          moved{required, static_cast<std::uint16_t>(EventId::moved)} {}
 
     Subscription<std::uint8_t, reference::Mode> mode;
     Subscription<reference::PoseStampedSlot, reference::PoseStamped> arrived;
     Subscription<void> stopped;
+    /// Where it is and how fast.
+    Subscription<reference::ArmLikeMovedPayload, reference::PoseStamped, double> moved;
   };
   Events& on() { return events_; }
 
@@ -175,11 +233,14 @@ class Provided<reference::ArmLike> final : public ProvidedBase {
     explicit Events(ProvidedBase& provided)
         : mode{provided, static_cast<std::uint16_t>(EventId::mode)},
           arrived{provided, static_cast<std::uint16_t>(EventId::arrived)},
-          stopped{provided, static_cast<std::uint16_t>(EventId::stopped)} {}
+          stopped{provided, static_cast<std::uint16_t>(EventId::stopped)},
+          moved{provided, static_cast<std::uint16_t>(EventId::moved)} {}
 
     Emitter<std::uint8_t, reference::Mode> mode;
     Emitter<reference::PoseStampedSlot, reference::PoseStamped> arrived;
     Emitter<void> stopped;
+    /// Where it is and how fast.
+    Emitter<reference::ArmLikeMovedPayload, reference::PoseStamped, double> moved;
   };
   Events& emit() { return events_; }
 
@@ -190,6 +251,11 @@ class Provided<reference::ArmLike> final : public ProvidedBase {
     reference::JointState servo_jp_goal;
     reference::Mode set_mode_mode;
     reference::PoseStamped distance_to;
+    reference::PoseStamped move_goal;
+    double move_speed;
+    std::string move_reason;
+    double limit_speed;
+    reference::Mode limit_mode;
   };
 
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;

@@ -37,6 +37,12 @@ class SUTURE_COMPONENT() SimulatedArm final : public suture::PeriodicTask, publi
   double distance(const PoseStamped& to) const override {
     return (measured_.pose.translation() - to.pose.translation()).norm();
   }
+  bool move(const PoseStamped& goal, double speed, const std::string&) override {
+    measured_ = goal;
+    return speed > 0;
+  }
+  std::uint32_t reset() override { return 0; }
+  void limit(double, Mode) override {}
 
  private:
   void run() override {}

@@ -38,13 +38,15 @@ class Proxy {
   virtual kj::Promise<void> subscribe(EventSet events, rt::ColumnSet columns) = 0;
 };
 
-/// The factory of both, one object a contract with static storage.
+/// The factory of all three, one object a contract with static storage.
 class Binding {
  public:
   /// The contract's own capability, served by `port`.
   virtual capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const = 0;
   /// Speaks to `contract`, which must be of the contract's interface. `port` outlives it.
   virtual kj::Own<Proxy> makeProxy(capnp::Capability::Client contract, ProxyPort& port) const = 0;
+  /// Speaks to `subscriber`, which must be of the contract's events interface.
+  virtual kj::Own<EventSink> makeSink(capnp::Capability::Client subscriber) const = 0;
 
  protected:
   ~Binding() = default;

@@ -20,13 +20,14 @@ kj::Exception remoteError(Errc error) {
 
 Errc errcOf(const kj::Exception& exception) {
   if (exception.getType() == kj::Exception::Type::DISCONNECTED) return Errc::OutcomeUnknown;
+  if (exception.getType() == kj::Exception::Type::UNIMPLEMENTED) return Errc::NotImplemented;
   const std::string text = describe(exception);
   unsigned number = 0;
   if (text.starts_with(kPrefix)) {
     std::from_chars(text.data() + kPrefix.size(), text.data() + text.size(), number);
   }
   const bool known = number >= static_cast<unsigned>(Errc::NotConnected) &&
-                     number <= static_cast<unsigned>(Errc::WrongThread);
+                     number <= static_cast<unsigned>(Errc::NotImplemented);
   return known ? static_cast<Errc>(number) : Errc::Invalid;
 }
 

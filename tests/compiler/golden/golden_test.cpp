@@ -57,7 +57,7 @@ void expectCommitted(const model::Artefact& artefact) {
 TEST(Golden, HandMadeModelGivesTheExpectedFiles) {
   model::Model model = sample::robots();
   const std::vector<model::Artefact> artefacts = allOf(model);
-  EXPECT_EQ(artefacts.size(), 8u);
+  EXPECT_EQ(artefacts.size(), 12u);
   for (const model::Artefact& artefact : artefacts) expectCommitted(artefact);
 
   // The other target's turn.

@@ -3,7 +3,7 @@
 file(REMOVE_RECURSE ${OUT})
 execute_process(
   COMMAND ${SUTUREC} --target-name reference --base-dir . --out ${OUT} --lock-dir .
-          reference/arm_like.h reference/simulated_arm.h -- -I. -I${RUNTIME} -isystem ${EIGEN}
+          reference/arm_like.h reference/gripper_arm.h reference/simulated_arm.h -- -I. -I${RUNTIME} -isystem ${EIGEN}
   WORKING_DIRECTORY ${TESTS}
   RESULT_VARIABLE status)
 if(status)
@@ -13,17 +13,20 @@ endif()
 function(read_normalised path result)
   file(READ ${path} text)
   string(FIND "${text}" "R\"json(" begin)
-  string(FIND "${text}" ")json\"" end)
-  if(NOT begin EQUAL -1)
-    math(EXPR length "${end} - ${begin}")
-    string(SUBSTRING "${text}" ${begin} ${length} description)
-    string(REPLACE "${description}" "" text "${text}")
-  endif()
+  while(NOT begin EQUAL -1)
+    string(SUBSTRING "${text}" 0 ${begin} before)
+    string(SUBSTRING "${text}" ${begin} -1 rest)
+    string(FIND "${rest}" ")json\"" end)
+    string(SUBSTRING "${rest}" ${end} -1 after)
+    string(APPEND before "R\"description")
+    set(text "${before}${after}")
+    string(FIND "${text}" "R\"json(" begin)
+  endwhile()
   string(REGEX REPLACE "\\.hash = \"[a-z0-9]+\"" "" text "${text}")
   set(${result} "${text}" PARENT_SCOPE)
 endfunction()
 
-foreach(name arm_like.suture.h arm_like.suture.cpp simulated_arm.suture.h simulated_arm.suture.cpp)
+foreach(name arm_like.suture.h arm_like.suture.cpp gripper_arm.suture.h gripper_arm.suture.cpp simulated_arm.suture.h simulated_arm.suture.cpp)
   read_normalised(${TESTS}/reference/${name} model)
   read_normalised(${OUT}/reference/${name} generated)
   if(NOT model STREQUAL generated)

@@ -206,7 +206,7 @@ TEST(Parameters, ComponentsAreCreatedByClass) {
   const auto component = type.create(suture::JsonReader(json, "", problems));
   ASSERT_NE(component, nullptr);
   EXPECT_EQ(component->provided().at(0)->name(), "Arm");
-  EXPECT_EQ(component->provided().at(0)->info().commands.size(), 7u);
+  EXPECT_EQ(component->provided().at(0)->info().commands.size(), 11u);
 }
 
 }  // namespace

@@ -18,6 +18,12 @@ class HostedArm final : public suture::EventTask, public ArmLike {
   double distance(const PoseStamped& to) const override {
     return (measured_.pose.translation() - to.pose.translation()).norm();
   }
+  bool move(const PoseStamped& goal, double, const std::string&) override {
+    measured_ = goal;
+    return true;
+  }
+  std::uint32_t reset() override { return 0; }
+  void limit(double, Mode) override {}
 
  private:
   void run() override {}

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "reference/arm_like.suture.h"
+#include "reference/simulated_arm.h"
 
 namespace suture {
 namespace {
@@ -35,6 +36,9 @@ class CountingArm final : public Kind, public ArmLike {
   }
   const JointState& measured_js() const override { return joints; }
   double distance(const PoseStamped&) const override { return 0; }
+  bool move(const PoseStamped&, double, const std::string&) override { return false; }
+  std::uint32_t reset() override { return 0; }
+  void limit(double, Mode) override {}
 
   std::atomic<int> cycles{0};
   mutable std::atomic<int> evaluations{0};
@@ -180,6 +184,9 @@ TEST(Device, ALocalClientCallsItDirectly) {
     PoseStamped measured_cp() const override { return {}; }
     const JointState& measured_js() const override { return joints; }
     double distance(const PoseStamped&) const override { return 42; }
+    bool move(const PoseStamped&, double, const std::string&) override { return true; }
+    std::uint32_t reset() override { return 7; }
+    void limit(double, Mode) override {}
     std::thread::id thread;
     JointState joints;
     Provided<ArmLike> arm{*this, "Arm", *this};
@@ -189,7 +196,40 @@ TEST(Device, ALocalClientCallsItDirectly) {
   EXPECT_TRUE(client.arm.hold());
   EXPECT_EQ(device.thread, std::this_thread::get_id());
   EXPECT_EQ(*client.arm.distance.start(PoseStamped{}).within(0s), 42);
+  EXPECT_EQ(*client.arm.reset.start().within(), 7u);
   EXPECT_TRUE(client.arm.measured_cp());
+}
+
+TEST(Provided, TwoOfOneContractKeepApart) {
+  struct Pair final : PeriodicTask {
+    Pair() : PeriodicTask({.period = 1ms}) {}
+    ~Pair() override { stop(); }
+    void run() override {}
+    reference::SimulatedArm first{{}}, second{{}};
+    Provided<ArmLike> left{*this, "Left", first};
+    Provided<ArmLike> right{*this, "Right", second};
+  } pair;
+  Client left, right;
+  connectLocally(left.arm, pair.left, "left");
+  connectLocally(right.arm, pair.right, "right");
+  pair.start();
+  PoseStamped goal;
+  goal.pose.translation().x() = 5;
+  EXPECT_TRUE(left.arm.servo_cp.start(goal).within(5s));
+  EXPECT_EQ(left.arm.measured_cp.fresh().within(5s)->pose.translation().x(), 5);
+  EXPECT_EQ(right.arm.measured_cp.fresh().within(5s)->pose.translation().x(), 0);
+}
+
+TEST(Calls, WhatTheProviderLacksIsNotImplemented) {
+  CountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1ms});
+  Client client;
+  const auto channel = connectLocally(client.arm, arm.arm, "test");
+  arm.start();
+  EXPECT_TRUE(client.arm.park.start().within(5s));
+  --channel->offered;  // as it is when an older provider has been connected
+  EXPECT_EQ(client.arm.park().error(), Errc::NotImplemented);
+  EXPECT_EQ(client.arm.park.start().within(5s).error(), Errc::NotImplemented);
+  EXPECT_TRUE(client.arm.limit.start(1, Mode::Enabled).within(5s));
 }
 
 TEST(Calls, TooManyUnderWayAreRefused) {

@@ -38,8 +38,9 @@ TEST_F(EmitTest, ThreeFilesForEachOwnHeader) {
   for (const Artefact& artefact : emit(model_, {})) paths.push_back(artefact.path);
   EXPECT_EQ(paths, (std::vector<std::string>{
                        "robots/arm.suture.h", "robots/arm.suture.cpp", "robots/arm.suture.json",
-                       "robots/simulated_arm.suture.h", "robots/simulated_arm.suture.cpp",
-                       "robots/simulated_arm.suture.json"}));
+                       "robots/gripper.suture.h", "robots/gripper.suture.cpp",
+                       "robots/gripper.suture.json", "robots/simulated_arm.suture.h",
+                       "robots/simulated_arm.suture.cpp", "robots/simulated_arm.suture.json"}));
 }
 
 TEST_F(EmitTest, EqualModelsGiveEqualBytes) {

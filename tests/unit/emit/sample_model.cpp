@@ -268,10 +268,63 @@ model::Interface arm() {
   result.commands[2].parameters[0].byReference = false;
   result.commands[2].parameters[0].unit = "m/s";
 
+  model::Command grasp = command("grasp", CommandKind::WriteReturn);
+  grasp.parameters = {write("", "width", number()).parameters[0],
+                      write("", "mode", enumeration("robots::Mode")).parameters[0]};
+  grasp.parameters[0].byReference = grasp.parameters[1].byReference = false;
+  grasp.result = scalar(Scalar::Bool);
+  grasp.deadlineNanoseconds = 50'000'000;
+  grasp.queue = 2;
+  grasp.doc.text = "Closes the gripper; answers whether it holds something.";
+  model::Command token = command("next_token", CommandKind::VoidReturn);
+  token.result = scalar(Scalar::UInt32);
+  token.lifecycle.since = 1;
+  model::Command park = command("park", CommandKind::Void);
+  park.optional = park.direct = true;
+  park.lifecycle.deprecated = "use enable";
+  model::Command load = read("load", number());
+  load.optional = true;
+  for (const model::Command& one : {grasp, token, park, load}) result.commands.push_back(one);
+
   model::Event changed = event("mode_changed", {enumeration("robots::Mode")});
   changed.latched = true;
   changed.queue = 8;
-  result.events = {changed, event("stopped"), event("arrived", {record("robots::PoseStamped")})};
+  model::Event moved =
+      event("moved", {record("robots::PoseStamped"), number(), enumeration("robots::Mode")});
+  moved.latched = true;
+  moved.doc.text = "Where, how fast and why.";
+  result.events = {changed, event("stopped"), event("arrived", {record("robots::PoseStamped")}),
+                   moved};
+  return result;
+}
+
+/// Derives from Arm, whose commands and events come first.
+model::Interface gripper() {
+  model::Interface result = arm();
+  for (model::Command& command : result.commands) command.inheritedFrom = result.name;
+  for (model::Event& event : result.events) event.inheritedFrom = result.name;
+  result.base = result.name;
+  result.name = "robots::Gripper";
+  result.wireName = "Gripper";
+  result.version = 2;
+  result.lifecycle.since = 2;
+  result.doc.text = "An arm with a gripper.";
+
+  model::Command open = write("open", "width", number());
+  open.parameters[0].byReference = false;
+  open.parameters[0].unit = "m";
+  model::Command opening = read("opening", number());
+  opening.lifecycle.since = 2;
+  model::Command fits = write("fits", "width", number());
+  fits.parameters[0].byReference = false;
+  fits.kind = CommandKind::QualifiedRead;
+  fits.result = scalar(Scalar::Bool);
+  fits.concurrent = true;
+  for (const model::Command& one : {open, opening, fits}) result.commands.push_back(one);
+  model::Event gripped = event("gripped", {number(), scalar(Scalar::Bool)});
+  gripped.member = "gripped";
+  gripped.lifecycle.since = 2;
+  result.events.push_back(gripped);
   return result;
 }
 
@@ -286,6 +339,35 @@ model::Header contractHeader() {
   return header;
 }
 
+/// Members that are called as arguments of the annotations are.
+model::Interface names() {
+  model::Interface result;
+  result.name = "robots::Names";
+  result.wireName = "Names";
+  result.doc.text = "Members that are called as arguments of the annotations are.";
+  model::Command queue = write("queue", "name", scalar(Scalar::Int32));
+  queue.queue = 4;
+  model::Command name = command("name", CommandKind::WriteReturn);
+  name.wireName = "title";
+  name.parameters = {write("", "range", number()).parameters[0],
+                     write("", "slot", number()).parameters[0]};
+  name.result = scalar(Scalar::Bool);
+  model::Event latched = event("latched", {number()});
+  latched.latched = true;
+  result.commands = {queue, name, read("range", number())};
+  result.events = {latched};
+  return result;
+}
+
+model::Header gripperHeader() {
+  model::Header header;
+  header.path = "robots/gripper.h";
+  header.cxxNamespace = "robots";
+  header.imports = {"robots/arm.h", "robots/geometry.h"};
+  header.interfaces = {gripper(), names()};
+  return header;
+}
+
 model::Header componentHeader() {
   model::Header header;
   header.path = "robots/simulated_arm.h";
@@ -296,14 +378,20 @@ model::Header componentHeader() {
   component.name = "robots::SimulatedArm";
   component.doc.text = "Is where it was last sent to.";
   component.parameters = "robots::ArmParameters";
-  component.ports = {{"arm_", "Arm", "robots::Arm", true, {}}};
+  component.ports = {{.member = "arm_",
+                      .name = "Arm",
+                      .interface = "robots::Arm",
+                      .provided = true,
+                      .source = {}}};
   header.components = {component};
   return header;
 }
 
 }  // namespace
 
-model::Model robots() { return {{contractHeader(), geometryHeader(), componentHeader()}}; }
+model::Model robots() {
+  return {{contractHeader(), geometryHeader(), gripperHeader(), componentHeader()}};
+}
 
 model::Header& armHeader(model::Model& model) { return model.headers.front(); }
 

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <stdexcept>
 
+#include "compiler/lock/contract_hash.h"
 #include "compiler/lock/parse.h"
 #include "compiler/lock/writer.h"
 #include "tests/unit/emit/sample_model.h"
@@ -61,7 +63,7 @@ class LockTest : public testing::Test {
 
 TEST_F(LockTest, HeaderWithoutLockNamesTheCommand) {
   const Diagnostics found = check(model_, {}, {.command = "make update-lock"});
-  ASSERT_EQ(slugs(found), Slugs(2, "lock-missing"));
+  ASSERT_EQ(slugs(found), Slugs(3, "lock-missing"));
   EXPECT_EQ(found[0].message, "robots/arm.h has no lock: schemas/robots/arm.capnp does not exist");
   EXPECT_NE(found[0].help.find("make update-lock"), std::string::npos);
 }
@@ -170,12 +172,12 @@ TEST_F(LockTest, WhatCapnpCannotSayIsGuardedToo) {
 }
 
 TEST_F(LockTest, SignaturesOnlyGrow) {
-  model::Command& solve = arm().commands.back();
+  model::Command& solve = arm().commands[6];
   solve.parameters.push_back(solve.parameters[0]);
   solve.parameters.back().wireName = solve.parameters.back().name = "seed";
   EXPECT_EQ(slugs(check(model_, before_)), Slugs{"lock-new"});
   const Locks after = lockOf(model_, before_);
-  const Member& method = nodeOf(armLock(after), "Arm").members.back();
+  const Member& method = nodeOf(armLock(after), "Arm").members[7];
   ASSERT_EQ(method.parameters.size(), 4u);
   EXPECT_EQ(method.parameters[2].name, "sent");
   EXPECT_EQ(method.parameters[3].name, "seed");
@@ -200,11 +202,61 @@ TEST_F(LockTest, CommentsAreNotTheBusinessOfABuild) {
 
 TEST_F(LockTest, RemovedContractKeepsItsPlace) {
   sample::armHeader(model_).interfaces.clear();
+  std::erase_if(model_.headers, [](const auto& one) { return one.path == "robots/gripper.h"; });
   EXPECT_EQ(slugs(check(model_, before_)), Slugs(3, "lock-removed"));
   const Locks after = lockOf(model_, before_);
   EXPECT_TRUE(nodeOf(armLock(after), "Arm").removed());
   EXPECT_EQ(nodeOf(armLock(after), "Arm").id, nodeOf(armLock(before_), "Arm").id);
   EXPECT_TRUE(check(model_, after).empty());
+}
+
+model::Interface& gripper(model::Model& model) {
+  for (model::Header& header : model.headers) {
+    if (header.path == "robots/gripper.h") return header.interfaces[0];
+  }
+  throw std::logic_error("the sample has a gripper");
+}
+
+TEST_F(LockTest, ABaseIsPartOfTheContract) {
+  const Node& node = nodeOf(before_.files.at("robots/gripper.capnp"), "Gripper");
+  EXPECT_EQ(node.extends, std::vector<std::string>{"/robots/arm.capnp:Arm"});
+  EXPECT_EQ(node.annotations.at("version"), "2");
+  gripper(model_).base.clear();
+  EXPECT_EQ(slugs(check(model_, before_)), Slugs{"lock-break"});
+  const Locks without = lockOf(model_, {});
+  gripper(model_).base = "robots::Arm";
+  EXPECT_EQ(slugs(check(model_, without)), Slugs{"lock-new"});
+}
+
+TEST_F(LockTest, AContractIsRenamedWithWas) {
+  const Lock& old = before_.files.at("robots/gripper.capnp");
+  model::Interface& renamed = gripper(model_);
+  renamed.name = "robots::Hand";
+  renamed.wireName = "Hand";
+  renamed.was = "Gripper";
+  EXPECT_EQ(slugs(check(model_, before_)), Slugs(3, "lock-renamed"));
+  const Locks after = lockOf(model_, before_);
+  const Lock& lock = after.files.at("robots/gripper.capnp");
+  EXPECT_EQ(nodeOf(lock, "Hand").id, nodeOf(old, "Gripper").id);
+  EXPECT_EQ(nodeOf(lock, "HandEvents").id, nodeOf(old, "GripperEvents").id);
+  EXPECT_EQ(nodeOf(lock, "HandStateRow").id, nodeOf(old, "GripperStateRow").id);
+  EXPECT_TRUE(check(model_, after).empty());
+}
+
+TEST_F(LockTest, OptionalCommandsAreNotOfTheCore) {
+  const auto core = coreHashes(model_, before_), whole = contractHashes(model_, before_);
+  EXPECT_NE(core.at("robots::Arm"), whole.at("robots::Arm"));
+  EXPECT_EQ(core.at("robots::Names"), whole.at("robots::Names"));
+  std::erase_if(arm().commands, [](const model::Command& one) { return one.optional; });
+  const Locks without = lockOf(model_, {});
+  EXPECT_EQ(contractHashes(model_, without).at("robots::Arm"), core.at("robots::Arm"));
+  EXPECT_EQ(coreHashes(model_, without).at("robots::Arm"), core.at("robots::Arm"));
+}
+
+TEST_F(LockTest, TheVersionIsPartOfTheHash) {
+  const auto before = contractHashes(model_, before_);
+  gripper(model_).version = 3;
+  EXPECT_NE(contractHashes(model_, before_).at("robots::Gripper"), before.at("robots::Gripper"));
 }
 
 TEST_F(LockTest, DerivedNamesMayNotMeetDeclaredOnes) {

@@ -3,7 +3,9 @@
 #include <suture/wiring/connect.h>
 #include <suture/wiring/differences.h>
 #include <suture/wiring/directory.h>
+#include <suture/wiring/optional_commands.h>
 
+#include "reference/gripper_arm.suture.h"
 #include "reference/simulated_arm.h"
 
 namespace suture {
@@ -87,13 +89,48 @@ TEST(Differences, AreToldFieldByFieldAndIgnoreDocumentation) {
 
 TEST(Contract, ADifferentOneIsRefusedWithTheDifference) {
   const InterfaceInfo& info = interfaceInfo<reference::ArmLike>();
-  const std::string error = errorOf([&] {
-    requireSameContract(info, info.name, "another hash", R"({"name": "other"})",
-                        "a:C/Slave -> b:P/Arm");
-  });
+  InterfaceInfo other = info;
+  other.hash = "another hash";
+  other.description = R"({"name": "other"})";
+  const std::string error =
+      errorOf([&] { requireSameContract(info, other, "a:C/Slave -> b:P/Arm"); });
   EXPECT_NE(error.find("connecting a:C/Slave -> b:P/Arm"), std::string::npos) << error;
   EXPECT_NE(error.find("'reference::ArmLike' here, 'other' there"), std::string::npos) << error;
   EXPECT_NE(error.find("Build both sides from the same header"), std::string::npos) << error;
+}
+
+TEST(Contract, OneThatDerivesFromTheRequiredOneIsAccepted) {
+  const InterfaceInfo& base = interfaceInfo<reference::ArmLike>();
+  const InterfaceInfo& derived = interfaceInfo<reference::GripperArm>();
+  EXPECT_GE(requireSameContract(base, derived, "a -> b"), base.commands.size());
+  EXPECT_NE(errorOf([&] { requireSameContract(derived, base, "a -> b"); }), "no error");
+}
+
+std::string contract(const char* hash, const std::string& commands) {
+  return std::string(R"({"core": "same", "hash": ")") + hash + R"(", "commands": [)" + commands +
+         "]}";
+}
+
+constexpr char kHold[] = R"({"name": "hold", "kind": "void", "doc": "one text"})";
+constexpr char kHoldToo[] = R"({"name": "hold", "kind": "void", "doc": "another"})";
+constexpr char kPark[] = R"({"name": "park", "kind": "void", "optional": true})";
+constexpr char kHome[] = R"({"name": "home", "kind": "void"})";
+
+TEST(Contract, OptionalCommandsMayBeMissingOnEitherSide) {
+  const std::string two = contract("2", std::string(kHold) + "," + kPark);
+  const std::string one = contract("1", kHoldToo);
+  EXPECT_EQ(commonCommands(two, one), 1u);
+  EXPECT_EQ(commonCommands(one, two), 1u);
+  EXPECT_EQ(commonCommands(two, two), 2u);
+}
+
+TEST(Contract, NothingElseMayDiffer) {
+  const std::string hold = contract("1", kHold);
+  EXPECT_EQ(commonCommands(hold, contract("2", std::string(kHold) + "," + kHome)), std::nullopt);
+  EXPECT_EQ(commonCommands(hold, contract("2", std::string(kPark) + "," + kHold)), std::nullopt);
+  EXPECT_EQ(commonCommands(hold, R"({"core": "other", "commands": []})"), std::nullopt);
+  EXPECT_EQ(commonCommands(hold, R"({"core": 7, "commands": "x"})"), std::nullopt);
+  EXPECT_EQ(commonCommands(hold, "no JSON"), std::nullopt);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 namespace demo {
 class SUTURE_INTERFACE() Contract {
  public:
-  SUTURE_COMMAND() virtual int lock() = 0;
   SUTURE_COMMAND() virtual void look() const = 0;
 };
 }  // namespace demo

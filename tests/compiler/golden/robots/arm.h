@@ -63,9 +63,17 @@ class SUTURE_INTERFACE() Arm {
   virtual const Everything& inverse_kinematics(const PoseStamped& x,
                                                SUTURE_FIELD(range(0,
                                                                   1)) double tolerance) const = 0;
+  /// Closes the gripper; answers whether it holds something.
+  SUTURE_COMMAND(deadline(50ms), queue(2)) virtual bool grasp(double width, Mode mode) = 0;
+  SUTURE_COMMAND(since(1)) virtual std::uint32_t next_token() = 0;
+  SUTURE_COMMAND(optional(), deprecated("use enable"), direct()) virtual void park() {}
+  SUTURE_COMMAND(optional()) virtual double load() const { return 0; }
   SUTURE_EVENT(latched(), queue(8), name("mode_changed")) suture::EventOf<Mode> mode_changed_event;
   SUTURE_EVENT(name("stopped")) suture::EventOf<> stopped_event;
   SUTURE_EVENT(name("arrived")) suture::EventOf<PoseStamped> arrived_event;
+  /// Where, how fast and why.
+  SUTURE_EVENT(latched(), name("moved"))
+  suture::EventOf<PoseStamped, double, Mode> moved_event;
 };
 
 }  // namespace robots

@@ -35,11 +35,14 @@ class SUTURE_COMPONENT() SimulatedArm final : public suture::PeriodicTask, publi
   const Everything& inverse_kinematics(const PoseStamped&, double) const override {
     return everything_;
   }
+  bool grasp(double width, Mode) override { return width > 0; }
+  std::uint32_t next_token() override { return ++token_; }
 
  private:
   void run() override {}
 
   Mode mode_;
+  std::uint32_t token_ = 0;
   Everything everything_;
   suture::Provided<Arm> arm_{*this, "Arm", *this};
 };

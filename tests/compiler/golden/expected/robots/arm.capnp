@@ -64,6 +64,13 @@ interface Arm @0x974e120931408f6d $Meta.cxx("robots::Arm") {
   everything @6 (sent :Rpc.Sent) -> (value :Everything) $Meta.kind("read");
   inverseKinematics @7 (x :Geometry.PoseStamped, tolerance :Float64 $Meta.range(lowest = 0, highest = 1), sent :Rpc.Sent) -> (value :Everything)
       $Meta.cxx("inverse_kinematics") $Meta.kind("qualifiedRead");
+  grasp @8 (width :Float64, mode :Mode, sent :Rpc.Sent) -> (value :Bool) $Meta.deadline(50000000)
+      $Meta.kind("writeReturn") $Meta.queue(2);
+  # Closes the gripper; answers whether it holds something.
+  nextToken @9 (sent :Rpc.Sent) -> (value :UInt32) $Meta.cxx("next_token") $Meta.kind("voidReturn")
+      $Meta.queue(16);
+  park @10 (sent :Rpc.Sent) -> () $Meta.direct $Meta.kind("void") $Meta.optional $Meta.queue(16);
+  load @11 (sent :Rpc.Sent) -> (value :Float64) $Meta.kind("read") $Meta.optional;
 }
 
 interface ArmEvents @0xa6aa5daf71e0a4ba $Meta.eventsOf("robots::Arm") {
@@ -74,6 +81,9 @@ interface ArmEvents @0xa6aa5daf71e0a4ba $Meta.eventsOf("robots::Arm") {
   modeChanged @1 (value :Mode) -> () $Meta.cxx("mode_changed") $Meta.latched $Meta.queue(8);
   stopped @2 () -> () $Meta.queue(16);
   arrived @3 (value :Geometry.PoseStamped) -> () $Meta.queue(16);
+  moved @4 (value :Geometry.PoseStamped, value2 :Float64, value3 :Mode) -> () $Meta.latched
+      $Meta.queue(16);
+  # Where, how fast and why.
 }
 
 struct ArmStateRow @0xd633b378dcab35c1 $Meta.stateOf("robots::Arm") {
@@ -86,4 +96,5 @@ struct ArmStateRow @0xd633b378dcab35c1 $Meta.stateOf("robots::Arm") {
   measuredCp @2 :Geometry.PoseStamped $Meta.cxx("measured_cp");
   mode @3 :Mode;
   everything @4 :Everything;
+  load @5 :Float64 $Meta.optional;
 }

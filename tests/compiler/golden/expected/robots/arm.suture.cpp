@@ -121,6 +121,39 @@ constexpr CommandInfo kArmCommands[] = {
      .latest = false,
      .ttl = Duration(0),
      .column = -1},
+    {.name = "grasp",
+     .kind = CommandKind::WriteReturn,
+     .argumentsSize = sizeof(ArmGraspArguments),
+     .resultSize = sizeof(std::uint8_t),
+     .depth = 2,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1,
+     .deadline = Duration(50'000'000)},
+    {.name = "next_token",
+     .kind = CommandKind::VoidReturn,
+     .argumentsSize = 0,
+     .resultSize = sizeof(std::uint32_t),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "park",
+     .kind = CommandKind::Void,
+     .argumentsSize = 0,
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "load",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(double),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 3},
 };
 
 constexpr EventInfo kArmEvents[] = {
@@ -135,13 +168,19 @@ constexpr EventInfo kArmEvents[] = {
      .depth = 16,
      .latest = false,
      .latched = false},
+    {.name = "moved",
+     .payloadSize = sizeof(ArmMovedPayload),
+     .depth = 16,
+     .latest = false,
+     .latched = true},
 };
 
 // The self-description, as in robots/arm.suture.json.
 constexpr char kArmDescription[] = R"json({
   "name": "robots::Arm",
   "doc": "A robot arm.",
-  "hash": "e20d81e5c2c25c149b2cf8ace5b8d9b5",
+  "hash": "36a05a2d3ce0a8d3f60c4f783dc0308d",
+  "core": "3034fa723a0bb73887360c1113d2ad15",
   "commands": [
     {
       "name": "enable",
@@ -241,6 +280,63 @@ constexpr char kArmDescription[] = R"json({
         }
       },
       "queue": 16
+    },
+    {
+      "name": "grasp",
+      "kind": "write with return",
+      "doc": "Closes the gripper; answers whether it holds something.",
+      "parameters": [
+        {
+          "name": "width",
+          "type": {
+            "kind": "Float64"
+          }
+        },
+        {
+          "name": "mode",
+          "type": {
+            "kind": "enum",
+            "name": "robots::Mode"
+          }
+        }
+      ],
+      "result": {
+        "type": {
+          "kind": "Bool"
+        }
+      },
+      "queue": 2,
+      "deadline": 0.05
+    },
+    {
+      "name": "next_token",
+      "kind": "void with return",
+      "result": {
+        "type": {
+          "kind": "UInt32"
+        }
+      },
+      "queue": 16,
+      "since": 1
+    },
+    {
+      "name": "park",
+      "kind": "void",
+      "queue": 16,
+      "optional": true,
+      "direct": true,
+      "deprecated": "use enable"
+    },
+    {
+      "name": "load",
+      "kind": "read",
+      "result": {
+        "type": {
+          "kind": "Float64"
+        }
+      },
+      "queue": 16,
+      "optional": true
     }
   ],
   "events": [
@@ -271,6 +367,35 @@ constexpr char kArmDescription[] = R"json({
         }
       },
       "queue": 16
+    },
+    {
+      "name": "moved",
+      "kind": "write",
+      "doc": "Where, how fast and why.",
+      "payload": [
+        {
+          "name": "value",
+          "type": {
+            "kind": "struct",
+            "name": "robots::PoseStamped"
+          }
+        },
+        {
+          "name": "value2",
+          "type": {
+            "kind": "Float64"
+          }
+        },
+        {
+          "name": "value3",
+          "type": {
+            "kind": "enum",
+            "name": "robots::Mode"
+          }
+        }
+      ],
+      "queue": 16,
+      "latched": true
     }
   ],
   "enums": [
@@ -645,6 +770,14 @@ class ArmSink final : public suture::rpc::EventSink {
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
+      case ArmEvent::moved: {
+        const auto& slot = *reinterpret_cast<const ArmMovedPayload*>(payload);
+        auto request = subscriber_.movedRequest();
+        toWire(slot.value, request.initValue());
+        request.setValue2(slot.value2);
+        request.setValue3(wireMode(slot.value3));
+        return request.send().ignoreResult();
+      }
     }
     return kj::READY_NOW;
   }
@@ -666,6 +799,10 @@ class ArmSink final : public suture::rpc::EventSink {
     if (row.valid >> 2 & 1) {
       const auto& slot = *reinterpret_cast<const EverythingSlot*>(columns[2]);
       toWire(slot, out.initEverything());
+    }
+    if (row.valid >> 3 & 1) {
+      const auto& slot = *reinterpret_cast<const double*>(columns[3]);
+      out.setLoad(slot);
     }
     return request.send().ignoreResult();
   }
@@ -764,6 +901,51 @@ class ArmServant final : public wire::Arm::Server {
     return port_->call(commandId(ArmCommand::inverse_kinematics), in.getSent(), fill, kj::mv(take));
   }
 
+  kj::Promise<void> grasp(GraspContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<ArmGraspArguments*>(memory);
+      slot.width = in.getWidth();
+      const Errc error = fromWire(in.getMode(), slot.mode);
+      if (error != Errc{}) return error;
+      return isValid(slot.width) ? Errc{} : Errc::Invalid;
+    };
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
+      auto out = context.getResults();
+      out.setValue(slot != 0);
+    };
+    return port_->call(commandId(ArmCommand::grasp), in.getSent(), fill, kj::mv(take));
+  }
+
+  kj::Promise<void> nextToken(NextTokenContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const std::uint32_t*>(result);
+      auto out = context.getResults();
+      out.setValue(slot);
+    };
+    return port_->call(commandId(ArmCommand::next_token), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> park(ParkContext context) override {
+    auto in = context.getParams();
+    return port_->command(commandId(ArmCommand::park), in.getSent(),
+                          [](std::byte*) { return Errc{}; });
+  }
+
+  kj::Promise<void> load(LoadContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const double*>(result);
+      auto out = context.getResults();
+      out.setValue(slot);
+    };
+    return port_->call(commandId(ArmCommand::load), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
  private:
   static std::uint16_t commandId(ArmCommand command) { return static_cast<std::uint16_t>(command); }
 
@@ -798,6 +980,11 @@ class ArmReceiver final : public wire::ArmEvents::Server {
           in.hasEverything() ? fromWire(in.getEverything(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 2;
     }
+    if (in.getEvaluated() >> 3 & 1) {
+      auto& slot = *reinterpret_cast<double*>(port_->column(3));
+      slot = in.getLoad();
+      valid |= suture::rt::ColumnSet{1} << 3;
+    }
     port_->publish(in.getStamp(), valid);
     return kj::READY_NOW;
   }
@@ -819,6 +1006,17 @@ class ArmReceiver final : public wire::ArmEvents::Server {
     const Errc error =
         in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
     return port_->event(eventId(ArmEvent::arrived), error, slot);
+  }
+
+  kj::Promise<void> moved(MovedContext context) override {
+    auto in = context.getParams();
+    ArmMovedPayload slot;
+    slot.value2 = in.getValue2();
+    const Errc error = firstError({
+        in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid,
+        fromWire(in.getValue3(), slot.value3),
+    });
+    return port_->event(eventId(ArmEvent::moved), error, slot);
   }
 
  private:
@@ -905,6 +1103,44 @@ class ArmProxy final : public suture::rpc::Proxy {
           });
         });
       }
+      case ArmCommand::grasp: {
+        const auto& slot = *reinterpret_cast<const ArmGraspArguments*>(record.arguments());
+        auto request = provider_.graspRequest();
+        request.setWidth(slot.width);
+        request.setMode(wireMode(slot.mode));
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<std::uint8_t>(call, [&](std::uint8_t& answer) {
+            answer = response.getValue();
+            return Errc{};
+          });
+        });
+      }
+      case ArmCommand::next_token: {
+        auto request = provider_.nextTokenRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<std::uint32_t>(call, [&](std::uint32_t& answer) {
+            answer = response.getValue();
+            return Errc{};
+          });
+        });
+      }
+      case ArmCommand::park: {
+        auto request = provider_.parkRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case ArmCommand::load: {
+        auto request = provider_.loadRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<double>(call, [&](double& answer) {
+            answer = response.getValue();
+            return Errc{};
+          });
+        });
+      }
     }
     return kj::READY_NOW;
   }
@@ -923,6 +1159,9 @@ class ArmBinding final : public suture::rpc::Binding {
                                         ProxyPort& port) const override {
     return kj::heap<ArmProxy>(contract.castAs<wire::Arm>(), port);
   }
+  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
+    return kj::heap<ArmSink>(subscriber.castAs<wire::ArmEvents>());
+  }
 };
 
 const suture::rpc::Binding& armBinding() {
@@ -939,7 +1178,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::Arm>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::Arm",
-      .hash = "e20d81e5c2c25c149b2cf8ace5b8d9b5",
+      .hash = "36a05a2d3ce0a8d3f60c4f783dc0308d",
       .description = robots::kArmDescription,
       .commands = robots::kArmCommands,
       .events = robots::kArmEvents,
@@ -988,6 +1227,26 @@ Errc Provided<robots::Arm>::execute(std::uint16_t command, const std::byte* argu
       return store(implementation_.inverse_kinematics(scratch_.inverse_kinematics_x,
                                                       scratch_.inverse_kinematics_tolerance), answer)
           ? Errc{} : Errc::TooLarge;
+    }
+    case ArmCommand::grasp: {
+      const auto& slot = *reinterpret_cast<const robots::ArmGraspArguments*>(arguments);
+      load(slot.width, scratch_.grasp_width);
+      load(slot.mode, scratch_.grasp_mode);
+      auto& answer = *reinterpret_cast<std::uint8_t*>(result);
+      return store(implementation_.grasp(scratch_.grasp_width, scratch_.grasp_mode), answer)
+          ? Errc{} : Errc::TooLarge;
+    }
+    case ArmCommand::next_token: {
+      auto& slot = *reinterpret_cast<std::uint32_t*>(result);
+      return store(implementation_.next_token(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case ArmCommand::park: {
+      implementation_.park();
+      return Errc{};
+    }
+    case ArmCommand::load: {
+      auto& slot = *reinterpret_cast<double*>(result);
+      return store(implementation_.load(), slot) ? Errc{} : Errc::TooLarge;
     }
   }
   return Errc::Invalid;

@@ -122,6 +122,37 @@ inline bool store(const PoseStamped& x, const double& tolerance,
   return store(x, slot.x) && store(tolerance, slot.tolerance);
 }
 
+struct ArmGraspArguments {
+  double width;
+  std::int8_t mode;  // Mode
+};
+
+inline bool store(const double& width, const Mode& mode, ArmGraspArguments& slot) {
+  using suture::store;
+  return store(width, slot.width) && store(mode, slot.mode);
+}
+
+// --- Arm: what its events carry ---
+
+struct ArmMovedPayload {
+  PoseStampedSlot value;
+  double value2;
+  std::int8_t value3;
+};
+
+inline bool store(const PoseStamped& value, const double& value2, const Mode& value3,
+                  ArmMovedPayload& slot) {
+  using suture::store;
+  return store(value, slot.value) && store(value2, slot.value2) && store(value3, slot.value3);
+}
+
+inline void load(const ArmMovedPayload& slot, PoseStamped& value, double& value2, Mode& value3) {
+  using suture::load;
+  load(slot.value, value);
+  load(slot.value2, value2);
+  load(slot.value3, value3);
+}
+
 /// The numbers of Arm's commands in every table and record.
 enum class ArmCommand : std::uint16_t {
   enable,
@@ -131,6 +162,10 @@ enum class ArmCommand : std::uint16_t {
   mode,
   everything,
   inverse_kinematics,
+  grasp,
+  next_token,
+  park,
+  load,
 };
 
 /// The numbers of Arm's events.
@@ -138,6 +173,7 @@ enum class ArmEvent : std::uint16_t {
   mode_changed,
   stopped,
   arrived,
+  moved,
 };
 
 }  // namespace robots
@@ -155,8 +191,11 @@ class Required<robots::Arm> final : public RequiredBase {
   using EventId = robots::ArmEvent;
 
  public:
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
   Required(Component& owner, std::string_view name)
       : RequiredBase(owner, name, interfaceInfo<Contract>()) {}
+#pragma GCC diagnostic pop
 
   Command<&Contract::enable, NoSlot> enable{*this, static_cast<std::uint16_t>(Id::enable)};
   /// Follow the goal.
@@ -172,17 +211,28 @@ class Required<robots::Arm> final : public RequiredBase {
   QualifiedReadCommand<&Contract::inverse_kinematics, robots::ArmInverseKinematicsArguments,
                        robots::EverythingSlot> inverse_kinematics{
       *this, static_cast<std::uint16_t>(Id::inverse_kinematics)};
+  /// Closes the gripper; answers whether it holds something.
+  ReturningCommand<&Contract::grasp, robots::ArmGraspArguments, std::uint8_t> grasp{
+      *this, static_cast<std::uint16_t>(Id::grasp)};
+  ReturningCommand<&Contract::next_token, NoSlot, std::uint32_t> next_token{
+      *this, static_cast<std::uint16_t>(Id::next_token)};
+  [[deprecated("use enable")]]
+  Command<&Contract::park, NoSlot> park{*this, static_cast<std::uint16_t>(Id::park)};
+  ReadCommand<&Contract::load, double> load{*this, static_cast<std::uint16_t>(Id::load)};
 
   /// The events of robots::Arm, to subscribe to.
   struct Events {
     explicit Events(RequiredBase& required)
         : mode_changed{required, static_cast<std::uint16_t>(EventId::mode_changed)},
           stopped{required, static_cast<std::uint16_t>(EventId::stopped)},
-          arrived{required, static_cast<std::uint16_t>(EventId::arrived)} {}
+          arrived{required, static_cast<std::uint16_t>(EventId::arrived)},
+          moved{required, static_cast<std::uint16_t>(EventId::moved)} {}
 
     Subscription<std::int8_t, robots::Mode> mode_changed;
     Subscription<void> stopped;
     Subscription<robots::PoseStampedSlot, robots::PoseStamped> arrived;
+    /// Where, how fast and why.
+    Subscription<robots::ArmMovedPayload, robots::PoseStamped, double, robots::Mode> moved;
   };
   Events& on() { return events_; }
 
@@ -206,11 +256,14 @@ class Provided<robots::Arm> final : public ProvidedBase {
     explicit Events(ProvidedBase& provided)
         : mode_changed{provided, static_cast<std::uint16_t>(EventId::mode_changed)},
           stopped{provided, static_cast<std::uint16_t>(EventId::stopped)},
-          arrived{provided, static_cast<std::uint16_t>(EventId::arrived)} {}
+          arrived{provided, static_cast<std::uint16_t>(EventId::arrived)},
+          moved{provided, static_cast<std::uint16_t>(EventId::moved)} {}
 
     Emitter<std::int8_t, robots::Mode> mode_changed;
     Emitter<void> stopped;
     Emitter<robots::PoseStampedSlot, robots::PoseStamped> arrived;
+    /// Where, how fast and why.
+    Emitter<robots::ArmMovedPayload, robots::PoseStamped, double, robots::Mode> moved;
   };
   Events& emit() { return events_; }
 
@@ -221,6 +274,8 @@ class Provided<robots::Arm> final : public ProvidedBase {
     double set_speed_speed;
     robots::PoseStamped inverse_kinematics_x;
     double inverse_kinematics_tolerance;
+    double grasp_width;
+    robots::Mode grasp_mode;
   };
 
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;

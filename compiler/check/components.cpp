@@ -1,0 +1,34 @@
+#include <map>
+
+#include "compiler/check/rules.h"
+#include "compiler/model/naming.h"
+
+namespace suture::compiler::check {
+namespace {
+
+void checkPorts(const model::Component& component, model::Diagnostics& findings) {
+  std::map<std::pair<bool, std::string>, const model::Port*> byName;
+  for (const model::Port& port : component.ports) {
+    if (port.maxAgeNanoseconds && *port.maxAgeNanoseconds <= 0) {
+      addError(findings, port.source, "max-age-range",
+               "'" + port.member + "' has a max_age() that is not positive; nothing is that young",
+               "give the age from which data is of no use, such as max_age(10ms)");
+    }
+    if (port.name.empty()) continue;
+    const auto [first, added] = byName.emplace(std::pair{port.provided, port.name}, &port);
+    if (added) continue;
+    addError(findings, port.source, "interface-name-clash",
+             "component '" + model::unqualified(component.name) + "' has two " +
+                 (port.provided ? "provided" : "required") + " interfaces '" + port.name + "'",
+             "a deployment tells them apart by name: give each its own")
+        .notes.push_back({first->second->source, "the first is here"});
+  }
+}
+
+}  // namespace
+
+void checkComponents(const model::Header& header, model::Diagnostics& findings) {
+  for (const model::Component& component : header.components) checkPorts(component, findings);
+}
+
+}  // namespace suture::compiler::check

@@ -1,0 +1,91 @@
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "compiler/check/rules.h"
+#include "compiler/model/naming.h"
+
+namespace suture::compiler::check {
+namespace {
+
+using model::CommandKind;
+
+// What generated code calls something beside commands, and beside events.
+constexpr std::array<std::string_view, 7> kTakenFromCommands{"on",      "Events",  "Contract", "Id",
+                                                             "EventId", "events_", "Required"};
+constexpr std::array<std::string_view, 3> kTakenFromEvents{"Events", "provided", "required"};
+
+template <std::size_t N>
+void checkName(const std::string& what, const std::string& name,
+               const std::array<std::string_view, N>& taken, const model::Source& source,
+               model::Diagnostics& findings) {
+  if (std::find(taken.begin(), taken.end(), name) == taken.end()) return;
+  addError(findings, source, "taken-name",
+           what + " '" + name + "' has a name that generated code needs for itself",
+           "call it otherwise");
+}
+
+void checkLifecycle(const std::string& subject, const model::Lifecycle& lifecycle,
+                    const model::Interface& interface, const model::Source& source,
+                    model::Diagnostics& findings) {
+  if (!lifecycle.since || (*lifecycle.since >= 1 && *lifecycle.since <= interface.version)) return;
+  addError(findings, source, "since-version",
+           subject + " is there since(" + std::to_string(*lifecycle.since) +
+               "), but the contract has version " + std::to_string(interface.version),
+           "say version(n) on the contract, or a since() from 1 to its version");
+}
+
+bool isAnswered(CommandKind kind) { return kind != CommandKind::Read; }
+
+void checkCommand(const model::Command& command, model::Diagnostics& findings) {
+  const std::string subject = "command '" + command.name + "'";
+  if (command.deadlineNanoseconds && *command.deadlineNanoseconds <= 0) {
+    addError(findings, command.source, "deadline-range",
+             subject + " has a deadline() that is not positive; no answer could come in time",
+             "give how long a caller shall wait, such as deadline(50ms)");
+  }
+  if (command.deadlineNanoseconds && !isAnswered(command.kind)) {
+    addError(findings, command.source, "deadline-on-read",
+             subject + " is a read, which never waits, but has a deadline()",
+             "drop it; fresh().within(limit) says how long to wait for an evaluation");
+  }
+  if (command.concurrent && command.kind != CommandKind::QualifiedRead) {
+    addError(findings, command.source, "concurrent-kind",
+             subject + " is concurrent() but not a qualified read",
+             "only a const command with parameters may run while the component runs");
+  }
+  const bool queued = command.kind == CommandKind::Void || command.kind == CommandKind::Write;
+  if (command.direct && (!queued || command.latest)) {
+    addError(findings, command.source, "direct-kind",
+             subject + " is direct() but not a queued void or write command",
+             "drop it; reads and latest() commands do not queue");
+  }
+}
+
+void checkInterface(const model::Interface& interface, model::Diagnostics& findings) {
+  const std::string name = "contract '" + model::unqualified(interface.name) + "'";
+  if (interface.version == 0) {
+    addError(findings, interface.source, "version-range", name + " has version(0)",
+             "versions count from 1");
+  }
+  checkLifecycle(name, interface.lifecycle, interface, interface.source, findings);
+  for (const model::Command& command : interface.commands) {
+    checkName("command", command.name, kTakenFromCommands, command.source, findings);
+    checkLifecycle("command '" + command.name + "'", command.lifecycle, interface, command.source,
+                   findings);
+    checkCommand(command, findings);
+  }
+  for (const model::Event& event : interface.events) {
+    checkName("event", event.name, kTakenFromEvents, event.source, findings);
+    checkLifecycle("event '" + event.name + "'", event.lifecycle, interface, event.source,
+                   findings);
+  }
+}
+
+}  // namespace
+
+void checkContracts(const model::Header& header, model::Diagnostics& findings) {
+  for (const model::Interface& interface : header.interfaces) checkInterface(interface, findings);
+}
+
+}  // namespace suture::compiler::check

@@ -1,0 +1,145 @@
+#pragma once
+// Motion and force of a tool tip: what CRTK's _cv, _cf and _cs carry, and the goals with
+// feed-forward that the cisst libraries' prm types have.
+
+#include <suture/annotate.h>
+#include <suture/base/time.h>
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace robots {
+
+/// A velocity: CRTK's measured_cv. The cisst libraries' prmVelocityCartesianGet.
+struct SUTURE_TYPE() Twist {
+  SUTURE_FIELD(unit("m/s")) Eigen::Vector3d linear = Eigen::Vector3d::Zero();
+  SUTURE_FIELD(unit("rad/s")) Eigen::Vector3d angular = Eigen::Vector3d::Zero();
+  SUTURE_FIELD(capacity(15)) std::string moving_frame;
+  SUTURE_FIELD(capacity(15)) std::string reference_frame;
+  suture::Time stamp;
+  /// False: do not use.
+  bool valid = false;
+};
+
+/// A velocity to follow: CRTK's servo_cv. prmVelocityCartesianSet.
+struct SUTURE_TYPE() TwistGoal {
+  SUTURE_FIELD(unit("m/s")) Eigen::Vector3d linear = Eigen::Vector3d::Zero();
+  SUTURE_FIELD(unit("rad/s")) Eigen::Vector3d angular = Eigen::Vector3d::Zero();
+  SUTURE_FIELD(unit("m/s2")) Eigen::Vector3d linear_acceleration = Eigen::Vector3d::Zero();
+  SUTURE_FIELD(unit("rad/s2")) Eigen::Vector3d angular_acceleration = Eigen::Vector3d::Zero();
+  /// Which of x, y, z and the rotations about them count.
+  std::array<bool, 6> mask = {true, true, true, true, true, true};
+  suture::Time stamp;
+};
+
+/// Force and torque at the tool tip: CRTK's measured_cf. prmForceCartesianGet.
+struct SUTURE_TYPE() Wrench {
+  SUTURE_FIELD(unit("N")) Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  SUTURE_FIELD(unit("N.m")) Eigen::Vector3d torque = Eigen::Vector3d::Zero();
+  /// Which components are known.
+  std::array<bool, 6> mask = {true, true, true, true, true, true};
+  SUTURE_FIELD(capacity(15)) std::string moving_frame;
+  SUTURE_FIELD(capacity(15)) std::string reference_frame;
+  suture::Time stamp;
+  /// False: do not use.
+  bool valid = false;
+};
+
+/// Force and torque to apply: CRTK's servo_cf. prmForceCartesianSet.
+struct SUTURE_TYPE() WrenchGoal {
+  SUTURE_FIELD(unit("N")) Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  SUTURE_FIELD(unit("N.m")) Eigen::Vector3d torque = Eigen::Vector3d::Zero();
+  /// Which components count.
+  std::array<bool, 6> mask = {true, true, true, true, true, true};
+  suture::Time stamp;
+};
+
+/// Pose, velocity and force of one instant: CRTK's measured_cs. prmStateCartesian.
+struct SUTURE_TYPE() CartesianState {
+  SUTURE_FIELD(capacity(15)) std::string moving_frame;
+  SUTURE_FIELD(capacity(15)) std::string reference_frame;
+  SUTURE_FIELD(unit("m")) Eigen::Isometry3d position = Eigen::Isometry3d::Identity();
+  bool position_is_valid = false;
+  SUTURE_FIELD(unit("m/s")) Eigen::Vector3d linear_velocity = Eigen::Vector3d::Zero();
+  SUTURE_FIELD(unit("rad/s")) Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();
+  bool velocity_is_valid = false;
+  SUTURE_FIELD(unit("N")) Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  SUTURE_FIELD(unit("N.m")) Eigen::Vector3d torque = Eigen::Vector3d::Zero();
+  bool force_is_valid = false;
+  suture::Time stamp;
+};
+
+/// A pose to reach, with how to get there: prmPositionCartesianSet.
+struct SUTURE_TYPE() CartesianGoal {
+  SUTURE_FIELD(unit("m")) Eigen::Isometry3d goal = Eigen::Isometry3d::Identity();
+  SUTURE_FIELD(unit("m/s")) Eigen::Vector3d linear_velocity = Eigen::Vector3d::Zero();
+  SUTURE_FIELD(unit("rad/s")) Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();
+  SUTURE_FIELD(unit("m/s2")) Eigen::Vector3d linear_acceleration = Eigen::Vector3d::Zero();
+  SUTURE_FIELD(unit("rad/s2")) Eigen::Vector3d angular_acceleration = Eigen::Vector3d::Zero();
+  /// Whether position and orientation count.
+  std::array<bool, 2> mask = {true, true};
+  SUTURE_FIELD(capacity(15)) std::string moving_frame;
+  SUTURE_FIELD(capacity(15)) std::string reference_frame;
+  suture::Time stamp;
+  bool valid = false;
+};
+
+/// What an axis of a mixed servo command follows.
+enum class SUTURE_TYPE() ServoMode : std::uint8_t {
+  None = 0,
+  Position = 1,
+  Velocity = 2,
+  PositionVelocity = 3,
+  Effort = 4,
+  PositionEffort = 5,
+  VelocityEffort = 6,
+  All = 7,
+};
+
+/// Position, velocity and effort in one servo command: prmServoCartesian.
+struct SUTURE_TYPE() ServoCartesian {
+  /// The axes below are those of this frame, in the base frame.
+  SUTURE_FIELD(unit("m")) Eigen::Isometry3d task_frame = Eigen::Isometry3d::Identity();
+  SUTURE_FIELD(unit("m")) Eigen::Isometry3d position = Eigen::Isometry3d::Identity();
+  SUTURE_FIELD(unit("m/s")) Eigen::Vector3d linear_velocity = Eigen::Vector3d::Zero();
+  SUTURE_FIELD(unit("rad/s")) Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();
+  SUTURE_FIELD(unit("N")) Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  SUTURE_FIELD(unit("N.m")) Eigen::Vector3d torque = Eigen::Vector3d::Zero();
+  /// Of x, y, z and the rotations about them.
+  std::array<ServoMode, 6> axis_mode{};
+  suture::Time stamp;
+};
+
+/// How stiffly one side of an axis holds: force = p * distance + d * speed + bias beyond the
+/// deadband.
+struct SUTURE_TYPE() HalfPlaneGains {
+  SUTURE_FIELD(unit("N/m")) Eigen::Vector3d p = Eigen::Vector3d::Zero();
+  SUTURE_FIELD(unit("N.s/m")) Eigen::Vector3d d = Eigen::Vector3d::Zero();
+  SUTURE_FIELD(unit("N")) Eigen::Vector3d bias = Eigen::Vector3d::Zero();
+  SUTURE_FIELD(unit("m")) Eigen::Vector3d deadband = Eigen::Vector3d::Zero();
+};
+
+/// The same about an axis.
+struct SUTURE_TYPE() AngularHalfPlaneGains {
+  SUTURE_FIELD(unit("N.m/rad")) Eigen::Vector3d p = Eigen::Vector3d::Zero();
+  SUTURE_FIELD(unit("N.m.s/rad")) Eigen::Vector3d d = Eigen::Vector3d::Zero();
+  SUTURE_FIELD(unit("N.m")) Eigen::Vector3d bias = Eigen::Vector3d::Zero();
+  SUTURE_FIELD(unit("rad")) Eigen::Vector3d deadband = Eigen::Vector3d::Zero();
+};
+
+/// A spring that holds the tool tip, per axis and side: prmCartesianImpedance.
+struct SUTURE_TYPE() CartesianImpedance {
+  /// The axes along which the forces act.
+  Eigen::Matrix3d force_orientation = Eigen::Matrix3d::Identity();
+  /// Where the springs rest.
+  SUTURE_FIELD(unit("m")) Eigen::Vector3d force_position = Eigen::Vector3d::Zero();
+  /// The axes about which the torques act.
+  Eigen::Matrix3d torque_orientation = Eigen::Matrix3d::Identity();
+  HalfPlaneGains position_positive, position_negative;
+  AngularHalfPlaneGains orientation_positive, orientation_negative;
+  suture::Time stamp;
+};
+
+}  // namespace robots

@@ -1,0 +1,46 @@
+#pragma once
+// Buttons, analogue and digital inputs, inertial sensors.
+
+#include <suture/annotate.h>
+#include <suture/base/time.h>
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace robots {
+
+enum class SUTURE_TYPE() ButtonAction : std::uint8_t {
+  Undefined,
+  Pressed,
+  Released,
+  Clicked,
+  DoubleClicked,
+};
+
+/// prmEventButton.
+struct SUTURE_TYPE() ButtonEvent {
+  ButtonAction type = ButtonAction::Undefined;
+  suture::Time stamp;
+  bool valid = false;
+};
+
+/// prmInputData.
+struct SUTURE_TYPE() InputData {
+  SUTURE_FIELD(capacity(32)) std::vector<double> analog_inputs;
+  SUTURE_FIELD(capacity(64)) std::vector<bool> digital_inputs;
+  suture::Time stamp;
+  bool valid = false;
+};
+
+/// prmIMUSensors.
+struct SUTURE_TYPE() ImuSample {
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+  SUTURE_FIELD(unit("rad/s")) Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();
+  SUTURE_FIELD(unit("m/s2")) Eigen::Vector3d linear_acceleration = Eigen::Vector3d::Zero();
+  suture::Time stamp;
+  bool valid = false;
+};
+
+}  // namespace robots

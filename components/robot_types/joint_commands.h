@@ -1,0 +1,124 @@
+#pragma once
+// Joint vectors of drivers and planners: the cisst libraries' prm types beside joints.h. Units are
+// those of a revolute joint; a prismatic joint has m, m/s, m/s2 and N in their place. Lists are in
+// chain order; an optional one is empty or as long as the first.
+
+#include <suture/annotate.h>
+#include <suture/base/time.h>
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace robots {
+
+/// prmPositionJointGet.
+struct SUTURE_TYPE() JointPosition {
+  SUTURE_FIELD(capacity(8), unit("rad")) std::vector<double> position;
+  /// When each joint was read.
+  SUTURE_FIELD(capacity(8)) std::vector<suture::Time> stamps;
+  suture::Time stamp;
+  bool valid = false;
+};
+
+/// prmPositionJointSet.
+struct SUTURE_TYPE() JointPositionGoal {
+  SUTURE_FIELD(capacity(8), unit("rad")) std::vector<double> goal;
+  /// Optional.
+  SUTURE_FIELD(capacity(8), unit("rad/s")) std::vector<double> velocity;
+  /// Optional.
+  SUTURE_FIELD(capacity(8), unit("rad/s2")) std::vector<double> acceleration;
+  /// 0: none.
+  suture::Duration time_limit{0};
+  /// All joints arrive together.
+  bool is_coordinated = true;
+  suture::Time stamp;
+};
+
+/// prmVelocityJointGet.
+struct SUTURE_TYPE() JointVelocity {
+  SUTURE_FIELD(capacity(8), unit("rad/s")) std::vector<double> velocity;
+  suture::Time stamp;
+  bool valid = false;
+};
+
+/// CRTK's servo_jv: prmVelocityJointSet.
+struct SUTURE_TYPE() JointVelocityGoal {
+  SUTURE_FIELD(capacity(8), unit("rad/s")) std::vector<double> goal;
+  /// Optional.
+  SUTURE_FIELD(capacity(8), unit("rad/s2")) std::vector<double> acceleration;
+  /// Optional.
+  SUTURE_FIELD(capacity(8), unit("rad/s2")) std::vector<double> deceleration;
+  /// Optional: the positions not to pass.
+  SUTURE_FIELD(capacity(8), unit("rad")) std::vector<double> guard;
+  /// Optional: which joints count; empty: all.
+  SUTURE_FIELD(capacity(8)) std::vector<bool> mask;
+  suture::Time stamp;
+};
+
+/// CRTK's servo_jf: prmForceTorqueJointSet.
+struct SUTURE_TYPE() JointEffortGoal {
+  SUTURE_FIELD(capacity(8), unit("N.m")) std::vector<double> effort;
+  /// Optional: which joints count; empty: all.
+  SUTURE_FIELD(capacity(8)) std::vector<bool> mask;
+  suture::Time stamp;
+};
+
+enum class SUTURE_TYPE() JointType : std::uint8_t {
+  Undefined,
+  Prismatic,
+  Revolute,
+  Universal,
+  BallSocket,
+  Inactive,
+};
+
+/// What the joints are and may do: CRTK's configuration_js. prmConfigurationJoint.
+struct SUTURE_TYPE() JointConfiguration {
+  SUTURE_FIELD(capacity(8, 15)) std::vector<std::string> name;
+  SUTURE_FIELD(capacity(8)) std::vector<JointType> type;
+  SUTURE_FIELD(capacity(8), unit("rad")) std::vector<double> position_min;
+  SUTURE_FIELD(capacity(8), unit("rad")) std::vector<double> position_max;
+  SUTURE_FIELD(capacity(8), unit("rad/s")) std::vector<double> velocity_min;
+  SUTURE_FIELD(capacity(8), unit("rad/s")) std::vector<double> velocity_max;
+  SUTURE_FIELD(capacity(8), unit("rad/s2")) std::vector<double> acceleration_min;
+  SUTURE_FIELD(capacity(8), unit("rad/s2")) std::vector<double> acceleration_max;
+  SUTURE_FIELD(capacity(8), unit("N.m")) std::vector<double> effort_min;
+  SUTURE_FIELD(capacity(8), unit("N.m")) std::vector<double> effort_max;
+  bool valid = false;
+};
+
+/// Position, velocity and effort in one servo command: prmServoJoint.
+struct SUTURE_TYPE() ServoJoint {
+  SUTURE_FIELD(capacity(8, 15)) std::vector<std::string> name;
+  /// Bits of each joint: 1 position, 2 velocity, 4 effort.
+  SUTURE_FIELD(capacity(8)) std::vector<std::uint16_t> mode;
+  SUTURE_FIELD(capacity(8), unit("rad")) std::vector<double> position;
+  SUTURE_FIELD(capacity(8), unit("rad/s")) std::vector<double> velocity;
+  SUTURE_FIELD(capacity(8), unit("N.m")) std::vector<double> effort;
+  /// Row-major, joints x joints: what position control may act on.
+  SUTURE_FIELD(capacity(64)) std::vector<double> position_projection;
+  suture::Time stamp;
+};
+
+/// What turns actuators into joints and back, joints x actuators, row-major:
+/// prmActuatorJointCoupling.
+struct SUTURE_TYPE() ActuatorJointCoupling {
+  std::uint32_t joints = 0;
+  std::uint32_t actuators = 0;
+  SUTURE_FIELD(capacity(64)) std::vector<double> actuator_to_joint_position;
+  SUTURE_FIELD(capacity(64)) std::vector<double> joint_to_actuator_position;
+  SUTURE_FIELD(capacity(64)) std::vector<double> actuator_to_joint_effort;
+  SUTURE_FIELD(capacity(64)) std::vector<double> joint_to_actuator_effort;
+};
+
+/// 6 x joints, column-major: linear rows first, in m/s and rad/s per unit of joint velocity.
+struct SUTURE_TYPE() Jacobian {
+  std::uint32_t joints = 0;
+  SUTURE_FIELD(capacity(48)) std::vector<double> coefficients;
+  suture::Time stamp;
+  bool valid = false;
+};
+
+}  // namespace robots

@@ -1,0 +1,37 @@
+#pragma once
+// What components say to people, and how they say how they are.
+
+#include <suture/annotate.h>
+#include <suture/base/time.h>
+
+#include <cstdint>
+#include <string>
+
+namespace robots {
+
+/// CRTK's status, warning and error.
+struct SUTURE_TYPE() Message {
+  SUTURE_FIELD(capacity(127)) std::string text;
+  /// Counts the messages of its sender.
+  std::uint32_t counter = 0;
+  suture::Time stamp;
+};
+
+/// How regularly a task ran, over its last window.
+struct SUTURE_TYPE() IntervalStatistics {
+  SUTURE_FIELD(unit("s")) double period_average = 0;
+  SUTURE_FIELD(unit("s")) double period_deviation = 0;
+  SUTURE_FIELD(unit("s")) double period_min = 0;
+  SUTURE_FIELD(unit("s")) double period_max = 0;
+  std::uint32_t samples = 0;
+  suture::Time stamp;
+  bool valid = false;
+};
+
+/// prmKeyValue.
+struct SUTURE_TYPE() KeyValue {
+  SUTURE_FIELD(capacity(31)) std::string key;
+  SUTURE_FIELD(capacity(127)) std::string value;
+};
+
+}  // namespace robots

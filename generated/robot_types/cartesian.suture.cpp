@@ -1,0 +1,433 @@
+// Written by suturec from robot_types/cartesian.h. Do not edit.
+#include "robot_types/cartesian.suture.h"
+
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "robot_types/cartesian.capnp.h"
+
+namespace robots {
+
+using suture::Duration;
+using suture::Errc;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<std::underlying_type_t<ServoMode>, std::uint8_t>);
+static_assert(static_cast<std::uint8_t>(ServoMode::None) == 0);
+static_assert(static_cast<std::uint8_t>(ServoMode::Position) == 1);
+static_assert(static_cast<std::uint8_t>(ServoMode::Velocity) == 2);
+static_assert(static_cast<std::uint8_t>(ServoMode::PositionVelocity) == 3);
+static_assert(static_cast<std::uint8_t>(ServoMode::Effort) == 4);
+static_assert(static_cast<std::uint8_t>(ServoMode::PositionEffort) == 5);
+static_assert(static_cast<std::uint8_t>(ServoMode::VelocityEffort) == 6);
+static_assert(static_cast<std::uint8_t>(ServoMode::All) == 7);
+static_assert(std::is_same_v<decltype(Twist::linear), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(Twist::angular), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(Twist::moving_frame), std::string>);
+static_assert(std::is_same_v<decltype(Twist::reference_frame), std::string>);
+static_assert(std::is_same_v<decltype(Twist::stamp), std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(Twist::valid), bool>);
+static_assert(std::is_same_v<decltype(TwistGoal::linear), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(TwistGoal::angular), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(TwistGoal::linear_acceleration), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(TwistGoal::angular_acceleration), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(TwistGoal::mask), std::array<bool, 6>>);
+static_assert(std::is_same_v<decltype(TwistGoal::stamp), std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(Wrench::force), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(Wrench::torque), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(Wrench::mask), std::array<bool, 6>>);
+static_assert(std::is_same_v<decltype(Wrench::moving_frame), std::string>);
+static_assert(std::is_same_v<decltype(Wrench::reference_frame), std::string>);
+static_assert(std::is_same_v<decltype(Wrench::stamp), std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(Wrench::valid), bool>);
+static_assert(std::is_same_v<decltype(WrenchGoal::force), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(WrenchGoal::torque), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(WrenchGoal::mask), std::array<bool, 6>>);
+static_assert(std::is_same_v<decltype(WrenchGoal::stamp), std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(CartesianState::moving_frame), std::string>);
+static_assert(std::is_same_v<decltype(CartesianState::reference_frame), std::string>);
+static_assert(std::is_same_v<decltype(CartesianState::position), Eigen::Isometry3d>);
+static_assert(std::is_same_v<decltype(CartesianState::position_is_valid), bool>);
+static_assert(std::is_same_v<decltype(CartesianState::linear_velocity), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(CartesianState::angular_velocity), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(CartesianState::velocity_is_valid), bool>);
+static_assert(std::is_same_v<decltype(CartesianState::force), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(CartesianState::torque), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(CartesianState::force_is_valid), bool>);
+static_assert(std::is_same_v<decltype(CartesianState::stamp),
+                             std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(CartesianGoal::goal), Eigen::Isometry3d>);
+static_assert(std::is_same_v<decltype(CartesianGoal::linear_velocity), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(CartesianGoal::angular_velocity), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(CartesianGoal::linear_acceleration), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(CartesianGoal::angular_acceleration), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(CartesianGoal::mask), std::array<bool, 2>>);
+static_assert(std::is_same_v<decltype(CartesianGoal::moving_frame), std::string>);
+static_assert(std::is_same_v<decltype(CartesianGoal::reference_frame), std::string>);
+static_assert(std::is_same_v<decltype(CartesianGoal::stamp),
+                             std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(CartesianGoal::valid), bool>);
+static_assert(std::is_same_v<decltype(ServoCartesian::task_frame), Eigen::Isometry3d>);
+static_assert(std::is_same_v<decltype(ServoCartesian::position), Eigen::Isometry3d>);
+static_assert(std::is_same_v<decltype(ServoCartesian::linear_velocity), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(ServoCartesian::angular_velocity), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(ServoCartesian::force), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(ServoCartesian::torque), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(ServoCartesian::axis_mode),
+                             std::array<robots::ServoMode, 6>>);
+static_assert(std::is_same_v<decltype(ServoCartesian::stamp),
+                             std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(HalfPlaneGains::p), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(HalfPlaneGains::d), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(HalfPlaneGains::bias), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(HalfPlaneGains::deadband), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(AngularHalfPlaneGains::p), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(AngularHalfPlaneGains::d), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(AngularHalfPlaneGains::bias), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(AngularHalfPlaneGains::deadband), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(CartesianImpedance::force_orientation), Eigen::Matrix3d>);
+static_assert(std::is_same_v<decltype(CartesianImpedance::force_position), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(CartesianImpedance::torque_orientation), Eigen::Matrix3d>);
+static_assert(std::is_same_v<decltype(CartesianImpedance::position_positive), HalfPlaneGains>);
+static_assert(std::is_same_v<decltype(CartesianImpedance::position_negative), HalfPlaneGains>);
+static_assert(std::is_same_v<decltype(CartesianImpedance::orientation_positive),
+                             AngularHalfPlaneGains>);
+static_assert(std::is_same_v<decltype(CartesianImpedance::orientation_negative),
+                             AngularHalfPlaneGains>);
+static_assert(std::is_same_v<decltype(CartesianImpedance::stamp),
+                             std::chrono::steady_clock::time_point>);
+
+}  // namespace
+
+// --- between slots and Cap'n Proto
+
+wire::ServoMode wireServoMode(std::uint8_t slot) {
+  switch (static_cast<ServoMode>(slot)) {
+    case ServoMode::None: return wire::ServoMode::NONE;
+    case ServoMode::Position: return wire::ServoMode::POSITION;
+    case ServoMode::Velocity: return wire::ServoMode::VELOCITY;
+    case ServoMode::PositionVelocity: return wire::ServoMode::POSITION_VELOCITY;
+    case ServoMode::Effort: return wire::ServoMode::EFFORT;
+    case ServoMode::PositionEffort: return wire::ServoMode::POSITION_EFFORT;
+    case ServoMode::VelocityEffort: return wire::ServoMode::VELOCITY_EFFORT;
+    case ServoMode::All: return wire::ServoMode::ALL;
+  }
+  return wire::ServoMode{};
+}
+
+Errc fromWire(wire::ServoMode in, std::uint8_t& slot) {
+  switch (in) {
+    case wire::ServoMode::NONE: return slot = static_cast<std::uint8_t>(ServoMode::None), Errc{};
+    case wire::ServoMode::POSITION: return slot =
+        static_cast<std::uint8_t>(ServoMode::Position), Errc{};
+    case wire::ServoMode::VELOCITY: return slot =
+        static_cast<std::uint8_t>(ServoMode::Velocity), Errc{};
+    case wire::ServoMode::POSITION_VELOCITY: return slot =
+        static_cast<std::uint8_t>(ServoMode::PositionVelocity), Errc{};
+    case wire::ServoMode::EFFORT: return slot =
+        static_cast<std::uint8_t>(ServoMode::Effort), Errc{};
+    case wire::ServoMode::POSITION_EFFORT: return slot =
+        static_cast<std::uint8_t>(ServoMode::PositionEffort), Errc{};
+    case wire::ServoMode::VELOCITY_EFFORT: return slot =
+        static_cast<std::uint8_t>(ServoMode::VelocityEffort), Errc{};
+    case wire::ServoMode::ALL: return slot = static_cast<std::uint8_t>(ServoMode::All), Errc{};
+  }
+  return Errc::Invalid;
+}
+
+void toWire(const TwistSlot& slot, wire::Twist::Builder out) {
+  toWire(slot.linear, out.initLinear());
+  toWire(slot.angular, out.initAngular());
+  toWire(slot.moving_frame, out.initMovingFrame(slot.moving_frame.size));
+  toWire(slot.reference_frame, out.initReferenceFrame(slot.reference_frame.size));
+  out.setStamp(slot.stamp);
+  out.setValid(slot.valid != 0);
+}
+
+Errc fromWire(wire::Twist::Reader in, TwistSlot& slot, Duration shift) {
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.valid = in.getValid();
+  return firstError({
+      in.hasLinear() ? fromWire(in.getLinear(), slot.linear) : Errc::Invalid,
+      in.hasAngular() ? fromWire(in.getAngular(), slot.angular) : Errc::Invalid,
+      fromWire(in.getMovingFrame(), slot.moving_frame),
+      fromWire(in.getReferenceFrame(), slot.reference_frame),
+  });
+}
+
+bool isValid(const TwistSlot& slot) {
+  return isValid(slot.linear) && isValid(slot.angular);
+}
+
+void toWire(const TwistGoalSlot& slot, wire::TwistGoal::Builder out) {
+  toWire(slot.linear, out.initLinear());
+  toWire(slot.angular, out.initAngular());
+  toWire(slot.linear_acceleration, out.initLinearAcceleration());
+  toWire(slot.angular_acceleration, out.initAngularAcceleration());
+  toWire(slot.mask, out.initMask(6));
+  out.setStamp(slot.stamp);
+}
+
+Errc fromWire(wire::TwistGoal::Reader in, TwistGoalSlot& slot, Duration shift) {
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  return firstError({
+      in.hasLinear() ? fromWire(in.getLinear(), slot.linear) : Errc::Invalid,
+      in.hasAngular() ? fromWire(in.getAngular(), slot.angular) : Errc::Invalid,
+      in.hasLinearAcceleration() ? fromWire(in.getLinearAcceleration(), slot.linear_acceleration)
+          : Errc::Invalid,
+      in.hasAngularAcceleration() ? fromWire(in.getAngularAcceleration(), slot.angular_acceleration)
+          : Errc::Invalid,
+      fromWire(in.getMask(), slot.mask),
+  });
+}
+
+bool isValid(const TwistGoalSlot& slot) {
+  return isValid(slot.linear) && isValid(slot.angular) && isValid(slot.linear_acceleration) &&
+      isValid(slot.angular_acceleration);
+}
+
+void toWire(const WrenchSlot& slot, wire::Wrench::Builder out) {
+  toWire(slot.force, out.initForce());
+  toWire(slot.torque, out.initTorque());
+  toWire(slot.mask, out.initMask(6));
+  toWire(slot.moving_frame, out.initMovingFrame(slot.moving_frame.size));
+  toWire(slot.reference_frame, out.initReferenceFrame(slot.reference_frame.size));
+  out.setStamp(slot.stamp);
+  out.setValid(slot.valid != 0);
+}
+
+Errc fromWire(wire::Wrench::Reader in, WrenchSlot& slot, Duration shift) {
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.valid = in.getValid();
+  return firstError({
+      in.hasForce() ? fromWire(in.getForce(), slot.force) : Errc::Invalid,
+      in.hasTorque() ? fromWire(in.getTorque(), slot.torque) : Errc::Invalid,
+      fromWire(in.getMask(), slot.mask),
+      fromWire(in.getMovingFrame(), slot.moving_frame),
+      fromWire(in.getReferenceFrame(), slot.reference_frame),
+  });
+}
+
+bool isValid(const WrenchSlot& slot) {
+  return isValid(slot.force) && isValid(slot.torque);
+}
+
+void toWire(const WrenchGoalSlot& slot, wire::WrenchGoal::Builder out) {
+  toWire(slot.force, out.initForce());
+  toWire(slot.torque, out.initTorque());
+  toWire(slot.mask, out.initMask(6));
+  out.setStamp(slot.stamp);
+}
+
+Errc fromWire(wire::WrenchGoal::Reader in, WrenchGoalSlot& slot, Duration shift) {
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  return firstError({
+      in.hasForce() ? fromWire(in.getForce(), slot.force) : Errc::Invalid,
+      in.hasTorque() ? fromWire(in.getTorque(), slot.torque) : Errc::Invalid,
+      fromWire(in.getMask(), slot.mask),
+  });
+}
+
+bool isValid(const WrenchGoalSlot& slot) {
+  return isValid(slot.force) && isValid(slot.torque);
+}
+
+void toWire(const CartesianStateSlot& slot, wire::CartesianState::Builder out) {
+  toWire(slot.moving_frame, out.initMovingFrame(slot.moving_frame.size));
+  toWire(slot.reference_frame, out.initReferenceFrame(slot.reference_frame.size));
+  toWire(slot.position, out.initPosition());
+  out.setPositionIsValid(slot.position_is_valid != 0);
+  toWire(slot.linear_velocity, out.initLinearVelocity());
+  toWire(slot.angular_velocity, out.initAngularVelocity());
+  out.setVelocityIsValid(slot.velocity_is_valid != 0);
+  toWire(slot.force, out.initForce());
+  toWire(slot.torque, out.initTorque());
+  out.setForceIsValid(slot.force_is_valid != 0);
+  out.setStamp(slot.stamp);
+}
+
+Errc fromWire(wire::CartesianState::Reader in, CartesianStateSlot& slot, Duration shift) {
+  slot.position_is_valid = in.getPositionIsValid();
+  slot.velocity_is_valid = in.getVelocityIsValid();
+  slot.force_is_valid = in.getForceIsValid();
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  return firstError({
+      fromWire(in.getMovingFrame(), slot.moving_frame),
+      fromWire(in.getReferenceFrame(), slot.reference_frame),
+      in.hasPosition() ? fromWire(in.getPosition(), slot.position) : Errc::Invalid,
+      in.hasLinearVelocity() ? fromWire(in.getLinearVelocity(), slot.linear_velocity)
+          : Errc::Invalid,
+      in.hasAngularVelocity() ? fromWire(in.getAngularVelocity(), slot.angular_velocity)
+          : Errc::Invalid,
+      in.hasForce() ? fromWire(in.getForce(), slot.force) : Errc::Invalid,
+      in.hasTorque() ? fromWire(in.getTorque(), slot.torque) : Errc::Invalid,
+  });
+}
+
+bool isValid(const CartesianStateSlot& slot) {
+  return isValid(slot.position) && isValid(slot.linear_velocity) &&
+      isValid(slot.angular_velocity) && isValid(slot.force) && isValid(slot.torque);
+}
+
+void toWire(const CartesianGoalSlot& slot, wire::CartesianGoal::Builder out) {
+  toWire(slot.goal, out.initGoal());
+  toWire(slot.linear_velocity, out.initLinearVelocity());
+  toWire(slot.angular_velocity, out.initAngularVelocity());
+  toWire(slot.linear_acceleration, out.initLinearAcceleration());
+  toWire(slot.angular_acceleration, out.initAngularAcceleration());
+  toWire(slot.mask, out.initMask(2));
+  toWire(slot.moving_frame, out.initMovingFrame(slot.moving_frame.size));
+  toWire(slot.reference_frame, out.initReferenceFrame(slot.reference_frame.size));
+  out.setStamp(slot.stamp);
+  out.setValid(slot.valid != 0);
+}
+
+Errc fromWire(wire::CartesianGoal::Reader in, CartesianGoalSlot& slot, Duration shift) {
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.valid = in.getValid();
+  return firstError({
+      in.hasGoal() ? fromWire(in.getGoal(), slot.goal) : Errc::Invalid,
+      in.hasLinearVelocity() ? fromWire(in.getLinearVelocity(), slot.linear_velocity)
+          : Errc::Invalid,
+      in.hasAngularVelocity() ? fromWire(in.getAngularVelocity(), slot.angular_velocity)
+          : Errc::Invalid,
+      in.hasLinearAcceleration() ? fromWire(in.getLinearAcceleration(), slot.linear_acceleration)
+          : Errc::Invalid,
+      in.hasAngularAcceleration() ? fromWire(in.getAngularAcceleration(), slot.angular_acceleration)
+          : Errc::Invalid,
+      fromWire(in.getMask(), slot.mask),
+      fromWire(in.getMovingFrame(), slot.moving_frame),
+      fromWire(in.getReferenceFrame(), slot.reference_frame),
+  });
+}
+
+bool isValid(const CartesianGoalSlot& slot) {
+  return isValid(slot.goal) && isValid(slot.linear_velocity) && isValid(slot.angular_velocity) &&
+      isValid(slot.linear_acceleration) && isValid(slot.angular_acceleration);
+}
+
+void toWire(const ServoCartesianSlot& slot, wire::ServoCartesian::Builder out) {
+  toWire(slot.task_frame, out.initTaskFrame());
+  toWire(slot.position, out.initPosition());
+  toWire(slot.linear_velocity, out.initLinearVelocity());
+  toWire(slot.angular_velocity, out.initAngularVelocity());
+  toWire(slot.force, out.initForce());
+  toWire(slot.torque, out.initTorque());
+  toWireList(slot.axis_mode, out.initAxisMode(6),
+             [](const std::uint8_t& element, auto list, std::uint32_t i) {
+               list.set(i, wireServoMode(element));
+             });
+  out.setStamp(slot.stamp);
+}
+
+Errc fromWire(wire::ServoCartesian::Reader in, ServoCartesianSlot& slot, Duration shift) {
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  return firstError({
+      in.hasTaskFrame() ? fromWire(in.getTaskFrame(), slot.task_frame) : Errc::Invalid,
+      in.hasPosition() ? fromWire(in.getPosition(), slot.position) : Errc::Invalid,
+      in.hasLinearVelocity() ? fromWire(in.getLinearVelocity(), slot.linear_velocity)
+          : Errc::Invalid,
+      in.hasAngularVelocity() ? fromWire(in.getAngularVelocity(), slot.angular_velocity)
+          : Errc::Invalid,
+      in.hasForce() ? fromWire(in.getForce(), slot.force) : Errc::Invalid,
+      in.hasTorque() ? fromWire(in.getTorque(), slot.torque) : Errc::Invalid,
+      fromWireList(in.getAxisMode(), slot.axis_mode, [](auto item, std::uint8_t& target) {
+        return fromWire(item, target);
+      }),
+  });
+}
+
+bool isValid(const ServoCartesianSlot& slot) {
+  return isValid(slot.task_frame) && isValid(slot.position) && isValid(slot.linear_velocity) &&
+      isValid(slot.angular_velocity) && isValid(slot.force) && isValid(slot.torque);
+}
+
+void toWire(const HalfPlaneGainsSlot& slot, wire::HalfPlaneGains::Builder out) {
+  toWire(slot.p, out.initP());
+  toWire(slot.d, out.initD());
+  toWire(slot.bias, out.initBias());
+  toWire(slot.deadband, out.initDeadband());
+}
+
+Errc fromWire(wire::HalfPlaneGains::Reader in, HalfPlaneGainsSlot& slot, Duration) {
+  return firstError({
+      in.hasP() ? fromWire(in.getP(), slot.p) : Errc::Invalid,
+      in.hasD() ? fromWire(in.getD(), slot.d) : Errc::Invalid,
+      in.hasBias() ? fromWire(in.getBias(), slot.bias) : Errc::Invalid,
+      in.hasDeadband() ? fromWire(in.getDeadband(), slot.deadband) : Errc::Invalid,
+  });
+}
+
+bool isValid(const HalfPlaneGainsSlot& slot) {
+  return isValid(slot.p) && isValid(slot.d) && isValid(slot.bias) && isValid(slot.deadband);
+}
+
+void toWire(const AngularHalfPlaneGainsSlot& slot, wire::AngularHalfPlaneGains::Builder out) {
+  toWire(slot.p, out.initP());
+  toWire(slot.d, out.initD());
+  toWire(slot.bias, out.initBias());
+  toWire(slot.deadband, out.initDeadband());
+}
+
+Errc fromWire(wire::AngularHalfPlaneGains::Reader in, AngularHalfPlaneGainsSlot& slot, Duration) {
+  return firstError({
+      in.hasP() ? fromWire(in.getP(), slot.p) : Errc::Invalid,
+      in.hasD() ? fromWire(in.getD(), slot.d) : Errc::Invalid,
+      in.hasBias() ? fromWire(in.getBias(), slot.bias) : Errc::Invalid,
+      in.hasDeadband() ? fromWire(in.getDeadband(), slot.deadband) : Errc::Invalid,
+  });
+}
+
+bool isValid(const AngularHalfPlaneGainsSlot& slot) {
+  return isValid(slot.p) && isValid(slot.d) && isValid(slot.bias) && isValid(slot.deadband);
+}
+
+void toWire(const CartesianImpedanceSlot& slot, wire::CartesianImpedance::Builder out) {
+  toWire(slot.force_orientation, out.initForceOrientation());
+  toWire(slot.force_position, out.initForcePosition());
+  toWire(slot.torque_orientation, out.initTorqueOrientation());
+  toWire(slot.position_positive, out.initPositionPositive());
+  toWire(slot.position_negative, out.initPositionNegative());
+  toWire(slot.orientation_positive, out.initOrientationPositive());
+  toWire(slot.orientation_negative, out.initOrientationNegative());
+  out.setStamp(slot.stamp);
+}
+
+Errc fromWire(wire::CartesianImpedance::Reader in, CartesianImpedanceSlot& slot, Duration shift) {
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  return firstError({
+      in.hasForceOrientation() ? fromWire(in.getForceOrientation(), slot.force_orientation)
+          : Errc::Invalid,
+      in.hasForcePosition() ? fromWire(in.getForcePosition(), slot.force_position) : Errc::Invalid,
+      in.hasTorqueOrientation() ? fromWire(in.getTorqueOrientation(), slot.torque_orientation)
+          : Errc::Invalid,
+      in.hasPositionPositive() ? fromWire(in.getPositionPositive(), slot.position_positive, shift)
+          : Errc::Invalid,
+      in.hasPositionNegative() ? fromWire(in.getPositionNegative(), slot.position_negative, shift)
+          : Errc::Invalid,
+      in.hasOrientationPositive()
+          ? fromWire(in.getOrientationPositive(), slot.orientation_positive, shift) : Errc::Invalid,
+      in.hasOrientationNegative()
+          ? fromWire(in.getOrientationNegative(), slot.orientation_negative, shift) : Errc::Invalid,
+  });
+}
+
+bool isValid(const CartesianImpedanceSlot& slot) {
+  return isValid(slot.force_orientation) && isValid(slot.force_position) &&
+      isValid(slot.torque_orientation) && isValid(slot.position_positive) &&
+      isValid(slot.position_negative) && isValid(slot.orientation_positive) &&
+      isValid(slot.orientation_negative);
+}
+
+}  // namespace robots

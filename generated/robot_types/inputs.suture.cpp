@@ -1,0 +1,137 @@
+// Written by suturec from robot_types/inputs.h. Do not edit.
+#include "robot_types/inputs.suture.h"
+
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "robot_types/inputs.capnp.h"
+
+namespace robots {
+
+using suture::Duration;
+using suture::Errc;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<std::underlying_type_t<ButtonAction>, std::uint8_t>);
+static_assert(static_cast<std::uint8_t>(ButtonAction::Undefined) == 0);
+static_assert(static_cast<std::uint8_t>(ButtonAction::Pressed) == 1);
+static_assert(static_cast<std::uint8_t>(ButtonAction::Released) == 2);
+static_assert(static_cast<std::uint8_t>(ButtonAction::Clicked) == 3);
+static_assert(static_cast<std::uint8_t>(ButtonAction::DoubleClicked) == 4);
+static_assert(std::is_same_v<decltype(ButtonEvent::type), ButtonAction>);
+static_assert(std::is_same_v<decltype(ButtonEvent::stamp), std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(ButtonEvent::valid), bool>);
+static_assert(std::is_same_v<decltype(InputData::analog_inputs), std::vector<double>>);
+static_assert(std::is_same_v<decltype(InputData::digital_inputs), std::vector<bool>>);
+static_assert(std::is_same_v<decltype(InputData::stamp), std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(InputData::valid), bool>);
+static_assert(std::is_same_v<decltype(ImuSample::orientation), Eigen::Quaterniond>);
+static_assert(std::is_same_v<decltype(ImuSample::angular_velocity), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(ImuSample::linear_acceleration), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(ImuSample::stamp), std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(ImuSample::valid), bool>);
+
+}  // namespace
+
+// --- between slots and Cap'n Proto
+
+wire::ButtonAction wireButtonAction(std::uint8_t slot) {
+  switch (static_cast<ButtonAction>(slot)) {
+    case ButtonAction::Undefined: return wire::ButtonAction::UNDEFINED;
+    case ButtonAction::Pressed: return wire::ButtonAction::PRESSED;
+    case ButtonAction::Released: return wire::ButtonAction::RELEASED;
+    case ButtonAction::Clicked: return wire::ButtonAction::CLICKED;
+    case ButtonAction::DoubleClicked: return wire::ButtonAction::DOUBLE_CLICKED;
+  }
+  return wire::ButtonAction{};
+}
+
+Errc fromWire(wire::ButtonAction in, std::uint8_t& slot) {
+  switch (in) {
+    case wire::ButtonAction::UNDEFINED: return slot =
+        static_cast<std::uint8_t>(ButtonAction::Undefined), Errc{};
+    case wire::ButtonAction::PRESSED: return slot =
+        static_cast<std::uint8_t>(ButtonAction::Pressed), Errc{};
+    case wire::ButtonAction::RELEASED: return slot =
+        static_cast<std::uint8_t>(ButtonAction::Released), Errc{};
+    case wire::ButtonAction::CLICKED: return slot =
+        static_cast<std::uint8_t>(ButtonAction::Clicked), Errc{};
+    case wire::ButtonAction::DOUBLE_CLICKED: return slot =
+        static_cast<std::uint8_t>(ButtonAction::DoubleClicked), Errc{};
+  }
+  return Errc::Invalid;
+}
+
+void toWire(const ButtonEventSlot& slot, wire::ButtonEvent::Builder out) {
+  out.setType(wireButtonAction(slot.type));
+  out.setStamp(slot.stamp);
+  out.setValid(slot.valid != 0);
+}
+
+Errc fromWire(wire::ButtonEvent::Reader in, ButtonEventSlot& slot, Duration shift) {
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.valid = in.getValid();
+  return fromWire(in.getType(), slot.type);
+}
+
+bool isValid(const ButtonEventSlot&) {
+  return true;
+}
+
+void toWire(const InputDataSlot& slot, wire::InputData::Builder out) {
+  toWire(slot.analog_inputs, out.initAnalogInputs(slot.analog_inputs.size));
+  toWire(slot.digital_inputs, out.initDigitalInputs(slot.digital_inputs.size));
+  out.setStamp(slot.stamp);
+  out.setValid(slot.valid != 0);
+}
+
+Errc fromWire(wire::InputData::Reader in, InputDataSlot& slot, Duration shift) {
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.valid = in.getValid();
+  return firstError({
+      fromWire(in.getAnalogInputs(), slot.analog_inputs),
+      fromWire(in.getDigitalInputs(), slot.digital_inputs),
+  });
+}
+
+bool isValid(const InputDataSlot& slot) {
+  return isValid(slot.analog_inputs);
+}
+
+void toWire(const ImuSampleSlot& slot, wire::ImuSample::Builder out) {
+  toWire(slot.orientation, out.initOrientation());
+  toWire(slot.angular_velocity, out.initAngularVelocity());
+  toWire(slot.linear_acceleration, out.initLinearAcceleration());
+  out.setStamp(slot.stamp);
+  out.setValid(slot.valid != 0);
+}
+
+Errc fromWire(wire::ImuSample::Reader in, ImuSampleSlot& slot, Duration shift) {
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.valid = in.getValid();
+  return firstError({
+      in.hasOrientation() ? fromWire(in.getOrientation(), slot.orientation) : Errc::Invalid,
+      in.hasAngularVelocity() ? fromWire(in.getAngularVelocity(), slot.angular_velocity)
+          : Errc::Invalid,
+      in.hasLinearAcceleration() ? fromWire(in.getLinearAcceleration(), slot.linear_acceleration)
+          : Errc::Invalid,
+  });
+}
+
+bool isValid(const ImuSampleSlot& slot) {
+  return isValid(slot.orientation) && isValid(slot.angular_velocity) &&
+      isValid(slot.linear_acceleration);
+}
+
+}  // namespace robots

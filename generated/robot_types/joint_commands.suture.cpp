@@ -1,0 +1,348 @@
+// Written by suturec from robot_types/joint_commands.h. Do not edit.
+#include "robot_types/joint_commands.suture.h"
+
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "robot_types/joint_commands.capnp.h"
+
+namespace robots {
+
+using suture::Duration;
+using suture::Errc;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<std::underlying_type_t<JointType>, std::uint8_t>);
+static_assert(static_cast<std::uint8_t>(JointType::Undefined) == 0);
+static_assert(static_cast<std::uint8_t>(JointType::Prismatic) == 1);
+static_assert(static_cast<std::uint8_t>(JointType::Revolute) == 2);
+static_assert(static_cast<std::uint8_t>(JointType::Universal) == 3);
+static_assert(static_cast<std::uint8_t>(JointType::BallSocket) == 4);
+static_assert(static_cast<std::uint8_t>(JointType::Inactive) == 5);
+static_assert(std::is_same_v<decltype(JointPosition::position), std::vector<double>>);
+static_assert(std::is_same_v<decltype(JointPosition::stamps),
+                             std::vector<std::chrono::steady_clock::time_point>>);
+static_assert(std::is_same_v<decltype(JointPosition::stamp),
+                             std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(JointPosition::valid), bool>);
+static_assert(std::is_same_v<decltype(JointPositionGoal::goal), std::vector<double>>);
+static_assert(std::is_same_v<decltype(JointPositionGoal::velocity), std::vector<double>>);
+static_assert(std::is_same_v<decltype(JointPositionGoal::acceleration), std::vector<double>>);
+static_assert(std::is_same_v<decltype(JointPositionGoal::time_limit), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(JointPositionGoal::is_coordinated), bool>);
+static_assert(std::is_same_v<decltype(JointPositionGoal::stamp),
+                             std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(JointVelocity::velocity), std::vector<double>>);
+static_assert(std::is_same_v<decltype(JointVelocity::stamp),
+                             std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(JointVelocity::valid), bool>);
+static_assert(std::is_same_v<decltype(JointVelocityGoal::goal), std::vector<double>>);
+static_assert(std::is_same_v<decltype(JointVelocityGoal::acceleration), std::vector<double>>);
+static_assert(std::is_same_v<decltype(JointVelocityGoal::deceleration), std::vector<double>>);
+static_assert(std::is_same_v<decltype(JointVelocityGoal::guard), std::vector<double>>);
+static_assert(std::is_same_v<decltype(JointVelocityGoal::mask), std::vector<bool>>);
+static_assert(std::is_same_v<decltype(JointVelocityGoal::stamp),
+                             std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(JointEffortGoal::effort), std::vector<double>>);
+static_assert(std::is_same_v<decltype(JointEffortGoal::mask), std::vector<bool>>);
+static_assert(std::is_same_v<decltype(JointEffortGoal::stamp),
+                             std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(JointConfiguration::name), std::vector<std::string>>);
+static_assert(std::is_same_v<decltype(JointConfiguration::type), std::vector<robots::JointType>>);
+static_assert(std::is_same_v<decltype(JointConfiguration::position_min), std::vector<double>>);
+static_assert(std::is_same_v<decltype(JointConfiguration::position_max), std::vector<double>>);
+static_assert(std::is_same_v<decltype(JointConfiguration::velocity_min), std::vector<double>>);
+static_assert(std::is_same_v<decltype(JointConfiguration::velocity_max), std::vector<double>>);
+static_assert(std::is_same_v<decltype(JointConfiguration::acceleration_min), std::vector<double>>);
+static_assert(std::is_same_v<decltype(JointConfiguration::acceleration_max), std::vector<double>>);
+static_assert(std::is_same_v<decltype(JointConfiguration::effort_min), std::vector<double>>);
+static_assert(std::is_same_v<decltype(JointConfiguration::effort_max), std::vector<double>>);
+static_assert(std::is_same_v<decltype(JointConfiguration::valid), bool>);
+static_assert(std::is_same_v<decltype(ServoJoint::name), std::vector<std::string>>);
+static_assert(std::is_same_v<decltype(ServoJoint::mode), std::vector<std::uint16_t>>);
+static_assert(std::is_same_v<decltype(ServoJoint::position), std::vector<double>>);
+static_assert(std::is_same_v<decltype(ServoJoint::velocity), std::vector<double>>);
+static_assert(std::is_same_v<decltype(ServoJoint::effort), std::vector<double>>);
+static_assert(std::is_same_v<decltype(ServoJoint::position_projection), std::vector<double>>);
+static_assert(std::is_same_v<decltype(ServoJoint::stamp), std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(ActuatorJointCoupling::joints), std::uint32_t>);
+static_assert(std::is_same_v<decltype(ActuatorJointCoupling::actuators), std::uint32_t>);
+static_assert(std::is_same_v<decltype(ActuatorJointCoupling::actuator_to_joint_position),
+                             std::vector<double>>);
+static_assert(std::is_same_v<decltype(ActuatorJointCoupling::joint_to_actuator_position),
+                             std::vector<double>>);
+static_assert(std::is_same_v<decltype(ActuatorJointCoupling::actuator_to_joint_effort),
+                             std::vector<double>>);
+static_assert(std::is_same_v<decltype(ActuatorJointCoupling::joint_to_actuator_effort),
+                             std::vector<double>>);
+static_assert(std::is_same_v<decltype(Jacobian::joints), std::uint32_t>);
+static_assert(std::is_same_v<decltype(Jacobian::coefficients), std::vector<double>>);
+static_assert(std::is_same_v<decltype(Jacobian::stamp), std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(Jacobian::valid), bool>);
+
+}  // namespace
+
+// --- between slots and Cap'n Proto
+
+wire::JointType wireJointType(std::uint8_t slot) {
+  switch (static_cast<JointType>(slot)) {
+    case JointType::Undefined: return wire::JointType::UNDEFINED;
+    case JointType::Prismatic: return wire::JointType::PRISMATIC;
+    case JointType::Revolute: return wire::JointType::REVOLUTE;
+    case JointType::Universal: return wire::JointType::UNIVERSAL;
+    case JointType::BallSocket: return wire::JointType::BALL_SOCKET;
+    case JointType::Inactive: return wire::JointType::INACTIVE;
+  }
+  return wire::JointType{};
+}
+
+Errc fromWire(wire::JointType in, std::uint8_t& slot) {
+  switch (in) {
+    case wire::JointType::UNDEFINED: return slot =
+        static_cast<std::uint8_t>(JointType::Undefined), Errc{};
+    case wire::JointType::PRISMATIC: return slot =
+        static_cast<std::uint8_t>(JointType::Prismatic), Errc{};
+    case wire::JointType::REVOLUTE: return slot =
+        static_cast<std::uint8_t>(JointType::Revolute), Errc{};
+    case wire::JointType::UNIVERSAL: return slot =
+        static_cast<std::uint8_t>(JointType::Universal), Errc{};
+    case wire::JointType::BALL_SOCKET: return slot =
+        static_cast<std::uint8_t>(JointType::BallSocket), Errc{};
+    case wire::JointType::INACTIVE: return slot =
+        static_cast<std::uint8_t>(JointType::Inactive), Errc{};
+  }
+  return Errc::Invalid;
+}
+
+void toWire(const JointPositionSlot& slot, wire::JointPosition::Builder out) {
+  toWire(slot.position, out.initPosition(slot.position.size));
+  toWire(slot.stamps, out.initStamps(slot.stamps.size));
+  out.setStamp(slot.stamp);
+  out.setValid(slot.valid != 0);
+}
+
+Errc fromWire(wire::JointPosition::Reader in, JointPositionSlot& slot, Duration shift) {
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.valid = in.getValid();
+  return firstError({
+      fromWire(in.getPosition(), slot.position),
+      fromWireList(in.getStamps(), slot.stamps, [&](auto item, std::int64_t& target) {
+        return target = suture::rpc::shifted(item, shift), Errc{};
+      }),
+  });
+}
+
+bool isValid(const JointPositionSlot& slot) {
+  return isValid(slot.position);
+}
+
+void toWire(const JointPositionGoalSlot& slot, wire::JointPositionGoal::Builder out) {
+  toWire(slot.goal, out.initGoal(slot.goal.size));
+  toWire(slot.velocity, out.initVelocity(slot.velocity.size));
+  toWire(slot.acceleration, out.initAcceleration(slot.acceleration.size));
+  out.setTimeLimit(slot.time_limit);
+  out.setIsCoordinated(slot.is_coordinated != 0);
+  out.setStamp(slot.stamp);
+}
+
+Errc fromWire(wire::JointPositionGoal::Reader in, JointPositionGoalSlot& slot, Duration shift) {
+  slot.time_limit = in.getTimeLimit();
+  slot.is_coordinated = in.getIsCoordinated();
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  return firstError({
+      fromWire(in.getGoal(), slot.goal),
+      fromWire(in.getVelocity(), slot.velocity),
+      fromWire(in.getAcceleration(), slot.acceleration),
+  });
+}
+
+bool isValid(const JointPositionGoalSlot& slot) {
+  return isValid(slot.goal) && isValid(slot.velocity) && isValid(slot.acceleration);
+}
+
+void toWire(const JointVelocitySlot& slot, wire::JointVelocity::Builder out) {
+  toWire(slot.velocity, out.initVelocity(slot.velocity.size));
+  out.setStamp(slot.stamp);
+  out.setValid(slot.valid != 0);
+}
+
+Errc fromWire(wire::JointVelocity::Reader in, JointVelocitySlot& slot, Duration shift) {
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.valid = in.getValid();
+  return fromWire(in.getVelocity(), slot.velocity);
+}
+
+bool isValid(const JointVelocitySlot& slot) {
+  return isValid(slot.velocity);
+}
+
+void toWire(const JointVelocityGoalSlot& slot, wire::JointVelocityGoal::Builder out) {
+  toWire(slot.goal, out.initGoal(slot.goal.size));
+  toWire(slot.acceleration, out.initAcceleration(slot.acceleration.size));
+  toWire(slot.deceleration, out.initDeceleration(slot.deceleration.size));
+  toWire(slot.guard, out.initGuard(slot.guard.size));
+  toWire(slot.mask, out.initMask(slot.mask.size));
+  out.setStamp(slot.stamp);
+}
+
+Errc fromWire(wire::JointVelocityGoal::Reader in, JointVelocityGoalSlot& slot, Duration shift) {
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  return firstError({
+      fromWire(in.getGoal(), slot.goal),
+      fromWire(in.getAcceleration(), slot.acceleration),
+      fromWire(in.getDeceleration(), slot.deceleration),
+      fromWire(in.getGuard(), slot.guard),
+      fromWire(in.getMask(), slot.mask),
+  });
+}
+
+bool isValid(const JointVelocityGoalSlot& slot) {
+  return isValid(slot.goal) && isValid(slot.acceleration) && isValid(slot.deceleration) &&
+      isValid(slot.guard);
+}
+
+void toWire(const JointEffortGoalSlot& slot, wire::JointEffortGoal::Builder out) {
+  toWire(slot.effort, out.initEffort(slot.effort.size));
+  toWire(slot.mask, out.initMask(slot.mask.size));
+  out.setStamp(slot.stamp);
+}
+
+Errc fromWire(wire::JointEffortGoal::Reader in, JointEffortGoalSlot& slot, Duration shift) {
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  return firstError({
+      fromWire(in.getEffort(), slot.effort),
+      fromWire(in.getMask(), slot.mask),
+  });
+}
+
+bool isValid(const JointEffortGoalSlot& slot) {
+  return isValid(slot.effort);
+}
+
+void toWire(const JointConfigurationSlot& slot, wire::JointConfiguration::Builder out) {
+  toWire(slot.name, out.initName(slot.name.size));
+  toWireList(slot.type, out.initType(slot.type.size),
+             [](const std::uint8_t& element, auto list, std::uint32_t i) {
+               list.set(i, wireJointType(element));
+             });
+  toWire(slot.position_min, out.initPositionMin(slot.position_min.size));
+  toWire(slot.position_max, out.initPositionMax(slot.position_max.size));
+  toWire(slot.velocity_min, out.initVelocityMin(slot.velocity_min.size));
+  toWire(slot.velocity_max, out.initVelocityMax(slot.velocity_max.size));
+  toWire(slot.acceleration_min, out.initAccelerationMin(slot.acceleration_min.size));
+  toWire(slot.acceleration_max, out.initAccelerationMax(slot.acceleration_max.size));
+  toWire(slot.effort_min, out.initEffortMin(slot.effort_min.size));
+  toWire(slot.effort_max, out.initEffortMax(slot.effort_max.size));
+  out.setValid(slot.valid != 0);
+}
+
+Errc fromWire(wire::JointConfiguration::Reader in, JointConfigurationSlot& slot, Duration) {
+  slot.valid = in.getValid();
+  return firstError({
+      fromWire(in.getName(), slot.name),
+      fromWireList(in.getType(), slot.type, [](auto item, std::uint8_t& target) {
+        return fromWire(item, target);
+      }),
+      fromWire(in.getPositionMin(), slot.position_min),
+      fromWire(in.getPositionMax(), slot.position_max),
+      fromWire(in.getVelocityMin(), slot.velocity_min),
+      fromWire(in.getVelocityMax(), slot.velocity_max),
+      fromWire(in.getAccelerationMin(), slot.acceleration_min),
+      fromWire(in.getAccelerationMax(), slot.acceleration_max),
+      fromWire(in.getEffortMin(), slot.effort_min),
+      fromWire(in.getEffortMax(), slot.effort_max),
+  });
+}
+
+bool isValid(const JointConfigurationSlot& slot) {
+  return isValid(slot.position_min) && isValid(slot.position_max) && isValid(slot.velocity_min) &&
+      isValid(slot.velocity_max) && isValid(slot.acceleration_min) &&
+      isValid(slot.acceleration_max) && isValid(slot.effort_min) && isValid(slot.effort_max);
+}
+
+void toWire(const ServoJointSlot& slot, wire::ServoJoint::Builder out) {
+  toWire(slot.name, out.initName(slot.name.size));
+  toWire(slot.mode, out.initMode(slot.mode.size));
+  toWire(slot.position, out.initPosition(slot.position.size));
+  toWire(slot.velocity, out.initVelocity(slot.velocity.size));
+  toWire(slot.effort, out.initEffort(slot.effort.size));
+  toWire(slot.position_projection, out.initPositionProjection(slot.position_projection.size));
+  out.setStamp(slot.stamp);
+}
+
+Errc fromWire(wire::ServoJoint::Reader in, ServoJointSlot& slot, Duration shift) {
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  return firstError({
+      fromWire(in.getName(), slot.name),
+      fromWire(in.getMode(), slot.mode),
+      fromWire(in.getPosition(), slot.position),
+      fromWire(in.getVelocity(), slot.velocity),
+      fromWire(in.getEffort(), slot.effort),
+      fromWire(in.getPositionProjection(), slot.position_projection),
+  });
+}
+
+bool isValid(const ServoJointSlot& slot) {
+  return isValid(slot.position) && isValid(slot.velocity) && isValid(slot.effort) &&
+      isValid(slot.position_projection);
+}
+
+void toWire(const ActuatorJointCouplingSlot& slot, wire::ActuatorJointCoupling::Builder out) {
+  out.setJoints(slot.joints);
+  out.setActuators(slot.actuators);
+  toWire(slot.actuator_to_joint_position,
+         out.initActuatorToJointPosition(slot.actuator_to_joint_position.size));
+  toWire(slot.joint_to_actuator_position,
+         out.initJointToActuatorPosition(slot.joint_to_actuator_position.size));
+  toWire(slot.actuator_to_joint_effort,
+         out.initActuatorToJointEffort(slot.actuator_to_joint_effort.size));
+  toWire(slot.joint_to_actuator_effort,
+         out.initJointToActuatorEffort(slot.joint_to_actuator_effort.size));
+}
+
+Errc fromWire(wire::ActuatorJointCoupling::Reader in, ActuatorJointCouplingSlot& slot, Duration) {
+  slot.joints = in.getJoints();
+  slot.actuators = in.getActuators();
+  return firstError({
+      fromWire(in.getActuatorToJointPosition(), slot.actuator_to_joint_position),
+      fromWire(in.getJointToActuatorPosition(), slot.joint_to_actuator_position),
+      fromWire(in.getActuatorToJointEffort(), slot.actuator_to_joint_effort),
+      fromWire(in.getJointToActuatorEffort(), slot.joint_to_actuator_effort),
+  });
+}
+
+bool isValid(const ActuatorJointCouplingSlot& slot) {
+  return isValid(slot.actuator_to_joint_position) && isValid(slot.joint_to_actuator_position) &&
+      isValid(slot.actuator_to_joint_effort) && isValid(slot.joint_to_actuator_effort);
+}
+
+void toWire(const JacobianSlot& slot, wire::Jacobian::Builder out) {
+  out.setJoints(slot.joints);
+  toWire(slot.coefficients, out.initCoefficients(slot.coefficients.size));
+  out.setStamp(slot.stamp);
+  out.setValid(slot.valid != 0);
+}
+
+Errc fromWire(wire::Jacobian::Reader in, JacobianSlot& slot, Duration shift) {
+  slot.joints = in.getJoints();
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.valid = in.getValid();
+  return fromWire(in.getCoefficients(), slot.coefficients);
+}
+
+bool isValid(const JacobianSlot& slot) {
+  return isValid(slot.coefficients);
+}
+
+}  // namespace robots

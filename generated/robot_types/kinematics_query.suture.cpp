@@ -1,0 +1,104 @@
+// Written by suturec from robot_types/kinematics_query.h. Do not edit.
+#include "robot_types/kinematics_query.suture.h"
+
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "robot_types/kinematics_query.capnp.h"
+
+namespace robots {
+
+using suture::Duration;
+using suture::Errc;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<decltype(ForwardKinematicsRequest::jp), std::vector<double>>);
+static_assert(std::is_same_v<decltype(ForwardKinematicsResponse::cp), Eigen::Isometry3d>);
+static_assert(std::is_same_v<decltype(ForwardKinematicsResponse::result), bool>);
+static_assert(std::is_same_v<decltype(ForwardKinematicsResponse::message), std::string>);
+static_assert(std::is_same_v<decltype(InverseKinematicsRequest::cp), Eigen::Isometry3d>);
+static_assert(std::is_same_v<decltype(InverseKinematicsRequest::jp), std::vector<double>>);
+static_assert(std::is_same_v<decltype(InverseKinematicsResponse::jp), std::vector<double>>);
+static_assert(std::is_same_v<decltype(InverseKinematicsResponse::result), bool>);
+static_assert(std::is_same_v<decltype(InverseKinematicsResponse::message), std::string>);
+
+}  // namespace
+
+// --- between slots and Cap'n Proto
+
+void toWire(const ForwardKinematicsRequestSlot& slot, wire::ForwardKinematicsRequest::Builder out) {
+  toWire(slot.jp, out.initJp(slot.jp.size));
+}
+
+Errc fromWire(wire::ForwardKinematicsRequest::Reader in, ForwardKinematicsRequestSlot& slot, Duration) {
+  return fromWire(in.getJp(), slot.jp);
+}
+
+bool isValid(const ForwardKinematicsRequestSlot& slot) {
+  return isValid(slot.jp);
+}
+
+void toWire(const ForwardKinematicsResponseSlot& slot, wire::ForwardKinematicsResponse::Builder out) {
+  toWire(slot.cp, out.initCp());
+  out.setResult(slot.result != 0);
+  toWire(slot.message, out.initMessage(slot.message.size));
+}
+
+Errc fromWire(wire::ForwardKinematicsResponse::Reader in, ForwardKinematicsResponseSlot& slot, Duration) {
+  slot.result = in.getResult();
+  return firstError({
+      in.hasCp() ? fromWire(in.getCp(), slot.cp) : Errc::Invalid,
+      fromWire(in.getMessage(), slot.message),
+  });
+}
+
+bool isValid(const ForwardKinematicsResponseSlot& slot) {
+  return isValid(slot.cp);
+}
+
+void toWire(const InverseKinematicsRequestSlot& slot, wire::InverseKinematicsRequest::Builder out) {
+  toWire(slot.cp, out.initCp());
+  toWire(slot.jp, out.initJp(slot.jp.size));
+}
+
+Errc fromWire(wire::InverseKinematicsRequest::Reader in, InverseKinematicsRequestSlot& slot, Duration) {
+  return firstError({
+      in.hasCp() ? fromWire(in.getCp(), slot.cp) : Errc::Invalid,
+      fromWire(in.getJp(), slot.jp),
+  });
+}
+
+bool isValid(const InverseKinematicsRequestSlot& slot) {
+  return isValid(slot.cp) && isValid(slot.jp);
+}
+
+void toWire(const InverseKinematicsResponseSlot& slot, wire::InverseKinematicsResponse::Builder out) {
+  toWire(slot.jp, out.initJp(slot.jp.size));
+  out.setResult(slot.result != 0);
+  toWire(slot.message, out.initMessage(slot.message.size));
+}
+
+Errc fromWire(wire::InverseKinematicsResponse::Reader in, InverseKinematicsResponseSlot& slot, Duration) {
+  slot.result = in.getResult();
+  return firstError({
+      fromWire(in.getJp(), slot.jp),
+      fromWire(in.getMessage(), slot.message),
+  });
+}
+
+bool isValid(const InverseKinematicsResponseSlot& slot) {
+  return isValid(slot.jp);
+}
+
+}  // namespace robots

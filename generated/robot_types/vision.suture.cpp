@@ -1,0 +1,170 @@
+// Written by suturec from robot_types/vision.h. Do not edit.
+#include "robot_types/vision.suture.h"
+
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "robot_types/vision.capnp.h"
+
+namespace robots {
+
+using suture::Duration;
+using suture::Errc;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<decltype(PoseArray::reference_frame), std::string>);
+static_assert(std::is_same_v<decltype(PoseArray::moving_frames), std::vector<std::string>>);
+static_assert(std::is_same_v<decltype(PoseArray::positions), std::vector<Eigen::Isometry3d>>);
+static_assert(std::is_same_v<decltype(PoseArray::visible), std::vector<bool>>);
+static_assert(std::is_same_v<decltype(PoseArray::stamp), std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(PoseArray::valid), bool>);
+static_assert(std::is_same_v<decltype(ImageFrame::width), std::uint32_t>);
+static_assert(std::is_same_v<decltype(ImageFrame::height), std::uint32_t>);
+static_assert(std::is_same_v<decltype(ImageFrame::channels), std::uint32_t>);
+static_assert(std::is_same_v<decltype(ImageFrame::data), std::vector<std::uint8_t>>);
+static_assert(std::is_same_v<decltype(ImageFrame::stamp), std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(ImageFrame::valid), bool>);
+static_assert(std::is_same_v<decltype(CameraInfo::width), std::uint32_t>);
+static_assert(std::is_same_v<decltype(CameraInfo::height), std::uint32_t>);
+static_assert(std::is_same_v<decltype(CameraInfo::distortion), std::array<double, 5>>);
+static_assert(std::is_same_v<decltype(CameraInfo::intrinsic), Eigen::Matrix3d>);
+static_assert(std::is_same_v<decltype(CameraInfo::rectification), Eigen::Matrix3d>);
+static_assert(std::is_same_v<decltype(CameraInfo::projection), Eigen::Matrix<double, 3, 4>>);
+static_assert(std::is_same_v<decltype(CameraInfo::stamp), std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(CameraInfo::valid), bool>);
+static_assert(std::is_same_v<decltype(DepthMap::reference_frame), std::string>);
+static_assert(std::is_same_v<decltype(DepthMap::width), std::uint32_t>);
+static_assert(std::is_same_v<decltype(DepthMap::height), std::uint32_t>);
+static_assert(std::is_same_v<decltype(DepthMap::points), std::vector<float>>);
+static_assert(std::is_same_v<decltype(DepthMap::color), std::vector<std::uint8_t>>);
+static_assert(std::is_same_v<decltype(DepthMap::stamp), std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(DepthMap::valid), bool>);
+
+}  // namespace
+
+// --- between slots and Cap'n Proto
+
+void toWire(const PoseArraySlot& slot, wire::PoseArray::Builder out) {
+  toWire(slot.reference_frame, out.initReferenceFrame(slot.reference_frame.size));
+  toWire(slot.moving_frames, out.initMovingFrames(slot.moving_frames.size));
+  toWireList(slot.positions, out.initPositions(slot.positions.size),
+             [](const std::array<double, 12>& element, auto list, std::uint32_t i) {
+               toWire(element, list[i]);
+             });
+  toWire(slot.visible, out.initVisible(slot.visible.size));
+  out.setStamp(slot.stamp);
+  out.setValid(slot.valid != 0);
+}
+
+Errc fromWire(wire::PoseArray::Reader in, PoseArraySlot& slot, Duration shift) {
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.valid = in.getValid();
+  return firstError({
+      fromWire(in.getReferenceFrame(), slot.reference_frame),
+      fromWire(in.getMovingFrames(), slot.moving_frames),
+      fromWireList(in.getPositions(), slot.positions,
+                   [](auto item, std::array<double, 12>& target) {
+                     return fromWire(item, target);
+                   }),
+      fromWire(in.getVisible(), slot.visible),
+  });
+}
+
+bool isValid(const PoseArraySlot& slot) {
+  if (!allOf(slot.positions, [](const std::array<double, 12>& element) {
+    return isValid(element);
+  })) {
+    return false;
+  }
+  return true;
+}
+
+void toWire(const ImageFrameSlot& slot, wire::ImageFrame::Builder out) {
+  out.setWidth(slot.width);
+  out.setHeight(slot.height);
+  out.setChannels(slot.channels);
+  toWire(slot.data, out.initData(slot.data.size));
+  out.setStamp(slot.stamp);
+  out.setValid(slot.valid != 0);
+}
+
+Errc fromWire(wire::ImageFrame::Reader in, ImageFrameSlot& slot, Duration shift) {
+  slot.width = in.getWidth();
+  slot.height = in.getHeight();
+  slot.channels = in.getChannels();
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.valid = in.getValid();
+  return fromWire(in.getData(), slot.data);
+}
+
+bool isValid(const ImageFrameSlot&) {
+  return true;
+}
+
+void toWire(const CameraInfoSlot& slot, wire::CameraInfo::Builder out) {
+  out.setWidth(slot.width);
+  out.setHeight(slot.height);
+  toWire(slot.distortion, out.initDistortion(5));
+  toWire(slot.intrinsic, out.initIntrinsic());
+  toWire(slot.rectification, out.initRectification());
+  toWire(slot.projection, out.initProjection(12));
+  out.setStamp(slot.stamp);
+  out.setValid(slot.valid != 0);
+}
+
+Errc fromWire(wire::CameraInfo::Reader in, CameraInfoSlot& slot, Duration shift) {
+  slot.width = in.getWidth();
+  slot.height = in.getHeight();
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.valid = in.getValid();
+  return firstError({
+      fromWire(in.getDistortion(), slot.distortion),
+      in.hasIntrinsic() ? fromWire(in.getIntrinsic(), slot.intrinsic) : Errc::Invalid,
+      in.hasRectification() ? fromWire(in.getRectification(), slot.rectification) : Errc::Invalid,
+      fromWire(in.getProjection(), slot.projection),
+  });
+}
+
+bool isValid(const CameraInfoSlot& slot) {
+  return isValid(slot.distortion) && isValid(slot.intrinsic) && isValid(slot.rectification) &&
+      isValid(slot.projection);
+}
+
+void toWire(const DepthMapSlot& slot, wire::DepthMap::Builder out) {
+  toWire(slot.reference_frame, out.initReferenceFrame(slot.reference_frame.size));
+  out.setWidth(slot.width);
+  out.setHeight(slot.height);
+  toWire(slot.points, out.initPoints(slot.points.size));
+  toWire(slot.color, out.initColor(slot.color.size));
+  out.setStamp(slot.stamp);
+  out.setValid(slot.valid != 0);
+}
+
+Errc fromWire(wire::DepthMap::Reader in, DepthMapSlot& slot, Duration shift) {
+  slot.width = in.getWidth();
+  slot.height = in.getHeight();
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.valid = in.getValid();
+  return firstError({
+      fromWire(in.getReferenceFrame(), slot.reference_frame),
+      fromWire(in.getPoints(), slot.points),
+      fromWire(in.getColor(), slot.color),
+  });
+}
+
+bool isValid(const DepthMapSlot& slot) {
+  return isValid(slot.points);
+}
+
+}  // namespace robots

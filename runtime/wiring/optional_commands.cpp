@@ -1,0 +1,53 @@
+#include <suture/wiring/differences.h>
+#include <suture/wiring/optional_commands.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace suture {
+namespace {
+
+using Json = nlohmann::json;
+
+/// A text member; "" if the description, which a peer wrote, has none.
+std::string textOf(const Json& contract, const char* key) {
+  const auto found = contract.find(key);
+  return found != contract.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+/// The hash of what is not optional.
+std::string coreOf(const Json& contract) {
+  const std::string core = textOf(contract, "core");
+  return core.empty() ? textOf(contract, "hash") : core;
+}
+
+Json commandsOf(const Json& contract) {
+  const auto found = contract.find("commands");
+  return found != contract.end() && found->is_array() ? *found : Json::array();
+}
+
+bool allOptional(const Json& commands, std::size_t from) {
+  for (std::size_t i = from; i < commands.size(); ++i) {
+    if (!commands[i].is_object() || !commands[i].contains("optional")) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<std::size_t> commonCommands(std::string_view here, std::string_view there) {
+  const Json ours = Json::parse(here, nullptr, /*allow_exceptions=*/false);
+  const Json theirs = Json::parse(there, nullptr, /*allow_exceptions=*/false);
+  if (!ours.is_object() || !theirs.is_object()) return std::nullopt;
+  if (coreOf(ours).empty() || coreOf(ours) != coreOf(theirs)) return std::nullopt;
+  const Json ourCommands = commandsOf(ours), theirCommands = commandsOf(theirs);
+  std::size_t common = 0;
+  while (common < ourCommands.size() && common < theirCommands.size() &&
+         differences(ourCommands[common].dump(), theirCommands[common].dump()).empty()) {
+    ++common;
+  }
+  if (!allOptional(ourCommands, common) || !allOptional(theirCommands, common)) return std::nullopt;
+  return common;
+}
+
+}  // namespace suture

@@ -1,0 +1,110 @@
+// Commands with several arguments, and commands that return a value.
+#include "conformance/setup.h"
+
+namespace conformance {
+namespace {
+
+using namespace std::chrono_literals;
+using suture::Errc;
+
+class Answers : public Conformance {};
+
+TEST_P(Answers, SeveralArgumentsArriveInTheirPlaces) {
+  client->with([](Arm& remote) {
+    EXPECT_TRUE(remote.limit(12, Mode::Enabled));
+    EXPECT_TRUE(remote.limit.start(7, Mode::Disabled).within(5s));
+  });
+  EXPECT_TRUE(eventuallyTaken({"limit 12 enabled", "limit 7 disabled"}));
+}
+
+TEST_P(Answers, AWriteWithReturnIsExecutedAndAnswers) {
+  client->with([&](Arm& remote) {
+    const auto fast = remote.move.start(poseAt(3), 0.75, "a hurry").within(5s);
+    ASSERT_TRUE(fast) << suture::toString(fast.error());
+    EXPECT_TRUE(*fast);
+    EXPECT_EQ(arm->taken(), (std::vector<std::string>{"servo_cp 3", "move 75% a hurry"}));
+    const auto slow = remote.move.start(poseAt(4), 0.25, "").within(5s);
+    ASSERT_TRUE(slow);
+    EXPECT_FALSE(*slow);
+  });
+  EXPECT_EQ(arm->measured_cp().pose.translation().x(), 4);
+}
+
+TEST_P(Answers, AVoidWithReturnAnswers) {
+  client->with([&](Arm& remote) {
+    EXPECT_TRUE(remote.hold.start().within(5s));
+    EXPECT_TRUE(remote.hold.start().within(5s));
+    const auto forgotten = remote.reset.start().within(5s);
+    ASSERT_TRUE(forgotten);
+    EXPECT_EQ(*forgotten, 2u);
+    EXPECT_EQ(*remote.reset.start().within(5s), 0u);
+  });
+}
+
+TEST_P(Answers, TheyKeepTheOrderOfTheOtherCommands) {
+  client->with([&](Arm& remote) {
+    EXPECT_TRUE(remote.hold());
+    EXPECT_TRUE(remote.servo_cp(poseAt(1)));
+    auto moved = remote.move.start(poseAt(2), 1, "now");
+    EXPECT_TRUE(remote.limit(3, Mode::Enabled));
+    EXPECT_TRUE(moved.within(5s));
+  });
+  EXPECT_TRUE(
+      eventuallyTaken({"hold", "servo_cp 1", "servo_cp 2", "move 100% now", "limit 3 enabled"}));
+}
+
+TEST_P(Answers, ItCanBePolled) {
+  client->with([](Arm& remote) {
+    auto call = remote.reset.start();
+    const auto deadline = suture::now() + 5s;
+    while (!call.poll() && suture::now() < deadline) remote.owner().ringNow();
+    ASSERT_TRUE(call.poll());
+    EXPECT_TRUE(call.poll()->has_value());
+  });
+}
+
+TEST_P(Answers, WithoutALimitTheDeadlineOfTheContractHolds) {
+  if (runsInCallersThread()) return;  // is executed at once
+  arm->gate.close();
+  client->with([](Arm& remote) {
+    const auto begin = suture::now();
+    const auto late = remote.move.start(poseAt(1), 1, "wait").within();
+    ASSERT_FALSE(late);
+    EXPECT_EQ(late.error(), Errc::Timeout);
+    EXPECT_GE(suture::now() - begin, 200ms);
+  });
+  arm->gate.open();
+}
+
+TEST_P(Answers, WhatTheHeaderForbidsIsRefused) {
+  if (runsInCallersThread()) return;  // takes its arguments as they are
+  client->with([](Arm& remote) {
+    const auto text = remote.move.start(poseAt(1), 1, "a reason of 16 c").within(5s);
+    ASSERT_FALSE(text);
+    EXPECT_EQ(text.error(), Errc::TooLarge);
+  });
+  if (std::get<0>(GetParam()) == LaneUnderTest::Local) return;  // a process does not judge itself
+  client->with([](Arm& remote) {
+    const auto speed = remote.move.start(poseAt(1), 1.5, "").within(5s);
+    ASSERT_FALSE(speed);
+    EXPECT_EQ(speed.error(), Errc::Invalid);
+  });
+  EXPECT_TRUE(arm->taken().empty());
+}
+
+TEST_P(Answers, AThrowIsAnAnswerToo) {
+  client->with([](Arm& remote) {
+    const auto thrown = remote.move.start(poseAt(1), 1, "throw").within(5s);
+    ASSERT_FALSE(thrown);
+    EXPECT_EQ(thrown.error(), Errc::Faulted);
+  });
+}
+
+TEST_P(Answers, AnOptionalCommandThatIsThereWorks) {
+  client->with([](Arm& remote) { EXPECT_TRUE(remote.park.start().within(5s)); });
+}
+
+INSTANTIATE_TEST_SUITE_P(Lanes, Answers, allCombinations(), nameOf);
+
+}  // namespace
+}  // namespace conformance
