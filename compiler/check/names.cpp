@@ -98,17 +98,41 @@ void checkEnumerators(const model::Enum& type, model::Diagnostics& findings) {
   }
 }
 
+// What suturec itself writes into every contract.
+constexpr std::array<std::string_view, 1> kMethods{"subscribe"}, kParameters{"sent"},
+    kEventMethods{"state"};
+constexpr std::array<std::string_view, 3> kColumns{"stamp", "evaluated", "tooLarge"};
+
+template <std::size_t N>
+void checkBuiltIn(const std::array<std::string_view, N>& builtIn, const std::string& subject,
+                  const std::string& wireName, const model::Source& source,
+                  model::Diagnostics& findings) {
+  if (!contains(builtIn, wireName)) return;
+  addError(findings, source, "built-in-name",
+           subject + " maps to wire name '" + wireName + "', which suturec uses itself there",
+           std::string(kNameAdvice));
+}
+
 void checkInterface(const model::Interface& interface, model::Diagnostics& findings) {
   Scope commands(false, findings), events(false, findings);
   for (const model::Command& command : interface.commands) {
     commands.add("command", command.name, command.wireName, command.source);
+    const std::string subject = "command '" + command.name + "'";
+    checkBuiltIn(kMethods, subject, command.wireName, command.source, findings);
+    if (command.kind == model::CommandKind::Read) {
+      checkBuiltIn(kColumns, subject, command.wireName, command.source, findings);
+    }
     Scope parameters(false, findings);
     for (const model::Parameter& parameter : command.parameters) {
       parameters.add("parameter", parameter.name, parameter.wireName, parameter.source);
+      checkBuiltIn(kParameters, "parameter '" + parameter.name + "'", parameter.wireName,
+                   parameter.source, findings);
     }
   }
   for (const model::Event& event : interface.events) {
     events.add("event", event.name, event.wireName, event.source);
+    checkBuiltIn(kEventMethods, "event '" + event.name + "'", event.wireName, event.source,
+                 findings);
   }
 }
 
@@ -130,6 +154,10 @@ void checkNames(const model::Header& header, model::Diagnostics& findings) {
   }
   for (const model::Interface& interface : header.interfaces) {
     types.add("contract", model::unqualified(interface.name), interface.wireName, interface.source);
+    types.add("the events of contract", interface.name, interface.wireName + "Events",
+              interface.source);
+    types.add("the state of contract", interface.name, interface.wireName + "StateRow",
+              interface.source);
     checkReserved(interface.name, interface.wireName, true, interface.source, findings);
     checkInterface(interface, findings);
   }

@@ -34,7 +34,9 @@ void emitState(Code& code, const Context& context, const model::Interface& inter
   code.line("auto in = context.getParams().getRow();").line("suture::rt::ColumnSet valid = 0;");
   const std::vector<const model::Command*> reads = readsOf(interface);
   for (std::size_t i = 0; i < reads.size(); ++i) emitColumn(code, context, *reads[i], i);
-  code.line("port_->publish(in.getStamp(), valid);").line("return kj::READY_NOW;").close("}");
+  code.line("port_->publish(in.getStamp(), valid, in.getTooLarge());")
+      .line("return kj::READY_NOW;")
+      .close("}");
 }
 
 void emitEvent(Code& code, const Context& context, const model::Interface& interface,
@@ -77,10 +79,12 @@ void emitReceiver(Code& code, const Context& context, const model::Interface& in
 
 // --- commands to the provider
 
-void emitAnswer(Code& code, const Context& context, const model::Type& type) {
+void emitAnswer(Code& code, const Context& context, const model::Command& command) {
+  const model::Type& type = *command.result;
+  const char* const stamp = command.kind == model::CommandKind::Read ? "response.getStamp(), " : "";
   const std::string slot = slotType(type, context, home(context));
   code.open("return request.send().then([this, call = record.call](auto&& response) {");
-  code.open("port_.answer<", slot, ">(call, [&](", slot, "& answer) {");
+  code.open("port_.answer<", slot, ">(call, ", stamp, "[&](", slot, "& answer) {");
   emitDecodeAndReturn(code, {{type, "value", "answer", {}}}, "response", "port_.shift()", context);
   code.close("});").close("});");
 }
@@ -99,7 +103,7 @@ void emitCase(Code& code, const Context& context, const model::Interface& interf
   }
   code.line("suture::rpc::fill(request.initSent(), record);");
   if (command.result) {
-    emitAnswer(code, context, *command.result);
+    emitAnswer(code, context, command);
   } else {
     code.line("return request.send().then(", kBreakText,
               "[this, call = record.call](auto&&) { port_.answer(call); });");

@@ -51,6 +51,7 @@ void emitSinkRow(Code& code, const Context& context, const model::Interface& int
             reads.empty() ? "" : " columns", ") override {");
   code.line("auto request = subscriber_.stateRequest();").line("auto out = request.initRow();");
   code.line("out.setStamp(suture::toNanoseconds(row.stamp));").line("out.setEvaluated(row.valid);");
+  code.line("out.setTooLarge(row.tooLarge);");
   for (std::size_t i = 0; i < reads.size(); ++i) {
     const std::string column = std::to_string(i);
     const model::Type& type = *reads[i]->result;
@@ -121,11 +122,14 @@ void emitFill(Code& code, const Context& context, const model::Interface& interf
 /// The lambda that turns the result's slot into the answer.
 void emitTake(Code& code, const Context& context, const model::Command& command) {
   const model::Type& type = *command.result;
-  code.open("auto take = [context](const std::byte* result) mutable {");
+  const bool stamped = command.kind == model::CommandKind::Read;
+  code.open("auto take = [context](const std::byte* result, suture::Time", stamped ? " stamp" : "",
+            ") mutable {");
   code.line("const auto& slot = *reinterpret_cast<const ", slotType(type, context, home(context)),
             "*>(result);");
   code.line("auto out = context.getResults();");
   code.line(encode({type, "value", "slot", {}}, "out", context), ";");
+  if (stamped) code.line("out.setStamp(suture::toNanoseconds(stamp));");
   code.close("};");
 }
 

@@ -159,6 +159,7 @@ WantedMember wantedCommand(const model::Interface& owner, const model::Command& 
     member.results.front().annotations =
         valueAnnotations(*command.result, command.resultUnit, command.resultRange);
   }
+  if (command.kind == model::CommandKind::Read) member.results.push_back(plain("stamp", "Int64"));
   const bool queued =
       command.kind != model::CommandKind::Read && command.kind != model::CommandKind::QualifiedRead;
   if (queued) member.annotations.emplace("queue", std::to_string(command.queue));
@@ -247,6 +248,7 @@ WantedNode wantedState(const model::Interface& declaration, const model::Lookup&
   };
   builtIn("stamp", "Int64", "When the row was written: the provider's steady clock, ns.");
   builtIn("evaluated", "UInt64", "Bit i: column i was evaluated.");
+  builtIn("tooLarge", "UInt64", "Bit i: column i did not fit its declared capacity.");
   for (const model::Command& command : declaration.commands) {
     if (command.kind != model::CommandKind::Read) continue;
     Member column = plain(command.wireName, wireType(*command.result, lookup, header));

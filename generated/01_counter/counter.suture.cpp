@@ -60,7 +60,7 @@ constexpr EventInfo kCounterEvents[] = {
 // The self-description, as in 01_counter/counter.suture.json.
 constexpr char kCounterDescription[] = R"json({
   "name": "counting::Counter",
-  "hash": "cb78bdb6b7ac9c71886fbf72d7dffeb6",
+  "hash": "38931bde09fe12583e55c15888548c0c",
   "commands": [
     {
       "name": "add",
@@ -134,6 +134,7 @@ class CounterSink final : public suture::rpc::EventSink {
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
     out.setEvaluated(row.valid);
+    out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
       const auto& slot = *reinterpret_cast<const std::int64_t*>(columns[0]);
       out.setValue(slot);
@@ -169,10 +170,11 @@ class CounterServant final : public wire::Counter::Server {
 
   kj::Promise<void> value(ValueContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const std::int64_t*>(result);
       auto out = context.getResults();
       out.setValue(slot);
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(CounterCommand::value), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -201,7 +203,7 @@ class CounterReceiver final : public wire::CounterEvents::Server {
       slot = in.getValue();
       valid |= suture::rt::ColumnSet{1} << 0;
     }
-    port_->publish(in.getStamp(), valid);
+    port_->publish(in.getStamp(), valid, in.getTooLarge());
     return kj::READY_NOW;
   }
 
@@ -246,7 +248,7 @@ class CounterProxy final : public suture::rpc::Proxy {
         auto request = provider_.valueRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::int64_t>(call, [&](std::int64_t& answer) {
+          port_.answer<std::int64_t>(call, response.getStamp(), [&](std::int64_t& answer) {
             answer = response.getValue();
             return Errc{};
           });
@@ -289,7 +291,7 @@ template <>
 const InterfaceInfo& interfaceInfo<counting::Counter>() {
   static constexpr InterfaceInfo kInfo{
       .name = "counting::Counter",
-      .hash = "cb78bdb6b7ac9c71886fbf72d7dffeb6",
+      .hash = "38931bde09fe12583e55c15888548c0c",
       .description = counting::kCounterDescription,
       .commands = counting::kCounterCommands,
       .events = counting::kCounterEvents,

@@ -202,7 +202,7 @@ constexpr EventInfo kArmEvents[] = {
 constexpr char kArmDescription[] = R"json({
   "name": "robots::Arm",
   "doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. Poses are of the tool tip in the arm's base frame. An arm starts, and restarts, disabled\nand not homed; until it is enabled it ignores motion commands.",
-  "hash": "fdf2d74e850d0104f38c77232c4c9351",
+  "hash": "9aa063d6d8764804f45a215cbae980fe",
   "commands": [
     {
       "name": "enable",
@@ -735,6 +735,7 @@ class ArmSink final : public suture::rpc::EventSink {
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
     out.setEvaluated(row.valid);
+    out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
       const auto& slot = *reinterpret_cast<const JointStateSlot*>(columns[0]);
       toWire(slot, out.initMeasuredJs());
@@ -836,10 +837,11 @@ class ArmServant final : public wire::Arm::Server {
 
   kj::Promise<void> measuredJs(MeasuredJsContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(ArmCommand::measured_js), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -847,10 +849,11 @@ class ArmServant final : public wire::Arm::Server {
 
   kj::Promise<void> setpointJs(SetpointJsContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(ArmCommand::setpoint_js), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -858,10 +861,11 @@ class ArmServant final : public wire::Arm::Server {
 
   kj::Promise<void> measuredCp(MeasuredCpContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(ArmCommand::measured_cp), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -869,10 +873,11 @@ class ArmServant final : public wire::Arm::Server {
 
   kj::Promise<void> setpointCp(SetpointCpContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(ArmCommand::setpoint_cp), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -880,10 +885,11 @@ class ArmServant final : public wire::Arm::Server {
 
   kj::Promise<void> operatingState(OperatingStateContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const OperatingStateSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(ArmCommand::operating_state), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -897,7 +903,7 @@ class ArmServant final : public wire::Arm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.q) ? Errc{} : Errc::Invalid;
     };
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
@@ -914,7 +920,7 @@ class ArmServant final : public wire::Arm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.goal) ? Errc{} : Errc::Invalid;
     };
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const JointSolutionSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
@@ -969,7 +975,7 @@ class ArmReceiver final : public wire::ArmEvents::Server {
           in.hasOperatingState() ? fromWire(in.getOperatingState(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 4;
     }
-    port_->publish(in.getStamp(), valid);
+    port_->publish(in.getStamp(), valid, in.getTooLarge());
     return kj::READY_NOW;
   }
 
@@ -1063,7 +1069,7 @@ class ArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.measuredJsRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<JointStateSlot>(call, [&](JointStateSlot& answer) {
+          port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -1073,7 +1079,7 @@ class ArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.setpointJsRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<JointStateSlot>(call, [&](JointStateSlot& answer) {
+          port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -1083,7 +1089,7 @@ class ArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.measuredCpRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
+          port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -1093,7 +1099,7 @@ class ArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.setpointCpRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
+          port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -1103,7 +1109,7 @@ class ArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.operatingStateRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<OperatingStateSlot>(call, [&](OperatingStateSlot& answer) {
+          port_.answer<OperatingStateSlot>(call, response.getStamp(), [&](OperatingStateSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -1172,7 +1178,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::Arm>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::Arm",
-      .hash = "fdf2d74e850d0104f38c77232c4c9351",
+      .hash = "9aa063d6d8764804f45a215cbae980fe",
       .description = robots::kArmDescription,
       .commands = robots::kArmCommands,
       .events = robots::kArmEvents,

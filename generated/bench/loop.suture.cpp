@@ -76,7 +76,7 @@ constexpr EventInfo kLoopServerEvents[] = {
 constexpr char kLoopServerDescription[] = R"json({
   "name": "bench::LoopServer",
   "doc": "What the server of a loop offers.",
-  "hash": "a6b177c242d365ca955f9e82f13a1b52",
+  "hash": "39cfa04c06187358856f788402400ce7",
   "commands": [
     {
       "name": "put",
@@ -221,6 +221,7 @@ class LoopServerSink final : public suture::rpc::EventSink {
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
     out.setEvaluated(row.valid);
+    out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
       const auto& slot = *reinterpret_cast<const robots::PosePrmSlot*>(columns[0]);
       toWire(slot, out.initValue());
@@ -271,10 +272,11 @@ class LoopServerServant final : public wire::LoopServer::Server {
 
   kj::Promise<void> value(ValueContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const robots::PosePrmSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(LoopServerCommand::value), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -304,7 +306,7 @@ class LoopServerReceiver final : public wire::LoopServerEvents::Server {
           in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
     }
-    port_->publish(in.getStamp(), valid);
+    port_->publish(in.getStamp(), valid, in.getTooLarge());
     return kj::READY_NOW;
   }
 
@@ -356,7 +358,7 @@ class LoopServerProxy final : public suture::rpc::Proxy {
         auto request = provider_.valueRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<robots::PosePrmSlot>(call, [&](robots::PosePrmSlot& answer) {
+          port_.answer<robots::PosePrmSlot>(call, response.getStamp(), [&](robots::PosePrmSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -399,7 +401,7 @@ template <>
 const InterfaceInfo& interfaceInfo<bench::LoopServer>() {
   static constexpr InterfaceInfo kInfo{
       .name = "bench::LoopServer",
-      .hash = "a6b177c242d365ca955f9e82f13a1b52",
+      .hash = "39cfa04c06187358856f788402400ce7",
       .description = bench::kLoopServerDescription,
       .commands = bench::kLoopServerCommands,
       .events = bench::kLoopServerEvents,

@@ -93,7 +93,7 @@ constexpr EventInfo kTeleoperationEvents[] = {
 // The self-description, as in teleop/teleoperation.suture.json.
 constexpr char kTeleoperationDescription[] = R"json({
   "name": "robots::Teleoperation",
-  "hash": "9ffc79316b7be3956818c7a6dc4f5c3b",
+  "hash": "393a877d8e6228f4888818f28ef2cb8a",
   "commands": [
     {
       "name": "enable",
@@ -313,6 +313,7 @@ class TeleoperationSink final : public suture::rpc::EventSink {
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
     out.setEvaluated(row.valid);
+    out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
       const auto& slot = *reinterpret_cast<const std::uint8_t*>(columns[0]);
       out.setTeleopState(wireTeleopState(slot));
@@ -355,10 +356,11 @@ class TeleoperationServant final : public wire::Teleoperation::Server {
 
   kj::Promise<void> teleopState(TeleopStateContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
       auto out = context.getResults();
       out.setValue(wireTeleopState(slot));
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(TeleoperationCommand::teleop_state), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -366,10 +368,11 @@ class TeleoperationServant final : public wire::Teleoperation::Server {
 
   kj::Promise<void> anchors(AnchorsContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const FollowAnchorsSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(TeleoperationCommand::anchors), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -404,7 +407,7 @@ class TeleoperationReceiver final : public wire::TeleoperationEvents::Server {
           in.hasAnchors() ? fromWire(in.getAnchors(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
     }
-    port_->publish(in.getStamp(), valid);
+    port_->publish(in.getStamp(), valid, in.getTooLarge());
     return kj::READY_NOW;
   }
 
@@ -460,7 +463,7 @@ class TeleoperationProxy final : public suture::rpc::Proxy {
         auto request = provider_.teleopStateRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::uint8_t>(call, [&](std::uint8_t& answer) {
+          port_.answer<std::uint8_t>(call, response.getStamp(), [&](std::uint8_t& answer) {
             return fromWire(response.getValue(), answer);
           });
         });
@@ -469,7 +472,7 @@ class TeleoperationProxy final : public suture::rpc::Proxy {
         auto request = provider_.anchorsRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<FollowAnchorsSlot>(call, [&](FollowAnchorsSlot& answer) {
+          port_.answer<FollowAnchorsSlot>(call, response.getStamp(), [&](FollowAnchorsSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -512,7 +515,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::Teleoperation>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::Teleoperation",
-      .hash = "9ffc79316b7be3956818c7a6dc4f5c3b",
+      .hash = "393a877d8e6228f4888818f28ef2cb8a",
       .description = robots::kTeleoperationDescription,
       .commands = robots::kTeleoperationCommands,
       .events = robots::kTeleoperationEvents,

@@ -83,19 +83,20 @@ class Channel {
   /// Provider endpoint: answers call `call` with an error.
   void replyError(std::uint32_t call, Errc error);
   /// Provider endpoint: answers call `call`; `produce(std::byte* result)` fills the result in place
-  /// and returns an Errc, 0 for success.
+  /// and returns an Errc, 0 for success. `stamp`: when the result was produced.
   template <class Produce>
-  void reply(std::uint32_t call, std::size_t resultSize, const Produce& produce);
+  void reply(std::uint32_t call, std::size_t resultSize, const Produce& produce,
+             Time stamp = now());
 };
 
 template <class Produce>
-void Channel::reply(std::uint32_t call, std::size_t resultSize, const Produce& produce) {
+void Channel::reply(std::uint32_t call, std::size_t resultSize, const Produce& produce,
+                    Time stamp) {
   // Never full: it holds an answer to every call that may be unfinished.
   std::byte* memory = replies.claim(sizeof(ReplyRecord) + resultSize);
   if (memory == nullptr) return;
-  auto* record = new (memory) ReplyRecord{Time{}, call, Errc{}};
+  auto* record = new (memory) ReplyRecord{stamp, call, Errc{}};
   record->error = produce(memory + sizeof(ReplyRecord));
-  record->stamp = now();
   replies.commit();
 }
 

@@ -12,7 +12,7 @@ interface Counter @0xd6d42f0aed709948 $Meta.cxx("counting::Counter") {
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   add @1 (amount :Int32, sent :Rpc.Sent) -> () $Meta.kind("write") $Meta.queue(8);
   # Adds to the count. Runs in the provider's thread.
-  value @2 (sent :Rpc.Sent) -> (value :Int64) $Meta.kind("read");
+  value @2 (sent :Rpc.Sent) -> (value :Int64, stamp :Int64) $Meta.kind("read");
   # The newest count; never waits for anyone.
 }
 
@@ -33,4 +33,6 @@ struct CounterStateRow @0xbfec877b65b98c5c $Meta.stateOf("counting::Counter") {
   evaluated @1 :UInt64;
   # Bit i: column i was evaluated.
   value @2 :Int64;
+  tooLarge @3 :UInt64;
+  # Bit i: column i did not fit its declared capacity.
 }

@@ -46,20 +46,20 @@ interface Arm @0xd2a6fc6237d6fd07 $Meta.cxx("robots::Arm") {
   moveJp @7 (goal :Joints.JointGoal, sent :Rpc.Sent) -> () $Meta.cxx("move_jp") $Meta.kind("write")
       $Meta.queue(16);
   # Plans and executes a smooth motion from the set-point. Ends with goal_reached.
-  measuredJs @8 (sent :Rpc.Sent) -> (value :Joints.JointState) $Meta.cxx("measured_js")
-      $Meta.kind("read");
+  measuredJs @8 (sent :Rpc.Sent) -> (value :Joints.JointState, stamp :Int64)
+      $Meta.cxx("measured_js") $Meta.kind("read");
   # Where the joints are. Stamp: the arm's cycle.
-  setpointJs @9 (sent :Rpc.Sent) -> (value :Joints.JointState) $Meta.cxx("setpoint_js")
-      $Meta.kind("read");
+  setpointJs @9 (sent :Rpc.Sent) -> (value :Joints.JointState, stamp :Int64)
+      $Meta.cxx("setpoint_js") $Meta.kind("read");
   # Where the joints shall be.
-  measuredCp @10 (sent :Rpc.Sent) -> (value :Pose.PoseStamped) $Meta.cxx("measured_cp")
-      $Meta.kind("read");
+  measuredCp @10 (sent :Rpc.Sent) -> (value :Pose.PoseStamped, stamp :Int64)
+      $Meta.cxx("measured_cp") $Meta.kind("read");
   # Where the tool tip is. Stamp: the arm's cycle.
-  setpointCp @11 (sent :Rpc.Sent) -> (value :Pose.PoseStamped) $Meta.cxx("setpoint_cp")
-      $Meta.kind("read");
+  setpointCp @11 (sent :Rpc.Sent) -> (value :Pose.PoseStamped, stamp :Int64)
+      $Meta.cxx("setpoint_cp") $Meta.kind("read");
   # Where the tool tip shall be. Stamp: that of the servo_cp goal it came from, else the arm's
   # cycle.
-  operatingState @12 (sent :Rpc.Sent) -> (value :OperatingState.OperatingState)
+  operatingState @12 (sent :Rpc.Sent) -> (value :OperatingState.OperatingState, stamp :Int64)
       $Meta.cxx("operating_state") $Meta.kind("read");
   forwardKinematics @13 (q :Joints.JointGoal, sent :Rpc.Sent) -> (value :Pose.PoseStamped)
       $Meta.cxx("forward_kinematics") $Meta.kind("qualifiedRead");
@@ -95,4 +95,6 @@ struct ArmStateRow @0x8c45d754ae03e800 $Meta.stateOf("robots::Arm") {
   measuredCp @4 :Pose.PoseStamped $Meta.cxx("measured_cp");
   setpointCp @5 :Pose.PoseStamped $Meta.cxx("setpoint_cp");
   operatingState @6 :OperatingState.OperatingState $Meta.cxx("operating_state");
+  tooLarge @7 :UInt64;
+  # Bit i: column i did not fit its declared capacity.
 }

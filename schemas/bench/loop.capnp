@@ -17,7 +17,7 @@ interface LoopServer @0xf31a590efb54d189 $Meta.cxx("bench::LoopServer") {
   # Server, client, server: takes back what value() answered and measures how long it was away.
   bounce @2 (value :Pose.PosePrm, sent :Rpc.Sent) -> () $Meta.kind("write") $Meta.queue(16);
   # Client, server, client: sends the value back as the event echo.
-  value @3 (sent :Rpc.Sent) -> (value :Pose.PosePrm) $Meta.kind("read");
+  value @3 (sent :Rpc.Sent) -> (value :Pose.PosePrm, stamp :Int64) $Meta.kind("read");
   # A pose, stamped when it is evaluated.
 }
 
@@ -38,4 +38,6 @@ struct LoopServerStateRow @0xcf8261ed0f1fe7b7 $Meta.stateOf("bench::LoopServer")
   evaluated @1 :UInt64;
   # Bit i: column i was evaluated.
   value @2 :Pose.PosePrm;
+  tooLarge @3 :UInt64;
+  # Bit i: column i did not fit its declared capacity.
 }

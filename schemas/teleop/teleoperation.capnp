@@ -39,9 +39,9 @@ interface Teleoperation @0x9c2044876661808e $Meta.cxx("robots::Teleoperation") {
   # Enables and homes arms that are not, then follows.
   disable @2 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
   # Stops following; the slave holds.
-  teleopState @3 (sent :Rpc.Sent) -> (value :TeleopState) $Meta.cxx("teleop_state")
+  teleopState @3 (sent :Rpc.Sent) -> (value :TeleopState, stamp :Int64) $Meta.cxx("teleop_state")
       $Meta.kind("read");
-  anchors @4 (sent :Rpc.Sent) -> (value :FollowAnchors) $Meta.kind("read");
+  anchors @4 (sent :Rpc.Sent) -> (value :FollowAnchors, stamp :Int64) $Meta.kind("read");
   # Of the present or last time of following.
 }
 
@@ -64,4 +64,6 @@ struct TeleoperationStateRow @0xbc0e291de17cadad $Meta.stateOf("robots::Teleoper
   # Bit i: column i was evaluated.
   teleopState @2 :TeleopState $Meta.cxx("teleop_state");
   anchors @3 :FollowAnchors;
+  tooLarge @4 :UInt64;
+  # Bit i: column i did not fit its declared capacity.
 }

@@ -76,6 +76,7 @@ class RecordingArm : public GripperArm {
   }
   PoseStamped measured_cp() const override {
     const std::lock_guard lock(mutex_);
+    evaluated_ = suture::now();
     return measured_;
   }
   const JointState& measured_js() const override { return joints_; }
@@ -112,6 +113,14 @@ class RecordingArm : public GripperArm {
     return log_;
   }
 
+  /// When the pose was last asked of it.
+  suture::Time evaluated() const {
+    const std::lock_guard lock(mutex_);
+    return evaluated_;
+  }
+  /// Provider's thread: from now on its joints do not fit what the contract declares.
+  void outgrow() { joints_.name = {"a name of 16 chr"}; }
+
   /// "" if nothing has been taken.
   std::string lastTaken() const {
     const std::lock_guard lock(mutex_);
@@ -130,6 +139,7 @@ class RecordingArm : public GripperArm {
   mutable std::mutex mutex_;
   std::vector<std::string> log_;
   PoseStamped measured_;
+  mutable suture::Time evaluated_;
   JointState joints_;
   std::atomic<double> opening_{0};
 };

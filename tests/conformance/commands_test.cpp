@@ -98,6 +98,32 @@ TEST_P(Commands, AFreshReadIsEvaluatedForTheCall) {
   });
 }
 
+// The way back to the client is part of its age.
+TEST_P(Commands, AFreshReadIsStampedWhereItIsEvaluated) {
+  if (runsInCallersThread()) return;
+  client->with([this](Arm& remote) {
+    const suture::Time asked = suture::now();
+    const auto pose = remote.measured_cp.fresh().within(5s);
+    ASSERT_TRUE(pose);
+    EXPECT_GE(pose.stamp(), asked);
+    EXPECT_LE(pose.stamp(), arm->evaluated());
+  });
+}
+
+TEST_P(Commands, AReadThatDoesNotFitIsToldSo) {
+  if (runsInCallersThread()) return;  // gives its value by reference, whatever its size
+  arm->emitSoon([this](Ports) { arm->outgrow(); });
+  EXPECT_TRUE(eventually([&] {
+    suture::Errc error{};
+    client->with([&](Arm& remote) {
+      JointState joints;
+      const auto read = remote.measured_js(joints);
+      if (!read) error = read.error();
+    });
+    return error == Errc::TooLarge;
+  }));
+}
+
 TEST_P(Commands, AQualifiedReadAnswersItsQuestion) {
   client->with([](Arm& remote) {
     EXPECT_TRUE(remote.servo_cp.start(poseAt(1)).within(5s));

@@ -38,9 +38,10 @@ interface ArmLike @0xeba4d683d0a91822 $Meta.cxx("reference::ArmLike") {
   hold @3 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(4);
   setMode @4 (mode :Mode, sent :Rpc.Sent) -> () $Meta.cxx("set_mode") $Meta.kind("write")
       $Meta.queue(16);
-  measuredCp @5 (sent :Rpc.Sent) -> (value :PoseStamped) $Meta.cxx("measured_cp")
+  measuredCp @5 (sent :Rpc.Sent) -> (value :PoseStamped, stamp :Int64) $Meta.cxx("measured_cp")
       $Meta.kind("read");
-  measuredJs @6 (sent :Rpc.Sent) -> (value :JointState) $Meta.cxx("measured_js") $Meta.kind("read");
+  measuredJs @6 (sent :Rpc.Sent) -> (value :JointState, stamp :Int64) $Meta.cxx("measured_js")
+      $Meta.kind("read");
   distance @7 (to :PoseStamped, sent :Rpc.Sent) -> (value :Float64) $Meta.kind("qualifiedRead");
   move @8 (goal :PoseStamped, speed :Float64 $Meta.range(lowest = 0, highest = 1), reason :Text $Meta.capacity([15]), sent :Rpc.Sent) -> (value :Bool)
       $Meta.deadline(200000000) $Meta.kind("writeReturn") $Meta.queue(16);
@@ -73,4 +74,6 @@ struct ArmLikeStateRow @0xd6b993de04cbfb08 $Meta.stateOf("reference::ArmLike") {
   # Bit i: column i was evaluated.
   measuredCp @2 :PoseStamped $Meta.cxx("measured_cp");
   measuredJs @3 :JointState $Meta.cxx("measured_js");
+  tooLarge @4 :UInt64;
+  # Bit i: column i did not fit its declared capacity.
 }

@@ -249,6 +249,7 @@ class ArmLikeSink final : public suture::rpc::EventSink {
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
     out.setEvaluated(row.valid);
+    out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(columns[0]);
       toWire(slot, out.initMeasuredCp());
@@ -317,10 +318,11 @@ class ArmLikeServant final : public wire::ArmLike::Server {
 
   kj::Promise<void> measuredCp(MeasuredCpContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(ArmLikeCommand::measured_cp), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -328,10 +330,11 @@ class ArmLikeServant final : public wire::ArmLike::Server {
 
   kj::Promise<void> measuredJs(MeasuredJsContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(ArmLikeCommand::measured_js), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -345,7 +348,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
       if (error != Errc{}) return error;
       return isValid(slot.to) ? Errc{} : Errc::Invalid;
     };
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
       auto out = context.getResults();
       out.setValue(slot);
@@ -365,7 +368,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
       if (error != Errc{}) return error;
       return isValid(slot.goal) && inRange(slot.speed, 0, 1) ? Errc{} : Errc::Invalid;
     };
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
       auto out = context.getResults();
       out.setValue(slot != 0);
@@ -375,7 +378,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
 
   kj::Promise<void> reset(ResetContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const std::uint32_t*>(result);
       auto out = context.getResults();
       out.setValue(slot);
@@ -432,7 +435,7 @@ class ArmLikeReceiver final : public wire::ArmLikeEvents::Server {
           in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
     }
-    port_->publish(in.getStamp(), valid);
+    port_->publish(in.getStamp(), valid, in.getTooLarge());
     return kj::READY_NOW;
   }
 
@@ -516,7 +519,7 @@ class ArmLikeProxy final : public suture::rpc::Proxy {
         auto request = provider_.measuredCpRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
+          port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -526,7 +529,7 @@ class ArmLikeProxy final : public suture::rpc::Proxy {
         auto request = provider_.measuredJsRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<JointStateSlot>(call, [&](JointStateSlot& answer) {
+          port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });

@@ -17,7 +17,7 @@ interface GripperArm @0xc640d7e85c8505d7 extends(ArmLike.ArmLike)
   close @1 (width :Float64 $Meta.unit("m"), sent :Rpc.Sent) -> (value :Float64)
       $Meta.kind("writeReturn") $Meta.queue(16);
   # Closes to this width; answers the width that it could reach.
-  opening @2 (sent :Rpc.Sent) -> (value :Float64) $Meta.kind("read");
+  opening @2 (sent :Rpc.Sent) -> (value :Float64, stamp :Int64) $Meta.kind("read");
 }
 
 interface GripperArmEvents @0xc4dcbf461eed82fb $Meta.eventsOf("reference::GripperArm") {
@@ -43,4 +43,6 @@ struct GripperArmStateRow @0xaad3d7925d80f23f $Meta.stateOf("reference::GripperA
   measuredCp @2 :ArmLike.PoseStamped $Meta.cxx("measured_cp");
   measuredJs @3 :ArmLike.JointState $Meta.cxx("measured_js");
   opening @4 :Float64;
+  tooLarge @5 :UInt64;
+  # Bit i: column i did not fit its declared capacity.
 }

@@ -229,6 +229,7 @@ class GripperArmSink final : public suture::rpc::EventSink {
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
     out.setEvaluated(row.valid);
+    out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(columns[0]);
       toWire(slot, out.initMeasuredCp());
@@ -309,10 +310,11 @@ class GripperArmServant final : public wire::GripperArm::Server {
 
   kj::Promise<void> measuredCp(MeasuredCpContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(GripperArmCommand::measured_cp), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -320,10 +322,11 @@ class GripperArmServant final : public wire::GripperArm::Server {
 
   kj::Promise<void> measuredJs(MeasuredJsContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(GripperArmCommand::measured_js), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -337,7 +340,7 @@ class GripperArmServant final : public wire::GripperArm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.to) ? Errc{} : Errc::Invalid;
     };
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
       auto out = context.getResults();
       out.setValue(slot);
@@ -357,7 +360,7 @@ class GripperArmServant final : public wire::GripperArm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.goal) && inRange(slot.speed, 0, 1) ? Errc{} : Errc::Invalid;
     };
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
       auto out = context.getResults();
       out.setValue(slot != 0);
@@ -367,7 +370,7 @@ class GripperArmServant final : public wire::GripperArm::Server {
 
   kj::Promise<void> reset(ResetContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const std::uint32_t*>(result);
       auto out = context.getResults();
       out.setValue(slot);
@@ -401,7 +404,7 @@ class GripperArmServant final : public wire::GripperArm::Server {
       slot.width = in.getWidth();
       return isValid(slot.width) ? Errc{} : Errc::Invalid;
     };
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
       auto out = context.getResults();
       out.setValue(slot);
@@ -411,10 +414,11 @@ class GripperArmServant final : public wire::GripperArm::Server {
 
   kj::Promise<void> opening(OpeningContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
       auto out = context.getResults();
       out.setValue(slot);
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(GripperArmCommand::opening), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -455,7 +459,7 @@ class GripperArmReceiver final : public wire::GripperArmEvents::Server {
       slot = in.getOpening();
       valid |= suture::rt::ColumnSet{1} << 2;
     }
-    port_->publish(in.getStamp(), valid);
+    port_->publish(in.getStamp(), valid, in.getTooLarge());
     return kj::READY_NOW;
   }
 
@@ -547,7 +551,7 @@ class GripperArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.measuredCpRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
+          port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -557,7 +561,7 @@ class GripperArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.measuredJsRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<JointStateSlot>(call, [&](JointStateSlot& answer) {
+          port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -628,7 +632,7 @@ class GripperArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.openingRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<double>(call, [&](double& answer) {
+          port_.answer<double>(call, response.getStamp(), [&](double& answer) {
             answer = response.getValue();
             return Errc{};
           });

@@ -1,5 +1,7 @@
 #include <suture/transport/rpc/proxy_port.h>
 
+#include <algorithm>
+
 namespace suture::rpc {
 namespace {
 
@@ -44,9 +46,15 @@ void ProxyPort::faulted() {
   channel_->ends.client->ring();
 }
 
-void ProxyPort::publish(std::int64_t stamp, rt::ColumnSet valid) {
+// What has not happened yet would have a negative age.
+Time ProxyPort::here(std::int64_t stamp) const {
+  const Time received = now();
+  return stamp == 0 ? received : std::min(received, fromNanoseconds(shifted(stamp, shift_)));
+}
+
+void ProxyPort::publish(std::int64_t stamp, rt::ColumnSet valid, rt::ColumnSet tooLarge) {
   if (closed_) return;
-  channel_->state->publish(fromNanoseconds(shifted(stamp, shift_)), valid, 0);
+  channel_->state->publish(here(stamp), valid, tooLarge);
   if (channel_->wantsRows.load(std::memory_order_relaxed)) channel_->ends.client->ring();
 }
 

@@ -43,11 +43,17 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
 
   Duration shift() const { return shift_; }
 
-  /// Answers call `call`: `produce(Slot&)` converts the result and returns an Errc.
+  /// Answers call `call`: `produce(Slot&)` converts the result and returns an Errc. `stamp`: when
+  /// the provider produced it, on its clock, ns; 0: not said.
+  template <class Slot, class Produce>
+  void answer(std::uint32_t call, std::int64_t stamp, const Produce& produce) {
+    reply(
+        call, sizeof(Slot),
+        [&](std::byte* slot) { return produce(*reinterpret_cast<Slot*>(slot)); }, here(stamp));
+  }
   template <class Slot, class Produce>
   void answer(std::uint32_t call, const Produce& produce) {
-    reply(call, sizeof(Slot),
-          [&](std::byte* slot) { return produce(*reinterpret_cast<Slot*>(slot)); });
+    answer<Slot>(call, 0, produce);
   }
   /// Answers a call without a result; 0: nobody asked for an answer.
   void answer(std::uint32_t call) {
@@ -56,8 +62,9 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
 
   /// The slot of column `column` in the next row.
   std::byte* column(unsigned column) { return channel_->state->draft(column); }
-  /// Publishes the columns in `valid`; `stamp` is on the provider's clock, ns.
-  void publish(std::int64_t stamp, rt::ColumnSet valid);
+  /// Publishes the columns in `valid`, and that those in `tooLarge` did not fit; `stamp` is on the
+  /// provider's clock, ns.
+  void publish(std::int64_t stamp, rt::ColumnSet valid, rt::ColumnSet tooLarge);
 
   /// Hands an event to the client, unless its payload could not be converted. The promise is the
   /// answer to the provider; see acknowledge().
@@ -74,12 +81,14 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
 
  private:
   template <class Produce>
-  void reply(std::uint32_t call, std::size_t resultSize, const Produce& produce) {
+  void reply(std::uint32_t call, std::size_t resultSize, const Produce& produce,
+             Time stamp = now()) {
     if (closed_) return;
-    channel_->reply(call, resultSize, produce);
+    channel_->reply(call, resultSize, produce, stamp);
     channel_->ends.client->ring();
   }
 
+  Time here(std::int64_t stamp) const;
   void push(std::uint16_t event, std::span<const std::byte> payload);
   /// The newest event is answered with the next command, or when another event arrives: a message
   /// of its own would cost both processes a wake-up, and the provider does not wait for it before

@@ -73,8 +73,7 @@ ServantPort::PendingCall* ServantPort::openCall() {
   return &*free;
 }
 
-kj::Promise<void> ServantPort::whenAnswered(PendingCall& call,
-                                            kj::Function<void(const std::byte*)> take) {
+kj::Promise<void> ServantPort::whenAnswered(PendingCall& call, Take take) {
   auto pair = kj::newPromiseAndFulfiller<void>();
   call.done = kj::mv(pair.fulfiller);
   call.take = kj::mv(take);
@@ -97,7 +96,7 @@ void ServantPort::pumpReplies() {
     for (PendingCall& call : calls_) {
       if (call.number != reply->call || call.done.get() == nullptr) continue;
       if (reply->error == Errc{}) {
-        call.take(reply->result());
+        call.take(reply->result(), reply->stamp);
         call.done->fulfill();
       } else {
         call.done->reject(remoteError(reply->error));
@@ -142,7 +141,8 @@ void ServantPort::pumpRow() {
     rt::StateTable::Row row = channel_->state->readRow(rowPointers_);
     lastRow_ = row.sequence;
     row.valid &= columns_;
-    if (row.valid == 0) return;
+    row.tooLarge &= columns_;
+    if ((row.valid | row.tooLarge) == 0) return;
     ++rowsInFlight_;
     sending_.add((*sink)->row(row, rowPointers_).then([this] {
       --rowsInFlight_;

@@ -49,17 +49,17 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
   /// Returns when the provider has taken it, or executed it if the sender asked for an answer.
   template <class Fill>
   kj::Promise<void> command(std::uint16_t command, wire::Sent::Reader sent, const Fill& fill) {
-    if (sent.getAnswer()) return call(command, sent, fill, [](const std::byte*) {});
+    if (sent.getAnswer()) return call(command, sent, fill, [](const std::byte*, Time) {});
     const Errc error = post(command, sent, 0, fill);
     if (error != Errc{}) return remoteError(error);
     return whenTaken(command);
   }
 
-  /// A read or qualified read, evaluated by the provider. `take(const std::byte* slot)` converts
-  /// the result.
-  template <class Fill, class Take>
+  /// A read or qualified read, evaluated by the provider. `take(const std::byte* slot, Time
+  /// stamp)` converts the result, produced at `stamp`.
+  template <class Fill, class Convert>
   kj::Promise<void> call(std::uint16_t command, wire::Sent::Reader sent, const Fill& fill,
-                         Take take) {
+                         Convert take) {
     PendingCall* pending = openCall();
     if (pending == nullptr) return remoteError(Errc::TooManyCalls);
     const Errc error = post(command, sent, pending->number, fill);
@@ -75,10 +75,11 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
   void close();
 
  private:
+  using Take = kj::Function<void(const std::byte*, Time)>;
   struct PendingCall {
     std::uint32_t number = 0;  // 0: free
     kj::Own<kj::PromiseFulfiller<void>> done;
-    kj::Function<void(const std::byte*)> take = [](const std::byte*) {};
+    Take take = [](const std::byte*, Time) {};
   };
   using Taken = kj::Own<kj::PromiseFulfiller<void>>;
 
@@ -99,7 +100,7 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
   Time stampOf(wire::Sent::Reader sent) const;
   kj::Promise<void> whenTaken(std::uint16_t command);
   PendingCall* openCall();
-  kj::Promise<void> whenAnswered(PendingCall& call, kj::Function<void(const std::byte*)> take);
+  kj::Promise<void> whenAnswered(PendingCall& call, Take take);
 
   void pump() override;
   void pumpCredits();

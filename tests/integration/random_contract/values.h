@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <random>
 #include <string>
 #include <type_traits>
@@ -55,7 +56,13 @@ void fill(std::chrono::duration<Rep, Period>& value, Random& random) {
 }
 template <class Rep, class Period>
 bool same(std::chrono::duration<Rep, Period> a, std::chrono::duration<Rep, Period> b) {
-  return std::chrono::abs(a - b) <= std::chrono::nanoseconds(std::is_floating_point_v<Rep> ? 1 : 0);
+  if constexpr (std::is_floating_point_v<Rep>) {
+    // Whole nanoseconds travel; beyond 2^53 of them the double itself is coarser.
+    const std::chrono::duration<Rep, Period> coarse = a * std::numeric_limits<Rep>::epsilon();
+    return std::chrono::abs(a - b) <= std::chrono::abs(coarse) + std::chrono::nanoseconds(1);
+  } else {
+    return a == b;
+  }
 }
 template <class Clock, class D>
 void fill(std::chrono::time_point<Clock, D>& value, Random& random) {

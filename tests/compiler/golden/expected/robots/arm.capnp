@@ -58,10 +58,10 @@ interface Arm @0x974e120931408f6d $Meta.cxx("robots::Arm") {
   # Follow the goal.
   setSpeed @3 (speed :Float64 $Meta.unit("m/s"), sent :Rpc.Sent) -> () $Meta.cxx("set_speed")
       $Meta.kind("write") $Meta.queue(16);
-  measuredCp @4 (sent :Rpc.Sent) -> (value :Geometry.PoseStamped) $Meta.cxx("measured_cp")
-      $Meta.kind("read");
-  mode @5 (sent :Rpc.Sent) -> (value :Mode) $Meta.kind("read");
-  everything @6 (sent :Rpc.Sent) -> (value :Everything) $Meta.kind("read");
+  measuredCp @4 (sent :Rpc.Sent) -> (value :Geometry.PoseStamped, stamp :Int64)
+      $Meta.cxx("measured_cp") $Meta.kind("read");
+  mode @5 (sent :Rpc.Sent) -> (value :Mode, stamp :Int64) $Meta.kind("read");
+  everything @6 (sent :Rpc.Sent) -> (value :Everything, stamp :Int64) $Meta.kind("read");
   inverseKinematics @7 (x :Geometry.PoseStamped, tolerance :Float64 $Meta.range(lowest = 0, highest = 1), sent :Rpc.Sent) -> (value :Everything)
       $Meta.cxx("inverse_kinematics") $Meta.kind("qualifiedRead");
   grasp @8 (width :Float64, mode :Mode, sent :Rpc.Sent) -> (value :Bool) $Meta.deadline(50000000)
@@ -70,7 +70,7 @@ interface Arm @0x974e120931408f6d $Meta.cxx("robots::Arm") {
   nextToken @9 (sent :Rpc.Sent) -> (value :UInt32) $Meta.cxx("next_token") $Meta.kind("voidReturn")
       $Meta.queue(16);
   park @10 (sent :Rpc.Sent) -> () $Meta.direct $Meta.kind("void") $Meta.optional $Meta.queue(16);
-  load @11 (sent :Rpc.Sent) -> (value :Float64) $Meta.kind("read") $Meta.optional;
+  load @11 (sent :Rpc.Sent) -> (value :Float64, stamp :Int64) $Meta.kind("read") $Meta.optional;
 }
 
 interface ArmEvents @0xa6aa5daf71e0a4ba $Meta.eventsOf("robots::Arm") {
@@ -93,8 +93,10 @@ struct ArmStateRow @0xd633b378dcab35c1 $Meta.stateOf("robots::Arm") {
   # When the row was written: the provider's steady clock, ns.
   evaluated @1 :UInt64;
   # Bit i: column i was evaluated.
-  measuredCp @2 :Geometry.PoseStamped $Meta.cxx("measured_cp");
-  mode @3 :Mode;
-  everything @4 :Everything;
-  load @5 :Float64 $Meta.optional;
+  tooLarge @2 :UInt64;
+  # Bit i: column i did not fit its declared capacity.
+  measuredCp @3 :Geometry.PoseStamped $Meta.cxx("measured_cp");
+  mode @4 :Mode;
+  everything @5 :Everything;
+  load @6 :Float64 $Meta.optional;
 }

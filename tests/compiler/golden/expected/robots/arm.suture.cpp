@@ -179,8 +179,8 @@ constexpr EventInfo kArmEvents[] = {
 constexpr char kArmDescription[] = R"json({
   "name": "robots::Arm",
   "doc": "A robot arm.",
-  "hash": "36a05a2d3ce0a8d3f60c4f783dc0308d",
-  "core": "3034fa723a0bb73887360c1113d2ad15",
+  "hash": "098f1414549f8719cb5e7383aff6c956",
+  "core": "105905a88a26f5954c1b7ccca0ff990d",
   "commands": [
     {
       "name": "enable",
@@ -788,6 +788,7 @@ class ArmSink final : public suture::rpc::EventSink {
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
     out.setEvaluated(row.valid);
+    out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(columns[0]);
       toWire(slot, out.initMeasuredCp());
@@ -853,10 +854,11 @@ class ArmServant final : public wire::Arm::Server {
 
   kj::Promise<void> measuredCp(MeasuredCpContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(ArmCommand::measured_cp), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -864,10 +866,11 @@ class ArmServant final : public wire::Arm::Server {
 
   kj::Promise<void> mode(ModeContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const std::int8_t*>(result);
       auto out = context.getResults();
       out.setValue(wireMode(slot));
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(ArmCommand::mode), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -875,10 +878,11 @@ class ArmServant final : public wire::Arm::Server {
 
   kj::Promise<void> everything(EverythingContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const EverythingSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(ArmCommand::everything), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -893,7 +897,7 @@ class ArmServant final : public wire::Arm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.x) && inRange(slot.tolerance, 0, 1) ? Errc{} : Errc::Invalid;
     };
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const EverythingSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
@@ -910,7 +914,7 @@ class ArmServant final : public wire::Arm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.width) ? Errc{} : Errc::Invalid;
     };
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
       auto out = context.getResults();
       out.setValue(slot != 0);
@@ -920,7 +924,7 @@ class ArmServant final : public wire::Arm::Server {
 
   kj::Promise<void> nextToken(NextTokenContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const std::uint32_t*>(result);
       auto out = context.getResults();
       out.setValue(slot);
@@ -937,10 +941,11 @@ class ArmServant final : public wire::Arm::Server {
 
   kj::Promise<void> load(LoadContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
       auto out = context.getResults();
       out.setValue(slot);
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(ArmCommand::load), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -985,7 +990,7 @@ class ArmReceiver final : public wire::ArmEvents::Server {
       slot = in.getLoad();
       valid |= suture::rt::ColumnSet{1} << 3;
     }
-    port_->publish(in.getStamp(), valid);
+    port_->publish(in.getStamp(), valid, in.getTooLarge());
     return kj::READY_NOW;
   }
 
@@ -1064,7 +1069,7 @@ class ArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.measuredCpRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
+          port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -1074,7 +1079,7 @@ class ArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.modeRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::int8_t>(call, [&](std::int8_t& answer) {
+          port_.answer<std::int8_t>(call, response.getStamp(), [&](std::int8_t& answer) {
             return fromWire(response.getValue(), answer);
           });
         });
@@ -1083,7 +1088,7 @@ class ArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.everythingRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<EverythingSlot>(call, [&](EverythingSlot& answer) {
+          port_.answer<EverythingSlot>(call, response.getStamp(), [&](EverythingSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -1135,7 +1140,7 @@ class ArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.loadRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<double>(call, [&](double& answer) {
+          port_.answer<double>(call, response.getStamp(), [&](double& answer) {
             answer = response.getValue();
             return Errc{};
           });
@@ -1178,7 +1183,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::Arm>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::Arm",
-      .hash = "36a05a2d3ce0a8d3f60c4f783dc0308d",
+      .hash = "098f1414549f8719cb5e7383aff6c956",
       .description = robots::kArmDescription,
       .commands = robots::kArmCommands,
       .events = robots::kArmEvents,

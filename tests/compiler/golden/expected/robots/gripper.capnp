@@ -17,7 +17,7 @@ interface Gripper @0xb9e926d064e78714 extends(Arm.Arm) $Meta.cxx("robots::Grippe
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   open @1 (width :Float64 $Meta.unit("m"), sent :Rpc.Sent) -> () $Meta.kind("write")
       $Meta.queue(16);
-  opening @2 (sent :Rpc.Sent) -> (value :Float64) $Meta.kind("read");
+  opening @2 (sent :Rpc.Sent) -> (value :Float64, stamp :Int64) $Meta.kind("read");
   fits @3 (width :Float64, sent :Rpc.Sent) -> (value :Bool) $Meta.concurrent
       $Meta.kind("qualifiedRead");
 }
@@ -43,11 +43,13 @@ struct GripperStateRow @0x8d73a8caf926376a $Meta.stateOf("robots::Gripper") {
   # When the row was written: the provider's steady clock, ns.
   evaluated @1 :UInt64;
   # Bit i: column i was evaluated.
-  measuredCp @2 :Geometry.PoseStamped $Meta.cxx("measured_cp");
-  mode @3 :Arm.Mode;
-  everything @4 :Arm.Everything;
-  load @5 :Float64 $Meta.optional;
-  opening @6 :Float64;
+  tooLarge @2 :UInt64;
+  # Bit i: column i did not fit its declared capacity.
+  measuredCp @3 :Geometry.PoseStamped $Meta.cxx("measured_cp");
+  mode @4 :Arm.Mode;
+  everything @5 :Arm.Everything;
+  load @6 :Float64 $Meta.optional;
+  opening @7 :Float64;
 }
 
 interface Names @0xa213f67f20043abb $Meta.cxx("robots::Names") {
@@ -58,7 +60,7 @@ interface Names @0xa213f67f20043abb $Meta.cxx("robots::Names") {
   queue @1 (name :Int32, sent :Rpc.Sent) -> () $Meta.kind("write") $Meta.queue(4);
   title @2 (range :Float64, slot :Float64, sent :Rpc.Sent) -> (value :Bool) $Meta.cxx("name")
       $Meta.kind("writeReturn") $Meta.queue(16);
-  range @3 (sent :Rpc.Sent) -> (value :Float64) $Meta.kind("read");
+  range @3 (sent :Rpc.Sent) -> (value :Float64, stamp :Int64) $Meta.kind("read");
 }
 
 interface NamesEvents @0xf43423c9c422881d $Meta.eventsOf("robots::Names") {
@@ -76,5 +78,7 @@ struct NamesStateRow @0x87faafafa7e923b7 $Meta.stateOf("robots::Names") {
   # When the row was written: the provider's steady clock, ns.
   evaluated @1 :UInt64;
   # Bit i: column i was evaluated.
-  range @2 :Float64;
+  tooLarge @2 :UInt64;
+  # Bit i: column i did not fit its declared capacity.
+  range @3 :Float64;
 }

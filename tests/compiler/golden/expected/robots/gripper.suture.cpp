@@ -190,8 +190,8 @@ constexpr EventInfo kGripperEvents[] = {
 constexpr char kGripperDescription[] = R"json({
   "name": "robots::Gripper",
   "doc": "An arm with a gripper.",
-  "hash": "ed84f43c050d93b1704f8cb73d088fe6",
-  "core": "1f1df58bdbbe8646ea150f95a5ad3851",
+  "hash": "80297788a323ca7bff040107b64d3705",
+  "core": "a9b1e581d8cd565de2fe8b81c0049693",
   "version": 2,
   "base": "robots::Arm",
   "since": 2,
@@ -777,7 +777,7 @@ constexpr EventInfo kNamesEvents[] = {
 constexpr char kNamesDescription[] = R"json({
   "name": "robots::Names",
   "doc": "Members that are called as arguments of the annotations are.",
-  "hash": "45e8dcd6f17c5640a7e4487e79e9444f",
+  "hash": "2f3178fb14b2b262c7b70ba44253bffb",
   "commands": [
     {
       "name": "queue",
@@ -897,6 +897,7 @@ class GripperSink final : public suture::rpc::EventSink {
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
     out.setEvaluated(row.valid);
+    out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(columns[0]);
       toWire(slot, out.initMeasuredCp());
@@ -973,10 +974,11 @@ class GripperServant final : public wire::Gripper::Server {
 
   kj::Promise<void> measuredCp(MeasuredCpContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(GripperCommand::measured_cp), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -984,10 +986,11 @@ class GripperServant final : public wire::Gripper::Server {
 
   kj::Promise<void> mode(ModeContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const std::int8_t*>(result);
       auto out = context.getResults();
       out.setValue(wireMode(slot));
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(GripperCommand::mode), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -995,10 +998,11 @@ class GripperServant final : public wire::Gripper::Server {
 
   kj::Promise<void> everything(EverythingContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const EverythingSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(GripperCommand::everything), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -1013,7 +1017,7 @@ class GripperServant final : public wire::Gripper::Server {
       if (error != Errc{}) return error;
       return isValid(slot.x) && inRange(slot.tolerance, 0, 1) ? Errc{} : Errc::Invalid;
     };
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const EverythingSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
@@ -1031,7 +1035,7 @@ class GripperServant final : public wire::Gripper::Server {
       if (error != Errc{}) return error;
       return isValid(slot.width) ? Errc{} : Errc::Invalid;
     };
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
       auto out = context.getResults();
       out.setValue(slot != 0);
@@ -1041,7 +1045,7 @@ class GripperServant final : public wire::Gripper::Server {
 
   kj::Promise<void> nextToken(NextTokenContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const std::uint32_t*>(result);
       auto out = context.getResults();
       out.setValue(slot);
@@ -1058,10 +1062,11 @@ class GripperServant final : public wire::Gripper::Server {
 
   kj::Promise<void> load(LoadContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
       auto out = context.getResults();
       out.setValue(slot);
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(GripperCommand::load), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -1079,10 +1084,11 @@ class GripperServant final : public wire::Gripper::Server {
 
   kj::Promise<void> opening(OpeningContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
       auto out = context.getResults();
       out.setValue(slot);
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(GripperCommand::opening), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -1095,7 +1101,7 @@ class GripperServant final : public wire::Gripper::Server {
       slot.width = in.getWidth();
       return isValid(slot.width) ? Errc{} : Errc::Invalid;
     };
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
       auto out = context.getResults();
       out.setValue(slot != 0);
@@ -1148,7 +1154,7 @@ class GripperReceiver final : public wire::GripperEvents::Server {
       slot = in.getOpening();
       valid |= suture::rt::ColumnSet{1} << 4;
     }
-    port_->publish(in.getStamp(), valid);
+    port_->publish(in.getStamp(), valid, in.getTooLarge());
     return kj::READY_NOW;
   }
 
@@ -1236,7 +1242,7 @@ class GripperProxy final : public suture::rpc::Proxy {
         auto request = provider_.measuredCpRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
+          port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -1246,7 +1252,7 @@ class GripperProxy final : public suture::rpc::Proxy {
         auto request = provider_.modeRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::int8_t>(call, [&](std::int8_t& answer) {
+          port_.answer<std::int8_t>(call, response.getStamp(), [&](std::int8_t& answer) {
             return fromWire(response.getValue(), answer);
           });
         });
@@ -1255,7 +1261,7 @@ class GripperProxy final : public suture::rpc::Proxy {
         auto request = provider_.everythingRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<EverythingSlot>(call, [&](EverythingSlot& answer) {
+          port_.answer<EverythingSlot>(call, response.getStamp(), [&](EverythingSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -1307,7 +1313,7 @@ class GripperProxy final : public suture::rpc::Proxy {
         auto request = provider_.loadRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<double>(call, [&](double& answer) {
+          port_.answer<double>(call, response.getStamp(), [&](double& answer) {
             answer = response.getValue();
             return Errc{};
           });
@@ -1324,7 +1330,7 @@ class GripperProxy final : public suture::rpc::Proxy {
         auto request = provider_.openingRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<double>(call, [&](double& answer) {
+          port_.answer<double>(call, response.getStamp(), [&](double& answer) {
             answer = response.getValue();
             return Errc{};
           });
@@ -1395,6 +1401,7 @@ class NamesSink final : public suture::rpc::EventSink {
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
     out.setEvaluated(row.valid);
+    out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
       const auto& slot = *reinterpret_cast<const double*>(columns[0]);
       out.setRange(slot);
@@ -1436,7 +1443,7 @@ class NamesServant final : public wire::Names::Server {
       slot.slot = in.getSlot();
       return isValid(slot.range) && isValid(slot.slot) ? Errc{} : Errc::Invalid;
     };
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
       auto out = context.getResults();
       out.setValue(slot != 0);
@@ -1446,10 +1453,11 @@ class NamesServant final : public wire::Names::Server {
 
   kj::Promise<void> range(RangeContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
       auto out = context.getResults();
       out.setValue(slot);
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(NamesCommand::range), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -1478,7 +1486,7 @@ class NamesReceiver final : public wire::NamesEvents::Server {
       slot = in.getRange();
       valid |= suture::rt::ColumnSet{1} << 0;
     }
-    port_->publish(in.getStamp(), valid);
+    port_->publish(in.getStamp(), valid, in.getTooLarge());
     return kj::READY_NOW;
   }
 
@@ -1536,7 +1544,7 @@ class NamesProxy final : public suture::rpc::Proxy {
         auto request = provider_.rangeRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<double>(call, [&](double& answer) {
+          port_.answer<double>(call, response.getStamp(), [&](double& answer) {
             answer = response.getValue();
             return Errc{};
           });
@@ -1579,7 +1587,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::Gripper>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::Gripper",
-      .hash = "ed84f43c050d93b1704f8cb73d088fe6",
+      .hash = "80297788a323ca7bff040107b64d3705",
       .description = robots::kGripperDescription,
       .commands = robots::kGripperCommands,
       .events = robots::kGripperEvents,
@@ -1594,7 +1602,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::Names>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::Names",
-      .hash = "45e8dcd6f17c5640a7e4487e79e9444f",
+      .hash = "2f3178fb14b2b262c7b70ba44253bffb",
       .description = robots::kNamesDescription,
       .commands = robots::kNamesCommands,
       .events = robots::kNamesEvents,

@@ -26,7 +26,7 @@ interface Contract @0xae3f07d9e2f0431e $Meta.cxx("demo::Contract") {
   latest @2 (range :Float64, sent :Rpc.Sent) -> () $Meta.kind("write") $Meta.latest $Meta.queue(16);
   name @3 (queue :Int32, sent :Rpc.Sent) -> (value :Int32) $Meta.deadline(1000000000)
       $Meta.kind("writeReturn") $Meta.queue(16);
-  range @4 (sent :Rpc.Sent) -> (value :Float64) $Meta.kind("read") $Meta.optional;
+  range @4 (sent :Rpc.Sent) -> (value :Float64, stamp :Int64) $Meta.kind("read") $Meta.optional;
   info @5 (version :Int32, slot :Int32, sent :Rpc.Sent) -> () $Meta.kind("write") $Meta.queue(16);
 }
 
@@ -46,4 +46,6 @@ struct ContractStateRow @0xf46d7556c214799f $Meta.stateOf("demo::Contract") {
   evaluated @1 :UInt64;
   # Bit i: column i was evaluated.
   range @2 :Float64 $Meta.optional;
+  tooLarge @3 :UInt64;
+  # Bit i: column i did not fit its declared capacity.
 }

@@ -27,4 +27,6 @@ struct ContractStateRow @0xf46d7556c214799f $Meta.stateOf("demo::Contract") {
   # When the row was written: the provider's steady clock, ns.
   evaluated @1 :UInt64;
   # Bit i: column i was evaluated.
+  tooLarge @2 :UInt64;
+  # Bit i: column i did not fit its declared capacity.
 }
