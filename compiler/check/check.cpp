@@ -17,15 +17,12 @@ model::Diagnostic& addError(model::Diagnostics& findings, const model::Source& s
 model::Diagnostics check(const model::Model& model) {
   const model::Lookup lookup(model);
   model::Diagnostics findings;
-  checkRecursion(model, lookup, findings);
-  const bool finite = findings.empty();
   for (const model::Header& header : model.headers) {
     if (!header.own) continue;
     checkNames(header, findings);
     checkEnums(header, findings);
     checkNumbers(header, findings);
     checkQueues(header, findings);
-    if (!finite) continue;  // the others walk through types to their end
     checkReads(header, lookup, findings);
     checkBounds(header, lookup, findings);
   }

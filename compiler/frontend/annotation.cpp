@@ -20,13 +20,14 @@ struct KindInfo {
 constexpr std::array kKinds{
     KindInfo{Kind::Type, "suture::type", "SUTURE_TYPE", "name()"},
     KindInfo{Kind::Field, "suture::field", "SUTURE_FIELD",
-             "unit(), range(), capacity(), name(), was()"},
+             "unit(), range(), capacity(), name(), was(), skip(), fallback()"},
     KindInfo{Kind::Interface, "suture::interface", "SUTURE_INTERFACE", "name()"},
     KindInfo{Kind::Command, "suture::command", "SUTURE_COMMAND",
              "queue(), latest(), ttl(), name(), was()"},
     KindInfo{Kind::Event, "suture::event", "SUTURE_EVENT",
              "queue(), latest(), latched(), name(), was()"},
     KindInfo{Kind::Component, "suture::component", "SUTURE_COMPONENT", ""},
+    KindInfo{Kind::External, "suture::external", "SUTURE_EXTERNAL_TYPE", "member(), name()"},
 };
 
 const KindInfo& infoOf(Kind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
@@ -57,8 +58,8 @@ std::optional<std::string> textOf(const clang::APValue& value) {
 }
 
 /// The dsl name of an argument, as "capacity" for a value of type suture::dsl::Capacity.
-std::string nameOf(const clang::Expr* argument) {
-  const auto* record = argument->getType()->getAsCXXRecordDecl();
+std::string nameOf(clang::QualType type) {
+  const auto* record = type->getAsCXXRecordDecl();
   if (!record || record->getName().empty()) return "";
   std::string name = record->getName().str();
   name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
@@ -88,8 +89,12 @@ class Reader {
 
  private:
   void readArgument(const clang::Expr* argument) {
-    const std::string name = nameOf(argument);
     const std::optional<clang::APValue> value = constantOf(argument);
+    readValue(argument->getType(), value);
+  }
+
+  void readValue(clang::QualType type, const std::optional<clang::APValue>& value) {
+    const std::string name = nameOf(type);
     const KindInfo& info = infoOf(result_.kind);
     const std::string macro = std::string(info.macro) + "()";
     if (!value || name.empty()) {
@@ -99,6 +104,8 @@ class Reader {
       problem("misplaced-argument", name + "() does not apply to " + macro,
               info.arguments.empty() ? macro + " takes no arguments"
                                      : "it takes " + std::string(info.arguments));
+    } else if (name == "member") {
+      readMember(type, *value);
     } else if (!seen_.insert(name).second) {
       problem("repeated-argument", name + "() is given twice", "keep one of them");
     } else {
@@ -122,7 +129,27 @@ class Reader {
       result_.latest = true;
     } else if (name == "latched") {
       result_.latched = true;
+    } else if (name == "skip") {
+      result_.skip = true;
+    } else if (name == "fallback") {
+      result_.fallback = true;
     }
+  }
+
+  /// What qualifies the member are the bases of the value.
+  void readMember(clang::QualType type, const clang::APValue& value) {
+    const auto* field =
+        llvm::dyn_cast_or_null<clang::FieldDecl>(value.getStructField(0).getMemberPointerDecl());
+    if (!field) {
+      return problem("bad-argument", "an argument of SUTURE_EXTERNAL_TYPE() is not a data member",
+                     "list data members of the type");
+    }
+    Reader inner(Kind::Field, problems_);
+    unsigned index = 0;
+    for (const clang::CXXBaseSpecifier& base : type->getAsCXXRecordDecl()->bases()) {
+      inner.readValue(base.getType(), value.getStructBase(index++));
+    }
+    result_.members.push_back({field, std::move(inner).result()});
   }
 
   void storeText(const std::string& name, const clang::APValue& value) {

@@ -13,10 +13,12 @@
 
 namespace suture::compiler::frontend {
 
-enum class Kind { Type, Field, Interface, Command, Event, Component };
+enum class Kind { Type, Field, Interface, Command, Event, Component, External };
 
 /// "SUTURE_TYPE" for messages.
 std::string macroOf(Kind kind);
+
+struct ExternalMember;
 
 struct Annotation {
   Kind kind = Kind::Type;
@@ -28,6 +30,14 @@ struct Annotation {
   std::optional<std::int64_t> ttlNanoseconds;
   bool latest = false;
   bool latched = false;
+  bool skip = false;
+  bool fallback = false;
+  std::vector<ExternalMember> members;  ///< of an external type, as listed
+};
+
+struct ExternalMember {
+  const clang::FieldDecl* field = nullptr;
+  Annotation annotation;
 };
 
 /// What is wrong with an annotation's arguments, without the place.

@@ -24,7 +24,8 @@ class Canonical {
 
  private:
   void write(const Lock& lock, const Node& node) {
-    text_ += identity(node) + " " + node.name + " " + std::to_string(node.id) + "\n";
+    text_ += identity(node) + " " + node.name + " " + std::to_string(node.id) +
+             (node.isUnion ? " union\n" : "\n");
     for (const Member& member : node.members) {
       if (!member.removed()) write(member);
     }

@@ -50,6 +50,7 @@ struct Node {
   std::string name;  ///< on the wire
   std::uint64_t id = 0;
   Annotations annotations;
+  bool isUnion = false;         ///< a struct of which one member counts
   std::vector<Member> members;  ///< in the order of the ordinals, without a gap
   std::string doc;
   unsigned line = 0;

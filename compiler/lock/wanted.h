@@ -25,8 +25,8 @@ struct WantedNode {
   model::Source source;
 };
 
-/// In the order enums, structs, interfaces; an interface is followed by its events and its state
-/// row.
+/// In the order enums, composites, structs, interfaces; an interface is followed by its events and
+/// its state row.
 std::vector<WantedNode> wanted(const model::Header& header, const model::Lookup& lookup);
 
 /// The id that a new thing receives.

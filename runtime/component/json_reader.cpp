@@ -6,6 +6,8 @@
 namespace suture {
 namespace {
 
+constexpr unsigned kDeepest = 64;
+
 // RFC 6901: '~' and '/' inside a key are escaped.
 std::string escaped(const std::string& key) {
   std::string text;
@@ -28,11 +30,23 @@ void JsonReader::expected(std::string_view what) const {
 }
 
 JsonReader JsonReader::at(const std::string& key) const {
-  return {json_.at(key), pointer_ + "/" + escaped(key), problems_};
+  return below(json_.at(key), escaped(key));
 }
 
 JsonReader JsonReader::at(std::size_t index) const {
-  return {json_.at(index), pointer_ + "/" + std::to_string(index), problems_};
+  return below(json_.at(index), std::to_string(index));
+}
+
+JsonReader JsonReader::below(const nlohmann::json& json, const std::string& step) const {
+  JsonReader reader(json, pointer_ + "/" + step, problems_);
+  reader.depth_ = depth_ + 1;
+  return reader;
+}
+
+bool JsonReader::tooDeep() const {
+  if (depth_ <= kDeepest) return false;
+  report("nested more than " + std::to_string(kDeepest) + " deep");
+  return true;
 }
 
 bool JsonReader::isArrayOf(std::size_t size) const {
@@ -61,16 +75,33 @@ void fromJson(const JsonReader& in, std::string& value) {
   value = in.json().get<std::string>();
 }
 
-void fromJson(const JsonReader& in, Eigen::Isometry3d& value) {
+void fromJson(const JsonReader& in, std::byte& value) {
+  std::uint8_t number = 0;
+  fromJson(in, number);
+  value = std::byte{number};
+}
+
+namespace {
+
+template <class Transform>
+void readTransform(const JsonReader& in, const char* linear, Transform& value) {
   JsonReader reader = in;
   Eigen::Matrix3d rotation = value.linear();
   Eigen::Vector3d translation = value.translation();
-  reader.field("rotation", rotation);
+  reader.field(linear, rotation);
   reader.field("translation", translation);
   reader.finish();
   value.linear() = rotation;
   value.translation() = translation;
 }
+
+}  // namespace
+
+void fromJson(const JsonReader& in, Eigen::Isometry3d& value) {
+  readTransform(in, "rotation", value);
+}
+
+void fromJson(const JsonReader& in, Eigen::Affine3d& value) { readTransform(in, "linear", value); }
 
 int enumeratorFromJson(const JsonReader& in, const std::vector<std::string>& names) {
   const auto found = in.json().is_string()
