@@ -10,6 +10,7 @@
 #include "compiler/frontend/imports.h"
 #include "compiler/frontend/names.h"
 #include "compiler/frontend/type_names.h"
+#include "compiler/model/naming.h"
 
 namespace suture::compiler::frontend {
 namespace {
@@ -56,7 +57,7 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
   void addLater(const DataDeclaration& declared) {
     later_.push_back([=, this] {
       model::Header& header = headers_.of(declared.place);
-      checkNamespace(declared.place, header);
+      checkNamespace(declared.place, model::unqualified(declared.name), header);
       header.structs.push_back(mapStructDeclaration(declared, mapping_));
     });
   }
@@ -108,7 +109,7 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
 
   void add(clang::TagDecl* tag, Kind kind) {
     model::Header& header = headers_.of(tag);
-    checkNamespace(tag, header);
+    checkNamespace(tag, tag->getNameAsString(), header);
     if (auto* enumeration = llvm::dyn_cast<clang::EnumDecl>(tag)) {
       header.enums.push_back(mapEnumDeclaration(enumeration, mapping_));
     } else if (kind == Kind::Type) {
@@ -152,15 +153,15 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
   }
 
   /// One header becomes one schema with one namespace.
-  void checkNamespace(const clang::NamedDecl* tag, model::Header& header) {
+  void checkNamespace(const clang::NamedDecl* tag, const std::string& name, model::Header& header) {
     const std::string space = namespaceOf(tag);
     const bool first = header.enums.empty() && header.structs.empty() &&
                        header.interfaces.empty() && header.components.empty();
     if (first) header.cxxNamespace = space;
     if (header.cxxNamespace == space) return;
     mapping_.error(tag, "mixed-namespaces",
-                   "'" + tag->getNameAsString() + "' is in namespace '" + space +
-                       "', what stands before it in '" + header.cxxNamespace + "'",
+                   "'" + name + "' is in namespace '" + space + "', what stands before it in '" +
+                       header.cxxNamespace + "'",
                    "keep one namespace a header");
   }
 
