@@ -23,7 +23,24 @@ namespace suture {
 template <class... Arguments>
 struct EventOf {};
 
+/// Specialise it for a type that suturec cannot look into; it then travels as `Type`, which has a
+/// wire form of its own:
+///   using Type = ...;
+///   static Type to(const T&);
+///   static T from(const Type&);
+template <class T>
+struct Wire;
+
+/// Written by suturec: reaches the members of a T that has SUTURE_FRIEND().
+template <class T>
+struct Members;
+
 }  // namespace suture
+
+/// Inside a SUTURE_TYPE: its private members are on the wire too. No semicolon behind it.
+#define SUTURE_FRIEND()       \
+  template <class SutureType> \
+  friend struct ::suture::Members;
 
 #ifdef SUTUREC
 
@@ -40,7 +57,7 @@ struct Range {
   double lowest, highest;
 };
 struct Capacity {
-  unsigned outer, inner, innermost;
+  unsigned first, second, third, fourth, fifth, sixth, seventh, eighth;
 };
 struct Was {
   const char* name;
@@ -87,14 +104,26 @@ struct Since {
 struct Deprecated {
   const char* why;
 };
+struct Skip {
+  bool set;
+};
+struct Fallback {
+  bool set;
+};
+template <class Pointer, class... Arguments>
+struct Member : Arguments... {
+  Pointer pointer;
+};
 
 /// Unit of a number, SI or derived: "m", "rad", "m/s", "N.m".
 consteval Unit unit(const char* symbol) { return {symbol}; }
 /// Inclusive range that the receiving end enforces.
 consteval Range range(double lowest, double highest) { return {lowest, highest}; }
-/// Upper bound of a string or a list, one number a level, outside in.
-consteval Capacity capacity(unsigned outer, unsigned inner = 0, unsigned innermost = 0) {
-  return {outer, inner, innermost};
+/// Upper bounds of strings, lists, maps (one number each) and matrices (rows, columns), outside in.
+template <class... Bounds>
+consteval Capacity capacity(unsigned first, Bounds... more) {
+  static_assert(sizeof...(more) < 8, "a type has at most eight bounds");
+  return {first, static_cast<unsigned>(more)...};
 }
 /// The name this had before: keeps its place on the wire.
 consteval Was was(const char* name) { return {name}; }
@@ -126,6 +155,15 @@ consteval Since since(unsigned version) { return {version}; }
 consteval Deprecated deprecated(const char* why) { return {why}; }
 /// What is older is of no use to the component. Today: described, not acted on.
 consteval MaxAge max_age(Nanoseconds age) { return {age.count()}; }
+/// Of a field: it is not part of the value and stays here.
+consteval Skip skip() { return {true}; }
+/// Of an enumerator: a receiver takes it for every one that it does not know.
+consteval Fallback fallback() { return {true}; }
+/// A member of an external type, with what else would stand in its SUTURE_FIELD.
+template <class Pointer, class... Arguments>
+consteval Member<Pointer, Arguments...> member(Pointer pointer, Arguments... arguments) {
+  return {arguments..., pointer};
+}
 
 }  // namespace suture::dsl
 
@@ -153,6 +191,36 @@ consteval MaxAge max_age(Nanoseconds age) { return {age.count()}; }
 #define SUTURE_COMPONENT(...) SUTURE_ANNOTATE("component", __VA_ARGS__)
 #define SUTURE_REQUIRED(...) SUTURE_ANNOTATE("required", __VA_ARGS__)
 
+// Each item of SUTURE_EXTERNAL_TYPE is name("..."), member(m, ...) or a member's plain name, which
+// becomes a dsl call. What `item` is, is told by pasting it: only the first two are macros then.
+#define SUTURE_ITEM_member(...) ~, SUTURE_ITEM_ANNOTATED
+#define SUTURE_ITEM_name(...) ~, SUTURE_ITEM_NAME
+#define SUTURE_ITEM_CHOOSE(ignored, chosen, ...) chosen
+#define SUTURE_ITEM_KIND(...) SUTURE_ITEM_CHOOSE(__VA_ARGS__)
+#define SUTURE_ITEM(item) \
+  , SUTURE_ITEM_KIND(SUTURE_ITEM_##item, SUTURE_ITEM_PLAIN, )(item, SUTURE_OPEN_##item)
+#define SUTURE_ITEM_PLAIN(item, ...) ::suture::dsl::member(&Type::item)
+#define SUTURE_ITEM_NAME(item, ...) ::suture::dsl::item
+#define SUTURE_ITEM_ANNOTATED(item, ...) ::suture::dsl::member(__VA_ARGS__)
+#define SUTURE_OPEN_member(m, ...) &Type::m SUTURE_DSL(__VA_ARGS__)
+#define SUTURE_AGAIN() SUTURE_ITEMS_LOOP
+#define SUTURE_ITEMS_LOOP(item, ...) \
+  SUTURE_ITEM(item) __VA_OPT__(SUTURE_AGAIN SUTURE_LATER()()(__VA_ARGS__))
+#define SUTURE_LATER()
+#define SUTURE_SCAN_1(...) __VA_ARGS__
+#define SUTURE_SCAN_2(...) SUTURE_SCAN_1(SUTURE_SCAN_1(SUTURE_SCAN_1(__VA_ARGS__)))
+#define SUTURE_SCAN_3(...) SUTURE_SCAN_2(SUTURE_SCAN_2(SUTURE_SCAN_2(__VA_ARGS__)))
+#define SUTURE_SCAN(...) SUTURE_SCAN_3(SUTURE_SCAN_3(SUTURE_SCAN_3(__VA_ARGS__)))
+#define SUTURE_ITEMS(...) __VA_OPT__(SUTURE_SCAN(SUTURE_ITEMS_LOOP(__VA_ARGS__)))
+#define SUTURE_JOIN_NOW(a, b) a##b
+#define SUTURE_JOIN(a, b) SUTURE_JOIN_NOW(a, b)
+
+#define SUTURE_EXTERNAL_TYPE(T, ...)                                                         \
+  struct SUTURE_JOIN(SutureExternalType, __COUNTER__) {                                      \
+    using Type = T;                                                                          \
+    [[clang::annotate("suture::external" SUTURE_ITEMS(__VA_ARGS__))]] static void members(); \
+  }
+
 #else
 
 #define SUTURE_TYPE(...)
@@ -162,5 +230,8 @@ consteval MaxAge max_age(Nanoseconds age) { return {age.count()}; }
 #define SUTURE_EVENT(...)
 #define SUTURE_COMPONENT(...)
 #define SUTURE_REQUIRED(...)
+/// At namespace scope, for a struct that cannot be edited: its members that are on the wire, each
+/// by its name or as member(m, unit("m"), ...). A semicolon stands behind it.
+#define SUTURE_EXTERNAL_TYPE(T, ...) static_assert(true)
 
 #endif

@@ -5,8 +5,6 @@
 namespace suture::compiler::check {
 namespace {
 
-using Shape = model::Type::Shape;
-
 constexpr std::uint64_t kLargestSlot = 16u << 20;
 
 /// One type that a contract carries, and where.
@@ -19,11 +17,14 @@ class Carried {
   void check(const model::Type& type) {
     bool bounded = true;
     walk(type, lookup_, [&](const Place& place) {
-      const bool open = (place.type.shape == Shape::Text || place.type.shape == Shape::List) &&
-                        place.type.capacity.value_or(0) == 0;
-      if (open) reportOpen(type, place);
-      bounded = bounded && !open;
-      return bounded;
+      if (place.recursive) {
+        reportRecursive(place);
+      } else if (isOpen(place.type)) {
+        reportOpen(type, place);
+      } else {
+        return true;
+      }
+      return bounded = false;
     });
     if (bounded && flatSize(type, lookup_) > kLargestSlot) {
       addError(
@@ -34,6 +35,14 @@ class Carried {
   }
 
  private:
+  void reportRecursive(const Place& place) {
+    addError(findings_, source_, "recursive-type",
+             subject_ + " has no bound: '" + place.field->name + "' leads back to '" +
+                 model::unqualified(place.type.name) + "'",
+             "in a contract, keep a flat list of nodes that refer to each other by index")
+        .notes.push_back({place.field->source, "the field is here"});
+  }
+
   void reportOpen(const model::Type& type, const Place& place) {
     const std::string name = type.name.empty() ? type.spelling : model::unqualified(type.name);
     const std::string path = place.path.empty() ? "" : ": " + name + "." + place.path;

@@ -33,8 +33,6 @@ model::Header declaredIn(model::Header header) {
 model::Diagnostics check(const model::Model& model) {
   const model::Lookup lookup(model);
   model::Diagnostics findings;
-  checkRecursion(model, lookup, findings);
-  const bool finite = findings.empty();
   for (const model::Header& complete : model.headers) {
     if (!complete.own) continue;
     checkNames(complete, findings);
@@ -45,7 +43,6 @@ model::Diagnostics check(const model::Model& model) {
     checkContracts(header, findings);
     checkCrtk(header, lookup, findings);
     checkComponents(header, findings);
-    if (!finite) continue;  // the others walk through types to their end
     checkReads(header, lookup, findings);
     checkBounds(header, lookup, findings);
   }

@@ -20,6 +20,21 @@ void checkValues(const model::Enum& type, model::Diagnostics& findings) {
   }
 }
 
+void checkFallback(const model::Enum& type, model::Diagnostics& findings) {
+  const model::Enumerator* first = nullptr;
+  for (const model::Enumerator& enumerator : type.enumerators) {
+    if (!enumerator.fallback) continue;
+    if (first) {
+      addError(
+          findings, enumerator.source, "second-fallback",
+          "enumerators '" + first->name + "' and '" + enumerator.name + "' are both the fallback",
+          "keep fallback() on the one that stands for all that a receiver does not know")
+          .notes.push_back({first->source, "the first is here"});
+    }
+    first = &enumerator;
+  }
+}
+
 }  // namespace
 
 void checkEnums(const model::Header& header, model::Diagnostics& findings) {
@@ -33,6 +48,7 @@ void checkEnums(const model::Header& header, model::Diagnostics& findings) {
                "use an integer for what is not a set of names");
     }
     checkValues(type, findings);
+    checkFallback(type, findings);
   }
 }
 

@@ -10,7 +10,7 @@ namespace suture::compiler::check {
 /// Wire names: legal for capnp, free of what its C++ reserves, distinct where they meet.
 void checkNames(const model::Header& header, model::Diagnostics& findings);
 
-/// Enums: neither empty nor larger than the wire's 16 bits, values distinct.
+/// Enums: neither empty nor larger than the wire's 16 bits, values distinct, one fallback at most.
 void checkEnums(const model::Header& header, model::Diagnostics& findings);
 
 /// unit() and range() of fields, parameters, results and payloads.
@@ -30,16 +30,12 @@ void checkCrtk(const model::Header& header, const model::Lookup& lookup,
 /// Components: the names and annotations of their interfaces.
 void checkComponents(const model::Header& header, model::Diagnostics& findings);
 
-/// Types that contain themselves, foreign ones too: the rules below walk through all.
-void checkRecursion(const model::Model& model, const model::Lookup& lookup,
-                    model::Diagnostics& findings);
-
 /// Reads of types that own heap return by const reference.
 void checkReads(const model::Header& header, const model::Lookup& lookup,
                 model::Diagnostics& findings);
 
-/// What a contract carries fits into a slot: every string and list bounded, the whole not too
-/// large.
+/// What a contract carries fits into a slot: every string and list bounded, nothing that
+/// contains itself, the whole not too large.
 void checkBounds(const model::Header& header, const model::Lookup& lookup,
                  model::Diagnostics& findings);
 

@@ -1,27 +1,47 @@
 #include "compiler/check/type_tree.h"
 
+#include <algorithm>
 #include <limits>
+#include <set>
 
 namespace suture::compiler::check {
 namespace {
 
 using Shape = model::Type::Shape;
 
-bool walkFrom(const Place& place, const model::Lookup& lookup,
-              const std::function<bool(const Place&)>& visit) {
-  if (!visit(place)) return false;
-  for (const model::Type& element : place.type.element) {
-    if (!walkFrom({element, place.path + "[]", place.field}, lookup, visit)) return false;
+class Walk {
+ public:
+  Walk(const model::Lookup& lookup, const std::function<bool(const Place&)>& visit)
+      : lookup_(lookup), visit_(visit) {}
+
+  bool from(Place place) {
+    const bool isStruct = place.type.shape == Shape::Struct;
+    place.recursive = isStruct && open_.contains(place.type.name);
+    if (!visit_(place)) return false;
+    for (const model::Type& element : place.type.element) {
+      if (!from({element, place.path + "[]", place.field})) return false;
+    }
+    const model::Struct* type = isStruct ? lookup_.findStruct(place.type.name) : nullptr;
+    if (!type || place.recursive) return true;
+    open_.insert(type->name);
+    const bool whole = fields(*type, place.path);
+    open_.erase(type->name);
+    return whole;
   }
-  const model::Struct* type =
-      place.type.shape == Shape::Struct ? lookup.findStruct(place.type.name) : nullptr;
-  if (!type) return true;
-  for (const model::Field& field : type->fields) {
-    const std::string path = place.path.empty() ? field.name : place.path + "." + field.name;
-    if (!walkFrom({field.type, path, &field}, lookup, visit)) return false;
+
+ private:
+  bool fields(const model::Struct& type, const std::string& prefix) {
+    for (const model::Field& field : type.fields) {
+      const std::string path = prefix.empty() ? field.name : prefix + "." + field.name;
+      if (!from({field.type, path, &field})) return false;
+    }
+    return true;
   }
-  return true;
-}
+
+  const model::Lookup& lookup_;
+  const std::function<bool(const Place&)>& visit_;
+  std::set<std::string> open_;
+};
 
 std::uint64_t times(std::uint64_t a, std::uint64_t b) {
   constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
@@ -54,16 +74,44 @@ std::uint64_t structSize(const model::Struct* type, const model::Lookup& lookup)
   return size;
 }
 
+std::uint64_t sumOf(const model::Type& type, const model::Lookup& lookup) {
+  std::uint64_t size = 0;
+  for (const model::Type& element : type.element) size = plus(size, flatSize(element, lookup));
+  return size;
+}
+
+std::uint64_t largestOf(const model::Type& type, const model::Lookup& lookup) {
+  std::uint64_t size = 0;
+  for (const model::Type& element : type.element) {
+    size = std::max(size, flatSize(element, lookup));
+  }
+  return size;
+}
+
 }  // namespace
+
+bool isSized(const model::Type& type) {
+  return type.shape == Shape::Text || type.shape == Shape::List || type.shape == Shape::Map ||
+         type.shape == Shape::AnyMatrix;
+}
+
+bool isOpen(const model::Type& type) {
+  const bool matrix = type.shape == Shape::AnyMatrix;
+  return isSized(type) &&
+         (type.capacity.value_or(0) == 0 || (matrix && type.columnCapacity.value_or(0) == 0));
+}
 
 bool walk(const model::Type& type, const model::Lookup& lookup,
           const std::function<bool(const Place&)>& visit) {
-  return walkFrom({type, "", nullptr}, lookup, visit);
+  return Walk(lookup, visit).from({type, "", nullptr});
 }
 
 bool ownsHeap(const model::Type& type, const model::Lookup& lookup) {
   return !walk(type, lookup, [](const Place& place) {
-    return place.type.shape != Shape::Text && place.type.shape != Shape::List;
+    // Of optionals, std::unique_ptr alone: by its spelling, the only thing that tells them apart.
+    const bool pointer =
+        place.type.shape == Shape::Optional && place.type.spelling.starts_with("std::unique_ptr");
+    return !isSized(place.type) && !pointer;
   });
 }
 
@@ -76,13 +124,21 @@ std::uint64_t flatSize(const model::Type& type, const model::Lookup& lookup) {
     case Shape::Text: return plus(kLength, type.capacity.value_or(0));
     case Shape::Array: return times(type.rows, flatSize(type.element.front(), lookup));
     case Shape::List:
-      return plus(kLength,
-                  times(type.capacity.value_or(0), flatSize(type.element.front(), lookup)));
+    case Shape::Map: return plus(kLength, times(type.capacity.value_or(0), sumOf(type, lookup)));
     case Shape::Matrix: return times(times(type.rows, type.columns), scalarSize(type.scalar));
     case Shape::Quaternion: return 32;
-    case Shape::Isometry: return 96;
+    case Shape::Isometry:
+    case Shape::Affine: return 96;
     case Shape::Duration:
     case Shape::TimePoint: return 8;
+    case Shape::Optional: return plus(1, sumOf(type, lookup));
+    case Shape::Tuple: return sumOf(type, lookup);
+    case Shape::Variant: return plus(kLength, largestOf(type, lookup));
+    case Shape::Nothing: return 1;
+    case Shape::AnyMatrix:
+      return plus(2 * kLength,
+                  times(times(type.capacity.value_or(0), type.columnCapacity.value_or(0)),
+                        scalarSize(type.scalar)));
   }
   return 0;
 }

@@ -14,17 +14,25 @@ struct Place {
   const model::Type& type;
   std::string path;
   const model::Field* field;
+  bool recursive = false;  ///< a struct that holds this place; it is not entered again
 };
 
+/// Is this level of the type of any size, so that it needs a capacity()?
+bool isSized(const model::Type& type);
+
+/// Is a capacity() that this level needs missing? Zero counts as missing.
+bool isOpen(const model::Type& type);
+
 /// Calls `visit` for the type and all it holds, outside in, until it returns false; then returns
-/// false itself. The model must be free of recursion.
+/// false itself.
 bool walk(const model::Type& type, const model::Lookup& lookup,
           const std::function<bool(const Place&)>& visit);
 
 /// Whether a value of the type owns memory on the heap.
 bool ownsHeap(const model::Type& type, const model::Lookup& lookup);
 
-/// Bytes of the type's flat form without padding; saturates. Unbounded levels count as empty.
+/// Bytes of the type's flat form without padding; saturates. Unbounded levels count as empty. The
+/// type must be free of recursion.
 std::uint64_t flatSize(const model::Type& type, const model::Lookup& lookup);
 
 }  // namespace suture::compiler::check

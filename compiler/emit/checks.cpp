@@ -17,8 +17,17 @@ void emitEnum(Code& code, const model::Enum& declaration, const std::string& hom
 void emitStruct(Code& code, const model::Struct& declaration, const std::string& home) {
   const std::string name = relative(declaration.name, home);
   for (const model::Field& field : declaration.fields) {
-    code.line("static_assert(std::is_same_v<decltype(", name, "::", field.name, "), ", kBreakText,
-              cxxType(field.type, home), ">);");
+    const std::string type = cxxType(field.type, home);
+    if (field.isBase) {
+      code.line("static_assert(std::is_base_of_v<", type, ", ", kBreakText, name, ">);");
+    } else if (field.isHidden) {
+      const std::string hidden =
+          access(declaration, field, "std::declval<" + name + "&>()", false, home);
+      code.line("static_assert(std::is_same_v<decltype(", hidden, "), ", kBreakText, type, "&>);");
+    } else {
+      code.line("static_assert(std::is_same_v<decltype(", name, "::", field.name, "), ", kBreakText,
+                type, ">);");
+    }
   }
 }
 

@@ -1,7 +1,9 @@
 #include "compiler/emit/context.h"
 
 #include <algorithm>
+#include <set>
 
+#include "compiler/lock/wire_type.h"
 #include "compiler/model/naming.h"
 
 namespace suture::compiler::emit {
@@ -44,6 +46,14 @@ std::string slotType(const Type& type, const Context& context, const std::string
   const auto array = [](const std::string& element, unsigned length) {
     return "std::array<" + element + ", " + std::to_string(length) + ">";
   };
+  const auto all = [&](const char* name) {
+    std::string arguments;
+    for (const Type& element : type.element) {
+      if (!arguments.empty()) arguments += ", ";
+      arguments += slotType(element, context, inNamespace);
+    }
+    return std::string(name) + "<" + arguments + ">";
+  };
   switch (type.shape) {
     case Shape::Scalar:
       return type.scalar == Scalar::Bool ? "std::uint8_t" : cxxScalar(type.scalar);
@@ -52,13 +62,22 @@ std::string slotType(const Type& type, const Context& context, const std::string
     case Shape::Text: return "suture::BoundedText<" + std::to_string(*type.capacity) + ">";
     case Shape::Array: return array(slotType(type.element[0], context, inNamespace), type.rows);
     case Shape::List:
-      return "suture::BoundedList<" + slotType(type.element[0], context, inNamespace) + ", " +
+    case Shape::Map:
+      return "suture::BoundedList<" + elementSlot(type, context, inNamespace) + ", " +
              std::to_string(*type.capacity) + ">";
     case Shape::Matrix: return array(cxxScalar(type.scalar), type.rows * type.columns);
     case Shape::Quaternion: return array(cxxScalar(type.scalar), 4);
-    case Shape::Isometry: return array(cxxScalar(type.scalar), 12);
-    case Shape::Duration:
+    case Shape::Isometry:
+    case Shape::Affine: return array(cxxScalar(type.scalar), 12);
+    case Shape::Duration: return cxxScalar(lock::wireScalar(type));
     case Shape::TimePoint: return "std::int64_t";
+    case Shape::Optional: return all("suture::SlotOptional");
+    case Shape::Tuple: return all("suture::SlotTuple");
+    case Shape::Variant: return all("suture::SlotVariant");
+    case Shape::Nothing: return "suture::SlotNothing";
+    case Shape::AnyMatrix:
+      return "suture::BoundedMatrix<" + cxxScalar(type.scalar) + ", " +
+             std::to_string(*type.capacity) + ", " + std::to_string(*type.columnCapacity) + ">";
   }
   return "void";
 }
@@ -67,16 +86,61 @@ std::string cxxType(const Type& type, const std::string& inNamespace) {
   return relative(type.spelling, inNamespace);
 }
 
-bool isBounded(const Type& type, const model::Lookup& lookup) {
-  const bool sized = type.shape == Shape::Text || type.shape == Shape::List;
-  if (sized && !type.capacity) return false;
-  if (type.shape == Shape::Struct) return isBounded(*lookup.findStruct(type.name), lookup);
-  return type.element.empty() || isBounded(type.element[0], lookup);
+std::string elementSlot(const Type& type, const Context& context, const std::string& inNamespace) {
+  const std::string first = slotType(type.element.front(), context, inNamespace);
+  if (type.shape != Shape::Map) return first;
+  return "suture::SlotEntry<" + first + ", " + slotType(type.element.back(), context, inNamespace) +
+         ">";
 }
 
+std::string access(const model::Struct& owner, const model::Field& field, const std::string& object,
+                   bool isConst, const std::string& inNamespace) {
+  if (field.isHidden) {
+    return "suture::Members<" + relative(owner.name, inNamespace) + ">::" + field.name + "(" +
+           object + ")";
+  }
+  if (!field.isBase) return object + "." + field.name;
+  return std::string("static_cast<") + (isConst ? "const " : "") +
+         cxxType(field.type, inNamespace) + "&>(" + object + ")";
+}
+
+namespace {
+
+/// Walks into structs, of which `open` are those that are being walked through.
+class Bounds {
+ public:
+  explicit Bounds(const model::Lookup& lookup) : lookup_(lookup) {}
+
+  bool all(const model::Struct& record) {
+    if (!open_.insert(record.name).second) return false;
+    const bool bounded = std::all_of(record.fields.begin(), record.fields.end(),
+                                     [this](const model::Field& field) { return all(field.type); });
+    open_.erase(record.name);
+    return bounded;
+  }
+
+  bool all(const Type& type) {
+    const bool matrix = type.shape == Shape::AnyMatrix;
+    const bool sized = type.shape == Shape::Text || type.shape == Shape::List ||
+                       type.shape == Shape::Map || matrix;
+    if (sized && type.capacity.value_or(0) == 0) return false;
+    if (matrix && type.columnCapacity.value_or(0) == 0) return false;
+    if (type.shape == Shape::Struct) return all(*lookup_.findStruct(type.name));
+    return std::all_of(type.element.begin(), type.element.end(),
+                       [this](const Type& element) { return all(element); });
+  }
+
+ private:
+  const model::Lookup& lookup_;
+  std::set<std::string> open_;
+};
+
+}  // namespace
+
+bool isBounded(const Type& type, const model::Lookup& lookup) { return Bounds(lookup).all(type); }
+
 bool isBounded(const model::Struct& declaration, const model::Lookup& lookup) {
-  return std::all_of(declaration.fields.begin(), declaration.fields.end(),
-                     [&](const model::Field& field) { return isBounded(field.type, lookup); });
+  return Bounds(lookup).all(declaration);
 }
 
 std::string pascalCase(const std::string& cxxName) {

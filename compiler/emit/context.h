@@ -37,7 +37,15 @@ std::string cxxType(const model::Type& type, const std::string& inNamespace);
 /// "std::int32_t".
 std::string cxxScalar(model::Scalar scalar);
 
-/// False if some text or list in it has no capacity: then it has no slot.
+/// What a list or a map has in its slot, one each.
+std::string elementSlot(const model::Type& type, const Context& context,
+                        const std::string& inNamespace);
+
+/// How a field of `object`, an lvalue called so, is reached from namespace `inNamespace`.
+std::string access(const model::Struct& owner, const model::Field& field, const std::string& object,
+                   bool isConst, const std::string& inNamespace);
+
+/// False if some level in it has no capacity, or it holds itself: then it has no slot.
 bool isBounded(const model::Type& type, const model::Lookup& lookup);
 bool isBounded(const model::Struct& declaration, const model::Lookup& lookup);
 

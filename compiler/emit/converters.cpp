@@ -5,9 +5,10 @@
 #include <set>
 #include <vector>
 
+#include "compiler/emit/composite_converters.h"
 #include "compiler/emit/contract.h"
 #include "compiler/emit/wire_form.h"
-#include "compiler/lock/wanted.h"
+#include "compiler/lock/composites.h"
 #include "compiler/model/naming.h"
 
 namespace suture::compiler::emit {
@@ -61,7 +62,16 @@ void emitEnumDecoder(Code& code, const Context& context, const model::Enum& type
   for (const std::string& removed : removedEnumerators(context, type)) {
     code.line("case ", names.wire, "::", model::upperSnakeCase(removed), ": break;");
   }
-  code.close("}").line("return Errc::Invalid;").close("}").blank();
+  code.close("}");
+  const auto fallback = std::find_if(type.enumerators.begin(), type.enumerators.end(),
+                                     [](const model::Enumerator& one) { return one.fallback; });
+  if (fallback == type.enumerators.end()) {
+    code.line("return Errc::Invalid;");
+  } else {
+    code.line("return slot = ", kBreakText, "static_cast<", names.slot, ">(", names.cxx,
+              "::", fallback->name, "), Errc{};");
+  }
+  code.close("}").blank();
 }
 
 std::vector<WireValue> fieldsOf(const model::Struct& type) {
@@ -168,18 +178,22 @@ void emitForeignConverters(Code& code, const Context& context) {
 
 void emitConverters(Code& code, const Context& context) {
   const model::Header& header = context.header;
-  const bool any = !header.enums.empty() ||
-                   std::any_of(header.structs.begin(), header.structs.end(),
-                               [&](const auto& one) { return isBounded(one, context.lookup); });
-  if (!any) return;
-  code.line("// --- between slots and Cap'n Proto").blank();
+  Code converters;
   for (const model::Enum& type : header.enums) {
-    emitEnumEncoder(code, context, type);
-    emitEnumDecoder(code, context, type);
+    emitEnumEncoder(converters, context, type);
+    emitEnumDecoder(converters, context, type);
   }
+  CompositeConverters composites(context);
   for (const model::Struct& type : header.structs) {
-    if (isBounded(type, context.lookup)) emitStruct(code, context, type);
+    if (!isBounded(type, context.lookup)) continue;
+    for (const model::Field& field : type.fields) composites.emit(converters, field.type);
+    emitStruct(converters, context, type);
   }
+  const auto none = [](const model::Struct&) { return false; };
+  lock::forEachComposite(header, none,
+                         [&](const model::Type& type) { composites.emit(converters, type); });
+  if (converters.text().empty()) return;
+  code.line("// --- between slots and Cap'n Proto").blank().verbatim(converters.text());
 }
 
 }  // namespace suture::compiler::emit

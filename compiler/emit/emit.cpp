@@ -79,6 +79,7 @@ std::string headerFile(const Context& context) {
   if (hasReaders(context.header)) {
     code.line("namespace suture {").line("class JsonReader;").line("}").blank();
   }
+  inNamespace(code, "suture", [&](Code& inner) { emitMembers(inner, context); });
   inNamespace(code, context.header.cxxNamespace, [&](Code& inner) {
     emitSlots(inner, context);
     forEachInterface(inner, context, emitArguments);

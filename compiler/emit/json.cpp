@@ -17,6 +17,48 @@ using Bounds = std::optional<std::pair<double, double>>;
 
 std::string scalarName(model::Scalar scalar) { return std::string(lock::capnpScalar(scalar)); }
 
+Json typeOf(const Type& type);
+
+Json typesOf(const Type& type) {
+  Json types = Json::array();
+  for (const Type& element : type.element) types.push_back(typeOf(element));
+  return types;
+}
+
+Json durationOf(const Type& type) {
+  Json json{{"kind", "duration"},
+            {"period",
+             std::to_string(type.periodNumerator) + "/" + std::to_string(type.periodDenominator)}};
+  const model::Scalar scalar = lock::wireScalar(type);
+  if (scalar != model::Scalar::Int64) json["scalar"] = scalarName(scalar);
+  return json;
+}
+
+Json anyMatrixOf(const Type& type) {
+  Json json{{"kind", "any matrix"}, {"scalar", scalarName(type.scalar)}};
+  if (type.capacity && type.columnCapacity) {
+    json["capacity"] = {*type.capacity, *type.columnCapacity};
+  }
+  return json;
+}
+
+/// What may hold one thing or another, or some of each.
+Json compositeOf(const Type& type) {
+  switch (type.shape) {
+    case Shape::Optional: return {{"kind", "optional"}, {"element", typeOf(type.element[0])}};
+    case Shape::Tuple: return {{"kind", "tuple"}, {"elements", typesOf(type)}};
+    case Shape::Variant: return {{"kind", "variant"}, {"alternatives", typesOf(type)}};
+    case Shape::AnyMatrix: return anyMatrixOf(type);
+    case Shape::Map: {
+      Json json{
+          {"kind", "map"}, {"key", typeOf(type.element[0])}, {"value", typeOf(type.element[1])}};
+      if (type.capacity) json["capacity"] = *type.capacity;
+      return json;
+    }
+    default: return {{"kind", "nothing"}};
+  }
+}
+
 Json typeOf(const Type& type) {
   const auto bounded = [&type](Json json) {
     if (type.capacity) json["capacity"] = *type.capacity;
@@ -27,7 +69,9 @@ Json typeOf(const Type& type) {
     case Shape::Enum: return {{"kind", "enum"}, {"name", type.name}};
     case Shape::Struct: return {{"kind", "struct"}, {"name", type.name}};
     case Shape::Text: return bounded({{"kind", "text"}});
-    case Shape::List: return bounded({{"kind", "list"}, {"element", typeOf(type.element[0])}});
+    case Shape::List:
+      return bounded(
+          {{"kind", type.distinct ? "set" : "list"}, {"element", typeOf(type.element[0])}});
     case Shape::Array:
       return {{"kind", "array"}, {"element", typeOf(type.element[0])}, {"length", type.rows}};
     case Shape::Matrix:
@@ -37,15 +81,14 @@ Json typeOf(const Type& type) {
               {"columns", type.columns}};
     case Shape::Quaternion: return {{"kind", "quaternion"}, {"scalar", scalarName(type.scalar)}};
     case Shape::Isometry: return {{"kind", "isometry"}, {"scalar", scalarName(type.scalar)}};
-    case Shape::Duration:
-      return {{"kind", "duration"},
-              {"period", std::to_string(type.periodNumerator) + "/" +
-                             std::to_string(type.periodDenominator)}};
+    case Shape::Affine: return {{"kind", "affine"}, {"scalar", scalarName(type.scalar)}};
+    case Shape::Duration: return durationOf(type);
     case Shape::TimePoint:
       return {{"kind", "time"},
               {"clock", type.clock == model::Clock::Steady ? "steady" : "system"}};
+    default: break;
   }
-  return {};
+  return compositeOf(type);
 }
 
 void addDoc(Json& json, const model::Documentation& doc) {
@@ -64,6 +107,7 @@ Json enumOf(const model::Enum& declaration) {
   json["underlying"] = scalarName(declaration.underlying);
   for (const model::Enumerator& enumerator : declaration.enumerators) {
     Json one{{"name", enumerator.name}, {"value", enumerator.value}};
+    if (enumerator.fallback) one["fallback"] = true;
     addDoc(one, enumerator.doc);
     json["enumerators"].push_back(std::move(one));
   }

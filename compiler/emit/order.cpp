@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "compiler/lock/wire_type.h"
@@ -82,6 +84,35 @@ class Order {
   const lock::Locks& locks_;
 };
 
+/// Puts structs behind those that they hold, and else leaves their order.
+class PartsFirst {
+ public:
+  explicit PartsFirst(std::vector<model::Struct>& structs) : structs_(structs) {}
+
+  void sort() {
+    for (const model::Struct& record : structs_) place(record.name);
+    structs_ = std::move(sorted_);
+  }
+
+ private:
+  void place(const std::string& name) {
+    const auto found = std::find_if(structs_.begin(), structs_.end(),
+                                    [&](const model::Struct& one) { return one.name == name; });
+    if (found == structs_.end() || !seen_.insert(name).second) return;
+    for (const model::Field& field : found->fields) place(field.type);
+    sorted_.push_back(*found);
+  }
+
+  void place(const model::Type& type) {
+    if (!type.name.empty()) place(type.name);
+    for (const model::Type& element : type.element) place(element);
+  }
+
+  std::vector<model::Struct>& structs_;
+  std::vector<model::Struct> sorted_;
+  std::set<std::string> seen_;
+};
+
 }  // namespace
 
 model::Model ordered(model::Model model, const lock::Locks& locks) {
@@ -89,6 +120,7 @@ model::Model ordered(model::Model model, const lock::Locks& locks) {
   const model::Lookup lookup(declared);
   const Order order(lookup, locks);
   for (model::Header& header : model.headers) {
+    PartsFirst(header.structs).sort();
     for (model::Interface& interface : header.interfaces) order.sort(interface);
   }
   return model;

@@ -8,6 +8,9 @@
 
 namespace suture::compiler::emit {
 
+/// suture::Members of the header's types with members that are not public.
+void emitMembers(Code& code, const Context& context);
+
 /// Slot structs of the header's types with their store() and load().
 void emitSlots(Code& code, const Context& context);
 

@@ -53,7 +53,8 @@ class Parts {
 
 /// A stamp of this process's clock cannot come from a file.
 bool isReadable(const model::Type& type) {
-  return type.shape != Shape::TimePoint && (type.element.empty() || isReadable(type.element[0]));
+  return type.shape != Shape::TimePoint &&
+         std::all_of(type.element.begin(), type.element.end(), isReadable);
 }
 
 bool isNumber(const model::Type& type) {
@@ -61,14 +62,22 @@ bool isNumber(const model::Type& type) {
          type.shape == Shape::Duration;
 }
 
-void emitStruct(Code& code, const model::Struct& declaration) {
+/// Where a function on the type is found by its argument.
+std::string namespaceFor(const std::string& name, const Context& context) {
+  const model::Struct* const record = context.lookup.findStruct(name);
+  if (record && record->foreignNamespace) return *record->foreignNamespace;
+  return context.lookup.headerOf(name)->cxxNamespace;
+}
+
+void emitStruct(Code& code, const model::Struct& declaration, const std::string& home) {
   code.line("suture::JsonReader reader = in;");
   for (const model::Field& field : declaration.fields) {
     if (!isReadable(field.type)) continue;
     const bool bounded = field.range && isNumber(field.type);
     const std::string range =
         bounded ? ", " + number(field.range->first) + ", " + number(field.range->second) : "";
-    code.line("reader.field(\"", field.name, "\", value.", field.name, range, ");");
+    code.line("reader.field(\"", field.name, "\", ", kBreakText,
+              access(declaration, field, "value", false, home), range, ");");
   }
   code.line("reader.finish();");
 }
@@ -90,11 +99,11 @@ void emitEnum(Code& code, const model::Enum& declaration, const std::string& nam
 void emitReader(Code& code, const Context& context, const std::string& name) {
   const model::Header& home = *context.lookup.headerOf(name);
   const bool declared = home.path == context.header.path && isDeclared(name, home);
-  const std::string type = relative(name, home.cxxNamespace);
+  const std::string type = relative(name, namespaceFor(name, context));
   code.open(declared ? "" : "inline ", "void fromJson(const suture::JsonReader& in, ", type,
             "& value) {");
   if (const model::Struct* const declaration = context.lookup.findStruct(name)) {
-    emitStruct(code, *declaration);
+    emitStruct(code, *declaration, namespaceFor(name, context));
   } else {
     emitEnum(code, *context.lookup.findEnum(name), type);
   }
@@ -142,7 +151,7 @@ void emitReaders(Code& code, const Context& context) {
   const Parts parts(context);
   std::string open;
   for (const std::string& name : parts.names()) {
-    const std::string& home = context.lookup.headerOf(name)->cxxNamespace;
+    const std::string home = namespaceFor(name, context);
     if (home != open) {
       if (!open.empty()) code.verbatim(closeNamespace(open)).blank();
       code.verbatim(openNamespace(home)).blank();

@@ -1,4 +1,8 @@
+#include <algorithm>
+
+#include "compiler/emit/contract.h"
 #include "compiler/emit/parts.h"
+#include "compiler/lock/wire_type.h"
 #include "compiler/model/naming.h"
 
 namespace suture::compiler::emit {
@@ -15,18 +19,27 @@ std::string remark(const model::Field& field, const std::string& home) {
       text = field.type.clock == model::Clock::Steady ? "suture::Time" : cxxType(field.type, home);
       unit = "ns";
       break;
-    case Shape::Duration: unit = "ns"; [[fallthrough]];
+    case Shape::Duration:
+      if (lock::wireScalar(field.type) == model::Scalar::Int64) unit = "ns";
+      [[fallthrough]];
     case Shape::Enum:
     case Shape::Matrix:
     case Shape::Quaternion:
-    case Shape::Isometry: text = cxxType(field.type, home); break;
+    case Shape::Isometry:
+    case Shape::Affine:
+    case Shape::AnyMatrix: text = cxxType(field.type, home); break;
     case Shape::Scalar:
       if (field.type.scalar == model::Scalar::Bool) text = "bool";
       break;
     case Shape::Struct:
     case Shape::Text:
     case Shape::Array:
-    case Shape::List: break;
+    case Shape::List:
+    case Shape::Optional:
+    case Shape::Map:
+    case Shape::Tuple:
+    case Shape::Variant:
+    case Shape::Nothing: break;
   }
   return text + (text.empty() || unit.empty() ? "" : ", ") + unit;
 }
@@ -43,37 +56,56 @@ void emitStruct(Code& code, const Context& context, const model::Struct& declara
   code.close("};").blank();
 }
 
-void emitStore(Code& code, const model::Struct& declaration, const std::string& type,
+void emitStore(Code& code, const model::Struct& declaration, const std::string& home,
                const std::string& slot) {
+  const std::string type = relative(declaration.name, home);
   code.open("inline bool store(const ", type, "& value, ", slot, "& slot) {");
   code.line("using suture::store;").line("bool fits = true;");
   for (const model::Field& field : declaration.fields) {
-    code.line("fits &= store(value.", field.name, ", slot.", field.name, ");");
+    code.line("fits &= store(", access(declaration, field, "value", true, home), ", ", kBreakText,
+              "slot.", field.name, ");");
   }
   code.line("return fits;").close("}").blank();
 }
 
-void emitLoad(Code& code, const model::Struct& declaration, const std::string& type,
+void emitLoad(Code& code, const model::Struct& declaration, const std::string& home,
               const std::string& slot) {
+  const std::string type = relative(declaration.name, home);
   code.open("inline void load(const ", slot, "& slot, ", type, "& value) {");
   code.line("using suture::load;");
   for (const model::Field& field : declaration.fields) {
-    code.line("load(slot.", field.name, ", value.", field.name, ");");
+    code.line("load(slot.", field.name, ", ", kBreakText,
+              access(declaration, field, "value", false, home), ");");
   }
   code.close("}").blank();
 }
 
 }  // namespace
 
+void emitMembers(Code& code, const Context& context) {
+  for (const model::Struct& declaration : context.header.structs) {
+    const auto& fields = declaration.fields;
+    const auto isHidden = [](const model::Field& field) { return field.isHidden; };
+    if (std::none_of(fields.begin(), fields.end(), isHidden)) continue;
+    code.line("/// What SUTURE_FRIEND() lets generated code reach.");
+    code.line("template <>").open("struct Members<", declaration.name, "> {");
+    for (const model::Field& field : fields) {
+      if (!field.isHidden) continue;
+      code.line("static auto& ", field.name, "(auto& value) { ", kBreakText, "return value.",
+                field.name, "; }");
+    }
+    code.close("};").blank();
+  }
+}
+
 void emitSlots(Code& code, const Context& context) {
   const std::string& home = context.header.cxxNamespace;
   for (const model::Struct& declaration : context.header.structs) {
     if (!isBounded(declaration, context.lookup)) continue;
-    const std::string type = relative(declaration.name, home);
     const std::string slot = relative(slotStruct(declaration.name, context.lookup), home);
     emitStruct(code, context, declaration, slot);
-    emitStore(code, declaration, type, slot);
-    emitLoad(code, declaration, type, slot);
+    emitStore(code, declaration, home, slot);
+    emitLoad(code, declaration, home, slot);
   }
 }
 

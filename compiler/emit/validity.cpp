@@ -4,6 +4,7 @@
 
 #include "compiler/emit/contract.h"
 #include "compiler/emit/wire_form.h"
+#include "compiler/lock/wire_type.h"
 
 namespace suture::compiler::emit {
 namespace {
@@ -27,13 +28,55 @@ std::string allOf(const std::string& slot, const std::string& parameter, const s
 }
 
 /// Of an Eigen type.
-std::string coefficientsCondition(const Type& type, const std::string& slot, const Range& range) {
+std::string coefficientsCondition(const Type& type, const std::string& slot, const Range& range,
+                                  unsigned depth) {
   if (!range) return isReal(type.scalar) ? "isValid(" + slot + ")" : "";
-  return allOf(slot, cxxScalar(type.scalar) + " element", within("element", range, 1));
+  const std::string item = "element" + depthSuffix(depth);
+  return allOf(slot, cxxScalar(type.scalar) + " " + item, within(item, range, 1));
+}
+
+/// Is there anything in it that has to be looked at?
+bool isChecked(const Type& type) {
+  switch (type.shape) {
+    case Shape::Scalar:
+    case Shape::AnyMatrix:
+    case Shape::Matrix: return isReal(type.scalar);
+    case Shape::Duration: return isReal(lock::wireScalar(type));
+    case Shape::Quaternion:
+    case Shape::Isometry:
+    case Shape::Affine:
+    case Shape::Struct:
+    case Shape::Variant: return true;
+    default: break;
+  }
+  return std::any_of(type.element.begin(), type.element.end(), isChecked);
+}
+
+/// Of what one overload of the runtime's isValid() judges as a whole.
+std::string wholeCondition(const Type& type, const std::string& slot) {
+  return isChecked(type) ? "isValid(" + slot + ")" : "";
 }
 
 std::string condition(const Type& type, const std::string& slot, const Range& range,
                       const Context& context, unsigned depth);
+
+std::string mapCondition(const Type& type, const std::string& slot, const Range& range,
+                         const Context& context, unsigned depth) {
+  if (!range) return wholeCondition(type, slot);
+  const std::string item = "element" + depthSuffix(depth);
+  const std::string each =
+      condition(type.element.back(), item + ".value", range, context, depth + 1);
+  const std::string itemType = elementSlot(type, context, context.header.cxxNamespace);
+  return allOf(slot, "const " + itemType + "& " + item, each);
+}
+
+/// Of a number of seconds, as the slot holds it: its count, or nanoseconds.
+std::string durationCondition(const Type& type, const std::string& slot, const Range& range) {
+  if (!range) return wholeCondition(type, slot);
+  const double counts =
+      static_cast<double>(type.periodDenominator) / static_cast<double>(type.periodNumerator);
+  return within(slot, range, isReal(lock::wireScalar(type)) ? counts : 1e9);
+}
 
 std::string sequenceCondition(const Type& type, const std::string& slot, const Range& range,
                               const Context& context, unsigned depth) {
@@ -54,15 +97,23 @@ std::string condition(const Type& type, const std::string& slot, const Range& ra
       if (type.scalar == model::Scalar::Bool) return "";
       if (range) return within(slot, range, 1);
       return isReal(type.scalar) ? "isValid(" + slot + ")" : "";
-    case Shape::Duration:
-      return range ? within(slot, range, 1e9) : "";  // said in seconds, held in nanoseconds
+    case Shape::Duration: return durationCondition(type, slot, range);
     case Shape::Struct: return "isValid(" + slot + ")";
     case Shape::Enum:
     case Shape::Text:
-    case Shape::TimePoint: return "";
+    case Shape::TimePoint:
+    case Shape::Nothing: return "";
     case Shape::Matrix:
+    case Shape::AnyMatrix:
     case Shape::Quaternion:
-    case Shape::Isometry: return coefficientsCondition(type, slot, range);
+    case Shape::Isometry:
+    case Shape::Affine: return coefficientsCondition(type, slot, range, depth);
+    case Shape::Tuple:
+    case Shape::Variant: return wholeCondition(type, slot);
+    case Shape::Map: return mapCondition(type, slot, range, context, depth);
+    case Shape::Optional:
+      if (!range) return wholeCondition(type, slot);
+      [[fallthrough]];
     case Shape::List:
     case Shape::Array: return sequenceCondition(type, slot, range, context, depth);
   }

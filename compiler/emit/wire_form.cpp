@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "compiler/emit/contract.h"
+#include "compiler/lock/composites.h"
 #include "compiler/lock/wanted.h"
 #include "compiler/lock/wire_type.h"
 #include "compiler/model/naming.h"
@@ -15,12 +16,24 @@ using model::Type;
 using Shape = Type::Shape;
 
 bool isSequence(const Type& type) {
-  return type.shape == Shape::List || type.shape == Shape::Array;
+  return type.shape == Shape::List || type.shape == Shape::Array || type.shape == Shape::Map;
 }
 
 /// Travels as a capnp struct of its own.
 bool isRecord(const Type& type) {
-  return type.shape == Shape::Struct || !lock::namedEigenType(type).empty();
+  const bool composite = lock::isComposite(type) && type.shape != Shape::Map;
+  return type.shape == Shape::Struct || composite || !lock::namedEigenType(type).empty();
+}
+
+/// A record that a receiver must not make up when it is missing.
+bool isNeeded(const Type& type) {
+  return isRecord(type) && type.shape != Shape::Optional && type.shape != Shape::AnyMatrix;
+}
+
+/// Has it a fromWire() in generated code, which takes the shift?
+bool isGenerated(const Type& type) {
+  return type.shape == Shape::Struct || type.shape == Shape::Optional ||
+         type.shape == Shape::Tuple || type.shape == Shape::Variant;
 }
 
 /// Travels as one number.
@@ -35,12 +48,15 @@ bool isSteady(const Type& type) {
 
 /// A sequence that one overload of the runtime's toWire() converts as a whole.
 bool isPlainSequence(const Type& type) {
+  if (type.shape == Shape::Map) return false;
   const Type& element = type.element.front();
   return isNumber(element) || (type.shape == Shape::List && element.shape == Shape::Text);
 }
 
+/// The type of a lambda's parameter; that of a composite is long, and its place says what it is.
 std::string elementSlot(const Type& type, const Context& context) {
-  return slotType(type.element.front(), context, context.header.cxxNamespace);
+  const bool composite = type.shape == Shape::Map || lock::isComposite(type.element.front());
+  return composite ? "auto" : elementSlot(type, context, context.header.cxxNamespace);
 }
 
 /// "robots::types::" in front of a function for a type of another namespace than the header's.
@@ -57,8 +73,10 @@ std::string lengthOf(const Type& type, const std::string& slot) {
     case Shape::Matrix: return std::to_string(type.rows * type.columns);
     case Shape::Quaternion: return "4";
     case Shape::Isometry: return "12";
-    default: return slot + ".size";
+    default: break;
   }
+  if (!lock::isFlatList(type)) return slot + ".size";
+  return slot + ".size * " + std::to_string(type.element.front().rows);
 }
 
 /// Where a value goes: a field of a struct builder, or element i of a list builder.
@@ -84,6 +102,16 @@ class Target {
 };
 
 std::string encodeInto(const Type& type, const std::string& slot, const Target& target,
+                       const Context& context, unsigned depth);
+
+/// What turns one element of a sequence into its wire form.
+std::string encodeElement(const Type& type, const std::string& slot, const Target& target,
+                          const Context& context, unsigned depth) {
+  if (type.shape == Shape::Map) return "toWire(" + slot + ", " + kBreak + target.record() + ")";
+  return encodeInto(type.element.front(), slot, target, context, depth);
+}
+
+std::string encodeInto(const Type& type, const std::string& slot, const Target& target,
                        const Context& context, unsigned depth) {
   if (isRecord(type)) return "toWire(" + slot + ", " + kBreak + target.record() + ")";
   if (type.shape == Shape::Enum) {
@@ -93,7 +121,9 @@ std::string encodeInto(const Type& type, const std::string& slot, const Target& 
     const bool isBool = type.shape == Shape::Scalar && type.scalar == model::Scalar::Bool;
     return target.set(isBool ? slot + " != 0" : slot);
   }
+  if (type.shape == Shape::Nothing) return target.set("");
   const std::string list = target.init(lengthOf(type, slot));
+  if (lock::isFlatList(type)) return "suture::rpc::toWireFlat(" + slot + ", " + kBreak + list + ")";
   if (!isSequence(type) || isPlainSequence(type)) {
     return "toWire(" + slot + ", " + kBreak + list + ")";
   }
@@ -101,7 +131,7 @@ std::string encodeInto(const Type& type, const std::string& slot, const Target& 
   const std::string inner = "list" + depthSuffix(depth);
   const std::string index = "i" + depthSuffix(depth);
   const std::string statement =
-      encodeInto(type.element.front(), item, Target::element(inner, index), context, depth + 1);
+      encodeElement(type, item, Target::element(inner, index), context, depth + 1);
   return "toWireList(" + slot + ", " + kBreak + list + ", " + kBreak + "[](const " +
          elementSlot(type, context) + "& " + item + ", auto " + inner + ", std::uint32_t " + index +
          ") {" + lambdaBody(statement + ";") + "})";
@@ -120,11 +150,15 @@ Reading decodeSequence(const Type& type, const std::string& in, const std::strin
                        const std::string& shift, const Context& context, unsigned depth) {
   const std::string item = "item" + depthSuffix(depth);
   const std::string target = "target" + depthSuffix(depth);
+  const bool map = type.shape == Shape::Map;
   const Type& element = type.element.front();
-  const Reading each = decodeFrom(element, item, target, shift, context, depth + 1);
-  const std::string capture = usesShift(element) ? "[&]" : "[]";
-  return {true, "fromWireList(" + in + ", " + kBreak + slot + ", " + kBreak + capture + "(auto " +
-                    item + ", " + elementSlot(type, context) + "& " + target + ") {" +
+  const Reading each = map ? Reading{true, "fromWire(" + item + ", " + target + ", " + shift + ")"}
+                           : decodeFrom(element, item, target, shift, context, depth + 1);
+  const std::string capture = map || usesShift(element) ? "[&]" : "[]";
+  const std::string function =
+      map || type.distinct ? "suture::rpc::fromWireDistinct(" : "fromWireList(";
+  return {true, function + in + ", " + kBreak + slot + ", " + kBreak + capture + "(auto " + item +
+                    ", " + elementSlot(type, context) + "& " + target + ") {" +
                     lambdaBody("return " + each.text + (each.canFail ? ";" : ", Errc{};")) + "})"};
 }
 
@@ -133,16 +167,20 @@ Reading decodeFrom(const Type& type, const std::string& in, const std::string& s
   const std::string both = "fromWire(" + in + ", " + slot;
   if (isSteady(type)) return {false, slot + " = suture::rpc::shifted(" + in + ", " + shift + ")"};
   if (isNumber(type)) return {false, slot + " = " + in};
-  if (type.shape == Shape::Struct) return {true, both + ", " + shift + ")"};
+  if (isGenerated(type)) return {true, both + ", " + shift + ")"};
+  if (lock::isFlatList(type)) return {true, "suture::rpc::fromWireFlat(" + in + ", " + slot + ")"};
+  if (type.shape == Shape::Affine) {
+    return {true, "suture::rpc::fromWireAffine(" + in + ", " + slot + ")"};
+  }
   if (type.shape == Shape::Enum) return {true, qualifier(type.name, context) + both + ")"};
-  const bool whole =
-      !isSequence(type) || (isPlainSequence(type) && !isSteady(type.element.front()));
+  const bool whole = !isSequence(type) ||
+                     (isPlainSequence(type) && !type.distinct && !isSteady(type.element.front()));
   return whole ? Reading{true, both + ")"} : decodeSequence(type, in, slot, shift, context, depth);
 }
 
 /// A missing struct reads as zeros, which is no pose: it must be there.
 std::string guarded(const WireValue& value, const std::string& in, const std::string& expression) {
-  if (!isRecord(value.type)) return expression;
+  if (!isNeeded(value.type)) return expression;
   return in + ".has" + model::titleCase(value.wireName) + "() " + kBreak + "? " + expression + " " +
          kBreak + ": Errc::Invalid";
 }
@@ -180,6 +218,7 @@ std::vector<std::string> emitAssignments(Code& code, const std::vector<WireValue
                                          const Context& context) {
   std::vector<std::string> checks;
   for (const WireValue& value : values) {
+    if (value.type.shape == Shape::Nothing) continue;
     const std::string source = in + ".get" + model::titleCase(value.wireName) + "()";
     const Reading reading = decodeFrom(value.type, source, value.slot, shift, context, 0);
     if (reading.canFail) {
@@ -232,7 +271,7 @@ void emitError(Code& code, const std::string& outcome) {
 }
 
 bool usesShift(const Type& type) {
-  if (type.shape == Shape::Struct || isSteady(type)) return true;
+  if (isGenerated(type) || type.shape == Shape::Map || isSteady(type)) return true;
   return !type.element.empty() && usesShift(type.element.front());
 }
 

@@ -20,7 +20,7 @@ struct KindInfo {
 constexpr std::array kKinds{
     KindInfo{Kind::Type, "suture::type", "SUTURE_TYPE", "name()"},
     KindInfo{Kind::Field, "suture::field", "SUTURE_FIELD",
-             "unit(), range(), capacity(), name(), was()"},
+             "unit(), range(), capacity(), name(), was(), skip(), fallback()"},
     KindInfo{Kind::Interface, "suture::interface", "SUTURE_INTERFACE",
              "crtk(), version(), name(), was(), since(), deprecated()"},
     KindInfo{Kind::Command, "suture::command", "SUTURE_COMMAND",
@@ -30,6 +30,7 @@ constexpr std::array kKinds{
              "queue(), latest(), latched(), name(), was(), since(), deprecated()"},
     KindInfo{Kind::Component, "suture::component", "SUTURE_COMPONENT", "optional(), max_age()"},
     KindInfo{Kind::Required, "suture::required", "SUTURE_REQUIRED", "optional(), max_age()"},
+    KindInfo{Kind::External, "suture::external", "SUTURE_EXTERNAL_TYPE", "member(), name()"},
 };
 
 const KindInfo& infoOf(Kind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
@@ -60,8 +61,8 @@ std::optional<std::string> textOf(const clang::APValue& value) {
 }
 
 /// The dsl name of an argument, as "max_age" for a value of type suture::dsl::MaxAge.
-std::string nameOf(const clang::Expr* argument) {
-  const auto* record = argument->getType()->getAsCXXRecordDecl();
+std::string nameOf(clang::QualType type) {
+  const auto* record = type->getAsCXXRecordDecl();
   if (!record) return "";
   std::string name;
   for (const char c : record->getName()) {
@@ -95,8 +96,12 @@ class Reader {
 
  private:
   void readArgument(const clang::Expr* argument) {
-    const std::string name = nameOf(argument);
     const std::optional<clang::APValue> value = constantOf(argument);
+    readValue(argument->getType(), value);
+  }
+
+  void readValue(clang::QualType type, const std::optional<clang::APValue>& value) {
+    const std::string name = nameOf(type);
     const KindInfo& info = infoOf(result_.kind);
     const std::string macro = std::string(info.macro) + "()";
     if (!value || name.empty()) {
@@ -106,6 +111,8 @@ class Reader {
       problem("misplaced-argument", name + "() does not apply to " + macro,
               info.arguments.empty() ? macro + " takes no arguments"
                                      : "it takes " + std::string(info.arguments));
+    } else if (name == "member") {
+      readMember(type, *value);
     } else if (!seen_.insert(name).second) {
       problem("repeated-argument", name + "() is given twice", "keep one of them");
     } else {
@@ -149,7 +156,25 @@ class Reader {
     if (name == "optional") return &result_.optional;
     if (name == "concurrent") return &result_.concurrent;
     if (name == "direct") return &result_.direct;
+    if (name == "skip") return &result_.skip;
+    if (name == "fallback") return &result_.fallback;
     return name == "crtk" ? &result_.crtk : nullptr;
+  }
+
+  /// What qualifies the member are the bases of the value.
+  void readMember(clang::QualType type, const clang::APValue& value) {
+    const auto* field =
+        llvm::dyn_cast_or_null<clang::FieldDecl>(value.getStructField(0).getMemberPointerDecl());
+    if (!field) {
+      return problem("bad-argument", "an argument of SUTURE_EXTERNAL_TYPE() is not a data member",
+                     "list data members of the type");
+    }
+    Reader inner(Kind::Field, problems_);
+    unsigned index = 0;
+    for (const clang::CXXBaseSpecifier& base : type->getAsCXXRecordDecl()->bases()) {
+      inner.readValue(base.getType(), value.getStructBase(index++));
+    }
+    result_.members.push_back({field, std::move(inner).result()});
   }
 
   void storeText(const std::string& name, const clang::APValue& value) {

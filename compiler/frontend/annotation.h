@@ -13,10 +13,12 @@
 
 namespace suture::compiler::frontend {
 
-enum class Kind { Type, Field, Interface, Command, Event, Component, Required };
+enum class Kind { Type, Field, Interface, Command, Event, Component, Required, External };
 
 /// "SUTURE_TYPE" for messages.
 std::string macroOf(Kind kind);
+
+struct ExternalMember;
 
 struct Annotation {
   Kind kind = Kind::Type;
@@ -35,6 +37,14 @@ struct Annotation {
   bool concurrent = false;
   bool direct = false;
   bool crtk = false;
+  bool skip = false;
+  bool fallback = false;
+  std::vector<ExternalMember> members;  ///< of an external type, as listed
+};
+
+struct ExternalMember {
+  const clang::FieldDecl* field = nullptr;
+  Annotation annotation;
 };
 
 /// What is wrong with an annotation's arguments, without the place.

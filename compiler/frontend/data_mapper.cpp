@@ -1,8 +1,12 @@
 #include "compiler/frontend/data_mapper.h"
 
+#include <clang/AST/DeclFriend.h>
+
 #include "compiler/frontend/defaults.h"
 #include "compiler/frontend/names.h"
 #include "compiler/frontend/scalars.h"
+#include "compiler/frontend/type_mapper.h"
+#include "compiler/model/naming.h"
 
 namespace suture::compiler::frontend {
 namespace {
@@ -14,56 +18,117 @@ std::string fieldSubject(const clang::FieldDecl* field) {
 model::Enumerator mapEnumerator(const clang::EnumConstantDecl* declaration, Mapping& mapping) {
   const Annotation annotation = mapping.annotationOf(declaration, Kind::Field);
   if (!annotation.unit.empty() || annotation.range || annotation.was ||
-      !annotation.capacity.empty()) {
-    mapping.error(declaration, "misplaced-argument", "only name() applies to an enumerator",
-                  "drop the other arguments");
+      !annotation.capacity.empty() || annotation.skip) {
+    mapping.error(declaration, "misplaced-argument",
+                  "only name() and fallback() apply to an enumerator", "drop the other arguments");
   }
   model::Enumerator enumerator;
   enumerator.name = declaration->getNameAsString();
   enumerator.wireName = wireMemberName(enumerator.name, annotation.name);
   enumerator.value = declaration->getInitVal().getExtValue();
+  enumerator.fallback = annotation.fallback;
   enumerator.doc = mapping.documentationOf(declaration);
   enumerator.source = mapping.sourceOf(declaration);
   return enumerator;
 }
 
+/// A data member on its way into the model.
+struct Candidate {
+  const clang::FieldDecl* field;
+  const clang::NamedDecl* place;  ///< where errors are shown: the field, or what lists it
+  Annotation annotation;
+  bool reachable;  ///< if it is not public
+};
+
 /// Why the field cannot be on the wire, whatever its type. True if an error was reported.
-bool rejectField(const clang::FieldDecl* field, Mapping& mapping) {
+bool rejectField(const Candidate& candidate, Mapping& mapping) {
+  const clang::FieldDecl* field = candidate.field;
+  const clang::NamedDecl* place = candidate.place;
   const std::string subject = fieldSubject(field);
   if (!field->getIdentifier()) {
-    mapping.error(field, "unnamed-field", "an unnamed field has no stable wire name", "name it");
-  } else if (field->getAccess() != clang::AS_public) {
-    mapping.error(field, "private-field", subject + " is not public",
-                  "make it public; a SUTURE_TYPE is plain data");
+    mapping.error(place, "unnamed-field", "an unnamed field has no stable wire name", "name it");
+  } else if (field->getAccess() != clang::AS_public && !candidate.reachable) {
+    mapping.error(place, "private-field", subject + " is not public",
+                  "write SUTURE_FRIEND() in the class, or SUTURE_FIELD(skip()) on the field");
   } else if (field->isBitField()) {
-    mapping.error(field, "bit-field", subject + " is a bit-field; its width would be lost",
+    mapping.error(place, "bit-field", subject + " is a bit-field; its width would be lost",
                   "use a plain integer with range()");
   } else if (field->isMutable()) {
-    mapping.error(field, "mutable", subject + " is mutable; it is not part of the value",
-                  "keep caches out of a SUTURE_TYPE");
+    mapping.error(place, "mutable", subject + " is mutable; it is not part of the value",
+                  "say so: SUTURE_FIELD(skip())");
+  } else if (candidate.annotation.fallback) {
+    mapping.error(place, "misplaced-argument", "fallback() applies to an enumerator", "drop it");
   } else {
     return false;
   }
   return true;
 }
 
-std::optional<model::Field> mapField(const clang::FieldDecl* declaration, Mapping& mapping) {
-  const Annotation annotation = mapping.annotationOf(declaration, Kind::Field);
-  if (rejectField(declaration, mapping)) return std::nullopt;
-  auto type =
-      mapping.typeOf(declaration, declaration->getType(), fieldSubject(declaration), annotation);
+std::optional<model::Field> mapField(const Candidate& candidate, Mapping& mapping) {
+  const Annotation& annotation = candidate.annotation;
+  const clang::FieldDecl* declaration = candidate.field;
+  if (annotation.skip || rejectField(candidate, mapping)) return std::nullopt;
+  auto type = mapping.typeOf(candidate.place, declaration->getType(), fieldSubject(declaration),
+                             annotation);
   if (!type) return std::nullopt;
   model::Field field;
   field.name = declaration->getNameAsString();
   field.wireName = wireMemberName(field.name, annotation.name);
   field.type = std::move(*type);
+  field.isHidden = declaration->getAccess() != clang::AS_public;
   field.unit = annotation.unit;
   field.range = annotation.range;
   field.was = annotation.was;
   field.defaultJson = defaultJsonOf(declaration);
   field.doc = mapping.documentationOf(declaration);
-  field.source = mapping.sourceOf(declaration);
+  field.source = mapping.sourceOf(candidate.place);
   return field;
+}
+
+/// Has it SUTURE_FRIEND()?
+bool hasFriend(const clang::CXXRecordDecl* record) {
+  for (const clang::FriendDecl* one : record->friends()) {
+    const clang::NamedDecl* name = one->getFriendDecl();
+    if (name && qualifiedName(name) == "suture::Members") return true;
+  }
+  return false;
+}
+
+bool hasField(const clang::CXXRecordDecl* record, const std::string& name) {
+  for (const clang::FieldDecl* field : record->fields()) {
+    if (field->getName() == name) return true;
+  }
+  return false;
+}
+
+/// A base class is a field: the first is `base`, another `base` and its name.
+void addBases(model::Struct& result, const DataDeclaration& declared, Mapping& mapping) {
+  const clang::NamedDecl* place = declared.place;
+  for (const clang::CXXBaseSpecifier& base : declared.record->bases()) {
+    const std::string name =
+        base.getType().getCanonicalType()->getAsCXXRecordDecl()->getName().str();
+    const std::string subject = "base class '" + name + "'";
+    if (base.isVirtual()) {
+      mapping.error(place, "virtual-base", subject + " is virtual; its place is not fixed",
+                    "make the base a member");
+      continue;
+    }
+    if (base.getAccessSpecifier() != clang::AS_public) {
+      mapping.error(place, "private-base", subject + " is not public",
+                    "derive publicly, or make it a member");
+      continue;
+    }
+    auto type = mapping.typeOf(place, base.getType(), subject, {});
+    if (!type) continue;
+    model::Field field;
+    field.name = result.fields.empty() ? "base" : "base" + model::titleCase(name);
+    field.wireName = field.name;
+    if (hasField(declared.record, field.name)) field.name += "_";
+    field.type = std::move(*type);
+    field.isBase = true;
+    field.source = mapping.sourceOf(place);
+    result.fields.push_back(std::move(field));
+  }
 }
 
 bool isDefaultConstructible(const clang::CXXRecordDecl* declaration) {
@@ -75,18 +140,16 @@ bool isDefaultConstructible(const clang::CXXRecordDecl* declaration) {
   return declaration->hasDefaultConstructor();
 }
 
-void checkShape(const clang::CXXRecordDecl* declaration, Mapping& mapping) {
+void checkShape(const DataDeclaration& declared, Mapping& mapping) {
+  const clang::CXXRecordDecl* declaration = declared.record;
+  const clang::NamedDecl* place = declared.place;
   const std::string name = "'" + declaration->getNameAsString() + "'";
   if (declaration->isUnion()) {
-    mapping.error(declaration, "union", name + " is a union; it carries no tag",
+    mapping.error(place, "union", name + " is a union; it carries no tag",
                   "use a struct with an enum class that says which member counts");
   }
-  if (declaration->getNumBases() > 0) {
-    mapping.error(declaration, "base-class", name + " has a base class, which is not supported yet",
-                  "make the base a member");
-  }
   if (!isDefaultConstructible(declaration)) {
-    mapping.error(declaration, "no-default-constructor",
+    mapping.error(place, "no-default-constructor",
                   name + " must be default-constructible to be decoded",
                   "add '" + declaration->getNameAsString() + "() = default;'");
   }
@@ -123,17 +186,29 @@ model::Enum mapEnumDeclaration(const clang::EnumDecl* declaration, Mapping& mapp
   return result;
 }
 
-model::Struct mapStructDeclaration(const clang::CXXRecordDecl* declaration, Mapping& mapping) {
-  const Annotation annotation = mapping.annotationOf(declaration, Kind::Type);
+model::Struct mapStructDeclaration(const DataDeclaration& declared, Mapping& mapping) {
   model::Struct result;
-  result.name = qualifiedName(declaration);
-  result.wireName = wireTypeName(declaration, annotation.name);
-  checkShape(declaration, mapping);
-  for (const clang::FieldDecl* field : declaration->fields()) {
-    if (auto mapped = mapField(field, mapping)) result.fields.push_back(std::move(*mapped));
+  result.name = declared.name;
+  result.wireName = declared.wireName;
+  const std::string home = namespaceOf(declared.record);
+  if (home != namespaceOf(declared.place)) result.foreignNamespace = home;
+  checkShape(declared, mapping);
+  if (declared.listed) {
+    for (const ExternalMember& member : *declared.listed) {
+      auto mapped = mapField({member.field, declared.place, member.annotation, false}, mapping);
+      if (mapped) result.fields.push_back(std::move(*mapped));
+    }
+  } else {
+    addBases(result, declared, mapping);
+    const bool reachable = hasFriend(declared.record);
+    for (const clang::FieldDecl* field : declared.record->fields()) {
+      const Annotation annotation = mapping.annotationOf(field, Kind::Field);
+      auto mapped = mapField({field, field, annotation, reachable}, mapping);
+      if (mapped) result.fields.push_back(std::move(*mapped));
+    }
   }
-  result.doc = mapping.documentationOf(declaration);
-  result.source = mapping.sourceOf(declaration);
+  result.doc = mapping.documentationOf(declared.place);
+  result.source = mapping.sourceOf(declared.place);
   return result;
 }
 

@@ -7,8 +7,10 @@
 
 namespace suture::compiler::frontend {
 
-MappedType mapMatrix(const clang::ClassTemplateSpecializationDecl* type);
-MappedType mapQuaternion(const clang::ClassTemplateSpecializationDecl* type);
-MappedType mapTransform(const clang::ClassTemplateSpecializationDecl* type);
+MappedType mapMatrix(const clang::ClassTemplateSpecializationDecl* type, const NamedTypes& names);
+MappedType mapQuaternion(const clang::ClassTemplateSpecializationDecl* type,
+                         const NamedTypes& names);
+MappedType mapTransform(const clang::ClassTemplateSpecializationDecl* type,
+                        const NamedTypes& names);
 
 }  // namespace suture::compiler::frontend

@@ -1,6 +1,7 @@
 #include "compiler/frontend/frontend.h"
 
 #include <clang/Lex/HeaderSearch.h>
+#include <clang/Sema/Sema.h>
 
 #include "compiler/frontend/header_table.h"
 #include "compiler/frontend/reporter.h"
@@ -20,7 +21,7 @@ class Frontend::Implementation {
                         compiler.getPreprocessor().getHeaderSearchInfo(), request_.baseDirectory);
     for (const std::string& header : request_.headers) headers.addOwn(header);
     model::Diagnostics findings;
-    model_ = mapUnit(compiler.getASTContext(), headers, table_, findings);
+    model_ = mapUnit(compiler.getSema(), headers, table_, findings);
     return report(findings);
   }
 

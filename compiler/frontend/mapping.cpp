@@ -47,7 +47,11 @@ Annotation Mapping::annotationOf(const clang::NamedDecl* declaration, Kind kind)
 std::optional<model::Type> Mapping::typeOf(const clang::NamedDecl* declaration,
                                            clang::QualType type, const std::string& subject,
                                            const Annotation& field) {
-  MappedType mapped = mapType(type);
+  if (type->isConstantArrayType() && isAnnotated(declaration, Kind::Event)) {
+    error(declaration, "c-array", subject + " is a C array, which is no value", "use std::array");
+    return std::nullopt;
+  }
+  MappedType mapped = mapType(type, names_);
   if (const auto* problem = std::get_if<TypeProblem>(&mapped)) {
     model::Diagnostic& finding = error(
         declaration, problem->slug,

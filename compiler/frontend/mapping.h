@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "compiler/frontend/annotation.h"
+#include "compiler/frontend/named_types.h"
 #include "compiler/frontend/source_table.h"
 #include "compiler/model/diagnostic.h"
 #include "compiler/model/model.h"
@@ -36,6 +37,9 @@ class Mapping {
   std::optional<model::Type> typeOf(const clang::NamedDecl* declaration, clang::QualType type,
                                     const std::string& subject, const Annotation& field);
 
+  /// Aliases of template instances and external types; filled before anything is mapped.
+  NamedTypes& names() { return names_; }
+
   clang::ASTContext& context() { return context_; }
   const clang::SourceManager& sources() const { return context_.getSourceManager(); }
 
@@ -46,6 +50,7 @@ class Mapping {
   clang::ASTContext& context_;
   SourceTable& table_;
   model::Diagnostics& findings_;
+  NamedTypes names_;
 };
 
 }  // namespace suture::compiler::frontend

@@ -7,6 +7,6 @@
 
 namespace suture::compiler::frontend {
 
-MappedType mapTemplate(const clang::ClassTemplateSpecializationDecl* type);
+MappedType mapTemplate(const clang::ClassTemplateSpecializationDecl* type, const NamedTypes& names);
 
 }  // namespace suture::compiler::frontend

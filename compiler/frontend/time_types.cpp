@@ -42,7 +42,7 @@ std::string spellingOf(const model::Type& rep, Ratio period) {
 
 }  // namespace
 
-MappedType mapDuration(const Specialisation* type) {
+MappedType mapDuration(const Specialisation* type, const NamedTypes&) {
   const clang::QualType rep = type->getTemplateArgs()[0].getAsType().getCanonicalType();
   const std::optional<Ratio> period = ratioOf(type->getTemplateArgs()[1]);
   const auto* builtin = rep->getAs<clang::BuiltinType>();
@@ -60,7 +60,7 @@ MappedType mapDuration(const Specialisation* type) {
   return mapped;
 }
 
-MappedType mapTimePoint(const Specialisation* type) {
+MappedType mapTimePoint(const Specialisation* type, const NamedTypes&) {
   const auto* clock = type->getTemplateArgs()[0].getAsType()->getAsCXXRecordDecl();
   const std::string name = clock ? qualifiedName(clock) : "";
   const auto* duration = llvm::dyn_cast_or_null<Specialisation>(

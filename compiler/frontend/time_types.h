@@ -7,7 +7,8 @@
 
 namespace suture::compiler::frontend {
 
-MappedType mapDuration(const clang::ClassTemplateSpecializationDecl* type);
-MappedType mapTimePoint(const clang::ClassTemplateSpecializationDecl* type);
+MappedType mapDuration(const clang::ClassTemplateSpecializationDecl* type, const NamedTypes& names);
+MappedType mapTimePoint(const clang::ClassTemplateSpecializationDecl* type,
+                        const NamedTypes& names);
 
 }  // namespace suture::compiler::frontend

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "compiler/frontend/named_types.h"
 #include "compiler/model/type.h"
 
 namespace suture::compiler::frontend {
@@ -24,19 +25,20 @@ struct TypeProblem {
 using MappedType = std::variant<model::Type, TypeProblem>;
 
 /// The wire view of a type that is held by value; const and references must be off.
-MappedType mapType(clang::QualType type);
+MappedType mapType(clang::QualType type, const NamedTypes& names);
 
 /// The problem of a type that is none of those that a wire carries.
 TypeProblem noWireForm();
 
-/// Gives the bounds of capacity(), outside in, to the strings and lists of the type. False if there
+/// Gives the bounds of capacity(), outside in, to what has none yet of the strings, lists, maps
+/// and matrices in the type. False if there
 /// are more bounds than levels.
 bool applyCapacity(model::Type& type, const std::vector<unsigned>& bounds);
 
-/// Whether range() means something: the type is or holds plain numbers.
+/// Whether range() means something: the type is, or is a container of, plain numbers.
 bool holdsNumbers(const model::Type& type);
 
-/// Whether unit() does: plain numbers, or an isometry for its translation.
+/// Whether unit() does: plain numbers, or a transform for its translation.
 bool holdsQuantities(const model::Type& type);
 
 /// How the type reads in a message.

@@ -2,19 +2,24 @@
 
 #include <clang/AST/RecursiveASTVisitor.h>
 
+#include <functional>
+
 #include "compiler/frontend/component_mapper.h"
 #include "compiler/frontend/contract_mapper.h"
 #include "compiler/frontend/data_mapper.h"
 #include "compiler/frontend/imports.h"
 #include "compiler/frontend/inheritance.h"
 #include "compiler/frontend/names.h"
+#include "compiler/frontend/type_names.h"
+#include "compiler/model/naming.h"
 
 namespace suture::compiler::frontend {
 namespace {
 
 class Visitor : public clang::RecursiveASTVisitor<Visitor> {
  public:
-  Visitor(Mapping& mapping, HeaderTable& headers) : mapping_(mapping), headers_(headers) {}
+  Visitor(Mapping& mapping, TypeNames& names, HeaderTable& headers)
+      : mapping_(mapping), names_(names), headers_(headers) {}
 
   // A third of the time would go into two libraries that hold nothing annotated.
   bool TraverseNamespaceDecl(clang::NamespaceDecl* space) {
@@ -27,17 +32,43 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
     const std::vector<Kind> kinds = annotationKinds(declaration);
     for (const Kind kind : kinds) {
       if (kind == Kind::Field && kinds.size() > 1) continue;  // rides on a command or event
-      visit(declaration, kind);
+      later_.push_back([=, this] { visit(declaration, kind); });
+      if (kind == Kind::External) nameExternal(declaration);
     }
+    if (const auto* alias = llvm::dyn_cast<clang::TypedefNameDecl>(declaration)) nameAlias(alias);
     return true;
   }
 
+  /// Maps what was found. Only now are all names of types known.
+  void finish() {
+    for (const std::function<void()>& one : later_) one();
+  }
+
  private:
+  void nameAlias(const clang::TypedefNameDecl* alias) {
+    if (const auto declared = names_.addAlias(alias)) addLater(*declared);
+  }
+
+  void nameExternal(const clang::NamedDecl* declaration) {
+    const auto* members = llvm::dyn_cast<clang::CXXMethodDecl>(declaration);
+    if (!members) return;
+    if (const auto declared = names_.addExternal(members)) addLater(*declared);
+  }
+
+  void addLater(const DataDeclaration& declared) {
+    later_.push_back([=, this] {
+      model::Header& header = headers_.of(declared.place);
+      checkNamespace(declared.place, model::unqualified(declared.name), header);
+      header.structs.push_back(mapStructDeclaration(declared, mapping_));
+    });
+  }
+
   void visit(clang::NamedDecl* declaration, Kind kind) {
     switch (kind) {
       case Kind::Type:
       case Kind::Interface:
       case Kind::Component: return visitTag(declaration, kind);
+      case Kind::External: return;  // its name was all there is to it
       case Kind::Command:
         if (parentIs(declaration, Kind::Interface) &&
             llvm::isa<clang::CXXMethodDecl>(declaration)) {
@@ -75,17 +106,19 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
       }
       return;
     }
+    const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(tag);
+    const bool pattern = record && record->getDescribedClassTemplate();
+    if (pattern && kind == Kind::Type) return;  // its instances have wire forms
     if (hasHome(tag)) add(tag, kind);
   }
 
   void add(clang::TagDecl* tag, Kind kind) {
     model::Header& header = headers_.of(tag);
-    checkNamespace(tag, header);
+    checkNamespace(tag, tag->getNameAsString(), header);
     if (auto* enumeration = llvm::dyn_cast<clang::EnumDecl>(tag)) {
       header.enums.push_back(mapEnumDeclaration(enumeration, mapping_));
     } else if (kind == Kind::Type) {
-      header.structs.push_back(
-          mapStructDeclaration(llvm::cast<clang::CXXRecordDecl>(tag), mapping_));
+      header.structs.push_back(mapStructDeclaration(declarationOf(tag), mapping_));
     } else if (kind == Kind::Interface) {
       header.interfaces.push_back(
           mapInterfaceDeclaration(llvm::cast<clang::CXXRecordDecl>(tag), mapping_));
@@ -93,6 +126,12 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
       header.components.push_back(
           mapComponentDeclaration(llvm::cast<clang::CXXRecordDecl>(tag), mapping_));
     }
+  }
+
+  DataDeclaration declarationOf(clang::TagDecl* tag) {
+    const Annotation annotation = mapping_.annotationOf(tag, Kind::Type);
+    return {llvm::cast<clang::CXXRecordDecl>(tag), tag, qualifiedName(tag),
+            wireTypeName(tag, annotation.name), std::nullopt};
   }
 
   /// Generated code must be able to name the type from outside and to tell it from others.
@@ -105,7 +144,7 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
     } else if (record && (record->getDescribedClassTemplate() ||
                           llvm::isa<clang::ClassTemplateSpecializationDecl>(record))) {
       mapping_.error(tag, "template-type", name + " is a template; it has no one wire form",
-                     "write the struct out for each use");
+                     "annotate the template of a struct, and name its instances with 'using'");
     } else if (tag->isInAnonymousNamespace() || tag->getParentFunctionOrMethod()) {
       mapping_.error(tag, "local-type", name + " is not visible outside its file",
                      "move it into a named namespace");
@@ -119,15 +158,15 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
   }
 
   /// One header becomes one schema with one namespace.
-  void checkNamespace(clang::TagDecl* tag, model::Header& header) {
+  void checkNamespace(const clang::NamedDecl* tag, const std::string& name, model::Header& header) {
     const std::string space = namespaceOf(tag);
     const bool first = header.enums.empty() && header.structs.empty() &&
                        header.interfaces.empty() && header.components.empty();
     if (first) header.cxxNamespace = space;
     if (header.cxxNamespace == space) return;
     mapping_.error(tag, "mixed-namespaces",
-                   "'" + tag->getNameAsString() + "' is in namespace '" + space +
-                       "', what stands before it in '" + header.cxxNamespace + "'",
+                   "'" + name + "' is in namespace '" + space + "', what stands before it in '" +
+                       header.cxxNamespace + "'",
                    "keep one namespace a header");
   }
 
@@ -163,15 +202,20 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
   }
 
   Mapping& mapping_;
+  TypeNames& names_;
   HeaderTable& headers_;
+  std::vector<std::function<void()>> later_;
 };
 
 }  // namespace
 
-model::Model mapUnit(clang::ASTContext& context, HeaderTable& headers, SourceTable& table,
+model::Model mapUnit(clang::Sema& semantics, HeaderTable& headers, SourceTable& table,
                      model::Diagnostics& findings) {
-  Mapping mapping(context, table, findings);
-  Visitor(mapping, headers).TraverseDecl(context.getTranslationUnitDecl());
+  Mapping mapping(semantics.getASTContext(), table, findings);
+  TypeNames names(mapping, semantics);
+  Visitor visitor(mapping, names, headers);
+  visitor.TraverseDecl(semantics.getASTContext().getTranslationUnitDecl());
+  visitor.finish();
   model::Model result{headers.take()};
   addInherited(result);
   addImports(result);

@@ -1,13 +1,16 @@
 #pragma once
 // From the tree of a whole translation unit to the model.
 
+#include <clang/Sema/Sema.h>
+
 #include "compiler/frontend/header_table.h"
 #include "compiler/frontend/mapping.h"
 
 namespace suture::compiler::frontend {
 
 /// Maps every annotated declaration, own and foreign. Each either enters the model or is an error.
-model::Model mapUnit(clang::ASTContext& context, HeaderTable& headers, SourceTable& table,
+/// `semantics` completes instances of templates that nobody has used yet.
+model::Model mapUnit(clang::Sema& semantics, HeaderTable& headers, SourceTable& table,
                      model::Diagnostics& findings);
 
 }  // namespace suture::compiler::frontend

@@ -27,7 +27,8 @@ class Canonical {
   void write(const Lock& lock, const Node& node) {
     text_ += identity(node) + " " + node.name + " " + std::to_string(node.id);
     const auto version = node.annotations.find("version");
-    text_ += version == node.annotations.end() ? "\n" : " version " + version->second + "\n";
+    text_ += version == node.annotations.end() ? "" : " version " + version->second;
+    text_ += node.isUnion ? " union\n" : "\n";
     for (const Member& member : node.members) {
       if (counts(member)) write(member);
     }

@@ -51,6 +51,7 @@ struct Node {
   std::uint64_t id = 0;
   std::vector<std::string> extends;  ///< an interface's bases, spelled as Member::type
   Annotations annotations;
+  bool isUnion = false;         ///< a struct of which one member counts
   std::vector<Member> members;  ///< in the order of the ordinals, without a gap
   std::string doc;
   unsigned line = 0;

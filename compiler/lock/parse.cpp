@@ -184,6 +184,13 @@ class Parser {
     return result;
   }
 
+  /// "union {", which is all that a struct of alternatives holds; else a member of that name.
+  bool opensUnion() {
+    if (peek().text != "union" || tokens_[at_ + 1].text != "{") return false;
+    at_ += 2;
+    return true;
+  }
+
   Node node() {
     static const std::map<std::string, Node::Kind> kinds = {{"struct", Node::Kind::Struct},
                                                             {"enum", Node::Kind::Enum},
@@ -201,7 +208,9 @@ class Parser {
     if (accept("extends")) result.extends = bases();
     result.annotations = annotations();
     expect("{");
+    result.isUnion = opensUnion();
     while (!accept("}")) result.members.push_back(member());
+    if (result.isUnion) expect("}");
     return result;
   }
 

@@ -2,8 +2,10 @@
 
 #include <array>
 #include <charconv>
+#include <set>
 #include <utility>
 
+#include "compiler/lock/composites.h"
 #include "compiler/lock/sha256.h"
 #include "compiler/lock/wire_type.h"
 #include "compiler/model/naming.h"
@@ -128,6 +130,49 @@ WantedNode wantedStruct(const model::Struct& declaration, const model::Lookup& l
     result.members.push_back(wantedField(declaration, field, lookup, header));
   }
   return result;
+}
+
+void addMember(WantedNode& node, Member member) {
+  node.members.push_back({std::move(member), node.title, std::nullopt, node.source});
+}
+
+/// The struct of a composite. Its bounds are the field's business: two of one wire form share it.
+WantedNode wantedComposite(const model::Type& type, const model::Source& source,
+                           const model::Lookup& lookup, const model::Header& header) {
+  const std::string name = compositeName(type, lookup, header);
+  WantedNode result =
+      startNode(Node::Kind::Struct, "", name, "the wire form of '" + type.spelling + "'", source);
+  using Shape = model::Type::Shape;
+  result.node.isUnion = type.shape == Shape::Optional || type.shape == Shape::Variant;
+  if (type.shape == Shape::Optional) addMember(result, plain("none", "Void"));
+  const std::vector<std::string> names = compositeMembers(type, lookup, header);
+  for (std::size_t i = 0; i < type.element.size(); ++i) {
+    const model::Type& element = type.element[i];
+    Member member = plain(names[i], wireType(element, lookup, header));
+    member.annotations = typeAnnotations(element);
+    member.annotations.erase("capacity");
+    addMember(result, std::move(member));
+  }
+  if (type.shape == Shape::AnyMatrix) {
+    addMember(result, plain("rows", "UInt32"));
+    addMember(result, plain("columns", "UInt32"));
+    addMember(result, plain("data", "List(" + std::string(capnpScalar(type.scalar)) + ")",
+                            "Column after column."));
+  }
+  return result;
+}
+
+/// Each composite of the header once.
+std::vector<WantedNode> wantedComposites(const model::Header& header, const model::Lookup& lookup) {
+  std::vector<WantedNode> nodes;
+  std::set<std::string> seen;
+  const model::Source source{0, header.path, 0};
+  const auto all = [](const model::Struct&) { return true; };
+  forEachComposite(header, all, [&](const model::Type& type) {
+    if (!seen.insert(compositeName(type, lookup, header)).second) return;
+    nodes.push_back(wantedComposite(type, source, lookup, header));
+  });
+  return nodes;
 }
 
 const char* kindName(model::CommandKind kind) {
@@ -267,6 +312,9 @@ WantedNode wantedState(const model::Interface& declaration, const model::Lookup&
 std::vector<WantedNode> wanted(const model::Header& header, const model::Lookup& lookup) {
   std::vector<WantedNode> nodes;
   for (const model::Enum& declaration : header.enums) nodes.push_back(wantedEnum(declaration));
+  for (WantedNode& composite : wantedComposites(header, lookup)) {
+    nodes.push_back(std::move(composite));
+  }
   for (const model::Struct& declaration : header.structs) {
     nodes.push_back(wantedStruct(declaration, lookup, header));
   }

@@ -26,8 +26,8 @@ struct WantedNode {
   model::Source source;
 };
 
-/// In the order enums, structs, interfaces; an interface is followed by its events and its state
-/// row.
+/// In the order enums, composites, structs, interfaces; an interface is followed by its events and
+/// its state row.
 std::vector<WantedNode> wanted(const model::Header& header, const model::Lookup& lookup);
 
 /// What value `index` of an event's payload is called on the wire: "value", "value2", "value3".

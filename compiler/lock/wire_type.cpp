@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "compiler/lock/composites.h"
 #include "compiler/lock/lock.h"
 
 namespace suture::compiler::lock {
@@ -19,41 +20,55 @@ std::string wireNameOf(const std::string& name, const model::Lookup& lookup) {
   return "";
 }
 
+/// What a flat list of an Eigen type's coefficients has to say of itself.
+std::string flatShape(const Type& type, bool inFlatList) {
+  if (type.shape == Shape::Affine) return "affine";
+  if (!namedEigenType(type).empty() && !inFlatList) return "";
+  if (type.shape == Shape::Quaternion) return "wxyz";
+  if (type.shape == Shape::Isometry) return "3x4";
+  if (type.shape != Shape::Matrix) return "";
+  return std::to_string(type.rows) + "x" + std::to_string(type.columns);
+}
+
 /// "*,3,6x7": one entry a level; empty when every level is open or says its own length.
 std::string shapeOf(const Type& type) {
   std::string shape;
   bool fixed = false;
+  bool inFlatList = false;
   const Type* level = &type;
   while (level->shape == Shape::Array || level->shape == Shape::List) {
     if (!shape.empty()) shape += ',';
     const bool isArray = level->shape == Shape::Array;
     shape += isArray ? std::to_string(level->rows) : "*";
     fixed = fixed || isArray;
+    inFlatList = isFlatList(*level);
     level = &level->element.front();
   }
-  const bool flat = (level->shape == Shape::Matrix || level->shape == Shape::Quaternion ||
-                     level->shape == Shape::Isometry) &&
-                    namedEigenType(*level).empty();
-  if (flat) {
-    if (!shape.empty()) shape += ',';
-    shape += level->shape == Shape::Matrix
-                 ? std::to_string(level->rows) + "x" + std::to_string(level->columns)
-                 : (level->shape == Shape::Quaternion ? "wxyz" : "3x4");
-  }
-  return fixed || flat ? shape : "";
+  const std::string flat = flatShape(*level, inFlatList);
+  if (!shape.empty() && !flat.empty()) shape += ',';
+  return fixed || !flat.empty() ? shape + flat : "";
+}
+
+/// The bounds of the type and all it is made of, outside in.
+void collectCapacities(const Type& type, std::vector<std::optional<unsigned>>& bounds) {
+  const bool matrix = type.shape == Shape::AnyMatrix;
+  const bool sized =
+      type.shape == Shape::List || type.shape == Shape::Text || type.shape == Shape::Map || matrix;
+  if (sized) bounds.push_back(type.capacity);
+  if (matrix) bounds.push_back(type.columnCapacity);
+  for (const Type& element : type.element) collectCapacities(element, bounds);
 }
 
 /// "[8, 0]": one number a bounded kind of level; empty when none is bounded.
 std::string capacities(const Type& type) {
+  std::vector<std::optional<unsigned>> bounds;
+  collectCapacities(type, bounds);
   std::string numbers;
   bool bounded = false;
-  for (const Type* level = &type;; level = &level->element.front()) {
-    if (level->shape == Shape::List || level->shape == Shape::Text) {
-      if (!numbers.empty()) numbers += ", ";
-      numbers += std::to_string(level->capacity.value_or(0));
-      bounded = bounded || level->capacity.has_value();
-    }
-    if (level->element.empty()) break;
+  for (const std::optional<unsigned>& bound : bounds) {
+    if (!numbers.empty()) numbers += ", ";
+    numbers += std::to_string(bound.value_or(0));
+    bounded = bounded || bound.has_value();
   }
   return bounded ? "[" + numbers + "]" : "";
 }
@@ -63,7 +78,9 @@ std::string capacities(const Type& type) {
 std::string namedEigenType(const Type& type) {
   if (type.scalar != model::Scalar::Float64) return "";
   if (type.shape == Shape::Quaternion) return "/suture/types.capnp:Quat";
-  if (type.shape == Shape::Isometry) return "/suture/types.capnp:Pose";
+  if (type.shape == Shape::Isometry || type.shape == Shape::Affine) {
+    return "/suture/types.capnp:Pose";
+  }
   if (type.shape != Shape::Matrix) return "";
   if (type.columns == 1 && type.rows >= 2 && type.rows <= 4) {
     return "/suture/types.capnp:Vec" + std::to_string(type.rows);
@@ -72,6 +89,18 @@ std::string namedEigenType(const Type& type) {
     return "/suture/types.capnp:Mat" + std::to_string(type.rows);
   }
   return "";
+}
+
+bool isFlatList(const Type& type) {
+  if (type.shape != Shape::List) return false;
+  const Type& element = type.element.front();
+  return element.shape == Shape::Matrix && element.columns == 1;
+}
+
+model::Scalar wireScalar(const Type& type) {
+  const bool real = type.scalar == model::Scalar::Float32 || type.scalar == model::Scalar::Float64;
+  if (type.shape != Shape::Duration) return type.scalar;
+  return real ? model::Scalar::Float64 : model::Scalar::Int64;
 }
 
 std::string_view capnpScalar(model::Scalar scalar) {
@@ -108,17 +137,26 @@ std::string wireType(const Type& type, const model::Lookup& lookup, const model:
     case Shape::List: {
       const Type& element = type.element.front();
       const bool bytes = element.shape == Shape::Scalar && element.scalar == model::Scalar::UInt8;
-      return bytes ? "Data" : list(wireType(element, lookup, inside));
+      if (bytes && !type.distinct) return "Data";
+      if (isFlatList(type)) return list(std::string(capnpScalar(element.scalar)));
+      return list(wireType(element, lookup, inside));
     }
     case Shape::Array: return list(wireType(type.element.front(), lookup, inside));
     case Shape::Matrix:
     case Shape::Quaternion:
-    case Shape::Isometry: {
+    case Shape::Isometry:
+    case Shape::Affine: {
       const std::string named = namedEigenType(type);
       return named.empty() ? list(std::string(capnpScalar(type.scalar))) : named;
     }
-    case Shape::Duration:
+    case Shape::Duration: return std::string(capnpScalar(wireScalar(type)));
     case Shape::TimePoint: return "Int64";
+    case Shape::Optional:
+    case Shape::Tuple:
+    case Shape::Variant:
+    case Shape::AnyMatrix: return compositeName(type, lookup, inside);
+    case Shape::Map: return list(compositeName(type, lookup, inside));
+    case Shape::Nothing: return "Void";
   }
   return "Void";
 }
@@ -129,7 +167,7 @@ std::map<std::string, std::string> typeAnnotations(const Type& type) {
     if (!argument.empty()) result.emplace(name, argument);
   };
   const Type* leaf = &type;
-  while (!leaf->element.empty()) leaf = &leaf->element.front();
+  while (leaf->shape == Shape::Array || leaf->shape == Shape::List) leaf = &leaf->element.front();
   if (leaf->shape == Shape::Duration) {
     add("period", quoted(std::to_string(leaf->periodNumerator) + "/" +
                          std::to_string(leaf->periodDenominator)));

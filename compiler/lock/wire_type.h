@@ -17,6 +17,12 @@ inline constexpr const char* kMeaningful[] = {"unit", "period", "clock", "shape"
 /// "/suture/types.capnp:Vec3"; "" when the type has none and travels as a flat list.
 std::string namedEigenType(const model::Type& type);
 
+/// Does it travel as one flat list of the coefficients of all its vectors?
+bool isFlatList(const model::Type& type);
+
+/// The number that a scalar or a duration travels as.
+model::Scalar wireScalar(const model::Type& type);
+
 /// "Int32", "Float64"...
 std::string_view capnpScalar(model::Scalar scalar);
 

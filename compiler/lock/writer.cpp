@@ -152,11 +152,13 @@ std::string write(const Node& node, const Aliases& aliases) {
                           spell(node.annotations), " {\n", "    ");
   text += comment(node.doc, "  ");
   if (!node.doc.empty() && !node.members.empty()) text += "\n";
+  const std::string indent = node.isUnion ? "    " : "  ";
+  if (node.isUnion) text += "  union {\n";
   for (const Member& member : node.members) {
-    text += fill("  " + head(member, aliases), spell(member.annotations), ";\n", "      ");
-    text += comment(member.doc, "  ");
+    text += fill(indent + head(member, aliases), spell(member.annotations), ";\n", indent + "    ");
+    text += comment(member.doc, indent);
   }
-  return text + "}\n";
+  return text + (node.isUnion ? "  }\n}\n" : "}\n");
 }
 
 }  // namespace

@@ -18,10 +18,12 @@ struct Documentation {
 };
 
 struct Field {
-  std::string name;  ///< C++ name
+  std::string name;  ///< C++ name; of a base class: the name of its slot
   std::string wireName;
   Type type;
-  std::string unit;  ///< "" = none said
+  bool isBase = false;    ///< a base class, not a member
+  bool isHidden = false;  ///< not public: reached through suture::Members
+  std::string unit;       ///< "" = none said
   std::optional<std::pair<double, double>> range;
   std::optional<std::string> was;
   /// The initialiser as JSON where it is a constant of a scalar, enum or string; empty = zero.
@@ -36,6 +38,7 @@ struct Enumerator {
   std::int64_t value = 0;
   Documentation doc;
   Source source;
+  bool fallback = false;  ///< stands for every enumerator that a receiver does not know
 };
 
 struct Enum {
@@ -48,8 +51,10 @@ struct Enum {
 };
 
 struct Struct {
-  std::string name;  ///< fully qualified
+  std::string name;  ///< fully qualified; an instance of a template has its alias's
   std::string wireName;
+  /// Where functions on it are found by their argument, if that is not its header's namespace.
+  std::optional<std::string> foreignNamespace;
   std::vector<Field> fields;
   Documentation doc;
   Source source;

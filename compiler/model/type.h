@@ -39,13 +39,21 @@ struct Type {
     Enum,        ///< name, of a model::Enum
     Struct,      ///< name, of a model::Struct
     Text,        ///< capacity
-    Array,       ///< element, rows = length: std::array
-    List,        ///< element, capacity: std::vector
+    Array,       ///< element, rows = length: std::array, T[N]
+    List,        ///< element, capacity, distinct: a sequence, a set, an Eigen vector of any length
     Matrix,      ///< scalar, rows, columns: a fixed Eigen matrix or vector, column-major
     Quaternion,  ///< scalar; order w, x, y, z on the wire
     Isometry,    ///< Eigen::Isometry3d: rotation 3x3 and translation 3
-    Duration,    ///< scalar (rep), period: a chrono duration; Int64 ns on the wire
+    Affine,      ///< Eigen::Affine3d: the same numbers, any linear part
+    Duration,    ///< scalar (rep), period: a chrono duration; Int64 ns on the wire, or its count
+                 ///< as Float64 where the rep is real
     TimePoint,   ///< clock: Int64 ns on the wire
+    Optional,    ///< element: std::optional, std::unique_ptr
+    Map,         ///< element (key, value), capacity: std::map, std::unordered_map
+    Tuple,       ///< element (each member): std::tuple, std::pair
+    Variant,     ///< element (each alternative): std::variant
+    Nothing,     ///< std::monostate
+    AnyMatrix,   ///< scalar, capacity (rows), columnCapacity: an Eigen matrix of any size
   };
 
   Shape shape = Shape::Scalar;
@@ -53,7 +61,9 @@ struct Type {
   std::string name;  ///< fully qualified C++ name, for Enum and Struct
   unsigned rows = 0, columns = 0;
   std::optional<unsigned> capacity;  ///< bound of this level; absent = unbounded
-  std::vector<Type> element;         ///< none or one: the element type of Array and List
+  std::optional<unsigned> columnCapacity;
+  bool distinct = false;      ///< a set: no element twice
+  std::vector<Type> element;  ///< what it is made of, in order
   std::int64_t periodNumerator = 1, periodDenominator = 1;
   Clock clock = Clock::Steady;
   std::string spelling;  ///< how generated C++ writes the type: "std::vector<double>"

@@ -7,11 +7,15 @@
 //   store(value, slot): C++ -> slot; false if the value exceeds the capacity of the slot
 //   load(slot, value):  slot -> C++; reuses what the value already owns
 
+#include <suture/annotate.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <concepts>
 #include <cstdint>
+#include <deque>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -61,7 +65,17 @@ template <class E>
 requires std::is_enum_v<E>
 void load(std::underlying_type_t<E> slot, E& value) { value = static_cast<E>(slot); }
 
-/// Durations and time points travel as nanoseconds.
+/// Durations of a real representation travel as their count, whatever it is; the others and time
+/// points as nanoseconds.
+template <std::floating_point Rep, class Period>
+bool store(std::chrono::duration<Rep, Period> value, double& slot) {
+  slot = static_cast<double>(value.count());
+  return true;
+}
+template <std::floating_point Rep, class Period>
+void load(double slot, std::chrono::duration<Rep, Period>& value) {
+  value = std::chrono::duration<Rep, Period>(static_cast<Rep>(slot));
+}
 template <class Rep, class Period>
 bool store(std::chrono::duration<Rep, Period> value, std::int64_t& slot) {
   slot = std::chrono::duration_cast<std::chrono::nanoseconds>(value).count();
@@ -119,14 +133,33 @@ void load(const std::array<S, 4>& slot, Eigen::Quaternion<S>& value) {
   value = Eigen::Quaternion<S>(slot[0], slot[1], slot[2], slot[3]);
 }
 
-/// Rigid transforms as the rotation, column-major, then the translation.
-inline bool store(const Eigen::Isometry3d& value, std::array<double, 12>& slot) {
+/// Rigid and affine transforms as the linear part, column-major, then the translation.
+template <int Mode>
+bool store(const Eigen::Transform<double, 3, Mode>& value, std::array<double, 12>& slot) {
   Eigen::Map<Eigen::Matrix<double, 3, 4>>(slot.data()) = value.affine();
   return true;
 }
-inline void load(const std::array<double, 12>& slot, Eigen::Isometry3d& value) {
+template <int Mode>
+void load(const std::array<double, 12>& slot, Eigen::Transform<double, 3, Mode>& value) {
   value.affine() = Eigen::Map<const Eigen::Matrix<double, 3, 4>>(slot.data());
   value.makeAffine();
+}
+
+/// What has a suture::Wire travels as that says.
+template <class T>
+concept Hooked = requires {
+  typename Wire<T>::Type;
+};
+
+template <Hooked T, class S>
+bool store(const T& value, S& slot) {
+  return store(Wire<T>::to(value), slot);
+}
+template <class S, Hooked T>
+void load(const S& slot, T& value) {
+  typename Wire<T>::Type form{};
+  load(slot, form);
+  value = Wire<T>::from(form);
 }
 
 // The element's own overloads are found at instantiation: those above, and a generated type's by
@@ -135,6 +168,10 @@ template <class T, std::size_t N, class S>
 bool store(const std::array<T, N>& value, std::array<S, N>& slot);
 template <class T, std::size_t N, class S>
 void load(const std::array<S, N>& slot, std::array<T, N>& value);
+template <class T, std::size_t N, class S>
+bool store(const T (&value)[N], std::array<S, N>& slot);
+template <class T, std::size_t N, class S>
+void load(const std::array<S, N>& slot, T (&value)[N]);
 
 template <class T, class S, std::uint32_t N>
 bool store(const std::vector<T>& value, BoundedList<S, N>& slot) {
@@ -159,6 +196,20 @@ void load(const BoundedList<S, N>& slot, std::vector<T>& value) {
   }
 }
 
+template <class T, class S, std::uint32_t N>
+bool store(const std::deque<T>& value, BoundedList<S, N>& slot) {
+  if (value.size() > N) return false;
+  slot.size = static_cast<std::uint32_t>(value.size());
+  bool fits = true;
+  for (std::uint32_t i = 0; i < slot.size; ++i) fits = store(value[i], slot.data[i]) && fits;
+  return fits;
+}
+template <class T, class S, std::uint32_t N>
+void load(const BoundedList<S, N>& slot, std::deque<T>& value) {
+  value.resize(std::min(slot.size, N));
+  for (std::uint32_t i = 0; i < value.size(); ++i) load(slot.data[i], value[i]);
+}
+
 template <class T, std::size_t N, class S>
 bool store(const std::array<T, N>& value, std::array<S, N>& slot) {
   bool fits = true;
@@ -170,4 +221,19 @@ void load(const std::array<S, N>& slot, std::array<T, N>& value) {
   for (std::size_t i = 0; i < N; ++i) load(slot[i], value[i]);
 }
 
+template <class T, std::size_t N, class S>
+bool store(const T (&value)[N], std::array<S, N>& slot) {
+  bool fits = true;
+  for (std::size_t i = 0; i < N; ++i) fits = store(value[i], slot[i]) && fits;
+  return fits;
+}
+template <class T, std::size_t N, class S>
+void load(const std::array<S, N>& slot, T (&value)[N]) {
+  for (std::size_t i = 0; i < N; ++i) load(slot[i], value[i]);
+}
+
 }  // namespace suture
+
+#include <suture/base/composite_slots.h>
+#include <suture/base/keyed_slots.h>
+#include <suture/base/matrix_slots.h>

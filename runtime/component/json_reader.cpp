@@ -6,6 +6,8 @@
 namespace suture {
 namespace {
 
+constexpr unsigned kDeepest = 64;
+
 std::string child(const std::string& pointer, const std::string& key) {
   return (nlohmann::json::json_pointer(pointer) / key).to_string();
 }
@@ -17,11 +19,23 @@ void JsonReader::expected(std::string_view what) const {
 }
 
 JsonReader JsonReader::at(const std::string& key) const {
-  return {json_.at(key), child(pointer_, key), problems_};
+  return below(json_.at(key), child(pointer_, key));
 }
 
 JsonReader JsonReader::at(std::size_t index) const {
-  return {json_.at(index), pointer_ + "/" + std::to_string(index), problems_};
+  return below(json_.at(index), pointer_ + "/" + std::to_string(index));
+}
+
+JsonReader JsonReader::below(const nlohmann::json& json, std::string pointer) const {
+  JsonReader reader(json, std::move(pointer), problems_);
+  reader.depth_ = depth_ + 1;
+  return reader;
+}
+
+bool JsonReader::tooDeep() const {
+  if (depth_ <= kDeepest) return false;
+  report("nested more than " + std::to_string(kDeepest) + " deep");
+  return true;
 }
 
 bool JsonReader::isArrayOf(std::size_t size) const {
@@ -50,16 +64,33 @@ void fromJson(const JsonReader& in, std::string& value) {
   value = in.json().get<std::string>();
 }
 
-void fromJson(const JsonReader& in, Eigen::Isometry3d& value) {
+void fromJson(const JsonReader& in, std::byte& value) {
+  std::uint8_t number = 0;
+  fromJson(in, number);
+  value = std::byte{number};
+}
+
+namespace {
+
+template <class Transform>
+void readTransform(const JsonReader& in, const char* linear, Transform& value) {
   JsonReader reader = in;
   Eigen::Matrix3d rotation = value.linear();
   Eigen::Vector3d translation = value.translation();
-  reader.field("rotation", rotation);
+  reader.field(linear, rotation);
   reader.field("translation", translation);
   reader.finish();
   value.linear() = rotation;
   value.translation() = translation;
 }
+
+}  // namespace
+
+void fromJson(const JsonReader& in, Eigen::Isometry3d& value) {
+  readTransform(in, "rotation", value);
+}
+
+void fromJson(const JsonReader& in, Eigen::Affine3d& value) { readTransform(in, "linear", value); }
 
 int enumeratorFromJson(const JsonReader& in, const std::vector<std::string>& names) {
   const auto found = in.json().is_string()

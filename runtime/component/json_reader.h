@@ -1,10 +1,14 @@
 #pragma once
 // Reads a component's parameters from JSON. Generated code calls field() once for each member.
 
+#include <suture/annotate.h>
+
 #include <Eigen/Geometry>
 #include <array>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -47,18 +51,26 @@ class JsonReader {
 
   JsonReader at(const std::string& key) const;
   JsonReader at(std::size_t index) const;
+  /// Reports and returns true if this value lies deeper than any real one: types may hold
+  /// themselves.
+  bool tooDeep() const;
   bool isArrayOf(std::size_t size) const;
 
  private:
+  JsonReader below(const nlohmann::json& json, std::string pointer) const;
+
   const nlohmann::json& json_;
   std::string pointer_;
   std::vector<JsonProblem>& problems_;
+  unsigned depth_ = 0;
   std::vector<std::string> known_;
 };
 
 void fromJson(const JsonReader& in, bool& value);
 void fromJson(const JsonReader& in, std::string& value);
+void fromJson(const JsonReader& in, std::byte& value);
 void fromJson(const JsonReader& in, Eigen::Isometry3d& value);
+void fromJson(const JsonReader& in, Eigen::Affine3d& value);
 
 /// The name of an enumerator, of those in `names`: its index, or -1 and a report.
 int enumeratorFromJson(const JsonReader& in, const std::vector<std::string>& names);
@@ -96,10 +108,36 @@ void fromJson(const JsonReader& in, std::vector<T>& value) {
   if (!in.json().is_array()) return in.expected("a list");
   value.resize(in.json().size());
   for (std::size_t i = 0; i < value.size(); ++i) {
-    T element{};
-    fromJson(in.at(i), element);
-    value[i] = element;
+    if constexpr (std::is_same_v<T, bool>) {  // its elements have no address
+      bool element = false;
+      fromJson(in.at(i), element);
+      value[i] = element;
+    } else {
+      fromJson(in.at(i), value[i] = T{});
+    }
   }
+}
+
+template <class T>
+void fromJson(const JsonReader& in, std::deque<T>& value) {
+  if (!in.json().is_array()) return in.expected("a list");
+  value.clear();
+  for (std::size_t i = 0; i < in.json().size(); ++i) fromJson(in.at(i), value.emplace_back());
+}
+
+template <class T, std::size_t N>
+void fromJson(const JsonReader& in, T (&value)[N]) {
+  if (!in.isArrayOf(N)) return in.expected("a list of " + std::to_string(N));
+  for (std::size_t i = 0; i < N; ++i) fromJson(in.at(i), value[i]);
+}
+
+/// What has a suture::Wire is read as that says.
+template <class T>
+requires requires { typename Wire<T>::Type; }
+void fromJson(const JsonReader& in, T& value) {
+  typename Wire<T>::Type form = Wire<T>::to(value);
+  fromJson(in, form);
+  value = Wire<T>::from(form);
 }
 
 template <class T, std::size_t N>
@@ -110,7 +148,8 @@ void fromJson(const JsonReader& in, std::array<T, N>& value) {
 
 /// A vector is a list; a matrix is a list of its rows.
 template <class S, int Rows, int Columns, int Options>
-void fromJson(const JsonReader& in, Eigen::Matrix<S, Rows, Columns, Options>& value) {
+requires(Rows > 0 && Columns > 0) void fromJson(const JsonReader& in,
+                                                Eigen::Matrix<S, Rows, Columns, Options>& value) {
   if (!in.isArrayOf(Rows)) return in.expected("a list of " + std::to_string(Rows));
   for (int row = 0; row < Rows; ++row) {
     const JsonReader line = in.at(static_cast<std::size_t>(row));
@@ -136,6 +175,7 @@ void fromJson(const JsonReader& in, Eigen::Quaternion<S>& value) {
 template <class T>
 void JsonReader::field(const char* key, T& target) {
   known_.emplace_back(key);
+  if (tooDeep()) return;
   if (json_.is_object() && json_.contains(key)) fromJson(at(std::string(key)), target);
 }
 
@@ -156,3 +196,5 @@ void JsonReader::field(const char* key, T& target, double lowest, double highest
 }
 
 }  // namespace suture
+
+#include <suture/component/json_containers.h>

@@ -107,9 +107,14 @@ Errc fromWire(wire::Mat4::Reader in, std::array<double, 16>& slot) {
   return Errc{};
 }
 
-Errc fromWire(wire::Pose::Reader in, std::array<double, 12>& slot) {
+Errc fromWireAffine(wire::Pose::Reader in, std::array<double, 12>& slot) {
   slot = {in.getM00(), in.getM10(), in.getM20(), in.getM01(), in.getM11(), in.getM21(),
           in.getM02(), in.getM12(), in.getM22(), in.getX(),   in.getY(),   in.getZ()};
+  return Errc{};
+}
+
+Errc fromWire(wire::Pose::Reader in, std::array<double, 12>& slot) {
+  fromWireAffine(in, slot);
   // What was not sent reads as zeros, and no rotation has a column of them.
   const bool sent = slot[0] != 0 || slot[1] != 0 || slot[2] != 0;
   return sent ? Errc{} : Errc::Invalid;

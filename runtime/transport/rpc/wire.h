@@ -187,3 +187,5 @@ bool isValid(const BoundedList<T, N>& slot) {
 }
 
 }  // namespace suture::rpc
+
+#include <suture/transport/rpc/composite_wire.h>

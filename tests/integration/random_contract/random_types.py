@@ -5,8 +5,12 @@ import random
 INTEGERS = ["std::int8_t", "std::int16_t", "std::int32_t", "std::int64_t",
             "std::uint8_t", "std::uint16_t", "std::uint32_t", "std::uint64_t"]
 NUMBERS = INTEGERS + ["float", "double"]
+KEYS = [*INTEGERS, "std::string"]
 EIGEN = ["Eigen::Vector2d", "Eigen::Vector3d", "Eigen::Vector4d", "Eigen::Matrix3d", "Eigen::Matrix4d",
-         "Eigen::Vector3f", "Eigen::Matrix<double, 2, 5>", "Eigen::Matrix<double, 6, 1>", "Eigen::Matrix<float, 6, 6>"]
+         "Eigen::Vector3f", "Eigen::Matrix<double, 2, 5>", "Eigen::Matrix<double, 6, 1>", "Eigen::Matrix<float, 6, 6>",
+         "Eigen::Affine3d"]
+OPEN_EIGEN = {"Eigen::VectorXd": 1, "Eigen::MatrixXd": 2, "Eigen::Matrix<double, 3, Eigen::Dynamic>": 1,
+              "Eigen::Matrix<std::int32_t, Eigen::Dynamic, 1>": 1}
 CHRONO = ["std::chrono::nanoseconds", "std::chrono::milliseconds", "std::chrono::duration<double>", "suture::Time"]
 
 
@@ -46,8 +50,50 @@ class Types:
             return self.random.choice(CHRONO)
         return self.random.choice(NUMBERS)
 
+    def nested(self, depth):
+        """A type, its bounds outside in, and whether it owns heap."""
+        kind = self.random.randrange(9 if depth > 0 else 2)
+        if kind == 0:
+            return "std::string", [self.random.randint(1, 9)], True
+        if kind == 1:
+            return self.simple(), [], False
+        if kind == 2:
+            name = self.random.choice(list(OPEN_EIGEN))
+            return name, [self.random.randint(1, 4) for _ in range(OPEN_EIGEN[name])], True
+        if kind == 3:
+            key = self.random.choice(KEYS)
+            bounds = [self.random.randint(1, 3)] + ([self.random.randint(1, 9)] if key == "std::string" else [])
+            if self.random.randrange(2):
+                return f"std::set<{key}>", bounds, True
+            value, inner, _ = self.nested(depth - 1)
+            container = self.random.choice(["std::map", "std::unordered_map"])
+            return f"{container}<{key}, {value}>", bounds + inner, True
+        if kind == 4:
+            count = self.random.randint(2, 4)
+            parts = [self.nested(depth - 1) for _ in range(count)]
+            name = self.random.choice(["std::tuple", "std::variant"] + ["std::pair"] * (count == 2))
+            types = [part[0] for part in parts]
+            if name == "std::variant" and self.random.randrange(2):
+                types[0], parts[0] = "std::monostate", ("", [], False)
+            return (f"{name}<{', '.join(types)}>", [bound for part in parts for bound in part[1]],
+                    any(part[2] for part in parts))
+        element, inner, owns = self.nested(depth - 1)
+        if kind == 5:
+            return f"std::optional<{element}>", inner, owns
+        if kind == 6:
+            return f"std::array<{element}, {self.random.randint(1, 3)}>", inner, owns
+        container = self.random.choice(["std::vector", "std::deque"])
+        element = self.random.choice([element, element, "std::byte"])
+        bounds = [] if element == "std::byte" else inner
+        return f"{container}<{element}>", [self.random.randint(1, 3), *bounds], True
+
     def field(self, index):
         name = f"member_{index}"
+        if self.random.randrange(2):
+            while True:
+                type_, bounds, owns = self.nested(3)
+                if len(bounds) <= 8:
+                    return Field(name, type_, tuple(bounds), owns)
         kind = self.random.randrange(6)
         if kind == 0:
             return Field(name, "std::string", (self.random.randint(1, 40),), True)
@@ -64,8 +110,10 @@ class Types:
 
     def header(self):
         lines = ["#pragma once", "#include <suture/annotate.h>", "#include <suture/base/time.h>",
-                 "#include <Eigen/Geometry>", "#include <array>", "#include <chrono>", "#include <cstdint>",
-                 "#include <string>", "#include <vector>", "", "namespace invented {", ""]
+                 "#include <Eigen/Geometry>", "#include <array>", "#include <chrono>", "#include <cstddef>",
+                 "#include <cstdint>", "#include <deque>", "#include <map>", "#include <optional>", "#include <set>",
+                 "#include <string>", "#include <tuple>", "#include <unordered_map>", "#include <utility>",
+                 "#include <variant>", "#include <vector>", "", "namespace invented {", ""]
         for name in self.enums:
             lines += [f"enum class SUTURE_TYPE() {name} : std::uint16_t {{ First, Second = 7, Third }};", ""]
         for name, fields in self.structs.items():
@@ -86,14 +134,17 @@ class Types:
         lines = ['#pragma once', '#include "values.h"', '#include "invented.h"', "", "namespace invented {", ""]
         for name, fields in self.structs.items():
             lines += [f"inline void fill({name}& value, Random& random);",
-                      f"inline bool same(const {name}& a, const {name}& b);"]
+                      f"inline bool same(const {name}& a, const {name}& b);",
+                      f"inline void fill({name}& value, Random& random, Bounds&) {{ fill(value, random); }}",
+                      f"inline bool equal(const {name}& a, const {name}& b, Tag) {{ return same(a, b); }}"]
         for name, fields in self.structs.items():
             lines += ["", f"inline void fill({name}& value, Random& random) {{"]
             for field in fields:
-                bounds = ", ".join(map(str, field.capacity))
-                lines.append(f"  fill(value.{field.name}, random{', ' + bounds if bounds else ''});")
+                lines.append(f"  constexpr unsigned {field.name}[] = {{{', '.join(map(str, [*field.capacity, 0]))}}};")
+                lines.append(f"  Bounds bounds_{field.name} = {field.name};")
+                lines.append(f"  fill(value.{field.name}, random, bounds_{field.name});")
             lines += ["}", f"inline bool same(const {name}& a, const {name}& b) {{", "  return true"]
-            lines += [f"      && same(a.{field.name}, b.{field.name})" for field in fields]
+            lines += [f"      && equal(a.{field.name}, b.{field.name}, Tag())" for field in fields]
             lines += ["  ;", "}"]
         return "\n".join(lines + ["", "}  // namespace invented", ""])
 

@@ -2,124 +2,282 @@
 // Random values of every kind of member that a type may have, and their comparison.
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <deque>
 #include <limits>
+#include <map>
+#include <optional>
 #include <random>
+#include <set>
 #include <string>
+#include <tuple>
 #include <type_traits>
+#include <unordered_map>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace invented {
 
-using Random = std::mt19937_64;
+/// A type of ours, so that the functions below are found by their argument whatever they fill.
+struct Random : std::mt19937_64 {
+  using mt19937_64::mt19937_64;
+};
+struct Tag {};
+
+/// The capacities of a member, outside in; each level takes its own.
+using Bounds = const unsigned*;
 
 template <class T>
 requires std::is_arithmetic_v<T>
-void fill(T& value, Random& random) {
+void fill(T& value, Random& random, Bounds&) {
   if constexpr (std::is_same_v<T, bool>) {
     value = random() % 2 == 0;
   } else if constexpr (std::is_floating_point_v<T>) {
-    value = static_cast<T>(std::normal_distribution<double>(0, 1e3)(random));
+    constexpr T kOdd[] = {-T{0}, std::numeric_limits<T>::denorm_min(),
+                          std::numeric_limits<T>::max(), std::numeric_limits<T>::lowest()};
+    const auto choice = random() % 12;
+    value = choice < 4 ? kOdd[choice]
+                       : static_cast<T>(std::normal_distribution<double>(0, 1e3)(random));
   } else {
     value = static_cast<T>(random());
   }
 }
+/// Bit for bit: -0 is not 0.
 template <class T>
 requires std::is_arithmetic_v<T>
-bool same(T a, T b) { return a == b; }
+bool equal(const T& a, const T& b, Tag) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 template <class E>
 requires std::is_enum_v<E>
-void fill(E& value, Random& random) {
-  constexpr std::array<E, 3> kAll{E::First, E::Second, E::Third};
-  value = kAll[random() % 3];
+void fill(E& value, Random& random, Bounds&) {
+  if constexpr (std::is_same_v<E, std::byte>) {
+    value = static_cast<std::byte>(random() % 256);
+  } else {
+    constexpr std::array<E, 3> kAll{E::First, E::Second, E::Third};
+    value = kAll[random() % 3];
+  }
 }
 template <class E>
 requires std::is_enum_v<E>
-bool same(E a, E b) { return a == b; }
+bool equal(E a, E b, Tag) { return a == b; }
 
-inline void fill(std::string& value, Random& random, unsigned capacity) {
-  value.resize(random() % (capacity + 1));
+inline void fill(std::monostate&, Random&, Bounds&) {}
+inline bool equal(std::monostate, std::monostate, Tag) { return true; }
+
+inline void fill(std::string& value, Random& random, Bounds& bounds) {
+  value.resize(random() % (*bounds++ + 1));
   for (char& c : value) c = static_cast<char>(' ' + random() % 95);
 }
-inline bool same(const std::string& a, const std::string& b) { return a == b; }
+inline bool equal(const std::string& a, const std::string& b, Tag) { return a == b; }
 
 template <class Rep, class Period>
-void fill(std::chrono::duration<Rep, Period>& value, Random& random) {
+void fill(std::chrono::duration<Rep, Period>& value, Random& random, Bounds&) {
   // Less than half a year, so that it fits in nanoseconds; whole milliseconds, so that nothing is
   // rounded.
   value = std::chrono::duration_cast<std::chrono::duration<Rep, Period>>(
       std::chrono::milliseconds(static_cast<std::int64_t>(random() % 10'000'000'000)));
 }
 template <class Rep, class Period>
-bool same(std::chrono::duration<Rep, Period> a, std::chrono::duration<Rep, Period> b) {
-  if constexpr (std::is_floating_point_v<Rep>) {
-    // Whole nanoseconds travel; beyond 2^53 of them the double itself is coarser.
-    const std::chrono::duration<Rep, Period> coarse = a * std::numeric_limits<Rep>::epsilon();
-    return std::chrono::abs(a - b) <= std::chrono::abs(coarse) + std::chrono::nanoseconds(1);
-  } else {
-    return a == b;
-  }
+bool equal(std::chrono::duration<Rep, Period> a, std::chrono::duration<Rep, Period> b, Tag) {
+  return a == b;
 }
 template <class Clock, class D>
-void fill(std::chrono::time_point<Clock, D>& value, Random& random) {
+void fill(std::chrono::time_point<Clock, D>& value, Random& random, Bounds& bounds) {
   D since;
-  fill(since, random);
+  fill(since, random, bounds);
   value = std::chrono::time_point<Clock, D>(since);
 }
 template <class Clock, class D>
-bool same(std::chrono::time_point<Clock, D> a, std::chrono::time_point<Clock, D> b) {
+bool equal(std::chrono::time_point<Clock, D> a, std::chrono::time_point<Clock, D> b, Tag) {
   return a == b;
 }
 
 template <class S, int Rows, int Columns>
-void fill(Eigen::Matrix<S, Rows, Columns>& value, Random& random) {
-  for (auto& coefficient : value.reshaped()) fill(coefficient, random);
+void fill(Eigen::Matrix<S, Rows, Columns>& value, Random& random, Bounds& bounds) {
+  if constexpr (Rows == Eigen::Dynamic && Columns == Eigen::Dynamic) {
+    const auto rows = static_cast<Eigen::Index>(random() % (*bounds++ + 1));
+    value.resize(rows, static_cast<Eigen::Index>(random() % (*bounds++ + 1)));
+  } else if constexpr (Rows == Eigen::Dynamic) {
+    value.resize(static_cast<Eigen::Index>(random() % (*bounds++ + 1)));
+  } else if constexpr (Columns == Eigen::Dynamic) {
+    value.resize(Rows, static_cast<Eigen::Index>(random() % (*bounds++ + 1)));
+  }
+  for (Eigen::Index i = 0; i < value.size(); ++i) fill(value.data()[i], random, bounds);
 }
 template <class S, int Rows, int Columns>
-bool same(const Eigen::Matrix<S, Rows, Columns>& a, const Eigen::Matrix<S, Rows, Columns>& b) {
-  return a == b;
+bool equal(const Eigen::Matrix<S, Rows, Columns>& a, const Eigen::Matrix<S, Rows, Columns>& b,
+           Tag) {
+  return a.rows() == b.rows() && a.cols() == b.cols() && a == b;
 }
-inline void fill(Eigen::Quaterniond& value, Random& random) { fill(value.coeffs(), random); }
-inline bool same(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
+inline void fill(Eigen::Quaterniond& value, Random& random, Bounds& bounds) {
+  fill(value.coeffs(), random, bounds);
+}
+inline bool equal(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b, Tag) {
   return a.coeffs() == b.coeffs();
 }
-inline void fill(Eigen::Isometry3d& value, Random& random) {
-  Eigen::Matrix3d rotation;
+template <int Mode>
+void fill(Eigen::Transform<double, 3, Mode>& value, Random& random, Bounds& bounds) {
+  Eigen::Matrix3d linear;
   Eigen::Vector3d translation;
-  fill(rotation, random);
-  fill(translation, random);
-  value.linear() = rotation;
+  fill(linear, random, bounds);
+  fill(translation, random, bounds);
+  if (linear.col(0).isZero(0)) linear(0, 0) = 1;  // no rotation has a column of zeros
+  value.linear() = linear;
   value.translation() = translation;
 }
-inline bool same(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+template <int Mode>
+bool equal(const Eigen::Transform<double, 3, Mode>& a, const Eigen::Transform<double, 3, Mode>& b,
+           Tag) {
   return a.matrix() == b.matrix();
 }
 
+/// Elements that all have the bounds that follow; `add(element)` once for each.
+template <class T, class Add>
+void fillElements(std::size_t count, Random& random, Bounds& bounds, const Add& add) {
+  Bounds end = bounds;
+  T unused{};
+  fill(unused, random, end);
+  for (std::size_t i = 0; i < count; ++i) {
+    T element{};
+    Bounds own = bounds;
+    fill(element, random, own);
+    add(i, std::move(element));
+  }
+  bounds = end;
+}
+
 template <class T, std::size_t N>
-void fill(std::array<T, N>& value, Random& random) {
-  for (T& element : value) fill(element, random);
+void fill(std::array<T, N>& value, Random& random, Bounds& bounds) {
+  fillElements<T>(N, random, bounds, [&](std::size_t i, T&& element) { value[i] = element; });
 }
 template <class T, std::size_t N>
-bool same(const std::array<T, N>& a, const std::array<T, N>& b) {
+bool equal(const std::array<T, N>& a, const std::array<T, N>& b, Tag tag) {
+  return std::equal(a.begin(), a.end(), b.begin(),
+                    [tag](const T& x, const T& y) { return equal(x, y, tag); });
+}
+template <class T, std::size_t N>
+void fill(T (&value)[N], Random& random, Bounds& bounds) {
+  fillElements<T>(N, random, bounds, [&](std::size_t i, T&& element) { value[i] = element; });
+}
+template <class T, std::size_t N>
+bool equal(const T (&a)[N], const T (&b)[N], Tag tag) {
+  return std::equal(a, a + N, b, [tag](const T& x, const T& y) { return equal(x, y, tag); });
+}
+
+template <class T>
+concept Sequence = std::is_same_v<T, std::vector<typename T::value_type>> ||
+    std::is_same_v<T, std::deque<typename T::value_type>>;
+
+template <Sequence T>
+void fill(T& value, Random& random, Bounds& bounds) {
+  using Element = typename T::value_type;
+  value.clear();
+  const std::size_t count = random() % (*bounds++ + 1);
+  fillElements<Element>(count, random, bounds,
+                        [&](std::size_t, Element&& element) { value.push_back(element); });
+}
+template <Sequence T>
+bool equal(const T& a, const T& b, Tag tag) {
+  const auto same = [tag](const typename T::value_type& x, const typename T::value_type& y) {
+    return equal(x, y, tag);
+  };
+  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), same);
+}
+
+template <class T>
+void fill(std::set<T>& value, Random& random, Bounds& bounds) {
+  value.clear();
+  const std::size_t count = random() % (*bounds++ + 1);
+  fillElements<T>(count, random, bounds,
+                  [&](std::size_t, T&& element) { value.insert(std::move(element)); });
+}
+template <class T>
+bool equal(const std::set<T>& a, const std::set<T>& b, Tag) {
   return a == b;
 }
 
-template <class T, class... Inner>
-void fill(std::vector<T>& value, Random& random, unsigned capacity, Inner... inner) {
-  value.resize(random() % (capacity + 1));
-  for (T& element : value) fill(element, random, inner...);
+template <class T>
+concept Map = std::is_same_v<T, std::map<typename T::key_type, typename T::mapped_type>> ||
+    std::is_same_v<T, std::unordered_map<typename T::key_type, typename T::mapped_type>>;
+
+template <Map T>
+void fill(T& value, Random& random, Bounds& bounds) {
+  using Entry = std::pair<typename T::key_type, typename T::mapped_type>;
+  value.clear();
+  const std::size_t count = random() % (*bounds++ + 1);
+  fillElements<Entry>(count, random, bounds,
+                      [&](std::size_t, Entry&& entry) { value.insert(std::move(entry)); });
+}
+template <Map T>
+bool equal(const T& a, const T& b, Tag tag) {
+  return a.size() == b.size() && std::all_of(a.begin(), a.end(), [&](const auto& entry) {
+           const auto other = b.find(entry.first);
+           return other != b.end() && equal(entry.second, other->second, tag);
+         });
+}
+
+template <class T>
+void fill(std::optional<T>& value, Random& random, Bounds& bounds) {
+  value.reset();
+  fillElements<T>(random() % 2, random, bounds,
+                  [&](std::size_t, T&& element) { value = std::move(element); });
 }
 template <class T>
-bool same(const std::vector<T>& a, const std::vector<T>& b) {
-  if (a.size() != b.size()) return false;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (!same(a[i], b[i])) return false;
-  }
-  return true;
+bool equal(const std::optional<T>& a, const std::optional<T>& b, Tag tag) {
+  return a.has_value() == b.has_value() && (!a || equal(*a, *b, tag));
+}
+
+template <class A, class B>
+void fill(std::pair<A, B>& value, Random& random, Bounds& bounds) {
+  fill(value.first, random, bounds);
+  fill(value.second, random, bounds);
+}
+template <class A, class B>
+bool equal(const std::pair<A, B>& a, const std::pair<A, B>& b, Tag tag) {
+  return equal(a.first, b.first, tag) && equal(a.second, b.second, tag);
+}
+template <class... T>
+void fill(std::tuple<T...>& value, Random& random, Bounds& bounds) {
+  std::apply([&](T&... items) { (fill(items, random, bounds), ...); }, value);
+}
+template <class... T, std::size_t... I>
+bool equalItems(const std::tuple<T...>& a, const std::tuple<T...>& b, std::index_sequence<I...>) {
+  return (equal(std::get<I>(a), std::get<I>(b), Tag()) && ...);
+}
+template <class... T>
+bool equal(const std::tuple<T...>& a, const std::tuple<T...>& b, Tag) {
+  return equalItems(a, b, std::index_sequence_for<T...>());
+}
+
+template <class... T, std::size_t... I>
+void fillVariant(std::variant<T...>& value, Random& random, Bounds& bounds,
+                 std::index_sequence<I...>) {
+  const std::size_t chosen = random() % sizeof...(T);
+  const auto fillOne = [&](auto index, auto element) {
+    fill(element, random, bounds);
+    if (index == chosen) value.template emplace<index>(std::move(element));
+  };
+  (fillOne(std::integral_constant<std::size_t, I>(), T{}), ...);
+}
+template <class... T>
+void fill(std::variant<T...>& value, Random& random, Bounds& bounds) {
+  fillVariant(value, random, bounds, std::index_sequence_for<T...>());
+}
+template <class... T, std::size_t... I>
+bool equalAlternatives(const std::variant<T...>& a, const std::variant<T...>& b,
+                       std::index_sequence<I...>) {
+  return a.index() == b.index() &&
+         ((a.index() != I || equal(*std::get_if<I>(&a), *std::get_if<I>(&b), Tag())) && ...);
+}
+template <class... T>
+bool equal(const std::variant<T...>& a, const std::variant<T...>& b, Tag) {
+  return equalAlternatives(a, b, std::index_sequence_for<T...>());
 }
 
 }  // namespace invented

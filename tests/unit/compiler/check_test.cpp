@@ -128,5 +128,44 @@ TEST(Check, RecursionThroughAnotherType) {
   EXPECT_EQ(slugs(bad), Slugs{"recursive-type"});
 }
 
+TEST(Check, RecursionOutsideContractsIsFine) {
+  model::Header fine = header();
+  model::Struct tree;
+  tree.name = "demo::Tree";
+  tree.wireName = "Tree";
+  tree.fields.push_back(field("children", list(named("demo::Tree"), std::nullopt)));
+  fine.structs.push_back(tree);
+  EXPECT_EQ(slugs(fine), Slugs{});
+}
+
+TEST(Check, OneFallbackIsEnough) {
+  model::Header bad = header();
+  bad.enums.push_back(enumOf({{"a", 0}, {"b", 1}}));
+  bad.enums[0].enumerators[0].fallback = true;
+  EXPECT_EQ(slugs(bad), Slugs{});
+  bad.enums[0].enumerators[1].fallback = true;
+  EXPECT_EQ(slugs(bad), Slugs{"second-fallback"});
+}
+
+TEST(Check, MapsAndMatricesNeedBoundsInAContract) {
+  using Shape = model::Type::Shape;
+  model::Type map = list(number(), 3);
+  map.shape = Shape::Map;
+  map.element.push_back(text(4));
+  model::Type matrix = number();
+  matrix.shape = Shape::AnyMatrix;
+  matrix.capacity = 3;
+  matrix.columnCapacity = 3;
+  model::Header contract = header();
+  contract.structs[0].fields.push_back(field("map", map));
+  contract.structs[0].fields.push_back(field("matrix", matrix));
+  EXPECT_EQ(slugs(contract), Slugs{});
+  contract.structs[0].fields[1].type.element[1].capacity.reset();
+  EXPECT_EQ(slugs(contract), Slugs{"unbounded-contract"});
+  contract.structs[0].fields[1].type = map;
+  contract.structs[0].fields[2].type.columnCapacity.reset();
+  EXPECT_EQ(slugs(contract), Slugs{"unbounded-contract"});
+}
+
 }  // namespace
 }  // namespace suture::compiler::check::samples

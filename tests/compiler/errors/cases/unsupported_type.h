@@ -3,18 +3,14 @@
 #include <functional>
 #include <map>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 namespace demo {
 struct SUTURE_TYPE() Unsupported {
   std::function<void()> callback;
-  std::map<int, int> table;
+  std::multimap<int, int> table;
   std::mutex guard;
-  std::optional<int> maybe;
-  std::variant<int, float> either;
   std::string_view text;
   std::u16string wide;
   std::vector<long double> precise;

@@ -1,0 +1,34 @@
+#pragma once
+// Types whose name on the wire is not said where they are declared: instances of an annotated
+// template, which an alias names, and the types of others, which SUTURE_EXTERNAL_TYPE names.
+
+#include <clang/AST/DeclCXX.h>
+
+#include <map>
+#include <string>
+
+namespace suture::compiler::frontend {
+
+class NamedTypes {
+ public:
+  struct Entry {
+    std::string name;  ///< qualified
+    const clang::NamedDecl* declaration = nullptr;
+  };
+
+  /// Null if the type has its own name or none.
+  const Entry* find(const clang::CXXRecordDecl* type) const {
+    const auto found = entries_.find(type->getCanonicalDecl());
+    return found == entries_.end() ? nullptr : &found->second;
+  }
+
+  /// The entry that is there already, else the new one.
+  const Entry& add(const clang::CXXRecordDecl* type, Entry entry) {
+    return entries_.try_emplace(type->getCanonicalDecl(), std::move(entry)).first->second;
+  }
+
+ private:
+  std::map<const clang::CXXRecordDecl*, Entry> entries_;
+};
+
+}  // namespace suture::compiler::frontend

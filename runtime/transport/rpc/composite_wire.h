@@ -1,0 +1,129 @@
+#pragma once
+// Between slots and Cap'n Proto for sets, maps, optionals, tuples, variants and matrices of any
+// size. See wire.h, which includes this.
+
+#include <suture/transport/rpc/wire.h>
+
+namespace suture::rpc {
+
+// --- sets and maps: lists whose elements, or their keys, are all different
+
+template <class List, class Element, std::uint32_t N, class Convert>
+Errc fromWireDistinct(const List& in, BoundedList<Element, N>& slot, const Convert& convert) {
+  if (const Errc error = fromWireList(in, slot, convert); error != Errc{}) return error;
+  return arrange(slot) ? Errc{} : Errc::Invalid;
+}
+
+// --- lists of fixed vectors: all coefficients in one flat list
+
+template <Number S, std::size_t R, std::uint32_t N, class List>
+void toWireFlat(const BoundedList<std::array<S, R>, N>& slot, List out) {
+  std::uint32_t next = 0;
+  for (std::uint32_t i = 0; i < slot.size; ++i) {
+    for (const S coefficient : slot.data[i]) out.set(next++, coefficient);
+  }
+}
+template <class List, Number S, std::size_t R, std::uint32_t N>
+Errc fromWireFlat(const List& in, BoundedList<std::array<S, R>, N>& slot) {
+  if (in.size() % R != 0) return Errc::Invalid;
+  if (in.size() / R > N) return Errc::TooLarge;
+  slot.size = static_cast<std::uint32_t>(in.size() / R);
+  std::uint32_t next = 0;
+  for (std::uint32_t i = 0; i < slot.size; ++i) {
+    for (S& coefficient : slot.data[i]) coefficient = in[next++];
+  }
+  return Errc{};
+}
+
+// --- matrices of any size
+
+template <Number S, std::uint32_t R, std::uint32_t C, class Builder>
+void toWire(const BoundedMatrix<S, R, C>& slot, Builder out) {
+  out.setRows(slot.rows);
+  out.setColumns(slot.columns);
+  auto data = out.initData(slot.rows * slot.columns);
+  for (std::uint32_t i = 0; i < data.size(); ++i) data.set(i, slot.data[i]);
+}
+template <class Reader, Number S, std::uint32_t R, std::uint32_t C>
+Errc fromWire(Reader in, BoundedMatrix<S, R, C>& slot) {
+  if (in.getRows() > R || in.getColumns() > C) return Errc::TooLarge;
+  slot.rows = in.getRows();
+  slot.columns = in.getColumns();
+  const auto data = in.getData();
+  if (data.size() != std::uint64_t{slot.rows} * slot.columns) return Errc::Invalid;
+  for (std::uint32_t i = 0; i < data.size(); ++i) slot.data[i] = data[i];
+  return Errc{};
+}
+
+/// A transform whose linear part may be anything.
+Errc fromWireAffine(wire::Pose::Reader in, std::array<double, 12>& slot);
+
+// --- validity
+
+template <std::uint32_t N>
+bool isValid(const BoundedText<N>&);
+template <class S, std::size_t N>
+bool isValid(const std::array<S, N>& slot);
+template <class S, std::uint32_t N>
+bool isValid(const BoundedList<S, N>& slot);
+template <class Key, class Value>
+bool isValid(const SlotEntry<Key, Value>& slot);
+template <class S>
+bool isValid(const SlotOptional<S>& slot);
+template <class... S>
+bool isValid(const SlotTuple<S...>& slot);
+template <class... S>
+bool isValid(const SlotVariant<S...>& slot);
+template <Number S, std::uint32_t R, std::uint32_t C>
+bool isValid(const BoundedMatrix<S, R, C>& slot);
+inline bool isValid(SlotNothing) { return true; }
+
+template <class S, class Check>
+bool allOf(const SlotOptional<S>& slot, const Check& check) {
+  return slot.present == 0 || check(slot.value);
+}
+template <Number S, std::uint32_t R, std::uint32_t C, class Check>
+bool allOf(const BoundedMatrix<S, R, C>& slot, const Check& check) {
+  return std::all_of(slot.data, slot.data + std::size_t{slot.rows} * slot.columns, check);
+}
+
+template <std::uint32_t N>
+bool isValid(const BoundedText<N>&) {
+  return true;
+}
+template <class S, std::size_t N>
+bool isValid(const std::array<S, N>& slot) {
+  return allOf(slot, [](const S& element) { return isValid(element); });
+}
+template <class S, std::uint32_t N>
+bool isValid(const BoundedList<S, N>& slot) {
+  return allOf(slot, [](const S& element) { return isValid(element); });
+}
+template <class Key, class Value>
+bool isValid(const SlotEntry<Key, Value>& slot) {
+  return isValid(slot.value);  // no key is a real number
+}
+template <class S>
+bool isValid(const SlotOptional<S>& slot) {
+  return allOf(slot, [](const S& value) { return isValid(value); });
+}
+template <class... S>
+bool isValid(const SlotTuple<S...>& slot) {
+  bool valid = isValid(slot.head);
+  if constexpr (sizeof...(S) > 1) valid = valid && isValid(slot.tail);
+  return valid;
+}
+template <class Slot, std::size_t... I>
+bool isValidAlternative(const Slot& slot, std::index_sequence<I...>) {
+  return ((slot.index == I && isValid(alternative<I>(slot))) || ...);
+}
+template <class... S>
+bool isValid(const SlotVariant<S...>& slot) {
+  return isValidAlternative(slot, std::index_sequence_for<S...>());
+}
+template <Number S, std::uint32_t R, std::uint32_t C>
+bool isValid(const BoundedMatrix<S, R, C>& slot) {
+  return allOf(slot, [](S coefficient) { return isValid(coefficient); });
+}
+
+}  // namespace suture::rpc

@@ -1,0 +1,30 @@
+#pragma once
+#include <suture/annotate.h>
+#include <thread>
+namespace lib {
+struct Point {
+  double x, y;
+  double norm() const;
+};
+struct Line {
+  Point from, to;
+  std::thread worker;
+};
+template <class T>
+struct Box {
+  T value;
+};
+struct Later;
+}  // namespace lib
+namespace demo {
+struct SUTURE_TYPE() Ours {
+  int x = 0;
+};
+SUTURE_EXTERNAL_TYPE(lib::Point, x, member(y, unit("parsec")), norm);
+SUTURE_EXTERNAL_TYPE(lib::Line, from, worker, member(to, queue(3)));
+SUTURE_EXTERNAL_TYPE(lib::Point, x);
+SUTURE_EXTERNAL_TYPE(lib::Box<int>, value);
+SUTURE_EXTERNAL_TYPE(lib::Later);
+SUTURE_EXTERNAL_TYPE(Ours, x);
+SUTURE_EXTERNAL_TYPE(int);
+}  // namespace demo

@@ -1,0 +1,151 @@
+// Written by suturec from foreign/kdl.h. Do not edit.
+#include "foreign/kdl.suture.h"
+
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "foreign/kdl.capnp.h"
+
+namespace foreign {
+
+using suture::Duration;
+using suture::Errc;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<decltype(KDL::Vector::data), double[3]>);
+static_assert(std::is_same_v<decltype(KDL::Rotation::data), double[9]>);
+static_assert(std::is_same_v<decltype(KDL::Frame::p), KDL::Vector>);
+static_assert(std::is_same_v<decltype(KDL::Frame::M), KDL::Rotation>);
+static_assert(std::is_same_v<decltype(KDL::Twist::vel), KDL::Vector>);
+static_assert(std::is_same_v<decltype(KDL::Twist::rot), KDL::Vector>);
+static_assert(std::is_same_v<decltype(KDL::Wrench::force), KDL::Vector>);
+static_assert(std::is_same_v<decltype(KDL::Wrench::torque), KDL::Vector>);
+static_assert(std::is_same_v<decltype(KDL::JntArray::data), Eigen::VectorXd>);
+static_assert(std::is_same_v<decltype(Motion::frame), KDL::Frame>);
+static_assert(std::is_same_v<decltype(Motion::twist), KDL::Twist>);
+static_assert(std::is_same_v<decltype(Motion::wrench), KDL::Wrench>);
+static_assert(std::is_same_v<decltype(Motion::joints), KDL::JntArray>);
+
+}  // namespace
+
+// --- between slots and Cap'n Proto
+
+void toWire(const KDLVectorSlot& slot, wire::Vector::Builder out) {
+  toWire(slot.data, out.initData(3));
+}
+
+Errc fromWire(wire::Vector::Reader in, KDLVectorSlot& slot, Duration) {
+  return fromWire(in.getData(), slot.data);
+}
+
+bool isValid(const KDLVectorSlot& slot) {
+  return isValid(slot.data);
+}
+
+void toWire(const KDLRotationSlot& slot, wire::Rotation::Builder out) {
+  toWire(slot.data, out.initData(9));
+}
+
+Errc fromWire(wire::Rotation::Reader in, KDLRotationSlot& slot, Duration) {
+  return fromWire(in.getData(), slot.data);
+}
+
+bool isValid(const KDLRotationSlot& slot) {
+  return isValid(slot.data);
+}
+
+void toWire(const KDLFrameSlot& slot, wire::Frame::Builder out) {
+  toWire(slot.p, out.initP());
+  toWire(slot.M, out.initM());
+}
+
+Errc fromWire(wire::Frame::Reader in, KDLFrameSlot& slot, Duration shift) {
+  return firstError({
+      in.hasP() ? fromWire(in.getP(), slot.p, shift) : Errc::Invalid,
+      in.hasM() ? fromWire(in.getM(), slot.M, shift) : Errc::Invalid,
+  });
+}
+
+bool isValid(const KDLFrameSlot& slot) {
+  return isValid(slot.p) && isValid(slot.M);
+}
+
+void toWire(const KDLTwistSlot& slot, wire::Twist::Builder out) {
+  toWire(slot.vel, out.initVel());
+  toWire(slot.rot, out.initRot());
+}
+
+Errc fromWire(wire::Twist::Reader in, KDLTwistSlot& slot, Duration shift) {
+  return firstError({
+      in.hasVel() ? fromWire(in.getVel(), slot.vel, shift) : Errc::Invalid,
+      in.hasRot() ? fromWire(in.getRot(), slot.rot, shift) : Errc::Invalid,
+  });
+}
+
+bool isValid(const KDLTwistSlot& slot) {
+  return isValid(slot.vel) && isValid(slot.rot);
+}
+
+void toWire(const KDLWrenchSlot& slot, wire::Wrench::Builder out) {
+  toWire(slot.force, out.initForce());
+  toWire(slot.torque, out.initTorque());
+}
+
+Errc fromWire(wire::Wrench::Reader in, KDLWrenchSlot& slot, Duration shift) {
+  return firstError({
+      in.hasForce() ? fromWire(in.getForce(), slot.force, shift) : Errc::Invalid,
+      in.hasTorque() ? fromWire(in.getTorque(), slot.torque, shift) : Errc::Invalid,
+  });
+}
+
+bool isValid(const KDLWrenchSlot& slot) {
+  return isValid(slot.force) && isValid(slot.torque);
+}
+
+void toWire(const KDLJntArraySlot& slot, wire::Joints::Builder out) {
+  toWire(slot.data, out.initData(slot.data.size));
+}
+
+Errc fromWire(wire::Joints::Reader in, KDLJntArraySlot& slot, Duration) {
+  return fromWire(in.getData(), slot.data);
+}
+
+bool isValid(const KDLJntArraySlot& slot) {
+  if (!allOf(slot.data, [](const double& element) { return inRange(element, -6.5, 6.5); })) {
+    return false;
+  }
+  return true;
+}
+
+void toWire(const MotionSlot& slot, wire::Motion::Builder out) {
+  toWire(slot.frame, out.initFrame());
+  toWire(slot.twist, out.initTwist());
+  toWire(slot.wrench, out.initWrench());
+  toWire(slot.joints, out.initJoints());
+}
+
+Errc fromWire(wire::Motion::Reader in, MotionSlot& slot, Duration shift) {
+  return firstError({
+      in.hasFrame() ? fromWire(in.getFrame(), slot.frame, shift) : Errc::Invalid,
+      in.hasTwist() ? fromWire(in.getTwist(), slot.twist, shift) : Errc::Invalid,
+      in.hasWrench() ? fromWire(in.getWrench(), slot.wrench, shift) : Errc::Invalid,
+      in.hasJoints() ? fromWire(in.getJoints(), slot.joints, shift) : Errc::Invalid,
+  });
+}
+
+bool isValid(const MotionSlot& slot) {
+  return isValid(slot.frame) && isValid(slot.twist) && isValid(slot.wrench) && isValid(slot.joints);
+}
+
+}  // namespace foreign

@@ -1,0 +1,405 @@
+// Written by suturec from foreign/opencv.h. Do not edit.
+#include "foreign/opencv.suture.h"
+
+#include <suture/transport/rpc/binding.h>
+#include <suture/transport/rpc/proxy_port.h>
+#include <suture/transport/rpc/servant_port.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "foreign/opencv.capnp.h"
+
+namespace foreign {
+
+using suture::CommandInfo;
+using suture::CommandKind;
+using suture::Duration;
+using suture::Errc;
+using suture::EventInfo;
+using suture::rpc::ProxyPort;
+using suture::rpc::ServantPort;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<decltype(cv::Point3d::x), double>);
+static_assert(std::is_same_v<decltype(cv::Point3d::y), double>);
+static_assert(std::is_same_v<decltype(cv::Point3d::z), double>);
+static_assert(std::is_same_v<decltype(cv::Matx33d::val), double[9]>);
+static_assert(std::is_same_v<decltype(View::intrinsics), cv::Matx33d>);
+static_assert(std::is_same_v<decltype(View::points), std::vector<cv::Point3d>>);
+
+constexpr CommandInfo kCameraCommands[] = {
+    {.name = "aim",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(CameraAimArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "view",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(ViewSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 0},
+};
+
+// The self-description, as in foreign/opencv.suture.json.
+constexpr char kCameraDescription[] = R"json({
+  "name": "foreign::Camera",
+  "doc": "Both sides of it.",
+  "hash": "309aec370de2f10063d2a73ee2424cca",
+  "commands": [
+    {
+      "name": "aim",
+      "kind": "write",
+      "parameters": [
+        {
+          "name": "at",
+          "type": {
+            "kind": "struct",
+            "name": "cv::Point3d"
+          }
+        }
+      ],
+      "queue": 16
+    },
+    {
+      "name": "view",
+      "kind": "read",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "foreign::View"
+        }
+      },
+      "queue": 16
+    }
+  ],
+  "events": [],
+  "enums": [],
+  "structs": [
+    {
+      "name": "cv::Point3d",
+      "fields": [
+        {
+          "name": "x",
+          "type": {
+            "kind": "Float64"
+          }
+        },
+        {
+          "name": "y",
+          "type": {
+            "kind": "Float64"
+          }
+        },
+        {
+          "name": "z",
+          "type": {
+            "kind": "Float64"
+          }
+        }
+      ]
+    },
+    {
+      "name": "cv::Matx33d",
+      "fields": [
+        {
+          "name": "val",
+          "type": {
+            "kind": "array",
+            "element": {
+              "kind": "Float64"
+            },
+            "length": 9
+          }
+        }
+      ]
+    },
+    {
+      "name": "foreign::View",
+      "doc": "A camera and what it sees.",
+      "fields": [
+        {
+          "name": "intrinsics",
+          "type": {
+            "kind": "struct",
+            "name": "cv::Matx33d"
+          }
+        },
+        {
+          "name": "points",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "struct",
+              "name": "cv::Point3d"
+            },
+            "capacity": 4
+          }
+        }
+      ]
+    }
+  ]
+})json";
+
+}  // namespace
+
+// --- between slots and Cap'n Proto
+
+void toWire(const cvPoint3dSlot& slot, wire::Point3d::Builder out) {
+  out.setX(slot.x);
+  out.setY(slot.y);
+  out.setZ(slot.z);
+}
+
+Errc fromWire(wire::Point3d::Reader in, cvPoint3dSlot& slot, Duration) {
+  slot.x = in.getX();
+  slot.y = in.getY();
+  slot.z = in.getZ();
+  return Errc{};
+}
+
+bool isValid(const cvPoint3dSlot& slot) {
+  return isValid(slot.x) && isValid(slot.y) && isValid(slot.z);
+}
+
+void toWire(const cvMatx33dSlot& slot, wire::Matx33d::Builder out) {
+  toWire(slot.val, out.initVal(9));
+}
+
+Errc fromWire(wire::Matx33d::Reader in, cvMatx33dSlot& slot, Duration) {
+  return fromWire(in.getVal(), slot.val);
+}
+
+bool isValid(const cvMatx33dSlot& slot) {
+  return isValid(slot.val);
+}
+
+void toWire(const ViewSlot& slot, wire::View::Builder out) {
+  toWire(slot.intrinsics, out.initIntrinsics());
+  toWireList(slot.points, out.initPoints(slot.points.size),
+             [](const cvPoint3dSlot& element, auto list, std::uint32_t i) {
+               toWire(element, list[i]);
+             });
+}
+
+Errc fromWire(wire::View::Reader in, ViewSlot& slot, Duration shift) {
+  return firstError({
+      in.hasIntrinsics() ? fromWire(in.getIntrinsics(), slot.intrinsics, shift) : Errc::Invalid,
+      fromWireList(in.getPoints(), slot.points, [&](auto item, cvPoint3dSlot& target) {
+        return fromWire(item, target, shift);
+      }),
+  });
+}
+
+bool isValid(const ViewSlot& slot) {
+  if (!allOf(slot.points, [](const cvPoint3dSlot& element) { return isValid(element); })) {
+    return false;
+  }
+  return isValid(slot.intrinsics);
+}
+
+namespace {
+
+// --- Camera over Cap'n Proto RPC: the provider's side
+
+/// Makes remote calls of a subscriber's events and rows.
+class CameraSink final : public suture::rpc::EventSink {
+ public:
+  explicit CameraSink(wire::CameraEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+
+  kj::Promise<void> event(std::uint16_t, const std::byte*) override { return kj::READY_NOW; }
+
+  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
+                        std::span<const std::byte* const> columns) override {
+    auto request = subscriber_.stateRequest();
+    auto out = request.initRow();
+    out.setStamp(suture::toNanoseconds(row.stamp));
+    out.setEvaluated(row.valid);
+    if (row.valid >> 0 & 1) {
+      const auto& slot = *reinterpret_cast<const ViewSlot*>(columns[0]);
+      toWire(slot, out.initView());
+    }
+    return request.send().ignoreResult();
+  }
+
+ private:
+  wire::CameraEvents::Client subscriber_;
+};
+
+/// Puts remote calls into the provider's mailbox.
+class CameraServant final : public wire::Camera::Server {
+ public:
+  explicit CameraServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> subscribe(SubscribeContext context) override {
+    auto in = context.getParams();
+    port_->subscribe(kj::heap<CameraSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> aim(AimContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<CameraAimArguments*>(memory);
+      const Errc error = in.hasAt() ? fromWire(in.getAt(), slot.at, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.at) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(CameraCommand::aim), in.getSent(), fill);
+  }
+
+  kj::Promise<void> view(ViewContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const ViewSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(CameraCommand::view), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+ private:
+  static std::uint16_t commandId(CameraCommand command) {
+                                                         return static_cast<std::uint16_t>(command); }
+
+  kj::Own<ServantPort> port_;
+};
+
+// --- Camera over Cap'n Proto RPC: the client's side
+
+/// Receives events and rows.
+class CameraReceiver final : public wire::CameraEvents::Server {
+ public:
+  explicit CameraReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> state(StateContext context) override {
+    auto in = context.getParams().getRow();
+    suture::rt::ColumnSet valid = 0;
+    if (in.getEvaluated() >> 0 & 1) {
+      auto& slot = *reinterpret_cast<ViewSlot*>(port_->column(0));
+      const Errc error =
+          in.hasView() ? fromWire(in.getView(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
+    }
+    port_->publish(in.getStamp(), valid);
+    return kj::READY_NOW;
+  }
+
+ private:
+  kj::Own<ProxyPort> port_;
+};
+
+/// Makes remote calls of commands.
+class CameraProxy final : public suture::rpc::Proxy {
+ public:
+  CameraProxy(wire::Camera::Client provider, ProxyPort& port)
+      : provider_(kj::mv(provider)), port_(port) {}
+
+  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
+    auto request = provider_.subscribeRequest();
+    request.setEvents(kj::heap<CameraReceiver>(kj::addRef(port_)));
+    request.setEventMask(events);
+    request.setStateMask(columns);
+    return request.send().ignoreResult();
+  }
+
+  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
+    switch (static_cast<CameraCommand>(record.command)) {
+      case CameraCommand::aim: {
+        const auto& slot = *reinterpret_cast<const CameraAimArguments*>(record.arguments());
+        auto request = provider_.aimRequest();
+        toWire(slot.at, request.initAt());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CameraCommand::view: {
+        auto request = provider_.viewRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<ViewSlot>(call, [&](ViewSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+ private:
+  wire::Camera::Client provider_;
+  ProxyPort& port_;
+};
+
+class CameraBinding final : public suture::rpc::Binding {
+ public:
+  capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const override {
+    return wire::Camera::Client(kj::heap<CameraServant>(kj::mv(port)));
+  }
+  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
+                                        ProxyPort& port) const override {
+    return kj::heap<CameraProxy>(contract.castAs<wire::Camera>(), port);
+  }
+};
+
+const suture::rpc::Binding& cameraBinding() {
+  static const CameraBinding kBinding;
+  return kBinding;
+}
+
+}  // namespace
+}  // namespace foreign
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<foreign::Camera>() {
+  static constexpr InterfaceInfo kInfo{
+      .name = "foreign::Camera",
+      .hash = "309aec370de2f10063d2a73ee2424cca",
+      .description = foreign::kCameraDescription,
+      .commands = foreign::kCameraCommands,
+      .events = {},
+      .binding = &foreign::cameraBinding,
+  };
+  return kInfo;
+}
+
+Errc Provided<foreign::Camera>::execute(std::uint16_t command, const std::byte* arguments,
+                                        std::byte* result) {
+  using ::foreign::CameraCommand;
+  switch (static_cast<CameraCommand>(command)) {
+    case CameraCommand::aim: {
+      const auto& slot = *reinterpret_cast<const foreign::CameraAimArguments*>(arguments);
+      load(slot.at, scratch_.aim_at);
+      implementation_.aim(scratch_.aim_at);
+      return Errc{};
+    }
+    case CameraCommand::view: {
+      auto& slot = *reinterpret_cast<foreign::ViewSlot*>(result);
+      return store(implementation_.view(), slot) ? Errc{} : Errc::TooLarge;
+    }
+  }
+  return Errc::Invalid;
+}
+
+}  // namespace suture

@@ -1,0 +1,133 @@
+// Written by suturec from foreign/opencv.h. Do not edit.
+#pragma once
+
+#include <suture/base/slots.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "foreign/opencv.h"
+
+namespace foreign {
+
+struct cvPoint3dSlot {
+  double x;
+  double y;
+  double z;
+};
+
+inline bool store(const cv::Point3d& value, cvPoint3dSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.x, slot.x);
+  fits &= store(value.y, slot.y);
+  fits &= store(value.z, slot.z);
+  return fits;
+}
+
+inline void load(const cvPoint3dSlot& slot, cv::Point3d& value) {
+  using suture::load;
+  load(slot.x, value.x);
+  load(slot.y, value.y);
+  load(slot.z, value.z);
+}
+
+struct cvMatx33dSlot {
+  std::array<double, 9> val;
+};
+
+inline bool store(const cv::Matx33d& value, cvMatx33dSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.val, slot.val);
+  return fits;
+}
+
+inline void load(const cvMatx33dSlot& slot, cv::Matx33d& value) {
+  using suture::load;
+  load(slot.val, value.val);
+}
+
+/// A camera and what it sees.
+struct ViewSlot {
+  cvMatx33dSlot intrinsics;
+  suture::BoundedList<cvPoint3dSlot, 4> points;
+};
+
+inline bool store(const View& value, ViewSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.intrinsics, slot.intrinsics);
+  fits &= store(value.points, slot.points);
+  return fits;
+}
+
+inline void load(const ViewSlot& slot, View& value) {
+  using suture::load;
+  load(slot.intrinsics, value.intrinsics);
+  load(slot.points, value.points);
+}
+
+// --- Camera: the arguments of its commands ---
+
+struct CameraAimArguments {
+  cvPoint3dSlot at;
+};
+
+inline bool store(const cv::Point3d& at, CameraAimArguments& slot) {
+  using suture::store;
+  return store(at, slot.at);
+}
+
+/// The numbers of Camera's commands in every table and record.
+enum class CameraCommand : std::uint16_t {
+  aim,
+  view,
+};
+
+}  // namespace foreign
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<foreign::Camera>();
+
+/// What a client of foreign::Camera calls.
+template <>
+class Required<foreign::Camera> final : public RequiredBase {
+  using Contract = foreign::Camera;
+  using Id = foreign::CameraCommand;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : RequiredBase(owner, name, interfaceInfo<Contract>()) {}
+
+  Command<&Contract::aim, foreign::CameraAimArguments> aim{
+      *this, static_cast<std::uint16_t>(Id::aim)};
+  ReadCommand<&Contract::view, foreign::ViewSlot> view{*this, static_cast<std::uint16_t>(Id::view)};
+};
+
+/// What serves foreign::Camera from a component.
+template <>
+class Provided<foreign::Camera> final : public ProvidedBase {
+  using Contract = foreign::Camera;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : ProvidedBase(owner, name, interfaceInfo<Contract>(), &implementation),
+        implementation_(implementation) {}
+
+ private:
+  // Reused by every command, so that what they own is allocated once.
+  struct Scratch {
+    cv::Point3d aim_at;
+  };
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+  Contract& implementation_;
+  Scratch scratch_{};
+};
+
+}  // namespace suture

@@ -1,0 +1,176 @@
+// Written by suturec from foreign/ros.h. Do not edit.
+#include "foreign/ros.suture.h"
+
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "foreign/ros.capnp.h"
+
+namespace foreign {
+
+using suture::Duration;
+using suture::Errc;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<decltype(ros::Time::sec), std::uint32_t>);
+static_assert(std::is_same_v<decltype(ros::Time::nsec), std::uint32_t>);
+static_assert(std::is_same_v<decltype(Header::seq), std::uint32_t>);
+static_assert(std::is_same_v<decltype(Header::stamp), ros::Time>);
+static_assert(std::is_same_v<decltype(Header::frame_id), std::string>);
+static_assert(std::is_same_v<decltype(Point::x), double>);
+static_assert(std::is_same_v<decltype(Point::y), double>);
+static_assert(std::is_same_v<decltype(Point::z), double>);
+static_assert(std::is_same_v<decltype(Quaternion::x), double>);
+static_assert(std::is_same_v<decltype(Quaternion::y), double>);
+static_assert(std::is_same_v<decltype(Quaternion::z), double>);
+static_assert(std::is_same_v<decltype(Quaternion::w), double>);
+static_assert(std::is_same_v<decltype(Pose::position), Point>);
+static_assert(std::is_same_v<decltype(Pose::orientation), Quaternion>);
+static_assert(std::is_same_v<decltype(PoseStamped::header), Header>);
+static_assert(std::is_same_v<decltype(PoseStamped::pose), Pose>);
+static_assert(std::is_same_v<decltype(JointState::header), Header>);
+static_assert(std::is_same_v<decltype(JointState::name), std::vector<std::string>>);
+static_assert(std::is_same_v<decltype(JointState::position), std::vector<double>>);
+static_assert(std::is_same_v<decltype(JointState::velocity), std::vector<double>>);
+static_assert(std::is_same_v<decltype(JointState::effort), std::vector<double>>);
+
+}  // namespace
+
+// --- between slots and Cap'n Proto
+
+void toWire(const rosTimeSlot& slot, wire::Time::Builder out) {
+  out.setSec(slot.sec);
+  out.setNsec(slot.nsec);
+}
+
+Errc fromWire(wire::Time::Reader in, rosTimeSlot& slot, Duration) {
+  slot.sec = in.getSec();
+  slot.nsec = in.getNsec();
+  return Errc{};
+}
+
+bool isValid(const rosTimeSlot&) {
+  return true;
+}
+
+void toWire(const HeaderSlot& slot, wire::Header::Builder out) {
+  out.setSeq(slot.seq);
+  toWire(slot.stamp, out.initStamp());
+  toWire(slot.frame_id, out.initFrameId(slot.frame_id.size));
+}
+
+Errc fromWire(wire::Header::Reader in, HeaderSlot& slot, Duration shift) {
+  slot.seq = in.getSeq();
+  return firstError({
+      in.hasStamp() ? fromWire(in.getStamp(), slot.stamp, shift) : Errc::Invalid,
+      fromWire(in.getFrameId(), slot.frame_id),
+  });
+}
+
+bool isValid(const HeaderSlot& slot) {
+  return isValid(slot.stamp);
+}
+
+void toWire(const PointSlot& slot, wire::Point::Builder out) {
+  out.setX(slot.x);
+  out.setY(slot.y);
+  out.setZ(slot.z);
+}
+
+Errc fromWire(wire::Point::Reader in, PointSlot& slot, Duration) {
+  slot.x = in.getX();
+  slot.y = in.getY();
+  slot.z = in.getZ();
+  return Errc{};
+}
+
+bool isValid(const PointSlot& slot) {
+  return isValid(slot.x) && isValid(slot.y) && isValid(slot.z);
+}
+
+void toWire(const QuaternionSlot& slot, wire::Quaternion::Builder out) {
+  out.setX(slot.x);
+  out.setY(slot.y);
+  out.setZ(slot.z);
+  out.setW(slot.w);
+}
+
+Errc fromWire(wire::Quaternion::Reader in, QuaternionSlot& slot, Duration) {
+  slot.x = in.getX();
+  slot.y = in.getY();
+  slot.z = in.getZ();
+  slot.w = in.getW();
+  return Errc{};
+}
+
+bool isValid(const QuaternionSlot& slot) {
+  return isValid(slot.x) && isValid(slot.y) && isValid(slot.z) && isValid(slot.w);
+}
+
+void toWire(const PoseSlot& slot, wire::Pose::Builder out) {
+  toWire(slot.position, out.initPosition());
+  toWire(slot.orientation, out.initOrientation());
+}
+
+Errc fromWire(wire::Pose::Reader in, PoseSlot& slot, Duration shift) {
+  return firstError({
+      in.hasPosition() ? fromWire(in.getPosition(), slot.position, shift) : Errc::Invalid,
+      in.hasOrientation() ? fromWire(in.getOrientation(), slot.orientation, shift) : Errc::Invalid,
+  });
+}
+
+bool isValid(const PoseSlot& slot) {
+  return isValid(slot.position) && isValid(slot.orientation);
+}
+
+void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {
+  toWire(slot.header, out.initHeader());
+  toWire(slot.pose, out.initPose());
+}
+
+Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, Duration shift) {
+  return firstError({
+      in.hasHeader() ? fromWire(in.getHeader(), slot.header, shift) : Errc::Invalid,
+      in.hasPose() ? fromWire(in.getPose(), slot.pose, shift) : Errc::Invalid,
+  });
+}
+
+bool isValid(const PoseStampedSlot& slot) {
+  return isValid(slot.header) && isValid(slot.pose);
+}
+
+void toWire(const JointStateSlot& slot, wire::JointState::Builder out) {
+  toWire(slot.header, out.initHeader());
+  toWire(slot.name, out.initName(slot.name.size));
+  toWire(slot.position, out.initPosition(slot.position.size));
+  toWire(slot.velocity, out.initVelocity(slot.velocity.size));
+  toWire(slot.effort, out.initEffort(slot.effort.size));
+}
+
+Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, Duration shift) {
+  return firstError({
+      in.hasHeader() ? fromWire(in.getHeader(), slot.header, shift) : Errc::Invalid,
+      fromWire(in.getName(), slot.name),
+      fromWire(in.getPosition(), slot.position),
+      fromWire(in.getVelocity(), slot.velocity),
+      fromWire(in.getEffort(), slot.effort),
+  });
+}
+
+bool isValid(const JointStateSlot& slot) {
+  return isValid(slot.header) && isValid(slot.position) && isValid(slot.velocity) &&
+      isValid(slot.effort);
+}
+
+}  // namespace foreign

@@ -1,0 +1,159 @@
+// Written by suturec from shapes/classes.h. Do not edit.
+#include "shapes/classes.suture.h"
+
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "shapes/classes.capnp.h"
+
+// Defined in shapes/containers.suture.cpp.
+namespace shapes {
+wire::Level wireLevel(std::int16_t slot);
+suture::Errc fromWire(wire::Level in, std::int16_t& slot);
+void toWire(const PointSlot& slot, wire::Point::Builder out);
+suture::Errc fromWire(wire::Point::Reader in, PointSlot& slot, suture::Duration shift);
+bool isValid(const PointSlot& slot);
+}  // namespace shapes
+
+namespace shapes {
+
+using suture::Duration;
+using suture::Errc;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<decltype(Named::name), std::string>);
+static_assert(std::is_same_v<decltype(StampedPoint::value), Point>);
+static_assert(std::is_same_v<decltype(StampedPoint::time), double>);
+static_assert(std::is_base_of_v<Named, Tool>);
+static_assert(std::is_base_of_v<Point, Tool>);
+static_assert(std::is_same_v<decltype(Tool::last), StampedPoint>);
+static_assert(std::is_same_v<decltype(StampedLevel::value), Level>);
+static_assert(std::is_same_v<decltype(StampedLevel::time), double>);
+static_assert(std::is_same_v<decltype(suture::Members<Counter>::count_(std::declval<Counter&>())),
+                             std::int32_t&>);
+static_assert(std::is_same_v<decltype(Tree::value), std::int32_t>);
+static_assert(std::is_same_v<decltype(Tree::children), std::vector<shapes::Tree>>);
+static_assert(std::is_same_v<decltype(Tree::shadow), std::unique_ptr<shapes::Tree>>);
+static_assert(std::is_same_v<decltype(Classes::tool), Tool>);
+static_assert(std::is_same_v<decltype(Classes::level), StampedLevel>);
+static_assert(std::is_same_v<decltype(Classes::counter), Counter>);
+static_assert(std::is_same_v<decltype(Classes::polar), Polar>);
+static_assert(std::is_same_v<decltype(Classes::spiral), std::vector<shapes::Polar>>);
+
+}  // namespace
+
+// --- between slots and Cap'n Proto
+
+void toWire(const NamedSlot& slot, wire::Named::Builder out) {
+  toWire(slot.name, out.initName(slot.name.size));
+}
+
+Errc fromWire(wire::Named::Reader in, NamedSlot& slot, Duration) {
+  return fromWire(in.getName(), slot.name);
+}
+
+bool isValid(const NamedSlot&) {
+  return true;
+}
+
+void toWire(const StampedPointSlot& slot, wire::StampedPoint::Builder out) {
+  toWire(slot.value, out.initValue());
+  out.setTime(slot.time);
+}
+
+Errc fromWire(wire::StampedPoint::Reader in, StampedPointSlot& slot, Duration shift) {
+  slot.time = in.getTime();
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+}
+
+bool isValid(const StampedPointSlot& slot) {
+  return isValid(slot.value) && isValid(slot.time);
+}
+
+void toWire(const ToolSlot& slot, wire::Tool::Builder out) {
+  toWire(slot.base, out.initBase());
+  toWire(slot.basePoint, out.initBasePoint());
+  toWire(slot.last, out.initLast());
+}
+
+Errc fromWire(wire::Tool::Reader in, ToolSlot& slot, Duration shift) {
+  return firstError({
+      in.hasBase() ? fromWire(in.getBase(), slot.base, shift) : Errc::Invalid,
+      in.hasBasePoint() ? fromWire(in.getBasePoint(), slot.basePoint, shift) : Errc::Invalid,
+      in.hasLast() ? fromWire(in.getLast(), slot.last, shift) : Errc::Invalid,
+  });
+}
+
+bool isValid(const ToolSlot& slot) {
+  return isValid(slot.base) && isValid(slot.basePoint) && isValid(slot.last);
+}
+
+void toWire(const StampedLevelSlot& slot, wire::StampedLevel::Builder out) {
+  out.setValue(wireLevel(slot.value));
+  out.setTime(slot.time);
+}
+
+Errc fromWire(wire::StampedLevel::Reader in, StampedLevelSlot& slot, Duration) {
+  slot.time = in.getTime();
+  return fromWire(in.getValue(), slot.value);
+}
+
+bool isValid(const StampedLevelSlot& slot) {
+  return isValid(slot.time);
+}
+
+void toWire(const CounterSlot& slot, wire::Counter::Builder out) {
+  out.setCount(slot.count_);
+}
+
+Errc fromWire(wire::Counter::Reader in, CounterSlot& slot, Duration) {
+  slot.count_ = in.getCount();
+  return Errc{};
+}
+
+bool isValid(const CounterSlot& slot) {
+  return inRange(slot.count_, 0, 100);
+}
+
+void toWire(const ClassesSlot& slot, wire::Classes::Builder out) {
+  toWire(slot.tool, out.initTool());
+  toWire(slot.level, out.initLevel());
+  toWire(slot.counter, out.initCounter());
+  toWire(slot.polar, out.initPolar());
+  toWireList(slot.spiral, out.initSpiral(slot.spiral.size),
+             [](const PointSlot& element, auto list, std::uint32_t i) {
+               toWire(element, list[i]);
+             });
+}
+
+Errc fromWire(wire::Classes::Reader in, ClassesSlot& slot, Duration shift) {
+  return firstError({
+      in.hasTool() ? fromWire(in.getTool(), slot.tool, shift) : Errc::Invalid,
+      in.hasLevel() ? fromWire(in.getLevel(), slot.level, shift) : Errc::Invalid,
+      in.hasCounter() ? fromWire(in.getCounter(), slot.counter, shift) : Errc::Invalid,
+      in.hasPolar() ? fromWire(in.getPolar(), slot.polar, shift) : Errc::Invalid,
+      fromWireList(in.getSpiral(), slot.spiral, [&](auto item, PointSlot& target) {
+        return fromWire(item, target, shift);
+      }),
+  });
+}
+
+bool isValid(const ClassesSlot& slot) {
+  if (!allOf(slot.spiral, [](const PointSlot& element) { return isValid(element); })) {
+    return false;
+  }
+  return isValid(slot.tool) && isValid(slot.level) && isValid(slot.counter) && isValid(slot.polar);
+}
+
+}  // namespace shapes

@@ -1,0 +1,1667 @@
+// Written by suturec from shapes/containers.h. Do not edit.
+#include "shapes/containers.suture.h"
+
+#include <suture/transport/rpc/binding.h>
+#include <suture/transport/rpc/proxy_port.h>
+#include <suture/transport/rpc/servant_port.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "shapes/containers.capnp.h"
+
+namespace shapes {
+
+using suture::CommandInfo;
+using suture::CommandKind;
+using suture::Duration;
+using suture::Errc;
+using suture::EventInfo;
+using suture::rpc::ProxyPort;
+using suture::rpc::ServantPort;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<std::underlying_type_t<Level>, std::int16_t>);
+static_assert(static_cast<std::int16_t>(Level::Unknown) == -1);
+static_assert(static_cast<std::int16_t>(Level::Low) == 10);
+static_assert(static_cast<std::int16_t>(Level::High) == 300);
+static_assert(std::is_same_v<decltype(Point::x), double>);
+static_assert(std::is_same_v<decltype(Point::y), double>);
+static_assert(std::is_same_v<decltype(Sequences::bytes), std::vector<std::byte>>);
+static_assert(std::is_same_v<decltype(Sequences::one), std::byte>);
+static_assert(std::is_same_v<decltype(Sequences::row), double[3]>);
+static_assert(std::is_same_v<decltype(Sequences::grid), std::int32_t[2][3]>);
+static_assert(std::is_same_v<decltype(Sequences::corners), Point[2]>);
+static_assert(std::is_same_v<decltype(Sequences::path), std::deque<shapes::Point>>);
+static_assert(std::is_same_v<decltype(Sequences::bits), std::deque<bool>>);
+static_assert(std::is_same_v<decltype(Sequences::flags), std::vector<bool>>);
+static_assert(std::is_same_v<decltype(Sequences::numbers), std::set<std::int32_t>>);
+static_assert(std::is_same_v<decltype(Sequences::words), std::unordered_set<std::string>>);
+static_assert(std::is_same_v<decltype(Sequences::levels), std::set<shapes::Level>>);
+static_assert(std::is_same_v<decltype(Sequences::gains), std::map<std::string, double>>);
+static_assert(std::is_same_v<decltype(Sequences::points),
+                             std::unordered_map<std::uint16_t, shapes::Point>>);
+static_assert(std::is_same_v<decltype(Sequences::series),
+                             std::map<std::string, std::vector<float>>>);
+static_assert(std::is_same_v<decltype(Sequences::shares), std::map<shapes::Level, double>>);
+static_assert(std::is_same_v<decltype(Choices::gain), std::optional<double>>);
+static_assert(std::is_same_v<decltype(Choices::share), std::optional<double>>);
+static_assert(std::is_same_v<decltype(Choices::answer), std::optional<bool>>);
+static_assert(std::is_same_v<decltype(Choices::frame), std::optional<std::string>>);
+static_assert(std::is_same_v<decltype(Choices::target), std::optional<shapes::Point>>);
+static_assert(std::is_same_v<decltype(Choices::polygon),
+                             std::optional<std::vector<shapes::Point>>>);
+static_assert(std::is_same_v<decltype(Choices::twice), std::optional<std::optional<std::int32_t>>>);
+static_assert(std::is_same_v<decltype(Choices::seen), std::vector<std::optional<Eigen::Vector3d>>>);
+static_assert(std::is_same_v<decltype(Choices::entry), std::pair<std::int32_t, double>>);
+static_assert(std::is_same_v<decltype(Choices::triple),
+                             std::tuple<bool, std::string, shapes::Point>>);
+static_assert(std::is_same_v<decltype(Choices::either),
+                             std::variant<std::monostate, double, shapes::Point, std::string, double>>);
+static_assert(std::is_same_v<decltype(Choices::nested),
+                             std::variant<shapes::Level, std::optional<shapes::Point>>>);
+static_assert(std::is_same_v<decltype(Choices::owned), std::unique_ptr<shapes::Point>>);
+static_assert(std::is_same_v<decltype(Matrices::joints), Eigen::VectorXd>);
+static_assert(std::is_same_v<decltype(Matrices::row), Eigen::RowVectorXd>);
+static_assert(std::is_same_v<decltype(Matrices::any), Eigen::MatrixXd>);
+static_assert(std::is_same_v<decltype(Matrices::counts),
+                             Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic>>);
+static_assert(std::is_same_v<decltype(Matrices::columns),
+                             Eigen::Matrix<double, 3, Eigen::Dynamic>>);
+static_assert(std::is_same_v<decltype(Matrices::limited),
+                             Eigen::Matrix<float, Eigen::Dynamic, 1, 0, 5, 1>>);
+static_assert(std::is_same_v<decltype(Matrices::fixed), Eigen::Matrix<double, 4, 5>>);
+static_assert(std::is_same_v<decltype(Matrices::cloud), std::vector<Eigen::Vector3d>>);
+static_assert(std::is_same_v<decltype(Matrices::wrenches), std::deque<Eigen::Matrix<float, 6, 1>>>);
+static_assert(std::is_same_v<decltype(Matrices::scaled), Eigen::Affine3d>);
+static_assert(std::is_same_v<decltype(Matrices::wait),
+                             std::chrono::duration<double, std::ratio<1, 1000>>>);
+
+constexpr CommandInfo kStoreCommands[] = {
+    {.name = "put",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(StorePutArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "choose",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(StoreChooseArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "sequences",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(SequencesSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 0},
+    {.name = "choices",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(ChoicesSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 1},
+    {.name = "matrices",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(MatricesSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 2},
+    {.name = "reading",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(suture::SlotTuple<double, std::int16_t>),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 3},
+};
+
+constexpr EventInfo kStoreEvents[] = {
+    {.name = "changed",
+     .payloadSize = sizeof(suture::SlotVariant<double, PointSlot>),
+     .depth = 16,
+     .latest = false,
+     .latched = false},
+};
+
+// The self-description, as in shapes/containers.suture.json.
+constexpr char kStoreDescription[] = R"json({
+  "name": "shapes::Store",
+  "doc": "Composites right in a contract.",
+  "hash": "38d48435d00407dc5a25c3bea000739d",
+  "commands": [
+    {
+      "name": "put",
+      "kind": "write",
+      "parameters": [
+        {
+          "name": "value",
+          "type": {
+            "kind": "struct",
+            "name": "shapes::Sequences"
+          }
+        }
+      ],
+      "queue": 16
+    },
+    {
+      "name": "choose",
+      "kind": "write",
+      "parameters": [
+        {
+          "name": "gain",
+          "type": {
+            "kind": "optional",
+            "element": {
+              "kind": "Float64"
+            }
+          }
+        }
+      ],
+      "queue": 16
+    },
+    {
+      "name": "sequences",
+      "kind": "read",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "shapes::Sequences"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "choices",
+      "kind": "read",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "shapes::Choices"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "matrices",
+      "kind": "read",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "shapes::Matrices"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "reading",
+      "kind": "read",
+      "result": {
+        "type": {
+          "kind": "tuple",
+          "elements": [
+            {
+              "kind": "Float64"
+            },
+            {
+              "kind": "enum",
+              "name": "shapes::Level"
+            }
+          ]
+        }
+      },
+      "queue": 16
+    }
+  ],
+  "events": [
+    {
+      "name": "changed",
+      "kind": "write",
+      "payload": {
+        "type": {
+          "kind": "variant",
+          "alternatives": [
+            {
+              "kind": "Float64"
+            },
+            {
+              "kind": "struct",
+              "name": "shapes::Point"
+            }
+          ]
+        }
+      },
+      "queue": 16
+    }
+  ],
+  "enums": [
+    {
+      "name": "shapes::Level",
+      "doc": "Sparse, negative, and ready for what later versions add.",
+      "underlying": "Int16",
+      "enumerators": [
+        {
+          "name": "Unknown",
+          "value": -1,
+          "fallback": true
+        },
+        {
+          "name": "Low",
+          "value": 10
+        },
+        {
+          "name": "High",
+          "value": 300
+        }
+      ]
+    }
+  ],
+  "structs": [
+    {
+      "name": "shapes::Point",
+      "doc": "Parts of other types.",
+      "fields": [
+        {
+          "name": "x",
+          "type": {
+            "kind": "Float64"
+          },
+          "unit": "m",
+          "range": [
+            -10.0,
+            10.0
+          ],
+          "default": 0.0
+        },
+        {
+          "name": "y",
+          "type": {
+            "kind": "Float64"
+          },
+          "default": 0.0
+        }
+      ]
+    },
+    {
+      "name": "shapes::Sequences",
+      "doc": "Sequences, sets and maps.",
+      "fields": [
+        {
+          "name": "bytes",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "UInt8"
+            },
+            "capacity": 8
+          }
+        },
+        {
+          "name": "one",
+          "type": {
+            "kind": "UInt8"
+          }
+        },
+        {
+          "name": "row",
+          "type": {
+            "kind": "array",
+            "element": {
+              "kind": "Float64"
+            },
+            "length": 3
+          }
+        },
+        {
+          "name": "grid",
+          "type": {
+            "kind": "array",
+            "element": {
+              "kind": "array",
+              "element": {
+                "kind": "Int32"
+              },
+              "length": 3
+            },
+            "length": 2
+          }
+        },
+        {
+          "name": "corners",
+          "type": {
+            "kind": "array",
+            "element": {
+              "kind": "struct",
+              "name": "shapes::Point"
+            },
+            "length": 2
+          }
+        },
+        {
+          "name": "path",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "struct",
+              "name": "shapes::Point"
+            },
+            "capacity": 3
+          }
+        },
+        {
+          "name": "bits",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Bool"
+            },
+            "capacity": 4
+          }
+        },
+        {
+          "name": "flags",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Bool"
+            },
+            "capacity": 4
+          }
+        },
+        {
+          "name": "numbers",
+          "type": {
+            "kind": "set",
+            "element": {
+              "kind": "Int32"
+            },
+            "capacity": 4
+          }
+        },
+        {
+          "name": "words",
+          "type": {
+            "kind": "set",
+            "element": {
+              "kind": "text",
+              "capacity": 6
+            },
+            "capacity": 3
+          }
+        },
+        {
+          "name": "levels",
+          "type": {
+            "kind": "set",
+            "element": {
+              "kind": "enum",
+              "name": "shapes::Level"
+            },
+            "capacity": 3
+          }
+        },
+        {
+          "name": "gains",
+          "type": {
+            "kind": "map",
+            "key": {
+              "kind": "text",
+              "capacity": 6
+            },
+            "value": {
+              "kind": "Float64"
+            },
+            "capacity": 3
+          }
+        },
+        {
+          "name": "points",
+          "type": {
+            "kind": "map",
+            "key": {
+              "kind": "UInt16"
+            },
+            "value": {
+              "kind": "struct",
+              "name": "shapes::Point"
+            },
+            "capacity": 3
+          }
+        },
+        {
+          "name": "series",
+          "type": {
+            "kind": "map",
+            "key": {
+              "kind": "text",
+              "capacity": 4
+            },
+            "value": {
+              "kind": "list",
+              "element": {
+                "kind": "Float32"
+              },
+              "capacity": 3
+            },
+            "capacity": 2
+          }
+        },
+        {
+          "name": "shares",
+          "type": {
+            "kind": "map",
+            "key": {
+              "kind": "enum",
+              "name": "shapes::Level"
+            },
+            "value": {
+              "kind": "Float64"
+            },
+            "capacity": 3
+          },
+          "range": [
+            0.0,
+            1.0
+          ]
+        }
+      ]
+    },
+    {
+      "name": "shapes::Choices",
+      "doc": "What holds one thing or another, or some of each.",
+      "fields": [
+        {
+          "name": "gain",
+          "type": {
+            "kind": "optional",
+            "element": {
+              "kind": "Float64"
+            }
+          }
+        },
+        {
+          "name": "share",
+          "type": {
+            "kind": "optional",
+            "element": {
+              "kind": "Float64"
+            }
+          },
+          "range": [
+            0.0,
+            1.0
+          ]
+        },
+        {
+          "name": "answer",
+          "type": {
+            "kind": "optional",
+            "element": {
+              "kind": "Bool"
+            }
+          }
+        },
+        {
+          "name": "frame",
+          "type": {
+            "kind": "optional",
+            "element": {
+              "kind": "text",
+              "capacity": 8
+            }
+          }
+        },
+        {
+          "name": "target",
+          "type": {
+            "kind": "optional",
+            "element": {
+              "kind": "struct",
+              "name": "shapes::Point"
+            }
+          }
+        },
+        {
+          "name": "polygon",
+          "type": {
+            "kind": "optional",
+            "element": {
+              "kind": "list",
+              "element": {
+                "kind": "struct",
+                "name": "shapes::Point"
+              },
+              "capacity": 2
+            }
+          }
+        },
+        {
+          "name": "twice",
+          "type": {
+            "kind": "optional",
+            "element": {
+              "kind": "optional",
+              "element": {
+                "kind": "Int32"
+              }
+            }
+          }
+        },
+        {
+          "name": "seen",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "optional",
+              "element": {
+                "kind": "matrix",
+                "scalar": "Float64",
+                "rows": 3,
+                "columns": 1
+              }
+            },
+            "capacity": 3
+          }
+        },
+        {
+          "name": "entry",
+          "type": {
+            "kind": "tuple",
+            "elements": [
+              {
+                "kind": "Int32"
+              },
+              {
+                "kind": "Float64"
+              }
+            ]
+          }
+        },
+        {
+          "name": "triple",
+          "type": {
+            "kind": "tuple",
+            "elements": [
+              {
+                "kind": "Bool"
+              },
+              {
+                "kind": "text",
+                "capacity": 4
+              },
+              {
+                "kind": "struct",
+                "name": "shapes::Point"
+              }
+            ]
+          }
+        },
+        {
+          "name": "either",
+          "type": {
+            "kind": "variant",
+            "alternatives": [
+              {
+                "kind": "nothing"
+              },
+              {
+                "kind": "Float64"
+              },
+              {
+                "kind": "struct",
+                "name": "shapes::Point"
+              },
+              {
+                "kind": "text",
+                "capacity": 4
+              },
+              {
+                "kind": "Float64"
+              }
+            ]
+          }
+        },
+        {
+          "name": "nested",
+          "type": {
+            "kind": "variant",
+            "alternatives": [
+              {
+                "kind": "enum",
+                "name": "shapes::Level"
+              },
+              {
+                "kind": "optional",
+                "element": {
+                  "kind": "struct",
+                  "name": "shapes::Point"
+                }
+              }
+            ]
+          }
+        },
+        {
+          "name": "owned",
+          "type": {
+            "kind": "optional",
+            "element": {
+              "kind": "struct",
+              "name": "shapes::Point"
+            }
+          }
+        }
+      ]
+    },
+    {
+      "name": "shapes::Matrices",
+      "doc": "Eigen types of all kinds.",
+      "fields": [
+        {
+          "name": "joints",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Float64"
+            },
+            "capacity": 4
+          },
+          "unit": "rad"
+        },
+        {
+          "name": "row",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Float64"
+            },
+            "capacity": 3
+          }
+        },
+        {
+          "name": "any",
+          "type": {
+            "kind": "any matrix",
+            "scalar": "Float64",
+            "capacity": [
+              2,
+              3
+            ]
+          }
+        },
+        {
+          "name": "counts",
+          "type": {
+            "kind": "any matrix",
+            "scalar": "Int32",
+            "capacity": [
+              2,
+              2
+            ]
+          }
+        },
+        {
+          "name": "columns",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "matrix",
+              "scalar": "Float64",
+              "rows": 3,
+              "columns": 1
+            },
+            "capacity": 4
+          }
+        },
+        {
+          "name": "limited",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Float32"
+            },
+            "capacity": 5
+          }
+        },
+        {
+          "name": "fixed",
+          "type": {
+            "kind": "matrix",
+            "scalar": "Float64",
+            "rows": 4,
+            "columns": 5
+          }
+        },
+        {
+          "name": "cloud",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "matrix",
+              "scalar": "Float64",
+              "rows": 3,
+              "columns": 1
+            },
+            "capacity": 3
+          }
+        },
+        {
+          "name": "wrenches",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "matrix",
+              "scalar": "Float32",
+              "rows": 6,
+              "columns": 1
+            },
+            "capacity": 3
+          }
+        },
+        {
+          "name": "scaled",
+          "type": {
+            "kind": "affine",
+            "scalar": "Float64"
+          }
+        },
+        {
+          "name": "wait",
+          "type": {
+            "kind": "duration",
+            "period": "1/1000",
+            "scalar": "Float64"
+          }
+        }
+      ]
+    }
+  ]
+})json";
+
+}  // namespace
+
+// --- between slots and Cap'n Proto
+
+wire::Level wireLevel(std::int16_t slot) {
+  switch (static_cast<Level>(slot)) {
+    case Level::Unknown: return wire::Level::UNKNOWN;
+    case Level::Low: return wire::Level::LOW;
+    case Level::High: return wire::Level::HIGH;
+  }
+  return wire::Level{};
+}
+
+Errc fromWire(wire::Level in, std::int16_t& slot) {
+  switch (in) {
+    case wire::Level::UNKNOWN: return slot = static_cast<std::int16_t>(Level::Unknown), Errc{};
+    case wire::Level::LOW: return slot = static_cast<std::int16_t>(Level::Low), Errc{};
+    case wire::Level::HIGH: return slot = static_cast<std::int16_t>(Level::High), Errc{};
+  }
+  return slot = static_cast<std::int16_t>(Level::Unknown), Errc{};
+}
+
+void toWire(const PointSlot& slot, wire::Point::Builder out) {
+  out.setX(slot.x);
+  out.setY(slot.y);
+}
+
+Errc fromWire(wire::Point::Reader in, PointSlot& slot, Duration) {
+  slot.x = in.getX();
+  slot.y = in.getY();
+  return Errc{};
+}
+
+bool isValid(const PointSlot& slot) {
+  return inRange(slot.x, -10, 10) && isValid(slot.y);
+}
+
+void toWire(const suture::SlotEntry<suture::BoundedText<6>, double>& slot,
+            wire::ShapesContainersEntryOfTextToFloat64::Builder out) {
+  toWire(slot.key, out.initKey(slot.key.size));
+  out.setValue(slot.value);
+}
+
+Errc fromWire(wire::ShapesContainersEntryOfTextToFloat64::Reader in,
+              suture::SlotEntry<suture::BoundedText<6>, double>& slot, Duration) {
+  slot.value = in.getValue();
+  return fromWire(in.getKey(), slot.key);
+}
+
+void toWire(const suture::SlotEntry<std::uint16_t, PointSlot>& slot,
+            wire::ShapesContainersEntryOfUInt16ToPoint::Builder out) {
+  out.setKey(slot.key);
+  toWire(slot.value, out.initValue());
+}
+
+Errc fromWire(wire::ShapesContainersEntryOfUInt16ToPoint::Reader in,
+              suture::SlotEntry<std::uint16_t, PointSlot>& slot, Duration shift) {
+  slot.key = in.getKey();
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+}
+
+void toWire(const suture::SlotEntry<suture::BoundedText<4>, suture::BoundedList<float, 3>>& slot,
+            wire::ShapesContainersEntryOfTextToListOfFloat32::Builder out) {
+  toWire(slot.key, out.initKey(slot.key.size));
+  toWire(slot.value, out.initValue(slot.value.size));
+}
+
+Errc fromWire(wire::ShapesContainersEntryOfTextToListOfFloat32::Reader in,
+              suture::SlotEntry<suture::BoundedText<4>, suture::BoundedList<float, 3>>& slot,
+              Duration) {
+  return firstError({
+      fromWire(in.getKey(), slot.key),
+      fromWire(in.getValue(), slot.value),
+  });
+}
+
+void toWire(const suture::SlotEntry<std::int16_t, double>& slot,
+            wire::ShapesContainersEntryOfLevelToFloat64::Builder out) {
+  out.setKey(wireLevel(slot.key));
+  out.setValue(slot.value);
+}
+
+Errc fromWire(wire::ShapesContainersEntryOfLevelToFloat64::Reader in,
+              suture::SlotEntry<std::int16_t, double>& slot, Duration) {
+  slot.value = in.getValue();
+  return fromWire(in.getKey(), slot.key);
+}
+
+void toWire(const SequencesSlot& slot, wire::Sequences::Builder out) {
+  toWire(slot.bytes, out.initBytes(slot.bytes.size));
+  out.setOne(slot.one);
+  toWire(slot.row, out.initRow(3));
+  toWireList(slot.grid, out.initGrid(2),
+             [](const std::array<std::int32_t, 3>& element, auto list, std::uint32_t i) {
+               toWire(element, list.init(i, 3));
+             });
+  toWireList(slot.corners, out.initCorners(2),
+             [](const PointSlot& element, auto list, std::uint32_t i) {
+               toWire(element, list[i]);
+             });
+  toWireList(slot.path, out.initPath(slot.path.size),
+             [](const PointSlot& element, auto list, std::uint32_t i) {
+               toWire(element, list[i]);
+             });
+  toWire(slot.bits, out.initBits(slot.bits.size));
+  toWire(slot.flags, out.initFlags(slot.flags.size));
+  toWire(slot.numbers, out.initNumbers(slot.numbers.size));
+  toWire(slot.words, out.initWords(slot.words.size));
+  toWireList(slot.levels, out.initLevels(slot.levels.size),
+             [](const std::int16_t& element, auto list, std::uint32_t i) {
+               list.set(i, wireLevel(element));
+             });
+  toWireList(slot.gains, out.initGains(slot.gains.size),
+             [](const auto& element, auto list, std::uint32_t i) {
+               toWire(element, list[i]);
+             });
+  toWireList(slot.points, out.initPoints(slot.points.size),
+             [](const auto& element, auto list, std::uint32_t i) {
+               toWire(element, list[i]);
+             });
+  toWireList(slot.series, out.initSeries(slot.series.size),
+             [](const auto& element, auto list, std::uint32_t i) {
+               toWire(element, list[i]);
+             });
+  toWireList(slot.shares, out.initShares(slot.shares.size),
+             [](const auto& element, auto list, std::uint32_t i) {
+               toWire(element, list[i]);
+             });
+}
+
+Errc fromWire(wire::Sequences::Reader in, SequencesSlot& slot, Duration shift) {
+  slot.one = in.getOne();
+  return firstError({
+      fromWire(in.getBytes(), slot.bytes),
+      fromWire(in.getRow(), slot.row),
+      fromWireList(in.getGrid(), slot.grid, [](auto item, std::array<std::int32_t, 3>& target) {
+        return fromWire(item, target);
+      }),
+      fromWireList(in.getCorners(), slot.corners, [&](auto item, PointSlot& target) {
+        return fromWire(item, target, shift);
+      }),
+      fromWireList(in.getPath(), slot.path, [&](auto item, PointSlot& target) {
+        return fromWire(item, target, shift);
+      }),
+      fromWire(in.getBits(), slot.bits),
+      fromWire(in.getFlags(), slot.flags),
+      suture::rpc::fromWireDistinct(in.getNumbers(), slot.numbers,
+                                    [](auto item, std::int32_t& target) {
+                                      return target = item, Errc{};
+                                    }),
+      suture::rpc::fromWireDistinct(in.getWords(), slot.words,
+                                    [](auto item, suture::BoundedText<6>& target) {
+                                      return fromWire(item, target);
+                                    }),
+      suture::rpc::fromWireDistinct(in.getLevels(), slot.levels,
+                                    [](auto item, std::int16_t& target) {
+                                      return fromWire(item, target);
+                                    }),
+      suture::rpc::fromWireDistinct(in.getGains(), slot.gains, [&](auto item, auto& target) {
+        return fromWire(item, target, shift);
+      }),
+      suture::rpc::fromWireDistinct(in.getPoints(), slot.points, [&](auto item, auto& target) {
+        return fromWire(item, target, shift);
+      }),
+      suture::rpc::fromWireDistinct(in.getSeries(), slot.series, [&](auto item, auto& target) {
+        return fromWire(item, target, shift);
+      }),
+      suture::rpc::fromWireDistinct(in.getShares(), slot.shares, [&](auto item, auto& target) {
+        return fromWire(item, target, shift);
+      }),
+  });
+}
+
+bool isValid(const SequencesSlot& slot) {
+  if (!allOf(slot.corners, [](const PointSlot& element) { return isValid(element); })) {
+    return false;
+  }
+  if (!allOf(slot.path, [](const PointSlot& element) { return isValid(element); })) {
+    return false;
+  }
+  if (!allOf(slot.shares, [](const suture::SlotEntry<std::int16_t, double>& element) {
+    return inRange(element.value, 0, 1);
+  })) {
+    return false;
+  }
+  return isValid(slot.row) && isValid(slot.gains) && isValid(slot.points) && isValid(slot.series);
+}
+
+void toWire(const suture::SlotOptional<double>& slot,
+            wire::ShapesContainersOptionalFloat64::Builder out) {
+  if (slot.present == 0) return out.setNone();
+  out.setSome(slot.value);
+}
+
+Errc fromWire(wire::ShapesContainersOptionalFloat64::Reader in, suture::SlotOptional<double>& slot,
+              Duration) {
+  if (in.isNone()) return slot.present = 0, Errc{};
+  if (!in.isSome()) return Errc::Invalid;
+  slot.present = 1;
+  slot.value = in.getSome();
+  return Errc{};
+}
+
+void toWire(const suture::SlotOptional<std::uint8_t>& slot,
+            wire::ShapesContainersOptionalBool::Builder out) {
+  if (slot.present == 0) return out.setNone();
+  out.setSome(slot.value != 0);
+}
+
+Errc fromWire(wire::ShapesContainersOptionalBool::Reader in,
+              suture::SlotOptional<std::uint8_t>& slot, Duration) {
+  if (in.isNone()) return slot.present = 0, Errc{};
+  if (!in.isSome()) return Errc::Invalid;
+  slot.present = 1;
+  slot.value = in.getSome();
+  return Errc{};
+}
+
+void toWire(const suture::SlotOptional<suture::BoundedText<8>>& slot,
+            wire::ShapesContainersOptionalText::Builder out) {
+  if (slot.present == 0) return out.setNone();
+  toWire(slot.value, out.initSome(slot.value.size));
+}
+
+Errc fromWire(wire::ShapesContainersOptionalText::Reader in,
+              suture::SlotOptional<suture::BoundedText<8>>& slot, Duration) {
+  if (in.isNone()) return slot.present = 0, Errc{};
+  if (!in.isSome()) return Errc::Invalid;
+  slot.present = 1;
+  return fromWire(in.getSome(), slot.value);
+}
+
+void toWire(const suture::SlotOptional<PointSlot>& slot,
+            wire::ShapesContainersOptionalPoint::Builder out) {
+  if (slot.present == 0) return out.setNone();
+  toWire(slot.value, out.initSome());
+}
+
+Errc fromWire(wire::ShapesContainersOptionalPoint::Reader in, suture::SlotOptional<PointSlot>& slot,
+              Duration shift) {
+  if (in.isNone()) return slot.present = 0, Errc{};
+  if (!in.isSome()) return Errc::Invalid;
+  slot.present = 1;
+  return in.hasSome() ? fromWire(in.getSome(), slot.value, shift) : Errc::Invalid;
+}
+
+void toWire(const suture::SlotOptional<suture::BoundedList<PointSlot, 2>>& slot,
+            wire::ShapesContainersOptionalListOfPoint::Builder out) {
+  if (slot.present == 0) return out.setNone();
+  toWireList(slot.value, out.initSome(slot.value.size),
+             [](const PointSlot& element, auto list, std::uint32_t i) {
+               toWire(element, list[i]);
+             });
+}
+
+Errc fromWire(wire::ShapesContainersOptionalListOfPoint::Reader in,
+              suture::SlotOptional<suture::BoundedList<PointSlot, 2>>& slot, Duration shift) {
+  if (in.isNone()) return slot.present = 0, Errc{};
+  if (!in.isSome()) return Errc::Invalid;
+  slot.present = 1;
+  return fromWireList(in.getSome(), slot.value, [&](auto item, PointSlot& target) {
+    return fromWire(item, target, shift);
+  });
+}
+
+void toWire(const suture::SlotOptional<std::int32_t>& slot,
+            wire::ShapesContainersOptionalInt32::Builder out) {
+  if (slot.present == 0) return out.setNone();
+  out.setSome(slot.value);
+}
+
+Errc fromWire(wire::ShapesContainersOptionalInt32::Reader in,
+              suture::SlotOptional<std::int32_t>& slot, Duration) {
+  if (in.isNone()) return slot.present = 0, Errc{};
+  if (!in.isSome()) return Errc::Invalid;
+  slot.present = 1;
+  slot.value = in.getSome();
+  return Errc{};
+}
+
+void toWire(const suture::SlotOptional<suture::SlotOptional<std::int32_t>>& slot,
+            wire::ShapesContainersOptionalOptionalInt32::Builder out) {
+  if (slot.present == 0) return out.setNone();
+  toWire(slot.value, out.initSome());
+}
+
+Errc fromWire(wire::ShapesContainersOptionalOptionalInt32::Reader in,
+              suture::SlotOptional<suture::SlotOptional<std::int32_t>>& slot, Duration shift) {
+  if (in.isNone()) return slot.present = 0, Errc{};
+  if (!in.isSome()) return Errc::Invalid;
+  slot.present = 1;
+  return fromWire(in.getSome(), slot.value, shift);
+}
+
+void toWire(const suture::SlotOptional<std::array<double, 3>>& slot,
+            wire::ShapesContainersOptionalVec3::Builder out) {
+  if (slot.present == 0) return out.setNone();
+  toWire(slot.value, out.initSome());
+}
+
+Errc fromWire(wire::ShapesContainersOptionalVec3::Reader in,
+              suture::SlotOptional<std::array<double, 3>>& slot, Duration) {
+  if (in.isNone()) return slot.present = 0, Errc{};
+  if (!in.isSome()) return Errc::Invalid;
+  slot.present = 1;
+  return in.hasSome() ? fromWire(in.getSome(), slot.value) : Errc::Invalid;
+}
+
+void toWire(const suture::SlotTuple<std::int32_t, double>& slot,
+            wire::ShapesContainersTupleOfInt32AndFloat64::Builder out) {
+  out.setItem0(suture::item<0>(slot));
+  out.setItem1(suture::item<1>(slot));
+}
+
+Errc fromWire(wire::ShapesContainersTupleOfInt32AndFloat64::Reader in,
+              suture::SlotTuple<std::int32_t, double>& slot, Duration) {
+  suture::item<0>(slot) = in.getItem0();
+  suture::item<1>(slot) = in.getItem1();
+  return Errc{};
+}
+
+void toWire(const suture::SlotTuple<std::uint8_t, suture::BoundedText<4>, PointSlot>& slot,
+            wire::ShapesContainersTupleOfBoolAndTextAndPoint::Builder out) {
+  out.setItem0(suture::item<0>(slot) != 0);
+  toWire(suture::item<1>(slot), out.initItem1(suture::item<1>(slot).size));
+  toWire(suture::item<2>(slot), out.initItem2());
+}
+
+Errc fromWire(wire::ShapesContainersTupleOfBoolAndTextAndPoint::Reader in,
+              suture::SlotTuple<std::uint8_t, suture::BoundedText<4>, PointSlot>& slot,
+              Duration shift) {
+  suture::item<0>(slot) = in.getItem0();
+  return firstError({
+      fromWire(in.getItem1(), suture::item<1>(slot)),
+      in.hasItem2() ? fromWire(in.getItem2(), suture::item<2>(slot), shift) : Errc::Invalid,
+  });
+}
+
+void toWire(const suture::SlotVariant<suture::SlotNothing, double, PointSlot, suture::BoundedText<4>, double>& slot,
+            wire::ShapesContainersEitherOfNothingOrFloat64OrPointOrTextOrFloat64::Builder out) {
+  if (slot.index == 0) return out.setNothing();
+  if (slot.index == 1) return out.setFloat64(suture::alternative<1>(slot));
+  if (slot.index == 2) return toWire(suture::alternative<2>(slot), out.initPoint());
+  if (slot.index == 3) return toWire(suture::alternative<3>(slot),
+                                     out.initText(suture::alternative<3>(slot).size));
+  if (slot.index == 4) return out.setFloat64At4(suture::alternative<4>(slot));
+}
+
+Errc fromWire(wire::ShapesContainersEitherOfNothingOrFloat64OrPointOrTextOrFloat64::Reader in,
+              suture::SlotVariant<suture::SlotNothing, double, PointSlot, suture::BoundedText<4>, double>& slot,
+              Duration shift) {
+  if (in.isNothing()) {
+    slot.index = 0;
+    return Errc{};
+  }
+  if (in.isFloat64()) {
+    slot.index = 1;
+    suture::alternative<1>(slot) = in.getFloat64();
+    return Errc{};
+  }
+  if (in.isPoint()) {
+    slot.index = 2;
+    return in.hasPoint() ? fromWire(in.getPoint(), suture::alternative<2>(slot), shift)
+        : Errc::Invalid;
+  }
+  if (in.isText()) {
+    slot.index = 3;
+    return fromWire(in.getText(), suture::alternative<3>(slot));
+  }
+  if (in.isFloat64At4()) {
+    slot.index = 4;
+    suture::alternative<4>(slot) = in.getFloat64At4();
+    return Errc{};
+  }
+  return Errc::Invalid;
+}
+
+void toWire(const suture::SlotVariant<std::int16_t, suture::SlotOptional<PointSlot>>& slot,
+            wire::ShapesContainersEitherOfLevelOrOptionalPoint::Builder out) {
+  if (slot.index == 0) return out.setLevel(wireLevel(suture::alternative<0>(slot)));
+  if (slot.index == 1) return toWire(suture::alternative<1>(slot), out.initOptionalPoint());
+}
+
+Errc fromWire(wire::ShapesContainersEitherOfLevelOrOptionalPoint::Reader in,
+              suture::SlotVariant<std::int16_t, suture::SlotOptional<PointSlot>>& slot,
+              Duration shift) {
+  if (in.isLevel()) {
+    slot.index = 0;
+    return fromWire(in.getLevel(), suture::alternative<0>(slot));
+  }
+  if (in.isOptionalPoint()) {
+    slot.index = 1;
+    return fromWire(in.getOptionalPoint(), suture::alternative<1>(slot), shift);
+  }
+  return Errc::Invalid;
+}
+
+void toWire(const ChoicesSlot& slot, wire::Choices::Builder out) {
+  toWire(slot.gain, out.initGain());
+  toWire(slot.share, out.initShare());
+  toWire(slot.answer, out.initAnswer());
+  toWire(slot.frame, out.initFrame());
+  toWire(slot.target, out.initTarget());
+  toWire(slot.polygon, out.initPolygon());
+  toWire(slot.twice, out.initTwice());
+  toWireList(slot.seen, out.initSeen(slot.seen.size),
+             [](const auto& element, auto list, std::uint32_t i) {
+               toWire(element, list[i]);
+             });
+  toWire(slot.entry, out.initEntry());
+  toWire(slot.triple, out.initTriple());
+  toWire(slot.either, out.initEither());
+  toWire(slot.nested, out.initNested());
+  toWire(slot.owned, out.initOwned());
+}
+
+Errc fromWire(wire::Choices::Reader in, ChoicesSlot& slot, Duration shift) {
+  return firstError({
+      fromWire(in.getGain(), slot.gain, shift),
+      fromWire(in.getShare(), slot.share, shift),
+      fromWire(in.getAnswer(), slot.answer, shift),
+      fromWire(in.getFrame(), slot.frame, shift),
+      fromWire(in.getTarget(), slot.target, shift),
+      fromWire(in.getPolygon(), slot.polygon, shift),
+      fromWire(in.getTwice(), slot.twice, shift),
+      fromWireList(in.getSeen(), slot.seen, [&](auto item, auto& target) {
+        return fromWire(item, target, shift);
+      }),
+      in.hasEntry() ? fromWire(in.getEntry(), slot.entry, shift) : Errc::Invalid,
+      in.hasTriple() ? fromWire(in.getTriple(), slot.triple, shift) : Errc::Invalid,
+      in.hasEither() ? fromWire(in.getEither(), slot.either, shift) : Errc::Invalid,
+      in.hasNested() ? fromWire(in.getNested(), slot.nested, shift) : Errc::Invalid,
+      fromWire(in.getOwned(), slot.owned, shift),
+  });
+}
+
+bool isValid(const ChoicesSlot& slot) {
+  if (!allOf(slot.share, [](const double& element) { return inRange(element, 0, 1); })) {
+    return false;
+  }
+  if (!allOf(slot.seen, [](const suture::SlotOptional<std::array<double, 3>>& element) {
+    return isValid(element);
+  })) {
+    return false;
+  }
+  return isValid(slot.gain) && isValid(slot.target) && isValid(slot.polygon) &&
+      isValid(slot.entry) && isValid(slot.triple) && isValid(slot.either) && isValid(slot.nested) &&
+      isValid(slot.owned);
+}
+
+void toWire(const MatricesSlot& slot, wire::Matrices::Builder out) {
+  toWire(slot.joints, out.initJoints(slot.joints.size));
+  toWire(slot.row, out.initRow(slot.row.size));
+  toWire(slot.any, out.initAny());
+  toWire(slot.counts, out.initCounts());
+  suture::rpc::toWireFlat(slot.columns, out.initColumns(slot.columns.size * 3));
+  toWire(slot.limited, out.initLimited(slot.limited.size));
+  toWire(slot.fixed, out.initFixed(20));
+  suture::rpc::toWireFlat(slot.cloud, out.initCloud(slot.cloud.size * 3));
+  suture::rpc::toWireFlat(slot.wrenches, out.initWrenches(slot.wrenches.size * 6));
+  toWire(slot.scaled, out.initScaled());
+  out.setWait(slot.wait);
+}
+
+Errc fromWire(wire::Matrices::Reader in, MatricesSlot& slot, Duration) {
+  slot.wait = in.getWait();
+  return firstError({
+      fromWire(in.getJoints(), slot.joints),
+      fromWire(in.getRow(), slot.row),
+      fromWire(in.getAny(), slot.any),
+      fromWire(in.getCounts(), slot.counts),
+      suture::rpc::fromWireFlat(in.getColumns(), slot.columns),
+      fromWire(in.getLimited(), slot.limited),
+      fromWire(in.getFixed(), slot.fixed),
+      suture::rpc::fromWireFlat(in.getCloud(), slot.cloud),
+      suture::rpc::fromWireFlat(in.getWrenches(), slot.wrenches),
+      in.hasScaled() ? suture::rpc::fromWireAffine(in.getScaled(), slot.scaled) : Errc::Invalid,
+  });
+}
+
+bool isValid(const MatricesSlot& slot) {
+  if (!allOf(slot.columns, [](const std::array<double, 3>& element) { return isValid(element); })) {
+    return false;
+  }
+  if (!allOf(slot.cloud, [](const std::array<double, 3>& element) { return isValid(element); })) {
+    return false;
+  }
+  if (!allOf(slot.wrenches, [](const std::array<float, 6>& element) { return isValid(element); })) {
+    return false;
+  }
+  return isValid(slot.joints) && isValid(slot.row) && isValid(slot.any) && isValid(slot.limited) &&
+      isValid(slot.fixed) && isValid(slot.scaled) && isValid(slot.wait);
+}
+
+void toWire(const suture::SlotTuple<double, std::int16_t>& slot,
+            wire::ShapesContainersTupleOfFloat64AndLevel::Builder out) {
+  out.setItem0(suture::item<0>(slot));
+  out.setItem1(wireLevel(suture::item<1>(slot)));
+}
+
+Errc fromWire(wire::ShapesContainersTupleOfFloat64AndLevel::Reader in,
+              suture::SlotTuple<double, std::int16_t>& slot, Duration) {
+  suture::item<0>(slot) = in.getItem0();
+  return fromWire(in.getItem1(), suture::item<1>(slot));
+}
+
+void toWire(const suture::SlotVariant<double, PointSlot>& slot,
+            wire::ShapesContainersEitherOfFloat64OrPoint::Builder out) {
+  if (slot.index == 0) return out.setFloat64(suture::alternative<0>(slot));
+  if (slot.index == 1) return toWire(suture::alternative<1>(slot), out.initPoint());
+}
+
+Errc fromWire(wire::ShapesContainersEitherOfFloat64OrPoint::Reader in,
+              suture::SlotVariant<double, PointSlot>& slot, Duration shift) {
+  if (in.isFloat64()) {
+    slot.index = 0;
+    suture::alternative<0>(slot) = in.getFloat64();
+    return Errc{};
+  }
+  if (in.isPoint()) {
+    slot.index = 1;
+    return in.hasPoint() ? fromWire(in.getPoint(), suture::alternative<1>(slot), shift)
+        : Errc::Invalid;
+  }
+  return Errc::Invalid;
+}
+
+namespace {
+
+// --- Store over Cap'n Proto RPC: the provider's side
+
+/// Makes remote calls of a subscriber's events and rows.
+class StoreSink final : public suture::rpc::EventSink {
+ public:
+  explicit StoreSink(wire::StoreEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+
+  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
+    switch (static_cast<StoreEvent>(event)) {
+      case StoreEvent::changed: {
+        const auto& slot = *reinterpret_cast<const suture::SlotVariant<double, PointSlot>*>(payload);
+        auto request = subscriber_.changedRequest();
+        toWire(slot, request.initValue());
+        return request.send().ignoreResult();
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
+                        std::span<const std::byte* const> columns) override {
+    auto request = subscriber_.stateRequest();
+    auto out = request.initRow();
+    out.setStamp(suture::toNanoseconds(row.stamp));
+    out.setEvaluated(row.valid);
+    if (row.valid >> 0 & 1) {
+      const auto& slot = *reinterpret_cast<const SequencesSlot*>(columns[0]);
+      toWire(slot, out.initSequences());
+    }
+    if (row.valid >> 1 & 1) {
+      const auto& slot = *reinterpret_cast<const ChoicesSlot*>(columns[1]);
+      toWire(slot, out.initChoices());
+    }
+    if (row.valid >> 2 & 1) {
+      const auto& slot = *reinterpret_cast<const MatricesSlot*>(columns[2]);
+      toWire(slot, out.initMatrices());
+    }
+    if (row.valid >> 3 & 1) {
+      const auto& slot = *reinterpret_cast<const suture::SlotTuple<double, std::int16_t>*>(columns[3]);
+      toWire(slot, out.initReading());
+    }
+    return request.send().ignoreResult();
+  }
+
+ private:
+  wire::StoreEvents::Client subscriber_;
+};
+
+/// Puts remote calls into the provider's mailbox.
+class StoreServant final : public wire::Store::Server {
+ public:
+  explicit StoreServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> subscribe(SubscribeContext context) override {
+    auto in = context.getParams();
+    port_->subscribe(kj::heap<StoreSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> put(PutContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<StorePutArguments*>(memory);
+      const Errc error =
+          in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(StoreCommand::put), in.getSent(), fill);
+  }
+
+  kj::Promise<void> choose(ChooseContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<StoreChooseArguments*>(memory);
+      const Errc error = fromWire(in.getGain(), slot.gain, port_->shift());
+      if (error != Errc{}) return error;
+      return isValid(slot.gain) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(StoreCommand::choose), in.getSent(), fill);
+  }
+
+  kj::Promise<void> sequences(SequencesContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const SequencesSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(StoreCommand::sequences), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> choices(ChoicesContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const ChoicesSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(StoreCommand::choices), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> matrices(MatricesContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const MatricesSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(StoreCommand::matrices), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> reading(ReadingContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const suture::SlotTuple<double, std::int16_t>*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(StoreCommand::reading), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+ private:
+  static std::uint16_t commandId(StoreCommand command) {
+                                                        return static_cast<std::uint16_t>(command); }
+
+  kj::Own<ServantPort> port_;
+};
+
+// --- Store over Cap'n Proto RPC: the client's side
+
+/// Receives events and rows.
+class StoreReceiver final : public wire::StoreEvents::Server {
+ public:
+  explicit StoreReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> state(StateContext context) override {
+    auto in = context.getParams().getRow();
+    suture::rt::ColumnSet valid = 0;
+    if (in.getEvaluated() >> 0 & 1) {
+      auto& slot = *reinterpret_cast<SequencesSlot*>(port_->column(0));
+      const Errc error =
+          in.hasSequences() ? fromWire(in.getSequences(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
+    }
+    if (in.getEvaluated() >> 1 & 1) {
+      auto& slot = *reinterpret_cast<ChoicesSlot*>(port_->column(1));
+      const Errc error =
+          in.hasChoices() ? fromWire(in.getChoices(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
+    }
+    if (in.getEvaluated() >> 2 & 1) {
+      auto& slot = *reinterpret_cast<MatricesSlot*>(port_->column(2));
+      const Errc error =
+          in.hasMatrices() ? fromWire(in.getMatrices(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 2;
+    }
+    if (in.getEvaluated() >> 3 & 1) {
+      auto& slot = *reinterpret_cast<suture::SlotTuple<double, std::int16_t>*>(port_->column(3));
+      const Errc error =
+          in.hasReading() ? fromWire(in.getReading(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 3;
+    }
+    port_->publish(in.getStamp(), valid);
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> changed(ChangedContext context) override {
+    auto in = context.getParams();
+    suture::SlotVariant<double, PointSlot> slot;
+    const Errc error =
+        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    return port_->event(eventId(StoreEvent::changed), error, slot);
+  }
+
+ private:
+  static std::uint16_t eventId(StoreEvent event) { return static_cast<std::uint16_t>(event); }
+
+  kj::Own<ProxyPort> port_;
+};
+
+/// Makes remote calls of commands.
+class StoreProxy final : public suture::rpc::Proxy {
+ public:
+  StoreProxy(wire::Store::Client provider, ProxyPort& port)
+      : provider_(kj::mv(provider)), port_(port) {}
+
+  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
+    auto request = provider_.subscribeRequest();
+    request.setEvents(kj::heap<StoreReceiver>(kj::addRef(port_)));
+    request.setEventMask(events);
+    request.setStateMask(columns);
+    return request.send().ignoreResult();
+  }
+
+  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
+    switch (static_cast<StoreCommand>(record.command)) {
+      case StoreCommand::put: {
+        const auto& slot = *reinterpret_cast<const StorePutArguments*>(record.arguments());
+        auto request = provider_.putRequest();
+        toWire(slot.value, request.initValue());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case StoreCommand::choose: {
+        const auto& slot = *reinterpret_cast<const StoreChooseArguments*>(record.arguments());
+        auto request = provider_.chooseRequest();
+        toWire(slot.gain, request.initGain());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case StoreCommand::sequences: {
+        auto request = provider_.sequencesRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<SequencesSlot>(call, [&](SequencesSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case StoreCommand::choices: {
+        auto request = provider_.choicesRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<ChoicesSlot>(call, [&](ChoicesSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case StoreCommand::matrices: {
+        auto request = provider_.matricesRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<MatricesSlot>(call, [&](MatricesSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case StoreCommand::reading: {
+        auto request = provider_.readingRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<suture::SlotTuple<double, std::int16_t>>(call, [&](suture::SlotTuple<double, std::int16_t>& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+ private:
+  wire::Store::Client provider_;
+  ProxyPort& port_;
+};
+
+class StoreBinding final : public suture::rpc::Binding {
+ public:
+  capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const override {
+    return wire::Store::Client(kj::heap<StoreServant>(kj::mv(port)));
+  }
+  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
+                                        ProxyPort& port) const override {
+    return kj::heap<StoreProxy>(contract.castAs<wire::Store>(), port);
+  }
+};
+
+const suture::rpc::Binding& storeBinding() {
+  static const StoreBinding kBinding;
+  return kBinding;
+}
+
+}  // namespace
+}  // namespace shapes
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<shapes::Store>() {
+  static constexpr InterfaceInfo kInfo{
+      .name = "shapes::Store",
+      .hash = "38d48435d00407dc5a25c3bea000739d",
+      .description = shapes::kStoreDescription,
+      .commands = shapes::kStoreCommands,
+      .events = shapes::kStoreEvents,
+      .binding = &shapes::storeBinding,
+  };
+  return kInfo;
+}
+
+Errc Provided<shapes::Store>::execute(std::uint16_t command, const std::byte* arguments,
+                                      std::byte* result) {
+  using ::shapes::StoreCommand;
+  switch (static_cast<StoreCommand>(command)) {
+    case StoreCommand::put: {
+      const auto& slot = *reinterpret_cast<const shapes::StorePutArguments*>(arguments);
+      load(slot.value, scratch_.put_value);
+      implementation_.put(scratch_.put_value);
+      return Errc{};
+    }
+    case StoreCommand::choose: {
+      const auto& slot = *reinterpret_cast<const shapes::StoreChooseArguments*>(arguments);
+      load(slot.gain, scratch_.choose_gain);
+      implementation_.choose(scratch_.choose_gain);
+      return Errc{};
+    }
+    case StoreCommand::sequences: {
+      auto& slot = *reinterpret_cast<shapes::SequencesSlot*>(result);
+      return store(implementation_.sequences(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case StoreCommand::choices: {
+      auto& slot = *reinterpret_cast<shapes::ChoicesSlot*>(result);
+      return store(implementation_.choices(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case StoreCommand::matrices: {
+      auto& slot = *reinterpret_cast<shapes::MatricesSlot*>(result);
+      return store(implementation_.matrices(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case StoreCommand::reading: {
+      auto& slot = *reinterpret_cast<suture::SlotTuple<double, std::int16_t>*>(result);
+      return store(implementation_.reading(), slot) ? Errc{} : Errc::TooLarge;
+    }
+  }
+  return Errc::Invalid;
+}
+
+}  // namespace suture

@@ -1,0 +1,72 @@
+#pragma once
+// C++ -> slot -> message -> slot -> C++ for any of the types under test.
+
+#include <capnp/message.h>
+#include <capnp/serialize.h>
+#include <gtest/gtest.h>
+#include <suture/base/errors.h>
+#include <suture/base/time.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace shapes {
+
+using suture::Errc;
+
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double kDenormal = std::numeric_limits<double>::denorm_min();
+
+/// Equal to the bit: NaN is NaN, and -0 is not 0.
+inline bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+/// A type, its slot and its message: `Slot` and `Message` are the names that were generated.
+template <class Value, class Slot, class Message>
+struct RoundTrip {
+  /// Encodes the value; the message stays to be looked at and damaged.
+  typename Message::Builder send(const Value& value) {
+    auto sent = std::make_unique<Slot>();
+    EXPECT_TRUE(store(value, *sent));
+    auto out = message->template initRoot<Message>();
+    toWire(*sent, out);
+    return out;
+  }
+
+  Errc receive() {
+    std::memset(static_cast<void*>(slot.get()), 0xa5, sizeof(Slot));  // as a slot in use is
+    return fromWire(message->template getRoot<Message>().asReader(), *slot, suture::Duration{});
+  }
+
+  /// There and back.
+  void carry(const Value& value, Value& received) {
+    send(value);
+    ASSERT_EQ(receive(), Errc{});
+    load(*slot, received);
+  }
+
+  bool accepts(const Value& value) {
+    send(value);
+    EXPECT_EQ(receive(), Errc{});
+    return isValid(*slot);
+  }
+
+  bool fits(const Value& value) const {
+    auto one = std::make_unique<Slot>();
+    return store(value, *one);
+  }
+
+  /// The message as it goes over a wire.
+  std::vector<capnp::byte> bytes() {
+    const auto words = capnp::messageToFlatArray(*message);
+    return {words.asBytes().begin(), words.asBytes().end()};
+  }
+
+  std::unique_ptr<capnp::MallocMessageBuilder> message =
+      std::make_unique<capnp::MallocMessageBuilder>();  // its destructor may throw
+  std::unique_ptr<Slot> slot = std::make_unique<Slot>();
+};
+
+}  // namespace shapes

@@ -1,0 +1,122 @@
+// Types that travel as a struct that nobody declares: their names, and that the lock guards them.
+
+#include "compiler/lock/composites.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "compiler/lock/lock.h"
+#include "compiler/lock/parse.h"
+#include "compiler/lock/writer.h"
+#include "tests/unit/emit/sample_model.h"
+
+namespace suture::compiler::lock {
+namespace {
+
+using model::Scalar;
+using Shape = model::Type::Shape;
+
+model::Type of(Shape shape, std::vector<model::Type> elements) {
+  model::Type type;
+  type.shape = shape;
+  type.element = std::move(elements);
+  type.spelling = "composite";
+  return type;
+}
+
+class CompositesTest : public testing::Test {
+ protected:
+  CompositesTest() { add(of(Shape::Optional, {sample::number()})); }
+
+  void add(model::Type type) {
+    auto& fields = sample::armHeader(model_).structs[0].fields;
+    fields.push_back(sample::field("extra" + std::to_string(fields.size()), std::move(type)));
+  }
+
+  std::string name(const model::Type& type) {
+    const model::Lookup lookup(model_);
+    return compositeName(type, lookup, sample::armHeader(model_));
+  }
+
+  Locks locks() {
+    model::Diagnostics none;
+    return read(update(model_, {}).files, none);
+  }
+
+  Lock lock() { return locks().files.at("robots/arm.capnp"); }
+
+  std::vector<std::string> slugs(const Locks& old) {
+    std::vector<std::string> result;
+    for (const model::Diagnostic& one : check(model_, old)) result.push_back(one.slug);
+    return result;
+  }
+
+  model::Type& last() { return sample::armHeader(model_).structs[0].fields.back().type; }
+
+  model::Model model_ = sample::robots();
+};
+
+TEST_F(CompositesTest, NamesSayWhatTheyAreMadeOf) {
+  const model::Type number = sample::number();
+  const model::Type pose = sample::record("robots::PoseStamped");
+  EXPECT_EQ(name(of(Shape::Optional, {number})), "RobotsArmOptionalFloat64");
+  EXPECT_EQ(name(of(Shape::Map, {sample::text(3), pose})), "RobotsArmEntryOfTextToPoseStamped");
+  EXPECT_EQ(name(of(Shape::Tuple, {sample::matrix(3, 1), sample::listOf(number, 2)})),
+            "RobotsArmTupleOfVec3AndListOfFloat64");
+  EXPECT_EQ(name(of(Shape::Variant, {sample::milliseconds(), sample::steadyTime()})),
+            "RobotsArmEitherOfDuration1Per1000Int64OrSteadyTime");
+}
+
+TEST_F(CompositesTest, BoundsDoNotChangeAName) {
+  EXPECT_EQ(name(of(Shape::Optional, {sample::text(3)})),
+            name(of(Shape::Optional, {sample::text(4)})));
+}
+
+TEST_F(CompositesTest, AlternativesOfOneTypeAreToldApart) {
+  const model::Lookup lookup(model_);
+  const model::Type type =
+      of(Shape::Variant, {sample::number(), sample::text(2), sample::number()});
+  EXPECT_EQ(compositeMembers(type, lookup, sample::armHeader(model_)),
+            (std::vector<std::string>{"float64", "text", "float64At2"}));
+}
+
+TEST_F(CompositesTest, AUnionIsWrittenAndReadBack) {
+  const Lock once = lock();
+  const auto node = std::find_if(once.nodes.begin(), once.nodes.end(), [](const Node& one) {
+    return one.name == "RobotsArmOptionalFloat64";
+  });
+  ASSERT_NE(node, once.nodes.end());
+  EXPECT_TRUE(node->isUnion);
+  ASSERT_EQ(node->members.size(), 2u);
+  EXPECT_EQ(node->members[1].type, "Float64");
+  EXPECT_NE(write(once).find("  union {\n    none @0 :Void;\n"), std::string::npos);
+  EXPECT_EQ(write(parse(once.path, write(once))), write(once));
+}
+
+TEST_F(CompositesTest, TwoUsesShareOneStruct) {
+  add(of(Shape::Optional, {sample::number()}));
+  const Lock once = lock();
+  EXPECT_EQ(std::count_if(once.nodes.begin(), once.nodes.end(),
+                          [](const Node& one) { return one.isUnion; }),
+            1);
+}
+
+TEST_F(CompositesTest, WhatIsInsideIsGuarded) {
+  const Locks old = locks();
+  EXPECT_TRUE(slugs(old).empty());
+  last() = of(Shape::Optional, {sample::scalar(Scalar::Float32)});
+  const std::vector<std::string> found = slugs(old);
+  EXPECT_NE(std::find(found.begin(), found.end(), "lock-break"), found.end());
+}
+
+TEST_F(CompositesTest, AUserTypeOfTheSameNameIsAClash) {
+  model::Struct clash = sample::structure("robots::RobotsArmOptionalFloat64", {});
+  sample::armHeader(model_).structs.push_back(clash);
+  Locks none;
+  const std::vector<std::string> found = slugs(none);
+  EXPECT_NE(std::find(found.begin(), found.end(), "wire-name-clash"), found.end());
+}
+
+}  // namespace
+}  // namespace suture::compiler::lock
