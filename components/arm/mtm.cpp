@@ -31,7 +31,11 @@ Mtm::Mtm(const MtmParameters& parameters)
     : PeriodicTask({.period = parameters.period}), SimulatedArm(model(parameters)) {}
 
 void Mtm::run() {
-  step(suture::now());
+  const suture::Time now = suture::now();
+  face_.advance(now);
+  step(now);
+  face_.publish(now);
+  face_.announce(crtk_.emit());
   announce(arm_.emit());
 }
 

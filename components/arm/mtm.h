@@ -10,6 +10,8 @@
 #include <cstdint>
 
 #include "arm/arm.suture.h"
+#include "arm/crtk_arm.suture.h"
+#include "arm/crtk_face.h"
 #include "arm/simulated_arm.h"
 
 namespace robots {
@@ -33,7 +35,9 @@ class SUTURE_COMPONENT() Mtm final : public suture::PeriodicTask, public Simulat
   void run() override;
 
  private:
+  CrtkFace<7> face_{*this};
   suture::Provided<Arm> arm_{*this, "Arm", *this};
+  suture::Provided<CrtkArm> crtk_{*this, "Crtk", face_};
 };
 
 }  // namespace robots

@@ -28,7 +28,11 @@ Psm::Psm(const PsmParameters& parameters)
     : PeriodicTask({.period = parameters.period}), SimulatedArm(model(parameters)) {}
 
 void Psm::run() {
-  step(suture::now());
+  const suture::Time now = suture::now();
+  face_.advance(now);
+  step(now);
+  face_.publish(now);
+  face_.announce(crtk_.emit());
   announce(arm_.emit());
 }
 

@@ -9,6 +9,8 @@
 #include <chrono>
 
 #include "arm/arm.suture.h"
+#include "arm/crtk_arm.suture.h"
+#include "arm/crtk_face.h"
 #include "arm/simulated_arm.h"
 
 namespace robots {
@@ -32,7 +34,9 @@ class SUTURE_COMPONENT() Psm final : public suture::PeriodicTask, public Simulat
   void run() override;
 
  private:
+  CrtkFace<6> face_{*this};
   suture::Provided<Arm> arm_{*this, "Arm", *this};
+  suture::Provided<CrtkArm> crtk_{*this, "Crtk", face_};
 };
 
 }  // namespace robots

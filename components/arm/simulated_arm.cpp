@@ -3,31 +3,14 @@
 #include <algorithm>
 #include <chrono>
 
+#include "arm/goals.h"
 #include "arm/kinematics/inverse.h"
 
 namespace robots {
 namespace {
 
-constexpr double kRotationTolerance = 1e-6;
-
 double secondsBetween(suture::Time from, suture::Time to) {
   return std::chrono::duration<double>(to - from).count();
-}
-
-bool isPose(const PoseStamped& goal) {
-  const Eigen::Matrix3d rotation = goal.pose.linear();
-  return goal.valid && goal.pose.matrix().allFinite() &&
-         (rotation * rotation.transpose()).isIdentity(kRotationTolerance) &&
-         rotation.determinant() > 0;
-}
-
-template <int N>
-std::optional<Eigen::Matrix<double, N, 1>> toJoints(const JointGoal& goal) {
-  if (goal.position.size() != std::size_t{N}) return std::nullopt;
-  const Eigen::Matrix<double, N, 1> q =
-      Eigen::Map<const Eigen::Matrix<double, N, 1>>(goal.position.data());
-  if (!q.allFinite()) return std::nullopt;
-  return q;
 }
 
 template <int N>
@@ -96,7 +79,7 @@ void SimulatedArm<N>::servo_cp(const PoseStamped& goal) {
 template <int N>
 void SimulatedArm<N>::servo_jp(const JointGoal& goal) {
   if (!mayMove()) return;
-  const auto q = toJoints<N>(goal);
+  const auto q = toJoints<N>(goal.position);
   if (!q) return warn(ArmWarning::Malformed);
   follow(model_.chain.clamp(*q), goal.stamp, "servo_jp");
 }
@@ -104,7 +87,7 @@ void SimulatedArm<N>::servo_jp(const JointGoal& goal) {
 template <int N>
 void SimulatedArm<N>::move_jp(const JointGoal& goal) {
   if (!mayMove()) return;
-  const auto q = toJoints<N>(goal);
+  const auto q = toJoints<N>(goal.position);
   if (!q) return warn(ArmWarning::Malformed);
   if (!model_.chain.within(*q)) return warn(ArmWarning::OutOfReach);
   startMove(*q, false);
@@ -112,7 +95,7 @@ void SimulatedArm<N>::move_jp(const JointGoal& goal) {
 
 template <int N>
 PoseStamped SimulatedArm<N>::forward_kinematics(const JointGoal& goal) const {
-  const auto q = toJoints<N>(goal);
+  const auto q = toJoints<N>(goal.position);
   if (!q) return {};
   return {model_.chain.forward(*q), goal.stamp, true};
 }
@@ -170,7 +153,7 @@ void SimulatedArm<N>::enter(ArmState state, const char* activity) {
 template <int N>
 void SimulatedArm<N>::startMove(const Joints& goal, bool homing) {
   endMove(false);
-  move_.emplace(setpoint_, goal, model_.rate_limit);
+  move_.emplace(setpoint_, goal, moveRatio_ * model_.rate_limit);
   moveStart_ = {};
   homing_ = homing;
   setpointStamp_ = {};

@@ -27,6 +27,9 @@ struct ArmModel {
   double time_constant;  ///< s: how far the measured joints trail the set-point
 };
 
+template <int N>
+class CrtkFace;
+
 /// A set-point that arrives in one cycle acts on the joints from that cycle on; what is measured is
 /// the exact solution at the time of the cycle, so a recording can be checked to rounding. Confined
 /// to one thread; only the constructor allocates.
@@ -69,6 +72,8 @@ class SimulatedArm : public Arm {
   }
 
  private:
+  friend class CrtkFace<N>;  // the rest of the same arm
+
   bool mayMove();
   void warn(ArmWarning reason);
   void enter(ArmState state, const char* activity);
@@ -86,6 +91,7 @@ class SimulatedArm : public Arm {
   std::optional<JointMove<N>> move_;
   suture::Time moveStart_;  // of the cycle that began move_
   bool homing_ = false;
+  double moveRatio_ = 1;  // of the rates that a move may use
 
   JointState measuredJs_, setpointJs_;
   PoseStamped measuredCp_, setpointCp_;

@@ -6,6 +6,7 @@
 
 #include "arm/mtm.h"
 #include "arm/arm.suture.h"
+#include "arm/crtk_arm.suture.h"
 
 namespace suture {
 class JsonReader;

@@ -47,8 +47,13 @@ Chain<N>::Chain(Convention convention, const std::array<Link, std::size_t{N}>& l
 
 template <int N>
 Isometry3d Chain<N>::forward(const Joints& q) const {
+  return link(q, N);
+}
+
+template <int N>
+Isometry3d Chain<N>::link(const Joints& q, int joints) const {
   Isometry3d tip = Isometry3d::Identity();
-  for (int i = 0; i < N; ++i) {
+  for (int i = 0; i < joints; ++i) {
     const Segment& segment = segments_[static_cast<std::size_t>(i)];
     tip = tip * segment.before * motion(segment.kind, q[i]) * segment.after;
   }

@@ -42,6 +42,10 @@ class Chain {
   /// Tool tip in the base frame, translation in m.
   Eigen::Isometry3d forward(const Joints& q) const;
 
+  /// The frame behind the first `joints` joints, 0 to N; N is the tool tip.
+  Eigen::Isometry3d link(const Joints& q, int joints) const;
+  JointKind kind(int joint) const { return segments_[static_cast<std::size_t>(joint)].kind; }
+
   /// Geometric Jacobian (6 x N) of the tool tip in the base frame: rows 0..2 linear velocity of the
   /// tip point (m/s), rows 3..5 angular velocity (rad/s), per unit of joint velocity.
   Jacobian jacobian(const Joints& q) const;

@@ -11,6 +11,7 @@
 
 #include "robots/arm.capnp.h"
 #include "robots/arm.suture.h"
+#include "robots/gripper.suture.h"
 #include "robots/simulated_arm.suture.h"
 
 namespace robots {
@@ -196,6 +197,39 @@ TEST(Parameters, AreReadAndChecked) {
   EXPECT_EQ(read(R"({"rate": 0})", parameters).at(0).pointer, "/rate");
   EXPECT_EQ(read(R"({"start": "Serov"})", parameters).at(0).pointer, "/start");
   EXPECT_EQ(read(R"({"naem": "x"})", parameters).size(), 1u);
+}
+
+TEST(Contract, SeveralValuesKeepTheirPlacesInASlot) {
+  ArmMovedPayload payload;
+  ASSERT_TRUE(store(somePose(), 0.5, Mode::Servo, payload));
+  PoseStamped pose;
+  double speed = 0;
+  Mode mode{};
+  load(payload, pose, speed, mode);
+  expectEqual(pose, somePose());
+  EXPECT_EQ(speed, 0.5);
+  EXPECT_EQ(mode, Mode::Servo);
+  ArmGraspArguments arguments;
+  ASSERT_TRUE(store(0.02, Mode::Disabled, arguments));
+  EXPECT_EQ(arguments.width, 0.02);
+  EXPECT_EQ(arguments.mode, -1);
+}
+
+TEST(Contract, ADerivedOneBeginsWithItsBase) {
+  const suture::InterfaceInfo& base = suture::interfaceInfo<Arm>();
+  const suture::InterfaceInfo& derived = suture::interfaceInfo<Gripper>();
+  ASSERT_NE(derived.base, nullptr);
+  EXPECT_EQ(&derived.base(), &base);
+  ASSERT_GT(derived.commands.size(), base.commands.size());
+  for (std::size_t i = 0; i < base.commands.size(); ++i) {
+    EXPECT_STREQ(derived.commands[i].name, base.commands[i].name);
+    EXPECT_EQ(derived.commands[i].column, base.commands[i].column);
+  }
+  for (std::size_t i = 0; i < base.events.size(); ++i) {
+    EXPECT_STREQ(derived.events[i].name, base.events[i].name);
+  }
+  EXPECT_EQ(base.commands[7].deadline, std::chrono::milliseconds(50));
+  EXPECT_EQ(base.commands[6].deadline, suture::kDefaultDeadline);
 }
 
 TEST(Parameters, ComponentsAreCreatedByClass) {

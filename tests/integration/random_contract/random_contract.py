@@ -33,9 +33,11 @@ def build(project, suture):
     run(["cmake", "--build", project / "build", "-j2"])
 
 
-def call_across_processes(project, suture, seed):
+def call_across_processes(project, suture, seed, server_program=None):
+    """`server_program`: an older one than the client; it lacks what is optional."""
     address = f"unix:{project}/manager.sock"
     program = project / "build" / "invented"
+    verb = "call-older" if server_program else "call"
     started = []
 
     def start(*command, **options):
@@ -46,8 +48,8 @@ def call_across_processes(project, suture, seed):
     try:
         manager = start(suture / "bin" / "suture-manager", "--listen", address, stdout=subprocess.PIPE, text=True)
         assert "ready" in manager.stdout.readline()
-        server = start(program, "serve", address, seed)
-        run([program, "call", address, seed], timeout=60)
+        server = start(server_program or program, "serve", address, seed)
+        run([program, verb, address, seed], timeout=60)
         assert server.poll() is None, "the server died"
         server.send_signal(signal.SIGTERM)
         assert server.wait(timeout=20) == 0, "the server did not end cleanly"
@@ -89,6 +91,15 @@ def main():
         write_types()
         build(project, suture)
         call_across_processes(project, suture, options.seed)
+
+        # Optional commands more: the new client works with the old server.
+        older = shutil.copy(project / "build" / "invented", project / "invented-older")
+        types.optional = True
+        write_types()
+        (project / "main.cpp").write_text(types.program())
+        build(project, suture)
+        call_across_processes(project, suture, options.seed)
+        call_across_processes(project, suture, options.seed, older)
     finally:
         if options.keep is None:
             shutil.rmtree(project, ignore_errors=True)

@@ -31,6 +31,7 @@ class Types:
     def __init__(self, seed):
         self.random = random.Random(seed)
         self.enums = [f"Choice{i}" for i in range(2)]
+        self.optional = False
         self.structs = {}
         for i in range(5):
             self.structs[f"Record{i}"] = [self.field(j) for j in range(self.random.randint(2, 7))]
@@ -124,9 +125,17 @@ class Types:
             lines += [f"  SUTURE_COMMAND() virtual void put_{name}(const {name}& value) = 0;",
                       f"  SUTURE_COMMAND() virtual {result} get_{name}() const = 0;",
                       f"  SUTURE_COMMAND() virtual {name} echo_{name}(const {name}& value) const = 0;",
-                      f"  SUTURE_EVENT() suture::EventOf<{name}> got_{name};"]
-        lines += ["  SUTURE_COMMAND() virtual void finish() = 0;", "  SUTURE_EVENT() suture::EventOf<> finished;",
-                  "};", "", "}  // namespace invented", ""]
+                      f"  SUTURE_COMMAND() virtual {name} swap_{name}(std::int32_t number, const {name}& value, "
+                      "Choice0 choice) = 0;",
+                      f"  SUTURE_EVENT() suture::EventOf<{name}> got_{name};",
+                      f"  SUTURE_EVENT() suture::EventOf<std::int32_t, {name}, Choice0> swapped_{name};"]
+        lines += ["  SUTURE_COMMAND() virtual std::uint32_t swaps() = 0;",
+                  "  SUTURE_COMMAND() virtual void finish() = 0;", "  SUTURE_EVENT() suture::EventOf<> finished;"]
+        if self.optional:
+            lines += ["  SUTURE_COMMAND(optional()) virtual std::uint32_t later() { return 1; }",
+                      "  SUTURE_COMMAND(optional()) virtual void later_void() {}",
+                      "  SUTURE_COMMAND(optional()) virtual double later_read() const { return 2; }"]
+        lines += ["};", "", "}  // namespace invented", ""]
         return "\n".join(lines)
 
     def values(self):
@@ -152,8 +161,11 @@ class Types:
         return PROGRAM.replace("@OVERRIDES@", "\n".join(self.override(name) for name in self.structs)) \
                       .replace("@STORED@", "\n".join(f"  {name} {name}_;" for name in self.structs)) \
                       .replace("@SUBSCRIBE@", "\n".join(
-                          f"    arm.on().got_{name}([this](const {name}& value) {{ {name}_ = value; ++events; }});"
+                          f"    arm.on().got_{name}([this](const {name}& value) {{ {name}_ = value; ++events; }});\n"
+                          f"    arm.on().swapped_{name}([this](const std::int32_t& n, const {name}& value, "
+                          f"const Choice0& c) {{ {name}_ = value; number = n; choice = c; ++events; }});"
                           for name in self.structs)) \
+                      .replace("@OPTIONAL@", OPTIONAL if self.optional else "") \
                       .replace("@CHECKS@", "\n".join(f"    CHECK_ALL({name})" for name in self.structs))
 
     def override(self, name):
@@ -161,8 +173,29 @@ class Types:
         return (f"  void put_{name}(const {name}& value) override {{ {name}_ = value; "
                 f"if (!port_.emit().got_{name}(value)) std::abort(); }}\n"
                 f"  {result} get_{name}() const override {{ return {name}_; }}\n"
-                f"  {name} echo_{name}(const {name}& value) const override {{ return value; }}")
+                f"  {name} echo_{name}(const {name}& value) const override {{ return value; }}\n"
+                f"  {name} swap_{name}(std::int32_t number, const {name}& value, Choice0 choice) override {{\n"
+                f"    ++swaps_;\n"
+                f"    if (!port_.emit().swapped_{name}(number, value, choice)) std::abort();\n"
+                f"    return std::exchange({name}_, value);\n  }}")
 
+
+# What a client finds that knows optional commands: at a provider of its own age, and at an older one.
+OPTIONAL = r'''
+  const auto later = client.arm.later.start().within(10s);
+  const auto later_void = client.arm.later_void();
+  const auto later_read = client.arm.later_read.fresh().within(10s);
+  if (older) {
+    CHECK(!later && later.error() == suture::Errc::NotImplemented);
+    CHECK(!later_void && later_void.error() == suture::Errc::NotImplemented);
+    CHECK(!later_read && later_read.error() == suture::Errc::NotImplemented);
+    CHECK(client.arm.later_read().error() == suture::Errc::NotImplemented);
+  } else {
+    CHECK(later && *later == 1);
+    CHECK(later_void);
+    CHECK(later_read && *later_read == 2);
+  }
+'''
 
 PROGRAM = r'''
 #include <suture/component/device.h>
@@ -174,6 +207,7 @@ PROGRAM = r'''
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <utility>
 
 #include "invented.suture.h"
 #include "invented_values.h"
@@ -185,11 +219,13 @@ using namespace std::chrono_literals;
 class Server final : public suture::EventTask, public Invented {
  public:
 @OVERRIDES@
+  std::uint32_t swaps() override { return swaps_; }
   void finish() override { port_.emit().finished(); }
 
  private:
   void run() override {}
 @STORED@
+  std::uint32_t swaps_ = 0;
   suture::Provided<Invented> port_{*this, "Invented", *this};
 };
 
@@ -201,6 +237,8 @@ struct Client final : suture::Device {
   suture::Required<Invented> arm{*this, "Invented"};
 @STORED@
   int events = 0;
+  std::int32_t number = 0;
+  Choice0 choice{};
   bool finished = false;
 };
 
@@ -225,14 +263,23 @@ struct Client final : suture::Device {
     CHECK(client.events == before + 1 && same(client.T##_, value));   \
     const auto fresh = client.arm.get_##T.fresh().within(10s);        \
     CHECK(fresh && same(*fresh, value));                              \
+    T other;                                                          \
+    fill(other, random);                                              \
+    const auto old = client.arm.swap_##T.start(round, other, Choice0::Third).within(10s); \
+    CHECK(old && same(*old, value));                                  \
+    while (client.events == before + 1 && suture::now() < until) client.waitForEvents(until); \
+    CHECK(client.events == before + 2 && same(client.T##_, other));   \
+    CHECK(client.number == round && client.choice == Choice0::Third); \
   }
 
-int call(Client& client, unsigned seed) {
+int call(Client& client, unsigned seed, [[maybe_unused]] bool older) {
   Random random(seed);
   for (int round = 0; round < 20; ++round) {
 @CHECKS@
   }
   const int round = -1;
+  CHECK(*client.arm.swaps.start().within(10s) >= 20);
+@OPTIONAL@
   CHECK(client.arm.finish.start().within(10s));
   const auto until = suture::now() + 10s;
   while (!client.finished && suture::now() < until) client.waitForEvents(until);
@@ -265,7 +312,8 @@ int main(int argc, char** argv) {
   manager.add("Client", client);
   manager.start();
   manager.connect("Client/Invented", "server:Server/Invented");
-  const int status = invented::call(client, static_cast<unsigned>(std::atoi(argv[3])));
+  const int status = invented::call(client, static_cast<unsigned>(std::atoi(argv[3])),
+                                    std::strcmp(argv[1], "call-older") == 0);
   manager.stop();
   return status;
 }

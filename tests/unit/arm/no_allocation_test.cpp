@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "arm/crtk_face.h"
 #include "arm/kinematics/davinci.h"
 #include "arm/simulated_arm.h"
 
@@ -55,6 +56,59 @@ TEST(SimulatedArm, NeverAllocatesInItsCycle) {
       arm.servo_cp(goal);
     }
     arm.step(time);
+    arm.announce(Silent{});
+  }
+  EXPECT_EQ(allocations - before, 0u);
+}
+
+struct SilentCrtk {
+  void operating_state(const OperatingState&) {}
+  void goal_reached(bool) {}
+  void desired_state(ArmState) {}
+  void gravity_compensation(bool) {}
+  void trajectory_j_ratio(double) {}
+  void trajectory_j_ratio_v(double) {}
+  void trajectory_j_ratio_a(double) {}
+  void status(const Message&) {}
+  void warning(const Message&) {}
+  void error(const Message&) {}
+};
+
+TEST(CrtkFace, NeverAllocatesInItsCycle) {
+  using Joints = ArmModel<7>::Joints;
+  SimulatedArm<7> arm({.chain = kinematics::mtmLeft(),
+                       .joint_names = {"a", "b", "c", "d", "e", "f", "g"},
+                       .parked = Joints::Constant(0.1),
+                       .home = Joints::Constant(0.2),
+                       .rate_limit = Joints::Constant(4),
+                       .time_constant = 0.01});
+  CrtkFace<7> crtk(arm);
+  const JointGoal step{std::vector<double>(7, 0.001), {}};
+  JointVelocityGoal velocity;
+  velocity.goal.assign(7, 0.1);
+  const TwistGoal twist;
+  const WrenchGoal wrench;
+  const std::string unknown = "no such command";
+  suture::Time time = suture::fromNanoseconds(1);
+  const std::size_t before = allocations;
+
+  crtk.enable();
+  for (int i = 0; i < 1000; ++i) {
+    time += std::chrono::milliseconds(1);
+    switch (i / 100) {
+      case 0: crtk.move_jr(step); break;
+      case 1: crtk.servo_jr(step); break;
+      case 2: crtk.servo_jv(velocity); break;
+      case 3: crtk.servo_cv(twist); break;
+      case 4: crtk.body_servo_cf(wrench); break;
+      case 5: crtk.move_cp(crtk.setpoint_cp()); break;
+      case 6: crtk.state_command(unknown); break;
+      default: crtk.free();
+    }
+    crtk.advance(time);
+    arm.step(time);
+    crtk.publish(time);
+    crtk.announce(SilentCrtk{});
     arm.announce(Silent{});
   }
   EXPECT_EQ(allocations - before, 0u);

@@ -107,5 +107,126 @@ TEST(Queues, TtlIsPositive) {
   EXPECT_EQ(slugs(withCommand(command)), Slugs{"ttl-range"});
 }
 
+TEST(Kinds, AReplacedCallHasNoAnswer) {
+  model::Command next = read("next", number());
+  next.kind = model::CommandKind::VoidReturn;
+  EXPECT_EQ(slugs(withCommand(next)), Slugs{});
+  next.latest = true;
+  EXPECT_EQ(slugs(withCommand(next)), Slugs{"latest-with-result"});
+}
+
+TEST(Kinds, DeadlinesArePositiveAndForAnswers) {
+  model::Command move = write("move_to", number());
+  move.deadlineNanoseconds = 1;
+  EXPECT_EQ(slugs(withCommand(move)), Slugs{});
+  move.deadlineNanoseconds = 0;
+  EXPECT_EQ(slugs(withCommand(move)), Slugs{"deadline-range"});
+  model::Command speed = read("speed", number());
+  speed.deadlineNanoseconds = 1;
+  EXPECT_EQ(slugs(withCommand(speed)), Slugs{"deadline-on-read"});
+}
+
+TEST(Kinds, ConcurrentAndDirectAreForSomeKindsOnly) {
+  model::Command fits = write("fits", number());
+  fits.concurrent = true;
+  EXPECT_EQ(slugs(withCommand(fits)), Slugs{"concurrent-kind"});
+  fits.kind = model::CommandKind::QualifiedRead;
+  fits.result = number();
+  EXPECT_EQ(slugs(withCommand(fits)), Slugs{});
+  model::Command servo = write("servo", number());
+  servo.direct = true;
+  EXPECT_EQ(slugs(withCommand(servo)), Slugs{});
+  servo.latest = true;
+  EXPECT_EQ(slugs(withCommand(servo)), Slugs{"direct-kind"});
+}
+
+TEST(Lifecycle, SinceIsAVersionOfTheContract) {
+  for (const unsigned since : {0u, 1u, 2u, 3u}) {
+    model::Command command = write("servo", number());
+    command.lifecycle.since = since;
+    model::Header one = withCommand(command);
+    one.interfaces[0].version = 2;
+    EXPECT_EQ(slugs(one), since == 1 || since == 2 ? Slugs{} : Slugs{"since-version"}) << since;
+  }
+}
+
+TEST(Inheritance, WhatIsInheritedIsJudgedOnce) {
+  model::Header two = withCommand(write("say", text(std::nullopt)));
+  model::Interface derived = two.interfaces[0];
+  for (model::Command& command : derived.commands) command.inheritedFrom = derived.name;
+  for (model::Event& event : derived.events) event.inheritedFrom = derived.name;
+  derived.name = "demo::Derived";
+  derived.wireName = "Derived";
+  two.interfaces.push_back(derived);
+  EXPECT_EQ(slugs(two), Slugs{"unbounded-contract"});
+}
+
+TEST(Inheritance, NewNamesMustDifferFromInheritedOnes) {
+  model::Header two = header();
+  model::Interface derived = two.interfaces[0];
+  for (model::Command& command : derived.commands) command.inheritedFrom = derived.name;
+  derived.events.clear();
+  derived.name = "demo::Derived";
+  derived.wireName = "Derived";
+  derived.commands.push_back(write("move", number()));
+  two.interfaces.push_back(derived);
+  EXPECT_EQ(slugs(two), Slugs{"wire-name-clash"});
+}
+
+TEST(Components, InterfacesHaveNamesOfTheirOwn) {
+  model::Header one = header();
+  model::Component component;
+  component.name = "demo::Twice";
+  component.ports.resize(2);
+  component.ports[0].provided = component.ports[1].provided = true;
+  component.ports[0].name = component.ports[1].name = "Arm";
+  one.components = {component};
+  EXPECT_EQ(slugs(one), Slugs{"interface-name-clash"});
+  one.components[0].ports[1].provided = false;  // one of each kind is fine
+  EXPECT_EQ(slugs(one), Slugs{});
+  one.components[0].ports[1].maxAgeNanoseconds = 0;
+  EXPECT_EQ(slugs(one), Slugs{"max-age-range"});
+}
+
+model::Header crtkWith(model::Command command) {
+  model::Header one = withCommand(std::move(command));
+  one.interfaces[0].commands.erase(one.interfaces[0].commands.begin(),
+                                   one.interfaces[0].commands.begin() + 2);
+  one.interfaces[0].events.clear();
+  one.interfaces[0].crtk = true;
+  return one;
+}
+
+model::Type pose() {
+  model::Type type = number();
+  type.shape = model::Type::Shape::Isometry;
+  return type;
+}
+
+TEST(Crtk, NamesAreLevelAndSpace) {
+  for (const char* name : {"measured_cp", "measured2_cp", "setpoint_cp", "goal_cp",
+                           "local_measured_cp", "jaw_setpoint_cp"}) {
+    EXPECT_EQ(slugs(crtkWith(read(name, pose()))), Slugs{}) << name;
+  }
+  for (const char* name : {"measured", "measuredx_cp", "measure_cp", "measured_cx", "where_cp",
+                           "measured_jp", "moved_cp"}) {
+    EXPECT_EQ(slugs(crtkWith(read(name, pose()))), Slugs{"crtk-name"}) << name;
+  }
+}
+
+TEST(Crtk, QueriesAreReadsAndMotionIsNot) {
+  EXPECT_EQ(slugs(crtkWith(write("servo_cp", pose()))), Slugs{});
+  EXPECT_EQ(slugs(crtkWith(write("measured_cp", pose()))), Slugs{"crtk-query"});
+  EXPECT_EQ(slugs(crtkWith(read("move_cp", pose()))), Slugs{"crtk-motion"});
+}
+
+TEST(Crtk, PayloadsAreThoseOfTheTable) {
+  EXPECT_EQ(slugs(crtkWith(read("measured_cp", number()))), Slugs{"crtk-payload"});
+  EXPECT_EQ(slugs(crtkWith(write("servo_jp", list(number(), 8)))), Slugs{});
+  EXPECT_EQ(slugs(crtkWith(write("servo_jp", pose()))), Slugs{"crtk-payload"});
+  EXPECT_EQ(slugs(crtkWith(write("state_command", text(8)))), Slugs{});
+  EXPECT_EQ(slugs(crtkWith(write("state_command", number()))), Slugs{"crtk-payload"});
+}
+
 }  // namespace
 }  // namespace suture::compiler::check::samples

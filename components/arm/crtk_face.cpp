@@ -1,0 +1,450 @@
+#include "arm/crtk_face.h"
+
+#include <chrono>
+#include <cmath>
+#include <iterator>
+
+#include "arm/goals.h"
+#include "arm/kinematics/inverse.h"
+
+namespace robots {
+namespace {
+
+constexpr suture::Duration kStreamSilence = std::chrono::milliseconds(100);
+
+// How hard the simulated arm is to push. Of a joint; along and about the axes of the tip.
+constexpr double kJointDamping = 2.0;  // N.m.s/rad, N.s/m
+constexpr double kTipDamping = 50.0;   // N.s/m
+constexpr double kTwistDamping = 1.0;  // N.m.s/rad
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+Vector6 masked(const Eigen::Vector3d& linear, const Eigen::Vector3d& angular,
+               const std::array<bool, 6>& mask) {
+  Vector6 result;
+  result << linear, angular;
+  for (int i = 0; i < 6; ++i) result[i] *= mask[static_cast<std::size_t>(i)] ? 1 : 0;
+  return result;
+}
+
+Vector6 rotated(const Eigen::Matrix3d& rotation, const Vector6& vector) {
+  Vector6 result;
+  result << rotation * vector.head<3>(), rotation * vector.tail<3>();
+  return result;
+}
+
+void blank(Jacobian& jacobian, int joints) {
+  jacobian.joints = static_cast<std::uint32_t>(joints);
+  jacobian.coefficients.assign(6 * static_cast<std::size_t>(joints), 0.0);
+}
+
+template <class Matrix>
+void place(Jacobian& jacobian, const Matrix& matrix, suture::Time stamp) {
+  Matrix::Map(jacobian.coefficients.data()) = matrix;
+  jacobian.stamp = stamp;
+  jacobian.valid = true;
+}
+
+void place(Twist& twist, const Vector6& value, suture::Time stamp) {
+  twist.linear = value.head<3>();
+  twist.angular = value.tail<3>();
+  twist.stamp = stamp;
+  twist.valid = true;
+}
+
+void place(Wrench& wrench, const Vector6& value, suture::Time stamp) {
+  wrench.force = value.head<3>();
+  wrench.torque = value.tail<3>();
+  wrench.stamp = stamp;
+  wrench.valid = true;
+}
+
+}  // namespace
+
+template <int N>
+CrtkFace<N>::CrtkFace(SimulatedArm<N>& arm) : arm_(arm), goalJs_(arm.setpoint_js()) {
+  const ArmModel<N>& model = arm_.model_;
+  baseFrame_.valid = true;
+  for (int i = 0; i < N; ++i) {
+    const double rate = model.rate_limit[i];
+    configuration_.name.emplace_back(model.joint_names[static_cast<std::size_t>(i)]);
+    configuration_.type.push_back(model.chain.kind(i) == kinematics::JointKind::Revolute
+                                      ? JointType::Revolute
+                                      : JointType::Prismatic);
+    configuration_.position_min.push_back(model.chain.lower()[i]);
+    configuration_.position_max.push_back(model.chain.upper()[i]);
+    configuration_.velocity_min.push_back(-rate);
+    configuration_.velocity_max.push_back(rate);
+  }
+  configuration_.valid = true;
+  blank(bodyJacobian_, N);
+  blank(spatialJacobian_, N);
+  moveGoal_.position.reserve(kMaxJoints);
+  message_.text.reserve(127);
+}
+
+// --- the state machine
+
+template <int N>
+void CrtkFace<N>::enable() {
+  desired_ = ArmState::Enabled;
+  arm_.enable();
+}
+
+template <int N>
+void CrtkFace<N>::disable() {
+  desired_ = ArmState::Disabled;
+  arm_.disable();
+}
+
+template <int N>
+void CrtkFace<N>::pause() {
+  if (arm_.state_.state != ArmState::Enabled) {
+    error_ = "pause: the arm is not enabled";
+    return;
+  }
+  desired_ = ArmState::Paused;
+  arm_.endMove(false);
+  arm_.setpoint_ = arm_.dynamics_.measured();
+  arm_.setpointStamp_ = {};
+  arm_.enter(ArmState::Paused, "paused");
+}
+
+template <int N>
+void CrtkFace<N>::resume() {
+  if (arm_.state_.state != ArmState::Paused) {
+    error_ = "resume: the arm is not paused";
+    return;
+  }
+  desired_ = ArmState::Enabled;
+  arm_.enter(ArmState::Enabled, "holding");
+}
+
+template <int N>
+void CrtkFace<N>::home() {
+  arm_.home();
+}
+
+template <int N>
+void CrtkFace<N>::unhome() {
+  arm_.state_.is_homed = false;
+  arm_.state_.stamp = suture::now();
+  arm_.stateChanged_ = true;
+}
+
+template <int N>
+void CrtkFace<N>::state_command(const std::string& name) {
+  struct Entry {
+    std::string_view name;
+    void (CrtkFace::*command)();
+  };
+  static constexpr Entry kCommands[] = {
+      {"enable", &CrtkFace::enable}, {"disable", &CrtkFace::disable}, {"pause", &CrtkFace::pause},
+      {"resume", &CrtkFace::resume}, {"home", &CrtkFace::home},       {"unhome", &CrtkFace::unhome},
+  };
+  const auto found = std::find_if(std::begin(kCommands), std::end(kCommands),
+                                  [&](const Entry& entry) { return entry.name == name; });
+  if (found == std::end(kCommands)) {
+    error_ = "state_command: enable, disable, pause, resume, home or unhome";
+  } else {
+    (this->*found->command)();
+  }
+}
+
+// --- frames
+
+template <int N>
+PoseStamped CrtkFace<N>::inReference(PoseStamped pose) const {
+  pose.pose = baseFrame_.pose * pose.pose;
+  return pose;
+}
+
+template <int N>
+PoseStamped CrtkFace<N>::inBase(PoseStamped pose) const {
+  pose.pose = baseFrame_.pose.inverse() * pose.pose;
+  return pose;
+}
+
+template <int N>
+void CrtkFace<N>::set_base_frame(const PoseStamped& frame) {
+  if (!isPose(frame)) return arm_.warn(ArmWarning::Malformed);
+  baseFrame_ = frame;
+}
+
+// From the set-point as the commands of this cycle have left it.
+template <int N>
+PoseStamped CrtkFace<N>::stepped(const PoseStamped& step) const {
+  PoseStamped goal{arm_.model_.chain.forward(arm_.setpoint_), step.stamp, step.valid};
+  goal.pose.translation() += baseFrame_.pose.linear().transpose() * step.pose.translation();
+  goal.pose.linear() = goal.pose.linear() * step.pose.linear();
+  return goal;
+}
+
+// --- motion
+
+template <int N>
+void CrtkFace<N>::free() {
+  if (arm_.mayMove()) begin(Stream::Free, "free");
+}
+
+template <int N>
+void CrtkFace<N>::use_gravity_compensation(bool use) {
+  gravityCompensation_ = use;
+  gravityChanged_ = true;
+}
+
+template <int N>
+void CrtkFace<N>::servo_jr(const JointGoal& step) {
+  if (!arm_.mayMove()) return;
+  const auto q = toJoints<N>(step.position);
+  if (!q) return arm_.warn(ArmWarning::Malformed);
+  arm_.follow(arm_.model_.chain.clamp(arm_.setpoint_ + *q), step.stamp, "servo_jr");
+}
+
+template <int N>
+void CrtkFace<N>::servo_jv(const JointVelocityGoal& goal) {
+  if (!arm_.mayMove()) return;
+  const auto rate = toJoints<N>(goal.goal);
+  if (!rate) return arm_.warn(ArmWarning::Malformed);
+  begin(Stream::Joints, "servo_jv");
+  rate_ = rate->cwiseMax(-arm_.model_.rate_limit).cwiseMin(arm_.model_.rate_limit);
+}
+
+template <int N>
+void CrtkFace<N>::servo_jf(const JointEffortGoal& goal) {
+  if (!arm_.mayMove()) return;
+  const auto effort = toJoints<N>(goal.effort);
+  if (!effort) return arm_.warn(ArmWarning::Malformed);
+  begin(Stream::Joints, "servo_jf");
+  rate_ =
+      (*effort / kJointDamping).cwiseMax(-arm_.model_.rate_limit).cwiseMin(arm_.model_.rate_limit);
+}
+
+template <int N>
+void CrtkFace<N>::servo_cr(const PoseStamped& step) {
+  if (!isPose(step)) return arm_.warn(ArmWarning::Malformed);
+  arm_.servo_cp(stepped(step));
+}
+
+template <int N>
+void CrtkFace<N>::servo_cv(const TwistGoal& goal) {
+  const Eigen::Quaterniond toReference(baseFrame_.pose.linear());
+  const Vector6 twist = masked(goal.linear, goal.angular, goal.mask);
+  drive(Stream::SpatialTwist, rotated(toReference.conjugate().toRotationMatrix(), twist),
+        "servo_cv");
+}
+
+template <int N>
+void CrtkFace<N>::body_servo_cf(const WrenchGoal& goal) {
+  push(goal, Stream::BodyTwist);
+}
+
+template <int N>
+void CrtkFace<N>::spatial_servo_cf(const WrenchGoal& goal) {
+  push(goal, Stream::SpatialTwist);
+}
+
+template <int N>
+void CrtkFace<N>::push(const WrenchGoal& goal, Stream stream) {
+  const Vector6 force = masked(goal.force, goal.torque, goal.mask);
+  Vector6 twist;
+  twist << force.head<3>() / kTipDamping, force.tail<3>() / kTwistDamping;
+  drive(stream, twist, "servo_cf");
+  if (streaming()) force_ = force;
+}
+
+template <int N>
+void CrtkFace<N>::drive(Stream stream, const Vector6& twist, const char* activity) {
+  if (!arm_.mayMove()) return;
+  if (!twist.allFinite()) return arm_.warn(ArmWarning::Malformed);
+  begin(stream, activity);
+  twist_ = twist;
+}
+
+template <int N>
+void CrtkFace<N>::move_jr(const JointGoal& step) {
+  moveGoal_.position = step.position;
+  moveGoal_.stamp = step.stamp;
+  for (std::size_t i = 0; i < step.position.size() && i < std::size_t{N}; ++i) {
+    moveGoal_.position[i] += arm_.setpoint_[static_cast<Eigen::Index>(i)];
+  }
+  arm_.move_jp(moveGoal_);
+}
+
+template <int N>
+void CrtkFace<N>::move_cr(const PoseStamped& step) {
+  if (!isPose(step)) return arm_.warn(ArmWarning::Malformed);
+  moveTo(stepped(step));
+}
+
+template <int N>
+void CrtkFace<N>::moveTo(const PoseStamped& goal) {
+  if (!arm_.mayMove()) return;
+  if (!isPose(goal)) return arm_.warn(ArmWarning::Malformed);
+  const auto solution = kinematics::inverse(arm_.model_.chain, goal.pose, arm_.setpoint_);
+  if (!solution.found) return arm_.warn(ArmWarning::OutOfReach);
+  arm_.startMove(solution.q, false);
+}
+
+// The duration of a minimum-jerk move goes with 1 / velocity and with 1 / sqrt(acceleration).
+template <int N>
+void CrtkFace<N>::setRatios(double velocity, double acceleration) {
+  ratioV_ = velocity;
+  ratioA_ = acceleration;
+  arm_.moveRatio_ = std::min(velocity, std::sqrt(acceleration));
+  ratiosChanged_ = true;
+}
+
+// --- questions
+
+template <int N>
+PoseStamped CrtkFace<N>::forward_kinematics(const JointGoal& q) const {
+  return inReference(arm_.forward_kinematics(q));
+}
+
+template <int N>
+JointSolution CrtkFace<N>::inverse_kinematics(const PoseStamped& goal) const {
+  return arm_.inverse_kinematics(inBase(goal));
+}
+
+template <int N>
+PoseStamped CrtkFace<N>::local_query_cp(const JointGoal& q) const {
+  if (q.position.size() > std::size_t{N}) return {};
+  Joints joints = Joints::Zero();
+  std::copy(q.position.begin(), q.position.end(), joints.data());
+  if (!joints.allFinite()) return {};
+  return {arm_.model_.chain.link(joints, static_cast<int>(q.position.size())), q.stamp, true};
+}
+
+// --- streams
+
+template <int N>
+void CrtkFace<N>::begin(Stream stream, const char* activity) {
+  arm_.follow(arm_.setpoint_, {}, activity);
+  stream_ = stream;
+  activity_ = activity;
+  force_.reset();
+  commanded_ = true;
+}
+
+template <int N>
+bool CrtkFace<N>::streaming() const {
+  return stream_ != Stream::None && arm_.state_.state == ArmState::Enabled &&
+         arm_.state_.sub_state == activity_;
+}
+
+template <int N>
+void CrtkFace<N>::advance(suture::Time now) {
+  periods_.cycle(now);
+  const double dt =
+      lastCycle_ == suture::Time{} ? 0 : std::chrono::duration<double>(now - lastCycle_).count();
+  lastCycle_ = now;
+  if (commanded_) lastCommand_ = now;
+  commanded_ = false;
+  if (!streaming()) {
+    stream_ = Stream::None;
+    force_.reset();
+    return;
+  }
+  if (stream_ == Stream::Free) {
+    arm_.setpoint_ = arm_.dynamics_.measured();
+  } else if (now - lastCommand_ > kStreamSilence) {
+    arm_.hold();
+  } else if (stream_ == Stream::Joints) {
+    arm_.setpoint_ = arm_.model_.chain.clamp(arm_.setpoint_ + dt * rate_);
+  } else {
+    stepTwist(dt);
+  }
+}
+
+template <int N>
+void CrtkFace<N>::stepTwist(double dt) {
+  Eigen::Isometry3d pose = arm_.model_.chain.forward(arm_.setpoint_);
+  const Vector6 twist = stream_ == Stream::BodyTwist ? rotated(pose.linear(), twist_) : twist_;
+  const Eigen::Vector3d angle = dt * twist.template tail<3>();
+  pose.translation() += dt * twist.template head<3>();
+  if (angle.norm() > 0) {
+    pose.linear() = Eigen::AngleAxisd(angle.norm(), angle.normalized()) * pose.linear();
+  }
+  const auto solution = kinematics::inverse(arm_.model_.chain, pose, arm_.setpoint_);
+  if (!solution.found) return arm_.warn(ArmWarning::OutOfReach);
+  arm_.setpoint_ = solution.q;
+}
+
+// --- reads and events
+
+template <int N>
+void CrtkFace<N>::publish(suture::Time now) {
+  publishMotion(now);
+  publishForce(now);
+  publishGoal(now);
+}
+
+template <int N>
+void CrtkFace<N>::publishMotion(suture::Time now) {
+  const Eigen::Matrix3d tip = arm_.measured_cp().pose.linear();
+  const Eigen::Matrix3d toReference = baseFrame_.pose.linear();
+  const Eigen::Matrix<double, 6, N> spatial = arm_.model_.chain.jacobian(arm_.dynamics_.measured());
+  Eigen::Matrix<double, 6, N> body;
+  body << tip.transpose() * spatial.template topRows<3>(),
+      tip.transpose() * spatial.template bottomRows<3>();
+  place(spatialJacobian_, spatial, now);
+  place(bodyJacobian_, body, now);
+  const Vector6 velocity = spatial * arm_.dynamics_.velocity();
+  place(measuredCv_, rotated(toReference, velocity), now);
+  Vector6 wanted = Vector6::Zero();
+  if (streaming() && stream_ == Stream::Joints) wanted = spatial * rate_;
+  if (streaming() && stream_ == Stream::SpatialTwist) wanted = twist_;
+  if (streaming() && stream_ == Stream::BodyTwist) wanted = rotated(tip, twist_);
+  place(setpointCv_, rotated(toReference, wanted), now);
+}
+
+template <int N>
+void CrtkFace<N>::publishForce(suture::Time now) {
+  const Eigen::Matrix3d tip = arm_.measured_cp().pose.linear();
+  const Vector6 force = force_.value_or(Vector6::Zero());
+  const bool isBody = stream_ == Stream::BodyTwist;
+  place(bodyCf_, isBody ? force : rotated(tip.transpose(), force), now);
+  place(spatialCf_, isBody ? rotated(tip, force) : force, now);
+  const Eigen::Matrix3d toReference = baseFrame_.pose.linear();
+  measuredCs_.position = measured_cp().pose;
+  measuredCs_.linear_velocity = measuredCv_.linear;
+  measuredCs_.angular_velocity = measuredCv_.angular;
+  measuredCs_.force = toReference * spatialCf_.force;
+  measuredCs_.torque = toReference * spatialCf_.torque;
+  measuredCs_.position_is_valid = measuredCs_.velocity_is_valid = true;
+  measuredCs_.force_is_valid = true;
+  measuredCs_.stamp = now;
+}
+
+template <int N>
+void CrtkFace<N>::publishGoal(suture::Time now) {
+  const Joints goal = arm_.move_ ? arm_.move_->at(arm_.move_->duration()) : arm_.setpoint_;
+  std::copy_n(goal.data(), N, goalJs_.position.begin());
+  goalJs_.stamp = now;
+  goalJs_.valid = true;
+  goalCp_ = {arm_.model_.chain.forward(goal), now, true};
+}
+
+template <int N>
+std::string_view CrtkFace<N>::textOf(ArmWarning warning) {
+  switch (warning) {
+    case ArmWarning::NotEnabled: return "motion needs an enabled arm";
+    case ArmWarning::OutOfReach: return "no joint vector within limits reaches the goal";
+    case ArmWarning::Malformed: return "the goal has the wrong length or is not finite or no pose";
+  }
+  return "";
+}
+
+template <int N>
+const Message& CrtkFace<N>::compose(std::string_view text) {
+  message_.text = text;
+  ++message_.counter;
+  message_.stamp = suture::now();
+  return message_;
+}
+
+template class CrtkFace<6>;
+template class CrtkFace<7>;
+
+}  // namespace robots

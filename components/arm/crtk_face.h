@@ -1,0 +1,160 @@
+#pragma once
+// The complete CRTK interface of a simulated arm, beside the small one that it implements itself.
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <optional>
+#include <string_view>
+
+#include "arm/crtk_arm.h"
+#include "arm/period_statistics.h"
+#include "arm/simulated_arm.h"
+
+namespace robots {
+
+/// Commands, reads and the two below belong to the arm's thread; nothing but the constructor
+/// allocates. Simulated joints have no mass: an effort moves them at a speed proportional to it.
+template <int N>
+class CrtkFace final : public CrtkArm {
+ public:
+  using Joints = Eigen::Matrix<double, N, 1>;
+
+  /// `arm` outlives it.
+  explicit CrtkFace(SimulatedArm<N>& arm);
+
+  const JointConfiguration& configuration_js() const override { return configuration_; }
+  const OperatingState& operating_state() const override { return arm_.operating_state(); }
+  IntervalStatistics period_statistics() const override { return periods_.last(); }
+  void enable() override;
+  void disable() override;
+  void pause() override;
+  void resume() override;
+  void home() override;
+  void unhome() override;
+  void state_command(const std::string& name) override;
+
+  const JointState& measured_js() const override { return arm_.measured_js(); }
+  const JointState& setpoint_js() const override { return arm_.setpoint_js(); }
+  const JointState& goal_js() const override { return goalJs_; }
+  PoseStamped measured_cp() const override { return inReference(arm_.measured_cp()); }
+  PoseStamped setpoint_cp() const override { return inReference(arm_.setpoint_cp()); }
+  PoseStamped goal_cp() const override { return inReference(goalCp_); }
+  PoseStamped local_measured_cp() const override { return arm_.measured_cp(); }
+  PoseStamped local_setpoint_cp() const override { return arm_.setpoint_cp(); }
+  const Twist& measured_cv() const override { return measuredCv_; }
+  const Twist& setpoint_cv() const override { return setpointCv_; }
+  const Wrench& body_measured_cf() const override { return bodyCf_; }
+  const Wrench& spatial_measured_cf() const override { return spatialCf_; }
+  const CartesianState& measured_cs() const override { return measuredCs_; }
+  const Jacobian& body_jacobian() const override { return bodyJacobian_; }
+  const Jacobian& spatial_jacobian() const override { return spatialJacobian_; }
+  PoseStamped base_frame() const override { return baseFrame_; }
+  void set_base_frame(const PoseStamped& frame) override;
+
+  void hold() override { arm_.hold(); }
+  void free() override;
+  void use_gravity_compensation(bool use) override;
+  void servo_jp(const JointGoal& goal) override { arm_.servo_jp(goal); }
+  void servo_jr(const JointGoal& step) override;
+  void servo_jv(const JointVelocityGoal& goal) override;
+  void servo_jf(const JointEffortGoal& goal) override;
+  void servo_cp(const PoseStamped& goal) override { arm_.servo_cp(inBase(goal)); }
+  void servo_cr(const PoseStamped& step) override;
+  void servo_cv(const TwistGoal& goal) override;
+  void body_servo_cf(const WrenchGoal& goal) override;
+  void spatial_servo_cf(const WrenchGoal& goal) override;
+  void move_jp(const JointGoal& goal) override { arm_.move_jp(goal); }
+  void move_jr(const JointGoal& step) override;
+  void move_cp(const PoseStamped& goal) override { moveTo(inBase(goal)); }
+  void move_cr(const PoseStamped& step) override;
+  void trajectory_j_set_ratio(double ratio) override { setRatios(ratio, ratio); }
+  void trajectory_j_set_ratio_v(double ratio) override { setRatios(ratio, ratioA_); }
+  void trajectory_j_set_ratio_a(double ratio) override { setRatios(ratioV_, ratio); }
+  double trajectory_j_ratio() const override { return std::min(ratioV_, ratioA_); }
+  double trajectory_j_ratio_v() const override { return ratioV_; }
+  double trajectory_j_ratio_a() const override { return ratioA_; }
+
+  PoseStamped forward_kinematics(const JointGoal& q) const override;
+  JointSolution inverse_kinematics(const PoseStamped& goal) const override;
+  PoseStamped query_cp(const JointGoal& q) const override { return inReference(local_query_cp(q)); }
+  PoseStamped local_query_cp(const JointGoal& q) const override;
+
+  /// Before the arm's step() of a cycle: a stream of velocities or efforts moves the set-point.
+  void advance(suture::Time now);
+  /// After it: evaluates what the reads answer.
+  void publish(suture::Time now);
+
+  /// Tells `events` (what Provided<CrtkArm>::emit() returns) what happened since the last call.
+  /// Before the arm's own announce(), which forgets it.
+  template <class Events>
+  void announce(Events&& events) {
+    if (desired_) events.desired_state(*desired_);
+    if (arm_.stateChanged_) events.operating_state(arm_.state_);
+    if (arm_.moveEnded_) events.goal_reached(*arm_.moveEnded_);
+    if (ratiosChanged_) {
+      events.trajectory_j_ratio(trajectory_j_ratio());
+      events.trajectory_j_ratio_v(ratioV_);
+      events.trajectory_j_ratio_a(ratioA_);
+    }
+    if (gravityChanged_) events.gravity_compensation(gravityCompensation_);
+    if (arm_.stateChanged_) events.status(compose(arm_.state_.sub_state));
+    if (arm_.newWarning_) events.warning(compose(textOf(*arm_.newWarning_)));
+    if (!error_.empty()) events.error(compose(error_));
+    desired_.reset();
+    ratiosChanged_ = gravityChanged_ = false;
+    error_ = {};
+  }
+
+ private:
+  enum class Stream { None, Joints, BodyTwist, SpatialTwist, Free };
+  using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+  static std::string_view textOf(ArmWarning warning);
+  const Message& compose(std::string_view text);
+  PoseStamped inReference(PoseStamped pose) const;
+  PoseStamped inBase(PoseStamped pose) const;
+  PoseStamped stepped(const PoseStamped& step) const;
+  void moveTo(const PoseStamped& goal);
+  void setRatios(double velocity, double acceleration);
+  void begin(Stream stream, const char* activity);
+  bool streaming() const;
+  void drive(Stream stream, const Vector6& twist, const char* activity);
+  void push(const WrenchGoal& goal, Stream stream);
+  void stepTwist(double dt);
+  void publishMotion(suture::Time now);
+  void publishForce(suture::Time now);
+  void publishGoal(suture::Time now);
+
+  SimulatedArm<N>& arm_;
+  PeriodStatistics periods_;
+  PoseStamped baseFrame_;
+  double ratioV_ = 1, ratioA_ = 1;
+  bool gravityCompensation_ = false;
+
+  Stream stream_ = Stream::None;
+  std::string_view activity_;  // of the stream; another activity of the arm has ended it
+  Joints rate_ = Joints::Zero();
+  Vector6 twist_ = Vector6::Zero();
+  std::optional<Vector6> force_;              // that a stream applies, in its own directions
+  bool commanded_ = false;                    // by a command of the stream since the last cycle
+  suture::Time lastCommand_{}, lastCycle_{};  // the cycle that it came in
+
+  JointGoal moveGoal_;  // keeps its memory
+  JointConfiguration configuration_;
+  JointState goalJs_;
+  PoseStamped goalCp_;
+  Twist measuredCv_, setpointCv_;
+  Wrench bodyCf_, spatialCf_;
+  CartesianState measuredCs_;
+  Jacobian bodyJacobian_, spatialJacobian_;
+
+  std::optional<ArmState> desired_;
+  bool ratiosChanged_ = true, gravityChanged_ = true;
+  std::string_view error_;  // of static storage
+  Message message_;
+};
+
+extern template class CrtkFace<6>;
+extern template class CrtkFace<7>;
+
+}  // namespace robots

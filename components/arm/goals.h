@@ -1,0 +1,31 @@
+#pragma once
+// Which goals an arm can act on at all.
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <optional>
+
+#include "robot_types/joints.h"
+#include "robot_types/pose.h"
+
+namespace robots {
+
+/// Finite, and its rotation is one to 1e-6.
+inline bool isPose(const PoseStamped& goal) {
+  constexpr double kRotationTolerance = 1e-6;
+  const Eigen::Matrix3d rotation = goal.pose.linear();
+  return goal.valid && goal.pose.matrix().allFinite() &&
+         (rotation * rotation.transpose()).isIdentity(kRotationTolerance) &&
+         rotation.determinant() > 0;
+}
+
+/// None unless it has N entries, all finite.
+template <int N, class List>
+std::optional<Eigen::Matrix<double, N, 1>> toJoints(const List& list) {
+  if (list.size() != std::size_t{N}) return std::nullopt;
+  const Eigen::Matrix<double, N, 1> q = Eigen::Map<const Eigen::Matrix<double, N, 1>>(list.data());
+  if (!q.allFinite()) return std::nullopt;
+  return q;
+}
+
+}  // namespace robots

@@ -1,0 +1,4125 @@
+// Written by suturec from arm/crtk_arm.h. Do not edit.
+#include "arm/crtk_arm.suture.h"
+
+#include <suture/transport/rpc/binding.h>
+#include <suture/transport/rpc/proxy_port.h>
+#include <suture/transport/rpc/servant_port.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "arm/crtk_arm.capnp.h"
+
+// Defined in robot_types/cartesian.suture.cpp.
+namespace robots {
+void toWire(const CartesianStateSlot& slot, wire::CartesianState::Builder out);
+suture::Errc fromWire(wire::CartesianState::Reader in, CartesianStateSlot& slot,
+                      suture::Duration shift);
+bool isValid(const CartesianStateSlot& slot);
+void toWire(const TwistSlot& slot, wire::Twist::Builder out);
+suture::Errc fromWire(wire::Twist::Reader in, TwistSlot& slot, suture::Duration shift);
+bool isValid(const TwistSlot& slot);
+void toWire(const TwistGoalSlot& slot, wire::TwistGoal::Builder out);
+suture::Errc fromWire(wire::TwistGoal::Reader in, TwistGoalSlot& slot, suture::Duration shift);
+bool isValid(const TwistGoalSlot& slot);
+void toWire(const WrenchSlot& slot, wire::Wrench::Builder out);
+suture::Errc fromWire(wire::Wrench::Reader in, WrenchSlot& slot, suture::Duration shift);
+bool isValid(const WrenchSlot& slot);
+void toWire(const WrenchGoalSlot& slot, wire::WrenchGoal::Builder out);
+suture::Errc fromWire(wire::WrenchGoal::Reader in, WrenchGoalSlot& slot, suture::Duration shift);
+bool isValid(const WrenchGoalSlot& slot);
+}  // namespace robots
+
+// Defined in robot_types/joint_commands.suture.cpp.
+namespace robots {
+void toWire(const JacobianSlot& slot, wire::Jacobian::Builder out);
+suture::Errc fromWire(wire::Jacobian::Reader in, JacobianSlot& slot, suture::Duration shift);
+bool isValid(const JacobianSlot& slot);
+void toWire(const JointConfigurationSlot& slot, wire::JointConfiguration::Builder out);
+suture::Errc fromWire(wire::JointConfiguration::Reader in, JointConfigurationSlot& slot,
+                      suture::Duration shift);
+bool isValid(const JointConfigurationSlot& slot);
+void toWire(const JointEffortGoalSlot& slot, wire::JointEffortGoal::Builder out);
+suture::Errc fromWire(wire::JointEffortGoal::Reader in, JointEffortGoalSlot& slot,
+                      suture::Duration shift);
+bool isValid(const JointEffortGoalSlot& slot);
+void toWire(const JointVelocityGoalSlot& slot, wire::JointVelocityGoal::Builder out);
+suture::Errc fromWire(wire::JointVelocityGoal::Reader in, JointVelocityGoalSlot& slot,
+                      suture::Duration shift);
+bool isValid(const JointVelocityGoalSlot& slot);
+}  // namespace robots
+
+// Defined in robot_types/joints.suture.cpp.
+namespace robots {
+void toWire(const JointGoalSlot& slot, wire::JointGoal::Builder out);
+suture::Errc fromWire(wire::JointGoal::Reader in, JointGoalSlot& slot, suture::Duration shift);
+bool isValid(const JointGoalSlot& slot);
+void toWire(const JointSolutionSlot& slot, wire::JointSolution::Builder out);
+suture::Errc fromWire(wire::JointSolution::Reader in, JointSolutionSlot& slot,
+                      suture::Duration shift);
+bool isValid(const JointSolutionSlot& slot);
+void toWire(const JointStateSlot& slot, wire::JointState::Builder out);
+suture::Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, suture::Duration shift);
+bool isValid(const JointStateSlot& slot);
+}  // namespace robots
+
+// Defined in robot_types/messages.suture.cpp.
+namespace robots {
+void toWire(const IntervalStatisticsSlot& slot, wire::IntervalStatistics::Builder out);
+suture::Errc fromWire(wire::IntervalStatistics::Reader in, IntervalStatisticsSlot& slot,
+                      suture::Duration shift);
+bool isValid(const IntervalStatisticsSlot& slot);
+void toWire(const MessageSlot& slot, wire::Message::Builder out);
+suture::Errc fromWire(wire::Message::Reader in, MessageSlot& slot, suture::Duration shift);
+bool isValid(const MessageSlot& slot);
+}  // namespace robots
+
+// Defined in robot_types/operating_state.suture.cpp.
+namespace robots {
+wire::ArmState wireArmState(std::uint8_t slot);
+suture::Errc fromWire(wire::ArmState in, std::uint8_t& slot);
+void toWire(const OperatingStateSlot& slot, wire::OperatingState::Builder out);
+suture::Errc fromWire(wire::OperatingState::Reader in, OperatingStateSlot& slot,
+                      suture::Duration shift);
+bool isValid(const OperatingStateSlot& slot);
+}  // namespace robots
+
+// Defined in robot_types/pose.suture.cpp.
+namespace robots {
+void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out);
+suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, suture::Duration shift);
+bool isValid(const PoseStampedSlot& slot);
+}  // namespace robots
+
+namespace robots {
+
+using suture::CommandInfo;
+using suture::CommandKind;
+using suture::Duration;
+using suture::Errc;
+using suture::EventInfo;
+using suture::rpc::ProxyPort;
+using suture::rpc::ServantPort;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+constexpr CommandInfo kCrtkArmCommands[] = {
+    {.name = "configuration_js",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(JointConfigurationSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 0},
+    {.name = "operating_state",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(OperatingStateSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 1},
+    {.name = "period_statistics",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(IntervalStatisticsSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 2},
+    {.name = "enable",
+     .kind = CommandKind::Void,
+     .argumentsSize = 0,
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "disable",
+     .kind = CommandKind::Void,
+     .argumentsSize = 0,
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "pause",
+     .kind = CommandKind::Void,
+     .argumentsSize = 0,
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "resume",
+     .kind = CommandKind::Void,
+     .argumentsSize = 0,
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "home",
+     .kind = CommandKind::Void,
+     .argumentsSize = 0,
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "unhome",
+     .kind = CommandKind::Void,
+     .argumentsSize = 0,
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "state_command",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(CrtkArmStateCommandArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "measured_js",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(JointStateSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 3},
+    {.name = "setpoint_js",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(JointStateSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 4},
+    {.name = "goal_js",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(JointStateSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 5},
+    {.name = "measured_cp",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(PoseStampedSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 6},
+    {.name = "setpoint_cp",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(PoseStampedSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 7},
+    {.name = "goal_cp",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(PoseStampedSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 8},
+    {.name = "local_measured_cp",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(PoseStampedSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 9},
+    {.name = "local_setpoint_cp",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(PoseStampedSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 10},
+    {.name = "measured_cv",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(TwistSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 11},
+    {.name = "setpoint_cv",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(TwistSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 12},
+    {.name = "body_measured_cf",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(WrenchSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 13},
+    {.name = "spatial_measured_cf",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(WrenchSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 14},
+    {.name = "measured_cs",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(CartesianStateSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 15},
+    {.name = "body_jacobian",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(JacobianSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 16},
+    {.name = "spatial_jacobian",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(JacobianSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 17},
+    {.name = "base_frame",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(PoseStampedSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 18},
+    {.name = "set_base_frame",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(CrtkArmSetBaseFrameArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "hold",
+     .kind = CommandKind::Void,
+     .argumentsSize = 0,
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "free",
+     .kind = CommandKind::Void,
+     .argumentsSize = 0,
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "use_gravity_compensation",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(CrtkArmUseGravityCompensationArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "servo_jp",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(CrtkArmServoJpArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = true,
+     .ttl = Duration(20'000'000),
+     .column = -1},
+    {.name = "servo_jr",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(CrtkArmServoJrArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(20'000'000),
+     .column = -1},
+    {.name = "servo_jv",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(CrtkArmServoJvArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = true,
+     .ttl = Duration(20'000'000),
+     .column = -1},
+    {.name = "servo_jf",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(CrtkArmServoJfArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = true,
+     .ttl = Duration(20'000'000),
+     .column = -1},
+    {.name = "servo_cp",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(CrtkArmServoCpArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = true,
+     .ttl = Duration(20'000'000),
+     .column = -1},
+    {.name = "servo_cr",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(CrtkArmServoCrArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(20'000'000),
+     .column = -1},
+    {.name = "servo_cv",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(CrtkArmServoCvArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = true,
+     .ttl = Duration(20'000'000),
+     .column = -1},
+    {.name = "body_servo_cf",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(CrtkArmBodyServoCfArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = true,
+     .ttl = Duration(20'000'000),
+     .column = -1},
+    {.name = "spatial_servo_cf",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(CrtkArmSpatialServoCfArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = true,
+     .ttl = Duration(20'000'000),
+     .column = -1},
+    {.name = "move_jp",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(CrtkArmMoveJpArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "move_jr",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(CrtkArmMoveJrArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "move_cp",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(CrtkArmMoveCpArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "move_cr",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(CrtkArmMoveCrArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "trajectory_j_set_ratio",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(CrtkArmTrajectoryJSetRatioArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "trajectory_j_set_ratio_v",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(CrtkArmTrajectoryJSetRatioVArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "trajectory_j_set_ratio_a",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(CrtkArmTrajectoryJSetRatioAArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "trajectory_j_ratio",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(double),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 19},
+    {.name = "trajectory_j_ratio_v",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(double),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 20},
+    {.name = "trajectory_j_ratio_a",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(double),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 21},
+    {.name = "forward_kinematics",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = sizeof(CrtkArmForwardKinematicsArguments),
+     .resultSize = sizeof(PoseStampedSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "inverse_kinematics",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = sizeof(CrtkArmInverseKinematicsArguments),
+     .resultSize = sizeof(JointSolutionSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "query_cp",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = sizeof(CrtkArmQueryCpArguments),
+     .resultSize = sizeof(PoseStampedSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "local_query_cp",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = sizeof(CrtkArmLocalQueryCpArguments),
+     .resultSize = sizeof(PoseStampedSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+};
+
+constexpr EventInfo kCrtkArmEvents[] = {
+    {.name = "operating_state",
+     .payloadSize = sizeof(OperatingStateSlot),
+     .depth = 16,
+     .latest = false,
+     .latched = true},
+    {.name = "desired_state",
+     .payloadSize = sizeof(std::uint8_t),
+     .depth = 16,
+     .latest = false,
+     .latched = true},
+    {.name = "goal_reached",
+     .payloadSize = sizeof(std::uint8_t),
+     .depth = 16,
+     .latest = false,
+     .latched = false},
+    {.name = "gravity_compensation",
+     .payloadSize = sizeof(std::uint8_t),
+     .depth = 16,
+     .latest = false,
+     .latched = true},
+    {.name = "trajectory_j_ratio",
+     .payloadSize = sizeof(double),
+     .depth = 16,
+     .latest = false,
+     .latched = true},
+    {.name = "trajectory_j_ratio_v",
+     .payloadSize = sizeof(double),
+     .depth = 16,
+     .latest = false,
+     .latched = true},
+    {.name = "trajectory_j_ratio_a",
+     .payloadSize = sizeof(double),
+     .depth = 16,
+     .latest = false,
+     .latched = true},
+    {.name = "status",
+     .payloadSize = sizeof(MessageSlot),
+     .depth = 16,
+     .latest = false,
+     .latched = false},
+    {.name = "warning",
+     .payloadSize = sizeof(MessageSlot),
+     .depth = 16,
+     .latest = false,
+     .latched = false},
+    {.name = "error",
+     .payloadSize = sizeof(MessageSlot),
+     .depth = 16,
+     .latest = false,
+     .latched = false},
+};
+
+// The self-description, as in arm/crtk_arm.suture.json.
+constexpr char kCrtkArmDescription[] = R"json({
+  "name": "robots::CrtkArm",
+  "doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. `local_` poses are of the tool tip in the arm's base frame, all others in the reference\nframe, in which base_frame() is the arm's base. A servo command replaces the one before it, of\nwhichever space; a stream of velocities or efforts that falls silent for 0.1 s ends as hold().\nRelative goals are relative to the set-point. What an arm refuses it tells in `warning`.",
+  "hash": "1ff7ffcec601d1592afd8ea68d76934c",
+  "crtk": true,
+  "commands": [
+    {
+      "name": "configuration_js",
+      "kind": "read",
+      "doc": "What the joints are and may do.",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::JointConfiguration"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "operating_state",
+      "kind": "read",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::OperatingState"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "period_statistics",
+      "kind": "read",
+      "doc": "How regularly the arm's task ran in the last second.",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::IntervalStatistics"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "enable",
+      "kind": "void",
+      "doc": "Powers the arm; it holds its position.",
+      "queue": 16
+    },
+    {
+      "name": "disable",
+      "kind": "void",
+      "doc": "Stops at once and ignores motion until enabled again.",
+      "queue": 16
+    },
+    {
+      "name": "pause",
+      "kind": "void",
+      "doc": "Stops where the joints are and ignores motion until resume().",
+      "queue": 16
+    },
+    {
+      "name": "resume",
+      "kind": "void",
+      "queue": 16
+    },
+    {
+      "name": "home",
+      "kind": "void",
+      "doc": "Moves to the home position; needs an enabled arm. Ends with goal_reached.",
+      "queue": 16
+    },
+    {
+      "name": "unhome",
+      "kind": "void",
+      "doc": "Forgets that it is homed.",
+      "queue": 16
+    },
+    {
+      "name": "state_command",
+      "kind": "write",
+      "doc": "One of the six above, by name; anything else is an `error`.",
+      "parameters": [
+        {
+          "name": "name",
+          "type": {
+            "kind": "text",
+            "capacity": 15
+          }
+        }
+      ],
+      "queue": 16
+    },
+    {
+      "name": "measured_js",
+      "kind": "read",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::JointState"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "setpoint_js",
+      "kind": "read",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::JointState"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "goal_js",
+      "kind": "read",
+      "doc": "Where the move under way ends; without one, the set-point.",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::JointState"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "measured_cp",
+      "kind": "read",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::PoseStamped"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "setpoint_cp",
+      "kind": "read",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::PoseStamped"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "goal_cp",
+      "kind": "read",
+      "doc": "Where the move under way ends; without one, the set-point.",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::PoseStamped"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "local_measured_cp",
+      "kind": "read",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::PoseStamped"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "local_setpoint_cp",
+      "kind": "read",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::PoseStamped"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "measured_cv",
+      "kind": "read",
+      "doc": "Of the tip, in the directions of the reference frame.",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::Twist"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "setpoint_cv",
+      "kind": "read",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::Twist"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "body_measured_cf",
+      "kind": "read",
+      "doc": "Force on the tip in its own directions.",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::Wrench"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "spatial_measured_cf",
+      "kind": "read",
+      "doc": "Force on the tip in the directions of the arm's base frame.",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::Wrench"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "measured_cs",
+      "kind": "read",
+      "doc": "Pose, velocity and force of one cycle, in the reference frame.",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::CartesianState"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "body_jacobian",
+      "kind": "read",
+      "doc": "From joint velocities to those of the tip, in its own directions.",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::Jacobian"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "spatial_jacobian",
+      "kind": "read",
+      "doc": "The same in the directions of the arm's base frame.",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::Jacobian"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "base_frame",
+      "kind": "read",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::PoseStamped"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "set_base_frame",
+      "kind": "write",
+      "parameters": [
+        {
+          "name": "frame",
+          "type": {
+            "kind": "struct",
+            "name": "robots::PoseStamped"
+          }
+        }
+      ],
+      "queue": 16
+    },
+    {
+      "name": "hold",
+      "kind": "void",
+      "doc": "Drops what is under way; the set-point stays where it is.",
+      "queue": 16
+    },
+    {
+      "name": "free",
+      "kind": "void",
+      "doc": "Lets go: the set-point follows the joints until another command.",
+      "queue": 16
+    },
+    {
+      "name": "use_gravity_compensation",
+      "kind": "write",
+      "parameters": [
+        {
+          "name": "use",
+          "type": {
+            "kind": "Bool"
+          }
+        }
+      ],
+      "queue": 16
+    },
+    {
+      "name": "servo_jp",
+      "kind": "write",
+      "parameters": [
+        {
+          "name": "goal",
+          "type": {
+            "kind": "struct",
+            "name": "robots::JointGoal"
+          }
+        }
+      ],
+      "queue": 16,
+      "latest": true,
+      "ttl": 0.02
+    },
+    {
+      "name": "servo_jr",
+      "kind": "write",
+      "parameters": [
+        {
+          "name": "step",
+          "type": {
+            "kind": "struct",
+            "name": "robots::JointGoal"
+          }
+        }
+      ],
+      "queue": 16,
+      "ttl": 0.02
+    },
+    {
+      "name": "servo_jv",
+      "kind": "write",
+      "parameters": [
+        {
+          "name": "goal",
+          "type": {
+            "kind": "struct",
+            "name": "robots::JointVelocityGoal"
+          }
+        }
+      ],
+      "queue": 16,
+      "latest": true,
+      "ttl": 0.02
+    },
+    {
+      "name": "servo_jf",
+      "kind": "write",
+      "parameters": [
+        {
+          "name": "goal",
+          "type": {
+            "kind": "struct",
+            "name": "robots::JointEffortGoal"
+          }
+        }
+      ],
+      "queue": 16,
+      "latest": true,
+      "ttl": 0.02
+    },
+    {
+      "name": "servo_cp",
+      "kind": "write",
+      "parameters": [
+        {
+          "name": "goal",
+          "type": {
+            "kind": "struct",
+            "name": "robots::PoseStamped"
+          }
+        }
+      ],
+      "queue": 16,
+      "latest": true,
+      "ttl": 0.02
+    },
+    {
+      "name": "servo_cr",
+      "kind": "write",
+      "doc": "The step's translation in the reference frame; its rotation turns the tip about itself.",
+      "parameters": [
+        {
+          "name": "step",
+          "type": {
+            "kind": "struct",
+            "name": "robots::PoseStamped"
+          }
+        }
+      ],
+      "queue": 16,
+      "ttl": 0.02
+    },
+    {
+      "name": "servo_cv",
+      "kind": "write",
+      "parameters": [
+        {
+          "name": "goal",
+          "type": {
+            "kind": "struct",
+            "name": "robots::TwistGoal"
+          }
+        }
+      ],
+      "queue": 16,
+      "latest": true,
+      "ttl": 0.02
+    },
+    {
+      "name": "body_servo_cf",
+      "kind": "write",
+      "doc": "In the tip's own directions.",
+      "parameters": [
+        {
+          "name": "goal",
+          "type": {
+            "kind": "struct",
+            "name": "robots::WrenchGoal"
+          }
+        }
+      ],
+      "queue": 16,
+      "latest": true,
+      "ttl": 0.02
+    },
+    {
+      "name": "spatial_servo_cf",
+      "kind": "write",
+      "doc": "In the directions of the arm's base frame.",
+      "parameters": [
+        {
+          "name": "goal",
+          "type": {
+            "kind": "struct",
+            "name": "robots::WrenchGoal"
+          }
+        }
+      ],
+      "queue": 16,
+      "latest": true,
+      "ttl": 0.02
+    },
+    {
+      "name": "move_jp",
+      "kind": "write",
+      "doc": "Moves plan and execute a smooth motion from the set-point. Each ends with goal_reached.",
+      "parameters": [
+        {
+          "name": "goal",
+          "type": {
+            "kind": "struct",
+            "name": "robots::JointGoal"
+          }
+        }
+      ],
+      "queue": 16
+    },
+    {
+      "name": "move_jr",
+      "kind": "write",
+      "parameters": [
+        {
+          "name": "step",
+          "type": {
+            "kind": "struct",
+            "name": "robots::JointGoal"
+          }
+        }
+      ],
+      "queue": 16
+    },
+    {
+      "name": "move_cp",
+      "kind": "write",
+      "parameters": [
+        {
+          "name": "goal",
+          "type": {
+            "kind": "struct",
+            "name": "robots::PoseStamped"
+          }
+        }
+      ],
+      "queue": 16
+    },
+    {
+      "name": "move_cr",
+      "kind": "write",
+      "parameters": [
+        {
+          "name": "step",
+          "type": {
+            "kind": "struct",
+            "name": "robots::PoseStamped"
+          }
+        }
+      ],
+      "queue": 16
+    },
+    {
+      "name": "trajectory_j_set_ratio",
+      "kind": "write",
+      "doc": "How fast moves are, of what the joints can do: velocity and acceleration together.",
+      "parameters": [
+        {
+          "name": "ratio",
+          "type": {
+            "kind": "Float64"
+          },
+          "range": [
+            0.01,
+            1.0
+          ]
+        }
+      ],
+      "queue": 16
+    },
+    {
+      "name": "trajectory_j_set_ratio_v",
+      "kind": "write",
+      "parameters": [
+        {
+          "name": "ratio",
+          "type": {
+            "kind": "Float64"
+          },
+          "range": [
+            0.01,
+            1.0
+          ]
+        }
+      ],
+      "queue": 16
+    },
+    {
+      "name": "trajectory_j_set_ratio_a",
+      "kind": "write",
+      "parameters": [
+        {
+          "name": "ratio",
+          "type": {
+            "kind": "Float64"
+          },
+          "range": [
+            0.01,
+            1.0
+          ]
+        }
+      ],
+      "queue": 16
+    },
+    {
+      "name": "trajectory_j_ratio",
+      "kind": "read",
+      "doc": "The smaller of the two below.",
+      "result": {
+        "type": {
+          "kind": "Float64"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "trajectory_j_ratio_v",
+      "kind": "read",
+      "result": {
+        "type": {
+          "kind": "Float64"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "trajectory_j_ratio_a",
+      "kind": "read",
+      "result": {
+        "type": {
+          "kind": "Float64"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "forward_kinematics",
+      "kind": "qualified read",
+      "doc": "The tool tip for a joint vector; not valid if it has the wrong length.",
+      "parameters": [
+        {
+          "name": "q",
+          "type": {
+            "kind": "struct",
+            "name": "robots::JointGoal"
+          }
+        }
+      ],
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::PoseStamped"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "inverse_kinematics",
+      "kind": "qualified read",
+      "doc": "A joint vector for a tool tip, searched from the present set-point.",
+      "parameters": [
+        {
+          "name": "goal",
+          "type": {
+            "kind": "struct",
+            "name": "robots::PoseStamped"
+          }
+        }
+      ],
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::JointSolution"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "query_cp",
+      "kind": "qualified read",
+      "doc": "The pose of the link behind as many joints as the vector has, at most all: none, the base.",
+      "parameters": [
+        {
+          "name": "q",
+          "type": {
+            "kind": "struct",
+            "name": "robots::JointGoal"
+          }
+        }
+      ],
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::PoseStamped"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "local_query_cp",
+      "kind": "qualified read",
+      "doc": "The same in the arm's base frame.",
+      "parameters": [
+        {
+          "name": "q",
+          "type": {
+            "kind": "struct",
+            "name": "robots::JointGoal"
+          }
+        }
+      ],
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::PoseStamped"
+        }
+      },
+      "queue": 16
+    }
+  ],
+  "events": [
+    {
+      "name": "operating_state",
+      "kind": "write",
+      "doc": "Each change of the operating state, and the last one to whoever connects.",
+      "payload": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::OperatingState"
+        }
+      },
+      "queue": 16,
+      "latched": true
+    },
+    {
+      "name": "desired_state",
+      "kind": "write",
+      "doc": "The state that a command asked for.",
+      "payload": {
+        "type": {
+          "kind": "enum",
+          "name": "robots::ArmState"
+        }
+      },
+      "queue": 16,
+      "latched": true
+    },
+    {
+      "name": "goal_reached",
+      "kind": "write",
+      "doc": "A move ended: true at its goal, false when something else replaced it.",
+      "payload": {
+        "type": {
+          "kind": "Bool"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "gravity_compensation",
+      "kind": "write",
+      "payload": {
+        "type": {
+          "kind": "Bool"
+        }
+      },
+      "queue": 16,
+      "latched": true
+    },
+    {
+      "name": "trajectory_j_ratio",
+      "kind": "write",
+      "payload": {
+        "type": {
+          "kind": "Float64"
+        }
+      },
+      "queue": 16,
+      "latched": true
+    },
+    {
+      "name": "trajectory_j_ratio_v",
+      "kind": "write",
+      "payload": {
+        "type": {
+          "kind": "Float64"
+        }
+      },
+      "queue": 16,
+      "latched": true
+    },
+    {
+      "name": "trajectory_j_ratio_a",
+      "kind": "write",
+      "payload": {
+        "type": {
+          "kind": "Float64"
+        }
+      },
+      "queue": 16,
+      "latched": true
+    },
+    {
+      "name": "status",
+      "kind": "write",
+      "payload": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::Message"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "warning",
+      "kind": "write",
+      "payload": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::Message"
+        }
+      },
+      "queue": 16
+    },
+    {
+      "name": "error",
+      "kind": "write",
+      "payload": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::Message"
+        }
+      },
+      "queue": 16
+    }
+  ],
+  "enums": [
+    {
+      "name": "robots::JointType",
+      "underlying": "UInt8",
+      "enumerators": [
+        {
+          "name": "Undefined",
+          "value": 0
+        },
+        {
+          "name": "Prismatic",
+          "value": 1
+        },
+        {
+          "name": "Revolute",
+          "value": 2
+        },
+        {
+          "name": "Universal",
+          "value": 3
+        },
+        {
+          "name": "BallSocket",
+          "value": 4
+        },
+        {
+          "name": "Inactive",
+          "value": 5
+        }
+      ]
+    },
+    {
+      "name": "robots::ArmState",
+      "doc": "The states of CRTK.",
+      "underlying": "UInt8",
+      "enumerators": [
+        {
+          "name": "Undefined",
+          "value": 0
+        },
+        {
+          "name": "Disabled",
+          "value": 1
+        },
+        {
+          "name": "Enabled",
+          "value": 2
+        },
+        {
+          "name": "Paused",
+          "value": 3
+        },
+        {
+          "name": "Fault",
+          "value": 4
+        }
+      ]
+    }
+  ],
+  "structs": [
+    {
+      "name": "robots::JointConfiguration",
+      "doc": "What the joints are and may do: CRTK's configuration_js. prmConfigurationJoint.",
+      "fields": [
+        {
+          "name": "name",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "text",
+              "capacity": 15
+            },
+            "capacity": 8
+          }
+        },
+        {
+          "name": "type",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "enum",
+              "name": "robots::JointType"
+            },
+            "capacity": 8
+          }
+        },
+        {
+          "name": "position_min",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Float64"
+            },
+            "capacity": 8
+          },
+          "unit": "rad"
+        },
+        {
+          "name": "position_max",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Float64"
+            },
+            "capacity": 8
+          },
+          "unit": "rad"
+        },
+        {
+          "name": "velocity_min",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Float64"
+            },
+            "capacity": 8
+          },
+          "unit": "rad/s"
+        },
+        {
+          "name": "velocity_max",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Float64"
+            },
+            "capacity": 8
+          },
+          "unit": "rad/s"
+        },
+        {
+          "name": "acceleration_min",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Float64"
+            },
+            "capacity": 8
+          },
+          "unit": "rad/s2"
+        },
+        {
+          "name": "acceleration_max",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Float64"
+            },
+            "capacity": 8
+          },
+          "unit": "rad/s2"
+        },
+        {
+          "name": "effort_min",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Float64"
+            },
+            "capacity": 8
+          },
+          "unit": "N.m"
+        },
+        {
+          "name": "effort_max",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Float64"
+            },
+            "capacity": 8
+          },
+          "unit": "N.m"
+        },
+        {
+          "name": "valid",
+          "type": {
+            "kind": "Bool"
+          },
+          "default": false
+        }
+      ]
+    },
+    {
+      "name": "robots::OperatingState",
+      "doc": "CRTK's operating_state.",
+      "fields": [
+        {
+          "name": "state",
+          "type": {
+            "kind": "enum",
+            "name": "robots::ArmState"
+          },
+          "default": "Undefined"
+        },
+        {
+          "name": "sub_state",
+          "doc": "What the arm is doing within its state, for people: \"holding\", \"servo_cp\".",
+          "type": {
+            "kind": "text",
+            "capacity": 15
+          }
+        },
+        {
+          "name": "is_homed",
+          "type": {
+            "kind": "Bool"
+          },
+          "default": false
+        },
+        {
+          "name": "is_busy",
+          "doc": "A move is under way; servo commands do not set it.",
+          "type": {
+            "kind": "Bool"
+          },
+          "default": false
+        },
+        {
+          "name": "stamp",
+          "doc": "When the arm entered this state.",
+          "type": {
+            "kind": "time",
+            "clock": "steady"
+          }
+        }
+      ]
+    },
+    {
+      "name": "robots::IntervalStatistics",
+      "doc": "How regularly a task ran, over its last window.",
+      "fields": [
+        {
+          "name": "period_average",
+          "type": {
+            "kind": "Float64"
+          },
+          "unit": "s",
+          "default": 0.0
+        },
+        {
+          "name": "period_deviation",
+          "type": {
+            "kind": "Float64"
+          },
+          "unit": "s",
+          "default": 0.0
+        },
+        {
+          "name": "period_min",
+          "type": {
+            "kind": "Float64"
+          },
+          "unit": "s",
+          "default": 0.0
+        },
+        {
+          "name": "period_max",
+          "type": {
+            "kind": "Float64"
+          },
+          "unit": "s",
+          "default": 0.0
+        },
+        {
+          "name": "samples",
+          "type": {
+            "kind": "UInt32"
+          },
+          "default": 0
+        },
+        {
+          "name": "stamp",
+          "type": {
+            "kind": "time",
+            "clock": "steady"
+          }
+        },
+        {
+          "name": "valid",
+          "type": {
+            "kind": "Bool"
+          },
+          "default": false
+        }
+      ]
+    },
+    {
+      "name": "robots::JointState",
+      "doc": "The state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list is\nempty where its quantity is not known, and as long as `name` otherwise.",
+      "fields": [
+        {
+          "name": "name",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "text",
+              "capacity": 15
+            },
+            "capacity": 8
+          }
+        },
+        {
+          "name": "position",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Float64"
+            },
+            "capacity": 8
+          },
+          "unit": "rad"
+        },
+        {
+          "name": "velocity",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Float64"
+            },
+            "capacity": 8
+          },
+          "unit": "rad/s"
+        },
+        {
+          "name": "effort",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Float64"
+            },
+            "capacity": 8
+          },
+          "unit": "N.m"
+        },
+        {
+          "name": "stamp",
+          "type": {
+            "kind": "time",
+            "clock": "steady"
+          }
+        },
+        {
+          "name": "valid",
+          "doc": "False: do not use.",
+          "type": {
+            "kind": "Bool"
+          },
+          "default": false
+        }
+      ]
+    },
+    {
+      "name": "robots::PoseStamped",
+      "doc": "A pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.",
+      "fields": [
+        {
+          "name": "pose",
+          "doc": "Tool tip in the base frame.",
+          "type": {
+            "kind": "isometry",
+            "scalar": "Float64"
+          },
+          "unit": "m"
+        },
+        {
+          "name": "stamp",
+          "doc": "When the pose was true; of a set-point, the stamp of the data it was made from.",
+          "type": {
+            "kind": "time",
+            "clock": "steady"
+          }
+        },
+        {
+          "name": "valid",
+          "doc": "False: do not use.",
+          "type": {
+            "kind": "Bool"
+          },
+          "default": false
+        }
+      ]
+    },
+    {
+      "name": "robots::Twist",
+      "doc": "A velocity: CRTK's measured_cv. The cisst libraries' prmVelocityCartesianGet.",
+      "fields": [
+        {
+          "name": "linear",
+          "type": {
+            "kind": "matrix",
+            "scalar": "Float64",
+            "rows": 3,
+            "columns": 1
+          },
+          "unit": "m/s"
+        },
+        {
+          "name": "angular",
+          "type": {
+            "kind": "matrix",
+            "scalar": "Float64",
+            "rows": 3,
+            "columns": 1
+          },
+          "unit": "rad/s"
+        },
+        {
+          "name": "moving_frame",
+          "type": {
+            "kind": "text",
+            "capacity": 15
+          }
+        },
+        {
+          "name": "reference_frame",
+          "type": {
+            "kind": "text",
+            "capacity": 15
+          }
+        },
+        {
+          "name": "stamp",
+          "type": {
+            "kind": "time",
+            "clock": "steady"
+          }
+        },
+        {
+          "name": "valid",
+          "doc": "False: do not use.",
+          "type": {
+            "kind": "Bool"
+          },
+          "default": false
+        }
+      ]
+    },
+    {
+      "name": "robots::Wrench",
+      "doc": "Force and torque at the tool tip: CRTK's measured_cf. prmForceCartesianGet.",
+      "fields": [
+        {
+          "name": "force",
+          "type": {
+            "kind": "matrix",
+            "scalar": "Float64",
+            "rows": 3,
+            "columns": 1
+          },
+          "unit": "N"
+        },
+        {
+          "name": "torque",
+          "type": {
+            "kind": "matrix",
+            "scalar": "Float64",
+            "rows": 3,
+            "columns": 1
+          },
+          "unit": "N.m"
+        },
+        {
+          "name": "mask",
+          "doc": "Which components are known.",
+          "type": {
+            "kind": "array",
+            "element": {
+              "kind": "Bool"
+            },
+            "length": 6
+          }
+        },
+        {
+          "name": "moving_frame",
+          "type": {
+            "kind": "text",
+            "capacity": 15
+          }
+        },
+        {
+          "name": "reference_frame",
+          "type": {
+            "kind": "text",
+            "capacity": 15
+          }
+        },
+        {
+          "name": "stamp",
+          "type": {
+            "kind": "time",
+            "clock": "steady"
+          }
+        },
+        {
+          "name": "valid",
+          "doc": "False: do not use.",
+          "type": {
+            "kind": "Bool"
+          },
+          "default": false
+        }
+      ]
+    },
+    {
+      "name": "robots::CartesianState",
+      "doc": "Pose, velocity and force of one instant: CRTK's measured_cs. prmStateCartesian.",
+      "fields": [
+        {
+          "name": "moving_frame",
+          "type": {
+            "kind": "text",
+            "capacity": 15
+          }
+        },
+        {
+          "name": "reference_frame",
+          "type": {
+            "kind": "text",
+            "capacity": 15
+          }
+        },
+        {
+          "name": "position",
+          "type": {
+            "kind": "isometry",
+            "scalar": "Float64"
+          },
+          "unit": "m"
+        },
+        {
+          "name": "position_is_valid",
+          "type": {
+            "kind": "Bool"
+          },
+          "default": false
+        },
+        {
+          "name": "linear_velocity",
+          "type": {
+            "kind": "matrix",
+            "scalar": "Float64",
+            "rows": 3,
+            "columns": 1
+          },
+          "unit": "m/s"
+        },
+        {
+          "name": "angular_velocity",
+          "type": {
+            "kind": "matrix",
+            "scalar": "Float64",
+            "rows": 3,
+            "columns": 1
+          },
+          "unit": "rad/s"
+        },
+        {
+          "name": "velocity_is_valid",
+          "type": {
+            "kind": "Bool"
+          },
+          "default": false
+        },
+        {
+          "name": "force",
+          "type": {
+            "kind": "matrix",
+            "scalar": "Float64",
+            "rows": 3,
+            "columns": 1
+          },
+          "unit": "N"
+        },
+        {
+          "name": "torque",
+          "type": {
+            "kind": "matrix",
+            "scalar": "Float64",
+            "rows": 3,
+            "columns": 1
+          },
+          "unit": "N.m"
+        },
+        {
+          "name": "force_is_valid",
+          "type": {
+            "kind": "Bool"
+          },
+          "default": false
+        },
+        {
+          "name": "stamp",
+          "type": {
+            "kind": "time",
+            "clock": "steady"
+          }
+        }
+      ]
+    },
+    {
+      "name": "robots::Jacobian",
+      "doc": "6 x joints, column-major: linear rows first, in m/s and rad/s per unit of joint velocity.",
+      "fields": [
+        {
+          "name": "joints",
+          "type": {
+            "kind": "UInt32"
+          },
+          "default": 0
+        },
+        {
+          "name": "coefficients",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Float64"
+            },
+            "capacity": 48
+          }
+        },
+        {
+          "name": "stamp",
+          "type": {
+            "kind": "time",
+            "clock": "steady"
+          }
+        },
+        {
+          "name": "valid",
+          "type": {
+            "kind": "Bool"
+          },
+          "default": false
+        }
+      ]
+    },
+    {
+      "name": "robots::JointGoal",
+      "doc": "Where joints shall go: CRTK's servo_jp and move_jp.",
+      "fields": [
+        {
+          "name": "position",
+          "doc": "One entry a joint, in chain order.",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Float64"
+            },
+            "capacity": 8
+          },
+          "unit": "rad"
+        },
+        {
+          "name": "stamp",
+          "type": {
+            "kind": "time",
+            "clock": "steady"
+          }
+        }
+      ]
+    },
+    {
+      "name": "robots::JointVelocityGoal",
+      "doc": "CRTK's servo_jv: prmVelocityJointSet.",
+      "fields": [
+        {
+          "name": "goal",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Float64"
+            },
+            "capacity": 8
+          },
+          "unit": "rad/s"
+        },
+        {
+          "name": "acceleration",
+          "doc": "Optional.",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Float64"
+            },
+            "capacity": 8
+          },
+          "unit": "rad/s2"
+        },
+        {
+          "name": "deceleration",
+          "doc": "Optional.",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Float64"
+            },
+            "capacity": 8
+          },
+          "unit": "rad/s2"
+        },
+        {
+          "name": "guard",
+          "doc": "Optional: the positions not to pass.",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Float64"
+            },
+            "capacity": 8
+          },
+          "unit": "rad"
+        },
+        {
+          "name": "mask",
+          "doc": "Optional: which joints count; empty: all.",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Bool"
+            },
+            "capacity": 8
+          }
+        },
+        {
+          "name": "stamp",
+          "type": {
+            "kind": "time",
+            "clock": "steady"
+          }
+        }
+      ]
+    },
+    {
+      "name": "robots::JointEffortGoal",
+      "doc": "CRTK's servo_jf: prmForceTorqueJointSet.",
+      "fields": [
+        {
+          "name": "effort",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Float64"
+            },
+            "capacity": 8
+          },
+          "unit": "N.m"
+        },
+        {
+          "name": "mask",
+          "doc": "Optional: which joints count; empty: all.",
+          "type": {
+            "kind": "list",
+            "element": {
+              "kind": "Bool"
+            },
+            "capacity": 8
+          }
+        },
+        {
+          "name": "stamp",
+          "type": {
+            "kind": "time",
+            "clock": "steady"
+          }
+        }
+      ]
+    },
+    {
+      "name": "robots::TwistGoal",
+      "doc": "A velocity to follow: CRTK's servo_cv. prmVelocityCartesianSet.",
+      "fields": [
+        {
+          "name": "linear",
+          "type": {
+            "kind": "matrix",
+            "scalar": "Float64",
+            "rows": 3,
+            "columns": 1
+          },
+          "unit": "m/s"
+        },
+        {
+          "name": "angular",
+          "type": {
+            "kind": "matrix",
+            "scalar": "Float64",
+            "rows": 3,
+            "columns": 1
+          },
+          "unit": "rad/s"
+        },
+        {
+          "name": "linear_acceleration",
+          "type": {
+            "kind": "matrix",
+            "scalar": "Float64",
+            "rows": 3,
+            "columns": 1
+          },
+          "unit": "m/s2"
+        },
+        {
+          "name": "angular_acceleration",
+          "type": {
+            "kind": "matrix",
+            "scalar": "Float64",
+            "rows": 3,
+            "columns": 1
+          },
+          "unit": "rad/s2"
+        },
+        {
+          "name": "mask",
+          "doc": "Which of x, y, z and the rotations about them count.",
+          "type": {
+            "kind": "array",
+            "element": {
+              "kind": "Bool"
+            },
+            "length": 6
+          }
+        },
+        {
+          "name": "stamp",
+          "type": {
+            "kind": "time",
+            "clock": "steady"
+          }
+        }
+      ]
+    },
+    {
+      "name": "robots::WrenchGoal",
+      "doc": "Force and torque to apply: CRTK's servo_cf. prmForceCartesianSet.",
+      "fields": [
+        {
+          "name": "force",
+          "type": {
+            "kind": "matrix",
+            "scalar": "Float64",
+            "rows": 3,
+            "columns": 1
+          },
+          "unit": "N"
+        },
+        {
+          "name": "torque",
+          "type": {
+            "kind": "matrix",
+            "scalar": "Float64",
+            "rows": 3,
+            "columns": 1
+          },
+          "unit": "N.m"
+        },
+        {
+          "name": "mask",
+          "doc": "Which components count.",
+          "type": {
+            "kind": "array",
+            "element": {
+              "kind": "Bool"
+            },
+            "length": 6
+          }
+        },
+        {
+          "name": "stamp",
+          "type": {
+            "kind": "time",
+            "clock": "steady"
+          }
+        }
+      ]
+    },
+    {
+      "name": "robots::JointSolution",
+      "doc": "A joint vector that an arm computed, without heap so that a control loop may return it.",
+      "fields": [
+        {
+          "name": "position",
+          "doc": "The first `joints` entries count.",
+          "type": {
+            "kind": "array",
+            "element": {
+              "kind": "Float64"
+            },
+            "length": 8
+          },
+          "unit": "rad"
+        },
+        {
+          "name": "joints",
+          "type": {
+            "kind": "UInt32"
+          },
+          "default": 0
+        },
+        {
+          "name": "found",
+          "doc": "False: no joint vector within limits reaches the pose; `position` is the nearest one found.",
+          "type": {
+            "kind": "Bool"
+          },
+          "default": false
+        }
+      ]
+    },
+    {
+      "name": "robots::Message",
+      "doc": "CRTK's status, warning and error.",
+      "fields": [
+        {
+          "name": "text",
+          "type": {
+            "kind": "text",
+            "capacity": 127
+          }
+        },
+        {
+          "name": "counter",
+          "doc": "Counts the messages of its sender.",
+          "type": {
+            "kind": "UInt32"
+          },
+          "default": 0
+        },
+        {
+          "name": "stamp",
+          "type": {
+            "kind": "time",
+            "clock": "steady"
+          }
+        }
+      ]
+    }
+  ]
+})json";
+
+}  // namespace
+
+namespace {
+
+// --- CrtkArm over Cap'n Proto RPC: the provider's side
+
+/// Makes remote calls of a subscriber's events and rows.
+class CrtkArmSink final : public suture::rpc::EventSink {
+ public:
+  explicit CrtkArmSink(wire::CrtkArmEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+
+  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
+    switch (static_cast<CrtkArmEvent>(event)) {
+      case CrtkArmEvent::operating_state: {
+        const auto& slot = *reinterpret_cast<const OperatingStateSlot*>(payload);
+        auto request = subscriber_.operatingStateRequest();
+        toWire(slot, request.initValue());
+        return request.send().ignoreResult();
+      }
+      case CrtkArmEvent::desired_state: {
+        const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
+        auto request = subscriber_.desiredStateRequest();
+        request.setValue(wireArmState(slot));
+        return request.send().ignoreResult();
+      }
+      case CrtkArmEvent::goal_reached: {
+        const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
+        auto request = subscriber_.goalReachedRequest();
+        request.setValue(slot != 0);
+        return request.send().ignoreResult();
+      }
+      case CrtkArmEvent::gravity_compensation: {
+        const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
+        auto request = subscriber_.gravityCompensationRequest();
+        request.setValue(slot != 0);
+        return request.send().ignoreResult();
+      }
+      case CrtkArmEvent::trajectory_j_ratio: {
+        const auto& slot = *reinterpret_cast<const double*>(payload);
+        auto request = subscriber_.trajectoryJRatioRequest();
+        request.setValue(slot);
+        return request.send().ignoreResult();
+      }
+      case CrtkArmEvent::trajectory_j_ratio_v: {
+        const auto& slot = *reinterpret_cast<const double*>(payload);
+        auto request = subscriber_.trajectoryJRatioVRequest();
+        request.setValue(slot);
+        return request.send().ignoreResult();
+      }
+      case CrtkArmEvent::trajectory_j_ratio_a: {
+        const auto& slot = *reinterpret_cast<const double*>(payload);
+        auto request = subscriber_.trajectoryJRatioARequest();
+        request.setValue(slot);
+        return request.send().ignoreResult();
+      }
+      case CrtkArmEvent::status: {
+        const auto& slot = *reinterpret_cast<const MessageSlot*>(payload);
+        auto request = subscriber_.statusRequest();
+        toWire(slot, request.initValue());
+        return request.send().ignoreResult();
+      }
+      case CrtkArmEvent::warning: {
+        const auto& slot = *reinterpret_cast<const MessageSlot*>(payload);
+        auto request = subscriber_.warningRequest();
+        toWire(slot, request.initValue());
+        return request.send().ignoreResult();
+      }
+      case CrtkArmEvent::error: {
+        const auto& slot = *reinterpret_cast<const MessageSlot*>(payload);
+        auto request = subscriber_.errorRequest();
+        toWire(slot, request.initValue());
+        return request.send().ignoreResult();
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
+                        std::span<const std::byte* const> columns) override {
+    auto request = subscriber_.stateRequest();
+    auto out = request.initRow();
+    out.setStamp(suture::toNanoseconds(row.stamp));
+    out.setEvaluated(row.valid);
+    if (row.valid >> 0 & 1) {
+      const auto& slot = *reinterpret_cast<const JointConfigurationSlot*>(columns[0]);
+      toWire(slot, out.initConfigurationJs());
+    }
+    if (row.valid >> 1 & 1) {
+      const auto& slot = *reinterpret_cast<const OperatingStateSlot*>(columns[1]);
+      toWire(slot, out.initOperatingState());
+    }
+    if (row.valid >> 2 & 1) {
+      const auto& slot = *reinterpret_cast<const IntervalStatisticsSlot*>(columns[2]);
+      toWire(slot, out.initPeriodStatistics());
+    }
+    if (row.valid >> 3 & 1) {
+      const auto& slot = *reinterpret_cast<const JointStateSlot*>(columns[3]);
+      toWire(slot, out.initMeasuredJs());
+    }
+    if (row.valid >> 4 & 1) {
+      const auto& slot = *reinterpret_cast<const JointStateSlot*>(columns[4]);
+      toWire(slot, out.initSetpointJs());
+    }
+    if (row.valid >> 5 & 1) {
+      const auto& slot = *reinterpret_cast<const JointStateSlot*>(columns[5]);
+      toWire(slot, out.initGoalJs());
+    }
+    if (row.valid >> 6 & 1) {
+      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(columns[6]);
+      toWire(slot, out.initMeasuredCp());
+    }
+    if (row.valid >> 7 & 1) {
+      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(columns[7]);
+      toWire(slot, out.initSetpointCp());
+    }
+    if (row.valid >> 8 & 1) {
+      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(columns[8]);
+      toWire(slot, out.initGoalCp());
+    }
+    if (row.valid >> 9 & 1) {
+      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(columns[9]);
+      toWire(slot, out.initLocalMeasuredCp());
+    }
+    if (row.valid >> 10 & 1) {
+      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(columns[10]);
+      toWire(slot, out.initLocalSetpointCp());
+    }
+    if (row.valid >> 11 & 1) {
+      const auto& slot = *reinterpret_cast<const TwistSlot*>(columns[11]);
+      toWire(slot, out.initMeasuredCv());
+    }
+    if (row.valid >> 12 & 1) {
+      const auto& slot = *reinterpret_cast<const TwistSlot*>(columns[12]);
+      toWire(slot, out.initSetpointCv());
+    }
+    if (row.valid >> 13 & 1) {
+      const auto& slot = *reinterpret_cast<const WrenchSlot*>(columns[13]);
+      toWire(slot, out.initBodyMeasuredCf());
+    }
+    if (row.valid >> 14 & 1) {
+      const auto& slot = *reinterpret_cast<const WrenchSlot*>(columns[14]);
+      toWire(slot, out.initSpatialMeasuredCf());
+    }
+    if (row.valid >> 15 & 1) {
+      const auto& slot = *reinterpret_cast<const CartesianStateSlot*>(columns[15]);
+      toWire(slot, out.initMeasuredCs());
+    }
+    if (row.valid >> 16 & 1) {
+      const auto& slot = *reinterpret_cast<const JacobianSlot*>(columns[16]);
+      toWire(slot, out.initBodyJacobian());
+    }
+    if (row.valid >> 17 & 1) {
+      const auto& slot = *reinterpret_cast<const JacobianSlot*>(columns[17]);
+      toWire(slot, out.initSpatialJacobian());
+    }
+    if (row.valid >> 18 & 1) {
+      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(columns[18]);
+      toWire(slot, out.initBaseFrame());
+    }
+    if (row.valid >> 19 & 1) {
+      const auto& slot = *reinterpret_cast<const double*>(columns[19]);
+      out.setTrajectoryJRatio(slot);
+    }
+    if (row.valid >> 20 & 1) {
+      const auto& slot = *reinterpret_cast<const double*>(columns[20]);
+      out.setTrajectoryJRatioV(slot);
+    }
+    if (row.valid >> 21 & 1) {
+      const auto& slot = *reinterpret_cast<const double*>(columns[21]);
+      out.setTrajectoryJRatioA(slot);
+    }
+    return request.send().ignoreResult();
+  }
+
+ private:
+  wire::CrtkArmEvents::Client subscriber_;
+};
+
+/// Puts remote calls into the provider's mailbox.
+class CrtkArmServant final : public wire::CrtkArm::Server {
+ public:
+  explicit CrtkArmServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> subscribe(SubscribeContext context) override {
+    auto in = context.getParams();
+    port_->subscribe(kj::heap<CrtkArmSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> configurationJs(ConfigurationJsContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const JointConfigurationSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(CrtkArmCommand::configuration_js), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> operatingState(OperatingStateContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const OperatingStateSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(CrtkArmCommand::operating_state), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> periodStatistics(PeriodStatisticsContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const IntervalStatisticsSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(CrtkArmCommand::period_statistics), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> enable(EnableContext context) override {
+    auto in = context.getParams();
+    return port_->command(commandId(CrtkArmCommand::enable), in.getSent(),
+                          [](std::byte*) { return Errc{}; });
+  }
+
+  kj::Promise<void> disable(DisableContext context) override {
+    auto in = context.getParams();
+    return port_->command(commandId(CrtkArmCommand::disable), in.getSent(),
+                          [](std::byte*) { return Errc{}; });
+  }
+
+  kj::Promise<void> pause(PauseContext context) override {
+    auto in = context.getParams();
+    return port_->command(commandId(CrtkArmCommand::pause), in.getSent(),
+                          [](std::byte*) { return Errc{}; });
+  }
+
+  kj::Promise<void> resume(ResumeContext context) override {
+    auto in = context.getParams();
+    return port_->command(commandId(CrtkArmCommand::resume), in.getSent(),
+                          [](std::byte*) { return Errc{}; });
+  }
+
+  kj::Promise<void> home(HomeContext context) override {
+    auto in = context.getParams();
+    return port_->command(commandId(CrtkArmCommand::home), in.getSent(),
+                          [](std::byte*) { return Errc{}; });
+  }
+
+  kj::Promise<void> unhome(UnhomeContext context) override {
+    auto in = context.getParams();
+    return port_->command(commandId(CrtkArmCommand::unhome), in.getSent(),
+                          [](std::byte*) { return Errc{}; });
+  }
+
+  kj::Promise<void> stateCommand(StateCommandContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<CrtkArmStateCommandArguments*>(memory);
+      return fromWire(in.getName(), slot.name);
+    };
+    return port_->command(commandId(CrtkArmCommand::state_command), in.getSent(), fill);
+  }
+
+  kj::Promise<void> measuredJs(MeasuredJsContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(CrtkArmCommand::measured_js), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> setpointJs(SetpointJsContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(CrtkArmCommand::setpoint_js), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> goalJs(GoalJsContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(CrtkArmCommand::goal_js), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> measuredCp(MeasuredCpContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(CrtkArmCommand::measured_cp), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> setpointCp(SetpointCpContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(CrtkArmCommand::setpoint_cp), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> goalCp(GoalCpContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(CrtkArmCommand::goal_cp), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> localMeasuredCp(LocalMeasuredCpContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(CrtkArmCommand::local_measured_cp), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> localSetpointCp(LocalSetpointCpContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(CrtkArmCommand::local_setpoint_cp), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> measuredCv(MeasuredCvContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const TwistSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(CrtkArmCommand::measured_cv), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> setpointCv(SetpointCvContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const TwistSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(CrtkArmCommand::setpoint_cv), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> bodyMeasuredCf(BodyMeasuredCfContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const WrenchSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(CrtkArmCommand::body_measured_cf), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> spatialMeasuredCf(SpatialMeasuredCfContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const WrenchSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(CrtkArmCommand::spatial_measured_cf), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> measuredCs(MeasuredCsContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const CartesianStateSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(CrtkArmCommand::measured_cs), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> bodyJacobian(BodyJacobianContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const JacobianSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(CrtkArmCommand::body_jacobian), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> spatialJacobian(SpatialJacobianContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const JacobianSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(CrtkArmCommand::spatial_jacobian), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> baseFrame(BaseFrameContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(CrtkArmCommand::base_frame), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> setBaseFrame(SetBaseFrameContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<CrtkArmSetBaseFrameArguments*>(memory);
+      const Errc error =
+          in.hasFrame() ? fromWire(in.getFrame(), slot.frame, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.frame) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(CrtkArmCommand::set_base_frame), in.getSent(), fill);
+  }
+
+  kj::Promise<void> hold(HoldContext context) override {
+    auto in = context.getParams();
+    return port_->command(commandId(CrtkArmCommand::hold), in.getSent(),
+                          [](std::byte*) { return Errc{}; });
+  }
+
+  kj::Promise<void> free(FreeContext context) override {
+    auto in = context.getParams();
+    return port_->command(commandId(CrtkArmCommand::free), in.getSent(),
+                          [](std::byte*) { return Errc{}; });
+  }
+
+  kj::Promise<void> useGravityCompensation(UseGravityCompensationContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<CrtkArmUseGravityCompensationArguments*>(memory);
+      slot.use = in.getUse();
+      return Errc{};
+    };
+    return port_->command(commandId(CrtkArmCommand::use_gravity_compensation), in.getSent(), fill);
+  }
+
+  kj::Promise<void> servoJp(ServoJpContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<CrtkArmServoJpArguments*>(memory);
+      const Errc error =
+          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(CrtkArmCommand::servo_jp), in.getSent(), fill);
+  }
+
+  kj::Promise<void> servoJr(ServoJrContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<CrtkArmServoJrArguments*>(memory);
+      const Errc error =
+          in.hasStep() ? fromWire(in.getStep(), slot.step, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.step) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(CrtkArmCommand::servo_jr), in.getSent(), fill);
+  }
+
+  kj::Promise<void> servoJv(ServoJvContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<CrtkArmServoJvArguments*>(memory);
+      const Errc error =
+          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(CrtkArmCommand::servo_jv), in.getSent(), fill);
+  }
+
+  kj::Promise<void> servoJf(ServoJfContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<CrtkArmServoJfArguments*>(memory);
+      const Errc error =
+          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(CrtkArmCommand::servo_jf), in.getSent(), fill);
+  }
+
+  kj::Promise<void> servoCp(ServoCpContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<CrtkArmServoCpArguments*>(memory);
+      const Errc error =
+          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(CrtkArmCommand::servo_cp), in.getSent(), fill);
+  }
+
+  kj::Promise<void> servoCr(ServoCrContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<CrtkArmServoCrArguments*>(memory);
+      const Errc error =
+          in.hasStep() ? fromWire(in.getStep(), slot.step, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.step) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(CrtkArmCommand::servo_cr), in.getSent(), fill);
+  }
+
+  kj::Promise<void> servoCv(ServoCvContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<CrtkArmServoCvArguments*>(memory);
+      const Errc error =
+          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(CrtkArmCommand::servo_cv), in.getSent(), fill);
+  }
+
+  kj::Promise<void> bodyServoCf(BodyServoCfContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<CrtkArmBodyServoCfArguments*>(memory);
+      const Errc error =
+          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(CrtkArmCommand::body_servo_cf), in.getSent(), fill);
+  }
+
+  kj::Promise<void> spatialServoCf(SpatialServoCfContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<CrtkArmSpatialServoCfArguments*>(memory);
+      const Errc error =
+          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(CrtkArmCommand::spatial_servo_cf), in.getSent(), fill);
+  }
+
+  kj::Promise<void> moveJp(MoveJpContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<CrtkArmMoveJpArguments*>(memory);
+      const Errc error =
+          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(CrtkArmCommand::move_jp), in.getSent(), fill);
+  }
+
+  kj::Promise<void> moveJr(MoveJrContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<CrtkArmMoveJrArguments*>(memory);
+      const Errc error =
+          in.hasStep() ? fromWire(in.getStep(), slot.step, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.step) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(CrtkArmCommand::move_jr), in.getSent(), fill);
+  }
+
+  kj::Promise<void> moveCp(MoveCpContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<CrtkArmMoveCpArguments*>(memory);
+      const Errc error =
+          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(CrtkArmCommand::move_cp), in.getSent(), fill);
+  }
+
+  kj::Promise<void> moveCr(MoveCrContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<CrtkArmMoveCrArguments*>(memory);
+      const Errc error =
+          in.hasStep() ? fromWire(in.getStep(), slot.step, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.step) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(CrtkArmCommand::move_cr), in.getSent(), fill);
+  }
+
+  kj::Promise<void> trajectoryJSetRatio(TrajectoryJSetRatioContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<CrtkArmTrajectoryJSetRatioArguments*>(memory);
+      slot.ratio = in.getRatio();
+      return inRange(slot.ratio, 0.01, 1) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(CrtkArmCommand::trajectory_j_set_ratio), in.getSent(), fill);
+  }
+
+  kj::Promise<void> trajectoryJSetRatioV(TrajectoryJSetRatioVContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<CrtkArmTrajectoryJSetRatioVArguments*>(memory);
+      slot.ratio = in.getRatio();
+      return inRange(slot.ratio, 0.01, 1) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(CrtkArmCommand::trajectory_j_set_ratio_v), in.getSent(), fill);
+  }
+
+  kj::Promise<void> trajectoryJSetRatioA(TrajectoryJSetRatioAContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<CrtkArmTrajectoryJSetRatioAArguments*>(memory);
+      slot.ratio = in.getRatio();
+      return inRange(slot.ratio, 0.01, 1) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(CrtkArmCommand::trajectory_j_set_ratio_a), in.getSent(), fill);
+  }
+
+  kj::Promise<void> trajectoryJRatio(TrajectoryJRatioContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const double*>(result);
+      auto out = context.getResults();
+      out.setValue(slot);
+    };
+    return port_->call(commandId(CrtkArmCommand::trajectory_j_ratio), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> trajectoryJRatioV(TrajectoryJRatioVContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const double*>(result);
+      auto out = context.getResults();
+      out.setValue(slot);
+    };
+    return port_->call(commandId(CrtkArmCommand::trajectory_j_ratio_v), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> trajectoryJRatioA(TrajectoryJRatioAContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const double*>(result);
+      auto out = context.getResults();
+      out.setValue(slot);
+    };
+    return port_->call(commandId(CrtkArmCommand::trajectory_j_ratio_a), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> forwardKinematics(ForwardKinematicsContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<CrtkArmForwardKinematicsArguments*>(memory);
+      const Errc error = in.hasQ() ? fromWire(in.getQ(), slot.q, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.q) ? Errc{} : Errc::Invalid;
+    };
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(CrtkArmCommand::forward_kinematics), in.getSent(),
+                       fill, kj::mv(take));
+  }
+
+  kj::Promise<void> inverseKinematics(InverseKinematicsContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<CrtkArmInverseKinematicsArguments*>(memory);
+      const Errc error =
+          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+    };
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const JointSolutionSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(CrtkArmCommand::inverse_kinematics), in.getSent(),
+                       fill, kj::mv(take));
+  }
+
+  kj::Promise<void> queryCp(QueryCpContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<CrtkArmQueryCpArguments*>(memory);
+      const Errc error = in.hasQ() ? fromWire(in.getQ(), slot.q, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.q) ? Errc{} : Errc::Invalid;
+    };
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(CrtkArmCommand::query_cp), in.getSent(), fill, kj::mv(take));
+  }
+
+  kj::Promise<void> localQueryCp(LocalQueryCpContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<CrtkArmLocalQueryCpArguments*>(memory);
+      const Errc error = in.hasQ() ? fromWire(in.getQ(), slot.q, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.q) ? Errc{} : Errc::Invalid;
+    };
+    auto take = [context](const std::byte* result) mutable {
+      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(commandId(CrtkArmCommand::local_query_cp), in.getSent(), fill, kj::mv(take));
+  }
+
+ private:
+  static std::uint16_t commandId(CrtkArmCommand command) {
+                                                          return static_cast<std::uint16_t>(command); }
+
+  kj::Own<ServantPort> port_;
+};
+
+// --- CrtkArm over Cap'n Proto RPC: the client's side
+
+/// Receives events and rows.
+class CrtkArmReceiver final : public wire::CrtkArmEvents::Server {
+ public:
+  explicit CrtkArmReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> state(StateContext context) override {
+    auto in = context.getParams().getRow();
+    suture::rt::ColumnSet valid = 0;
+    if (in.getEvaluated() >> 0 & 1) {
+      auto& slot = *reinterpret_cast<JointConfigurationSlot*>(port_->column(0));
+      const Errc error =
+          in.hasConfigurationJs() ? fromWire(in.getConfigurationJs(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
+    }
+    if (in.getEvaluated() >> 1 & 1) {
+      auto& slot = *reinterpret_cast<OperatingStateSlot*>(port_->column(1));
+      const Errc error =
+          in.hasOperatingState() ? fromWire(in.getOperatingState(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
+    }
+    if (in.getEvaluated() >> 2 & 1) {
+      auto& slot = *reinterpret_cast<IntervalStatisticsSlot*>(port_->column(2));
+      const Errc error =
+          in.hasPeriodStatistics() ? fromWire(in.getPeriodStatistics(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 2;
+    }
+    if (in.getEvaluated() >> 3 & 1) {
+      auto& slot = *reinterpret_cast<JointStateSlot*>(port_->column(3));
+      const Errc error =
+          in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 3;
+    }
+    if (in.getEvaluated() >> 4 & 1) {
+      auto& slot = *reinterpret_cast<JointStateSlot*>(port_->column(4));
+      const Errc error =
+          in.hasSetpointJs() ? fromWire(in.getSetpointJs(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 4;
+    }
+    if (in.getEvaluated() >> 5 & 1) {
+      auto& slot = *reinterpret_cast<JointStateSlot*>(port_->column(5));
+      const Errc error =
+          in.hasGoalJs() ? fromWire(in.getGoalJs(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 5;
+    }
+    if (in.getEvaluated() >> 6 & 1) {
+      auto& slot = *reinterpret_cast<PoseStampedSlot*>(port_->column(6));
+      const Errc error =
+          in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 6;
+    }
+    if (in.getEvaluated() >> 7 & 1) {
+      auto& slot = *reinterpret_cast<PoseStampedSlot*>(port_->column(7));
+      const Errc error =
+          in.hasSetpointCp() ? fromWire(in.getSetpointCp(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 7;
+    }
+    if (in.getEvaluated() >> 8 & 1) {
+      auto& slot = *reinterpret_cast<PoseStampedSlot*>(port_->column(8));
+      const Errc error =
+          in.hasGoalCp() ? fromWire(in.getGoalCp(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 8;
+    }
+    if (in.getEvaluated() >> 9 & 1) {
+      auto& slot = *reinterpret_cast<PoseStampedSlot*>(port_->column(9));
+      const Errc error =
+          in.hasLocalMeasuredCp() ? fromWire(in.getLocalMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 9;
+    }
+    if (in.getEvaluated() >> 10 & 1) {
+      auto& slot = *reinterpret_cast<PoseStampedSlot*>(port_->column(10));
+      const Errc error =
+          in.hasLocalSetpointCp() ? fromWire(in.getLocalSetpointCp(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 10;
+    }
+    if (in.getEvaluated() >> 11 & 1) {
+      auto& slot = *reinterpret_cast<TwistSlot*>(port_->column(11));
+      const Errc error =
+          in.hasMeasuredCv() ? fromWire(in.getMeasuredCv(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 11;
+    }
+    if (in.getEvaluated() >> 12 & 1) {
+      auto& slot = *reinterpret_cast<TwistSlot*>(port_->column(12));
+      const Errc error =
+          in.hasSetpointCv() ? fromWire(in.getSetpointCv(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 12;
+    }
+    if (in.getEvaluated() >> 13 & 1) {
+      auto& slot = *reinterpret_cast<WrenchSlot*>(port_->column(13));
+      const Errc error =
+          in.hasBodyMeasuredCf() ? fromWire(in.getBodyMeasuredCf(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 13;
+    }
+    if (in.getEvaluated() >> 14 & 1) {
+      auto& slot = *reinterpret_cast<WrenchSlot*>(port_->column(14));
+      const Errc error =
+          in.hasSpatialMeasuredCf() ? fromWire(in.getSpatialMeasuredCf(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 14;
+    }
+    if (in.getEvaluated() >> 15 & 1) {
+      auto& slot = *reinterpret_cast<CartesianStateSlot*>(port_->column(15));
+      const Errc error =
+          in.hasMeasuredCs() ? fromWire(in.getMeasuredCs(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 15;
+    }
+    if (in.getEvaluated() >> 16 & 1) {
+      auto& slot = *reinterpret_cast<JacobianSlot*>(port_->column(16));
+      const Errc error =
+          in.hasBodyJacobian() ? fromWire(in.getBodyJacobian(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 16;
+    }
+    if (in.getEvaluated() >> 17 & 1) {
+      auto& slot = *reinterpret_cast<JacobianSlot*>(port_->column(17));
+      const Errc error =
+          in.hasSpatialJacobian() ? fromWire(in.getSpatialJacobian(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 17;
+    }
+    if (in.getEvaluated() >> 18 & 1) {
+      auto& slot = *reinterpret_cast<PoseStampedSlot*>(port_->column(18));
+      const Errc error =
+          in.hasBaseFrame() ? fromWire(in.getBaseFrame(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 18;
+    }
+    if (in.getEvaluated() >> 19 & 1) {
+      auto& slot = *reinterpret_cast<double*>(port_->column(19));
+      slot = in.getTrajectoryJRatio();
+      valid |= suture::rt::ColumnSet{1} << 19;
+    }
+    if (in.getEvaluated() >> 20 & 1) {
+      auto& slot = *reinterpret_cast<double*>(port_->column(20));
+      slot = in.getTrajectoryJRatioV();
+      valid |= suture::rt::ColumnSet{1} << 20;
+    }
+    if (in.getEvaluated() >> 21 & 1) {
+      auto& slot = *reinterpret_cast<double*>(port_->column(21));
+      slot = in.getTrajectoryJRatioA();
+      valid |= suture::rt::ColumnSet{1} << 21;
+    }
+    port_->publish(in.getStamp(), valid);
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> operatingState(OperatingStateContext context) override {
+    auto in = context.getParams();
+    OperatingStateSlot slot;
+    const Errc error =
+        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    return port_->event(eventId(CrtkArmEvent::operating_state), error, slot);
+  }
+
+  kj::Promise<void> desiredState(DesiredStateContext context) override {
+    auto in = context.getParams();
+    std::uint8_t slot;
+    const Errc error = fromWire(in.getValue(), slot);
+    return port_->event(eventId(CrtkArmEvent::desired_state), error, slot);
+  }
+
+  kj::Promise<void> goalReached(GoalReachedContext context) override {
+    auto in = context.getParams();
+    std::uint8_t slot;
+    slot = in.getValue();
+    const Errc error = Errc{};
+    return port_->event(eventId(CrtkArmEvent::goal_reached), error, slot);
+  }
+
+  kj::Promise<void> gravityCompensation(GravityCompensationContext context) override {
+    auto in = context.getParams();
+    std::uint8_t slot;
+    slot = in.getValue();
+    const Errc error = Errc{};
+    return port_->event(eventId(CrtkArmEvent::gravity_compensation), error, slot);
+  }
+
+  kj::Promise<void> trajectoryJRatio(TrajectoryJRatioContext context) override {
+    auto in = context.getParams();
+    double slot;
+    slot = in.getValue();
+    const Errc error = Errc{};
+    return port_->event(eventId(CrtkArmEvent::trajectory_j_ratio), error, slot);
+  }
+
+  kj::Promise<void> trajectoryJRatioV(TrajectoryJRatioVContext context) override {
+    auto in = context.getParams();
+    double slot;
+    slot = in.getValue();
+    const Errc error = Errc{};
+    return port_->event(eventId(CrtkArmEvent::trajectory_j_ratio_v), error, slot);
+  }
+
+  kj::Promise<void> trajectoryJRatioA(TrajectoryJRatioAContext context) override {
+    auto in = context.getParams();
+    double slot;
+    slot = in.getValue();
+    const Errc error = Errc{};
+    return port_->event(eventId(CrtkArmEvent::trajectory_j_ratio_a), error, slot);
+  }
+
+  kj::Promise<void> status(StatusContext context) override {
+    auto in = context.getParams();
+    MessageSlot slot;
+    const Errc error =
+        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    return port_->event(eventId(CrtkArmEvent::status), error, slot);
+  }
+
+  kj::Promise<void> warning(WarningContext context) override {
+    auto in = context.getParams();
+    MessageSlot slot;
+    const Errc error =
+        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    return port_->event(eventId(CrtkArmEvent::warning), error, slot);
+  }
+
+  kj::Promise<void> error(ErrorContext context) override {
+    auto in = context.getParams();
+    MessageSlot slot;
+    const Errc error =
+        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    return port_->event(eventId(CrtkArmEvent::error), error, slot);
+  }
+
+ private:
+  static std::uint16_t eventId(CrtkArmEvent event) { return static_cast<std::uint16_t>(event); }
+
+  kj::Own<ProxyPort> port_;
+};
+
+/// Makes remote calls of commands.
+class CrtkArmProxy final : public suture::rpc::Proxy {
+ public:
+  CrtkArmProxy(wire::CrtkArm::Client provider, ProxyPort& port)
+      : provider_(kj::mv(provider)), port_(port) {}
+
+  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
+    auto request = provider_.subscribeRequest();
+    request.setEvents(kj::heap<CrtkArmReceiver>(kj::addRef(port_)));
+    request.setEventMask(events);
+    request.setStateMask(columns);
+    return request.send().ignoreResult();
+  }
+
+  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
+    switch (static_cast<CrtkArmCommand>(record.command)) {
+      case CrtkArmCommand::configuration_js: {
+        auto request = provider_.configurationJsRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<JointConfigurationSlot>(call, [&](JointConfigurationSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case CrtkArmCommand::operating_state: {
+        auto request = provider_.operatingStateRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<OperatingStateSlot>(call, [&](OperatingStateSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case CrtkArmCommand::period_statistics: {
+        auto request = provider_.periodStatisticsRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<IntervalStatisticsSlot>(call, [&](IntervalStatisticsSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case CrtkArmCommand::enable: {
+        auto request = provider_.enableRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CrtkArmCommand::disable: {
+        auto request = provider_.disableRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CrtkArmCommand::pause: {
+        auto request = provider_.pauseRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CrtkArmCommand::resume: {
+        auto request = provider_.resumeRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CrtkArmCommand::home: {
+        auto request = provider_.homeRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CrtkArmCommand::unhome: {
+        auto request = provider_.unhomeRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CrtkArmCommand::state_command: {
+        const auto& slot =
+            *reinterpret_cast<const CrtkArmStateCommandArguments*>(record.arguments());
+        auto request = provider_.stateCommandRequest();
+        toWire(slot.name, request.initName(slot.name.size));
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CrtkArmCommand::measured_js: {
+        auto request = provider_.measuredJsRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<JointStateSlot>(call, [&](JointStateSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case CrtkArmCommand::setpoint_js: {
+        auto request = provider_.setpointJsRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<JointStateSlot>(call, [&](JointStateSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case CrtkArmCommand::goal_js: {
+        auto request = provider_.goalJsRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<JointStateSlot>(call, [&](JointStateSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case CrtkArmCommand::measured_cp: {
+        auto request = provider_.measuredCpRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case CrtkArmCommand::setpoint_cp: {
+        auto request = provider_.setpointCpRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case CrtkArmCommand::goal_cp: {
+        auto request = provider_.goalCpRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case CrtkArmCommand::local_measured_cp: {
+        auto request = provider_.localMeasuredCpRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case CrtkArmCommand::local_setpoint_cp: {
+        auto request = provider_.localSetpointCpRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case CrtkArmCommand::measured_cv: {
+        auto request = provider_.measuredCvRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<TwistSlot>(call, [&](TwistSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case CrtkArmCommand::setpoint_cv: {
+        auto request = provider_.setpointCvRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<TwistSlot>(call, [&](TwistSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case CrtkArmCommand::body_measured_cf: {
+        auto request = provider_.bodyMeasuredCfRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<WrenchSlot>(call, [&](WrenchSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case CrtkArmCommand::spatial_measured_cf: {
+        auto request = provider_.spatialMeasuredCfRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<WrenchSlot>(call, [&](WrenchSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case CrtkArmCommand::measured_cs: {
+        auto request = provider_.measuredCsRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<CartesianStateSlot>(call, [&](CartesianStateSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case CrtkArmCommand::body_jacobian: {
+        auto request = provider_.bodyJacobianRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<JacobianSlot>(call, [&](JacobianSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case CrtkArmCommand::spatial_jacobian: {
+        auto request = provider_.spatialJacobianRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<JacobianSlot>(call, [&](JacobianSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case CrtkArmCommand::base_frame: {
+        auto request = provider_.baseFrameRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case CrtkArmCommand::set_base_frame: {
+        const auto& slot =
+            *reinterpret_cast<const CrtkArmSetBaseFrameArguments*>(record.arguments());
+        auto request = provider_.setBaseFrameRequest();
+        toWire(slot.frame, request.initFrame());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CrtkArmCommand::hold: {
+        auto request = provider_.holdRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CrtkArmCommand::free: {
+        auto request = provider_.freeRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CrtkArmCommand::use_gravity_compensation: {
+        const auto& slot =
+            *reinterpret_cast<const CrtkArmUseGravityCompensationArguments*>(record.arguments());
+        auto request = provider_.useGravityCompensationRequest();
+        request.setUse(slot.use != 0);
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CrtkArmCommand::servo_jp: {
+        const auto& slot = *reinterpret_cast<const CrtkArmServoJpArguments*>(record.arguments());
+        auto request = provider_.servoJpRequest();
+        toWire(slot.goal, request.initGoal());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CrtkArmCommand::servo_jr: {
+        const auto& slot = *reinterpret_cast<const CrtkArmServoJrArguments*>(record.arguments());
+        auto request = provider_.servoJrRequest();
+        toWire(slot.step, request.initStep());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CrtkArmCommand::servo_jv: {
+        const auto& slot = *reinterpret_cast<const CrtkArmServoJvArguments*>(record.arguments());
+        auto request = provider_.servoJvRequest();
+        toWire(slot.goal, request.initGoal());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CrtkArmCommand::servo_jf: {
+        const auto& slot = *reinterpret_cast<const CrtkArmServoJfArguments*>(record.arguments());
+        auto request = provider_.servoJfRequest();
+        toWire(slot.goal, request.initGoal());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CrtkArmCommand::servo_cp: {
+        const auto& slot = *reinterpret_cast<const CrtkArmServoCpArguments*>(record.arguments());
+        auto request = provider_.servoCpRequest();
+        toWire(slot.goal, request.initGoal());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CrtkArmCommand::servo_cr: {
+        const auto& slot = *reinterpret_cast<const CrtkArmServoCrArguments*>(record.arguments());
+        auto request = provider_.servoCrRequest();
+        toWire(slot.step, request.initStep());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CrtkArmCommand::servo_cv: {
+        const auto& slot = *reinterpret_cast<const CrtkArmServoCvArguments*>(record.arguments());
+        auto request = provider_.servoCvRequest();
+        toWire(slot.goal, request.initGoal());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CrtkArmCommand::body_servo_cf: {
+        const auto& slot =
+            *reinterpret_cast<const CrtkArmBodyServoCfArguments*>(record.arguments());
+        auto request = provider_.bodyServoCfRequest();
+        toWire(slot.goal, request.initGoal());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CrtkArmCommand::spatial_servo_cf: {
+        const auto& slot =
+            *reinterpret_cast<const CrtkArmSpatialServoCfArguments*>(record.arguments());
+        auto request = provider_.spatialServoCfRequest();
+        toWire(slot.goal, request.initGoal());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CrtkArmCommand::move_jp: {
+        const auto& slot = *reinterpret_cast<const CrtkArmMoveJpArguments*>(record.arguments());
+        auto request = provider_.moveJpRequest();
+        toWire(slot.goal, request.initGoal());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CrtkArmCommand::move_jr: {
+        const auto& slot = *reinterpret_cast<const CrtkArmMoveJrArguments*>(record.arguments());
+        auto request = provider_.moveJrRequest();
+        toWire(slot.step, request.initStep());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CrtkArmCommand::move_cp: {
+        const auto& slot = *reinterpret_cast<const CrtkArmMoveCpArguments*>(record.arguments());
+        auto request = provider_.moveCpRequest();
+        toWire(slot.goal, request.initGoal());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CrtkArmCommand::move_cr: {
+        const auto& slot = *reinterpret_cast<const CrtkArmMoveCrArguments*>(record.arguments());
+        auto request = provider_.moveCrRequest();
+        toWire(slot.step, request.initStep());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CrtkArmCommand::trajectory_j_set_ratio: {
+        const auto& slot =
+            *reinterpret_cast<const CrtkArmTrajectoryJSetRatioArguments*>(record.arguments());
+        auto request = provider_.trajectoryJSetRatioRequest();
+        request.setRatio(slot.ratio);
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CrtkArmCommand::trajectory_j_set_ratio_v: {
+        const auto& slot =
+            *reinterpret_cast<const CrtkArmTrajectoryJSetRatioVArguments*>(record.arguments());
+        auto request = provider_.trajectoryJSetRatioVRequest();
+        request.setRatio(slot.ratio);
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CrtkArmCommand::trajectory_j_set_ratio_a: {
+        const auto& slot =
+            *reinterpret_cast<const CrtkArmTrajectoryJSetRatioAArguments*>(record.arguments());
+        auto request = provider_.trajectoryJSetRatioARequest();
+        request.setRatio(slot.ratio);
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case CrtkArmCommand::trajectory_j_ratio: {
+        auto request = provider_.trajectoryJRatioRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<double>(call, [&](double& answer) {
+            answer = response.getValue();
+            return Errc{};
+          });
+        });
+      }
+      case CrtkArmCommand::trajectory_j_ratio_v: {
+        auto request = provider_.trajectoryJRatioVRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<double>(call, [&](double& answer) {
+            answer = response.getValue();
+            return Errc{};
+          });
+        });
+      }
+      case CrtkArmCommand::trajectory_j_ratio_a: {
+        auto request = provider_.trajectoryJRatioARequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<double>(call, [&](double& answer) {
+            answer = response.getValue();
+            return Errc{};
+          });
+        });
+      }
+      case CrtkArmCommand::forward_kinematics: {
+        const auto& slot =
+            *reinterpret_cast<const CrtkArmForwardKinematicsArguments*>(record.arguments());
+        auto request = provider_.forwardKinematicsRequest();
+        toWire(slot.q, request.initQ());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case CrtkArmCommand::inverse_kinematics: {
+        const auto& slot =
+            *reinterpret_cast<const CrtkArmInverseKinematicsArguments*>(record.arguments());
+        auto request = provider_.inverseKinematicsRequest();
+        toWire(slot.goal, request.initGoal());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<JointSolutionSlot>(call, [&](JointSolutionSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case CrtkArmCommand::query_cp: {
+        const auto& slot = *reinterpret_cast<const CrtkArmQueryCpArguments*>(record.arguments());
+        auto request = provider_.queryCpRequest();
+        toWire(slot.q, request.initQ());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case CrtkArmCommand::local_query_cp: {
+        const auto& slot =
+            *reinterpret_cast<const CrtkArmLocalQueryCpArguments*>(record.arguments());
+        auto request = provider_.localQueryCpRequest();
+        toWire(slot.q, request.initQ());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+ private:
+  wire::CrtkArm::Client provider_;
+  ProxyPort& port_;
+};
+
+class CrtkArmBinding final : public suture::rpc::Binding {
+ public:
+  capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const override {
+    return wire::CrtkArm::Client(kj::heap<CrtkArmServant>(kj::mv(port)));
+  }
+  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
+                                        ProxyPort& port) const override {
+    return kj::heap<CrtkArmProxy>(contract.castAs<wire::CrtkArm>(), port);
+  }
+  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
+    return kj::heap<CrtkArmSink>(subscriber.castAs<wire::CrtkArmEvents>());
+  }
+};
+
+const suture::rpc::Binding& crtkArmBinding() {
+  static const CrtkArmBinding kBinding;
+  return kBinding;
+}
+
+}  // namespace
+}  // namespace robots
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<robots::CrtkArm>() {
+  static constexpr InterfaceInfo kInfo{
+      .name = "robots::CrtkArm",
+      .hash = "1ff7ffcec601d1592afd8ea68d76934c",
+      .description = robots::kCrtkArmDescription,
+      .commands = robots::kCrtkArmCommands,
+      .events = robots::kCrtkArmEvents,
+      .binding = &robots::crtkArmBinding,
+  };
+  return kInfo;
+}
+
+Errc Provided<robots::CrtkArm>::execute(std::uint16_t command, const std::byte* arguments,
+                                        std::byte* result) {
+  using ::robots::CrtkArmCommand;
+  switch (static_cast<CrtkArmCommand>(command)) {
+    case CrtkArmCommand::configuration_js: {
+      auto& slot = *reinterpret_cast<robots::JointConfigurationSlot*>(result);
+      return store(implementation_.configuration_js(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case CrtkArmCommand::operating_state: {
+      auto& slot = *reinterpret_cast<robots::OperatingStateSlot*>(result);
+      return store(implementation_.operating_state(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case CrtkArmCommand::period_statistics: {
+      auto& slot = *reinterpret_cast<robots::IntervalStatisticsSlot*>(result);
+      return store(implementation_.period_statistics(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case CrtkArmCommand::enable: {
+      implementation_.enable();
+      return Errc{};
+    }
+    case CrtkArmCommand::disable: {
+      implementation_.disable();
+      return Errc{};
+    }
+    case CrtkArmCommand::pause: {
+      implementation_.pause();
+      return Errc{};
+    }
+    case CrtkArmCommand::resume: {
+      implementation_.resume();
+      return Errc{};
+    }
+    case CrtkArmCommand::home: {
+      implementation_.home();
+      return Errc{};
+    }
+    case CrtkArmCommand::unhome: {
+      implementation_.unhome();
+      return Errc{};
+    }
+    case CrtkArmCommand::state_command: {
+      const auto& slot = *reinterpret_cast<const robots::CrtkArmStateCommandArguments*>(arguments);
+      load(slot.name, scratch_.state_command_name);
+      implementation_.state_command(scratch_.state_command_name);
+      return Errc{};
+    }
+    case CrtkArmCommand::measured_js: {
+      auto& slot = *reinterpret_cast<robots::JointStateSlot*>(result);
+      return store(implementation_.measured_js(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case CrtkArmCommand::setpoint_js: {
+      auto& slot = *reinterpret_cast<robots::JointStateSlot*>(result);
+      return store(implementation_.setpoint_js(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case CrtkArmCommand::goal_js: {
+      auto& slot = *reinterpret_cast<robots::JointStateSlot*>(result);
+      return store(implementation_.goal_js(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case CrtkArmCommand::measured_cp: {
+      auto& slot = *reinterpret_cast<robots::PoseStampedSlot*>(result);
+      return store(implementation_.measured_cp(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case CrtkArmCommand::setpoint_cp: {
+      auto& slot = *reinterpret_cast<robots::PoseStampedSlot*>(result);
+      return store(implementation_.setpoint_cp(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case CrtkArmCommand::goal_cp: {
+      auto& slot = *reinterpret_cast<robots::PoseStampedSlot*>(result);
+      return store(implementation_.goal_cp(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case CrtkArmCommand::local_measured_cp: {
+      auto& slot = *reinterpret_cast<robots::PoseStampedSlot*>(result);
+      return store(implementation_.local_measured_cp(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case CrtkArmCommand::local_setpoint_cp: {
+      auto& slot = *reinterpret_cast<robots::PoseStampedSlot*>(result);
+      return store(implementation_.local_setpoint_cp(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case CrtkArmCommand::measured_cv: {
+      auto& slot = *reinterpret_cast<robots::TwistSlot*>(result);
+      return store(implementation_.measured_cv(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case CrtkArmCommand::setpoint_cv: {
+      auto& slot = *reinterpret_cast<robots::TwistSlot*>(result);
+      return store(implementation_.setpoint_cv(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case CrtkArmCommand::body_measured_cf: {
+      auto& slot = *reinterpret_cast<robots::WrenchSlot*>(result);
+      return store(implementation_.body_measured_cf(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case CrtkArmCommand::spatial_measured_cf: {
+      auto& slot = *reinterpret_cast<robots::WrenchSlot*>(result);
+      return store(implementation_.spatial_measured_cf(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case CrtkArmCommand::measured_cs: {
+      auto& slot = *reinterpret_cast<robots::CartesianStateSlot*>(result);
+      return store(implementation_.measured_cs(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case CrtkArmCommand::body_jacobian: {
+      auto& slot = *reinterpret_cast<robots::JacobianSlot*>(result);
+      return store(implementation_.body_jacobian(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case CrtkArmCommand::spatial_jacobian: {
+      auto& slot = *reinterpret_cast<robots::JacobianSlot*>(result);
+      return store(implementation_.spatial_jacobian(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case CrtkArmCommand::base_frame: {
+      auto& slot = *reinterpret_cast<robots::PoseStampedSlot*>(result);
+      return store(implementation_.base_frame(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case CrtkArmCommand::set_base_frame: {
+      const auto& slot = *reinterpret_cast<const robots::CrtkArmSetBaseFrameArguments*>(arguments);
+      load(slot.frame, scratch_.set_base_frame_frame);
+      implementation_.set_base_frame(scratch_.set_base_frame_frame);
+      return Errc{};
+    }
+    case CrtkArmCommand::hold: {
+      implementation_.hold();
+      return Errc{};
+    }
+    case CrtkArmCommand::free: {
+      implementation_.free();
+      return Errc{};
+    }
+    case CrtkArmCommand::use_gravity_compensation: {
+      const auto& slot =
+          *reinterpret_cast<const robots::CrtkArmUseGravityCompensationArguments*>(arguments);
+      load(slot.use, scratch_.use_gravity_compensation_use);
+      implementation_.use_gravity_compensation(scratch_.use_gravity_compensation_use);
+      return Errc{};
+    }
+    case CrtkArmCommand::servo_jp: {
+      const auto& slot = *reinterpret_cast<const robots::CrtkArmServoJpArguments*>(arguments);
+      load(slot.goal, scratch_.servo_jp_goal);
+      implementation_.servo_jp(scratch_.servo_jp_goal);
+      return Errc{};
+    }
+    case CrtkArmCommand::servo_jr: {
+      const auto& slot = *reinterpret_cast<const robots::CrtkArmServoJrArguments*>(arguments);
+      load(slot.step, scratch_.servo_jr_step);
+      implementation_.servo_jr(scratch_.servo_jr_step);
+      return Errc{};
+    }
+    case CrtkArmCommand::servo_jv: {
+      const auto& slot = *reinterpret_cast<const robots::CrtkArmServoJvArguments*>(arguments);
+      load(slot.goal, scratch_.servo_jv_goal);
+      implementation_.servo_jv(scratch_.servo_jv_goal);
+      return Errc{};
+    }
+    case CrtkArmCommand::servo_jf: {
+      const auto& slot = *reinterpret_cast<const robots::CrtkArmServoJfArguments*>(arguments);
+      load(slot.goal, scratch_.servo_jf_goal);
+      implementation_.servo_jf(scratch_.servo_jf_goal);
+      return Errc{};
+    }
+    case CrtkArmCommand::servo_cp: {
+      const auto& slot = *reinterpret_cast<const robots::CrtkArmServoCpArguments*>(arguments);
+      load(slot.goal, scratch_.servo_cp_goal);
+      implementation_.servo_cp(scratch_.servo_cp_goal);
+      return Errc{};
+    }
+    case CrtkArmCommand::servo_cr: {
+      const auto& slot = *reinterpret_cast<const robots::CrtkArmServoCrArguments*>(arguments);
+      load(slot.step, scratch_.servo_cr_step);
+      implementation_.servo_cr(scratch_.servo_cr_step);
+      return Errc{};
+    }
+    case CrtkArmCommand::servo_cv: {
+      const auto& slot = *reinterpret_cast<const robots::CrtkArmServoCvArguments*>(arguments);
+      load(slot.goal, scratch_.servo_cv_goal);
+      implementation_.servo_cv(scratch_.servo_cv_goal);
+      return Errc{};
+    }
+    case CrtkArmCommand::body_servo_cf: {
+      const auto& slot = *reinterpret_cast<const robots::CrtkArmBodyServoCfArguments*>(arguments);
+      load(slot.goal, scratch_.body_servo_cf_goal);
+      implementation_.body_servo_cf(scratch_.body_servo_cf_goal);
+      return Errc{};
+    }
+    case CrtkArmCommand::spatial_servo_cf: {
+      const auto& slot =
+          *reinterpret_cast<const robots::CrtkArmSpatialServoCfArguments*>(arguments);
+      load(slot.goal, scratch_.spatial_servo_cf_goal);
+      implementation_.spatial_servo_cf(scratch_.spatial_servo_cf_goal);
+      return Errc{};
+    }
+    case CrtkArmCommand::move_jp: {
+      const auto& slot = *reinterpret_cast<const robots::CrtkArmMoveJpArguments*>(arguments);
+      load(slot.goal, scratch_.move_jp_goal);
+      implementation_.move_jp(scratch_.move_jp_goal);
+      return Errc{};
+    }
+    case CrtkArmCommand::move_jr: {
+      const auto& slot = *reinterpret_cast<const robots::CrtkArmMoveJrArguments*>(arguments);
+      load(slot.step, scratch_.move_jr_step);
+      implementation_.move_jr(scratch_.move_jr_step);
+      return Errc{};
+    }
+    case CrtkArmCommand::move_cp: {
+      const auto& slot = *reinterpret_cast<const robots::CrtkArmMoveCpArguments*>(arguments);
+      load(slot.goal, scratch_.move_cp_goal);
+      implementation_.move_cp(scratch_.move_cp_goal);
+      return Errc{};
+    }
+    case CrtkArmCommand::move_cr: {
+      const auto& slot = *reinterpret_cast<const robots::CrtkArmMoveCrArguments*>(arguments);
+      load(slot.step, scratch_.move_cr_step);
+      implementation_.move_cr(scratch_.move_cr_step);
+      return Errc{};
+    }
+    case CrtkArmCommand::trajectory_j_set_ratio: {
+      const auto& slot =
+          *reinterpret_cast<const robots::CrtkArmTrajectoryJSetRatioArguments*>(arguments);
+      load(slot.ratio, scratch_.trajectory_j_set_ratio_ratio);
+      implementation_.trajectory_j_set_ratio(scratch_.trajectory_j_set_ratio_ratio);
+      return Errc{};
+    }
+    case CrtkArmCommand::trajectory_j_set_ratio_v: {
+      const auto& slot =
+          *reinterpret_cast<const robots::CrtkArmTrajectoryJSetRatioVArguments*>(arguments);
+      load(slot.ratio, scratch_.trajectory_j_set_ratio_v_ratio);
+      implementation_.trajectory_j_set_ratio_v(scratch_.trajectory_j_set_ratio_v_ratio);
+      return Errc{};
+    }
+    case CrtkArmCommand::trajectory_j_set_ratio_a: {
+      const auto& slot =
+          *reinterpret_cast<const robots::CrtkArmTrajectoryJSetRatioAArguments*>(arguments);
+      load(slot.ratio, scratch_.trajectory_j_set_ratio_a_ratio);
+      implementation_.trajectory_j_set_ratio_a(scratch_.trajectory_j_set_ratio_a_ratio);
+      return Errc{};
+    }
+    case CrtkArmCommand::trajectory_j_ratio: {
+      auto& slot = *reinterpret_cast<double*>(result);
+      return store(implementation_.trajectory_j_ratio(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case CrtkArmCommand::trajectory_j_ratio_v: {
+      auto& slot = *reinterpret_cast<double*>(result);
+      return store(implementation_.trajectory_j_ratio_v(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case CrtkArmCommand::trajectory_j_ratio_a: {
+      auto& slot = *reinterpret_cast<double*>(result);
+      return store(implementation_.trajectory_j_ratio_a(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case CrtkArmCommand::forward_kinematics: {
+      const auto& slot =
+          *reinterpret_cast<const robots::CrtkArmForwardKinematicsArguments*>(arguments);
+      load(slot.q, scratch_.forward_kinematics_q);
+      auto& answer = *reinterpret_cast<robots::PoseStampedSlot*>(result);
+      return store(implementation_.forward_kinematics(scratch_.forward_kinematics_q), answer)
+          ? Errc{} : Errc::TooLarge;
+    }
+    case CrtkArmCommand::inverse_kinematics: {
+      const auto& slot =
+          *reinterpret_cast<const robots::CrtkArmInverseKinematicsArguments*>(arguments);
+      load(slot.goal, scratch_.inverse_kinematics_goal);
+      auto& answer = *reinterpret_cast<robots::JointSolutionSlot*>(result);
+      return store(implementation_.inverse_kinematics(scratch_.inverse_kinematics_goal), answer)
+          ? Errc{} : Errc::TooLarge;
+    }
+    case CrtkArmCommand::query_cp: {
+      const auto& slot = *reinterpret_cast<const robots::CrtkArmQueryCpArguments*>(arguments);
+      load(slot.q, scratch_.query_cp_q);
+      auto& answer = *reinterpret_cast<robots::PoseStampedSlot*>(result);
+      return store(implementation_.query_cp(scratch_.query_cp_q), answer) ? Errc{} : Errc::TooLarge;
+    }
+    case CrtkArmCommand::local_query_cp: {
+      const auto& slot = *reinterpret_cast<const robots::CrtkArmLocalQueryCpArguments*>(arguments);
+      load(slot.q, scratch_.local_query_cp_q);
+      auto& answer = *reinterpret_cast<robots::PoseStampedSlot*>(result);
+      return store(implementation_.local_query_cp(scratch_.local_query_cp_q), answer)
+          ? Errc{} : Errc::TooLarge;
+    }
+  }
+  return Errc::Invalid;
+}
+
+}  // namespace suture
