@@ -595,7 +595,7 @@ constexpr EventInfo kCrtkArmEvents[] = {
 constexpr char kCrtkArmDescription[] = R"json({
   "name": "robots::CrtkArm",
   "doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. `local_` poses are of the tool tip in the arm's base frame, all others in the reference\nframe, in which base_frame() is the arm's base. A servo command replaces the one before it, of\nwhichever space; a stream of velocities or efforts that falls silent for 0.1 s ends as hold().\nRelative goals are relative to the set-point. What an arm refuses it tells in `warning`.",
-  "hash": "1ff7ffcec601d1592afd8ea68d76934c",
+  "hash": "fd15fee19f80c14818f4c5f626164e89",
   "crtk": true,
   "commands": [
     {
@@ -2415,6 +2415,7 @@ class CrtkArmSink final : public suture::rpc::EventSink {
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
     out.setEvaluated(row.valid);
+    out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
       const auto& slot = *reinterpret_cast<const JointConfigurationSlot*>(columns[0]);
       toWire(slot, out.initConfigurationJs());
@@ -2524,10 +2525,11 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
 
   kj::Promise<void> configurationJs(ConfigurationJsContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JointConfigurationSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(CrtkArmCommand::configuration_js), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -2535,10 +2537,11 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
 
   kj::Promise<void> operatingState(OperatingStateContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const OperatingStateSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(CrtkArmCommand::operating_state), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -2546,10 +2549,11 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
 
   kj::Promise<void> periodStatistics(PeriodStatisticsContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const IntervalStatisticsSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(CrtkArmCommand::period_statistics), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -2602,10 +2606,11 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
 
   kj::Promise<void> measuredJs(MeasuredJsContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(CrtkArmCommand::measured_js), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -2613,10 +2618,11 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
 
   kj::Promise<void> setpointJs(SetpointJsContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(CrtkArmCommand::setpoint_js), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -2624,10 +2630,11 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
 
   kj::Promise<void> goalJs(GoalJsContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(CrtkArmCommand::goal_js), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -2635,10 +2642,11 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
 
   kj::Promise<void> measuredCp(MeasuredCpContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(CrtkArmCommand::measured_cp), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -2646,10 +2654,11 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
 
   kj::Promise<void> setpointCp(SetpointCpContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(CrtkArmCommand::setpoint_cp), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -2657,10 +2666,11 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
 
   kj::Promise<void> goalCp(GoalCpContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(CrtkArmCommand::goal_cp), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -2668,10 +2678,11 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
 
   kj::Promise<void> localMeasuredCp(LocalMeasuredCpContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(CrtkArmCommand::local_measured_cp), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -2679,10 +2690,11 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
 
   kj::Promise<void> localSetpointCp(LocalSetpointCpContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(CrtkArmCommand::local_setpoint_cp), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -2690,10 +2702,11 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
 
   kj::Promise<void> measuredCv(MeasuredCvContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const TwistSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(CrtkArmCommand::measured_cv), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -2701,10 +2714,11 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
 
   kj::Promise<void> setpointCv(SetpointCvContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const TwistSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(CrtkArmCommand::setpoint_cv), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -2712,10 +2726,11 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
 
   kj::Promise<void> bodyMeasuredCf(BodyMeasuredCfContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const WrenchSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(CrtkArmCommand::body_measured_cf), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -2723,10 +2738,11 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
 
   kj::Promise<void> spatialMeasuredCf(SpatialMeasuredCfContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const WrenchSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(CrtkArmCommand::spatial_measured_cf), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -2734,10 +2750,11 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
 
   kj::Promise<void> measuredCs(MeasuredCsContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const CartesianStateSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(CrtkArmCommand::measured_cs), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -2745,10 +2762,11 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
 
   kj::Promise<void> bodyJacobian(BodyJacobianContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JacobianSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(CrtkArmCommand::body_jacobian), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -2756,10 +2774,11 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
 
   kj::Promise<void> spatialJacobian(SpatialJacobianContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JacobianSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(CrtkArmCommand::spatial_jacobian), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -2767,10 +2786,11 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
 
   kj::Promise<void> baseFrame(BaseFrameContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(CrtkArmCommand::base_frame), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -2998,10 +3018,11 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
 
   kj::Promise<void> trajectoryJRatio(TrajectoryJRatioContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
       auto out = context.getResults();
       out.setValue(slot);
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(CrtkArmCommand::trajectory_j_ratio), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -3009,10 +3030,11 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
 
   kj::Promise<void> trajectoryJRatioV(TrajectoryJRatioVContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
       auto out = context.getResults();
       out.setValue(slot);
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(CrtkArmCommand::trajectory_j_ratio_v), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -3020,10 +3042,11 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
 
   kj::Promise<void> trajectoryJRatioA(TrajectoryJRatioAContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
       auto out = context.getResults();
       out.setValue(slot);
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(CrtkArmCommand::trajectory_j_ratio_a), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -3037,7 +3060,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.q) ? Errc{} : Errc::Invalid;
     };
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
@@ -3055,7 +3078,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.goal) ? Errc{} : Errc::Invalid;
     };
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const JointSolutionSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
@@ -3072,7 +3095,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.q) ? Errc{} : Errc::Invalid;
     };
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
@@ -3088,7 +3111,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.q) ? Errc{} : Errc::Invalid;
     };
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
@@ -3243,7 +3266,7 @@ class CrtkArmReceiver final : public wire::CrtkArmEvents::Server {
       slot = in.getTrajectoryJRatioA();
       valid |= suture::rt::ColumnSet{1} << 21;
     }
-    port_->publish(in.getStamp(), valid);
+    port_->publish(in.getStamp(), valid, in.getTooLarge());
     return kj::READY_NOW;
   }
 
@@ -3352,7 +3375,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.configurationJsRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<JointConfigurationSlot>(call, [&](JointConfigurationSlot& answer) {
+          port_.answer<JointConfigurationSlot>(call, response.getStamp(), [&](JointConfigurationSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -3362,7 +3385,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.operatingStateRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<OperatingStateSlot>(call, [&](OperatingStateSlot& answer) {
+          port_.answer<OperatingStateSlot>(call, response.getStamp(), [&](OperatingStateSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -3372,7 +3395,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.periodStatisticsRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<IntervalStatisticsSlot>(call, [&](IntervalStatisticsSlot& answer) {
+          port_.answer<IntervalStatisticsSlot>(call, response.getStamp(), [&](IntervalStatisticsSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -3420,7 +3443,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.measuredJsRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<JointStateSlot>(call, [&](JointStateSlot& answer) {
+          port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -3430,7 +3453,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.setpointJsRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<JointStateSlot>(call, [&](JointStateSlot& answer) {
+          port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -3440,7 +3463,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.goalJsRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<JointStateSlot>(call, [&](JointStateSlot& answer) {
+          port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -3450,7 +3473,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.measuredCpRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
+          port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -3460,7 +3483,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.setpointCpRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
+          port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -3470,7 +3493,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.goalCpRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
+          port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -3480,7 +3503,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.localMeasuredCpRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
+          port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -3490,7 +3513,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.localSetpointCpRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
+          port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -3500,7 +3523,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.measuredCvRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<TwistSlot>(call, [&](TwistSlot& answer) {
+          port_.answer<TwistSlot>(call, response.getStamp(), [&](TwistSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -3510,7 +3533,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.setpointCvRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<TwistSlot>(call, [&](TwistSlot& answer) {
+          port_.answer<TwistSlot>(call, response.getStamp(), [&](TwistSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -3520,7 +3543,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.bodyMeasuredCfRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<WrenchSlot>(call, [&](WrenchSlot& answer) {
+          port_.answer<WrenchSlot>(call, response.getStamp(), [&](WrenchSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -3530,7 +3553,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.spatialMeasuredCfRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<WrenchSlot>(call, [&](WrenchSlot& answer) {
+          port_.answer<WrenchSlot>(call, response.getStamp(), [&](WrenchSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -3540,7 +3563,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.measuredCsRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<CartesianStateSlot>(call, [&](CartesianStateSlot& answer) {
+          port_.answer<CartesianStateSlot>(call, response.getStamp(), [&](CartesianStateSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -3550,7 +3573,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.bodyJacobianRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<JacobianSlot>(call, [&](JacobianSlot& answer) {
+          port_.answer<JacobianSlot>(call, response.getStamp(), [&](JacobianSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -3560,7 +3583,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.spatialJacobianRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<JacobianSlot>(call, [&](JacobianSlot& answer) {
+          port_.answer<JacobianSlot>(call, response.getStamp(), [&](JacobianSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -3570,7 +3593,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.baseFrameRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
+          port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -3723,7 +3746,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.trajectoryJRatioRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<double>(call, [&](double& answer) {
+          port_.answer<double>(call, response.getStamp(), [&](double& answer) {
             answer = response.getValue();
             return Errc{};
           });
@@ -3733,7 +3756,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.trajectoryJRatioVRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<double>(call, [&](double& answer) {
+          port_.answer<double>(call, response.getStamp(), [&](double& answer) {
             answer = response.getValue();
             return Errc{};
           });
@@ -3743,7 +3766,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.trajectoryJRatioARequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<double>(call, [&](double& answer) {
+          port_.answer<double>(call, response.getStamp(), [&](double& answer) {
             answer = response.getValue();
             return Errc{};
           });
@@ -3837,7 +3860,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::CrtkArm>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::CrtkArm",
-      .hash = "1ff7ffcec601d1592afd8ea68d76934c",
+      .hash = "fd15fee19f80c14818f4c5f626164e89",
       .description = robots::kCrtkArmDescription,
       .commands = robots::kCrtkArmCommands,
       .events = robots::kCrtkArmEvents,

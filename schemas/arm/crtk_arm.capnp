@@ -22,12 +22,12 @@ interface CrtkArm @0xe327df5d82aa8eea $Meta.cxx("robots::CrtkArm") {
 
   subscribe @0 (events :CrtkArmEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
-  configurationJs @1 (sent :Rpc.Sent) -> (value :JointCommands.JointConfiguration)
+  configurationJs @1 (sent :Rpc.Sent) -> (value :JointCommands.JointConfiguration, stamp :Int64)
       $Meta.cxx("configuration_js") $Meta.kind("read");
   # What the joints are and may do.
-  operatingState @2 (sent :Rpc.Sent) -> (value :OperatingState.OperatingState)
+  operatingState @2 (sent :Rpc.Sent) -> (value :OperatingState.OperatingState, stamp :Int64)
       $Meta.cxx("operating_state") $Meta.kind("read");
-  periodStatistics @3 (sent :Rpc.Sent) -> (value :Messages.IntervalStatistics)
+  periodStatistics @3 (sent :Rpc.Sent) -> (value :Messages.IntervalStatistics, stamp :Int64)
       $Meta.cxx("period_statistics") $Meta.kind("read");
   # How regularly the arm's task ran in the last second.
   enable @4 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
@@ -44,43 +44,45 @@ interface CrtkArm @0xe327df5d82aa8eea $Meta.cxx("robots::CrtkArm") {
   stateCommand @10 (name :Text $Meta.capacity([15]), sent :Rpc.Sent) -> ()
       $Meta.cxx("state_command") $Meta.kind("write") $Meta.queue(16);
   # One of the six above, by name; anything else is an `error`.
-  measuredJs @11 (sent :Rpc.Sent) -> (value :Joints.JointState) $Meta.cxx("measured_js")
+  measuredJs @11 (sent :Rpc.Sent) -> (value :Joints.JointState, stamp :Int64)
+      $Meta.cxx("measured_js") $Meta.kind("read");
+  setpointJs @12 (sent :Rpc.Sent) -> (value :Joints.JointState, stamp :Int64)
+      $Meta.cxx("setpoint_js") $Meta.kind("read");
+  goalJs @13 (sent :Rpc.Sent) -> (value :Joints.JointState, stamp :Int64) $Meta.cxx("goal_js")
       $Meta.kind("read");
-  setpointJs @12 (sent :Rpc.Sent) -> (value :Joints.JointState) $Meta.cxx("setpoint_js")
-      $Meta.kind("read");
-  goalJs @13 (sent :Rpc.Sent) -> (value :Joints.JointState) $Meta.cxx("goal_js") $Meta.kind("read");
   # Where the move under way ends; without one, the set-point.
-  measuredCp @14 (sent :Rpc.Sent) -> (value :Pose.PoseStamped) $Meta.cxx("measured_cp")
+  measuredCp @14 (sent :Rpc.Sent) -> (value :Pose.PoseStamped, stamp :Int64)
+      $Meta.cxx("measured_cp") $Meta.kind("read");
+  setpointCp @15 (sent :Rpc.Sent) -> (value :Pose.PoseStamped, stamp :Int64)
+      $Meta.cxx("setpoint_cp") $Meta.kind("read");
+  goalCp @16 (sent :Rpc.Sent) -> (value :Pose.PoseStamped, stamp :Int64) $Meta.cxx("goal_cp")
       $Meta.kind("read");
-  setpointCp @15 (sent :Rpc.Sent) -> (value :Pose.PoseStamped) $Meta.cxx("setpoint_cp")
-      $Meta.kind("read");
-  goalCp @16 (sent :Rpc.Sent) -> (value :Pose.PoseStamped) $Meta.cxx("goal_cp") $Meta.kind("read");
   # Where the move under way ends; without one, the set-point.
-  localMeasuredCp @17 (sent :Rpc.Sent) -> (value :Pose.PoseStamped) $Meta.cxx("local_measured_cp")
-      $Meta.kind("read");
-  localSetpointCp @18 (sent :Rpc.Sent) -> (value :Pose.PoseStamped) $Meta.cxx("local_setpoint_cp")
-      $Meta.kind("read");
-  measuredCv @19 (sent :Rpc.Sent) -> (value :Cartesian.Twist) $Meta.cxx("measured_cv")
-      $Meta.kind("read");
+  localMeasuredCp @17 (sent :Rpc.Sent) -> (value :Pose.PoseStamped, stamp :Int64)
+      $Meta.cxx("local_measured_cp") $Meta.kind("read");
+  localSetpointCp @18 (sent :Rpc.Sent) -> (value :Pose.PoseStamped, stamp :Int64)
+      $Meta.cxx("local_setpoint_cp") $Meta.kind("read");
+  measuredCv @19 (sent :Rpc.Sent) -> (value :Cartesian.Twist, stamp :Int64)
+      $Meta.cxx("measured_cv") $Meta.kind("read");
   # Of the tip, in the directions of the reference frame.
-  setpointCv @20 (sent :Rpc.Sent) -> (value :Cartesian.Twist) $Meta.cxx("setpoint_cv")
-      $Meta.kind("read");
-  bodyMeasuredCf @21 (sent :Rpc.Sent) -> (value :Cartesian.Wrench) $Meta.cxx("body_measured_cf")
-      $Meta.kind("read");
+  setpointCv @20 (sent :Rpc.Sent) -> (value :Cartesian.Twist, stamp :Int64)
+      $Meta.cxx("setpoint_cv") $Meta.kind("read");
+  bodyMeasuredCf @21 (sent :Rpc.Sent) -> (value :Cartesian.Wrench, stamp :Int64)
+      $Meta.cxx("body_measured_cf") $Meta.kind("read");
   # Force on the tip in its own directions.
-  spatialMeasuredCf @22 (sent :Rpc.Sent) -> (value :Cartesian.Wrench)
+  spatialMeasuredCf @22 (sent :Rpc.Sent) -> (value :Cartesian.Wrench, stamp :Int64)
       $Meta.cxx("spatial_measured_cf") $Meta.kind("read");
   # Force on the tip in the directions of the arm's base frame.
-  measuredCs @23 (sent :Rpc.Sent) -> (value :Cartesian.CartesianState) $Meta.cxx("measured_cs")
-      $Meta.kind("read");
+  measuredCs @23 (sent :Rpc.Sent) -> (value :Cartesian.CartesianState, stamp :Int64)
+      $Meta.cxx("measured_cs") $Meta.kind("read");
   # Pose, velocity and force of one cycle, in the reference frame.
-  bodyJacobian @24 (sent :Rpc.Sent) -> (value :JointCommands.Jacobian) $Meta.cxx("body_jacobian")
-      $Meta.kind("read");
+  bodyJacobian @24 (sent :Rpc.Sent) -> (value :JointCommands.Jacobian, stamp :Int64)
+      $Meta.cxx("body_jacobian") $Meta.kind("read");
   # From joint velocities to those of the tip, in its own directions.
-  spatialJacobian @25 (sent :Rpc.Sent) -> (value :JointCommands.Jacobian)
+  spatialJacobian @25 (sent :Rpc.Sent) -> (value :JointCommands.Jacobian, stamp :Int64)
       $Meta.cxx("spatial_jacobian") $Meta.kind("read");
   # The same in the directions of the arm's base frame.
-  baseFrame @26 (sent :Rpc.Sent) -> (value :Pose.PoseStamped) $Meta.cxx("base_frame")
+  baseFrame @26 (sent :Rpc.Sent) -> (value :Pose.PoseStamped, stamp :Int64) $Meta.cxx("base_frame")
       $Meta.kind("read");
   setBaseFrame @27 (frame :Pose.PoseStamped, sent :Rpc.Sent) -> () $Meta.cxx("set_base_frame")
       $Meta.kind("write") $Meta.queue(16);
@@ -128,13 +130,13 @@ interface CrtkArm @0xe327df5d82aa8eea $Meta.cxx("robots::CrtkArm") {
       $Meta.cxx("trajectory_j_set_ratio_v") $Meta.kind("write") $Meta.queue(16);
   trajectoryJSetRatioA @46 (ratio :Float64 $Meta.range(lowest = 0.01, highest = 1), sent :Rpc.Sent) -> ()
       $Meta.cxx("trajectory_j_set_ratio_a") $Meta.kind("write") $Meta.queue(16);
-  trajectoryJRatio @47 (sent :Rpc.Sent) -> (value :Float64) $Meta.cxx("trajectory_j_ratio")
-      $Meta.kind("read");
+  trajectoryJRatio @47 (sent :Rpc.Sent) -> (value :Float64, stamp :Int64)
+      $Meta.cxx("trajectory_j_ratio") $Meta.kind("read");
   # The smaller of the two below.
-  trajectoryJRatioV @48 (sent :Rpc.Sent) -> (value :Float64) $Meta.cxx("trajectory_j_ratio_v")
-      $Meta.kind("read");
-  trajectoryJRatioA @49 (sent :Rpc.Sent) -> (value :Float64) $Meta.cxx("trajectory_j_ratio_a")
-      $Meta.kind("read");
+  trajectoryJRatioV @48 (sent :Rpc.Sent) -> (value :Float64, stamp :Int64)
+      $Meta.cxx("trajectory_j_ratio_v") $Meta.kind("read");
+  trajectoryJRatioA @49 (sent :Rpc.Sent) -> (value :Float64, stamp :Int64)
+      $Meta.cxx("trajectory_j_ratio_a") $Meta.kind("read");
   forwardKinematics @50 (q :Joints.JointGoal, sent :Rpc.Sent) -> (value :Pose.PoseStamped)
       $Meta.cxx("forward_kinematics") $Meta.kind("qualifiedRead");
   # The tool tip for a joint vector; not valid if it has the wrong length.
@@ -182,26 +184,28 @@ struct CrtkArmStateRow @0xaf91381bef91dec1 $Meta.stateOf("robots::CrtkArm") {
   # When the row was written: the provider's steady clock, ns.
   evaluated @1 :UInt64;
   # Bit i: column i was evaluated.
-  configurationJs @2 :JointCommands.JointConfiguration $Meta.cxx("configuration_js");
-  operatingState @3 :OperatingState.OperatingState $Meta.cxx("operating_state");
-  periodStatistics @4 :Messages.IntervalStatistics $Meta.cxx("period_statistics");
-  measuredJs @5 :Joints.JointState $Meta.cxx("measured_js");
-  setpointJs @6 :Joints.JointState $Meta.cxx("setpoint_js");
-  goalJs @7 :Joints.JointState $Meta.cxx("goal_js");
-  measuredCp @8 :Pose.PoseStamped $Meta.cxx("measured_cp");
-  setpointCp @9 :Pose.PoseStamped $Meta.cxx("setpoint_cp");
-  goalCp @10 :Pose.PoseStamped $Meta.cxx("goal_cp");
-  localMeasuredCp @11 :Pose.PoseStamped $Meta.cxx("local_measured_cp");
-  localSetpointCp @12 :Pose.PoseStamped $Meta.cxx("local_setpoint_cp");
-  measuredCv @13 :Cartesian.Twist $Meta.cxx("measured_cv");
-  setpointCv @14 :Cartesian.Twist $Meta.cxx("setpoint_cv");
-  bodyMeasuredCf @15 :Cartesian.Wrench $Meta.cxx("body_measured_cf");
-  spatialMeasuredCf @16 :Cartesian.Wrench $Meta.cxx("spatial_measured_cf");
-  measuredCs @17 :Cartesian.CartesianState $Meta.cxx("measured_cs");
-  bodyJacobian @18 :JointCommands.Jacobian $Meta.cxx("body_jacobian");
-  spatialJacobian @19 :JointCommands.Jacobian $Meta.cxx("spatial_jacobian");
-  baseFrame @20 :Pose.PoseStamped $Meta.cxx("base_frame");
-  trajectoryJRatio @21 :Float64 $Meta.cxx("trajectory_j_ratio");
-  trajectoryJRatioV @22 :Float64 $Meta.cxx("trajectory_j_ratio_v");
-  trajectoryJRatioA @23 :Float64 $Meta.cxx("trajectory_j_ratio_a");
+  tooLarge @2 :UInt64;
+  # Bit i: column i did not fit its declared capacity.
+  configurationJs @3 :JointCommands.JointConfiguration $Meta.cxx("configuration_js");
+  operatingState @4 :OperatingState.OperatingState $Meta.cxx("operating_state");
+  periodStatistics @5 :Messages.IntervalStatistics $Meta.cxx("period_statistics");
+  measuredJs @6 :Joints.JointState $Meta.cxx("measured_js");
+  setpointJs @7 :Joints.JointState $Meta.cxx("setpoint_js");
+  goalJs @8 :Joints.JointState $Meta.cxx("goal_js");
+  measuredCp @9 :Pose.PoseStamped $Meta.cxx("measured_cp");
+  setpointCp @10 :Pose.PoseStamped $Meta.cxx("setpoint_cp");
+  goalCp @11 :Pose.PoseStamped $Meta.cxx("goal_cp");
+  localMeasuredCp @12 :Pose.PoseStamped $Meta.cxx("local_measured_cp");
+  localSetpointCp @13 :Pose.PoseStamped $Meta.cxx("local_setpoint_cp");
+  measuredCv @14 :Cartesian.Twist $Meta.cxx("measured_cv");
+  setpointCv @15 :Cartesian.Twist $Meta.cxx("setpoint_cv");
+  bodyMeasuredCf @16 :Cartesian.Wrench $Meta.cxx("body_measured_cf");
+  spatialMeasuredCf @17 :Cartesian.Wrench $Meta.cxx("spatial_measured_cf");
+  measuredCs @18 :Cartesian.CartesianState $Meta.cxx("measured_cs");
+  bodyJacobian @19 :JointCommands.Jacobian $Meta.cxx("body_jacobian");
+  spatialJacobian @20 :JointCommands.Jacobian $Meta.cxx("spatial_jacobian");
+  baseFrame @21 :Pose.PoseStamped $Meta.cxx("base_frame");
+  trajectoryJRatio @22 :Float64 $Meta.cxx("trajectory_j_ratio");
+  trajectoryJRatioV @23 :Float64 $Meta.cxx("trajectory_j_ratio_v");
+  trajectoryJRatioA @24 :Float64 $Meta.cxx("trajectory_j_ratio_a");
 }

@@ -6,6 +6,7 @@
 
 #include "compiler/check/check.h"
 #include "compiler/model/model.h"
+#include "compiler/model/naming.h"
 
 namespace suture::compiler::check::samples {
 
@@ -41,21 +42,24 @@ inline model::Type named(const std::string& name) {
 
 inline model::Field field(const std::string& name, model::Type type) {
   model::Field result;
-  result.name = result.wireName = name;
+  result.name = name;
+  result.wireName = model::camelCase(name);
   result.type = std::move(type);
   return result;
 }
 
 inline model::Parameter parameter(const std::string& name, model::Type type) {
   model::Parameter result;
-  result.name = result.wireName = name;
+  result.name = name;
+  result.wireName = model::camelCase(name);
   result.type = std::move(type);
   return result;
 }
 
 inline model::Command write(const std::string& name, model::Type type) {
   model::Command command;
-  command.name = command.wireName = name;
+  command.name = name;
+  command.wireName = model::camelCase(name);
   command.kind = model::CommandKind::Write;
   command.parameters.push_back(parameter("value", std::move(type)));
   return command;
@@ -63,7 +67,8 @@ inline model::Command write(const std::string& name, model::Type type) {
 
 inline model::Command read(const std::string& name, model::Type type) {
   model::Command command;
-  command.name = command.wireName = name;
+  command.name = name;
+  command.wireName = model::camelCase(name);
   command.kind = model::CommandKind::Read;
   command.result = std::move(type);
   return command;
@@ -71,7 +76,8 @@ inline model::Command read(const std::string& name, model::Type type) {
 
 inline model::Event event(const std::string& name, model::Type type) {
   model::Event result;
-  result.member = result.name = result.wireName = name;
+  result.member = result.name = name;
+  result.wireName = model::camelCase(name);
   result.payload.push_back(std::move(type));
   return result;
 }

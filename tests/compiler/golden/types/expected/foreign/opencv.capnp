@@ -30,7 +30,7 @@ interface Camera @0xe5bd0c82c54c1c8c $Meta.cxx("foreign::Camera") {
   subscribe @0 (events :CameraEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   aim @1 (at :Point3d, sent :Rpc.Sent) -> () $Meta.kind("write") $Meta.queue(16);
-  view @2 (sent :Rpc.Sent) -> (value :View) $Meta.kind("read");
+  view @2 (sent :Rpc.Sent) -> (value :View, stamp :Int64) $Meta.kind("read");
 }
 
 interface CameraEvents @0x8cac637286976832 $Meta.eventsOf("foreign::Camera") {
@@ -47,5 +47,7 @@ struct CameraStateRow @0xb20e8f123205e142 $Meta.stateOf("foreign::Camera") {
   # When the row was written: the provider's steady clock, ns.
   evaluated @1 :UInt64;
   # Bit i: column i was evaluated.
-  view @2 :View;
+  tooLarge @2 :UInt64;
+  # Bit i: column i did not fit its declared capacity.
+  view @3 :View;
 }

@@ -61,7 +61,7 @@ constexpr CommandInfo kCameraCommands[] = {
 constexpr char kCameraDescription[] = R"json({
   "name": "foreign::Camera",
   "doc": "Both sides of it.",
-  "hash": "309aec370de2f10063d2a73ee2424cca",
+  "hash": "bcb581c6a70161984896ecf6f6b5db2e",
   "commands": [
     {
       "name": "aim",
@@ -231,6 +231,7 @@ class CameraSink final : public suture::rpc::EventSink {
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
     out.setEvaluated(row.valid);
+    out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
       const auto& slot = *reinterpret_cast<const ViewSlot*>(columns[0]);
       toWire(slot, out.initView());
@@ -267,10 +268,11 @@ class CameraServant final : public wire::Camera::Server {
 
   kj::Promise<void> view(ViewContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const ViewSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(CameraCommand::view), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -300,7 +302,7 @@ class CameraReceiver final : public wire::CameraEvents::Server {
           in.hasView() ? fromWire(in.getView(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
     }
-    port_->publish(in.getStamp(), valid);
+    port_->publish(in.getStamp(), valid, in.getTooLarge());
     return kj::READY_NOW;
   }
 
@@ -335,7 +337,7 @@ class CameraProxy final : public suture::rpc::Proxy {
         auto request = provider_.viewRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<ViewSlot>(call, [&](ViewSlot& answer) {
+          port_.answer<ViewSlot>(call, response.getStamp(), [&](ViewSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -359,6 +361,9 @@ class CameraBinding final : public suture::rpc::Binding {
                                         ProxyPort& port) const override {
     return kj::heap<CameraProxy>(contract.castAs<wire::Camera>(), port);
   }
+  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
+    return kj::heap<CameraSink>(subscriber.castAs<wire::CameraEvents>());
+  }
 };
 
 const suture::rpc::Binding& cameraBinding() {
@@ -375,7 +380,7 @@ template <>
 const InterfaceInfo& interfaceInfo<foreign::Camera>() {
   static constexpr InterfaceInfo kInfo{
       .name = "foreign::Camera",
-      .hash = "309aec370de2f10063d2a73ee2424cca",
+      .hash = "bcb581c6a70161984896ecf6f6b5db2e",
       .description = foreign::kCameraDescription,
       .commands = foreign::kCameraCommands,
       .events = {},

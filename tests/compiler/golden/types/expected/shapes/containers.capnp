@@ -216,10 +216,11 @@ interface Store @0xbb0be3e4bb1e6be9 $Meta.cxx("shapes::Store") {
   put @1 (value :Sequences, sent :Rpc.Sent) -> () $Meta.kind("write") $Meta.queue(16);
   choose @2 (gain :ShapesContainersOptionalFloat64, sent :Rpc.Sent) -> () $Meta.kind("write")
       $Meta.queue(16);
-  sequences @3 (sent :Rpc.Sent) -> (value :Sequences) $Meta.kind("read");
-  choices @4 (sent :Rpc.Sent) -> (value :Choices) $Meta.kind("read");
-  matrices @5 (sent :Rpc.Sent) -> (value :Matrices) $Meta.kind("read");
-  reading @6 (sent :Rpc.Sent) -> (value :ShapesContainersTupleOfFloat64AndLevel) $Meta.kind("read");
+  sequences @3 (sent :Rpc.Sent) -> (value :Sequences, stamp :Int64) $Meta.kind("read");
+  choices @4 (sent :Rpc.Sent) -> (value :Choices, stamp :Int64) $Meta.kind("read");
+  matrices @5 (sent :Rpc.Sent) -> (value :Matrices, stamp :Int64) $Meta.kind("read");
+  reading @6 (sent :Rpc.Sent) -> (value :ShapesContainersTupleOfFloat64AndLevel, stamp :Int64)
+      $Meta.kind("read");
 }
 
 interface StoreEvents @0xe1e2cc5c73c90fe5 $Meta.eventsOf("shapes::Store") {
@@ -237,8 +238,10 @@ struct StoreStateRow @0xca120faf75e33fa7 $Meta.stateOf("shapes::Store") {
   # When the row was written: the provider's steady clock, ns.
   evaluated @1 :UInt64;
   # Bit i: column i was evaluated.
-  sequences @2 :Sequences;
-  choices @3 :Choices;
-  matrices @4 :Matrices;
-  reading @5 :ShapesContainersTupleOfFloat64AndLevel;
+  tooLarge @2 :UInt64;
+  # Bit i: column i did not fit its declared capacity.
+  sequences @3 :Sequences;
+  choices @4 :Choices;
+  matrices @5 :Matrices;
+  reading @6 :ShapesContainersTupleOfFloat64AndLevel;
 }

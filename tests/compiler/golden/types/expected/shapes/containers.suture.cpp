@@ -150,7 +150,7 @@ constexpr EventInfo kStoreEvents[] = {
 constexpr char kStoreDescription[] = R"json({
   "name": "shapes::Store",
   "doc": "Composites right in a contract.",
-  "hash": "38d48435d00407dc5a25c3bea000739d",
+  "hash": "09303ff7be3e944d6c73c2f9f3a63f1b",
   "commands": [
     {
       "name": "put",
@@ -1338,7 +1338,8 @@ class StoreSink final : public suture::rpc::EventSink {
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
     switch (static_cast<StoreEvent>(event)) {
       case StoreEvent::changed: {
-        const auto& slot = *reinterpret_cast<const suture::SlotVariant<double, PointSlot>*>(payload);
+        const auto& slot =
+            *reinterpret_cast<const suture::SlotVariant<double, PointSlot>*>(payload);
         auto request = subscriber_.changedRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
@@ -1353,6 +1354,7 @@ class StoreSink final : public suture::rpc::EventSink {
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
     out.setEvaluated(row.valid);
+    out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
       const auto& slot = *reinterpret_cast<const SequencesSlot*>(columns[0]);
       toWire(slot, out.initSequences());
@@ -1413,10 +1415,11 @@ class StoreServant final : public wire::Store::Server {
 
   kj::Promise<void> sequences(SequencesContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const SequencesSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(StoreCommand::sequences), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -1424,10 +1427,11 @@ class StoreServant final : public wire::Store::Server {
 
   kj::Promise<void> choices(ChoicesContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const ChoicesSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(StoreCommand::choices), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -1435,10 +1439,11 @@ class StoreServant final : public wire::Store::Server {
 
   kj::Promise<void> matrices(MatricesContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const MatricesSlot*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(StoreCommand::matrices), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -1446,10 +1451,11 @@ class StoreServant final : public wire::Store::Server {
 
   kj::Promise<void> reading(ReadingContext context) override {
     auto in = context.getParams();
-    auto take = [context](const std::byte* result) mutable {
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const suture::SlotTuple<double, std::int16_t>*>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
     };
     return port_->call(commandId(StoreCommand::reading), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
@@ -1497,7 +1503,7 @@ class StoreReceiver final : public wire::StoreEvents::Server {
           in.hasReading() ? fromWire(in.getReading(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 3;
     }
-    port_->publish(in.getStamp(), valid);
+    port_->publish(in.getStamp(), valid, in.getTooLarge());
     return kj::READY_NOW;
   }
 
@@ -1549,7 +1555,7 @@ class StoreProxy final : public suture::rpc::Proxy {
         auto request = provider_.sequencesRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<SequencesSlot>(call, [&](SequencesSlot& answer) {
+          port_.answer<SequencesSlot>(call, response.getStamp(), [&](SequencesSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -1559,7 +1565,7 @@ class StoreProxy final : public suture::rpc::Proxy {
         auto request = provider_.choicesRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<ChoicesSlot>(call, [&](ChoicesSlot& answer) {
+          port_.answer<ChoicesSlot>(call, response.getStamp(), [&](ChoicesSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -1569,7 +1575,7 @@ class StoreProxy final : public suture::rpc::Proxy {
         auto request = provider_.matricesRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<MatricesSlot>(call, [&](MatricesSlot& answer) {
+          port_.answer<MatricesSlot>(call, response.getStamp(), [&](MatricesSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -1579,7 +1585,7 @@ class StoreProxy final : public suture::rpc::Proxy {
         auto request = provider_.readingRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<suture::SlotTuple<double, std::int16_t>>(call, [&](suture::SlotTuple<double, std::int16_t>& answer) {
+          port_.answer<suture::SlotTuple<double, std::int16_t>>(call, response.getStamp(), [&](suture::SlotTuple<double, std::int16_t>& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -1603,6 +1609,9 @@ class StoreBinding final : public suture::rpc::Binding {
                                         ProxyPort& port) const override {
     return kj::heap<StoreProxy>(contract.castAs<wire::Store>(), port);
   }
+  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
+    return kj::heap<StoreSink>(subscriber.castAs<wire::StoreEvents>());
+  }
 };
 
 const suture::rpc::Binding& storeBinding() {
@@ -1619,7 +1628,7 @@ template <>
 const InterfaceInfo& interfaceInfo<shapes::Store>() {
   static constexpr InterfaceInfo kInfo{
       .name = "shapes::Store",
-      .hash = "38d48435d00407dc5a25c3bea000739d",
+      .hash = "09303ff7be3e944d6c73c2f9f3a63f1b",
       .description = shapes::kStoreDescription,
       .commands = shapes::kStoreCommands,
       .events = shapes::kStoreEvents,
