@@ -70,8 +70,8 @@ void emitReceiver(Code& code, const Context& context, const model::Interface& in
   for (const model::Event& event : interface.events) emitEvent(code, context, interface, event);
   code.blank().label("private:");
   if (!interface.events.empty()) {
-    code.line("static std::uint16_t eventId(", prefix, "Event event) { ", kBreakText,
-              "return static_cast<std::uint16_t>(event); }");
+    code.line("static std::uint16_t eventId(", prefix, "Event event) {",
+              lambdaBody("return static_cast<std::uint16_t>(event);"), "}");
     code.blank();
   }
   code.line("kj::Own<ProxyPort> port_;").close("};").blank();
@@ -113,8 +113,8 @@ void emitCase(Code& code, const Context& context, const model::Interface& interf
 
 void emitSend(Code& code, const Context& context, const model::Interface& interface) {
   if (interface.commands.empty()) {
-    code.line("kj::Promise<void> send(const suture::rt::CommandRecord&) override { ", kBreakText,
-              "return kj::READY_NOW; }");
+    code.line("kj::Promise<void> send(const suture::rt::CommandRecord&) override {",
+              lambdaBody("return kj::READY_NOW;"), "}");
     return;
   }
   code.open("kj::Promise<void> send(const suture::rt::CommandRecord& record) override {");

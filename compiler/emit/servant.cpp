@@ -31,8 +31,8 @@ void emitSinkCase(Code& code, const Context& context, const model::Interface& in
 
 void emitSinkEvent(Code& code, const Context& context, const model::Interface& interface) {
   if (interface.events.empty()) {
-    code.line("kj::Promise<void> event(std::uint16_t, const std::byte*) override { ", kBreakText,
-              "return kj::READY_NOW; }");
+    code.line("kj::Promise<void> event(std::uint16_t, const std::byte*) override {",
+              lambdaBody("return kj::READY_NOW;"), "}");
     return;
   }
   bool carries = false;
@@ -170,8 +170,8 @@ void emitServant(Code& code, const Context& context, const model::Interface& int
   }
   code.label("private:");
   if (!interface.commands.empty()) {
-    code.line("static std::uint16_t commandId(", prefix, "Command command) { ", kBreakText,
-              "return static_cast<std::uint16_t>(command); }");
+    code.line("static std::uint16_t commandId(", prefix, "Command command) {",
+              lambdaBody("return static_cast<std::uint16_t>(command);"), "}");
     code.blank();
   }
   code.line("kj::Own<ServantPort> port_;").close("};").blank();

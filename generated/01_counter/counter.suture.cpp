@@ -182,7 +182,8 @@ class CounterServant final : public wire::Counter::Server {
 
  private:
   static std::uint16_t commandId(CounterCommand command) {
-                                                          return static_cast<std::uint16_t>(command); }
+    return static_cast<std::uint16_t>(command);
+  }
 
   kj::Own<ServantPort> port_;
 };

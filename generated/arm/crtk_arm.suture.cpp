@@ -3121,7 +3121,8 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
 
  private:
   static std::uint16_t commandId(CrtkArmCommand command) {
-                                                          return static_cast<std::uint16_t>(command); }
+    return static_cast<std::uint16_t>(command);
+  }
 
   kj::Own<ServantPort> port_;
 };

@@ -284,7 +284,8 @@ class LoopServerServant final : public wire::LoopServer::Server {
 
  private:
   static std::uint16_t commandId(LoopServerCommand command) {
-                                                             return static_cast<std::uint16_t>(command); }
+    return static_cast<std::uint16_t>(command);
+  }
 
   kj::Own<ServantPort> port_;
 };

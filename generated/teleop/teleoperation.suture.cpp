@@ -380,7 +380,8 @@ class TeleoperationServant final : public wire::Teleoperation::Server {
 
  private:
   static std::uint16_t commandId(TeleoperationCommand command) {
-                                                                return static_cast<std::uint16_t>(command); }
+    return static_cast<std::uint16_t>(command);
+  }
 
   kj::Own<ServantPort> port_;
 };
@@ -428,7 +429,8 @@ class TeleoperationReceiver final : public wire::TeleoperationEvents::Server {
 
  private:
   static std::uint16_t eventId(TeleoperationEvent event) {
-                                                          return static_cast<std::uint16_t>(event); }
+    return static_cast<std::uint16_t>(event);
+  }
 
   kj::Own<ProxyPort> port_;
 };

@@ -407,7 +407,8 @@ class ArmLikeServant final : public wire::ArmLike::Server {
 
  private:
   static std::uint16_t commandId(ArmLikeCommand command) {
-                                                          return static_cast<std::uint16_t>(command); }
+    return static_cast<std::uint16_t>(command);
+  }
 
   kj::Own<ServantPort> port_;
 };

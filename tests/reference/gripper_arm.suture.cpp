@@ -426,7 +426,8 @@ class GripperArmServant final : public wire::GripperArm::Server {
 
  private:
   static std::uint16_t commandId(GripperArmCommand command) {
-                                                             return static_cast<std::uint16_t>(command); }
+    return static_cast<std::uint16_t>(command);
+  }
 
   kj::Own<ServantPort> port_;
 };

@@ -116,7 +116,7 @@ TEST(Kinds, AReplacedCallHasNoAnswer) {
 }
 
 TEST(Kinds, DeadlinesArePositiveAndForAnswers) {
-  model::Command move = write("move_to", number());
+  model::Command move = write("moveTo", number());
   move.deadlineNanoseconds = 1;
   EXPECT_EQ(slugs(withCommand(move)), Slugs{});
   move.deadlineNanoseconds = 0;
@@ -192,6 +192,7 @@ model::Header crtkWith(model::Command command) {
   model::Header one = withCommand(std::move(command));
   one.interfaces[0].commands.erase(one.interfaces[0].commands.begin(),
                                    one.interfaces[0].commands.begin() + 2);
+  one.interfaces[0].commands[0].wireName = "wireName";
   one.interfaces[0].events.clear();
   one.interfaces[0].crtk = true;
   return one;

@@ -48,6 +48,19 @@ TEST_F(EmitTest, EqualModelsGiveEqualBytes) {
   EXPECT_EQ(emit(sample::robots(), {}), once);
 }
 
+TEST_F(EmitTest, TheBasesCommandsKeepItsLocksOrderInWhatDerivesFromIt) {
+  model::Diagnostics none;
+  const lock::Locks locks = lock::read(lock::update(model_, {}).files, none);
+  const auto before = emit(model_, locks);
+  for (model::Header& header : model_.headers) {
+    for (model::Interface& interface : header.interfaces) {
+      std::reverse(interface.commands.begin(), interface.commands.end());
+      std::reverse(interface.events.begin(), interface.events.end());
+    }
+  }
+  EXPECT_EQ(emit(model_, locks), before);
+}
+
 TEST_F(EmitTest, SourcePositionsDoNotShow) {
   const auto before = emit(model_, {});
   for (model::Field& field : sample::armHeader(model_).structs[0].fields) field.source.line = 77;

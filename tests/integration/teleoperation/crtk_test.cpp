@@ -1,0 +1,102 @@
+// The complete CRTK interface of an arm, from another process and from the same one.
+
+#include <gtest/gtest.h>
+#include <suture/component/device.h>
+#include <suture/manager/global_manager.h>
+#include <suture/manager/manager.h>
+#include <suture/transport/rpc/control_thread.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "arm/crtk_arm.suture.h"
+#include "integration/teleoperation/workstation.h"
+
+namespace robots::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+struct Operator final : suture::Device {
+  Operator() {
+    arm.on().goal_reached([this](const bool& reached) { goals.push_back(reached); });
+    arm.on().error([this](const Message& message) { errors.push_back(message.text); });
+    arm.on().trajectory_j_ratio([this](const double& value) { ratio = value; });
+  }
+  suture::Required<CrtkArm> arm{*this, "Arm"};
+  std::vector<bool> goals;
+  std::vector<std::string> errors;
+  double ratio = 0;
+};
+
+/// Whether the arm and its operator share a process.
+class Crtk : public testing::TestWithParam<bool> {
+ protected:
+  void SetUp() override {
+    here_.add("PSM", psm_);
+    suture::Manager& client = GetParam() ? here_ : there_;
+    client.add("Operator", operator_);
+    here_.start();
+    if (!GetParam()) there_.start();
+    client.connect("Operator/Arm", GetParam() ? "PSM/Crtk" : "here:PSM/Crtk");
+  }
+  void TearDown() override {
+    there_.stop();
+    here_.stop();
+  }
+  bool heard(const std::function<bool()>& enough) {
+    const suture::Time deadline = suture::now() + 20s;
+    while (!enough() && suture::now() < deadline) operator_.waitForEvents(deadline);
+    return enough();
+  }
+
+  suture::rpc::ControlThread control_;
+  suture::GlobalManager names_{control_, "tcp://127.0.0.1:0"};
+  suture::Manager here_{"here", names_.address()};
+  suture::Manager there_{"there", names_.address()};
+  Psm psm_{PsmParameters{}};
+  Operator operator_;
+};
+
+TEST_P(Crtk, AnOperatorHomesMovesAndAsks) {
+  auto& arm = operator_.arm;
+  ASSERT_TRUE(arm.state_command.start("enable").within(10s));
+  ASSERT_TRUE(arm.state_command.start("home").within(10s));
+  ASSERT_TRUE(heard([&] { return operator_.goals == std::vector<bool>{true}; }));
+  EXPECT_TRUE(ask(arm.operating_state).is_homed);
+
+  EXPECT_TRUE(arm.trajectory_j_set_ratio.start(0.5).within(10s));
+  EXPECT_TRUE(heard([&] { return operator_.ratio == 0.5; }));
+  const PoseStamped before = ask(arm.setpoint_cp);
+  PoseStamped step;
+  step.pose.translation().z() = 0.005;
+  step.valid = true;
+  EXPECT_TRUE(arm.move_cr.start(step).within(10s));
+  ASSERT_TRUE(heard([&] { return operator_.goals.size() == 2; }));
+  const PoseStamped after = ask(arm.setpoint_cp);
+  EXPECT_NEAR(after.pose.translation().z() - before.pose.translation().z(), 0.005, 1e-6);
+
+  const JointGoal q{ask(arm.setpoint_js).position, {}};
+  const auto tip = arm.forward_kinematics.start(q).within(10s);
+  ASSERT_TRUE(tip);
+  EXPECT_LT((tip->pose.translation() - after.pose.translation()).norm(), 1e-9);
+  EXPECT_EQ(ask(arm.configuration_js).name.size(), 6u);
+  EXPECT_EQ(ask(arm.spatial_jacobian).coefficients.size(), 36u);
+  EXPECT_TRUE(ask(arm.measured_cs).position_is_valid);
+}
+
+TEST_P(Crtk, WhatTheArmRefusesIsTold) {
+  ASSERT_TRUE(operator_.arm.state_command.start("resume").within(10s));
+  EXPECT_TRUE(heard([&] { return operator_.errors.size() == 1; }));
+  const auto ratio = operator_.arm.trajectory_j_set_ratio.start(2).within(10s);
+  if (GetParam()) return;  // a process does not judge its own arguments
+  ASSERT_FALSE(ratio);
+  EXPECT_EQ(ratio.error(), suture::Errc::Invalid);
+}
+
+INSTANTIATE_TEST_SUITE_P(Processes, Crtk, testing::Bool(),
+                         [](const auto& one) { return one.param ? "One" : "Two"; });
+
+}  // namespace
+}  // namespace robots::test
