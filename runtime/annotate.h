@@ -59,6 +59,9 @@ struct Ttl {
 struct Latched {
   bool set;
 };
+struct Skip {
+  bool set;
+};
 
 /// Unit of a number, SI or derived: "m", "rad", "m/s", "N.m".
 consteval Unit unit(const char* symbol) { return {symbol}; }
@@ -80,6 +83,8 @@ consteval Latest latest() { return {true}; }
 consteval Ttl ttl(Nanoseconds age) { return {age.count()}; }
 /// A late subscriber receives the last value.
 consteval Latched latched() { return {true}; }
+/// Not on the wire: the receiver keeps its own.
+consteval Skip skip() { return {true}; }
 
 }  // namespace suture::dsl
 

@@ -26,6 +26,7 @@ model::Diagnostics check(const model::Model& model) {
     checkNumbers(header, findings);
     checkQueues(header, findings);
     if (!finite) continue;  // the others walk through types to their end
+    checkLimits(header, lookup, findings);
     checkReads(header, lookup, findings);
     checkBounds(header, lookup, findings);
   }

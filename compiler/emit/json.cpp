@@ -4,6 +4,7 @@
 #include <set>
 
 #include "compiler/emit/parts.h"
+#include "compiler/lock/majors.h"
 #include "compiler/lock/wire_type.h"
 
 namespace suture::compiler::emit {
@@ -178,6 +179,11 @@ void addAll(Json& json, const char* key, const Declarations& declarations,
   for (const auto& declaration : declarations) json[key].push_back(describeOne(declaration));
 }
 
+void addMajor(Json& json, const Context& context, const model::Interface& interface) {
+  const unsigned major = lock::majorOf(context.locks, interface.name);
+  if (major > 1) json["major"] = major;
+}
+
 }  // namespace
 
 std::string emitJson(const Context& context) {
@@ -186,7 +192,9 @@ std::string emitJson(const Context& context) {
   addAll(json, "enums", header.enums, enumOf);
   addAll(json, "structs", header.structs, structOf);
   addAll(json, "interfaces", header.interfaces, [&](const model::Interface& interface) {
-    return interfaceOf(interface, context.hashes.at(interface.name));
+    Json one = interfaceOf(interface, context.hashes.at(interface.name));
+    addMajor(one, context, interface);
+    return one;
   });
   addAll(json, "components", header.components, componentOf);
   return json.dump(2) + "\n";
@@ -202,6 +210,7 @@ std::string describe(const Context& context, const model::Interface& interface) 
     for (const Type& type : event.payload) reached.add(type);
   }
   Json json = interfaceOf(interface, context.hashes.at(interface.name));
+  addMajor(json, context, interface);
   json["enums"] = reached.enums;
   json["structs"] = reached.structs;
   return json.dump(2);

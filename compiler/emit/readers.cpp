@@ -56,16 +56,17 @@ bool isReadable(const model::Type& type) {
   return type.shape != Shape::TimePoint && (type.element.empty() || isReadable(type.element[0]));
 }
 
-bool isNumber(const model::Type& type) {
-  return (type.shape == Shape::Scalar && type.scalar != model::Scalar::Bool) ||
-         type.shape == Shape::Duration;
+bool holdsNumbers(const model::Type& type) {
+  const bool number = (type.shape == Shape::Scalar && type.scalar != model::Scalar::Bool) ||
+                      type.shape == Shape::Duration || type.shape == Shape::Matrix;
+  return number || (!type.element.empty() && holdsNumbers(type.element.front()));
 }
 
 void emitStruct(Code& code, const model::Struct& declaration) {
   code.line("suture::JsonReader reader = in;");
   for (const model::Field& field : declaration.fields) {
     if (!isReadable(field.type)) continue;
-    const bool bounded = field.range && isNumber(field.type);
+    const bool bounded = field.range && holdsNumbers(field.type);
     const std::string range =
         bounded ? ", " + number(field.range->first) + ", " + number(field.range->second) : "";
     code.line("reader.field(\"", field.name, "\", value.", field.name, range, ");");

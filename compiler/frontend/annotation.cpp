@@ -3,6 +3,7 @@
 #include <clang/AST/DeclCXX.h>
 #include <clang/AST/Expr.h>
 
+#include <algorithm>
 #include <array>
 #include <set>
 #include <string_view>
@@ -20,7 +21,7 @@ struct KindInfo {
 constexpr std::array kKinds{
     KindInfo{Kind::Type, "suture::type", "SUTURE_TYPE", "name()"},
     KindInfo{Kind::Field, "suture::field", "SUTURE_FIELD",
-             "unit(), range(), capacity(), name(), was()"},
+             "unit(), range(), capacity(), name(), was(), skip()"},
     KindInfo{Kind::Interface, "suture::interface", "SUTURE_INTERFACE", "name()"},
     KindInfo{Kind::Command, "suture::command", "SUTURE_COMMAND",
              "queue(), latest(), ttl(), name(), was()"},
@@ -81,6 +82,7 @@ class Reader {
   }
 
   void read(const clang::AnnotateAttr* attribute) {
+    result_.arguments += attribute->args_size();
     for (const clang::Expr* argument : attribute->args()) readArgument(argument);
   }
 
@@ -122,6 +124,8 @@ class Reader {
       result_.latest = true;
     } else if (name == "latched") {
       result_.latched = true;
+    } else if (name == "skip") {
+      result_.skip = true;
     }
   }
 
@@ -147,6 +151,24 @@ class Reader {
 };
 
 }  // namespace
+
+bool isVocabulary(llvm::StringRef macro) {
+  return std::any_of(kKinds.begin(), kKinds.end(), [macro](const KindInfo& info) {
+    return macro == llvm::StringRef(info.macro);
+  });
+}
+
+std::vector<std::string_view> annotationArguments() {
+  std::vector<std::string_view> names;
+  for (const KindInfo& info : kKinds) {
+    std::string_view rest = info.arguments;
+    for (std::size_t end; (end = rest.find("()")) != std::string_view::npos;) {
+      names.push_back(rest.substr(0, end));
+      rest.remove_prefix(std::min(end + 4, rest.size()));  // "(), "
+    }
+  }
+  return names;
+}
 
 std::string macroOf(Kind kind) { return std::string(infoOf(kind).macro); }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -28,7 +29,15 @@ struct Annotation {
   std::optional<std::int64_t> ttlNanoseconds;
   bool latest = false;
   bool latched = false;
+  bool skip = false;
+  unsigned arguments = 0;  ///< how many were given
 };
+
+/// Whether a macro of that name annotates.
+bool isVocabulary(llvm::StringRef macro);
+
+/// "unit", "range"...: what any of the macros takes.
+std::vector<std::string_view> annotationArguments();
 
 /// What is wrong with an annotation's arguments, without the place.
 struct AnnotationProblem {

@@ -13,7 +13,7 @@ std::string fieldSubject(const clang::FieldDecl* field) {
 
 model::Enumerator mapEnumerator(const clang::EnumConstantDecl* declaration, Mapping& mapping) {
   const Annotation annotation = mapping.annotationOf(declaration, Kind::Field);
-  if (!annotation.unit.empty() || annotation.range || annotation.was ||
+  if (!annotation.unit.empty() || annotation.range || annotation.was || annotation.skip ||
       !annotation.capacity.empty()) {
     mapping.error(declaration, "misplaced-argument", "only name() applies to an enumerator",
                   "drop the other arguments");
@@ -27,6 +27,31 @@ model::Enumerator mapEnumerator(const clang::EnumConstantDecl* declaration, Mapp
   return enumerator;
 }
 
+/// Whether skip() keeps the field off the wire.
+bool isSkipped(const clang::FieldDecl* field, Mapping& mapping) {
+  const Annotation annotation = mapping.peek(field, Kind::Field);
+  if (!annotation.skip) return false;
+  if (annotation.arguments > 1) {
+    mapping.error(field, "skip-with-others",
+                  fieldSubject(field) + " is skipped, so that nothing else can be said of it",
+                  "keep skip(), or the others");
+  }
+  return true;
+}
+
+/// A scalar whose initialiser the lock cannot record.
+void checkDefault(const clang::FieldDecl* declaration, const model::Field& field,
+                  Mapping& mapping) {
+  const bool recorded = field.type.shape == model::Type::Shape::Scalar ||
+                        field.type.shape == model::Type::Shape::Enum;
+  const clang::Expr* initialiser = declaration->getInClassInitializer();
+  if (!recorded || !initialiser || isConstant(initialiser, mapping.context())) return;
+  mapping.warn(declaration, "default-not-constant",
+               "the initialiser of " + fieldSubject(declaration) +
+                   " is no constant; where a sender says nothing, a receiver reads zero",
+               "give it a constant");
+}
+
 /// Why the field cannot be on the wire, whatever its type. True if an error was reported.
 bool rejectField(const clang::FieldDecl* field, Mapping& mapping) {
   const std::string subject = fieldSubject(field);
@@ -34,13 +59,13 @@ bool rejectField(const clang::FieldDecl* field, Mapping& mapping) {
     mapping.error(field, "unnamed-field", "an unnamed field has no stable wire name", "name it");
   } else if (field->getAccess() != clang::AS_public) {
     mapping.error(field, "private-field", subject + " is not public",
-                  "make it public; a SUTURE_TYPE is plain data");
+                  "make it public, or keep it off the wire: SUTURE_FIELD(skip())");
   } else if (field->isBitField()) {
     mapping.error(field, "bit-field", subject + " is a bit-field; its width would be lost",
                   "use a plain integer with range()");
   } else if (field->isMutable()) {
     mapping.error(field, "mutable", subject + " is mutable; it is not part of the value",
-                  "keep caches out of a SUTURE_TYPE");
+                  "keep it off the wire: SUTURE_FIELD(skip())");
   } else {
     return false;
   }
@@ -63,6 +88,7 @@ std::optional<model::Field> mapField(const clang::FieldDecl* declaration, Mappin
   field.defaultJson = defaultJsonOf(declaration);
   field.doc = mapping.documentationOf(declaration);
   field.source = mapping.sourceOf(declaration);
+  checkDefault(declaration, field, mapping);
   return field;
 }
 
@@ -130,6 +156,7 @@ model::Struct mapStructDeclaration(const clang::CXXRecordDecl* declaration, Mapp
   result.wireName = wireTypeName(declaration, annotation.name);
   checkShape(declaration, mapping);
   for (const clang::FieldDecl* field : declaration->fields()) {
+    if (isSkipped(field, mapping)) continue;
     if (auto mapped = mapField(field, mapping)) result.fields.push_back(std::move(*mapped));
   }
   result.doc = mapping.documentationOf(declaration);

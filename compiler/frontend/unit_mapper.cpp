@@ -2,9 +2,12 @@
 
 #include <clang/AST/RecursiveASTVisitor.h>
 
+#include <algorithm>
+
 #include "compiler/frontend/component_mapper.h"
 #include "compiler/frontend/contract_mapper.h"
 #include "compiler/frontend/data_mapper.h"
+#include "compiler/frontend/generated_names.h"
 #include "compiler/frontend/imports.h"
 #include "compiler/frontend/names.h"
 
@@ -13,7 +16,8 @@ namespace {
 
 class Visitor : public clang::RecursiveASTVisitor<Visitor> {
  public:
-  Visitor(Mapping& mapping, HeaderTable& headers) : mapping_(mapping), headers_(headers) {}
+  Visitor(Mapping& mapping, HeaderTable& headers, AnnotationUses& uses)
+      : mapping_(mapping), headers_(headers), uses_(uses) {}
 
   // A third of the time would go into two libraries that hold nothing annotated.
   bool TraverseNamespaceDecl(clang::NamespaceDecl* space) {
@@ -24,6 +28,14 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
 
   bool VisitNamedDecl(clang::NamedDecl* declaration) {
     const std::vector<Kind> kinds = annotationKinds(declaration);
+    if (!kinds.empty()) uses_.claim(declaration);
+    if (!kinds.empty() && std::count(kinds.begin(), kinds.end(), kinds.front()) > 1) {
+      mapping_.error(
+          declaration, "repeated-annotation",
+          "'" + declaration->getNameAsString() + "' has " + macroOf(kinds.front()) + "() twice",
+          "keep one, with the arguments of both");
+      return true;
+    }
     for (const Kind kind : kinds) {
       if (kind == Kind::Field && kinds.size() > 1) continue;  // rides on a command or event
       visit(declaration, kind);
@@ -76,6 +88,7 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
   void add(clang::TagDecl* tag, Kind kind) {
     model::Header& header = headers_.of(tag);
     checkNamespace(tag, header);
+    if (header.own) checkGeneratedNames(tag, kind, mapping_);
     if (auto* enumeration = llvm::dyn_cast<clang::EnumDecl>(tag)) {
       header.enums.push_back(mapEnumDeclaration(enumeration, mapping_));
     } else if (kind == Kind::Type) {
@@ -159,14 +172,25 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
 
   Mapping& mapping_;
   HeaderTable& headers_;
+  AnnotationUses& uses_;
 };
+
+/// What stands where no declaration of the tree bears it, as within a function.
+void reportUnseen(const AnnotationUses& uses, Mapping& mapping) {
+  for (const auto& [place, macro] : uses.unclaimed()) {
+    mapping.errorAt(place, "unseen-annotation",
+                    macro + "() annotates nothing that can be seen from outside",
+                    "move the declaration out of the function, into a named namespace");
+  }
+}
 
 }  // namespace
 
 model::Model mapUnit(clang::ASTContext& context, HeaderTable& headers, SourceTable& table,
-                     model::Diagnostics& findings) {
+                     AnnotationUses& uses, model::Diagnostics& findings) {
   Mapping mapping(context, table, findings);
-  Visitor(mapping, headers).TraverseDecl(context.getTranslationUnitDecl());
+  Visitor(mapping, headers, uses).TraverseDecl(context.getTranslationUnitDecl());
+  reportUnseen(uses, mapping);
   model::Model result{headers.take()};
   addImports(result);
   return result;

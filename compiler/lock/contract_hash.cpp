@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "compiler/lock/majors.h"
 #include "compiler/lock/merge.h"
 #include "compiler/lock/sha256.h"
 #include "compiler/lock/wire_type.h"
@@ -25,6 +26,7 @@ class Canonical {
  private:
   void write(const Lock& lock, const Node& node) {
     text_ += identity(node) + " " + node.name + " " + std::to_string(node.id) + "\n";
+    if (majorOf(node) > 1) text_ += "major " + std::to_string(majorOf(node)) + "\n";
     for (const Member& member : node.members) {
       if (!member.removed()) write(member);
     }

@@ -1,10 +1,13 @@
 #include "compiler/lock/parse.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
 
+#include "compiler/lock/meta_annotations.h"
 #include "compiler/lock/tokens.h"
 
 namespace suture::compiler::lock {
@@ -77,6 +80,11 @@ class Parser {
     expect(";");
   }
 
+  static bool isKnown(std::string_view annotation) {
+    return std::find(std::begin(kMetaAnnotations), std::end(kMetaAnnotations), annotation) !=
+           std::end(kMetaAnnotations);
+  }
+
   /// "$Meta.unit("m")" -> {"unit", "\"m\""}. Annotations of others are kept out of the lock.
   std::pair<std::string, std::string> annotation() {
     expect("$");
@@ -86,6 +94,10 @@ class Parser {
     const std::size_t dot = name.text.find('.');
     if (dot == std::string::npos)
       throw SyntaxError(name.line, "unknown annotation '" + name.text + "'");
+    if (name.text.starts_with("Meta.") && !isKnown(name.text.substr(dot + 1))) {
+      throw SyntaxError(name.line, "it says " + name.text + ", which this suturec does not know",
+                        SyntaxError::Kind::Newer);
+    }
     return {name.text.substr(dot + 1), argument};
   }
 
