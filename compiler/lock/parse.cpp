@@ -13,6 +13,9 @@
 namespace suture::compiler::lock {
 namespace {
 
+constexpr unsigned kDeepestType = 64;             // as deep as capnp's readers follow
+constexpr std::uint64_t kLargestOrdinal = 65534;  // capnp counts in 16 bits
+
 class Parser {
  public:
   explicit Parser(std::string_view text) : tokens_(tokenize(text)) {}
@@ -134,10 +137,11 @@ class Parser {
   }
 
   /// "List(Arm.Pose)" with the alias resolved: "List(/arm/arm.capnp:Pose)".
-  std::string type() {
+  std::string type(unsigned depth = 0) {
     const Token name = take();
+    if (depth > kDeepestType) throw SyntaxError(name.line, "a type is nested too deeply");
     if (accept("(")) {
-      const std::string element = type();
+      const std::string element = type(depth + 1);
       expect(")");
       return name.text + "(" + element + ")";
     }
@@ -171,7 +175,11 @@ class Parser {
     result.line = peek().line;
     result.name = take().text;
     expect("@");
-    result.ordinal = static_cast<unsigned>(number());
+    const std::uint64_t ordinal = number();
+    if (ordinal > kLargestOrdinal) {
+      throw SyntaxError(result.line, "'" + result.name + "' has no ordinal that capnp knows");
+    }
+    result.ordinal = static_cast<unsigned>(ordinal);
     if (peek().text == "(") {
       result.isMethod = true;
       result.parameters = list();

@@ -1,6 +1,7 @@
 """Runs suturec on each questionable header of cases/ and compares everything that it prints.
 
   errors_test.py SUTUREC EIGEN            the test
+  errors_test.py SUTUREC EIGEN --mutants N   the same with N mutated headers instead of 200
   errors_test.py SUTUREC EIGEN --record   writes the .err files anew; read the difference before committing
 """
 
@@ -203,6 +204,7 @@ def check_mutation(suturec, eigen, seed):
 def main():
     suturec, eigen = sys.argv[1:3]
     record = "--record" in sys.argv
+    mutants = int(sys.argv[sys.argv.index("--mutants") + 1]) if "--mutants" in sys.argv else 200
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         jobs = [pool.submit(check_case, suturec, eigen, h, record) for h in sorted(CASES.glob("*.h"))]
         jobs += [pool.submit(check_fix, suturec, h, record) for h in sorted(FIXES.glob("*.h"))]
@@ -210,7 +212,7 @@ def main():
             jobs += [pool.submit(check_page, suturec, p) for p in sorted(PAGES.glob("*.md")) if p.stem != "README"]
             jobs += [pool.submit(check_usage, suturec, *usage) for usage in USAGE]
             jobs += [pool.submit(check_diff, suturec, *diff) for diff in DIFFS]
-            jobs += [pool.submit(check_mutation, suturec, eigen, seed) for seed in range(20)]
+            jobs += [pool.submit(check_mutation, suturec, eigen, seed) for seed in range(mutants)]
         problems = [p for job in jobs for p in job.result()]
     problems += check_slugs()
     print("\n".join(problems) or f"{len(jobs)} runs as expected")

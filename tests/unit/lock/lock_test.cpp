@@ -269,6 +269,19 @@ TEST_P(BadLocks, AreReportedAtTheirLine) {
   EXPECT_NE(found[0].message.find(GetParam().message), std::string::npos) << found[0].message;
 }
 
+std::string nestedTooDeeply() {
+  std::string type;
+  for (int i = 0; i < 100'000; ++i) type += "List(";
+  return "@0x8000000000000001;\nstruct A @0x8000000000000002 {\n  x @0 :" + type;
+}
+
+TEST(DeepLock, IsRefusedBeforeTheStackEnds) {
+  Diagnostics found;
+  read({{"a.capnp", nestedTooDeeply()}}, found);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NE(found[0].message.find("nested too deeply"), std::string::npos);
+}
+
 #define HEAD "@0x8000000000000001;\n"
 INSTANTIATE_TEST_SUITE_P(
     Lock, BadLocks,
@@ -286,6 +299,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadLock{HEAD "struct A @0x8000000000000002 {\n\n  x @0 :Other.Pose;\n}", 4, "not imported"},
         BadLock{HEAD "struct A @0x8000000000000002 {}\nstruct A @0x8000000000000003 {}", 3,
                 "twice"},
+        BadLock{HEAD "struct A @0x8000000000000002 {\n  x @4294967296 :Int8;\n}", 3, "no ordinal"},
         BadLock{HEAD "\nstruct A @zero {}", 3, "expected a number"},
         BadLock{HEAD "struct A @0x8000000000000002 $Meta.cxx(\"a {\n}", 2, "string has no end"}));
 
