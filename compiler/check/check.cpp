@@ -43,6 +43,7 @@ model::Diagnostics check(const model::Model& model) {
     checkContracts(header, findings);
     checkCrtk(header, lookup, findings);
     checkComponents(header, findings);
+    checkLimits(header, lookup, findings);
     checkReads(header, lookup, findings);
     checkBounds(header, lookup, findings);
   }

@@ -39,6 +39,10 @@ void checkReads(const model::Header& header, const model::Lookup& lookup,
 void checkBounds(const model::Header& header, const model::Lookup& lookup,
                  model::Diagnostics& findings);
 
+/// Sizes and depths that no message can have.
+void checkLimits(const model::Header& header, const model::Lookup& lookup,
+                 model::Diagnostics& findings);
+
 /// Appends an error; the result takes notes.
 model::Diagnostic& addError(model::Diagnostics& findings, const model::Source& source,
                             std::string slug, std::string message, std::string help);

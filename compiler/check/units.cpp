@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
-#include <vector>
+
+#include "compiler/model/nearest.h"
 
 namespace suture::compiler::check {
 namespace {
@@ -20,21 +20,6 @@ constexpr std::array<std::string_view, 73> kUnits{
     "V",       "mV",    "A",         "mA",     "Ohm",    "F",      "H",   "T",     "K",    "Cel",
     "px",      "B",     "bit"};
 
-std::size_t distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0u);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({substituted, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
-}
-
 }  // namespace
 
 bool isKnownUnit(std::string_view symbol) {
@@ -42,9 +27,7 @@ bool isKnownUnit(std::string_view symbol) {
 }
 
 std::string nearestUnit(std::string_view symbol) {
-  return std::string(*std::min_element(kUnits.begin(), kUnits.end(), [&](auto a, auto b) {
-    return distance(symbol, a) < distance(symbol, b);
-  }));
+  return std::string(model::nearest(symbol, kUnits));
 }
 
 }  // namespace suture::compiler::check

@@ -9,6 +9,7 @@
 #   LOCK_DIR   folder of the locked schemas, committed. Default: <project>/schemas
 #   LOCK_PATH  lock folders of other projects whose headers these include
 #
+# SUTUREC_EXECUTABLE, set before, is the suturec to run where that of the package is for another machine.
 # With suturec at hand it runs at build time: once per change of anything the headers read, and it
 # rewrites only files whose text changes. Without it, what is committed in <project>/generated is compiled.
 # Three targets serve all: update-lock, update-generated and the test check-generated.
@@ -27,11 +28,12 @@ function(suture_generate)
 
   set(wire ${CMAKE_BINARY_DIR}/generated-wire)
   set(lock_dirs ${arg_LOCK_DIR} ${arg_LOCK_PATH})
-  if(TARGET suture::suturec)
+  suture_find_compiler(suturec)
+  if(suturec)
     set(generated ${CMAKE_BINARY_DIR}/generated)
     set(schemas ${generated})
-    suture_run_compiler(${arg_TARGET} ${arg_BASE_DIR} ${generated} "${lock_dirs}" "${stems}")
-    suture_register_upkeep(${arg_TARGET} ${arg_LOCK_DIR} "${stems}")
+    suture_run_compiler(${suturec} ${arg_TARGET} ${arg_BASE_DIR} ${generated} "${lock_dirs}" "${stems}")
+    suture_register_upkeep(${suturec} ${arg_TARGET} ${arg_LOCK_DIR} "${stems}")
   else()
     set(generated ${PROJECT_SOURCE_DIR}/generated)
     set(schemas ${arg_LOCK_DIR})
@@ -41,7 +43,7 @@ function(suture_generate)
   foreach(stem IN LISTS stems)
     target_sources(${arg_TARGET} PRIVATE ${generated}/${stem}.suture.cpp)
     # Without suturec, a header that has no lock declares nothing for a wire.
-    if(TARGET suture::suturec OR EXISTS ${schemas}/${stem}.capnp)
+    if(suturec OR EXISTS ${schemas}/${stem}.capnp)
       suture_compile_schema(${arg_TARGET} ${schemas} ${stem} ${wire} "${lock_dirs}")
     endif()
   endforeach()

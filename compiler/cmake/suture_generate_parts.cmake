@@ -39,7 +39,7 @@ function(suture_write_response_file file target base generated lock_dirs stems)
 endfunction()
 
 # A run of suturec: the stamp says when, the generated files change only with their text.
-function(suture_run_compiler target base generated lock_dirs stems)
+function(suture_run_compiler suturec target base generated lock_dirs stems)
   set(work ${CMAKE_CURRENT_BINARY_DIR}/${target}.suture)
   suture_write_response_file(${work}.rsp ${target} ${base} ${generated} "${lock_dirs}" "${stems}")
   foreach(stem IN LISTS stems)
@@ -50,8 +50,8 @@ function(suture_run_compiler target base generated lock_dirs stems)
   add_custom_command(
     OUTPUT ${work}.stamp
     BYPRODUCTS ${outputs}
-    COMMAND suture::suturec @${work}.rsp --stamp ${work}.stamp --depfile ${work}.d
-    DEPENDS suture::suturec ${work}.rsp ${headers}
+    COMMAND ${suturec} @${work}.rsp --stamp ${work}.stamp --depfile ${work}.d
+    DEPENDS ${suturec} ${work}.rsp ${headers}
     DEPFILE ${work}.d
     COMMENT "suturec ${target}"
     VERBATIM)

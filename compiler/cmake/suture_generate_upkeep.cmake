@@ -2,8 +2,9 @@
 # test check-generated. Each serves all suture_generate() calls of a project, so they are defined when
 # the project's own list file ends.
 
-function(suture_register_upkeep target lock_dir stems)
+function(suture_register_upkeep suturec target lock_dir stems)
   set_property(GLOBAL APPEND PROPERTY SUTURE_UPKEEP_TARGETS ${target})
+  set_property(GLOBAL PROPERTY SUTURE_UPKEEP_COMPILER ${suturec})
   set_property(GLOBAL PROPERTY SUTURE_UPKEEP_RSP_${target}
     ${CMAKE_CURRENT_BINARY_DIR}/${target}.suture.rsp)
   foreach(stem IN LISTS stems)
@@ -19,10 +20,11 @@ endfunction()
 
 function(suture_define_upkeep)
   get_property(targets GLOBAL PROPERTY SUTURE_UPKEEP_TARGETS)
+  get_property(suturec GLOBAL PROPERTY SUTURE_UPKEEP_COMPILER)
   get_property(files GLOBAL PROPERTY SUTURE_UPKEEP_FILES)
   foreach(target IN LISTS targets)
     get_property(rsp GLOBAL PROPERTY SUTURE_UPKEEP_RSP_${target})
-    list(APPEND update_lock COMMAND suture::suturec @${rsp} --update-lock)
+    list(APPEND update_lock COMMAND ${suturec} @${rsp} --update-lock)
     list(APPEND stamps ${target}_suture)
   endforeach()
   add_custom_target(update-lock ${update_lock} VERBATIM COMMENT "Updating the locked schemas")

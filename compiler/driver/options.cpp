@@ -6,6 +6,8 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "compiler/driver/explain.h"
+
 namespace suture::compiler::driver {
 namespace {
 
@@ -42,7 +44,7 @@ struct Split {
 };
 
 void declare(CLI::App& app, Options& options) {
-  app.add_option("headers", options.headers, "Annotated headers of one target")->required();
+  app.add_option("headers", options.headers, "Annotated headers of one target");
   app.add_option("--target-name", options.targetName, "Name of the target, for messages");
   app.add_option("--base-dir", options.baseDirectory, "Headers are known by their path below it");
   app.add_option("--out", options.outputDirectory, "Folder for what is generated");
@@ -54,7 +56,19 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--project", options.project, "Owner of new wire ids");
   app.add_option("--lock-command", options.lockCommand,
                  "What messages tell to run to update the lock");
-  app.add_flag("--update-lock", options.updateLock, "Write the lock instead of checking it");
+  auto* update =
+      app.add_flag("--update-lock", options.updateLock, "Write the lock instead of checking it");
+  app.add_flag("--accept-break", options.acceptBreak,
+               "Take breaking edits into the lock and raise the contracts' major")
+      ->needs(update);
+  app.add_option("--new-id", options.newIds, "Give this name an id anew, after a lock was copied")
+      ->needs(update)
+      ->allow_extra_args(false);
+  app.add_option("--explain", options.explain, "Print the page of a diagnostic, and end");
+  app.add_flag("--fix", options.fix, "Apply the fix-its of errors to the headers");
+  app.add_option("--fatal", options.fatalWarnings,
+                 "Slug of a warning that is an error here, or all")
+      ->allow_extra_args(false);
 }
 
 }  // namespace
@@ -66,13 +80,15 @@ Parsed parseOptions(const std::vector<std::string>& arguments) {
   options.clangArguments = std::move(split.clang);
   CLI::App app{
       "Reads annotated C++ headers and writes what carries them over a wire.\n"
-      "What stands behind -- goes to clang.",
+      "What stands behind -- goes to clang. Also: suturec diff OLD NEW, for two schema files.",
       "suturec"};
   declare(app, options);
   try {
     std::reverse(split.own.begin(), split.own.end());  // as CLI11 wants it
     app.parse(split.own);
-    if (options.outputDirectory.empty() && !options.updateLock) {
+    if (!options.explain.empty()) return {std::nullopt, explain(options.explain)};
+    if (options.headers.empty()) throw CLI::RequiredError("headers");
+    if (options.outputDirectory.empty() && !options.updateLock && !options.fix) {
       throw CLI::RequiredError("--out (or --update-lock)");
     }
     if (options.lockDirectories.empty()) throw CLI::RequiredError("--lock-dir");

@@ -19,6 +19,11 @@ struct Options {
   std::string project = "suture";
   std::string lockCommand = "suturec --update-lock";
   bool updateLock = false;
+  bool acceptBreak = false;
+  std::vector<std::string> newIds;         ///< names that get one, with updateLock
+  std::string explain;                     ///< the slug to explain; "" = none
+  bool fix = false;                        ///< apply fix-its instead of generating
+  std::vector<std::string> fatalWarnings;  ///< slugs, or "all"
   std::vector<std::string> clangArguments;
 };
 

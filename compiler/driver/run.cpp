@@ -71,9 +71,14 @@ class Run {
  public:
   explicit Run(const Options& options)
       : options_(options),
-        frontend_({options.headers, options.targetName, options.baseDirectory,
-                   resourceDirectory(options.resourceDirectory), options.clangArguments}) {
-    lockOptions_ = {options.project, options.lockDirectories.front(), options.lockCommand};
+        frontend_({options.headers,
+                   options.targetName,
+                   options.baseDirectory,
+                   resourceDirectory(options.resourceDirectory),
+                   options.clangArguments,
+                   {options.fatalWarnings.begin(), options.fatalWarnings.end()}}) {
+    lockOptions_ = {options.project, options.lockDirectories.front(), options.lockCommand,
+                    options.acceptBreak, options.newIds};
   }
 
   bool execute() {
@@ -85,7 +90,20 @@ class Run {
     const auto texts = lockTexts(model(), options_, dependencies_);
     const lock::Locks locks = lock::read(texts, findings, lockOptions_);
     if (!frontend_.report(findings)) return false;
-    return options_.updateLock ? updateLock(locks) : generate(locks);
+    if (options_.updateLock) return updateLock(locks);
+    if (!frontend_.report(lock::check(model(), locks, lockOptions_))) return false;
+    return options_.fix || generate(locks);
+  }
+
+  /// Writes the headers with all fix-its applied. True if that settles every error.
+  bool applyFixes() {
+    const frontend::Fixes fixes = frontend_.fixes();
+    for (const model::Artefact& file : fixes.files) {
+      writeText(file.path, file.text);
+      std::cout << "fixed " << file.path << "\n";
+    }
+    std::cout << "errors fixed: " << fixes.fixed << ", left: " << fixes.open << "\n";
+    return fixes.open == 0;
   }
 
  private:
@@ -93,6 +111,11 @@ class Run {
 
   bool updateLock(const lock::Locks& locks) {
     const lock::Update update = lock::update(model(), locks, lockOptions_);
+    if (!update.unknownIds.empty()) {
+      throw std::runtime_error("--new-id " + update.unknownIds.front() +
+                               ": no lock has anything of that name; give a name on the wire, a " +
+                               "qualified C++ name or the path of a header");
+    }
     if (!frontend_.report(update.diagnostics)) return false;
     for (const model::Artefact& file : update.files) {
       const fs::path path = fs::path(options_.lockDirectories.front()) / file.path;
@@ -102,7 +125,6 @@ class Run {
   }
 
   bool generate(const lock::Locks& locks) {
-    if (!frontend_.report(lock::check(model(), locks, lockOptions_))) return false;
     std::vector<model::Artefact> artefacts = emit::emit(model(), locks);
     for (const model::Header& header : model().headers) {
       if (header.own) artefacts.push_back(wireSchema(header, locks));
@@ -127,7 +149,9 @@ class Run {
 
 int run(const Options& options) {
   checkHeaders(options);
-  if (Run(options).execute()) return 0;
+  Run run(options);
+  if (run.execute()) return 0;
+  if (options.fix) return run.applyFixes() ? 0 : 1;
   std::cerr << "suturec: nothing was written for target '" << options.targetName << "'\n";
   return 1;
 }

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "compiler/emit/parts.h"
+#include "compiler/lock/majors.h"
 #include "compiler/lock/wanted.h"
 #include "compiler/lock/wire_type.h"
 
@@ -196,6 +197,8 @@ Json interfaceOf(const model::Interface& interface, const Context& context) {
   const std::string& core = context.cores.at(interface.name);
   if (json["hash"] != core) json["core"] = core;
   if (interface.version > 1) json["version"] = interface.version;
+  const unsigned major = lock::majorOf(context.locks, interface.name);
+  if (major > 1) json["major"] = major;
   if (!interface.base.empty()) json["base"] = interface.base;
   if (interface.crtk) json["crtk"] = true;
   addOrigin(json, "", interface.lifecycle);

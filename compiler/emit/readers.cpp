@@ -57,9 +57,10 @@ bool isReadable(const model::Type& type) {
          std::all_of(type.element.begin(), type.element.end(), isReadable);
 }
 
-bool isNumber(const model::Type& type) {
-  return (type.shape == Shape::Scalar && type.scalar != model::Scalar::Bool) ||
-         type.shape == Shape::Duration;
+bool holdsNumbers(const model::Type& type) {
+  const bool number = (type.shape == Shape::Scalar && type.scalar != model::Scalar::Bool) ||
+                      type.shape == Shape::Duration || type.shape == Shape::Matrix;
+  return number || (!type.element.empty() && holdsNumbers(type.element.front()));
 }
 
 /// Where a function on the type is found by its argument.
@@ -73,7 +74,7 @@ void emitStruct(Code& code, const model::Struct& declaration, const std::string&
   code.line("suture::JsonReader reader = in;");
   for (const model::Field& field : declaration.fields) {
     if (!isReadable(field.type)) continue;
-    const bool bounded = field.range && isNumber(field.type);
+    const bool bounded = field.range && holdsNumbers(field.type);
     const std::string range =
         bounded ? ", " + number(field.range->first) + ", " + number(field.range->second) : "";
     code.line("reader.field(\"", field.name, "\", ", kBreakText,

@@ -3,6 +3,7 @@
 #include <clang/AST/DeclCXX.h>
 #include <clang/AST/Expr.h>
 
+#include <algorithm>
 #include <array>
 #include <set>
 #include <string_view>
@@ -89,6 +90,7 @@ class Reader {
   }
 
   void read(const clang::AnnotateAttr* attribute) {
+    result_.arguments += attribute->args_size();
     for (const clang::Expr* argument : attribute->args()) readArgument(argument);
   }
 
@@ -201,6 +203,24 @@ class Reader {
 };
 
 }  // namespace
+
+bool isVocabulary(llvm::StringRef macro) {
+  return std::any_of(kKinds.begin(), kKinds.end(), [macro](const KindInfo& info) {
+    return macro == llvm::StringRef(info.macro);
+  });
+}
+
+std::vector<std::string_view> annotationArguments() {
+  std::vector<std::string_view> names;
+  for (const KindInfo& info : kKinds) {
+    std::string_view rest = info.arguments;
+    for (std::size_t end; (end = rest.find("()")) != std::string_view::npos;) {
+      names.push_back(rest.substr(0, end));
+      rest.remove_prefix(std::min(end + 4, rest.size()));  // "(), "
+    }
+  }
+  return names;
+}
 
 std::string macroOf(Kind kind) { return std::string(infoOf(kind).macro); }
 

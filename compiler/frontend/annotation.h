@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -39,6 +40,7 @@ struct Annotation {
   bool crtk = false;
   bool skip = false;
   bool fallback = false;
+  unsigned arguments = 0;               ///< how many were given
   std::vector<ExternalMember> members;  ///< of an external type, as listed
 };
 
@@ -46,6 +48,12 @@ struct ExternalMember {
   const clang::FieldDecl* field = nullptr;
   Annotation annotation;
 };
+
+/// Whether a macro of that name annotates.
+bool isVocabulary(llvm::StringRef macro);
+
+/// "unit", "range"...: what any of the macros takes.
+std::vector<std::string_view> annotationArguments();
 
 /// What is wrong with an annotation's arguments, without the place.
 struct AnnotationProblem {

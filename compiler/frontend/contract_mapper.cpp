@@ -8,7 +8,7 @@
 namespace suture::compiler::frontend {
 namespace {
 
-std::string commandSubject(const clang::CXXMethodDecl* method) {
+std::string commandSubject(const clang::NamedDecl* method) {
   return "command '" + method->getNameAsString() + "'";
 }
 
@@ -23,6 +23,9 @@ bool rejectMethod(const clang::CXXMethodDecl* method, Mapping& mapping) {
   } else if (method->isStatic()) {
     mapping.error(method, "static-command", subject + " is static; it belongs to no component",
                   "make it virtual");
+  } else if (method->isDeleted()) {
+    mapping.error(method, "deleted-command", subject + " is deleted; nobody could call it",
+                  "remove it, or declare it as 'virtual ... = 0'");
   } else if (!method->isVirtual()) {
     mapping.error(method, "command-not-virtual",
                   subject + " is not virtual; a component could not implement it",
@@ -174,6 +177,11 @@ model::Event mapEvent(const clang::FieldDecl* field, const clang::TemplateArgume
   event.member = field->getNameAsString();
   event.name = annotation.name.value_or(event.member);
   event.wireName = wireMemberName(event.name, std::nullopt);
+  if (mapping.context().Idents.get(event.name).isKeyword(mapping.context().getLangOpts())) {
+    mapping.error(field, "reserved-name",
+                  subject + " is called '" + event.name + "', which C++ keeps for itself",
+                  "choose another with name(\"...\")");
+  }
   event.payloadUnit = bounds.unit;
   event.payloadRange = bounds.range;
   event.queue = annotation.queue.value_or(model::kDefaultQueue);
@@ -197,6 +205,10 @@ model::Event mapEvent(const clang::FieldDecl* field, const clang::TemplateArgume
   return event;
 }
 
+model::Fix annotate(const clang::Decl* member, std::string macro, Mapping& mapping) {
+  return mapping.fix(member->getBeginLoc(), model::Fix::Place::Before, std::move(macro));
+}
+
 /// A method of a contract without the macro, or with it where the base has it already.
 void mapMethod(const clang::CXXMethodDecl* method, model::Interface& result, Mapping& mapping) {
   const std::string name = "'" + method->getNameAsString() + "'";
@@ -210,9 +222,11 @@ void mapMethod(const clang::CXXMethodDecl* method, model::Interface& result, Map
   } else if (command) {
     result.commands.push_back(mapCommand(method, mapping));
   } else if (method->isVirtual() && !overrides && !llvm::isa<clang::CXXDestructorDecl>(method)) {
-    mapping.error(method, "unannotated-command",
-                  "virtual method " + name + " of a contract is not a command",
-                  "add SUTURE_COMMAND(), or make it non-virtual");
+    mapping
+        .error(method, "unannotated-command",
+               "virtual method " + name + " of a contract is not a command",
+               "add SUTURE_COMMAND(), or make it non-virtual")
+        .fixes = {annotate(method, "SUTURE_COMMAND() ", mapping)};
   }
 }
 
@@ -221,16 +235,22 @@ void mapMembers(const clang::CXXRecordDecl* declaration, model::Interface& resul
   for (const clang::Decl* member : declaration->decls()) {
     if (const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(member)) {
       mapMethod(method, result, mapping);
+    } else if (const auto* pattern = llvm::dyn_cast<clang::FunctionTemplateDecl>(member)) {
+      if (!isAnnotated(pattern->getTemplatedDecl(), Kind::Command)) continue;
+      mapping.error(pattern, "template-command",
+                    commandSubject(pattern) + " is a template; it has no one signature",
+                    "declare a command for each use");
     } else if (const auto* field = llvm::dyn_cast<clang::FieldDecl>(member)) {
       const clang::TemplateArgument* payload = eventArguments(field->getType());
       if (payload && isAnnotated(field, Kind::Event)) {
         result.events.push_back(mapEvent(field, *payload, mapping));
       } else {
-        mapping.error(field, "contract-data",
-                      "member '" + field->getNameAsString() + "' of a contract is not an event",
-                      payload
-                          ? "add SUTURE_EVENT()"
-                          : "declare an event as suture::EventOf<T>; keep data in the component");
+        model::Diagnostic& finding = mapping.error(
+            field, "contract-data",
+            "member '" + field->getNameAsString() + "' of a contract is not an event",
+            payload ? "add SUTURE_EVENT()"
+                    : "declare an event as suture::EventOf<T>; keep data in the component");
+        if (payload) finding.fixes = {annotate(field, "SUTURE_EVENT() ", mapping)};
       }
     }
   }

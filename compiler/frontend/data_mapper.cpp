@@ -39,6 +39,26 @@ struct Candidate {
   Annotation annotation;
   bool reachable;  ///< if it is not public
 };
+void checkSkipped(const Candidate& candidate, Mapping& mapping) {
+  if (candidate.annotation.arguments < 2) return;
+  mapping.error(
+      candidate.place, "skip-with-others",
+      fieldSubject(candidate.field) + " is skipped, so that nothing else can be said of it",
+      "keep skip(), or the others");
+}
+
+/// A scalar whose initialiser the lock cannot record.
+void checkDefault(const clang::FieldDecl* declaration, const model::Field& field,
+                  Mapping& mapping) {
+  const bool recorded = field.type.shape == model::Type::Shape::Scalar ||
+                        field.type.shape == model::Type::Shape::Enum;
+  const clang::Expr* initialiser = declaration->getInClassInitializer();
+  if (!recorded || !initialiser || isConstant(initialiser, mapping.context())) return;
+  mapping.warn(declaration, "default-not-constant",
+               "the initialiser of " + fieldSubject(declaration) +
+                   " is no constant; where a sender says nothing, a receiver reads zero",
+               "give it a constant");
+}
 
 /// Why the field cannot be on the wire, whatever its type. True if an error was reported.
 bool rejectField(const Candidate& candidate, Mapping& mapping) {
@@ -55,7 +75,7 @@ bool rejectField(const Candidate& candidate, Mapping& mapping) {
                   "use a plain integer with range()");
   } else if (field->isMutable()) {
     mapping.error(place, "mutable", subject + " is mutable; it is not part of the value",
-                  "say so: SUTURE_FIELD(skip())");
+                  "keep it off the wire: SUTURE_FIELD(skip())");
   } else if (candidate.annotation.fallback) {
     mapping.error(place, "misplaced-argument", "fallback() applies to an enumerator", "drop it");
   } else {
@@ -67,6 +87,7 @@ bool rejectField(const Candidate& candidate, Mapping& mapping) {
 std::optional<model::Field> mapField(const Candidate& candidate, Mapping& mapping) {
   const Annotation& annotation = candidate.annotation;
   const clang::FieldDecl* declaration = candidate.field;
+  if (annotation.skip) checkSkipped(candidate, mapping);
   if (annotation.skip || rejectField(candidate, mapping)) return std::nullopt;
   auto type = mapping.typeOf(candidate.place, declaration->getType(), fieldSubject(declaration),
                              annotation);
@@ -82,6 +103,7 @@ std::optional<model::Field> mapField(const Candidate& candidate, Mapping& mappin
   field.defaultJson = defaultJsonOf(declaration);
   field.doc = mapping.documentationOf(declaration);
   field.source = mapping.sourceOf(candidate.place);
+  checkDefault(declaration, field, mapping);
   return field;
 }
 

@@ -62,6 +62,13 @@ std::string scalarJson(clang::QualType type, const clang::APValue& value) {
 
 }  // namespace
 
+bool isConstant(const clang::Expr* initialiser, const clang::ASTContext& context) {
+  const auto* list = llvm::dyn_cast<clang::InitListExpr>(initialiser->IgnoreImplicit());
+  if (list && list->getNumInits() == 0) return true;
+  clang::Expr::EvalResult result;
+  return initialiser->EvaluateAsRValue(result, context);
+}
+
 std::string defaultJsonOf(const clang::FieldDecl* field) {
   const clang::Expr* initialiser = field->getInClassInitializer();
   if (!initialiser || initialiser->containsErrors()) return "";

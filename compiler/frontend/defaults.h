@@ -11,4 +11,7 @@ namespace suture::compiler::frontend {
 /// string. Empty: there is none, or it is no such constant.
 std::string defaultJsonOf(const clang::FieldDecl* field);
 
+/// Whether the compiler knows the value.
+bool isConstant(const clang::Expr* initialiser, const clang::ASTContext& context);
+
 }  // namespace suture::compiler::frontend

@@ -21,15 +21,19 @@ class Frontend::Implementation {
                         compiler.getPreprocessor().getHeaderSearchInfo(), request_.baseDirectory);
     for (const std::string& header : request_.headers) headers.addOwn(header);
     model::Diagnostics findings;
-    model_ = mapUnit(compiler.getSema(), headers, table_, findings);
+    model_ = mapUnit(compiler.getSema(), headers, table_, unit_.annotationUses(), findings);
     return report(findings);
   }
 
   bool report(const model::Diagnostics& findings) {
     clang::DiagnosticsEngine& engine = unit_.compiler().getDiagnostics();
     engine.setIgnoreAllWarnings(false);
-    return Reporter(engine, table_).report(findings);
+    return Reporter(engine, unit_.compiler().getLangOpts(), table_, request_.fatalWarnings,
+                    unit_.fixCollector())
+        .report(findings);
   }
+
+  Fixes fixes() { return unit_.fixes(); }
 
   const model::Model& model() const { return model_; }
   std::vector<std::string> dependencies() const { return unit_.dependencies(); }
@@ -50,6 +54,7 @@ const model::Model& Frontend::model() const { return implementation_->model(); }
 bool Frontend::report(const model::Diagnostics& findings) {
   return implementation_->report(findings);
 }
+Fixes Frontend::fixes() { return implementation_->fixes(); }
 std::vector<std::string> Frontend::dependencies() const { return implementation_->dependencies(); }
 
 }  // namespace suture::compiler::frontend

@@ -2,9 +2,11 @@
 // Annotated headers in, model out. The rest of the compiler sees clang through this header only.
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "compiler/model/artefact.h"
 #include "compiler/model/diagnostic.h"
 #include "compiler/model/model.h"
 
@@ -16,6 +18,13 @@ struct Request {
   std::string baseDirectory;      ///< the headers' paths in the model are relative to it
   std::string resourceDirectory;  ///< clang's own headers: <dir>/include/stddef.h
   std::vector<std::string> clangArguments;
+  std::set<std::string> fatalWarnings;  ///< slugs, or "all"
+};
+
+/// What the fix-its of all errors so far come to.
+struct Fixes {
+  std::vector<model::Artefact> files;  ///< whole new texts, by absolute path
+  unsigned fixed = 0, open = 0;        ///< errors with and without a fix-it
 };
 
 /// One run of clang over one translation unit that includes all headers of a target. It stays open
@@ -34,6 +43,9 @@ class Frontend {
 
   /// Prints findings to standard error in clang's form. False if an error was among them.
   bool report(const model::Diagnostics& findings);
+
+  /// The headers with all fix-its applied; what a system header would need is left alone.
+  Fixes fixes();
 
   /// Absolute paths of all files that were read, system headers too, without duplicates.
   std::vector<std::string> dependencies() const;

@@ -25,13 +25,16 @@ class Guard : public clang::PPCallbacks {
     const auto source =
         sources.getFileManager().getOptionalFileRef(sourceHeaderOf(file->getName()));
     const auto includer = sources.getFileEntryRefForID(sources.getFileID(hash));
-    if (source && includer && *source == *includer) includesItself(range, name);
+    if (source && includer && *source == *includer) includesItself(hash, range, name);
   }
 
  private:
-  void includesItself(clang::CharSourceRange range, llvm::StringRef name) {
+  void includesItself(clang::SourceLocation hash, clang::CharSourceRange range,
+                      llvm::StringRef name) {
     report(Level::Error, range,
-           "the header includes the file that is generated from it [suture-own-generated-include]");
+           "the header includes the file that is generated from it [suture-own-generated-include]",
+           clang::FixItHint::CreateRemoval(
+               clang::CharSourceRange::getCharRange(hash, range.getEnd())));
     report(Level::Note, range,
            "remove the include of '" + name.str() + "'; users of the header include it instead");
   }
@@ -41,11 +44,12 @@ class Guard : public clang::PPCallbacks {
            "it was looked for in the include directories of target '" + targetName_ + "'");
   }
 
-  void report(Level level, clang::CharSourceRange range, const std::string& text) {
+  void report(Level level, clang::CharSourceRange range, const std::string& text,
+              const clang::FixItHint& fix = {}) {
     clang::DiagnosticsEngine& engine = preprocessor_.getDiagnostics();
     const unsigned id = engine.getDiagnosticIDs()->getCustomDiagID(
         static_cast<clang::DiagnosticIDs::Level>(level), "%0");
-    engine.Report(range.getBegin(), id) << text << range;
+    engine.Report(range.getBegin(), id) << text << range << fix;
   }
 
   clang::Preprocessor& preprocessor_;

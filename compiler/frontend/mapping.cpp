@@ -2,6 +2,8 @@
 
 #include <clang/AST/RawCommentList.h>
 
+#include "compiler/frontend/field_fixes.h"
+#include "compiler/frontend/platform_integers.h"
 #include "compiler/frontend/type_mapper.h"
 
 namespace suture::compiler::frontend {
@@ -26,12 +28,35 @@ model::Documentation Mapping::documentationOf(const clang::Decl* declaration) co
 
 model::Diagnostic& Mapping::error(const clang::NamedDecl* declaration, std::string slug,
                                   std::string message, std::string help) {
+  return add(sourceOf(declaration), std::move(slug), std::move(message), std::move(help));
+}
+
+model::Diagnostic& Mapping::errorAt(clang::SourceLocation place, std::string slug,
+                                    std::string message, std::string help) {
+  return add(table_.add(sources(), place, {}), std::move(slug), std::move(message),
+             std::move(help));
+}
+
+model::Diagnostic& Mapping::add(model::Source source, std::string slug, std::string message,
+                                std::string help) {
   model::Diagnostic finding;
-  finding.source = sourceOf(declaration);
+  finding.source = std::move(source);
   finding.slug = std::move(slug);
   finding.message = std::move(message);
   finding.help = std::move(help);
   return findings_.emplace_back(std::move(finding));
+}
+
+model::Diagnostic& Mapping::warn(const clang::NamedDecl* declaration, std::string slug,
+                                 std::string message, std::string help) {
+  model::Diagnostic& finding =
+      error(declaration, std::move(slug), std::move(message), std::move(help));
+  finding.severity = model::Diagnostic::Severity::Warning;
+  return finding;
+}
+
+model::Fix Mapping::fix(clang::SourceRange range, model::Fix::Place place, std::string text) {
+  return {table_.add(sources(), range.getBegin(), range), place, std::move(text)};
 }
 
 Annotation Mapping::annotationOf(const clang::NamedDecl* declaration, Kind kind) {
@@ -60,7 +85,13 @@ std::optional<model::Type> Mapping::typeOf(const clang::NamedDecl* declaration,
       finding.notes.push_back({sourceOf(culprit), problem->help});
       finding.help.clear();
     }
+    finding.fixes = fixesFor(declaration, *problem, *this);
     return std::nullopt;
+  }
+  if (const std::string integer = platformInteger(type); !integer.empty()) {
+    warn(declaration, "platform-integer",
+         subject + " is a '" + integer + "', whose width differs between machines",
+         "use std::int64_t or std::uint64_t, which is what the wire carries");
   }
   auto result = std::get<model::Type>(std::move(mapped));
   checkNumberArguments(declaration, subject, result, field);

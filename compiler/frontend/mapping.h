@@ -6,6 +6,7 @@
 #include <clang/AST/DeclCXX.h>
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,24 @@ class Mapping {
   model::Diagnostic& error(const clang::NamedDecl* declaration, std::string slug,
                            std::string message, std::string help);
 
+  /// The same, at a place that is no declaration.
+  model::Diagnostic& errorAt(clang::SourceLocation place, std::string slug, std::string message,
+                             std::string help);
+  /// The same, but only a warning.
+  model::Diagnostic& warn(const clang::NamedDecl* declaration, std::string slug,
+                          std::string message, std::string help);
+
+  /// A change of the text in the range, for a finding about it.
+  model::Fix fix(clang::SourceRange range, model::Fix::Place place, std::string text);
+
   /// The annotation of that kind, its problems reported.
   Annotation annotationOf(const clang::NamedDecl* declaration, Kind kind);
+
+  /// The same, its problems left to a later annotationOf().
+  static Annotation peek(const clang::NamedDecl* declaration, Kind kind) {
+    std::vector<AnnotationProblem> ignored;
+    return readAnnotation(declaration, kind, ignored);
+  }
 
   /// A type held by value with its bounds; none after an error at the declaration. `subject` begins
   /// the message: "field 'p'".
@@ -40,10 +57,15 @@ class Mapping {
   /// Aliases of template instances and external types; filled before anything is mapped.
   NamedTypes& names() { return names_; }
 
+  /// True when asked of the declaration for the first time.
+  bool once(const clang::NamedDecl* declaration) { return seen_.insert(declaration).second; }
+
   clang::ASTContext& context() { return context_; }
   const clang::SourceManager& sources() const { return context_.getSourceManager(); }
 
  private:
+  model::Diagnostic& add(model::Source source, std::string slug, std::string message,
+                         std::string help);
   void checkNumberArguments(const clang::NamedDecl* declaration, const std::string& subject,
                             const model::Type& type, const Annotation& field);
 
@@ -51,6 +73,7 @@ class Mapping {
   SourceTable& table_;
   model::Diagnostics& findings_;
   NamedTypes names_;
+  std::set<const clang::NamedDecl*> seen_;
 };
 
 }  // namespace suture::compiler::frontend

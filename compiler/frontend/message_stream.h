@@ -8,7 +8,8 @@
 namespace suture::compiler::frontend {
 
 /// Forwards whole lines, less what only suturec itself causes: the include stack through the
-/// in-memory translation unit, and the "./" that clang puts before a header named relative to it.
+/// in-memory translation unit, the "./" that clang puts before a header named relative to it,
+/// blanks at the end, and how the SUTURE_ macros are made.
 class MessageStream : public llvm::raw_ostream {
  public:
   MessageStream(llvm::raw_ostream& out, std::string unitName);
@@ -18,10 +19,13 @@ class MessageStream : public llvm::raw_ostream {
   void write_impl(const char* text, std::size_t size) override;
   std::uint64_t current_pos() const override { return 0; }
   void forward(llvm::StringRef line);
+  void forwardUnknown(llvm::StringRef place, llvm::StringRef rest);
 
   llvm::raw_ostream& out_;
   std::string includeLine_;
   std::string pending_;
+  std::string advice_;             // to follow the excerpt of the source
+  bool withinVocabulary_ = false;  // in the excerpt of a SUTURE_ macro's definition
 };
 
 }  // namespace suture::compiler::frontend

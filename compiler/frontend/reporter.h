@@ -4,6 +4,10 @@
 #include <clang/Basic/Diagnostic.h>
 #include <clang/Basic/FileManager.h>
 
+#include <set>
+#include <string>
+
+#include "compiler/frontend/fix_collector.h"
 #include "compiler/frontend/source_table.h"
 #include "compiler/model/diagnostic.h"
 
@@ -11,8 +15,10 @@ namespace suture::compiler::frontend {
 
 class Reporter {
  public:
-  Reporter(clang::DiagnosticsEngine& engine, const SourceTable& table)
-      : engine_(engine), table_(table) {}
+  /// Warnings of the slugs in `fatal`, or all where it holds "all", count as errors.
+  Reporter(clang::DiagnosticsEngine& engine, const clang::LangOptions& language,
+           const SourceTable& table, const std::set<std::string>& fatal, FixCollector& fixes)
+      : engine_(engine), language_(language), table_(table), fatal_(fatal), fixes_(fixes) {}
 
   /// False if an error was among them.
   bool report(const model::Diagnostics& findings);
@@ -21,11 +27,18 @@ class Reporter {
   enum class Underline { Yes, No };
 
   void print(clang::DiagnosticsEngine::Level level, const model::Source& source,
-             const std::string& text, Underline underline = Underline::Yes);
+             const std::string& text, Underline underline = Underline::Yes,
+             const std::vector<model::Fix>& fixes = {});
   clang::SourceLocation locate(const model::Source& source);
+  clang::FixItHint hintOf(const model::Fix& fix) const;
+  bool areOnOneLine(clang::SourceLocation a, clang::SourceLocation b) const;
+  bool isError(const model::Diagnostic& finding) const;
 
   clang::DiagnosticsEngine& engine_;
+  const clang::LangOptions& language_;
   const SourceTable& table_;
+  const std::set<std::string>& fatal_;
+  FixCollector& fixes_;
 };
 
 }  // namespace suture::compiler::frontend

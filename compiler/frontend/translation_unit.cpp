@@ -75,8 +75,9 @@ bool TranslationUnit::configure() {
   invocation->getPreprocessorOpts().addRemappedFile(
       name_, llvm::MemoryBuffer::getMemBufferCopy(wrapperText(request_.headers), name_).release());
   compiler_.setInvocation(std::move(invocation));
-  compiler_.createDiagnostics(
-      new clang::TextDiagnosticPrinter(messages_, &compiler_.getDiagnosticOpts()));
+  fixes_.forwardTo(
+      std::make_unique<clang::TextDiagnosticPrinter>(messages_, &compiler_.getDiagnosticOpts()));
+  compiler_.createDiagnostics(&fixes_, /*ShouldOwnClient=*/false);
   // The user's compiler warns about the user's code; here only errors count.
   compiler_.getDiagnostics().setIgnoreAllWarnings(true);
   compiler_.createFileManager(files);
@@ -91,6 +92,7 @@ bool TranslationUnit::parse() {
   begun_ = action_->BeginSourceFile(compiler_, compiler_.getFrontendOpts().Inputs.front());
   if (!begun_) return false;
   guardIncludes(compiler_.getPreprocessor(), request_.targetName);
+  annotationUses_.watch(compiler_.getPreprocessor());
   if (llvm::Error error = action_->Execute()) {
     llvm::errs() << "suturec: " << llvm::toString(std::move(error)) << "\n";
     return false;

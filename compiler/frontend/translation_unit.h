@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "compiler/frontend/annotation_uses.h"
+#include "compiler/frontend/fix_collector.h"
 #include "compiler/frontend/frontend.h"
 #include "compiler/frontend/message_stream.h"
 
@@ -23,6 +25,12 @@ class TranslationUnit {
 
   clang::CompilerInstance& compiler() { return compiler_; }
 
+  /// Where the unit uses the vocabulary.
+  AnnotationUses& annotationUses() { return annotationUses_; }
+
+  FixCollector& fixCollector() { return fixes_; }
+  Fixes fixes() { return fixes_.apply(compiler_.getSourceManager(), compiler_.getLangOpts()); }
+
   /// Absolute paths of what was read.
   std::vector<std::string> dependencies() const;
 
@@ -32,6 +40,8 @@ class TranslationUnit {
   const Request& request_;
   std::string name_;
   MessageStream messages_;
+  FixCollector fixes_;
+  AnnotationUses annotationUses_;
   clang::CompilerInstance compiler_;
   std::shared_ptr<clang::DependencyCollector> dependencies_;
   std::unique_ptr<clang::FrontendAction> action_;

@@ -2,11 +2,13 @@
 
 #include <clang/AST/RecursiveASTVisitor.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "compiler/frontend/component_mapper.h"
 #include "compiler/frontend/contract_mapper.h"
 #include "compiler/frontend/data_mapper.h"
+#include "compiler/frontend/generated_names.h"
 #include "compiler/frontend/imports.h"
 #include "compiler/frontend/inheritance.h"
 #include "compiler/frontend/names.h"
@@ -18,8 +20,8 @@ namespace {
 
 class Visitor : public clang::RecursiveASTVisitor<Visitor> {
  public:
-  Visitor(Mapping& mapping, TypeNames& names, HeaderTable& headers)
-      : mapping_(mapping), names_(names), headers_(headers) {}
+  Visitor(Mapping& mapping, TypeNames& names, HeaderTable& headers, AnnotationUses& uses)
+      : mapping_(mapping), names_(names), headers_(headers), uses_(uses) {}
 
   // A third of the time would go into two libraries that hold nothing annotated.
   bool TraverseNamespaceDecl(clang::NamespaceDecl* space) {
@@ -30,6 +32,14 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
 
   bool VisitNamedDecl(clang::NamedDecl* declaration) {
     const std::vector<Kind> kinds = annotationKinds(declaration);
+    if (!kinds.empty()) uses_.claim(declaration);
+    if (!kinds.empty() && std::count(kinds.begin(), kinds.end(), kinds.front()) > 1) {
+      mapping_.error(
+          declaration, "repeated-annotation",
+          "'" + declaration->getNameAsString() + "' has " + macroOf(kinds.front()) + "() twice",
+          "keep one, with the arguments of both");
+      return true;
+    }
     for (const Kind kind : kinds) {
       if (kind == Kind::Field && kinds.size() > 1) continue;  // rides on a command or event
       later_.push_back([=, this] { visit(declaration, kind); });
@@ -115,6 +125,7 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
   void add(clang::TagDecl* tag, Kind kind) {
     model::Header& header = headers_.of(tag);
     checkNamespace(tag, tag->getNameAsString(), header);
+    if (header.own) checkGeneratedNames(tag, kind, mapping_);
     if (auto* enumeration = llvm::dyn_cast<clang::EnumDecl>(tag)) {
       header.enums.push_back(mapEnumDeclaration(enumeration, mapping_));
     } else if (kind == Kind::Type) {
@@ -204,18 +215,29 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
   Mapping& mapping_;
   TypeNames& names_;
   HeaderTable& headers_;
+  AnnotationUses& uses_;
   std::vector<std::function<void()>> later_;
 };
+
+/// What stands where no declaration of the tree bears it, as within a function.
+void reportUnseen(const AnnotationUses& uses, Mapping& mapping) {
+  for (const auto& [place, macro] : uses.unclaimed()) {
+    mapping.errorAt(place, "unseen-annotation",
+                    macro + "() annotates nothing that can be seen from outside",
+                    "move the declaration out of the function, into a named namespace");
+  }
+}
 
 }  // namespace
 
 model::Model mapUnit(clang::Sema& semantics, HeaderTable& headers, SourceTable& table,
-                     model::Diagnostics& findings) {
+                     AnnotationUses& uses, model::Diagnostics& findings) {
   Mapping mapping(semantics.getASTContext(), table, findings);
   TypeNames names(mapping, semantics);
-  Visitor visitor(mapping, names, headers);
+  Visitor visitor(mapping, names, headers, uses);
   visitor.TraverseDecl(semantics.getASTContext().getTranslationUnitDecl());
   visitor.finish();
+  reportUnseen(uses, mapping);
   model::Model result{headers.take()};
   addInherited(result);
   addImports(result);

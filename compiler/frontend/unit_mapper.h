@@ -3,6 +3,7 @@
 
 #include <clang/Sema/Sema.h>
 
+#include "compiler/frontend/annotation_uses.h"
 #include "compiler/frontend/header_table.h"
 #include "compiler/frontend/mapping.h"
 
@@ -11,6 +12,6 @@ namespace suture::compiler::frontend {
 /// Maps every annotated declaration, own and foreign. Each either enters the model or is an error.
 /// `semantics` completes instances of templates that nobody has used yet.
 model::Model mapUnit(clang::Sema& semantics, HeaderTable& headers, SourceTable& table,
-                     model::Diagnostics& findings);
+                     AnnotationUses& uses, model::Diagnostics& findings);
 
 }  // namespace suture::compiler::frontend

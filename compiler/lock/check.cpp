@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "compiler/lock/lock.h"
+#include "compiler/lock/majors.h"
 #include "compiler/lock/merge.h"
 #include "compiler/lock/wanted.h"
+#include "compiler/lock/wire_type.h"
 #include "compiler/lock/writer.h"
 
 namespace suture::compiler::lock {
@@ -158,10 +161,49 @@ model::Diagnostic stale(const Judged& judged, const Options& options) {
       model::Diagnostic::Severity::Warning};
 }
 
+bool isNamed(const Node& node, const std::string& name) {
+  return node.name == name || identity(node) == "cxx " + quoted(name);
+}
+
+/// The locks with a fresh id for each node that options.newIds names.
+Locks withNewIds(Locks locks, const Options& options, std::vector<std::string>& unknown) {
+  for (const std::string& name : options.newIds) {
+    bool found = false;
+    std::set<std::uint64_t> seen;
+    for (auto& [path, lock] : locks.files) {
+      if (lock.header == name) {
+        found = true;
+        lock.id = freshId(options.project, path + "\n" + lock.header);
+      }
+      for (Node& node : lock.nodes) {
+        if (!isNamed(node, name)) {
+          seen.insert(node.id);
+          continue;
+        }
+        found = true;
+        node.id = freshId(options.project, path + "\n" + identity(node));
+        while (!seen.insert(node.id).second) ++node.id;
+      }
+    }
+    if (!found) unknown.push_back(name);
+  }
+  return locks;
+}
+
 Diagnostics duplicateIds(const Locks& locks, const Options& options) {
   Diagnostics result;
   std::map<std::uint64_t, std::pair<const Lock*, const Node*>> ids;
+  std::map<std::uint64_t, const Lock*> fileIds;
   for (const auto& [path, lock] : locks.files) {
+    const auto [first, fresh] = fileIds.emplace(lock.id, &lock);
+    if (!fresh) {
+      result.push_back({{0, options.folder + "/" + path, 1},
+                        "lock-duplicate-id",
+                        path + " has the id of " + first->second->path,
+                        "a lock was copied: give it an id of its own with --new-id " + lock.header +
+                            " behind: " + options.command,
+                        {}});
+    }
     for (const Node& node : lock.nodes) {
       const auto [other, isNew] = ids.emplace(node.id, std::pair{&lock, &node});
       if (isNew) continue;
@@ -170,7 +212,8 @@ Diagnostics duplicateIds(const Locks& locks, const Options& options) {
           {{0, options.folder + "/" + path, node.line},
            "lock-duplicate-id",
            node.name + " has the id of " + otherNode->name + " in " + otherLock->path,
-           "a lock was copied: remove the copy and run: " + options.command,
+           "a lock was copied: give it an id of its own with --new-id " + node.name +
+               " behind: " + options.command,
            {{{0, options.folder + "/" + otherLock->path, otherNode->line}, "the other is here"}}});
     }
   }
@@ -201,19 +244,32 @@ Diagnostics check(const model::Model& model, const Locks& locks, const Options& 
   return all;
 }
 
-Update update(const model::Model& model, const Locks& locks, const Options& options) {
+Update update(const model::Model& model, const Locks& committed, const Options& options) {
   Update result;
-  result.diagnostics = duplicateIds(locks, options);
+  const Locks locks = withNewIds(committed, options, result.unknownIds);
+  append(result.diagnostics, duplicateIds(locks, options));
   const model::Lookup lookup(model);
   const WireNames names(model, lookup);
+  std::map<std::string, Lock> merged = locks.files;
+  std::set<std::string> own, broken;
   forEachOwn(model, lookup, locks, options, [&](const Judged& judged, Merge merge) {
     append(result.diagnostics, names.clashes(judged.header, judged.wanted));
     append(result.diagnostics, clashesWithOwn(judged.wanted));
     append(result.diagnostics, clashesWithRemoved(judged.wanted, merge.lock));
-    append(result.diagnostics, std::move(merge.breaks));
-    std::string text = write(merge.lock);
-    if (text != judged.old.text) result.files.push_back({judged.old.path, std::move(text)});
+    if (!options.acceptBreaks) append(result.diagnostics, std::move(merge.breaks));
+    const std::string path = judged.old.path;
+    for (const std::string& node : merge.broken) broken.insert(path + ":" + node);
+    own.insert(path);
+    merged[path] = std::move(merge.lock);
   });
+  raiseMajors(merged, own, broken);
+  for (const std::string& path : own) {
+    const auto old = committed.files.find(path);
+    std::string text = write(merged.at(path));
+    if (old == committed.files.end() || text != old->second.text) {
+      result.files.push_back({path, std::move(text)});
+    }
+  }
   return result;
 }
 

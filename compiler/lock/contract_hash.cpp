@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "compiler/lock/majors.h"
 #include "compiler/lock/merge.h"
 #include "compiler/lock/sha256.h"
 #include "compiler/lock/wire_type.h"
@@ -28,6 +29,7 @@ class Canonical {
     text_ += identity(node) + " " + node.name + " " + std::to_string(node.id);
     const auto version = node.annotations.find("version");
     text_ += version == node.annotations.end() ? "" : " version " + version->second;
+    if (majorOf(node) > 1) text_ += " major " + std::to_string(majorOf(node));
     text_ += node.isUnion ? " union\n" : "\n";
     for (const Member& member : node.members) {
       if (counts(member)) write(member);

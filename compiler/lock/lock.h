@@ -81,11 +81,16 @@ struct Options {
   std::string folder = "schemas";
   /// What the user has to run to write the lock: "cmake --build build --target update-lock".
   std::string command = "suturec --update-lock";
+  /// An update takes breaks and raises the major of every contract that they reach.
+  bool acceptBreaks = false;
+  /// Names on the wire, in C++ or of headers that an update gives an id anew.
+  std::vector<std::string> newIds{};
 };
 
 struct Update {
-  std::vector<model::Artefact> files;  ///< whole new texts, only those that differ from the old
-  model::Diagnostics diagnostics;      ///< breaking edits, which an update refuses as well
+  std::vector<model::Artefact> files;     ///< whole new texts, only those that differ from the old
+  model::Diagnostics diagnostics;         ///< breaking edits, which an update refuses as well
+  std::vector<std::string> unknownIds{};  ///< of options.newIds, what no lock has
 };
 
 /// "arm/arm.h" -> "arm/arm.capnp".

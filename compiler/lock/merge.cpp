@@ -13,6 +13,9 @@ namespace {
 
 using model::Diagnostic;
 
+constexpr char kAcceptAdvice[] =
+    "; where all peers are replaced together, update the lock with --accept-break";
+
 std::string valueOf(const Annotations& annotations, const std::string& name) {
   const auto found = annotations.find(name);
   return found == annotations.end() ? "none" : found->second;
@@ -84,10 +87,11 @@ class Merger {
 
   void broken(const WantedMember& wanted, const Member& locked, const std::string& message,
               const std::string& help) {
+    merge_.broken.insert(node_);
     merge_.breaks.push_back({wanted.source,
                              "lock-break",
                              wanted.title + ": " + message,
-                             help,
+                             help + kAcceptAdvice,
                              {lockNote(locked.line, describe(locked))}});
   }
 
@@ -119,6 +123,17 @@ class Merger {
   Node merged(const WantedNode& wanted, const Node& locked) {
     Node node = wanted.node;
     node.id = locked.id;
+    node_ = node.name;
+    const auto major = locked.annotations.find("major");
+    if (major != locked.annotations.end()) node.annotations.insert(*major);
+    if (node.kind != locked.kind) {
+      merge_.broken.insert(node_);
+      merge_.breaks.push_back({wanted.source,
+                               "lock-break",
+                               wanted.title + " was something else before",
+                               std::string("give the new thing a name of its own") + kAcceptAdvice,
+                               {lockNote(locked.line, locked.name)}});
+    }
     compareBases(wanted, locked);
     if (node.name != locked.name) {
       pending(wanted.source, "lock-renamed",
@@ -278,6 +293,7 @@ class Merger {
   const Lock& old_;
   const Options& options_;
   std::map<std::string, std::string> renamed_;  // wire names of nodes, the locked to the present
+  std::string node_;                            // being merged
   Merge merge_;
 };
 

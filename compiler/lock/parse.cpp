@@ -1,14 +1,20 @@
 #include "compiler/lock/parse.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
 
+#include "compiler/lock/meta_annotations.h"
 #include "compiler/lock/tokens.h"
 
 namespace suture::compiler::lock {
 namespace {
+
+constexpr unsigned kDeepestType = 64;             // as deep as capnp's readers follow
+constexpr std::uint64_t kLargestOrdinal = 65534;  // capnp counts in 16 bits
 
 class Parser {
  public:
@@ -77,6 +83,11 @@ class Parser {
     expect(";");
   }
 
+  static bool isKnown(std::string_view annotation) {
+    return std::find(std::begin(kMetaAnnotations), std::end(kMetaAnnotations), annotation) !=
+           std::end(kMetaAnnotations);
+  }
+
   /// "$Meta.unit("m")" -> {"unit", "\"m\""}. Annotations of others are kept out of the lock.
   std::pair<std::string, std::string> annotation() {
     expect("$");
@@ -86,6 +97,10 @@ class Parser {
     const std::size_t dot = name.text.find('.');
     if (dot == std::string::npos)
       throw SyntaxError(name.line, "unknown annotation '" + name.text + "'");
+    if (name.text.starts_with("Meta.") && !isKnown(name.text.substr(dot + 1))) {
+      throw SyntaxError(name.line, "it says " + name.text + ", which this suturec does not know",
+                        SyntaxError::Kind::Newer);
+    }
     return {name.text.substr(dot + 1), argument};
   }
 
@@ -122,10 +137,11 @@ class Parser {
   }
 
   /// "List(Arm.Pose)" with the alias resolved: "List(/arm/arm.capnp:Pose)".
-  std::string type() {
+  std::string type(unsigned depth = 0) {
     const Token name = take();
+    if (depth > kDeepestType) throw SyntaxError(name.line, "a type is nested too deeply");
     if (accept("(")) {
-      const std::string element = type();
+      const std::string element = type(depth + 1);
       expect(")");
       return name.text + "(" + element + ")";
     }
@@ -169,7 +185,11 @@ class Parser {
     result.line = peek().line;
     result.name = take().text;
     expect("@");
-    result.ordinal = static_cast<unsigned>(number());
+    const std::uint64_t ordinal = number();
+    if (ordinal > kLargestOrdinal) {
+      throw SyntaxError(result.line, "'" + result.name + "' has no ordinal that capnp knows");
+    }
+    result.ordinal = static_cast<unsigned>(ordinal);
     if (peek().text == "(") {
       result.isMethod = true;
       result.parameters = list();

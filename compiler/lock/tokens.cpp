@@ -35,7 +35,8 @@ class Tokenizer {
   std::string next() {
     const std::string_view rest = text_.substr(at_);
     for (const std::string_view marker : {"<<<<<<<", "=======", ">>>>>>>"}) {
-      if (rest.starts_with(marker)) throw SyntaxError(line_, "a merge conflict is not resolved");
+      if (!rest.starts_with(marker)) continue;
+      throw SyntaxError(line_, "a merge conflict is not resolved", SyntaxError::Kind::Conflict);
     }
     if (rest.front() == '"') return string();
     std::size_t length = rest.starts_with("->") ? 2 : 1;

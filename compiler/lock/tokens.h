@@ -12,8 +12,12 @@ namespace suture::compiler::lock {
 /// A place in a lock that cannot be read. Never leaves lock::read().
 class SyntaxError : public std::runtime_error {
  public:
-  SyntaxError(unsigned where, const std::string& what) : std::runtime_error(what), line(where) {}
+  enum class Kind { Damaged, Conflict, Newer };
+
+  SyntaxError(unsigned where, const std::string& what, Kind why = Kind::Damaged)
+      : std::runtime_error(what), line(where), kind(why) {}
   unsigned line;
+  Kind kind;
 };
 
 struct Token {

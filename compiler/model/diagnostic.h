@@ -14,6 +14,15 @@ struct Note {
   std::string text;
 };
 
+/// A change of the header that settles a finding.
+struct Fix {
+  enum class Place { Before, After, Instead };  ///< of what `source` spans
+
+  Source source;
+  Place place = Place::Before;
+  std::string text;
+};
+
 struct Diagnostic {
   enum class Severity { Error, Warning };
 
@@ -24,6 +33,7 @@ struct Diagnostic {
   std::string help;  ///< what to do; printed as a note
   std::vector<Note> notes;
   Severity severity = Severity::Error;
+  std::vector<Fix> fixes{};  ///< all of them together
 };
 
 using Diagnostics = std::vector<Diagnostic>;

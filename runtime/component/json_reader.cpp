@@ -18,6 +18,19 @@ void JsonReader::expected(std::string_view what) const {
   report("expected " + std::string(what) + ", found " + json_.type_name() + " " + json_.dump());
 }
 
+void JsonReader::checkRange(double lowest, double highest) const {
+  if (json_.is_array()) {
+    for (std::size_t i = 0; i < json_.size(); ++i) at(i).checkRange(lowest, highest);
+  } else if (json_.is_object()) {
+    for (const auto& [key, value] : json_.items()) at(key).checkRange(lowest, highest);
+  } else if (json_.is_number()) {
+    const double number = json_.get<double>();
+    if (number >= lowest && number <= highest) return;
+    expected("a number from " + nlohmann::json(lowest).dump() + " to " +
+             nlohmann::json(highest).dump());
+  }
+}
+
 JsonReader JsonReader::at(const std::string& key) const {
   return below(json_.at(key), child(pointer_, key));
 }

@@ -40,7 +40,7 @@ class JsonReader {
   /// Member `key` of this object into `target`; if absent, `target` keeps its default.
   template <class T>
   void field(const char* key, T& target);
-  /// The same for a number, which must lie between `lowest` and `highest`, both allowed.
+  /// The same for numbers, which must all lie between `lowest` and `highest`, both allowed.
   template <class T>
   void field(const char* key, T& target, double lowest, double highest);
   /// After all fields: reports every key that none of them is named by.
@@ -48,6 +48,9 @@ class JsonReader {
 
   /// True if any problem has been reported so far, here or anywhere else in the text.
   bool failed() const { return !problems_.empty(); }
+
+  /// Reports every number, here or within lists and objects, that is not between the two.
+  void checkRange(double lowest, double highest) const;
 
   JsonReader at(const std::string& key) const;
   JsonReader at(std::size_t index) const;
@@ -184,15 +187,9 @@ void JsonReader::field(const char* key, T& target, double lowest, double highest
   const std::size_t before = problems_.size();
   T value = target;
   field(key, value);
-  if (problems_.size() == before && json_.is_object() && json_.contains(key)) {
-    const double number = json_.at(key).template get<double>();
-    if (!(number >= lowest && number <= highest)) {
-      std::string text = "a number from " + nlohmann::json(lowest).dump() + " to " +
-                         nlohmann::json(highest).dump();
-      return at(std::string(key)).expected(text);
-    }
-  }
-  target = value;
+  const bool given = problems_.size() == before && json_.is_object() && json_.contains(key);
+  if (given) at(std::string(key)).checkRange(lowest, highest);
+  if (problems_.size() == before) target = std::move(value);
 }
 
 }  // namespace suture

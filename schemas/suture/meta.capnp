@@ -17,6 +17,10 @@ annotation eventsOf @0xed0351d22393551e (interface) :Text;
 annotation stateOf @0xfa7d5d07bcaf6abb (struct) :Text;
 # The C++ contract whose read commands are the columns of this row.
 
+annotation major @0xc4d1e09a7b35f628 (interface) :UInt32;
+# How often the contract was broken on purpose, plus one; absent = 1. Peers of different majors refuse
+# each other.
+
 annotation unit @0x9cebc59597ba1262 (field, param) :Text;
 # break. "m/s", "rad"...
 

@@ -23,6 +23,8 @@ REFUSALS = [
     ("suture_generate(TARGET code HEADERS missing.h)", r"there is no header .*missing\.h"),
     ("suture_generate(TARGET code HEADERS b.hpp)", r"b\.hpp does not end with \.h"),
     ("suture_generate(TARGET code HEADERS a.h BASE_DIR below)", r"not below BASE_DIR"),
+    ("set(SUTUREC_EXECUTABLE /nowhere/suturec)\nsuture_generate(TARGET code HEADERS a.h)",
+     r"SUTUREC_EXECUTABLE '/nowhere/suturec' does not exist; give the path"),
     ("suture_generate(TARGET code HEADERS a.h)\nsuture_generate(TARGET code HEADERS a.h)",
      r"called twice for 'code'; give all HEADERS"),
     ("suture_generate(TARGET code HEADERS a.h)\nsuture_generate(TARGET other HEADERS a.h)",
@@ -44,8 +46,9 @@ def expect(condition, what, text=""):
 class Project:
     """A copy of project/ with its build folder."""
 
-    def __init__(self, arguments):
-        self.root = pathlib.Path(arguments.scratch) / "a project"
+    def __init__(self, arguments, name="a project", generator="Ninja"):
+        self.root = pathlib.Path(arguments.scratch) / name
+        self.generator = generator
         shutil.rmtree(self.root, ignore_errors=True)
         shutil.copytree(HERE / "project", self.root)
         self.build_folder = self.root / "build"
@@ -53,11 +56,12 @@ class Project:
         self.suturec = f"-DSUTUREC={arguments.suturec}"
 
     def configure(self, folder, *settings):
-        status, text = run(["cmake", "-S", self.root, "-B", folder, "-G", "Ninja", *self.settings, *settings])
+        status, text = run(["cmake", "-S", self.root, "-B", folder, "-G", self.generator, *self.settings, *settings])
         expect(status == 0, f"configures {folder.name}", text)
 
     def build(self, *targets):
-        return run(["ninja", "-C", self.build_folder, *targets])
+        wanted = ["--target", *targets] if targets else []
+        return run(["cmake", "--build", self.build_folder, "-j", "2", *wanted])
 
     def edit(self, file, old, new):
         path = self.root / file
@@ -69,6 +73,10 @@ class Project:
         """When each generated file was written."""
         folders = [self.build_folder / "generated", self.build_folder / "generated-wire"]
         return {p: p.stat().st_mtime_ns for folder in folders for p in folder.rglob("*") if p.is_file()}
+
+
+def is_idle(text):
+    return not re.search(r"suturec (count|watch|one)|Building|Linking|capnp \w+/", text)
 
 
 def runs_of_suturec(text):
@@ -89,15 +97,15 @@ def check_first_build(project):
 
 def check_reruns(project):
     _, text = project.build()
-    expect("no work to do" in text, "no change: nothing runs", text)
+    expect(is_idle(text), f"{project.generator}, no change: nothing runs", text)
 
     before = project.times()
     project.edit("count/sample.h", "namespace scratch {\n\n", "namespace scratch {\n\n// A plain comment.\n\n")
     _, text = project.build()
-    expect(runs_of_suturec(text) == 2 and "capnp" not in text, "a comment edited: one run of suturec a target", text)
+    expect(runs_of_suturec(text) == 2 and not re.search(r"capnp \w+/", text), "a comment edited: one run of suturec a target", text)
     expect(project.times() == before, "a comment edited: no generated file is rewritten")
     _, text = project.build()
-    expect("no work to do" in text, "and nothing runs after it", text)
+    expect(is_idle(text), "and nothing runs after it", text)
 
 
 def check_stale(project):
@@ -123,6 +131,56 @@ def check_real_change(project):
     rewritten = {p.name for p, time in project.times().items() if before.get(p) != time}
     expect(status == 0 and "sample.suture.h" in rewritten and "sample.capnp.h" in rewritten,
            "the field is generated", text + str(rewritten))
+
+
+def check_define(project):
+    """A header sees the target's definitions: with another one, it is read again."""
+    before = project.times()
+    project.edit("count/sample.h", "double weight = 1;",
+                 "double weight = 1;\n#ifdef SCRATCH_HEAVY\n  double extra = 0;\n#endif")
+    status, text = project.build()
+    expect(status == 0 and project.times() == before, "a field behind an undefined macro changes nothing", text)
+    project.edit("CMakeLists.txt", "suture_generate(TARGET count",
+                 "target_compile_definitions(count PRIVATE SCRATCH_HEAVY)\nsuture_generate(TARGET count")
+    status, text = project.build()
+    expect(status != 0 and "Sample::extra' is not in the lock" in text, "a changed define: suturec runs anew", text)
+    project.edit("CMakeLists.txt", "target_compile_definitions(count PRIVATE SCRATCH_HEAVY)\n", "")
+    status, text = project.build()
+    expect(status == 0, "and again when it is taken back", text)
+
+
+def check_added_header(project):
+    (project.root / "count/more.h").write_text(
+        "#pragma once\n#include <suture/annotate.h>\nnamespace scratch {\n"
+        "struct SUTURE_TYPE() More { double value = 0; };\n}\n", encoding="utf-8")
+    project.edit("CMakeLists.txt", "HEADERS count/sample.h", "HEADERS count/more.h count/sample.h")
+    status, text = project.build("update-lock")
+    expect(status == 0, "update-lock takes an added header", text)
+    status, text = project.build()
+    expect(status == 0 and any(p.name == "more.suture.h" for p in project.times()), "an added header is generated", text)
+
+
+def check_failure(project):
+    """One bad header of a target: nothing of the others is written, and nothing is half-written."""
+    before = project.times()
+    project.edit("count/sample.h", "namespace scratch {", "namespace scratch {\nint broken(")
+    status, text = project.build()
+    expect(status != 0 and project.times() == before, "suturec fails: all generated files stay", text)
+    expect(not list(project.build_folder.rglob("*.tmp*")), "and no temporary file is left")
+    project.edit("count/sample.h", "\nint broken(", "")
+    status, text = project.build()
+    expect(status == 0, "a repaired header builds", text)
+
+
+def check_makefiles(arguments):
+    project = Project(arguments, "with make", "Unix Makefiles")
+    project.configure(project.build_folder, f"-DSUTUREC_EXECUTABLE={arguments.suturec}")
+    status, text = project.build("update-lock")
+    expect(status == 0, "Make, with SUTUREC_EXECUTABLE: update-lock", text)
+    status, text = project.build()
+    expect(status == 0, "Make: builds", text)
+    check_reruns(project)
+    check_failure(project)
 
 
 def check_committed(project):
@@ -176,8 +234,12 @@ def main():
     check_reruns(project)
     check_stale(project)
     check_real_change(project)
+    check_define(project)
+    check_added_header(project)
+    check_failure(project)
     check_committed(project)
     check_without_suturec(project)
+    check_makefiles(arguments)
 
 
 if __name__ == "__main__":

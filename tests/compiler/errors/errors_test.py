@@ -1,6 +1,7 @@
 """Runs suturec on each questionable header of cases/ and compares everything that it prints.
 
   errors_test.py SUTUREC EIGEN            the test
+  errors_test.py SUTUREC EIGEN --mutants N   the same with N mutated headers instead of 200
   errors_test.py SUTUREC EIGEN --record   writes the .err files anew; read the difference before committing
 """
 
@@ -14,12 +15,14 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 CASES = HERE / "cases"
+FIXES = HERE / "fixes"
+PAGES = HERE.parents[2] / "docs" / "diagnostics"
 COMPILER = HERE.parents[2] / "compiler"
 TIME_LIMIT = 120  # seconds; a hang must end the test, the machine may be slow
 
 # The forms in which a slug stands in the compiler's sources.
 SLUG_FORMS = [
-    r'\berror\(\s*\w+,\s*"([a-z-]+)"',
+    r'\b(?:error|errorAt|warn)\(\s*\w+,\s*"([a-z-]+)"',
     r'addError\(\s*\w+,\s*[\w.>-]+,\s*"([a-z-]+)"',
     r'[\w.]*source, "([a-z-]+)",',
     r'TypeProblem\{\s*"([a-z-]+)"',
@@ -27,6 +30,7 @@ SLUG_FORMS = [
     r'return \{\s*"([a-z-]+)"',
     r'\] = \{\s*"([a-z-]+)"',
     r"\[suture-([a-z-]+)\]",
+    r'slug = "([a-z-]+)"',
     r'"(lock-[a-z-]+)"',
 ]
 
@@ -69,8 +73,35 @@ USAGE = [
     ("--out OUT --lock-dir schemas --resource-dir /nowhere pointer.h", "install libclang-common-19-dev"),
     ("@missing.rsp", "cannot read the response file 'missing.rsp'"),
     ("--out OUT --lock-dir schemas --colour pointer.h", "was not expected: --colour"),
+    ("--out OUT --lock-dir schemas --accept-break pointer.h", "--accept-break requires --update-lock"),
+    ("--update-lock --lock-dir schemas/lock_new --new-id Nothing lock_new.h -- -I../include",
+     "--new-id Nothing: no lock has anything of that name"),
+    ("--explain pionter", "no diagnostic 'pionter'; did you mean 'pointer'?"),
+    ("--out OUT --lock-dir schemas/warnings --fatal platform-integer warnings.h -- -I../include",
+     r"error: field 'size' .*\[suture-platform-integer\]"),
+    ("--out OUT --lock-dir schemas/warnings --fatal all warnings.h -- -I../include", r"error: the initialiser"),
     ("--out OUT --lock-dir schemas pointer.h -- -std=c++99", "invalid value 'c\\+\\+99'"),
 ]
+
+
+# suturec diff OLD NEW: the exit status, and the words that must come.
+DIFFS = [
+    ("schemas/lock_new/lock_new.capnp", 2, "new is required"),
+    ("schemas/lock_new/lock_new.capnp missing.capnp", 2, "cannot read 'missing.capnp'"),
+    ("schemas/lock_new/lock_new.capnp schemas/lock_syntax/lock_syntax.capnp", 2,
+     r"lock_syntax.capnp:10: error: .*\[suture-lock-syntax\]"),
+    ("schemas/lock_new/lock_new.capnp schemas/lock_new/lock_new.capnp", 0, "Nothing changed on the wire"),
+    ("schemas/lock_new/lock_new.capnp schemas/warnings/warnings.capnp", 1,
+     "breaks: struct Sample is gone without a trace\n(?s:.*)recordings of the old version do not work"),
+]
+
+
+def check_diff(suturec, arguments, status, words):
+    done = subprocess.run([suturec, "diff", *arguments.split()], cwd=CASES, capture_output=True, text=True,
+                          timeout=TIME_LIMIT)
+    text = done.stdout + done.stderr
+    good = done.returncode == status and re.search(words, text)
+    return [] if good else [f"suturec diff {arguments}: status {done.returncode}, no '{words}' in\n{text}"]
 
 
 def check_usage(suturec, arguments, words):
@@ -82,8 +113,47 @@ def check_usage(suturec, arguments, words):
     return [] if good else [f"suturec {arguments}: status {done.returncode}, no '{words}' in\n{text}"]
 
 
+def check_fix(suturec, original, record):
+    """--fix until nothing is left to fix gives the .fixed file, which suturec then takes."""
+    with tempfile.TemporaryDirectory(dir=HERE) as folder:
+        header = pathlib.Path(folder) / original.name
+        header.write_bytes(original.read_bytes())
+
+        def start(*options):
+            command = [suturec, *options, "--base-dir", ".", "--lock-dir", "schemas", header.name, "--", "-I../include"]
+            done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=TIME_LIMIT)
+            return done.returncode, done.stdout + done.stderr
+
+        rounds = [start("--fix"), start("--fix")]
+        fixed = header.read_text(encoding="utf-8")
+        status, text = start("--update-lock")
+        if status == 0:
+            status, text = start("--out", "out")
+    expected = original.with_suffix(".fixed")
+    if record:
+        expected.write_text(fixed, encoding="utf-8")
+    problems = []
+    if "fixed " not in rounds[0][1]:
+        problems.append(f"nothing was fixed:\n{rounds[0][1]}")
+    if not expected.exists() or fixed != expected.read_text(encoding="utf-8"):
+        problems.append(f"became this, which is not {expected.name}:\n{fixed}")
+    if status != 0 and "std::optional is not supported yet" not in text:
+        problems.append(f"is still refused:\n{text}")
+    return [f"fixes/{original.name}: {p}" for p in problems]
+
+
+def check_page(suturec, page):
+    """--explain prints the page; a test of the driver, not of the text."""
+    done = subprocess.run([suturec, "--explain", page.stem], capture_output=True, text=True, timeout=TIME_LIMIT)
+    text = page.read_text(encoding="utf-8")
+    problems = [] if done.returncode == 0 and done.stdout == text else [f"--explain {page.stem} does not print its page"]
+    if not text.startswith(f"# {page.stem}\n") or len(text.splitlines()) > 30:
+        problems.append(f"{page.name} does not begin with its slug, or is too long")
+    return problems
+
+
 def check_slugs():
-    """Every slug in the sources is shown by a case."""
+    """Every slug in the sources is shown by a case and explained by a page."""
     used = set()
     for source in COMPILER.rglob("*.cpp"):
         text = source.read_text(encoding="utf-8")
@@ -93,6 +163,9 @@ def check_slugs():
     for case in CASES.glob("*.err"):
         shown.update(re.findall(r"\[suture-([a-z-]+)\]", case.read_text(encoding="utf-8")))
     yield from (f"no case shows [suture-{slug}]" for slug in sorted(used - shown))
+    pages = {page.stem for page in PAGES.glob("*.md")} - {"README"}
+    yield from (f"no page explains [suture-{slug}]" for slug in sorted(used - pages))
+    yield from (f"docs/diagnostics/{slug}.md explains what no source has" for slug in sorted(pages - used))
     yield from (f"[suture-{slug}] is shown but no source has it" for slug in sorted(shown - used))
 
 
@@ -131,11 +204,15 @@ def check_mutation(suturec, eigen, seed):
 def main():
     suturec, eigen = sys.argv[1:3]
     record = "--record" in sys.argv
+    mutants = int(sys.argv[sys.argv.index("--mutants") + 1]) if "--mutants" in sys.argv else 200
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         jobs = [pool.submit(check_case, suturec, eigen, h, record) for h in sorted(CASES.glob("*.h"))]
+        jobs += [pool.submit(check_fix, suturec, h, record) for h in sorted(FIXES.glob("*.h"))]
         if not record:
+            jobs += [pool.submit(check_page, suturec, p) for p in sorted(PAGES.glob("*.md")) if p.stem != "README"]
             jobs += [pool.submit(check_usage, suturec, *usage) for usage in USAGE]
-            jobs += [pool.submit(check_mutation, suturec, eigen, seed) for seed in range(20)]
+            jobs += [pool.submit(check_diff, suturec, *diff) for diff in DIFFS]
+            jobs += [pool.submit(check_mutation, suturec, eigen, seed) for seed in range(mutants)]
         problems = [p for job in jobs for p in job.result()]
     problems += check_slugs()
     print("\n".join(problems) or f"{len(jobs)} runs as expected")

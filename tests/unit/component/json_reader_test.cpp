@@ -46,6 +46,19 @@ TEST(JsonReader, ANumberOutsideItsRangeIsRefusedAndChangesNothing) {
   EXPECT_EQ(result.value.period, 0.001);
 }
 
+TEST(JsonReader, ARangeHoldsForEveryNumberOfAList) {
+  const auto json = nlohmann::json::parse(R"({"gains": [[0.5, 2], [-1, 1]]})");
+  std::vector<JsonProblem> problems;
+  JsonReader reader(json, "", problems);
+  std::vector<std::array<double, 2>> gains{{7, 7}};
+  reader.field("gains", gains, 0, 1);
+  ASSERT_EQ(problems.size(), 2u);
+  EXPECT_EQ(problems[0].pointer, "/gains/0/1");
+  EXPECT_EQ(problems[0].text, "expected a number from 0.0 to 1.0, found number 2");
+  EXPECT_EQ(problems[1].pointer, "/gains/1/0");
+  EXPECT_EQ(gains.size(), 1u);
+}
+
 TEST(JsonReader, AnIntegerThatDoesNotFitIsRefused) {
   std::vector<JsonProblem> problems;
   std::uint8_t value = 7;

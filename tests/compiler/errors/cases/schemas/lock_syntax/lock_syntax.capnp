@@ -1,4 +1,4 @@
-@0xa3a1d9027b76b66f;
+@0x8439772eff28d8d0;
 # The wire contract of lock_syntax.h, written by suturec --update-lock: commit it, never edit it.
 
 using Cxx = import "/capnp/c++.capnp";
@@ -6,7 +6,6 @@ using Meta = import "/suture/meta.capnp";
 $Cxx.namespace("demo::wire");
 $Meta.header("lock_syntax.h");
 
-<<<<<<< HEAD
 struct Sample @0xdc331872b9f58ba1 $Meta.cxx("demo::Sample") {
-  x @0 :Float64;
+  x @0 Float64;
 }

@@ -280,7 +280,8 @@ class CameraServant final : public wire::Camera::Server {
 
  private:
   static std::uint16_t commandId(CameraCommand command) {
-                                                         return static_cast<std::uint16_t>(command); }
+    return static_cast<std::uint16_t>(command);
+  }
 
   kj::Own<ServantPort> port_;
 };

@@ -1463,7 +1463,8 @@ class StoreServant final : public wire::Store::Server {
 
  private:
   static std::uint16_t commandId(StoreCommand command) {
-                                                        return static_cast<std::uint16_t>(command); }
+    return static_cast<std::uint16_t>(command);
+  }
 
   kj::Own<ServantPort> port_;
 };

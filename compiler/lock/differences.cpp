@@ -1,0 +1,150 @@
+#include "compiler/lock/differences.h"
+
+#include <algorithm>
+#include <set>
+
+#include "compiler/lock/majors.h"
+#include "compiler/lock/wanted.h"
+#include "compiler/lock/wire_type.h"
+
+namespace suture::compiler::lock {
+namespace {
+
+const char* kindOf(Node::Kind kind) {
+  switch (kind) {
+    case Node::Kind::Struct: return "struct ";
+    case Node::Kind::Enum: return "enum ";
+    case Node::Kind::Interface: return "interface ";
+  }
+  return "";
+}
+
+std::string titleOf(const Node& node) { return kindOf(node.kind) + node.name; }
+
+std::string valueOf(const Annotations& annotations, const std::string& name) {
+  const auto found = annotations.find(name);
+  return found == annotations.end() ? "none" : found->second;
+}
+
+bool isMeaningful(const std::string& name) {
+  return std::find(std::begin(kMeaningful), std::end(kMeaningful), name) != std::end(kMeaningful);
+}
+
+class Comparison {
+ public:
+  std::vector<Difference> run(const Lock& old, const Lock& now) {
+    if (old.cxxNamespace != now.cxxNamespace) {
+      harmless("namespace " + now.cxxNamespace + " instead of " + old.cxxNamespace);
+    }
+    for (const Node& node : old.nodes) compare(node, find(now, node));
+    for (const Node& node : now.nodes) {
+      if (!find(old, node)) harmless(titleOf(node) + " is new");
+    }
+    return std::move(found_);
+  }
+
+ private:
+  /// Ids outlive renames.
+  static const Node* find(const Lock& lock, const Node& node) {
+    for (const Node& other : lock.nodes) {
+      if (other.id == node.id || identity(other) == identity(node)) return &other;
+    }
+    return nullptr;
+  }
+
+  void broken(std::string text) { found_.push_back({true, std::move(text)}); }
+  void harmless(std::string text) { found_.push_back({false, std::move(text)}); }
+
+  void compare(const Node& old, const Node* now) {
+    const std::string title = titleOf(old);
+    if (!now) return broken(title + " is gone without a trace");
+    if (now->id != old.id) broken(title + " has another id");
+    if (now->kind != old.kind) return broken(title + " became " + titleOf(*now));
+    if (now->name != old.name) harmless(title + " is called " + now->name + " now");
+    if (now->removed() && !old.removed()) {
+      const bool contract = old.kind == Node::Kind::Interface;
+      found_.push_back({contract, title + " was removed"});
+    }
+    if (majorOf(*now) != majorOf(old)) {
+      broken(title + ": major " + std::to_string(majorOf(*now)) + " instead of " +
+             std::to_string(majorOf(old)) + "; peers of the two refuse each other");
+    }
+    compareMembers(old, *now, title);
+  }
+
+  void compareMembers(const Node& old, const Node& now, const std::string& title) {
+    for (std::size_t i = 0; i < old.members.size(); ++i) {
+      const std::string subject = "'" + old.members[i].name + "' of " + title;
+      if (i < now.members.size()) {
+        compare(old.members[i], now.members[i], subject);
+      } else {
+        broken(subject + " is gone without a trace");
+      }
+    }
+    for (std::size_t i = old.members.size(); i < now.members.size(); ++i) {
+      const bool enumerator = old.kind == Node::Kind::Enum;
+      harmless("'" + now.members[i].name + "' of " + title + " is new" +
+               (enumerator ? "; peers of before refuse a message that has it" : ""));
+    }
+  }
+
+  void compare(const Member& old, const Member& now, const std::string& subject) {
+    if (now.removed() && !old.removed()) {
+      return found_.push_back(
+          {old.isMethod, subject + " was removed; " +
+                             (old.isMethod ? "who calls it is told so" : "its place is kept")});
+    }
+    if (now.name != old.name) harmless(subject + " is called '" + now.name + "' now");
+    compareMeaning(old, now, subject);
+    if (now.defaultValue != old.defaultValue) {
+      broken(subject + ": default " + shown(now.defaultValue) + " instead of " +
+             shown(old.defaultValue));
+    }
+    compareLists(old.parameters, now.parameters, "parameter", subject);
+    compareLists(old.results, now.results, "result", subject);
+  }
+
+  static std::string shown(const std::string& value) { return value.empty() ? "zero" : value; }
+
+  void compareMeaning(const Member& old, const Member& now, const std::string& subject) {
+    if (old.isMethod != now.isMethod || old.type != now.type) {
+      broken(subject + ": type " + now.type + " instead of " + old.type);
+    }
+    std::set<std::string> names;
+    for (const auto& [name, value] : old.annotations) names.insert(name);
+    for (const auto& [name, value] : now.annotations) names.insert(name);
+    for (const std::string& name : names) {
+      const std::string before = valueOf(old.annotations, name);
+      const std::string after = valueOf(now.annotations, name);
+      if (before == after) continue;
+      found_.push_back(
+          {isMeaningful(name), subject + ": " + name + " " + after + " instead of " + before});
+    }
+  }
+
+  void compareLists(const std::vector<Member>& old, const std::vector<Member>& now,
+                    const std::string& what, const std::string& subject) {
+    for (std::size_t i = 0; i < old.size(); ++i) {
+      const std::string one = what + " '" + old[i].name + "' of " + subject;
+      if (i >= now.size()) {
+        broken(one + " is gone");
+      } else {
+        if (now[i].name != old[i].name) harmless(one + " is called '" + now[i].name + "' now");
+        compareMeaning(old[i], now[i], one);
+      }
+    }
+    for (std::size_t i = old.size(); i < now.size(); ++i) {
+      harmless(what + " '" + now[i].name + "' of " + subject + " is new");
+    }
+  }
+
+  std::vector<Difference> found_;
+};
+
+}  // namespace
+
+std::vector<Difference> differences(const Lock& old, const Lock& now) {
+  return Comparison().run(old, now);
+}
+
+}  // namespace suture::compiler::lock

@@ -1,0 +1,2 @@
+#include "one/client.suture.h"
+#include "one/provider.suture.h"

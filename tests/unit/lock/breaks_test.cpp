@@ -1,0 +1,108 @@
+// Breaks on purpose, and ids given anew.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "compiler/lock/contract_hash.h"
+#include "compiler/lock/lock.h"
+#include "compiler/lock/majors.h"
+#include "tests/unit/emit/sample_model.h"
+
+namespace suture::compiler::lock {
+namespace {
+
+using model::Diagnostics;
+
+class BreakTest : public testing::Test {
+ protected:
+  static Locks read(const std::vector<model::Artefact>& texts) {
+    Diagnostics none;
+    Locks locks = lock::read(texts, none);
+    EXPECT_TRUE(none.empty());
+    return locks;
+  }
+
+  /// The locks after an update that takes breaks.
+  Locks accept(const Locks& old) {
+    const Update taken = update(model_, old, {.acceptBreaks = true});
+    EXPECT_TRUE(taken.diagnostics.empty());
+    Locks locks = old;
+    for (auto& [path, lock] : read(taken.files).files) locks.files[path] = lock;
+    return locks;
+  }
+
+  std::string hash(const Locks& locks) { return contractHashes(model_, locks).at("robots::Arm"); }
+
+  model::Field& speed() { return sample::armHeader(model_).structs[0].fields[3]; }
+
+  model::Model model_ = sample::robots();
+  const Locks before_ = read(update(model_, {}).files);
+};
+
+TEST_F(BreakTest, AnAcceptedBreakRaisesTheMajorOfWhatItReaches) {
+  EXPECT_EQ(majorOf(before_, "robots::Arm"), 1u);
+  speed().unit = "mm/s";
+  const Locks once = accept(before_);
+  EXPECT_EQ(majorOf(once, "robots::Arm"), 2u);
+  EXPECT_TRUE(check(model_, once).empty());
+  speed().type = sample::scalar(model::Scalar::Float32);
+  EXPECT_EQ(majorOf(accept(once), "robots::Arm"), 3u);
+}
+
+TEST_F(BreakTest, AMajorStaysAndNothingElseRaisesIt) {
+  speed().unit = "mm/s";
+  const Locks once = accept(before_);
+  sample::armHeader(model_).structs[0].fields.push_back(sample::field("extra", sample::number()));
+  EXPECT_EQ(majorOf(accept(once), "robots::Arm"), 2u);
+}
+
+TEST_F(BreakTest, ContractsThatDoNotReachTheBreakKeepTheirMajor) {
+  model::Interface other = sample::armHeader(model_).interfaces[0];
+  other.name = "robots::Other";
+  other.wireName = "Other";
+  other.events.clear();
+  other.commands.resize(1);
+  sample::armHeader(model_).interfaces.push_back(other);
+  const Locks both = accept(before_);
+  speed().unit = "mm/s";
+  const Locks after = accept(both);
+  EXPECT_EQ(majorOf(after, "robots::Arm"), 2u);
+  EXPECT_EQ(majorOf(after, "robots::Other"), 1u);
+}
+
+TEST_F(BreakTest, PeersOfTwoMajorsHaveTwoHashes) {
+  const std::string before = hash(before_);
+  speed().unit = "mm/s";
+  const Locks after = accept(before_);
+  speed().unit = "m/s";
+  const Locks back = accept(after);
+  EXPECT_EQ(majorOf(back, "robots::Arm"), 3u);
+  EXPECT_NE(hash(back), before) << "the same words after two breaks are another contract";
+}
+
+TEST_F(BreakTest, AnEnumCannotBecomeAStruct) {
+  auto& header = sample::armHeader(model_);
+  header.structs.push_back(sample::structure("robots::Kind", {}));
+  const Locks old = accept(before_);
+  header.structs.pop_back();
+  header.enums.push_back(sample::enumerated("robots::Kind", {{"One", 1}}));
+  const Diagnostics found = check(model_, old);
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found[0].slug, "lock-break");
+}
+
+TEST_F(BreakTest, ANewIdSettlesACopy) {
+  std::string text = before_.files.at("robots/arm.capnp").text;
+  const Locks copied = read({{"robots/arm.capnp", text}, {"robots/copy.capnp", text}});
+  EXPECT_EQ(check(model_, copied).front().slug, "lock-duplicate-id");
+  const Update renewed = update(model_, copied, {.newIds = {"Mode", "Nothing"}});
+  EXPECT_EQ(renewed.unknownIds, std::vector<std::string>{"Nothing"});
+  const auto isMode = [](const model::Diagnostic& one) {
+    return one.message.starts_with("Mode has the id");
+  };
+  EXPECT_TRUE(std::none_of(renewed.diagnostics.begin(), renewed.diagnostics.end(), isMode));
+}
+
+}  // namespace
+}  // namespace suture::compiler::lock
