@@ -1105,7 +1105,8 @@ class GripperServant final : public wire::Gripper::Server {
 
  private:
   static std::uint16_t commandId(GripperCommand command) {
-                                                          return static_cast<std::uint16_t>(command); }
+    return static_cast<std::uint16_t>(command);
+  }
 
   kj::Own<ServantPort> port_;
 };
@@ -1457,7 +1458,8 @@ class NamesServant final : public wire::Names::Server {
 
  private:
   static std::uint16_t commandId(NamesCommand command) {
-                                                        return static_cast<std::uint16_t>(command); }
+    return static_cast<std::uint16_t>(command);
+  }
 
   kj::Own<ServantPort> port_;
 };
