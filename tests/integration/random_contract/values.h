@@ -26,7 +26,7 @@ namespace invented {
 
 /// A type of ours, so that the functions below are found by their argument whatever they fill.
 struct Random : std::mt19937_64 {
-  using mt19937_64::mt19937_64;
+  explicit Random(std::uint64_t seed) : std::mt19937_64(seed) {}
 };
 struct Tag {};
 
