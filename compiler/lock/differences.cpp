@@ -44,12 +44,18 @@ class Comparison {
   }
 
  private:
-  /// Ids outlive renames.
+  /// The same node in another lock: of the same name, else of the same C++ name, else of the same
+  /// id, which outlives renames.
   static const Node* find(const Lock& lock, const Node& node) {
-    for (const Node& other : lock.nodes) {
-      if (other.id == node.id || identity(other) == identity(node)) return &other;
+    const auto first = [&lock](const auto& isSame) -> const Node* {
+      const auto found = std::find_if(lock.nodes.begin(), lock.nodes.end(), isSame);
+      return found == lock.nodes.end() ? nullptr : &*found;
+    };
+    const Node* found = first([&](const Node& one) { return one.name == node.name; });
+    if (!found) {
+      found = first([&](const Node& one) { return identity(one) == identity(node); });
     }
-    return nullptr;
+    return found ? found : first([&](const Node& one) { return one.id == node.id; });
   }
 
   void broken(std::string text) { found_.push_back({true, std::move(text)}); }

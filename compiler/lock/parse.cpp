@@ -1,6 +1,7 @@
 #include "compiler/lock/parse.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <iterator>
 #include <map>
@@ -13,6 +14,17 @@
 namespace suture::compiler::lock {
 namespace {
 
+/// What a string literal says.
+std::string unquoted(std::string_view literal) {
+  std::string text;
+  for (std::size_t i = 1; i + 1 < literal.size(); ++i) {
+    if (literal[i] == '\\' && i + 2 < literal.size()) ++i;
+    text += literal[i];
+  }
+  return text;
+}
+
+constexpr std::string_view kMeta = "Meta.";
 constexpr unsigned kDeepestType = 64;             // as deep as capnp's readers follow
 constexpr std::uint64_t kLargestOrdinal = 65534;  // capnp counts in 16 bits
 
@@ -56,6 +68,16 @@ class Parser {
     throw SyntaxError(peek().line, "expected '" + text + "', found " + found);
   }
 
+  /// A name of one's own: letters and digits.
+  std::string name() {
+    const Token token = take();
+    const bool good = std::all_of(token.text.begin(), token.text.end(), [](char c) {
+      return std::isalnum(static_cast<unsigned char>(c)) != 0;
+    });
+    if (!good) throw SyntaxError(token.line, "expected a name, found '" + token.text + "'");
+    return token.text;
+  }
+
   std::uint64_t number() {
     const Token token = take();
     char* end = nullptr;
@@ -79,7 +101,7 @@ class Parser {
     expect("=");
     expect("import");
     const std::string path = take().text;
-    if (path.size() >= 2) imports_[alias] = path.substr(1, path.size() - 2);
+    imports_[alias] = unquoted(path);
     expect(";");
   }
 
@@ -88,7 +110,7 @@ class Parser {
            std::end(kMetaAnnotations);
   }
 
-  /// "$Meta.unit("m")" -> {"unit", "\"m\""}. Annotations of others are kept out of the lock.
+  /// "$Meta.unit("m")" -> {"Meta.unit", "\"m\""}. Annotations of others are kept out of the lock.
   std::pair<std::string, std::string> annotation() {
     expect("$");
     const Token name = take();
@@ -97,11 +119,11 @@ class Parser {
     const std::size_t dot = name.text.find('.');
     if (dot == std::string::npos)
       throw SyntaxError(name.line, "unknown annotation '" + name.text + "'");
-    if (name.text.starts_with("Meta.") && !isKnown(name.text.substr(dot + 1))) {
+    if (name.text.starts_with(kMeta) && !isKnown(name.text.substr(kMeta.size()))) {
       throw SyntaxError(name.line, "it says " + name.text + ", which this suturec does not know",
                         SyntaxError::Kind::Newer);
     }
-    return {name.text.substr(dot + 1), argument};
+    return {name.text, argument};
   }
 
   /// Everything between two balanced parentheses, spaced as the writer spaces it.
@@ -121,18 +143,21 @@ class Parser {
 
   Annotations annotations() {
     Annotations result;
-    while (peek().text == "$") result.insert(annotation());
+    while (peek().text == "$") {
+      auto [name, argument] = annotation();
+      if (name.starts_with(kMeta)) result.emplace(name.substr(kMeta.size()), std::move(argument));
+    }
     return result;
   }
 
   void fileAnnotation(Lock& lock) {
     const auto [name, argument] = annotation();
-    const std::string value = argument.size() < 2 ? "" : argument.substr(1, argument.size() - 2);
-    if (name == "namespace") {
+    const std::string value = unquoted(argument);
+    if (name == "Cxx.namespace") {
       const std::size_t suffix = value.rfind("::wire");
       lock.cxxNamespace = suffix == std::string::npos ? "" : value.substr(0, suffix);
     }
-    if (name == "header") lock.header = value;
+    if (name == "Meta.header") lock.header = value;
     expect(";");
   }
 
@@ -171,7 +196,7 @@ class Parser {
       if (!members.empty()) expect(",");
       Member member;
       member.line = peek().line;
-      member.name = take().text;
+      member.name = name();
       expect(":");
       member.type = type();
       member.annotations = annotations();
@@ -183,7 +208,7 @@ class Parser {
   Member member() {
     Member result;
     result.line = peek().line;
-    result.name = take().text;
+    result.name = name();
     expect("@");
     const std::uint64_t ordinal = number();
     if (ordinal > kLargestOrdinal) {
@@ -223,7 +248,7 @@ class Parser {
       throw SyntaxError(result.line, "expected struct, enum or interface, found '" + keyword + "'");
     }
     result.kind = kind->second;
-    result.name = take().text;
+    result.name = name();
     result.id = id();
     if (accept("extends")) result.extends = bases();
     result.annotations = annotations();
