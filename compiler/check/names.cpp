@@ -64,10 +64,6 @@ bool contains(const std::array<std::string_view, N>& names, std::string_view nam
 }
 
 constexpr std::array<std::string_view, 3> kReservedForTypes{"Reader", "Builder", "Pipeline"};
-// Members of what generated code declares for each contract: Required<I> and its Events.
-constexpr std::array<std::string_view, 7> kReservedForCommands{
-    "on", "events_", "Events", "Contract", "Id", "EventId", "Required"};
-
 constexpr std::array<std::string_view, 2> kReservedForInterfaces{"Client", "Server"};
 
 // Macros of the C library, as capnp would spell an enumerator.
@@ -124,11 +120,6 @@ void checkBuiltIn(const std::array<std::string_view, N>& builtIn, const std::str
 void checkInterface(const model::Interface& interface, model::Diagnostics& findings) {
   Scope commands(false, findings), events(false, findings);
   for (const model::Command& command : interface.commands) {
-    if (contains(kReservedForCommands, command.name)) {
-      addError(findings, command.source, "reserved-name",
-               "command '" + command.name + "' has the name of a member of every Required",
-               "choose another name");
-    }
     commands.add("command", command.name, command.wireName, command.source);
     const std::string subject = "command '" + command.name + "'";
     checkBuiltIn(kMethods, subject, command.wireName, command.source, findings);
@@ -143,11 +134,6 @@ void checkInterface(const model::Interface& interface, model::Diagnostics& findi
     }
   }
   for (const model::Event& event : interface.events) {
-    if (event.name == "Events") {
-      addError(findings, event.source, "reserved-name",
-               "event '" + event.name + "' has the name of the class that holds all events",
-               "choose another with name(\"...\")");
-    }
     events.add("event", event.name, event.wireName, event.source);
     checkBuiltIn(kEventMethods, "event '" + event.name + "'", event.wireName, event.source,
                  findings);

@@ -22,7 +22,7 @@ TIME_LIMIT = 120  # seconds; a hang must end the test, the machine may be slow
 
 # The forms in which a slug stands in the compiler's sources.
 SLUG_FORMS = [
-    r'\b(?:error|errorAt|warn)\(\s*\w+,\s*"([a-z-]+)"',
+    r'\b(?:error|errorAt|warn)\(\s*[\w.>-]+,\s*"([a-z-]+)"',
     r'addError\(\s*\w+,\s*[\w.>-]+,\s*"([a-z-]+)"',
     r'[\w.]*source, "([a-z-]+)",',
     r'TypeProblem\{\s*"([a-z-]+)"',

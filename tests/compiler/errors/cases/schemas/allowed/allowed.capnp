@@ -24,7 +24,7 @@ interface Contract @0xae3f07d9e2f0431e $Meta.cxx("demo::Contract") {
   name @2 (range :Int32, queue :Int32, unit :Int32, sent :Rpc.Sent) -> () $Meta.kind("write")
       $Meta.queue(16);
   queue @3 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(2);
-  range @4 (sent :Rpc.Sent) -> (value :Words) $Meta.kind("read");
+  range @4 (sent :Rpc.Sent) -> (value :Words, stamp :Int64) $Meta.kind("read");
 }
 
 interface ContractEvents @0xe5c41a90a7253ceb $Meta.eventsOf("demo::Contract") {
@@ -43,4 +43,6 @@ struct ContractStateRow @0xf46d7556c214799f $Meta.stateOf("demo::Contract") {
   evaluated @1 :UInt64;
   # Bit i: column i was evaluated.
   range @2 :Words;
+  tooLarge @3 :UInt64;
+  # Bit i: column i did not fit its declared capacity.
 }
