@@ -100,8 +100,13 @@ class Parser {
     const std::string alias = take().text;
     expect("=");
     expect("import");
-    const std::string path = take().text;
-    imports_[alias] = unquoted(path);
+    const Token literal = take();
+    const std::string path = unquoted(literal.text);
+    const bool plain = path.find_first_of(":()\"\\ \t\r\n") == std::string::npos;
+    if (!path.starts_with('/') || !path.ends_with(".capnp") || !plain) {
+      throw SyntaxError(literal.line, literal.text + " is no path of a schema: \"/arm/arm.capnp\"");
+    }
+    imports_[alias] = path;
     expect(";");
   }
 
@@ -126,19 +131,39 @@ class Parser {
     return {name.text, argument};
   }
 
-  /// Everything between two balanced parentheses, spaced as the writer spaces it.
+  /// A value, or the fields of a struct with the parentheses; spaced as the writer spaces it.
   std::string argumentText() {
+    expect("(");
     std::string text;
-    unsigned depth = 0;
-    bool isStruct = false;
-    do {
-      const std::string token = take().text;
-      if (token == "(") ++depth;
-      if (token == ")") --depth;
-      if (token == "=") isStruct = true;
-      text += token == "=" ? " = " : (token == "," ? ", " : token);
-    } while (depth > 0);
-    return isStruct ? text : text.substr(1, text.size() - 2);
+    const bool isStruct = !peek().text.empty() && tokens_[at_ + 1].text == "=";
+    if (!isStruct) {
+      text = value();
+    } else {
+      do {
+        text += (text.empty() ? "(" : ", ") + name();
+        expect("=");
+        text += " = " + value();
+      } while (accept(","));
+      text += ")";
+    }
+    expect(")");
+    return text;
+  }
+
+  /// A number, a name, a string or a list of them.
+  std::string value() {
+    if (!accept("[")) {
+      const Token literal = take();
+      const char first = literal.text.front();
+      if (first == '"' || first == '-' || std::isalnum(static_cast<unsigned char>(first))) {
+        return literal.text;
+      }
+      throw SyntaxError(literal.line, "expected a value, found '" + literal.text + "'");
+    }
+    std::string text = "[" + value();
+    while (accept(",")) text += ", " + value();
+    expect("]");
+    return text + "]";
   }
 
   Annotations annotations() {
@@ -222,7 +247,7 @@ class Parser {
       result.results = list();
     } else if (accept(":")) {
       result.type = type();
-      if (accept("=")) result.defaultValue = take().text;
+      if (accept("=")) result.defaultValue = value();
     }
     result.annotations = annotations();
     expect(";");

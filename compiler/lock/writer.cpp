@@ -1,5 +1,7 @@
 #include "compiler/lock/writer.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <cstdio>
 #include <set>
@@ -17,7 +19,15 @@ constexpr std::size_t kColumns = 100;
 /// Path of another schema file to the name it is imported under.
 using Aliases = std::map<std::string, std::string>;
 
-std::string titleOf(const std::string& snake) { return model::titleCase(model::camelCase(snake)); }
+/// A name for capnp of what a file or folder is called: "my-arm" -> "MyArm", "3d" -> "File3d".
+std::string titleOf(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(),
+      [](char c) { return c != '/' && !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+  const std::string title = model::titleCase(model::camelCase(name));
+  const bool named = !title.empty() && std::isupper(static_cast<unsigned char>(title.front()));
+  return named ? title : "File" + title;
+}
 
 /// "/robot_types/robot_types.capnp" -> "RobotTypes"; with `full`, the folder's name in front.
 std::string aliasOf(const std::string& path, bool full) {

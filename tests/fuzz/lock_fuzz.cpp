@@ -1,5 +1,5 @@
 // The reader of locks on any bytes: one diagnostic or one lock, which differs from itself in
-// nothing and can be written.
+// nothing, and that reads as it was written.
 
 #include <cstdlib>
 #include <string>
@@ -25,7 +25,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require(locks.files.size() + findings.size() == 1);
   for (const auto& [path, lock] : locks.files) {
     require(lock::differences(lock, lock).empty());
-    lock::write(lock);
+    const std::string once = lock::write(lock);
+    const lock::Locks again = lock::read({{"a.capnp", once}}, findings);
+    require(findings.empty() && lock::write(again.files.at(path)) == once);
   }
   return 0;
 }

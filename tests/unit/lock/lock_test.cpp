@@ -353,6 +353,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "twice"},
         BadLock{HEAD "struct A @0x8000000000000002 {\n  x @4294967296 :Int8;\n}", 3, "no ordinal"},
         BadLock{HEAD "\nstruct A @zero {}", 3, "expected a number"},
+        BadLock{HEAD "using B = import \"/b(c).capnp\";", 2, "no path of a schema"},
+        BadLock{HEAD "using B = import \"b.capnp\";", 2, "no path of a schema"},
+        BadLock{HEAD "struct A @0x8000000000000002 $Meta.unit((\"m\") {}", 2, "expected a value"},
+        BadLock{HEAD "struct A @0x8000000000000002 $Meta.unit(", 2, "ends too early"},
         BadLock{HEAD "struct A @0x8000000000000002 $Meta.cxx(\"a {\n}", 2, "string has no end"}));
 
 }  // namespace
