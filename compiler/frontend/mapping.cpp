@@ -88,7 +88,9 @@ std::optional<model::Type> Mapping::typeOf(const clang::NamedDecl* declaration,
     finding.fixes = fixesFor(declaration, *problem, *this);
     return std::nullopt;
   }
-  if (const std::string integer = platformInteger(type); !integer.empty()) {
+  // What an event carries has lost the name it was written with: std::int64_t is long here.
+  const std::string integer = isAnnotated(declaration, Kind::Event) ? "" : platformInteger(type);
+  if (!integer.empty()) {
     warn(declaration, "platform-integer",
          subject + " is a '" + integer + "', whose width differs between machines",
          "use std::int64_t or std::uint64_t, which is what the wire carries");

@@ -1,6 +1,7 @@
 #pragma once
 #include <suture/annotate.h>
 
+#include <cstdint>
 #include <mutex>
 #include <vector>
 // What looks questionable and is not: none of it is refused.
@@ -24,5 +25,6 @@ class SUTURE_INTERFACE() Contract {
   SUTURE_COMMAND(queue(2)) virtual void queue() = 0;
   SUTURE_COMMAND() virtual Words range() const = 0;
   SUTURE_EVENT(name("on")) suture::EventOf<> on_event;
+  SUTURE_EVENT() suture::EventOf<std::int64_t> counted;
 };
 }  // namespace demo

@@ -33,6 +33,7 @@ interface ContractEvents @0xe5c41a90a7253ceb $Meta.eventsOf("demo::Contract") {
   state @0 (row :ContractStateRow) -> ();
   # A new row of the columns asked for.
   on @1 () -> () $Meta.queue(16);
+  counted @2 (value :Int64) -> () $Meta.queue(16);
 }
 
 struct ContractStateRow @0xf46d7556c214799f $Meta.stateOf("demo::Contract") {
