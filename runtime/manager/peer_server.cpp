@@ -1,5 +1,6 @@
 #include <suture/manager/describe.h>
 #include <suture/manager/peer_server.h>
+#include <suture/transport/rpc/stamps.h>
 #include <suture/wiring/connect.h>
 
 #include <algorithm>
@@ -138,7 +139,7 @@ void PeerServer::accept(ProvidedBase& provided, const Endpoint& endpoint, Connec
     return;
   }
   // A stamp of the caller, minus how far its clock is ahead, is a stamp of ours.
-  auto port = serve(provided, name, in.getEvents(), Duration(-in.getClockOffset()));
+  auto port = serve(provided, name, in.getEvents(), Duration(-rpc::bounded(in.getClockOffset())));
   port->setListener(kj::heap<NoticesSender>(host_.control_, in.getNotices()));
   auto accepted = context.getResults().initAccepted();
   accepted.setOffered(static_cast<std::uint16_t>(offered));

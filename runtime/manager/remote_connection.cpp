@@ -2,6 +2,7 @@
 #include <suture/manager/remote_connection.h>
 #include <suture/transport/rpc/deadline.h>
 #include <suture/transport/rpc/dialer.h>
+#include <suture/transport/rpc/stamps.h>
 
 #include <algorithm>
 
@@ -89,7 +90,7 @@ kj::Promise<void> RemoteConnection::greet() {
   return request.send().then([this, asked](auto&& results) -> kj::Promise<void> {
     if (results.isRefused()) return refused(results.getRefused());
     const Time answered = now();
-    const auto there = Duration(results.getReceived() / 2 + results.getSent() / 2);
+    const auto there = Duration(rpc::bounded(results.getReceived() / 2 + results.getSent() / 2));
     const auto here = asked.time_since_epoch() / 2 + answered.time_since_epoch() / 2;
     const bool sameMachine = stringOf(results.getBootId()) == bootId();
     clockOffset_ = sameMachine ? Duration{0} : there - here;

@@ -57,9 +57,10 @@ function(suture_fuzzer name)
   set_tests_properties(fuzz.${name}.planted PROPERTIES PASS_REGULAR_EXPRESSION "libFuzzer: deadly signal")
 endfunction()
 
-# The fuzzer of all decoders that the generated files ROOT/STEM.suture.cpp define. Their headers are built by TARGET.
+# The fuzzer of all decoders that the generated files ROOT/STEM.suture.cpp define; OBJECTS: what their headers only declare.
+# TARGET has capnp write the headers of their schemas.
 function(suture_decoders_fuzzer name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "ROOT;TARGET" "STEMS;FLAGS;LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "ROOT;TARGET" "STEMS;FLAGS;OBJECTS;LIBRARIES")
   set(folder ${CMAKE_CURRENT_BINARY_DIR})
   set(list ${folder}/${name}_decoders.cpp)
   set(script ${CMAKE_CURRENT_SOURCE_DIR}/write_decoders.py)
@@ -68,11 +69,11 @@ function(suture_decoders_fuzzer name)
   add_custom_command(OUTPUT ${list} COMMAND ${Python3_EXECUTABLE} ${script} ${list} ${arg_ROOT} ${arg_STEMS}
     DEPENDS ${script} ${sources} VERBATIM)
   suture_fuzz_objects(right SOURCES ${list} FLAGS ${decoder_flags} -I${arg_ROOT} ${arg_FLAGS})
-  suture_fuzzer(${name} COMMON ${decoders_objects} ${messages_objects} RIGHT ${right_objects} WRONG ${decoders_wrong_objects}
+  suture_fuzzer(${name} COMMON ${decoders_objects} ${messages_objects} ${arg_OBJECTS} RIGHT ${right_objects} WRONG ${decoders_wrong_objects}
     LIBRARIES ${arg_LIBRARIES} RUNS 20000)
   add_dependencies(${name}_fuzzer ${arg_TARGET})
 
-  suture_fuzz_program(${name}_seeds OBJECTS ${right_objects} ${seeds_objects} ${messages_objects} LIBRARIES ${arg_LIBRARIES})
+  suture_fuzz_program(${name}_seeds OBJECTS ${right_objects} ${seeds_objects} ${messages_objects} ${arg_OBJECTS} LIBRARIES ${arg_LIBRARIES})
   add_custom_target(${name}_corpus ALL DEPENDS ${folder}/${name}_seeds
     COMMAND ${folder}/${name}_seeds ${folder}/corpus/${name})
   add_dependencies(${name}_fuzzer ${name}_corpus)

@@ -1,4 +1,5 @@
 #include <suture/transport/rpc/servant_port.h>
+#include <suture/transport/rpc/stamps.h>
 
 #include <algorithm>
 
@@ -54,7 +55,7 @@ void ServantPort::subscribe(kj::Own<EventSink> sink, EventSet events, rt::Column
 Time ServantPort::stampOf(wire::Sent::Reader sent) const {
   const Time received = now();
   if (sent.getStamp() == 0) return received;
-  return std::min(received, fromNanoseconds(sent.getStamp()) + shift_);
+  return std::min(received, fromNanoseconds(shifted(sent.getStamp(), shift_)));
 }
 
 kj::Promise<void> ServantPort::whenTaken(std::uint16_t command) {

@@ -14,12 +14,12 @@
 #include <suture/base/time.h>
 #include <suture/rpc.capnp.h>
 #include <suture/rt/mailbox.h>
+#include <suture/transport/rpc/stamps.h>
 #include <suture/types.capnp.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <initializer_list>
 
 namespace suture::rpc {
@@ -32,11 +32,6 @@ inline Errc firstError(std::initializer_list<Errc> errors) {
   return Errc{};
 }
 
-/// A steady stamp of the peer on this process's clock. Unset stays unset.
-inline std::int64_t shifted(std::int64_t stamp, Duration shift) {
-  return stamp == 0 ? 0 : stamp + shift.count();
-}
-
 /// What travels with every command.
 inline void fill(wire::Sent::Builder sent, const rt::CommandRecord& record) {
   sent.setStamp(toNanoseconds(record.stamp));
@@ -47,13 +42,13 @@ inline void fill(wire::Sent::Builder sent, const rt::CommandRecord& record) {
 
 template <std::uint32_t N>
 void toWire(const BoundedText<N>& slot, capnp::Text::Builder out) {
-  std::memcpy(out.begin(), slot.data, out.size());
+  std::copy_n(slot.data, out.size(), out.begin());
 }
 template <std::uint32_t N>
 Errc fromWire(capnp::Text::Reader in, BoundedText<N>& slot) {
   if (in.size() > N) return Errc::TooLarge;
   slot.size = static_cast<std::uint32_t>(in.size());
-  std::memcpy(slot.data, in.begin(), in.size());
+  std::copy_n(in.begin(), in.size(), slot.data);
   return Errc{};
 }
 
@@ -88,13 +83,13 @@ Errc fromWire(const List& in, BoundedList<Element, N>& slot) {
 // Bytes are Data.
 template <std::uint32_t N>
 void toWire(const BoundedList<std::uint8_t, N>& slot, capnp::Data::Builder out) {
-  std::memcpy(out.begin(), slot.data, out.size());
+  std::copy_n(slot.data, out.size(), out.begin());
 }
 template <std::uint32_t N>
 Errc fromWire(capnp::Data::Reader in, BoundedList<std::uint8_t, N>& slot) {
   if (in.size() > N) return Errc::TooLarge;
   slot.size = static_cast<std::uint32_t>(in.size());
-  std::memcpy(slot.data, in.begin(), in.size());
+  std::copy_n(in.begin(), in.size(), slot.data);
   return Errc{};
 }
 

@@ -11,7 +11,9 @@ EIGEN = ["Eigen::Vector2d", "Eigen::Vector3d", "Eigen::Vector4d", "Eigen::Matrix
          "Eigen::Affine3d"]
 OPEN_EIGEN = {"Eigen::VectorXd": 1, "Eigen::MatrixXd": 2, "Eigen::Matrix<double, 3, Eigen::Dynamic>": 1,
               "Eigen::Matrix<std::int32_t, Eigen::Dynamic, 1>": 1}
-CHRONO = ["std::chrono::nanoseconds", "std::chrono::milliseconds", "std::chrono::duration<double>", "suture::Time"]
+CHRONO = ["std::chrono::nanoseconds", "std::chrono::milliseconds", "std::chrono::seconds",
+          "std::chrono::duration<double>", "std::chrono::duration<float, std::milli>", "suture::Time",
+          "std::chrono::system_clock::time_point"]
 
 
 class Field:
@@ -28,12 +30,17 @@ class Field:
 class Types:
     """A set of enums and structs; a later struct may hold an earlier one."""
 
-    def __init__(self, seed):
+    def __init__(self, seed, count=5, data_only=False):
+        """`data_only`: also what a contract cannot carry by value, and base classes."""
         self.random = random.Random(seed)
+        self.data_only = data_only
+        self.bases = {}
         self.enums = [f"Choice{i}" for i in range(2)]
         self.optional = False
         self.structs = {}
-        for i in range(5):
+        for i in range(count):
+            if data_only and i > 0 and self.random.randrange(3) == 0:
+                self.bases[f"Record{i}"] = f"Record{self.random.randrange(i)}"
             self.structs[f"Record{i}"] = [self.field(j) for j in range(self.random.randint(2, 7))]
 
     def owns_heap(self, struct):
@@ -65,7 +72,7 @@ class Types:
             key = self.random.choice(KEYS)
             bounds = [self.random.randint(1, 3)] + ([self.random.randint(1, 9)] if key == "std::string" else [])
             if self.random.randrange(2):
-                return f"std::set<{key}>", bounds, True
+                return f"{self.random.choice(['std::set', 'std::unordered_set'])}<{key}>", bounds, True
             value, inner, _ = self.nested(depth - 1)
             container = self.random.choice(["std::map", "std::unordered_map"])
             return f"{container}<{key}, {value}>", bounds + inner, True
@@ -80,7 +87,8 @@ class Types:
                     any(part[2] for part in parts))
         element, inner, owns = self.nested(depth - 1)
         if kind == 5:
-            return f"std::optional<{element}>", inner, owns
+            pointer = self.data_only and self.random.randrange(3) == 0
+            return f"{'std::unique_ptr' if pointer else 'std::optional'}<{element}>", inner, owns or pointer
         if kind == 6:
             return f"std::array<{element}, {self.random.randint(1, 3)}>", inner, owns
         container = self.random.choice(["std::vector", "std::deque"])
@@ -112,14 +120,20 @@ class Types:
     def header(self):
         lines = ["#pragma once", "#include <suture/annotate.h>", "#include <suture/base/time.h>",
                  "#include <Eigen/Geometry>", "#include <array>", "#include <chrono>", "#include <cstddef>",
-                 "#include <cstdint>", "#include <deque>", "#include <map>", "#include <optional>", "#include <set>",
-                 "#include <string>", "#include <tuple>", "#include <unordered_map>", "#include <utility>",
-                 "#include <variant>", "#include <vector>", "", "namespace invented {", ""]
+                 "#include <cstdint>", "#include <deque>", "#include <map>", "#include <memory>", "#include <optional>",
+                 "#include <set>", "#include <string>", "#include <tuple>", "#include <unordered_map>",
+                 "#include <unordered_set>", "#include <utility>", "#include <variant>", "#include <vector>", "", "namespace invented {", ""]
         for name in self.enums:
             lines += [f"enum class SUTURE_TYPE() {name} : std::uint16_t {{ First, Second = 7, Third }};", ""]
         for name, fields in self.structs.items():
-            lines += [f"struct SUTURE_TYPE() {name} {{", *(field.declaration() for field in fields), "};", ""]
-        lines += ["class SUTURE_INTERFACE() Invented {", " public:", "  virtual ~Invented() = default;"]
+            base = f" : {self.bases[name]}" if name in self.bases else ""
+            lines += [f"struct SUTURE_TYPE() {name}{base} {{", *(field.declaration() for field in fields), "};", ""]
+        return "\n".join(lines + self.interface() + ["}  // namespace invented", ""])
+
+    def interface(self):
+        if self.data_only:
+            return []
+        lines = ["class SUTURE_INTERFACE() Invented {", " public:", "  virtual ~Invented() = default;"]
         for name in self.structs:
             result = f"const {name}&" if self.owns_heap(name) else name
             lines += [f"  SUTURE_COMMAND() virtual void put_{name}(const {name}& value) = 0;",
@@ -135,8 +149,7 @@ class Types:
             lines += ["  SUTURE_COMMAND(optional()) virtual std::uint32_t later() { return 1; }",
                       "  SUTURE_COMMAND(optional()) virtual void later_void() {}",
                       "  SUTURE_COMMAND(optional()) virtual double later_read() const { return 2; }"]
-        lines += ["};", "", "}  // namespace invented", ""]
-        return "\n".join(lines)
+        return [*lines, "};", ""]
 
     def values(self):
         """C++ that fills and compares the structs, on top of values.h."""
@@ -148,11 +161,14 @@ class Types:
                       f"inline bool equal(const {name}& a, const {name}& b, Tag) {{ return same(a, b); }}"]
         for name, fields in self.structs.items():
             lines += ["", f"inline void fill({name}& value, Random& random) {{"]
+            base = self.bases.get(name)
+            lines += [f"  fill(static_cast<{base}&>(value), random);"] if base else []
             for field in fields:
                 lines.append(f"  constexpr unsigned {field.name}[] = {{{', '.join(map(str, [*field.capacity, 0]))}}};")
                 lines.append(f"  Bounds bounds_{field.name} = {field.name};")
                 lines.append(f"  fill(value.{field.name}, random, bounds_{field.name});")
             lines += ["}", f"inline bool same(const {name}& a, const {name}& b) {{", "  return true"]
+            lines += [f"      && same(static_cast<const {base}&>(a), static_cast<const {base}&>(b))"] if base else []
             lines += [f"      && equal(a.{field.name}, b.{field.name}, Tag())" for field in fields]
             lines += ["  ;", "}"]
         return "\n".join(lines + ["", "}  // namespace invented", ""])

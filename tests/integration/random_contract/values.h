@@ -11,6 +11,7 @@
 #include <deque>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <random>
 #include <set>
@@ -18,6 +19,7 @@
 #include <tuple>
 #include <type_traits>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -26,7 +28,33 @@ namespace invented {
 
 /// A type of ours, so that the functions below are found by their argument whatever they fill.
 struct Random : std::mt19937_64 {
+  /// How many elements containers get; Beyond: the first one more than it may have, all others
+  /// what they may.
+  enum class Length { Any, Empty, Full, Beyond };
+
   explicit Random(std::uint64_t seed) : std::mt19937_64(seed) {}
+
+  std::size_t count(unsigned bound) {
+    switch (length) {
+      case Length::Empty: return 0;
+      case Length::Full: return bound;
+      case Length::Beyond: length = Length::Full; return bound + 1;
+      case Length::Any: break;
+    }
+    return (*this)() % (bound + 1);
+  }
+  bool isPresent() { return length == Length::Any ? (*this)() % 2 == 0 : length != Length::Empty; }
+
+  /// Runs `fill` for a value that will not be used.
+  template <class Fill>
+  void aside(const Fill& fill) {
+    const Length before = std::exchange(length, Length::Empty);
+    fill();
+    length = before;
+  }
+
+  Length length = Length::Any;
+  bool finite = true;  // NaN and infinity are real numbers that no provider takes
 };
 struct Tag {};
 
@@ -39,11 +67,17 @@ void fill(T& value, Random& random, Bounds&) {
   if constexpr (std::is_same_v<T, bool>) {
     value = random() % 2 == 0;
   } else if constexpr (std::is_floating_point_v<T>) {
-    constexpr T kOdd[] = {-T{0}, std::numeric_limits<T>::denorm_min(),
-                          std::numeric_limits<T>::max(), std::numeric_limits<T>::lowest()};
+    using Limits = std::numeric_limits<T>;
+    constexpr T kOdd[] = {-T{0},
+                          Limits::denorm_min(),
+                          Limits::max(),
+                          Limits::lowest(),
+                          Limits::quiet_NaN(),
+                          -Limits::infinity()};
     const auto choice = random() % 12;
-    value = choice < 4 ? kOdd[choice]
-                       : static_cast<T>(std::normal_distribution<double>(0, 1e3)(random));
+    value = choice < (random.finite ? 4 : 6)
+                ? kOdd[choice]
+                : static_cast<T>(std::normal_distribution<double>(0, 1e3)(random));
   } else {
     value = static_cast<T>(random());
   }
@@ -71,7 +105,7 @@ inline void fill(std::monostate&, Random&, Bounds&) {}
 inline bool equal(std::monostate, std::monostate, Tag) { return true; }
 
 inline void fill(std::string& value, Random& random, Bounds& bounds) {
-  value.resize(random() % (*bounds++ + 1));
+  value.resize(random.count(*bounds++));
   for (char& c : value) c = static_cast<char>(' ' + random() % 95);
 }
 inline bool equal(const std::string& a, const std::string& b, Tag) { return a == b; }
@@ -101,25 +135,27 @@ bool equal(std::chrono::time_point<Clock, D> a, std::chrono::time_point<Clock, D
 template <class S, int Rows, int Columns>
 void fill(Eigen::Matrix<S, Rows, Columns>& value, Random& random, Bounds& bounds) {
   if constexpr (Rows == Eigen::Dynamic && Columns == Eigen::Dynamic) {
-    const auto rows = static_cast<Eigen::Index>(random() % (*bounds++ + 1));
-    value.resize(rows, static_cast<Eigen::Index>(random() % (*bounds++ + 1)));
+    const auto rows = static_cast<Eigen::Index>(random.count(*bounds++));
+    value.resize(rows, static_cast<Eigen::Index>(random.count(*bounds++)));
   } else if constexpr (Rows == Eigen::Dynamic) {
-    value.resize(static_cast<Eigen::Index>(random() % (*bounds++ + 1)));
+    value.resize(static_cast<Eigen::Index>(random.count(*bounds++)));
   } else if constexpr (Columns == Eigen::Dynamic) {
-    value.resize(Rows, static_cast<Eigen::Index>(random() % (*bounds++ + 1)));
+    value.resize(Rows, static_cast<Eigen::Index>(random.count(*bounds++)));
   }
   for (Eigen::Index i = 0; i < value.size(); ++i) fill(value.data()[i], random, bounds);
 }
 template <class S, int Rows, int Columns>
 bool equal(const Eigen::Matrix<S, Rows, Columns>& a, const Eigen::Matrix<S, Rows, Columns>& b,
-           Tag) {
-  return a.rows() == b.rows() && a.cols() == b.cols() && a == b;
+           Tag tag) {
+  return a.rows() == b.rows() && a.cols() == b.cols() &&
+         std::equal(a.data(), a.data() + a.size(), b.data(),
+                    [tag](S x, S y) { return equal(x, y, tag); });
 }
 inline void fill(Eigen::Quaterniond& value, Random& random, Bounds& bounds) {
   fill(value.coeffs(), random, bounds);
 }
-inline bool equal(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b, Tag) {
-  return a.coeffs() == b.coeffs();
+inline bool equal(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b, Tag tag) {
+  return equal(a.coeffs(), b.coeffs(), tag);
 }
 template <int Mode>
 void fill(Eigen::Transform<double, 3, Mode>& value, Random& random, Bounds& bounds) {
@@ -133,8 +169,8 @@ void fill(Eigen::Transform<double, 3, Mode>& value, Random& random, Bounds& boun
 }
 template <int Mode>
 bool equal(const Eigen::Transform<double, 3, Mode>& a, const Eigen::Transform<double, 3, Mode>& b,
-           Tag) {
-  return a.matrix() == b.matrix();
+           Tag tag) {
+  return equal(a.matrix(), b.matrix(), tag);
 }
 
 /// Elements that all have the bounds that follow; `add(element)` once for each.
@@ -142,7 +178,7 @@ template <class T, class Add>
 void fillElements(std::size_t count, Random& random, Bounds& bounds, const Add& add) {
   Bounds end = bounds;
   T unused{};
-  fill(unused, random, end);
+  random.aside([&] { fill(unused, random, end); });
   for (std::size_t i = 0; i < count; ++i) {
     T element{};
     Bounds own = bounds;
@@ -154,7 +190,8 @@ void fillElements(std::size_t count, Random& random, Bounds& bounds, const Add& 
 
 template <class T, std::size_t N>
 void fill(std::array<T, N>& value, Random& random, Bounds& bounds) {
-  fillElements<T>(N, random, bounds, [&](std::size_t i, T&& element) { value[i] = element; });
+  fillElements<T>(N, random, bounds,
+                  [&](std::size_t i, T&& element) { value[i] = std::move(element); });
 }
 template <class T, std::size_t N>
 bool equal(const std::array<T, N>& a, const std::array<T, N>& b, Tag tag) {
@@ -163,7 +200,8 @@ bool equal(const std::array<T, N>& a, const std::array<T, N>& b, Tag tag) {
 }
 template <class T, std::size_t N>
 void fill(T (&value)[N], Random& random, Bounds& bounds) {
-  fillElements<T>(N, random, bounds, [&](std::size_t i, T&& element) { value[i] = element; });
+  fillElements<T>(N, random, bounds,
+                  [&](std::size_t i, T&& element) { value[i] = std::move(element); });
 }
 template <class T, std::size_t N>
 bool equal(const T (&a)[N], const T (&b)[N], Tag tag) {
@@ -178,9 +216,10 @@ template <Sequence T>
 void fill(T& value, Random& random, Bounds& bounds) {
   using Element = typename T::value_type;
   value.clear();
-  const std::size_t count = random() % (*bounds++ + 1);
-  fillElements<Element>(count, random, bounds,
-                        [&](std::size_t, Element&& element) { value.push_back(element); });
+  const std::size_t count = random.count(*bounds++);
+  fillElements<Element>(count, random, bounds, [&](std::size_t, Element&& element) {
+    value.push_back(std::move(element));
+  });
 }
 template <Sequence T>
 bool equal(const T& a, const T& b, Tag tag) {
@@ -190,15 +229,33 @@ bool equal(const T& a, const T& b, Tag tag) {
   return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), same);
 }
 
-template <class T>
-void fill(std::set<T>& value, Random& random, Bounds& bounds) {
+/// What has keys, of which no two are equal.
+template <class Element, class T>
+void fillDistinct(T& value, Random& random, Bounds& bounds) {
   value.clear();
-  const std::size_t count = random() % (*bounds++ + 1);
-  fillElements<T>(count, random, bounds,
-                  [&](std::size_t, T&& element) { value.insert(std::move(element)); });
+  const std::size_t count = random.count(*bounds++);
+  Bounds end = bounds;
+  Element unused{};
+  random.aside([&] { fill(unused, random, end); });
+  while (value.size() < count) {
+    Element element{};
+    Bounds own = bounds;
+    fill(element, random, own);
+    value.insert(std::move(element));
+  }
+  bounds = end;
 }
+
 template <class T>
-bool equal(const std::set<T>& a, const std::set<T>& b, Tag) {
+concept Set = std::is_same_v<T, std::set<typename T::key_type>> ||
+    std::is_same_v<T, std::unordered_set<typename T::key_type>>;
+
+template <Set T>
+void fill(T& value, Random& random, Bounds& bounds) {
+  fillDistinct<typename T::key_type>(value, random, bounds);
+}
+template <Set T>
+bool equal(const T& a, const T& b, Tag) {
   return a == b;
 }
 
@@ -208,11 +265,7 @@ concept Map = std::is_same_v<T, std::map<typename T::key_type, typename T::mappe
 
 template <Map T>
 void fill(T& value, Random& random, Bounds& bounds) {
-  using Entry = std::pair<typename T::key_type, typename T::mapped_type>;
-  value.clear();
-  const std::size_t count = random() % (*bounds++ + 1);
-  fillElements<Entry>(count, random, bounds,
-                      [&](std::size_t, Entry&& entry) { value.insert(std::move(entry)); });
+  fillDistinct<std::pair<typename T::key_type, typename T::mapped_type>>(value, random, bounds);
 }
 template <Map T>
 bool equal(const T& a, const T& b, Tag tag) {
@@ -225,12 +278,24 @@ bool equal(const T& a, const T& b, Tag tag) {
 template <class T>
 void fill(std::optional<T>& value, Random& random, Bounds& bounds) {
   value.reset();
-  fillElements<T>(random() % 2, random, bounds,
+  fillElements<T>(random.isPresent() ? 1 : 0, random, bounds,
                   [&](std::size_t, T&& element) { value = std::move(element); });
 }
 template <class T>
 bool equal(const std::optional<T>& a, const std::optional<T>& b, Tag tag) {
   return a.has_value() == b.has_value() && (!a || equal(*a, *b, tag));
+}
+
+template <class T>
+void fill(std::unique_ptr<T>& value, Random& random, Bounds& bounds) {
+  value.reset();
+  fillElements<T>(random.isPresent() ? 1 : 0, random, bounds, [&](std::size_t, T&& element) {
+    value = std::make_unique<T>(std::move(element));
+  });
+}
+template <class T>
+bool equal(const std::unique_ptr<T>& a, const std::unique_ptr<T>& b, Tag tag) {
+  return (a == nullptr) == (b == nullptr) && (!a || equal(*a, *b, tag));
 }
 
 template <class A, class B>
@@ -260,8 +325,12 @@ void fillVariant(std::variant<T...>& value, Random& random, Bounds& bounds,
                  std::index_sequence<I...>) {
   const std::size_t chosen = random() % sizeof...(T);
   const auto fillOne = [&](auto index, auto element) {
-    fill(element, random, bounds);
-    if (index == chosen) value.template emplace<index>(std::move(element));
+    if (index == chosen) {
+      fill(element, random, bounds);
+      value.template emplace<index>(std::move(element));
+    } else {
+      random.aside([&] { fill(element, random, bounds); });
+    }
   };
   (fillOne(std::integral_constant<std::size_t, I>(), T{}), ...);
 }

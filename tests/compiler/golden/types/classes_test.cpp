@@ -4,17 +4,6 @@
 #include "shapes/classes.capnp.h"
 #include "shapes/classes.suture.h"
 
-shapes::Point suture::Wire<shapes::Polar>::to(const shapes::Polar& value) {
-  shapes::Point form;
-  form.x = value.radius();
-  form.y = value.angle();
-  return form;
-}
-
-shapes::Polar suture::Wire<shapes::Polar>::from(const shapes::Point& form) {
-  return {form.x, form.y};
-}
-
 namespace shapes {
 
 void toWire(const ClassesSlot& slot, wire::Classes::Builder out);

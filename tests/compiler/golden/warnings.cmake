@@ -1,0 +1,14 @@
+# suture_test_warnings(NAME ROOT FLAG...): both compilers on all that is generated below ROOT.
+find_program(SUTURE_CLANGXX clang++-19)
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+get_target_property(suture_test_eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+set(suture_test_warnings_script ${CMAKE_CURRENT_LIST_DIR}/warnings_test.py)
+
+function(suture_test_warnings name root)
+  foreach(compiler IN ITEMS ${CMAKE_CXX_COMPILER} ${SUTURE_CLANGXX})
+    get_filename_component(short ${compiler} NAME)
+    add_test(NAME golden.warnings.${name}.${short}
+      COMMAND ${Python3_EXECUTABLE} ${suture_test_warnings_script} ${compiler} ${root} ${ARGN}
+        -I${PROJECT_BINARY_DIR}/include -isystem ${PROJECT_BINARY_DIR}/schemas -isystem ${suture_test_eigen})
+  endforeach()
+endfunction()

@@ -1,0 +1,78 @@
+"""Random nested types, every row of the mapping table: generated and compiled in one batch, and values taken through them.
+
+  random_types_test.py --suture BUILD [--seed N] [--keep DIR]
+"""
+
+import argparse
+import os
+import pathlib
+import random
+import shutil
+import sys
+import tempfile
+
+import random_contract
+import random_types
+
+COUNT = 12  # structs
+
+
+def declarations(name):
+    return (f"void toWire(const {name}Slot&, wire::{name}::Builder);\n"
+            f"suture::Errc fromWire(wire::{name}::Reader, {name}Slot&, suture::Duration);\n"
+            f"bool isValid(const {name}Slot&);\n")
+
+
+def check(types, name):
+    """The lines that check one struct, and each of its members that has a bound once too long."""
+    lines = ["  {", f'    RoundTrip<{name}, {name}Slot, wire::{name}> trip("{name}");',
+             f"    checkAll(trip, random, {name}());"]
+    for field in types.structs[name]:
+        if field.capacity:
+            bounds = ", ".join(map(str, field.capacity))
+            lines += [f"    trip.checkBeyond(random, []({name}& value, Random& source) {{",
+                      f"      constexpr unsigned all[] = {{{bounds}}};", "      Bounds bounds = all;",
+                      f"      fill(value.{field.name}, source, bounds);", "    });"]
+    return lines + ["    beyond += trip.beyond();", "  }"]
+
+
+def program(types, seed):
+    lines = ['#include "invented.suture.h"', '#include "round_trip.h"', '#include "invented_values.h"',
+             '#include "invented.capnp.h"', "", "namespace invented {", "",
+             *map(declarations, types.structs), "}  // namespace invented", "", "int main() {",
+             "  using namespace invented;", f"  Random random({seed});", "  int beyond = 0;"]
+    for name in types.structs:
+        lines += check(types, name)
+    lines += [f'  std::printf("{COUNT} types, %d members refused one too many\\n", beyond);',
+              "  return beyond > 0 ? 0 : 1;", "}", ""]
+    return "\n".join(lines)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--suture", type=pathlib.Path, required=True, help="build folder of Suture")
+    parser.add_argument("--seed", type=int, default=random.SystemRandom().randrange(1 << 30))
+    parser.add_argument("--keep", type=pathlib.Path, help="write the project here and leave it")
+    options = parser.parse_args()
+    print(f"seed {options.seed}", flush=True)
+
+    project = options.keep or pathlib.Path(tempfile.mkdtemp(prefix="suture random "))
+    project.mkdir(parents=True, exist_ok=True)
+    try:
+        types = random_types.Types(options.seed, COUNT, data_only=True)
+        for name in ("values.h", "round_trip.h"):
+            shutil.copy(pathlib.Path(__file__).with_name(name), project)
+        (project / "CMakeLists.txt").write_text(random_contract.CMAKE)
+        (project / "main.cpp").write_text(program(types, options.seed))
+        (project / "invented.h").write_text(types.header())
+        (project / "invented_values.h").write_text(types.values())
+        random_contract.build(project, options.suture.resolve())
+        random_contract.run([project / "build" / "invented"], timeout=300)
+    finally:
+        if options.keep is None:
+            shutil.rmtree(project, ignore_errors=True)
+
+
+if __name__ == "__main__":
+    os.environ.pop("CXXFLAGS", None)
+    sys.exit(main())
