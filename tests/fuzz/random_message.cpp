@@ -22,6 +22,7 @@ DynamicValue::Reader oneOf(std::initializer_list<T> values, Random& random) {
 }
 
 DynamicValue::Reader integer(Random& random) {
+  if (random() % 2 == 0) return oneOf<std::int64_t>({0, 1, 2, 3}, random);
   return oneOf<std::int64_t>({0, 1, -1, 127, -128, 65535, 1'000'000'000}, random);
 }
 
@@ -30,6 +31,12 @@ DynamicValue::Reader real(Random& random) {
   return oneOf<double>({0.0, -0.0, 0.5, -3.25, Limits::quiet_NaN(), Limits::infinity(),
                         Limits::denorm_min(), Limits::max(), static_cast<double>(random()) / 1e6},
                        random);
+}
+
+/// Most within what a container may hold, some beyond all.
+capnp::uint length(Random& random) {
+  const auto most = random() % 8 == 0 ? 90u : 5u;
+  return static_cast<capnp::uint>(random() % most);
 }
 
 /// Numbers are cut to what the field holds: capnp checks that they fit.
@@ -78,8 +85,8 @@ class Filler {
     if (!type.isList()) return out.set(field, number(type.which(), random_));
     // The length that it has may be the only one that is taken.
     const bool keeps = out.has(field) && random_() % 2 == 0;
-    auto list =
-        keeps ? out.get(field).as<DynamicList>() : out.init(field, random_() % 5).as<DynamicList>();
+    auto list = keeps ? out.get(field).as<DynamicList>()
+                      : out.init(field, length(random_)).as<DynamicList>();
     for (capnp::uint i = 0; i < list.size(); ++i) fillElement(list, i, depth - 1);
   }
 
@@ -91,7 +98,7 @@ class Filler {
     if (type.isStruct()) return fill(list[i].as<DynamicStruct>(), depth - 1);
     if (type.isData()) return;
     if (!type.isList()) return list.set(i, number(type.which(), random_));
-    auto inner = list.init(i, random_() % 5).as<DynamicList>();
+    auto inner = list.init(i, length(random_)).as<DynamicList>();
     for (capnp::uint j = 0; j < inner.size(); ++j) fillElement(inner, j, depth - 1);
   }
 
