@@ -190,10 +190,15 @@ class Parser {
   std::string type(unsigned depth = 0) {
     const Token name = take();
     if (depth > kDeepestType) throw SyntaxError(name.line, "a type is nested too deeply");
-    if (accept("(")) {
+    const char first = name.text.empty() ? '\0' : name.text.front();
+    if (std::isalpha(static_cast<unsigned char>(first)) == 0) {
+      throw SyntaxError(name.line, "expected a type, found '" + name.text + "'");
+    }
+    if (name.text == "List") {
+      expect("(");
       const std::string element = type(depth + 1);
       expect(")");
-      return name.text + "(" + element + ")";
+      return "List(" + element + ")";
     }
     const std::size_t dot = name.text.find('.');
     if (dot == std::string::npos) return name.text;

@@ -340,6 +340,10 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadLock{"", 1, "expected '@', found the end of the file"}, BadLock{"@0x1;", 1, "top bit"},
         BadLock{HEAD "struct A @0x8000000000000002 {\n  x @0 :Int8", 3, "expected ';'"},
+        BadLock{HEAD "struct A @0x8000000000000002 {\n  x @0 :Int8Meta.unit(\"m\");\n}", 3,
+                "is of a file that is not imported"},
+        BadLock{HEAD "struct A @0x8000000000000002 {\n  x @0 :List(\"m\");\n}", 3,
+                "expected a type, found '\"m\"'"},
         BadLock{HEAD "<<<<<<< HEAD\n", 2, "merge conflict", "lock-conflict"},
         BadLock{HEAD "struct A @0x8000000000000002 {\n=======\n}", 3, "merge conflict",
                 "lock-conflict"},
