@@ -31,9 +31,8 @@ void emitEventsHead(Code& code, const model::Interface& interface, const std::st
   code.open("struct Events ", inherits ? ": " + base + "::Events " : "", "{");
 }
 
-void emitEventConstructor(Code& code, const model::Interface& interface,
-                          const std::string& base, const std::string& parameter,
-                          const std::string& argument) {
+void emitEventConstructor(Code& code, const model::Interface& interface, const std::string& base,
+                          const std::string& parameter, const std::string& argument) {
   const std::vector<const model::Event*> events = ownEvents(interface);
   code.line("explicit Events(", parameter, ")");
   const char* lead = "    : ";
@@ -42,8 +41,9 @@ void emitEventConstructor(Code& code, const model::Interface& interface,
     lead = "      ";
   }
   for (const model::Event* const event : events) {
-    code.line(lead, event->name, "{", argument, ", static_cast<std::uint16_t>(EventId::",
-              event->name, ")}", event == events.back() ? " {}" : ",");
+    code.line(lead, event->name, "{", argument,
+              ", static_cast<std::uint16_t>(EventId::", event->name, ")}",
+              event == events.back() ? " {}" : ",");
     lead = "      ";
   }
   code.blank();

@@ -17,8 +17,8 @@ inline constexpr char kBreakText[] = {kBreak, '\0'};
 std::string eventArguments(const Context& context, const model::Interface& interface,
                            const model::Event& event);
 
-/// "Required<robots::Arm>" for "Required" and a contract that derives from Arm; "RequiredBase" where
-/// it derives from none.
+/// "Required<robots::Arm>" for "Required" and a contract that derives from Arm; "RequiredBase"
+/// where it derives from none.
 std::string baseClass(const char* kind, const model::Interface& interface);
 
 /// Opens "struct Events {", with the base's Events where it has inherited ones.

@@ -31,8 +31,8 @@ void emitScratch(Code& code, const model::Interface& interface) {
 void emitProtectedConstructor(Code& code, const model::Interface& interface, bool implements) {
   code.line("// Of a contract that derives from this one: `whole` points to its implementation.");
   code.line("Provided(Component& owner, std::string_view name, ", kBreakText,
-            "const InterfaceInfo& info, ", kBreakText, "void* whole, ", kBreakText,
-            "Contract& ", named("implementation", implements || !interface.base.empty()), ")");
+            "const InterfaceInfo& info, ", kBreakText, "void* whole, ", kBreakText, "Contract& ",
+            named("implementation", implements || !interface.base.empty()), ")");
   const std::string arguments = interface.base.empty() ? "" : ", implementation";
   code.line("    : ", baseClass("Provided", interface), "(owner, name, info, whole", arguments, ")",
             implements ? "," : " {}");
@@ -48,7 +48,8 @@ void emitProvided(Code& code, const Context& context, const model::Interface& in
   const bool events = !ownEvents(interface).empty();
   const bool executes = commands || interface.base.empty();
   code.line("/// What serves ", interface.name, " from a component.").line("template <>");
-  code.open("class Provided<", interface.name, "> : public ", baseClass("Provided", interface), " {");
+  code.open("class Provided<", interface.name, "> : public ", baseClass("Provided", interface),
+            " {");
   code.line("using Contract = ", interface.name, ";");
   if (events) code.line("using EventId = ", interface.name, "Event;");
   code.blank().label("public:");

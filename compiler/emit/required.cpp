@@ -84,7 +84,8 @@ void emitProtectedConstructor(Code& code, const model::Interface& interface) {
 
 void emitRequired(Code& code, const Context& context, const model::Interface& interface) {
   code.line("/// What a client of ", interface.name, " calls.").line("template <>");
-  code.open("class Required<", interface.name, "> : public ", baseClass("Required", interface), " {");
+  code.open("class Required<", interface.name, "> : public ", baseClass("Required", interface),
+            " {");
   code.line("using Contract = ", interface.name, ";");
   emitNumberAliases(code, interface);
   code.blank().label("public:");

@@ -99,8 +99,7 @@ void emitEvents(Code& code, const Context& context, const model::Interface& inte
   for (const model::Event* const event : own) {
     std::vector<std::string> members = {".name = \"" + event->name + "\""};
     if (!event->payload.empty()) {
-      const std::string slot =
-          payloadSlot(interface, *event, context, context.header.cxxNamespace);
+      const std::string slot = payloadSlot(interface, *event, context, context.header.cxxNamespace);
       members.push_back(".payloadSize = sizeof(" + slot + ")");
     }
     members.push_back(".depth = " + std::to_string(event->queue));

@@ -45,8 +45,7 @@ struct EventInfo {
 template <std::size_t N, class Row, std::size_t Own>
 std::array<Row, N> extended(std::span<const Row> base, const Row (&own)[Own]) {
   std::array<Row, N> rows{};
-  std::copy(std::begin(own), std::end(own),
-            std::copy_n(base.begin(), N - Own, rows.begin()));
+  std::copy(std::begin(own), std::end(own), std::copy_n(base.begin(), N - Own, rows.begin()));
   return rows;
 }
 

@@ -15,8 +15,6 @@ namespace handwritten {
 namespace wire = robots::wire;
 
 void write(const robots::PoseStamped& value, wire::PoseStamped::Builder out);
-void write(const robots::PoseSample& value, wire::PoseSample::Builder out);
-void write(const robots::PosePrm& value, wire::PosePrm::Builder out);
 void write(const robots::JointState& value, wire::JointState::Builder out);
 void write(const robots::JointGoal& value, wire::JointGoal::Builder out);
 void write(const robots::JointSolution& value, wire::JointSolution::Builder out);
@@ -35,8 +33,6 @@ void write(const robots::OperatingState& value, wire::OperatingState::Builder ou
 wire::ArmState write(robots::ArmState value);
 
 void read(wire::PoseStamped::Reader in, robots::PoseStamped& value);
-void read(wire::PoseSample::Reader in, robots::PoseSample& value);
-void read(wire::PosePrm::Reader in, robots::PosePrm& value);
 void read(wire::JointState::Reader in, robots::JointState& value);
 void read(wire::JointGoal::Reader in, robots::JointGoal& value);
 void read(wire::JointSolution::Reader in, robots::JointSolution& value);

@@ -3,6 +3,7 @@
 
 #include <capnp/blob.h>
 #include <capnp/list.h>
+#include <kj/debug.h>
 #include <suture/types.capnp.h>
 
 #include <Eigen/Geometry>
@@ -16,6 +17,32 @@ void write(const Eigen::Vector3d& value, suture::wire::Vec3::Builder out);
 void read(suture::wire::Vec3::Reader in, Eigen::Vector3d& value);
 void write(const Eigen::Isometry3d& value, suture::wire::Pose::Builder out);
 void read(suture::wire::Pose::Reader in, Eigen::Isometry3d& value);
+
+template <class Rotation, class Builder>
+void writeRotation(const Rotation& r, Builder& out) {
+  out.setM00(r(0, 0));
+  out.setM01(r(0, 1));
+  out.setM02(r(0, 2));
+  out.setM10(r(1, 0));
+  out.setM11(r(1, 1));
+  out.setM12(r(1, 2));
+  out.setM20(r(2, 0));
+  out.setM21(r(2, 1));
+  out.setM22(r(2, 2));
+}
+
+template <class Reader, class Rotation>
+void readRotation(const Reader& in, Rotation& r) {
+  r(0, 0) = in.getM00();
+  r(0, 1) = in.getM01();
+  r(0, 2) = in.getM02();
+  r(1, 0) = in.getM10();
+  r(1, 1) = in.getM11();
+  r(1, 2) = in.getM12();
+  r(2, 0) = in.getM20();
+  r(2, 1) = in.getM21();
+  r(2, 2) = in.getM22();
+}
 
 /// What the schema lets a list, a name of a frame and a joint's name hold.
 constexpr unsigned kMaxElements = 8, kMaxName = 15;
