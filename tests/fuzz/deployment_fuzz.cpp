@@ -24,9 +24,8 @@ void requireLine(const std::string& problem, std::string_view text) {
 
 void requireComponent(const Deployment& deployment, const Endpoint& endpoint) {
   const auto& components = deployment.process(endpoint.process).components;
-  require(std::any_of(components.begin(), components.end(), [&](const ComponentEntry& one) {
-    return one.name == endpoint.component;
-  }));
+  require(std::any_of(components.begin(), components.end(),
+                      [&](const ComponentEntry& one) { return one.name == endpoint.component; }));
   require(Endpoint::parse(endpoint.toString()).toString() == endpoint.toString());
 }
 

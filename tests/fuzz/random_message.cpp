@@ -47,10 +47,10 @@ DynamicValue::Reader number(Which type, Random& random) {
     case Which::UINT64: return static_cast<std::uint64_t>(integer(random).as<std::int64_t>());
     default: break;
   }
-  return oneOf<std::int64_t>({integer(random).as<std::int64_t>(),
-                              std::numeric_limits<std::int64_t>::max(),
-                              std::numeric_limits<std::int64_t>::min()},
-                             random);
+  return oneOf<std::int64_t>(
+      {integer(random).as<std::int64_t>(), std::numeric_limits<std::int64_t>::max(),
+       std::numeric_limits<std::int64_t>::min()},
+      random);
 }
 
 class Filler {
@@ -75,8 +75,8 @@ class Filler {
     if (!type.isList()) return out.set(field, number(type.which(), random_));
     // The length that it has may be the only one that is taken.
     const bool keeps = out.has(field) && random_() % 2 == 0;
-    auto list = keeps ? out.get(field).as<DynamicList>()
-                      : out.init(field, random_() % 5).as<DynamicList>();
+    auto list =
+        keeps ? out.get(field).as<DynamicList>() : out.init(field, random_() % 5).as<DynamicList>();
     for (capnp::uint i = 0; i < list.size(); ++i) fillElement(list, i, depth - 1);
   }
 
@@ -95,8 +95,8 @@ class Filler {
   void fillBytes(DynamicStruct::Builder out, capnp::StructSchema::Field field) {
     const std::string bytes = text();
     if (field.getType().isText()) return out.set(field, DynamicValue::Reader(bytes.c_str()));
-    out.set(field, capnp::Data::Reader(reinterpret_cast<const kj::byte*>(bytes.data()),
-                                       bytes.size()));
+    out.set(field,
+            capnp::Data::Reader(reinterpret_cast<const kj::byte*>(bytes.data()), bytes.size()));
   }
 
   DynamicValue::Reader plain(capnp::Type type) {
@@ -106,7 +106,9 @@ class Filler {
     return capnp::DynamicEnum(type.asEnum(), ordinal);
   }
 
-  std::string text() { return std::string(random_() % 12, static_cast<char>('a' + random_() % 26)); }
+  std::string text() {
+    return std::string(random_() % 12, static_cast<char>('a' + random_() % 26));
+  }
 
   Random& random_;
 };
