@@ -13,6 +13,15 @@
 
 namespace suture::rpc {
 
+/// A call of any method, as Cap'n Proto hands it to a capability.
+using AnyCall = capnp::CallContext<capnp::AnyPointer, capnp::AnyPointer>;
+
+/// The number of a command or an event in tables and records.
+template <class Name>
+constexpr std::uint16_t numberOf(Name name) {
+  return static_cast<std::uint16_t>(name);
+}
+
 class ProxyPort;
 class ServantPort;
 
@@ -43,8 +52,8 @@ class Proxy {
 /// The factory of all three, one object a contract with static storage.
 class Binding {
  public:
-  /// The contract's own capability, served by `port`.
-  virtual capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const = 0;
+  /// Serves the contract's own capability through `port`.
+  virtual kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const = 0;
   /// Speaks to `contract`, which must be of the contract's interface. `port` outlives it.
   virtual kj::Own<Proxy> makeProxy(capnp::Capability::Client contract, ProxyPort& port) const = 0;
   /// Speaks to `subscriber`, which must be of the contract's events interface.
