@@ -11,7 +11,7 @@ def stops_without_lock(project):
     status, text = project.build()
     expect(status != 0 and "[suture-lock-missing]" in text and "--target update-lock" in text,
            "without a lock the build stops and says what to run", text)
-    expect(not project.times(), "a failed run writes nothing", str(project.times()))
+    expect(not any("count" in p.parts for p in project.times()), "a failed run writes nothing", str(project.times()))
     project.must_build("update-lock", "update-lock")
     expect((project.root / "schemas/count/counter.capnp").exists(), "update-lock writes the lock")
 
