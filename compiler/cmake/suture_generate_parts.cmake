@@ -96,6 +96,25 @@ function(suture_compile_schema target schemas stem wire lock_dirs)
   target_sources(${target} PRIVATE ${wire}/${stem}.capnp.c++ ${wire}/${stem}.capnp.h)
 endfunction()
 
+# Ninja sees by itself that an output is gone.
+function(suture_notice_removed target generated wire stems)
+  if(NOT CMAKE_GENERATOR MATCHES "Makefiles")
+    return()
+  endif()
+  set(stamp "")
+  if(TARGET ${target}_suture)
+    set(stamp ${CMAKE_CURRENT_BINARY_DIR}/${target}.suture.stamp)
+  endif()
+  add_custom_target(${target}_outputs
+    COMMAND ${CMAKE_COMMAND} -DSTAMP=${stamp} -DGENERATED=${generated} -DWIRE=${wire} "-DSTEMS=${stems}"
+      -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/notice_removed.cmake
+    VERBATIM)
+  add_dependencies(${target} ${target}_outputs)
+  if(stamp)
+    add_dependencies(${target}_suture ${target}_outputs)
+  endif()
+endfunction()
+
 # What generated code of other projects includes and imports lies beside the header.
 function(suture_install stem root base generated lock_dir wire)
   get_filename_component(folder ${root}/${stem} DIRECTORY)
