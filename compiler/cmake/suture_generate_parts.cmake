@@ -92,7 +92,7 @@ function(suture_compile_schema target schemas stem wire lock_dirs)
     DEPENDS ${schemas}/${stem}.capnp ${script}
     COMMENT "capnp ${stem}.capnp"
     VERBATIM)
-  set_source_files_properties(${wire}/${stem}.capnp.c++ PROPERTIES COMPILE_OPTIONS -w)
+  set_source_files_properties(${wire}/${stem}.capnp.c++ PROPERTIES COMPILE_OPTIONS "-w;-std=c++17")
   target_sources(${target} PRIVATE ${wire}/${stem}.capnp.c++ ${wire}/${stem}.capnp.h)
 endfunction()
 
