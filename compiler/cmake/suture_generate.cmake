@@ -55,6 +55,7 @@ function(suture_generate)
       suture_install(${stem} ${arg_INSTALL_DIR} "${arg_BASE_DIR}" "${generated}" "${arg_LOCK_DIR}" "${wire}")
     endif()
   endforeach()
+  suture_notice_removed(${arg_TARGET} "${generated}" "${wire}" "${stems}")
   target_include_directories(${arg_TARGET} PUBLIC
     "$<BUILD_INTERFACE:${arg_BASE_DIR}>" "$<BUILD_INTERFACE:${generated}>")
   if(arg_INSTALL_DIR)

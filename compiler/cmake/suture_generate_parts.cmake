@@ -82,23 +82,37 @@ endfunction()
 
 function(suture_compile_schema target schemas stem wire lock_dirs)
   # Not through capnp_generate_cpp(): it cannot write several folders into one include root.
-  foreach(directory IN LISTS lock_dirs)
-    list(APPEND imports -I ${directory})
-  endforeach()
   # Where a header of another package is found, its schema is.
-  set(includes $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
+  set(imports ${lock_dirs} $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
+  set(script ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/compile_schema.cmake)
   add_custom_command(
     OUTPUT ${wire}/${stem}.capnp.c++ ${wire}/${stem}.capnp.h
-    COMMAND ${CMAKE_COMMAND} -E make_directory ${wire}
-    COMMAND ${CAPNP_EXECUTABLE} compile -o${CAPNPC_CXX_EXECUTABLE}:${wire}
-      --src-prefix ${schemas} -I ${schemas} ${imports} "$<$<BOOL:${includes}>:-I$<JOIN:${includes},;-I>>"
-      ${schemas}/${stem}.capnp
-    DEPENDS ${schemas}/${stem}.capnp
+    COMMAND ${CMAKE_COMMAND} -DCAPNP=${CAPNP_EXECUTABLE} -DPLUGIN=${CAPNPC_CXX_EXECUTABLE}
+      -DSCHEMAS=${schemas} -DSTEM=${stem} "-DIMPORTS=${imports}" -DOUT=${wire} -P ${script}
+    DEPENDS ${schemas}/${stem}.capnp ${script}
     COMMENT "capnp ${stem}.capnp"
-    COMMAND_EXPAND_LISTS
     VERBATIM)
   set_source_files_properties(${wire}/${stem}.capnp.c++ PROPERTIES COMPILE_OPTIONS "-w;-std=c++17")
   target_sources(${target} PRIVATE ${wire}/${stem}.capnp.c++ ${wire}/${stem}.capnp.h)
+endfunction()
+
+# Ninja sees by itself that an output is gone.
+function(suture_notice_removed target generated wire stems)
+  if(NOT CMAKE_GENERATOR MATCHES "Makefiles")
+    return()
+  endif()
+  set(stamp "")
+  if(TARGET ${target}_suture)
+    set(stamp ${CMAKE_CURRENT_BINARY_DIR}/${target}.suture.stamp)
+  endif()
+  add_custom_target(${target}_outputs
+    COMMAND ${CMAKE_COMMAND} -DSTAMP=${stamp} -DGENERATED=${generated} -DWIRE=${wire} "-DSTEMS=${stems}"
+      -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/notice_removed.cmake
+    VERBATIM)
+  add_dependencies(${target} ${target}_outputs)
+  if(stamp)
+    add_dependencies(${target}_suture ${target}_outputs)
+  endif()
 endfunction()
 
 # What generated code of other projects includes and imports lies beside the header.

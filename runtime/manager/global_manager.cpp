@@ -1,6 +1,7 @@
 #include <suture/base/errors.h>
 #include <suture/manager/global_manager.h>
 #include <suture/manager/manager_session.h>
+#include <suture/transport/rpc/control_thread.h>
 #include <suture/transport/rpc/link_server.h>
 #include <sys/stat.h>
 #include <unistd.h>

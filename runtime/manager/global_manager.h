@@ -1,12 +1,14 @@
 #pragma once
 // The process that knows names, or any process that plays its part.
 
-#include <suture/transport/rpc/control_thread.h>
-
 #include <memory>
 #include <string>
 
 namespace suture {
+
+namespace rpc {
+class ControlThread;
+}
 
 /// Serves names at an address for as long as it lives. It hands out addresses; data never passes
 /// through it. Made and destroyed by any thread but the control thread, which outlives it.

@@ -2,6 +2,7 @@
 
 #include <suture/base/errors.h>
 #include <suture/manager/global_manager.h>
+#include <suture/transport/rpc/control_thread.h>
 
 #include <CLI/CLI.hpp>
 #include <csignal>

@@ -2,6 +2,7 @@
 
 #include <suture/manager/global_manager.h>
 #include <suture/manager/manager.h>
+#include <suture/transport/rpc/control_thread.h>
 #include <unistd.h>
 
 #include <cerrno>

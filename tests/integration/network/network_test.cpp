@@ -4,6 +4,7 @@
 #include <suture/manager/global_manager.h>
 #include <suture/manager/manager.h>
 #include <suture/manager/manager_link.h>
+#include <suture/transport/rpc/control_thread.h>
 #include <sys/wait.h>
 #include <unistd.h>
 

@@ -5,6 +5,7 @@
 #include <suture/base/errors.h>
 #include <suture/manager/global_manager.h>
 #include <suture/manager/manager_link.h>
+#include <suture/transport/rpc/control_thread.h>
 #include <suture/transport/rpc/dialer.h>
 
 #include <thread>
