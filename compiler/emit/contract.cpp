@@ -30,7 +30,6 @@ void emitEventConstructor(Code& code, const model::Interface& interface,
     code.line(first ? "    : " : "      ", event.name, "{", argument,
               ", static_cast<std::uint16_t>(EventId::", event.name, ")}", last ? " {}" : ",");
   }
-  code.blank();
 }
 
 void emitNumberAliases(Code& code, const model::Interface& interface) {

@@ -8,6 +8,7 @@ void emitEvents(Code& code, const Context& context, const model::Interface& inte
   code.blank().line("/// The events of ", interface.name, ", to emit.");
   code.open("struct Events {");
   emitEventConstructor(code, interface, "ProvidedBase& provided", "provided");
+  code.blank();
   for (const model::Event& event : interface.events) {
     code.doc(event.doc.text);
     code.line("Emitter<", eventArguments(context, interface, event), "> ", event.name, ";");

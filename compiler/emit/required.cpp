@@ -37,19 +37,43 @@ std::string memberType(const Context& context, const model::Interface& interface
   return "";
 }
 
+template <class Member>
+bool isDeprecated(const Member& member) {
+  return !member.lifecycle.deprecated.empty();
+}
+
+/// A constructor initialises all members, and shall not be warned of those that users should not
+/// use.
+template <class Member, class EmitConstructor>
+void withoutWarning(Code& code, const std::vector<Member>& members, const EmitConstructor& emitIt) {
+  const bool quiet = std::any_of(members.begin(), members.end(), isDeprecated<Member>);
+  if (quiet) code.verbatim("#pragma GCC diagnostic push\n");
+  if (quiet) code.verbatim("#pragma GCC diagnostic ignored \"-Wdeprecated-declarations\"\n");
+  emitIt();
+  if (quiet) code.verbatim("#pragma GCC diagnostic pop\n");
+  code.blank();
+}
+
+template <class Member>
+void emitDeprecation(Code& code, const Member& member) {
+  if (!isDeprecated(member)) return;
+  code.line("[[deprecated(", lock::quoted(member.lifecycle.deprecated), ")]]");
+}
+
 void emitEvents(Code& code, const Context& context, const model::Interface& interface) {
   code.blank().line("/// The events of ", interface.name, ", to subscribe to.");
   code.open("struct Events {");
-  emitEventConstructor(code, interface, "RequiredBase& required", "required");
+  withoutWarning(code, interface.events, [&] {
+    emitEventConstructor(code, interface, "RequiredBase& required", "required");
+  });
   for (const model::Event& event : interface.events) {
     code.doc(event.doc.text);
+    emitDeprecation(code, event);
     code.line("Subscription<", eventArguments(context, interface, event), "> ", event.name, ";");
   }
   code.close("};").line("Events& on() { return events_; }");
   code.blank().label("private:").line("Events events_{*this};");
 }
-
-bool isDeprecated(const model::Command& command) { return !command.lifecycle.deprecated.empty(); }
 
 /// A parameter's name that hides no command.
 std::string freeName(std::string name, const model::Interface& interface) {
@@ -59,17 +83,12 @@ std::string freeName(std::string name, const model::Interface& interface) {
   return name;
 }
 
-/// It initialises all members, and shall not be warned of those that users should not use.
 void emitConstructor(Code& code, const model::Interface& interface) {
-  const auto& all = interface.commands;
-  const bool quiet = std::any_of(all.begin(), all.end(), isDeprecated);
-  if (quiet) code.verbatim("#pragma GCC diagnostic push\n");
-  if (quiet) code.verbatim("#pragma GCC diagnostic ignored \"-Wdeprecated-declarations\"\n");
   const std::string owner = freeName("owner", interface), name = freeName("name", interface);
-  code.line("Required(Component& ", owner, ", std::string_view ", name, ")");
-  code.line("    : RequiredBase(", owner, ", ", name, ", interfaceInfo<Contract>()) {}");
-  if (quiet) code.verbatim("#pragma GCC diagnostic pop\n");
-  code.blank();
+  withoutWarning(code, interface.commands, [&] {
+    code.line("Required(Component& ", owner, ", std::string_view ", name, ")");
+    code.line("    : RequiredBase(", owner, ", ", name, ", interfaceInfo<Contract>()) {}");
+  });
 }
 
 }  // namespace
@@ -83,9 +102,7 @@ void emitRequired(Code& code, const Context& context, const model::Interface& in
   emitConstructor(code, interface);
   for (const model::Command& command : interface.commands) {
     code.doc(command.doc.text);
-    if (isDeprecated(command)) {
-      code.line("[[deprecated(", lock::quoted(command.lifecycle.deprecated), ")]]");
-    }
+    emitDeprecation(code, command);
     code.line(memberType(context, interface, command), " ", command.name, "{", kBreakText,
               "*this, static_cast<std::uint16_t>(Id::", command.name, ")};");
   }

@@ -190,6 +190,7 @@ constexpr char kArmDescription[] = R"json({
     {
       "name": "servo_cp",
       "kind": "write",
+      "wire": "servoCp",
       "doc": "Follow the goal.",
       "parameters": [
         {
@@ -207,6 +208,7 @@ constexpr char kArmDescription[] = R"json({
     {
       "name": "set_speed",
       "kind": "write",
+      "wire": "setSpeed",
       "parameters": [
         {
           "name": "speed",
@@ -221,6 +223,7 @@ constexpr char kArmDescription[] = R"json({
     {
       "name": "measured_cp",
       "kind": "read",
+      "wire": "measuredCp",
       "result": {
         "type": {
           "kind": "struct",
@@ -254,6 +257,7 @@ constexpr char kArmDescription[] = R"json({
     {
       "name": "inverse_kinematics",
       "kind": "qualified read",
+      "wire": "inverseKinematics",
       "parameters": [
         {
           "name": "x",
@@ -311,6 +315,7 @@ constexpr char kArmDescription[] = R"json({
     {
       "name": "next_token",
       "kind": "void with return",
+      "wire": "nextToken",
       "result": {
         "type": {
           "kind": "UInt32"
@@ -343,6 +348,7 @@ constexpr char kArmDescription[] = R"json({
     {
       "name": "mode_changed",
       "kind": "write",
+      "wire": "modeChanged",
       "payload": {
         "type": {
           "kind": "enum",
@@ -406,16 +412,19 @@ constexpr char kArmDescription[] = R"json({
       "enumerators": [
         {
           "name": "Disabled",
-          "value": -1
+          "value": -1,
+          "wire": "disabled"
         },
         {
           "name": "HoldStill",
           "value": 4,
+          "wire": "holdStill",
           "doc": "Brakes off, set-point frozen."
         },
         {
           "name": "Servo",
-          "value": 2
+          "value": 2,
+          "wire": "servo"
         }
       ]
     }

@@ -205,6 +205,7 @@ constexpr char kGripperDescription[] = R"json({
     {
       "name": "servo_cp",
       "kind": "write",
+      "wire": "servoCp",
       "doc": "Follow the goal.",
       "parameters": [
         {
@@ -223,6 +224,7 @@ constexpr char kGripperDescription[] = R"json({
     {
       "name": "set_speed",
       "kind": "write",
+      "wire": "setSpeed",
       "parameters": [
         {
           "name": "speed",
@@ -238,6 +240,7 @@ constexpr char kGripperDescription[] = R"json({
     {
       "name": "measured_cp",
       "kind": "read",
+      "wire": "measuredCp",
       "result": {
         "type": {
           "kind": "struct",
@@ -274,6 +277,7 @@ constexpr char kGripperDescription[] = R"json({
     {
       "name": "inverse_kinematics",
       "kind": "qualified read",
+      "wire": "inverseKinematics",
       "parameters": [
         {
           "name": "x",
@@ -333,6 +337,7 @@ constexpr char kGripperDescription[] = R"json({
     {
       "name": "next_token",
       "kind": "void with return",
+      "wire": "nextToken",
       "result": {
         "type": {
           "kind": "UInt32"
@@ -412,6 +417,7 @@ constexpr char kGripperDescription[] = R"json({
     {
       "name": "mode_changed",
       "kind": "write",
+      "wire": "modeChanged",
       "payload": {
         "type": {
           "kind": "enum",
@@ -499,16 +505,19 @@ constexpr char kGripperDescription[] = R"json({
       "enumerators": [
         {
           "name": "Disabled",
-          "value": -1
+          "value": -1,
+          "wire": "disabled"
         },
         {
           "name": "HoldStill",
           "value": 4,
+          "wire": "holdStill",
           "doc": "Brakes off, set-point frozen."
         },
         {
           "name": "Servo",
-          "value": 2
+          "value": 2,
+          "wire": "servo"
         }
       ]
     }
@@ -795,6 +804,7 @@ constexpr char kNamesDescription[] = R"json({
     {
       "name": "name",
       "kind": "write with return",
+      "wire": "title",
       "parameters": [
         {
           "name": "range",

@@ -265,15 +265,18 @@ constexpr char kStoreDescription[] = R"json({
         {
           "name": "Unknown",
           "value": -1,
+          "wire": "unknown",
           "fallback": true
         },
         {
           "name": "Low",
-          "value": 10
+          "value": 10,
+          "wire": "low"
         },
         {
           "name": "High",
-          "value": 300
+          "value": 300,
+          "wire": "high"
         }
       ]
     }
