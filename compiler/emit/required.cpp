@@ -38,41 +38,42 @@ std::string memberType(const Context& context, const model::Interface& interface
 }
 
 template <class Member>
-bool isDeprecated(const Member& member) {
-  return !member.lifecycle.deprecated.empty();
+bool isDeprecated(const Member* member) {
+  return !member->lifecycle.deprecated.empty();
+}
+
+template <class Member>
+void emitDeprecation(Code& code, const Member* member) {
+  if (!isDeprecated(member)) return;
+  code.line("[[deprecated(", lock::quoted(member->lifecycle.deprecated), ")]]");
 }
 
 /// A constructor initialises all members, and shall not be warned of those that users should not
 /// use.
 template <class Member, class EmitConstructor>
-void withoutWarning(Code& code, const std::vector<Member>& members, const EmitConstructor& emitIt) {
+void withoutWarning(Code& code, const std::vector<const Member*>& members,
+                    const EmitConstructor& emitIt) {
   const bool quiet = std::any_of(members.begin(), members.end(), isDeprecated<Member>);
   if (quiet) code.verbatim("#pragma GCC diagnostic push\n");
   if (quiet) code.verbatim("#pragma GCC diagnostic ignored \"-Wdeprecated-declarations\"\n");
   emitIt();
   if (quiet) code.verbatim("#pragma GCC diagnostic pop\n");
-  code.blank();
-}
-
-template <class Member>
-void emitDeprecation(Code& code, const Member& member) {
-  if (!isDeprecated(member)) return;
-  code.line("[[deprecated(", lock::quoted(member.lifecycle.deprecated), ")]]");
 }
 
 void emitEvents(Code& code, const Context& context, const model::Interface& interface) {
+  const std::string base = baseClass("Required", interface);
   code.blank().line("/// The events of ", interface.name, ", to subscribe to.");
-  code.open("struct Events {");
-  withoutWarning(code, interface.events, [&] {
-    emitEventConstructor(code, interface, "RequiredBase& required", "required");
+  emitEventsHead(code, interface, base);
+  withoutWarning(code, ownEvents(interface), [&] {
+    emitEventConstructor(code, interface, base, "RequiredBase& required", "required");
   });
-  for (const model::Event& event : interface.events) {
-    code.doc(event.doc.text);
+  code.blank();
+  for (const model::Event* const event : ownEvents(interface)) {
+    code.doc(event->doc.text);
     emitDeprecation(code, event);
-    code.line("Subscription<", eventArguments(context, interface, event), "> ", event.name, ";");
+    code.line("Subscription<", eventArguments(context, interface, *event), "> ", event->name, ";");
   }
   code.close("};").line("Events& on() { return events_; }");
-  code.blank().label("private:").line("Events events_{*this};");
 }
 
 /// A parameter's name that hides no command.
@@ -85,9 +86,19 @@ std::string freeName(std::string name, const model::Interface& interface) {
 
 void emitConstructor(Code& code, const model::Interface& interface) {
   const std::string owner = freeName("owner", interface), name = freeName("name", interface);
-  withoutWarning(code, interface.commands, [&] {
-    code.line("Required(Component& ", owner, ", std::string_view ", name, ")");
-    code.line("    : RequiredBase(", owner, ", ", name, ", interfaceInfo<Contract>()) {}");
+  code.line("Required(Component& ", owner, ", std::string_view ", name, ")");
+  code.line("    : Required(", owner, ", ", name, ", interfaceInfo<Contract>()) {}").blank();
+}
+
+void emitProtectedConstructor(Code& code, const model::Interface& interface) {
+  const std::string owner = freeName("owner", interface), name = freeName("name", interface),
+                    info = freeName("info", interface);
+  code.blank().label("protected:").line("// Of a contract that derives from this one.");
+  withoutWarning(code, ownCommands(interface), [&] {
+    code.line("Required(Component& ", owner, ", ", kBreakText, "std::string_view ", name, ", ",
+              kBreakText, "const InterfaceInfo& ", info, ")");
+    code.line("    : ", baseClass("Required", interface), "(", owner, ", ", name, ", ", info,
+              ") {}");
   });
 }
 
@@ -95,18 +106,22 @@ void emitConstructor(Code& code, const model::Interface& interface) {
 
 void emitRequired(Code& code, const Context& context, const model::Interface& interface) {
   code.line("/// What a client of ", interface.name, " calls.").line("template <>");
-  code.open("class Required<", interface.name, "> final : public RequiredBase {");
+  code.open("class Required<", interface.name, "> : public ", baseClass("Required", interface),
+            " {");
   code.line("using Contract = ", interface.name, ";");
   emitNumberAliases(code, interface);
   code.blank().label("public:");
   emitConstructor(code, interface);
-  for (const model::Command& command : interface.commands) {
-    code.doc(command.doc.text);
+  for (const model::Command* const command : ownCommands(interface)) {
+    code.doc(command->doc.text);
     emitDeprecation(code, command);
-    code.line(memberType(context, interface, command), " ", command.name, "{", kBreakText,
-              "*this, static_cast<std::uint16_t>(Id::", command.name, ")};");
+    code.line(memberType(context, interface, *command), " ", command->name, "{", kBreakText,
+              "*this, static_cast<std::uint16_t>(Id::", command->name, ")};");
   }
-  if (!interface.events.empty()) emitEvents(code, context, interface);
+  const bool events = !ownEvents(interface).empty();
+  if (events) emitEvents(code, context, interface);
+  emitProtectedConstructor(code, interface);
+  if (events) code.blank().label("private:").line("Events events_{*this};");
   code.close("};").blank();
 }
 

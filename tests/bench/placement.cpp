@@ -1,0 +1,48 @@
+#include "bench/placement.h"
+
+#include <suture/base/errors.h>
+#include <suture/rt/thread.h>
+
+#include <thread>
+
+namespace bench {
+namespace {
+
+std::optional<int> lastAllowed(int except) {
+  cpu_set_t allowed;
+  CPU_ZERO(&allowed);
+  sched_getaffinity(0, sizeof(allowed), &allowed);
+  std::optional<int> last;
+  for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
+    if (cpu != except && CPU_ISSET(cpu, &allowed)) last = cpu;
+  }
+  return last;
+}
+
+}  // namespace
+
+Pinned::Pinned(std::optional<int> cpu) {
+  sched_getaffinity(0, sizeof(before_), &before_);
+  if (cpu) suture::rt::configureThisThread("suture-bench", {.cpu = cpu});
+}
+
+Pinned::~Pinned() { sched_setaffinity(0, sizeof(before_), &before_); }
+
+int preferredCpu() { return lastAllowed(-1).value_or(0); }
+
+int cpuBeside(int cpu) { return lastAllowed(cpu).value_or(cpu); }
+
+std::string whyNotFifo(int priority) {
+  std::string reason;
+  std::thread probe([&] {
+    try {
+      suture::rt::configureThisThread("probe", {.fifoPriority = priority});
+    } catch (const suture::SetupError& error) {
+      reason = error.what();
+    }
+  });
+  probe.join();
+  return reason;
+}
+
+}  // namespace bench
