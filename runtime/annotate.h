@@ -110,6 +110,9 @@ struct Skip {
 struct Fallback {
   bool set;
 };
+struct Bulk {
+  bool set;
+};
 template <class Pointer, class... Arguments>
 struct Member : Arguments... {
   Pointer pointer;
@@ -149,7 +152,7 @@ consteval Direct direct() { return {true}; }
 consteval Crtk crtk() { return {true}; }
 /// The major version of a contract: two of them do not connect.
 consteval Version version(unsigned number) { return {number}; }
-/// The version of the contract that this came with.
+/// The version that this came with: of its contract, or of what the project calls one.
 consteval Since since(unsigned version) { return {version}; }
 /// Who still uses this is warned by the compiler, with the reason.
 consteval Deprecated deprecated(const char* why) { return {why}; }
@@ -159,6 +162,9 @@ consteval MaxAge max_age(Nanoseconds age) { return {age.count()}; }
 consteval Skip skip() { return {true}; }
 /// Of an enumerator: a receiver takes it for every one that it does not know.
 consteval Fallback fallback() { return {true}; }
+/// Of a list or matrix of numbers: it travels as one block of little-endian bytes, which is faster
+/// to copy and which no other language reads without knowing so.
+consteval Bulk bulk() { return {true}; }
 /// A member of an external type, with what else would stand in its SUTURE_FIELD.
 template <class Pointer, class... Arguments>
 consteval Member<Pointer, Arguments...> member(Pointer pointer, Arguments... arguments) {

@@ -41,6 +41,7 @@ model::Diagnostics check(const model::Model& model) {
     checkNumbers(header, findings);
     checkQueues(header, findings);
     checkContracts(header, findings);
+    checkLifecycles(header, lookup, findings);
     checkCrtk(header, lookup, findings);
     checkComponents(header, findings);
     checkLimits(header, lookup, findings);

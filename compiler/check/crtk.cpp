@@ -196,9 +196,13 @@ class Conformity {
     const bool read = command.kind == model::CommandKind::Read;
     const bool isConst = read || command.kind == model::CommandKind::QualifiedRead;
     if (meaning->role == Role::Query && !read) {
-      addError(findings_, command.source, "crtk-query",
-               subject + " is a CRTK query but not a const method without parameters",
-               "declare it as 'virtual ... " + command.name + "() const = 0'");
+      model::Diagnostic& finding =
+          addError(findings_, command.source, "crtk-query",
+                   subject + " is a CRTK query but not a const method without parameters",
+                   "declare it as 'virtual ... " + command.name + "() const = 0'");
+      if (!isConst && command.parameters.empty()) {
+        finding.fixes = {{command.signature, model::Fix::Place::After, " const"}};
+      }
     } else if (meaning->role == Role::Motion && (isConst || command.parameters.empty())) {
       addError(
           findings_, command.source, "crtk-motion",

@@ -42,8 +42,9 @@ void checkInterface(const model::Interface& interface, Rule& rule) {
                command.source);
   }
   for (const model::Event& event : interface.events) {
-    rule.apply("the payload of '" + event.name + "'", event.payloadUnit, event.payloadRange,
-               event.source);
+    for (const model::Limits& limits : event.limits) {
+      rule.apply("the payload of '" + event.name + "'", limits.unit, limits.range, event.source);
+    }
   }
 }
 

@@ -23,6 +23,10 @@ void checkQueues(const model::Header& header, model::Diagnostics& findings);
 /// that generated code needs for itself.
 void checkContracts(const model::Header& header, model::Diagnostics& findings);
 
+/// since() and deprecated() of types: versions count from 1, and what is new avoids what is old.
+void checkLifecycles(const model::Header& header, const model::Lookup& lookup,
+                     model::Diagnostics& findings);
+
 /// Contracts that say crtk(): names by its grammar, payloads by its table.
 void checkCrtk(const model::Header& header, const model::Lookup& lookup,
                model::Diagnostics& findings);

@@ -64,7 +64,7 @@ function(suture_run_compiler suturec target base generated lock_dirs stems)
   foreach(stem IN LISTS stems)
     list(APPEND headers ${base}/${stem}.h)
     list(APPEND outputs ${generated}/${stem}.suture.h ${generated}/${stem}.suture.cpp
-      ${generated}/${stem}.suture.json ${generated}/${stem}.capnp)
+      ${generated}/${stem}.suture.json ${generated}/${stem}.suture.md ${generated}/${stem}.capnp)
   endforeach()
   add_custom_command(
     OUTPUT ${work}.stamp

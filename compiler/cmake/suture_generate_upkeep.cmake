@@ -9,7 +9,7 @@ function(suture_register_upkeep suturec target stems)
     ${CMAKE_CURRENT_BINARY_DIR}/${target}.suture.rsp)
   foreach(stem IN LISTS stems)
     set_property(GLOBAL APPEND PROPERTY SUTURE_UPKEEP_FILES
-      ${stem}.suture.h ${stem}.suture.cpp ${stem}.suture.json)
+      ${stem}.suture.h ${stem}.suture.cpp ${stem}.suture.json ${stem}.suture.md)
   endforeach()
   get_property(deferred GLOBAL PROPERTY SUTURE_UPKEEP_DEFERRED)
   if(NOT deferred)

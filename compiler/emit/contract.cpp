@@ -46,7 +46,6 @@ void emitEventConstructor(Code& code, const model::Interface& interface, const s
               event == events.back() ? " {}" : ",");
     lead = "      ";
   }
-  code.blank();
 }
 
 void emitNumberAliases(Code& code, const model::Interface& interface) {

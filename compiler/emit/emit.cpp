@@ -8,6 +8,7 @@
 #include "compiler/emit/context.h"
 #include "compiler/emit/converters.h"
 #include "compiler/emit/order.h"
+#include "compiler/emit/page.h"
 #include "compiler/emit/parts.h"
 #include "compiler/emit/readers.h"
 #include "compiler/emit/remote.h"
@@ -83,8 +84,12 @@ std::string headerFile(const Context& context) {
   inNamespace(code, context.header.cxxNamespace, [&](Code& inner) {
     emitSlots(inner, context);
     forEachInterface(inner, context, emitArguments);
-    emitReaderDeclarations(inner, context);
+    emitReaderDeclarations(inner, context, context.header.cxxNamespace);
   });
+  for (const std::string& home : readerNamespaces(context)) {
+    if (home == context.header.cxxNamespace) continue;
+    inNamespace(code, home, [&](Code& inner) { emitReaderDeclarations(inner, context, home); });
+  }
   inNamespace(code, "suture", [&](Code& inner) {
     for (const model::Interface& one : context.header.interfaces) {
       inner.line("template <>");
@@ -179,6 +184,7 @@ std::vector<Artefact> emit(const model::Model& declared, const lock::Locks& lock
     artefacts.push_back({stem + ".suture.h", headerFile(context)});
     artefacts.push_back({stem + ".suture.cpp", sourceFile(context)});
     artefacts.push_back({stem + ".suture.json", emitJson(context)});
+    artefacts.push_back({stem + ".suture.md", emitPage(context)});
   }
   return artefacts;
 }

@@ -1,12 +1,13 @@
 // The self-description: what the header declares, for people and for tools.
 
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "compiler/emit/parts.h"
+#include "compiler/emit/reached.h"
 #include "compiler/lock/majors.h"
 #include "compiler/lock/wanted.h"
 #include "compiler/lock/wire_type.h"
+#include "compiler/model/naming.h"
 
 namespace suture::compiler::emit {
 namespace {
@@ -92,24 +93,45 @@ Json typeOf(const Type& type) {
   return compositeOf(type);
 }
 
+/// The numbers of bulk() are one block of bytes on the wire.
+Json wireTypeOf(const Type& type) {
+  Json json = typeOf(type);
+  if (type.bulk) json["bulk"] = true;
+  return json;
+}
+
 void addDoc(Json& json, const model::Documentation& doc) {
   if (!doc.text.empty()) json["doc"] = doc.text;
 }
 
 void addValue(Json& json, const Type& type, const std::string& unit, const Bounds& range) {
-  json["type"] = typeOf(type);
+  json["type"] = wireTypeOf(type);
   if (!unit.empty()) json["unit"] = unit;
   if (range) json["range"] = {range->first, range->second};
 }
 
+void addLifecycle(Json& json, const model::Lifecycle& lifecycle) {
+  if (lifecycle.since) json["since"] = *lifecycle.since;
+  if (!lifecycle.deprecated.empty()) json["deprecated"] = lifecycle.deprecated;
+}
+
+/// What the schema calls it, where that is not its name.
+void addWireName(Json& json, const std::string& name, const std::string& wireName) {
+  if (name != wireName) json["wire"] = wireName;
+}
+
 Json enumOf(const model::Enum& declaration) {
   Json json{{"name", declaration.name}};
+  addWireName(json, model::unqualified(declaration.name), declaration.wireName);
   addDoc(json, declaration.doc);
+  addLifecycle(json, declaration.lifecycle);
   json["underlying"] = scalarName(declaration.underlying);
   for (const model::Enumerator& enumerator : declaration.enumerators) {
     Json one{{"name", enumerator.name}, {"value", enumerator.value}};
+    addWireName(one, enumerator.name, enumerator.wireName);
     if (enumerator.fallback) one["fallback"] = true;
     addDoc(one, enumerator.doc);
+    addLifecycle(one, enumerator.lifecycle);
     json["enumerators"].push_back(std::move(one));
   }
   return json;
@@ -117,12 +139,16 @@ Json enumOf(const model::Enum& declaration) {
 
 Json structOf(const model::Struct& declaration) {
   Json json{{"name", declaration.name}};
+  addWireName(json, model::unqualified(declaration.name), declaration.wireName);
   addDoc(json, declaration.doc);
+  addLifecycle(json, declaration.lifecycle);
   json["fields"] = Json::array();
   for (const model::Field& field : declaration.fields) {
     Json one{{"name", field.name}};
+    addWireName(one, field.name, field.wireName);
     addDoc(one, field.doc);
     addValue(one, field.type, field.unit, field.range);
+    addLifecycle(one, field.lifecycle);
     if (!field.defaultJson.empty()) one["default"] = Json::parse(field.defaultJson);
     json["fields"].push_back(std::move(one));
   }
@@ -146,15 +172,16 @@ double seconds(std::int64_t nanoseconds) { return static_cast<double>(nanosecond
 /// Which contract declared it, since when, and whether it is on its way out.
 void addOrigin(Json& json, const std::string& inheritedFrom, const model::Lifecycle& lifecycle) {
   if (!inheritedFrom.empty()) json["from"] = inheritedFrom;
-  if (lifecycle.since) json["since"] = *lifecycle.since;
-  if (!lifecycle.deprecated.empty()) json["deprecated"] = lifecycle.deprecated;
+  addLifecycle(json, lifecycle);
 }
 
 Json commandOf(const model::Command& command) {
   Json json{{"name", command.name}, {"kind", kindName(command.kind)}};
+  addWireName(json, command.name, command.wireName);
   addDoc(json, command.doc);
   for (const model::Parameter& parameter : command.parameters) {
     Json one{{"name", parameter.name}};
+    addWireName(one, parameter.name, parameter.wireName);
     addValue(one, parameter.type, parameter.unit, parameter.range);
     json["parameters"].push_back(std::move(one));
   }
@@ -174,14 +201,18 @@ Json commandOf(const model::Command& command) {
 
 Json eventOf(const model::Event& event) {
   Json json{{"name", event.name}, {"kind", event.payload.empty() ? "void" : "write"}};
+  addWireName(json, event.name, event.wireName);
   addDoc(json, event.doc);
-  if (event.payload.size() == 1) {
-    addValue(json["payload"], event.payload[0], event.payloadUnit, event.payloadRange);
-  }
-  for (std::size_t i = 0; event.payload.size() > 1 && i < event.payload.size(); ++i) {
-    Json one{{"name", lock::payloadName(i)}};
-    addValue(one, event.payload[i], "", std::nullopt);
-    json["payload"].push_back(std::move(one));
+  for (std::size_t i = 0; i < event.payload.size(); ++i) {
+    const model::Limits limits = i < event.limits.size() ? event.limits[i] : model::Limits{};
+    const bool alone = event.payload.size() == 1;
+    Json one = alone ? Json::object() : Json{{"name", lock::payloadName(i)}};
+    addValue(one, event.payload[i], limits.unit, limits.range);
+    if (alone) {
+      json["payload"] = std::move(one);
+    } else {
+      json["payload"].push_back(std::move(one));
+    }
   }
   json["queue"] = event.queue;
   if (event.latest) json["latest"] = true;
@@ -192,6 +223,7 @@ Json eventOf(const model::Event& event) {
 
 Json interfaceOf(const model::Interface& interface, const Context& context) {
   Json json{{"name", interface.name}};
+  addWireName(json, model::unqualified(interface.name), interface.wireName);
   addDoc(json, interface.doc);
   json["hash"] = context.hashes.at(interface.name);
   const std::string& core = context.cores.at(interface.name);
@@ -226,29 +258,6 @@ Json componentOf(const model::Component& component) {
   return json;
 }
 
-/// The declared types that an interface reaches, each once, users after what they use.
-class Reached {
- public:
-  explicit Reached(const model::Lookup& lookup) : lookup_(lookup) {}
-
-  void add(const Type& type) {
-    for (const Type& element : type.element) add(element);
-    if (type.name.empty() || !seen_.insert(type.name).second) return;
-    if (const model::Enum* const one = lookup_.findEnum(type.name)) enums.push_back(enumOf(*one));
-    if (const model::Struct* const one = lookup_.findStruct(type.name)) {
-      for (const model::Field& field : one->fields) add(field.type);
-      structs.push_back(structOf(*one));
-    }
-  }
-
-  Json enums = Json::array();
-  Json structs = Json::array();
-
- private:
-  const model::Lookup& lookup_;
-  std::set<std::string> seen_;
-};
-
 template <class Declarations, class Describe>
 void addAll(Json& json, const char* key, const Declarations& declarations,
             const Describe& describeOne) {
@@ -261,6 +270,7 @@ void addAll(Json& json, const char* key, const Declarations& declarations,
 std::string emitJson(const Context& context) {
   const model::Header& header = context.header;
   Json json{{"header", header.path}, {"namespace", header.cxxNamespace}};
+  if (lock::needsLock(header)) json["schema"] = lock::lockPath(header.path);
   addAll(json, "enums", header.enums, enumOf);
   addAll(json, "structs", header.structs, structOf);
   addAll(json, "interfaces", header.interfaces,
@@ -271,16 +281,14 @@ std::string emitJson(const Context& context) {
 
 std::string describe(const Context& context, const model::Interface& interface) {
   Reached reached(context.lookup);
-  for (const model::Command& command : interface.commands) {
-    for (const model::Parameter& parameter : command.parameters) reached.add(parameter.type);
-    if (command.result) reached.add(*command.result);
-  }
-  for (const model::Event& event : interface.events) {
-    for (const Type& type : event.payload) reached.add(type);
-  }
+  reached.add(interface);
   Json json = interfaceOf(interface, context);
-  json["enums"] = reached.enums;
-  json["structs"] = reached.structs;
+  json["enums"] = Json::array();
+  json["structs"] = Json::array();
+  for (const model::Enum* const one : reached.enums()) json["enums"].push_back(enumOf(*one));
+  for (const model::Struct* const one : reached.structs()) {
+    json["structs"].push_back(structOf(*one));
+  }
   return json.dump(2);
 }
 

@@ -9,6 +9,7 @@ void emitEvents(Code& code, const Context& context, const model::Interface& inte
   code.blank().line("/// The events of ", interface.name, ", to emit.");
   emitEventsHead(code, interface, base);
   emitEventConstructor(code, interface, base, "ProvidedBase& provided", "provided");
+  code.blank();
   for (const model::Event* const event : ownEvents(interface)) {
     code.doc(event->doc.text);
     code.line("Emitter<", eventArguments(context, interface, *event), "> ", event->name, ";");

@@ -125,8 +125,9 @@ void emitClass(Code& code, const model::Component& component) {
     code.line(indent, "JsonReader none = parameters;").line(indent, "none.finish();");
   }
   code.line(indent, "if (parameters.failed()) return nullptr;");
-  code.line(indent, "return std::make_unique<", component.name,
-            component.parameters ? ">(values);" : ">();");
+  // Not make_unique(): of a component that lacks a command, a compiler then says so right here.
+  code.line(indent, "return std::unique_ptr<Component>(new ", component.name,
+            component.parameters ? "(values));" : "());");
   code.line("        }};").close("}").blank();
 }
 
@@ -138,12 +139,22 @@ bool hasReaders(const model::Header& header) {
       [&](const model::Struct& declaration) { return isDeclared(declaration.name, header); });
 }
 
-void emitReaderDeclarations(Code& code, const Context& context) {
+std::set<std::string> readerNamespaces(const Context& context) {
+  std::set<std::string> spaces;
   for (const model::Struct& declaration : context.header.structs) {
     if (!isDeclared(declaration.name, context.header)) continue;
+    spaces.insert(namespaceFor(declaration.name, context));
+  }
+  return spaces;
+}
+
+void emitReaderDeclarations(Code& code, const Context& context, const std::string& home) {
+  for (const model::Struct& declaration : context.header.structs) {
+    if (!isDeclared(declaration.name, context.header)) continue;
+    if (namespaceFor(declaration.name, context) != home) continue;
     code.doc("Reads what `in` says into `value`; what it does not mention keeps its default.");
-    code.line("void fromJson(const suture::JsonReader& in, ",
-              relative(declaration.name, context.header.cxxNamespace), "& value);");
+    code.line("void fromJson(const suture::JsonReader& in, ", relative(declaration.name, home),
+              "& value);");
     code.blank();
   }
 }

@@ -5,6 +5,9 @@
 // the generated header. Whatever else parameters are made of, here or in other headers, has an
 // inline fromJson() in each generated source that needs it, equal everywhere.
 
+#include <set>
+#include <string>
+
 #include "compiler/emit/code.h"
 #include "compiler/emit/context.h"
 
@@ -13,8 +16,12 @@ namespace suture::compiler::emit {
 /// Does the header declare a component's parameters?
 bool hasReaders(const model::Header& header);
 
-/// The declarations of those readers, for the generated header.
-void emitReaderDeclarations(Code& code, const Context& context);
+/// The namespaces of those readers: the header's own, and that of somebody else's type that it
+/// lists.
+std::set<std::string> readerNamespaces(const Context& context);
+
+/// The declarations of those readers in namespace `home`, for the generated header.
+void emitReaderDeclarations(Code& code, const Context& context, const std::string& home);
 
 /// The definitions of the readers of everything that the header's components are configured with.
 void emitReaders(Code& code, const Context& context);

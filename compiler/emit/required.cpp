@@ -37,19 +37,44 @@ std::string memberType(const Context& context, const model::Interface& interface
   return "";
 }
 
+template <class Member>
+bool isDeprecated(const Member* member) {
+  return !member->lifecycle.deprecated.empty();
+}
+
+template <class Member>
+void emitDeprecation(Code& code, const Member* member) {
+  if (!isDeprecated(member)) return;
+  code.line("[[deprecated(", lock::quoted(member->lifecycle.deprecated), ")]]");
+}
+
+/// A constructor initialises all members, and shall not be warned of those that users should not
+/// use.
+template <class Member, class EmitConstructor>
+void withoutWarning(Code& code, const std::vector<const Member*>& members,
+                    const EmitConstructor& emitIt) {
+  const bool quiet = std::any_of(members.begin(), members.end(), isDeprecated<Member>);
+  if (quiet) code.verbatim("#pragma GCC diagnostic push\n");
+  if (quiet) code.verbatim("#pragma GCC diagnostic ignored \"-Wdeprecated-declarations\"\n");
+  emitIt();
+  if (quiet) code.verbatim("#pragma GCC diagnostic pop\n");
+}
+
 void emitEvents(Code& code, const Context& context, const model::Interface& interface) {
   const std::string base = baseClass("Required", interface);
   code.blank().line("/// The events of ", interface.name, ", to subscribe to.");
   emitEventsHead(code, interface, base);
-  emitEventConstructor(code, interface, base, "RequiredBase& required", "required");
+  withoutWarning(code, ownEvents(interface), [&] {
+    emitEventConstructor(code, interface, base, "RequiredBase& required", "required");
+  });
+  code.blank();
   for (const model::Event* const event : ownEvents(interface)) {
     code.doc(event->doc.text);
+    emitDeprecation(code, event);
     code.line("Subscription<", eventArguments(context, interface, *event), "> ", event->name, ";");
   }
   code.close("};").line("Events& on() { return events_; }");
 }
-
-bool isDeprecated(const model::Command* command) { return !command->lifecycle.deprecated.empty(); }
 
 /// A parameter's name that hides no command.
 std::string freeName(std::string name, const model::Interface& interface) {
@@ -65,19 +90,16 @@ void emitConstructor(Code& code, const model::Interface& interface) {
   code.line("    : Required(", owner, ", ", name, ", interfaceInfo<Contract>()) {}").blank();
 }
 
-/// It initialises all members, and shall not be warned of those that users should not use.
 void emitProtectedConstructor(Code& code, const model::Interface& interface) {
-  const auto own = ownCommands(interface);
-  const bool quiet = std::any_of(own.begin(), own.end(), isDeprecated);
   const std::string owner = freeName("owner", interface), name = freeName("name", interface),
                     info = freeName("info", interface);
   code.blank().label("protected:").line("// Of a contract that derives from this one.");
-  if (quiet) code.verbatim("#pragma GCC diagnostic push\n");
-  if (quiet) code.verbatim("#pragma GCC diagnostic ignored \"-Wdeprecated-declarations\"\n");
-  code.line("Required(Component& ", owner, ", ", kBreakText, "std::string_view ", name, ", ",
-            kBreakText, "const InterfaceInfo& ", info, ")");
-  code.line("    : ", baseClass("Required", interface), "(", owner, ", ", name, ", ", info, ") {}");
-  if (quiet) code.verbatim("#pragma GCC diagnostic pop\n");
+  withoutWarning(code, ownCommands(interface), [&] {
+    code.line("Required(Component& ", owner, ", ", kBreakText, "std::string_view ", name, ", ",
+              kBreakText, "const InterfaceInfo& ", info, ")");
+    code.line("    : ", baseClass("Required", interface), "(", owner, ", ", name, ", ", info,
+              ") {}");
+  });
 }
 
 }  // namespace
@@ -92,9 +114,7 @@ void emitRequired(Code& code, const Context& context, const model::Interface& in
   emitConstructor(code, interface);
   for (const model::Command* const command : ownCommands(interface)) {
     code.doc(command->doc.text);
-    if (isDeprecated(command)) {
-      code.line("[[deprecated(", lock::quoted(command->lifecycle.deprecated), ")]]");
-    }
+    emitDeprecation(code, command);
     code.line(memberType(context, interface, *command), " ", command->name, "{", kBreakText,
               "*this, static_cast<std::uint16_t>(Id::", command->name, ")};");
   }

@@ -79,6 +79,13 @@ std::string lengthOf(const Type& type, const std::string& slot) {
   return slot + ".size * " + std::to_string(type.element.front().rows);
 }
 
+/// A block of bytes is as long as its numbers are.
+std::string bulkFactor(const Type& type) {
+  const model::Scalar scalar = type.element.empty() ? type.scalar : type.element[0].scalar;
+  const bool bytes = scalar == model::Scalar::UInt8 || scalar == model::Scalar::Int8;
+  return type.bulk && !bytes ? " * sizeof(" + cxxScalar(scalar) + ")" : "";
+}
+
 /// Where a value goes: a field of a struct builder, or element i of a list builder.
 class Target {
  public:
@@ -122,7 +129,7 @@ std::string encodeInto(const Type& type, const std::string& slot, const Target& 
     return target.set(isBool ? slot + " != 0" : slot);
   }
   if (type.shape == Shape::Nothing) return target.set("");
-  const std::string list = target.init(lengthOf(type, slot));
+  const std::string list = target.init(lengthOf(type, slot) + bulkFactor(type));
   if (lock::isFlatList(type)) return "suture::rpc::toWireFlat(" + slot + ", " + kBreak + list + ")";
   if (!isSequence(type) || isPlainSequence(type)) {
     return "toWire(" + slot + ", " + kBreak + list + ")";
@@ -200,8 +207,9 @@ std::string enumEncoder(const std::string& enumName, const Context& context) {
 std::vector<WireValue> payloadValues(const model::Event& event) {
   std::vector<WireValue> values;
   for (std::size_t i = 0; i < event.payload.size(); ++i) {
+    const auto range = i < event.limits.size() ? event.limits[i].range : std::nullopt;
     values.push_back(
-        {event.payload[i], lock::payloadName(i), payloadMember(event, "slot", i), std::nullopt});
+        {event.payload[i], lock::payloadName(i), payloadMember(event, "slot", i), range});
   }
   return values;
 }

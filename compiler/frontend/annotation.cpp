@@ -19,9 +19,10 @@ struct KindInfo {
 };
 
 constexpr std::array kKinds{
-    KindInfo{Kind::Type, "suture::type", "SUTURE_TYPE", "name()"},
+    KindInfo{Kind::Type, "suture::type", "SUTURE_TYPE", "name(), was(), since(), deprecated()"},
     KindInfo{Kind::Field, "suture::field", "SUTURE_FIELD",
-             "unit(), range(), capacity(), name(), was(), skip(), fallback()"},
+             "unit(), range(), capacity(), bulk(), name(), was(), since(), deprecated(), skip(), "
+             "fallback()"},
     KindInfo{Kind::Interface, "suture::interface", "SUTURE_INTERFACE",
              "crtk(), version(), name(), was(), since(), deprecated()"},
     KindInfo{Kind::Command, "suture::command", "SUTURE_COMMAND",
@@ -160,6 +161,7 @@ class Reader {
     if (name == "direct") return &result_.direct;
     if (name == "skip") return &result_.skip;
     if (name == "fallback") return &result_.fallback;
+    if (name == "bulk") return &result_.bulk;
     return name == "crtk" ? &result_.crtk : nullptr;
   }
 
@@ -237,6 +239,19 @@ bool isAnnotated(const clang::Decl* declaration, Kind kind) {
     if (found == kind) return true;
   }
   return false;
+}
+
+std::vector<Annotation> readEach(const clang::Decl* declaration, Kind kind,
+                                 std::vector<AnnotationProblem>& problems) {
+  std::vector<Annotation> all;
+  for (const auto* attribute : declaration->specific_attrs<clang::AnnotateAttr>()) {
+    const KindInfo* info = infoOf(attribute);
+    if (!info || info->kind != kind) continue;
+    Reader reader(kind, problems);
+    reader.read(attribute);
+    all.push_back(std::move(reader).result());
+  }
+  return all;
 }
 
 Annotation readAnnotation(const clang::Decl* declaration, Kind kind,

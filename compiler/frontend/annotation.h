@@ -40,6 +40,7 @@ struct Annotation {
   bool crtk = false;
   bool skip = false;
   bool fallback = false;
+  bool bulk = false;
   unsigned arguments = 0;               ///< how many were given
   std::vector<ExternalMember> members;  ///< of an external type, as listed
 };
@@ -69,5 +70,9 @@ std::vector<Kind> annotationKinds(const clang::Decl* declaration);
 /// The annotation of that kind; a default one if there is none. Problems are appended.
 Annotation readAnnotation(const clang::Decl* declaration, Kind kind,
                           std::vector<AnnotationProblem>& problems);
+
+/// Where a macro may stand more than once: one annotation for each, in the order of the text.
+std::vector<Annotation> readEach(const clang::Decl* declaration, Kind kind,
+                                 std::vector<AnnotationProblem>& problems);
 
 }  // namespace suture::compiler::frontend

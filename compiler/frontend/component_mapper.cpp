@@ -58,6 +58,23 @@ const clang::ClassTemplateSpecializationDecl* instanceOf(const clang::FieldDecl*
       field->getType().getCanonicalType()->getAsCXXRecordDecl());
 }
 
+/// What is generated for a contract stands behind its header, and a component needs it before.
+void checkHome(const clang::FieldDecl* field, const clang::CXXRecordDecl* contract,
+               Mapping& mapping) {
+  const clang::SourceManager& sources = mapping.sources();
+  const auto fileOf = [&](const clang::Decl* declaration) {
+    return sources.getFileID(sources.getExpansionLoc(declaration->getLocation()));
+  };
+  if (fileOf(field) != fileOf(contract)) return;
+  mapping
+      .error(field, "contract-in-same-header",
+             "contract '" + contract->getNameAsString() + "' of " + quoted(field) +
+                 " is declared in the same header, before its " +
+                 instanceOf(field)->getNameAsString() + "<> can be generated",
+             "move the contract into a header of its own, and include that one's .suture.h here")
+      .notes.push_back({mapping.sourceOf(contract), "it is declared here"});
+}
+
 std::optional<model::Port> mapPort(const clang::FieldDecl* field, Mapping& mapping) {
   const auto* instance = instanceOf(field);
   if (!instance) return std::nullopt;
@@ -73,6 +90,7 @@ std::optional<model::Port> mapPort(const clang::FieldDecl* field, Mapping& mappi
         "annotate its definition with SUTURE_INTERFACE(), or name the contract it implements");
     return std::nullopt;
   }
+  checkHome(field, record, mapping);
   model::Port port;
   port.member = field->getNameAsString();
   port.name = portName(field->getInClassInitializer());
@@ -106,11 +124,15 @@ void applyDefaults(const Annotation& annotation, std::vector<model::Port>& ports
   }
 }
 
-/// The SUTURE_TYPE that a constructor takes as its only parameter.
-const clang::CXXRecordDecl* parametersOf(const clang::CXXConstructorDecl* constructor) {
-  if (constructor->getNumParams() != 1 || constructor->isCopyOrMoveConstructor()) return nullptr;
+/// The type that a constructor takes as its only parameter, if it has a wire form: qualified.
+std::optional<std::string> parametersOf(const clang::CXXConstructorDecl* constructor,
+                                        Mapping& mapping) {
+  if (constructor->getNumParams() != 1 || constructor->isCopyOrMoveConstructor()) return {};
   const auto* record = definitionOf(constructor->getParamDecl(0)->getType().getNonReferenceType());
-  return record && isAnnotated(record, Kind::Type) ? record : nullptr;
+  if (!record) return {};
+  if (const NamedTypes::Entry* named = mapping.names().find(record)) return named->name;
+  if (!isAnnotated(record, Kind::Type)) return {};
+  return qualifiedName(record);
 }
 
 void mapConstructor(const clang::CXXRecordDecl* declaration, model::Component& component,
@@ -119,14 +141,14 @@ void mapConstructor(const clang::CXXRecordDecl* declaration, model::Component& c
   for (const clang::CXXConstructorDecl* constructor : declaration->ctors()) {
     if (constructor->isDeleted() || constructor->getAccess() != clang::AS_public) continue;
     if (constructor->isDefaultConstructor()) byDefault = true;
-    const auto* parameters = parametersOf(constructor);
+    const auto parameters = parametersOf(constructor, mapping);
     if (!parameters) continue;
     if (component.parameters) {
       mapping.error(declaration, "component-constructor",
                     "component " + quoted(declaration) + " can be made from two parameter types",
                     "keep one constructor that takes a SUTURE_TYPE");
     }
-    component.parameters = qualifiedName(parameters);
+    component.parameters = parameters;
   }
   if (!component.parameters && !byDefault) {
     mapping.error(
@@ -151,6 +173,34 @@ std::vector<const clang::CXXMethodDecl*> pureMethodsOf(const clang::CXXRecordDec
   return pure;
 }
 
+/// "const Pose& measured_cp() const".
+std::string signatureOf(const clang::CXXMethodDecl* method, const clang::ASTContext& context) {
+  std::string parameters;
+  for (const clang::ParmVarDecl* parameter : method->parameters()) {
+    parameters += parameters.empty() ? "" : ", ";
+    std::string text = parameter->getNameAsString();
+    parameter->getType().getAsStringInternal(text, context.getPrintingPolicy());
+    parameters += text;
+  }
+  std::string text = method->getNameAsString() + "(" + parameters + ")";
+  if (method->isConst()) text += " const";
+  return spelled(method->getReturnType(), context) + " " + text;
+}
+
+void rejectMissing(const clang::CXXRecordDecl* component, const clang::CXXMethodDecl* method,
+                   Mapping& mapping) {
+  const std::string signature = signatureOf(method, mapping.context());
+  const clang::CXXRecordDecl* owner = method->getParent();
+  const bool contract = isAnnotated(owner, Kind::Interface);
+  mapping
+      .error(component, "abstract-component",
+             "component " + quoted(component) + " does not implement " +
+                 (contract ? "the command " : "the method ") + quoted(method) + " of " +
+                 (contract ? "contract '" : "class '") + qualifiedName(owner) + "'",
+             "declare and define '" + signature + " override'")
+      .notes.push_back({mapping.sourceOf(method), "it is declared here"});
+}
+
 }  // namespace
 
 bool isRequiredInterface(const clang::Decl* declaration) {
@@ -166,12 +216,7 @@ model::Component mapComponentDeclaration(const clang::CXXRecordDecl* declaration
   component.name = qualifiedName(declaration);
   component.base = mapBase(declaration, mapping);
   for (const clang::CXXMethodDecl* method : pureMethodsOf(declaration)) {
-    mapping
-        .error(declaration, "abstract-component",
-               "component " + quoted(declaration) + " leaves " + quoted(method) +
-                   " without an implementation",
-               "override it")
-        .notes.push_back({mapping.sourceOf(method), "it is declared here"});
+    rejectMissing(declaration, method, mapping);
   }
   mapPorts(declaration, component.ports, mapping);
   applyDefaults(annotation, component.ports);

@@ -72,9 +72,11 @@ std::optional<model::Parameter> mapParameter(const clang::ParmVarDecl* declarati
                   "name it; the name is on the wire");
     return std::nullopt;
   }
-  if (annotation.was) {
-    mapping.error(declaration, "misplaced-argument", "was() does not apply to a parameter",
-                  "parameters are known by their place");
+  if (annotation.was || annotation.since || !annotation.deprecated.empty() || annotation.skip ||
+      annotation.fallback) {
+    mapping.error(declaration, "misplaced-argument",
+                  "only unit(), range(), capacity(), bulk() and name() apply to a parameter",
+                  "a signature changes as a whole: say the rest in SUTURE_COMMAND()");
   }
   const auto passed = passedType(declaration, mapping);
   if (!passed) return std::nullopt;
@@ -96,6 +98,19 @@ std::optional<model::Parameter> mapParameter(const clang::ParmVarDecl* declarati
   parameter.range = annotation.range;
   parameter.source = mapping.sourceOf(declaration);
   return parameter;
+}
+
+/// A result or an event's value: it has neither name nor history of its own.
+void checkValueArguments(const clang::NamedDecl* declaration, const Annotation& field,
+                         Mapping& mapping) {
+  if (!field.name && !field.was && !field.since && field.deprecated.empty() && !field.skip &&
+      !field.fallback) {
+    return;
+  }
+  mapping.error(declaration, "misplaced-argument",
+                "SUTURE_FIELD() on '" + declaration->getNameAsString() +
+                    "' speaks of a value: only unit(), range(), capacity() and bulk() apply",
+                "say the rest in the other annotation");
 }
 
 void mapResult(const clang::CXXMethodDecl* method, const Annotation& field, model::Command& command,
@@ -143,10 +158,13 @@ void mapOptional(const clang::CXXMethodDecl* method, const Annotation& annotatio
 model::Command mapCommand(const clang::CXXMethodDecl* method, Mapping& mapping) {
   const Annotation annotation = mapping.annotationOf(method, Kind::Command);
   const Annotation field = mapping.annotationOf(method, Kind::Field);
+  checkValueArguments(method, field, mapping);
   model::Command command;
   command.name = method->getNameAsString();
   command.wireName = wireMemberName(command.name, annotation.name);
   command.source = mapping.sourceOf(method);
+  command.signature =
+      mapping.sourceOf({method->getLocation(), method->getFunctionTypeLoc().getRParenLoc()});
   command.doc = mapping.documentationOf(method);
   command.queue = annotation.queue.value_or(model::kDefaultQueue);
   command.queueGiven = annotation.queue.has_value();
@@ -168,10 +186,66 @@ model::Command mapCommand(const clang::CXXMethodDecl* method, Mapping& mapping) 
   return command;
 }
 
+/// Where the event's type names its value `index`; invalid where an alias does.
+clang::SourceRange argumentRange(const clang::FieldDecl* field, unsigned index) {
+  const clang::TypeSourceInfo* written = field->getTypeSourceInfo();
+  if (!written) return {};
+  clang::TypeLoc place = written->getTypeLoc();
+  if (const auto elaborated = place.getAs<clang::ElaboratedTypeLoc>()) {
+    place = elaborated.getNamedTypeLoc();
+  }
+  const auto arguments = place.getAs<clang::TemplateSpecializationTypeLoc>();
+  if (!arguments || index >= arguments.getNumArgs()) return {};
+  return arguments.getArgLoc(index).getSourceRange();
+}
+
+/// True if an error was reported.
+bool rejectVoid(const clang::FieldDecl* field, clang::QualType type, unsigned index,
+                Mapping& mapping) {
+  if (!type->isVoidType()) return false;
+  model::Diagnostic& finding =
+      mapping.error(field, "event-payload",
+                    "event '" + field->getNameAsString() + "' carries 'void', which is no value",
+                    "an event that carries nothing is a suture::EventOf<>");
+  const clang::SourceRange range = argumentRange(field, index);
+  if (range.isValid()) finding.fixes = {mapping.fix(range, model::Fix::Place::Instead, "")};
+  return true;
+}
+
+/// The SUTURE_FIELD of each value, in order; none where nothing was said.
+std::vector<Annotation> valueAnnotations(const clang::FieldDecl* field, unsigned values,
+                                         Mapping& mapping) {
+  std::vector<Annotation> all = mapping.annotationsOf(field, Kind::Field);
+  for (const Annotation& one : all) checkValueArguments(field, one, mapping);
+  if (!all.empty() && all.size() != values) {
+    mapping.error(
+        field, "event-payload",
+        "event '" + field->getNameAsString() + "' carries " + std::to_string(values) +
+            " values but has SUTURE_FIELD() " + std::to_string(all.size()) +
+            (all.size() == 1 ? " time" : " times"),
+        values == 0 ? "drop it" : "write one for each value, in order; an empty one says nothing");
+  }
+  all.resize(values);
+  return all;
+}
+
+void mapPayload(const clang::FieldDecl* field, const clang::TemplateArgument& payload,
+                model::Event& event, Mapping& mapping) {
+  const std::vector<Annotation> annotations = valueAnnotations(field, payload.pack_size(), mapping);
+  for (unsigned i = 0; i < payload.pack_size(); ++i) {
+    const clang::QualType value = payload.pack_begin()[i].getAsType();
+    if (rejectVoid(field, value, i, mapping)) continue;
+    auto type = mapping.typeOf(
+        field, value, "the payload of event '" + field->getNameAsString() + "'", annotations[i]);
+    if (!type) continue;
+    event.payload.push_back(std::move(*type));
+    event.limits.push_back({annotations[i].unit, annotations[i].range});
+  }
+}
+
 model::Event mapEvent(const clang::FieldDecl* field, const clang::TemplateArgument& payload,
                       Mapping& mapping) {
   const Annotation annotation = mapping.annotationOf(field, Kind::Event);
-  const Annotation bounds = mapping.annotationOf(field, Kind::Field);
   const std::string subject = "event '" + field->getNameAsString() + "'";
   model::Event event;
   event.member = field->getNameAsString();
@@ -182,8 +256,6 @@ model::Event mapEvent(const clang::FieldDecl* field, const clang::TemplateArgume
                   subject + " is called '" + event.name + "', which C++ keeps for itself",
                   "choose another with name(\"...\")");
   }
-  event.payloadUnit = bounds.unit;
-  event.payloadRange = bounds.range;
   event.queue = annotation.queue.value_or(model::kDefaultQueue);
   event.queueGiven = annotation.queue.has_value();
   event.latest = annotation.latest;
@@ -192,16 +264,7 @@ model::Event mapEvent(const clang::FieldDecl* field, const clang::TemplateArgume
   event.was = annotation.was;
   event.doc = mapping.documentationOf(field);
   event.source = mapping.sourceOf(field);
-  if (payload.pack_size() > 1 && isAnnotated(field, Kind::Field)) {
-    mapping.error(
-        field, "event-payload",
-        subject + " carries several values; SUTURE_FIELD() does not say of which it speaks",
-        "put what it is about into a SUTURE_TYPE of its own");
-  }
-  for (const clang::TemplateArgument& value : payload.pack_elements()) {
-    auto type = mapping.typeOf(field, value.getAsType(), "the payload of " + subject, bounds);
-    if (type) event.payload.push_back(std::move(*type));
-  }
+  mapPayload(field, payload, event, mapping);
   return event;
 }
 

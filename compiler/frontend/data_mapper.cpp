@@ -17,16 +17,19 @@ std::string fieldSubject(const clang::FieldDecl* field) {
 
 model::Enumerator mapEnumerator(const clang::EnumConstantDecl* declaration, Mapping& mapping) {
   const Annotation annotation = mapping.annotationOf(declaration, Kind::Field);
-  if (!annotation.unit.empty() || annotation.range || annotation.was ||
-      !annotation.capacity.empty() || annotation.skip) {
+  if (!annotation.unit.empty() || annotation.range || !annotation.capacity.empty() ||
+      annotation.bulk || annotation.skip) {
     mapping.error(declaration, "misplaced-argument",
-                  "only name() and fallback() apply to an enumerator", "drop the other arguments");
+                  "only name(), was(), since(), deprecated() and fallback() apply to an enumerator",
+                  "drop the other arguments");
   }
   model::Enumerator enumerator;
   enumerator.name = declaration->getNameAsString();
   enumerator.wireName = wireMemberName(enumerator.name, annotation.name);
   enumerator.value = declaration->getInitVal().getExtValue();
   enumerator.fallback = annotation.fallback;
+  enumerator.lifecycle = {annotation.since, annotation.deprecated};
+  enumerator.was = annotation.was;
   enumerator.doc = mapping.documentationOf(declaration);
   enumerator.source = mapping.sourceOf(declaration);
   return enumerator;
@@ -65,7 +68,9 @@ bool rejectField(const Candidate& candidate, Mapping& mapping) {
   const clang::FieldDecl* field = candidate.field;
   const clang::NamedDecl* place = candidate.place;
   const std::string subject = fieldSubject(field);
-  if (!field->getIdentifier()) {
+  if (!field->getIdentifier() && field->getType()->isUnionType()) {
+    mapping.error(place, "union", "an anonymous union carries no tag", "use std::variant");
+  } else if (!field->getIdentifier()) {
     mapping.error(place, "unnamed-field", "an unnamed field has no stable wire name", "name it");
   } else if (field->getAccess() != clang::AS_public && !candidate.reachable) {
     mapping.error(place, "private-field", subject + " is not public",
@@ -100,6 +105,7 @@ std::optional<model::Field> mapField(const Candidate& candidate, Mapping& mappin
   field.unit = annotation.unit;
   field.range = annotation.range;
   field.was = annotation.was;
+  field.lifecycle = {annotation.since, annotation.deprecated};
   field.defaultJson = defaultJsonOf(declaration);
   field.doc = mapping.documentationOf(declaration);
   field.source = mapping.sourceOf(candidate.place);
@@ -168,7 +174,7 @@ void checkShape(const DataDeclaration& declared, Mapping& mapping) {
   const std::string name = "'" + declaration->getNameAsString() + "'";
   if (declaration->isUnion()) {
     mapping.error(place, "union", name + " is a union; it carries no tag",
-                  "use a struct with an enum class that says which member counts");
+                  "use std::variant, or a struct with an enum class that says which member counts");
   }
   if (!isDefaultConstructible(declaration)) {
     mapping.error(place, "no-default-constructor",
@@ -203,6 +209,8 @@ model::Enum mapEnumDeclaration(const clang::EnumDecl* declaration, Mapping& mapp
   for (const clang::EnumConstantDecl* enumerator : declaration->enumerators()) {
     result.enumerators.push_back(mapEnumerator(enumerator, mapping));
   }
+  result.was = annotation.was;
+  result.lifecycle = {annotation.since, annotation.deprecated};
   result.doc = mapping.documentationOf(declaration);
   result.source = mapping.sourceOf(declaration);
   return result;
@@ -212,6 +220,8 @@ model::Struct mapStructDeclaration(const DataDeclaration& declared, Mapping& map
   model::Struct result;
   result.name = declared.name;
   result.wireName = declared.wireName;
+  result.was = declared.was;
+  result.lifecycle = declared.lifecycle;
   const std::string home = namespaceOf(declared.record);
   if (home != namespaceOf(declared.place)) result.foreignNamespace = home;
   checkShape(declared, mapping);

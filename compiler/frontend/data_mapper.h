@@ -14,6 +14,8 @@ struct DataDeclaration {
   std::string wireName;
   /// The members that count, of somebody else's; absent: all of them.
   std::optional<std::vector<ExternalMember>> listed;
+  std::optional<std::string> was{};
+  model::Lifecycle lifecycle{};
 };
 
 model::Enum mapEnumDeclaration(const clang::EnumDecl* declaration, Mapping& mapping);

@@ -106,6 +106,9 @@ std::vector<model::Fix> fixesOf(const clang::FieldDecl* field, const std::string
       type->getPointeeType()->isObjectType() && !type->getPointeeType()->isPointerType()) {
     return ownedInstead(field, mapping);
   }
+  if (slug == "char" && llvm::isa<clang::BuiltinType>(type)) {
+    return {FieldText(field, mapping).replaceType("std::int8_t")};
+  }
   if (slug == "long-long" && llvm::isa<clang::BuiltinType>(type)) {
     const bool negative = type->isSignedIntegerType();
     return {FieldText(field, mapping).replaceType(negative ? "std::int64_t" : "std::uint64_t")};

@@ -55,18 +55,33 @@ model::Diagnostic& Mapping::warn(const clang::NamedDecl* declaration, std::strin
   return finding;
 }
 
+model::Source Mapping::sourceOf(clang::SourceRange range) {
+  return table_.add(sources(), range.getBegin(), range);
+}
+
 model::Fix Mapping::fix(clang::SourceRange range, model::Fix::Place place, std::string text) {
-  return {table_.add(sources(), range.getBegin(), range), place, std::move(text)};
+  return {sourceOf(range), place, std::move(text)};
 }
 
 Annotation Mapping::annotationOf(const clang::NamedDecl* declaration, Kind kind) {
   std::vector<AnnotationProblem> problems;
   Annotation annotation = readAnnotation(declaration, kind, problems);
+  report(declaration, std::move(problems));
+  return annotation;
+}
+
+std::vector<Annotation> Mapping::annotationsOf(const clang::NamedDecl* declaration, Kind kind) {
+  std::vector<AnnotationProblem> problems;
+  std::vector<Annotation> annotations = readEach(declaration, kind, problems);
+  report(declaration, std::move(problems));
+  return annotations;
+}
+
+void Mapping::report(const clang::NamedDecl* declaration, std::vector<AnnotationProblem> problems) {
   for (AnnotationProblem& problem : problems) {
     error(declaration, std::move(problem.slug), std::move(problem.message),
           std::move(problem.help));
   }
-  return annotation;
 }
 
 std::optional<model::Type> Mapping::typeOf(const clang::NamedDecl* declaration,
@@ -101,6 +116,12 @@ std::optional<model::Type> Mapping::typeOf(const clang::NamedDecl* declaration,
     error(declaration, "capacity-levels",
           subject + " has more bounds in capacity() than strings and lists",
           "give one number for each string or list, outside in");
+  }
+  if (field.bulk && !makeBulk(result)) {
+    error(declaration, "bulk-type",
+          subject + " is bulk() but neither a list of numbers nor a large matrix",
+          "drop it; bulk() is for vectors and arrays of numbers, and for matrices that are open or "
+          "have more than 16 coefficients");
   }
   return result;
 }

@@ -37,11 +37,17 @@ class Mapping {
   model::Diagnostic& warn(const clang::NamedDecl* declaration, std::string slug,
                           std::string message, std::string help);
 
+  /// A stretch of text, for fixes.
+  model::Source sourceOf(clang::SourceRange range);
+
   /// A change of the text in the range, for a finding about it.
   model::Fix fix(clang::SourceRange range, model::Fix::Place place, std::string text);
 
   /// The annotation of that kind, its problems reported.
   Annotation annotationOf(const clang::NamedDecl* declaration, Kind kind);
+
+  /// One annotation for each time that the macro stands there.
+  std::vector<Annotation> annotationsOf(const clang::NamedDecl* declaration, Kind kind);
 
   /// The same, its problems left to a later annotationOf().
   static Annotation peek(const clang::NamedDecl* declaration, Kind kind) {
@@ -66,6 +72,7 @@ class Mapping {
  private:
   model::Diagnostic& add(model::Source source, std::string slug, std::string message,
                          std::string help);
+  void report(const clang::NamedDecl* declaration, std::vector<AnnotationProblem> problems);
   void checkNumberArguments(const clang::NamedDecl* declaration, const std::string& subject,
                             const model::Type& type, const Annotation& field);
 

@@ -15,7 +15,9 @@ bool Reporter::report(const model::Diagnostics& findings) {
     print(error ? Level::Error : Level::Warning, finding.source,
           finding.message + " [suture-" + finding.slug + "]", Underline::Yes, finding.fixes);
     if (!finding.help.empty()) print(Level::Note, finding.source, finding.help, Underline::No);
-    for (const model::Note& note : finding.notes) print(Level::Note, note.source, note.text);
+    for (const model::Note& note : finding.notes) {
+      print(Level::Note, note.source, note.text, Underline::Yes, finding.fixes);
+    }
   }
   return clean;
 }
@@ -31,7 +33,8 @@ void Reporter::print(Level level, const model::Source& source, const std::string
       const clang::FixItHint hint = hintOf(fix);
       if (hint.isNull()) continue;
       const bool near = areOnOneLine(hint.RemoveRange.getBegin(), place->caret);
-      near ? shown.push_back(hint) : fixes_.addToNext(hint);
+      if (near) shown.push_back(hint);
+      if (!near && level != Level::Note) fixes_.addToNext(hint);
     }
     auto builder = engine_.Report(place->caret, id);
     builder << text;

@@ -50,6 +50,12 @@ MappedType mapDuration(const Specialisation* type, const NamedTypes&) {
     return TypeProblem{"unsupported-duration", "its representation is not a plain number",
                        "use a std::chrono duration, such as std::chrono::milliseconds"};
   }
+  constexpr std::int64_t kNanoseconds = 1'000'000'000;
+  const bool exact = kNanoseconds % period->denominator == 0 || builtin->isFloatingPoint();
+  if (!exact) {
+    return TypeProblem{"unsupported-duration", "its ticks are no whole nanoseconds",
+                       "use std::chrono::nanoseconds, or a representation of double"};
+  }
   MappedType mapped = mapBuiltin(builtin);
   if (auto* duration = std::get_if<model::Type>(&mapped)) {
     duration->shape = model::Type::Shape::Duration;

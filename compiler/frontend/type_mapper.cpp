@@ -169,6 +169,17 @@ bool applyCapacity(model::Type& type, const std::vector<unsigned>& bounds) {
   return next == bounds.size();
 }
 
+bool makeBulk(model::Type& type) {
+  using Shape = model::Type::Shape;
+  const auto isNumber = [](const model::Type& one) {
+    return one.shape == Shape::Scalar && one.scalar != model::Scalar::Bool;
+  };
+  const bool row = type.shape == Shape::Array || (type.shape == Shape::List && !type.distinct);
+  const bool large = type.shape == Shape::Matrix && type.rows * type.columns > 16;
+  type.bulk = (row && isNumber(type.element.front())) || large || type.shape == Shape::AnyMatrix;
+  return type.bulk;
+}
+
 bool holdsNumbers(const model::Type& type) {
   using Shape = model::Type::Shape;
   if (const model::Type* content = contentOf(type)) return holdsNumbers(*content);

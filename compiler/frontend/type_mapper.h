@@ -31,9 +31,11 @@ MappedType mapType(clang::QualType type, const NamedTypes& names);
 TypeProblem noWireForm();
 
 /// Gives the bounds of capacity(), outside in, to what has none yet of the strings, lists, maps
-/// and matrices in the type. False if there
-/// are more bounds than levels.
+/// and matrices in the type. False if there are more bounds than levels.
 bool applyCapacity(model::Type& type, const std::vector<unsigned>& bounds);
+
+/// Says of the type that it travels as a block of bytes. False if it is no row of numbers.
+bool makeBulk(model::Type& type);
 
 /// Whether range() means something: the type is, or is a container of, plain numbers.
 bool holdsNumbers(const model::Type& type);

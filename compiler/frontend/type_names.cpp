@@ -47,6 +47,9 @@ std::optional<DataDeclaration> TypeNames::addAlias(const clang::TypedefNameDecl*
   const auto* instance = annotatedInstance(alias->getUnderlyingType());
   DataDeclaration declared{llvm::cast<clang::CXXRecordDecl>(instance->getDefinition()), alias,
                            qualifiedName(alias), wireTypeName(alias, std::nullopt), std::nullopt};
+  const Annotation pattern =
+      mapping_.peek(instance->getSpecializedTemplate()->getTemplatedDecl(), Kind::Type);
+  declared.lifecycle = {pattern.since, pattern.deprecated};
   if (!add(declared)) return std::nullopt;
   return declared;
 }

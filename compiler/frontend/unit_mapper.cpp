@@ -33,11 +33,10 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
   bool VisitNamedDecl(clang::NamedDecl* declaration) {
     const std::vector<Kind> kinds = annotationKinds(declaration);
     if (!kinds.empty()) uses_.claim(declaration);
-    if (!kinds.empty() && std::count(kinds.begin(), kinds.end(), kinds.front()) > 1) {
-      mapping_.error(
-          declaration, "repeated-annotation",
-          "'" + declaration->getNameAsString() + "' has " + macroOf(kinds.front()) + "() twice",
-          "keep one, with the arguments of both");
+    if (const auto twice = repeated(kinds)) {
+      mapping_.error(declaration, "repeated-annotation",
+                     "'" + declaration->getNameAsString() + "' has " + macroOf(*twice) + "() twice",
+                     "keep one, with the arguments of both");
       return true;
     }
     for (const Kind kind : kinds) {
@@ -55,6 +54,16 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
   }
 
  private:
+  /// What stands there twice and may not. Of an event, each SUTURE_FIELD speaks of another value.
+  static std::optional<Kind> repeated(const std::vector<Kind>& kinds) {
+    const auto count = [&](Kind kind) { return std::count(kinds.begin(), kinds.end(), kind); };
+    for (const Kind kind : kinds) {
+      const bool ofValues = kind == Kind::Field && count(Kind::Event) > 0;
+      if (count(kind) > 1 && !ofValues) return kind;
+    }
+    return std::nullopt;
+  }
+
   void nameAlias(const clang::TypedefNameDecl* alias) {
     if (const auto declared = names_.addAlias(alias)) addLater(*declared);
   }
@@ -141,8 +150,9 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
 
   DataDeclaration declarationOf(clang::TagDecl* tag) {
     const Annotation annotation = mapping_.annotationOf(tag, Kind::Type);
-    return {llvm::cast<clang::CXXRecordDecl>(tag), tag, qualifiedName(tag),
-            wireTypeName(tag, annotation.name), std::nullopt};
+    return {llvm::cast<clang::CXXRecordDecl>(tag),    tag,          qualifiedName(tag),
+            wireTypeName(tag, annotation.name),       std::nullopt, annotation.was,
+            {annotation.since, annotation.deprecated}};
   }
 
   /// Generated code must be able to name the type from outside and to tell it from others.

@@ -75,7 +75,8 @@ std::string nameOf(const Type& type, const Place& place) {
     case Shape::Tuple: return "TupleOf" + joined(type, "And", place);
     case Shape::Variant: return "EitherOf" + joined(type, "Or", place);
     case Shape::Nothing: return "Nothing";
-    case Shape::AnyMatrix: return "AnyMatrixOf" + std::string(capnpScalar(type.scalar));
+    case Shape::AnyMatrix:
+      return (type.bulk ? "BulkMatrixOf" : "AnyMatrixOf") + std::string(capnpScalar(type.scalar));
   }
   return "";
 }

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "compiler/lock/majors.h"
+#include "compiler/lock/renames.h"
 #include "compiler/lock/wanted.h"
 #include "compiler/lock/wire_type.h"
 
@@ -35,6 +36,9 @@ class Comparison {
   std::vector<Difference> run(const Lock& old, const Lock& now) {
     if (old.cxxNamespace != now.cxxNamespace) {
       harmless("namespace " + now.cxxNamespace + " instead of " + old.cxxNamespace);
+    }
+    for (const Node& node : old.nodes) {
+      if (const Node* const same = find(now, node)) renames_.add(node.name, same->name);
     }
     for (const Node& node : old.nodes) compare(node, find(now, node));
     for (const Node& node : now.nodes) {
@@ -88,9 +92,9 @@ class Comparison {
       }
     }
     for (std::size_t i = old.members.size(); i < now.members.size(); ++i) {
-      const bool enumerator = old.kind == Node::Kind::Enum;
+      const bool chosen = old.kind == Node::Kind::Enum || old.isUnion;
       harmless("'" + now.members[i].name + "' of " + title + " is new" +
-               (enumerator ? "; peers of before refuse a message that has it" : ""));
+               (chosen ? "; peers of before refuse a message that has it" : ""));
     }
   }
 
@@ -113,7 +117,7 @@ class Comparison {
   static std::string shown(const std::string& value) { return value.empty() ? "zero" : value; }
 
   void compareMeaning(const Member& old, const Member& now, const std::string& subject) {
-    if (old.isMethod != now.isMethod || old.type != now.type) {
+    if (old.isMethod != now.isMethod || renames_.apply(old.type) != now.type) {
       broken(subject + ": type " + now.type + " instead of " + old.type);
     }
     std::set<std::string> names;
@@ -145,6 +149,7 @@ class Comparison {
   }
 
   std::vector<Difference> found_;
+  Renames renames_;
 };
 
 }  // namespace

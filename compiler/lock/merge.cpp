@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "compiler/lock/renames.h"
 #include "compiler/lock/wire_type.h"
 #include "compiler/lock/writer.h"
 #include "compiler/model/naming.h"
@@ -31,27 +32,69 @@ class Merger {
     merge_.lock.header = header.path;
     merge_.lock.cxxNamespace = header.cxxNamespace;
     if (merge_.lock.id == 0) merge_.lock.id = freshId(options_.project, header.path);
-    std::vector<bool> used(wanted.size(), false);
-    for (const Node& node : old_.nodes) {
-      const auto same = find(wanted, node);
-      if (same != wanted.end()) renamed_[node.name] = same->node.name;
-    }
-    for (const Node& node : old_.nodes) {
-      const auto same = find(wanted, node);
-      if (same == wanted.end()) {
-        merge_.lock.nodes.push_back(buried(node, header));
-      } else {
-        used[static_cast<std::size_t>(same - wanted.begin())] = true;
-        merge_.lock.nodes.push_back(merged(*same, node));
-      }
+    matchByName(wanted);
+    while (matchByContent(wanted)) continue;  // what holds one of those may follow
+    for (std::size_t i = 0; i < old_.nodes.size(); ++i) {
+      const Node& node = old_.nodes[i];
+      const auto same = matches_.find(i);
+      merge_.lock.nodes.push_back(same == matches_.end() ? buried(node, header)
+                                                         : merged(wanted[same->second], node));
     }
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-      if (!used[i]) merge_.lock.nodes.push_back(created(wanted[i]));
+      if (!isMatched(i)) merge_.lock.nodes.push_back(created(wanted[i]));
     }
     return std::move(merge_);
   }
 
  private:
+  void match(std::size_t old, std::size_t now, const std::string& name) {
+    matches_[old] = now;
+    renames_.add(old_.nodes[old].name, name);
+  }
+
+  bool isMatched(std::size_t now) const {
+    return std::any_of(matches_.begin(), matches_.end(),
+                       [now](const auto& match) { return match.second == now; });
+  }
+
+  void matchByName(const std::vector<WantedNode>& wanted) {
+    for (std::size_t i = 0; i < old_.nodes.size(); ++i) {
+      const auto same = find(wanted, old_.nodes[i]);
+      if (same == wanted.end()) continue;
+      match(i, static_cast<std::size_t>(same - wanted.begin()), same->node.name);
+    }
+  }
+
+  /// A composite is named after what it is made of: a variant that got an alternative has another
+  /// name and is the same thing, and so is what holds it. True if there was one.
+  bool matchByContent(const std::vector<WantedNode>& wanted) {
+    for (std::size_t i = 0; i < old_.nodes.size(); ++i) {
+      if (matches_.contains(i)) continue;
+      for (std::size_t j = 0; j < wanted.size(); ++j) {
+        if (isMatched(j) || !isGrown(wanted[j], old_.nodes[i])) continue;
+        match(i, j, wanted[j].node.name);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool isGrown(const WantedNode& wanted, const Node& locked) const {
+    const bool composites = isComposite(wanted.node) && isComposite(locked) && !locked.removed();
+    if (!composites || wanted.node.isUnion != locked.isUnion) return false;
+    if (!locked.isUnion && wanted.members.size() != locked.members.size()) return false;
+    return std::all_of(locked.members.begin(), locked.members.end(), [&](const Member& member) {
+      return std::any_of(wanted.members.begin(), wanted.members.end(), [&](const auto& one) {
+        return one.member.name == member.name && one.member.type == renames_.apply(member.type);
+      });
+    });
+  }
+
+  /// It stands for no declaration.
+  static bool isComposite(const Node& node) {
+    return node.kind == Node::Kind::Struct && identity(node) == node.name;
+  }
+
   /// The node of the header that `locked` is: by its C++ name, else by was().
   std::vector<WantedNode>::const_iterator find(const std::vector<WantedNode>& wanted,
                                                const Node& locked) const {
@@ -228,20 +271,11 @@ class Merger {
     return member;
   }
 
-  /// A type as it is called now, where a node of this file got another name.
-  std::string renamed(const std::string& type) const {
-    const std::size_t begin = type.rfind('(') + 1;  // 0 when there is no list
-    const std::size_t end = std::min(type.find(')'), type.size());
-    const auto found = renamed_.find(type.substr(begin, end - begin));
-    if (found == renamed_.end()) return type;
-    return type.substr(0, begin) + found->second + type.substr(end);
-  }
-
   /// `now` and `before` are the member itself, or one of its parameters or results.
   void compare(const WantedMember& wanted, const Member& locked, const Member& now,
                const Member& before) {
     const std::string what = &before == &locked ? "" : "'" + before.name + "': ";
-    if (now.type != renamed(before.type) || now.isMethod != before.isMethod) {
+    if (now.type != renames_.apply(before.type) || now.isMethod != before.isMethod) {
       broken(wanted, locked, what + "type " + now.type + " instead of " + before.type,
              "a type never changes: add '" + before.name +
                  "' anew under another name and remove the old one");
@@ -255,6 +289,19 @@ class Merger {
                  " changes what the bytes mean: put it back, or "
                  "add the new form under another name");
     }
+    compareRange(wanted, locked, what, now, before);
+  }
+
+  /// The bytes mean the same, but one of two peers refuses what the other may send.
+  void compareRange(const WantedMember& wanted, const Member& locked, const std::string& what,
+                    const Member& now, const Member& before) {
+    const std::string newRange = valueOf(now.annotations, "range");
+    const std::string oldRange = valueOf(before.annotations, "range");
+    if (newRange == oldRange) return;
+    pending(wanted.source, "lock-range",
+            wanted.title + ": " + what + "range " + newRange + " instead of " + oldRange +
+                "; a receiver refuses what lies outside its own",
+            {lockNote(locked.line, describe(locked))});
   }
 
   void mergeSignature(const WantedMember& wanted, const Member& locked, Member& member) {
@@ -292,8 +339,9 @@ class Merger {
 
   const Lock& old_;
   const Options& options_;
-  std::map<std::string, std::string> renamed_;  // wire names of nodes, the locked to the present
-  std::string node_;                            // being merged
+  std::map<std::size_t, std::size_t> matches_;  // nodes of the lock to those of the header
+  Renames renames_;
+  std::string node_;  // being merged
   Merge merge_;
 };
 

@@ -19,7 +19,8 @@ constexpr char kSent[] = "/suture/rpc.capnp:Sent";
 constexpr std::array<const char*, 3> kIdentities{"cxx", "eventsOf", "stateOf"};
 
 /// The name in was(), qualified as the present one is where it is not qualified itself.
-std::optional<std::string> formerName(const model::Interface& declaration) {
+template <class Declaration>
+std::optional<std::string> formerName(const Declaration& declaration) {
   if (!declaration.was || declaration.was->find("::") != std::string::npos) return declaration.was;
   const std::string space = model::namespaceOf(declaration.name);
   return (space.empty() ? "" : space + "::") + *declaration.was;
@@ -41,6 +42,13 @@ Member method(std::string name, std::string doc) {
 
 void addCxxName(Member& member, const std::string& cxxName) {
   if (cxxName != member.name) member.annotations.emplace("cxx", quoted(cxxName));
+}
+
+void addLifecycle(Annotations& annotations, const model::Lifecycle& lifecycle) {
+  if (lifecycle.since) annotations.emplace("since", std::to_string(*lifecycle.since));
+  if (!lifecycle.deprecated.empty()) {
+    annotations.emplace("deprecated", quoted(lifecycle.deprecated));
+  }
 }
 
 /// The initialiser as capnp spells it. Only scalars and enums have one on the wire; capnp's own
@@ -98,14 +106,17 @@ WantedNode wantedEnum(const model::Enum& declaration) {
                                 "enum '" + declaration.name + "'", declaration.source);
   result.node.annotations = {{"cxx", quoted(declaration.name)},
                              {"underlying", quoted(capnpScalar(declaration.underlying))}};
+  addLifecycle(result.node.annotations, declaration.lifecycle);
+  result.was = formerName(declaration);
   result.node.doc = declaration.doc.text;
   for (const model::Enumerator& enumerator : declaration.enumerators) {
     Member member = plain(enumerator.wireName, "", enumerator.doc.text);
     addCxxName(member, enumerator.name);
     member.annotations.emplace("value", std::to_string(enumerator.value));
+    addLifecycle(member.annotations, enumerator.lifecycle);
     result.members.push_back({std::move(member),
                               "enumerator '" + declaration.name + "::" + enumerator.name + "'",
-                              std::nullopt, enumerator.source});
+                              enumerator.was, enumerator.source});
   }
   return result;
 }
@@ -115,6 +126,7 @@ WantedMember wantedField(const model::Struct& owner, const model::Field& field,
   Member member = plain(field.wireName, wireType(field.type, lookup, header), field.doc.text);
   member.annotations = valueAnnotations(field.type, field.unit, field.range);
   member.defaultValue = capnpDefault(field, lookup);
+  addLifecycle(member.annotations, field.lifecycle);
   addCxxName(member, field.name);
   return {std::move(member), "field '" + owner.name + "::" + field.name + "'", field.was,
           field.source};
@@ -125,6 +137,8 @@ WantedNode wantedStruct(const model::Struct& declaration, const model::Lookup& l
   WantedNode result = startNode(Node::Kind::Struct, declaration.name, declaration.wireName,
                                 "struct '" + declaration.name + "'", declaration.source);
   result.node.annotations = {{"cxx", quoted(declaration.name)}};
+  addLifecycle(result.node.annotations, declaration.lifecycle);
+  result.was = formerName(declaration);
   result.node.doc = declaration.doc.text;
   for (const model::Field& field : declaration.fields) {
     result.members.push_back(wantedField(declaration, field, lookup, header));
@@ -134,6 +148,14 @@ WantedNode wantedStruct(const model::Struct& declaration, const model::Lookup& l
 
 void addMember(WantedNode& node, Member member) {
   node.members.push_back({std::move(member), node.title, std::nullopt, node.source});
+}
+
+/// The coefficients of a matrix of any size.
+Member matrixData(const model::Type& type) {
+  const std::string scalar(capnpScalar(type.scalar));
+  Member data = plain("data", type.bulk ? "Data" : "List(" + scalar + ")", "Column after column.");
+  if (type.bulk) data.annotations.emplace("bulk", quoted(scalar));
+  return data;
 }
 
 /// The struct of a composite. Its bounds are the field's business: two of one wire form share it.
@@ -156,8 +178,7 @@ WantedNode wantedComposite(const model::Type& type, const model::Source& source,
   if (type.shape == Shape::AnyMatrix) {
     addMember(result, plain("rows", "UInt32"));
     addMember(result, plain("columns", "UInt32"));
-    addMember(result, plain("data", "List(" + std::string(capnpScalar(type.scalar)) + ")",
-                            "Column after column."));
+    addMember(result, matrixData(type));
   }
   return result;
 }
@@ -218,6 +239,7 @@ WantedMember wantedCommand(const model::Interface& owner, const model::Command& 
   if (command.optional) member.annotations.emplace("optional", "");
   if (command.concurrent) member.annotations.emplace("concurrent", "");
   if (command.direct) member.annotations.emplace("direct", "");
+  addLifecycle(member.annotations, command.lifecycle);
   return {std::move(member), "command '" + owner.name + "::" + command.name + "'", command.was,
           command.source};
 }
@@ -230,6 +252,7 @@ WantedNode wantedInterface(const model::Interface& declaration, const model::Loo
   if (declaration.version > 1) {
     result.node.annotations.emplace("version", std::to_string(declaration.version));
   }
+  addLifecycle(result.node.annotations, declaration.lifecycle);
   if (!declaration.base.empty()) {
     result.node.extends = {declaredType(declaration.base, lookup, header)};
   }
@@ -252,14 +275,17 @@ WantedMember wantedEvent(const model::Interface& owner, const model::Event& even
                          const model::Lookup& lookup, const model::Header& header) {
   Member member = method(event.wireName, event.doc.text);
   addCxxName(member, event.name);
-  for (const model::Type& type : event.payload) {
-    Member value = plain(payloadName(member.parameters.size()), wireType(type, lookup, header));
-    value.annotations = valueAnnotations(type, event.payloadUnit, event.payloadRange);
+  for (std::size_t i = 0; i < event.payload.size(); ++i) {
+    const model::Type& type = event.payload[i];
+    const model::Limits limits = i < event.limits.size() ? event.limits[i] : model::Limits{};
+    Member value = plain(payloadName(i), wireType(type, lookup, header));
+    value.annotations = valueAnnotations(type, limits.unit, limits.range);
     member.parameters.push_back(std::move(value));
   }
   member.annotations.emplace("queue", std::to_string(event.queue));
   if (event.latest) member.annotations.emplace("latest", "");
   if (event.latched) member.annotations.emplace("latched", "");
+  addLifecycle(member.annotations, event.lifecycle);
   return {std::move(member), "event '" + owner.name + "::" + event.member + "'", event.was,
           event.source};
 }
@@ -319,7 +345,7 @@ std::vector<WantedNode> wanted(const model::Header& header, const model::Lookup&
     nodes.push_back(wantedStruct(declaration, lookup, header));
   }
   for (const model::Interface& declaration : header.interfaces) {
-    const std::optional<std::string> was = formerName(declaration);
+    const auto was = formerName(declaration);
     for (const auto& part : {wantedInterface, wantedEvents, wantedState}) {
       nodes.push_back(part(declaration, lookup, header));
       nodes.back().was = was;

@@ -97,6 +97,11 @@ bool isFlatList(const Type& type) {
   return element.shape == Shape::Matrix && element.columns == 1;
 }
 
+std::string bulkScalar(const Type& type) {
+  if (!type.bulk) return "";
+  return std::string(capnpScalar(type.element.empty() ? type.scalar : type.element[0].scalar));
+}
+
 model::Scalar wireScalar(const Type& type) {
   const bool real = type.scalar == model::Scalar::Float32 || type.scalar == model::Scalar::Float64;
   if (type.shape != Shape::Duration) return type.scalar;
@@ -129,6 +134,7 @@ std::string declaredType(const std::string& name, const model::Lookup& lookup,
 }
 
 std::string wireType(const Type& type, const model::Lookup& lookup, const model::Header& inside) {
+  if (type.bulk && type.shape != Shape::AnyMatrix) return "Data";
   switch (type.shape) {
     case Shape::Scalar: return std::string(capnpScalar(type.scalar));
     case Shape::Enum:
@@ -177,6 +183,8 @@ std::map<std::string, std::string> typeAnnotations(const Type& type) {
   }
   const std::string shape = shapeOf(type);
   if (!shape.empty()) add("shape", quoted(shape));
+  if (type.shape != Shape::AnyMatrix)
+    add("bulk", bulkScalar(type).empty() ? "" : quoted(bulkScalar(type)));
   add("capacity", capacities(type));
   return result;
 }

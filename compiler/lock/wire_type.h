@@ -11,7 +11,7 @@
 namespace suture::compiler::lock {
 
 /// Annotations that say what bytes mean, and so are guarded like types.
-inline constexpr const char* kMeaningful[] = {"unit", "period", "clock", "shape", "kind"};
+inline constexpr const char* kMeaningful[] = {"unit", "period", "clock", "shape", "kind", "bulk"};
 
 /// Fixed double-precision Eigen types that have a named struct in suture/types.capnp.
 /// "/suture/types.capnp:Vec3"; "" when the type has none and travels as a flat list.
@@ -19,6 +19,9 @@ std::string namedEigenType(const model::Type& type);
 
 /// Does it travel as one flat list of the coefficients of all its vectors?
 bool isFlatList(const model::Type& type);
+
+/// What the numbers of a bulk() type are: "Float64"; "" where they are no block of bytes.
+std::string bulkScalar(const model::Type& type);
 
 /// The number that a scalar or a duration travels as.
 model::Scalar wireScalar(const model::Type& type);

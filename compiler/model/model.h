@@ -17,6 +17,18 @@ struct Documentation {
   std::string text;  ///< the doc comment, markers stripped, lines joined with '\n'
 };
 
+/// What a declaration says of its own history.
+struct Lifecycle {
+  std::optional<unsigned> since;  ///< the version that it came with
+  std::string deprecated;         ///< why it should not be used any more; "" = it may be
+};
+
+/// What numbers mean, and which are allowed.
+struct Limits {
+  std::string unit;  ///< "" = none said
+  std::optional<std::pair<double, double>> range;
+};
+
 struct Field {
   std::string name;  ///< C++ name; of a base class: the name of its slot
   std::string wireName;
@@ -28,6 +40,7 @@ struct Field {
   std::optional<std::string> was;
   /// The initialiser as JSON where it is a constant of a scalar, enum or string; empty = zero.
   std::string defaultJson;
+  Lifecycle lifecycle;
   Documentation doc;
   Source source;
 };
@@ -39,6 +52,8 @@ struct Enumerator {
   Documentation doc;
   Source source;
   bool fallback = false;  ///< stands for every enumerator that a receiver does not know
+  Lifecycle lifecycle{};
+  std::optional<std::string> was{};
 };
 
 struct Enum {
@@ -46,6 +61,8 @@ struct Enum {
   std::string wireName;
   Scalar underlying = Scalar::Int32;
   std::vector<Enumerator> enumerators;
+  std::optional<std::string> was;  ///< its C++ name before, as written
+  Lifecycle lifecycle;
   Documentation doc;
   Source source;
 };
@@ -56,14 +73,10 @@ struct Struct {
   /// Where functions on it are found by their argument, if that is not its header's namespace.
   std::optional<std::string> foreignNamespace;
   std::vector<Field> fields;
+  std::optional<std::string> was;  ///< its C++ name before, as written
+  Lifecycle lifecycle;
   Documentation doc;
   Source source;
-};
-
-/// What a declaration says of its own history.
-struct Lifecycle {
-  std::optional<unsigned> since;  ///< the version of the contract that it came with
-  std::string deprecated;         ///< why it should not be used any more; "" = it may be
 };
 
 struct Parameter {
@@ -103,15 +116,15 @@ struct Command {
   std::optional<std::string> was;
   Documentation doc;
   Source source;
+  Source signature;  ///< from its name to the end of its parameters
 };
 
 struct Event {
-  std::string member;         ///< C++ member: "operating_state_event"
-  std::string name;           ///< name in descriptions and in emit()/on(): "operating_state"
-  std::string wireName;       ///< capnp's: "operatingState"
-  std::vector<Type> payload;  ///< none: a void event; else a write event
-  std::string payloadUnit;    ///< from SUTURE_FIELD on the event; "" = none said
-  std::optional<std::pair<double, double>> payloadRange;
+  std::string member;          ///< C++ member: "operating_state_event"
+  std::string name;            ///< name in descriptions and in emit()/on(): "operating_state"
+  std::string wireName;        ///< capnp's: "operatingState"
+  std::vector<Type> payload;   ///< none: a void event; else a write event
+  std::vector<Limits> limits;  ///< of each value; those behind the last one have none
   unsigned queue = kDefaultQueue;
   bool queueGiven = false;  ///< queue() was written, not defaulted
   bool latest = false;

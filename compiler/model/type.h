@@ -63,6 +63,7 @@ struct Type {
   std::optional<unsigned> capacity;  ///< bound of this level; absent = unbounded
   std::optional<unsigned> columnCapacity;
   bool distinct = false;      ///< a set: no element twice
+  bool bulk = false;          ///< a List or Matrix of numbers that travels as one block of bytes
   std::vector<Type> element;  ///< what it is made of, in order
   std::int64_t periodNumerator = 1, periodDenominator = 1;
   Clock clock = Clock::Steady;

@@ -13,7 +13,7 @@ ComponentClass componentClass<counting::Clicker>() {
             JsonReader none = parameters;
             none.finish();
             if (parameters.failed()) return nullptr;
-            return std::make_unique<counting::Clicker>();
+            return std::unique_ptr<Component>(new counting::Clicker());
           }};
 }
 

@@ -92,6 +92,7 @@ constexpr char kCounterDescription[] = R"json({
     {
       "name": "ten_more",
       "kind": "write",
+      "wire": "tenMore",
       "doc": "The count has passed a multiple of ten.",
       "payload": {
         "type": {

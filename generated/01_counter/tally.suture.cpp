@@ -13,7 +13,7 @@ ComponentClass componentClass<counting::Tally>() {
             JsonReader none = parameters;
             none.finish();
             if (parameters.failed()) return nullptr;
-            return std::make_unique<counting::Tally>();
+            return std::unique_ptr<Component>(new counting::Tally());
           }};
 }
 

@@ -231,6 +231,7 @@ constexpr char kArmDescription[] = R"json({
     {
       "name": "servo_cp",
       "kind": "write",
+      "wire": "servoCp",
       "doc": "Streams Cartesian goals, newest wins. A goal out of reach leaves the set-point and says so in\n`warning`. setpoint_cp keeps the goal's stamp.",
       "parameters": [
         {
@@ -248,6 +249,7 @@ constexpr char kArmDescription[] = R"json({
     {
       "name": "servo_jp",
       "kind": "write",
+      "wire": "servoJp",
       "doc": "Streams joint goals, newest wins; cut to the joint limits.",
       "parameters": [
         {
@@ -265,6 +267,7 @@ constexpr char kArmDescription[] = R"json({
     {
       "name": "move_jp",
       "kind": "write",
+      "wire": "moveJp",
       "doc": "Plans and executes a smooth motion from the set-point. Ends with goal_reached.",
       "parameters": [
         {
@@ -280,6 +283,7 @@ constexpr char kArmDescription[] = R"json({
     {
       "name": "measured_js",
       "kind": "read",
+      "wire": "measuredJs",
       "doc": "Where the joints are. Stamp: the arm's cycle.",
       "result": {
         "type": {
@@ -292,6 +296,7 @@ constexpr char kArmDescription[] = R"json({
     {
       "name": "setpoint_js",
       "kind": "read",
+      "wire": "setpointJs",
       "doc": "Where the joints shall be.",
       "result": {
         "type": {
@@ -304,6 +309,7 @@ constexpr char kArmDescription[] = R"json({
     {
       "name": "measured_cp",
       "kind": "read",
+      "wire": "measuredCp",
       "doc": "Where the tool tip is. Stamp: the arm's cycle.",
       "result": {
         "type": {
@@ -316,6 +322,7 @@ constexpr char kArmDescription[] = R"json({
     {
       "name": "setpoint_cp",
       "kind": "read",
+      "wire": "setpointCp",
       "doc": "Where the tool tip shall be. Stamp: that of the servo_cp goal it came from, else the arm's\ncycle.",
       "result": {
         "type": {
@@ -328,6 +335,7 @@ constexpr char kArmDescription[] = R"json({
     {
       "name": "operating_state",
       "kind": "read",
+      "wire": "operatingState",
       "result": {
         "type": {
           "kind": "struct",
@@ -339,6 +347,7 @@ constexpr char kArmDescription[] = R"json({
     {
       "name": "forward_kinematics",
       "kind": "qualified read",
+      "wire": "forwardKinematics",
       "doc": "The tool tip for a joint vector; not valid if it has the wrong length.",
       "parameters": [
         {
@@ -360,6 +369,7 @@ constexpr char kArmDescription[] = R"json({
     {
       "name": "inverse_kinematics",
       "kind": "qualified read",
+      "wire": "inverseKinematics",
       "doc": "A joint vector for a tool tip, searched from the present set-point.",
       "parameters": [
         {
@@ -383,6 +393,7 @@ constexpr char kArmDescription[] = R"json({
     {
       "name": "operating_state",
       "kind": "write",
+      "wire": "operatingState",
       "doc": "Each change of the operating state, and the last one to whoever connects.",
       "payload": {
         "type": {
@@ -396,6 +407,7 @@ constexpr char kArmDescription[] = R"json({
     {
       "name": "goal_reached",
       "kind": "write",
+      "wire": "goalReached",
       "doc": "A move ended: true at its goal, false when something else replaced it.",
       "payload": {
         "type": {
@@ -425,23 +437,28 @@ constexpr char kArmDescription[] = R"json({
       "enumerators": [
         {
           "name": "Undefined",
-          "value": 0
+          "value": 0,
+          "wire": "undefined"
         },
         {
           "name": "Disabled",
-          "value": 1
+          "value": 1,
+          "wire": "disabled"
         },
         {
           "name": "Enabled",
-          "value": 2
+          "value": 2,
+          "wire": "enabled"
         },
         {
           "name": "Paused",
-          "value": 3
+          "value": 3,
+          "wire": "paused"
         },
         {
           "name": "Fault",
-          "value": 4
+          "value": 4,
+          "wire": "fault"
         }
       ]
     },
@@ -453,16 +470,19 @@ constexpr char kArmDescription[] = R"json({
         {
           "name": "NotEnabled",
           "value": 0,
+          "wire": "notEnabled",
           "doc": "motion commands need an enabled arm"
         },
         {
           "name": "OutOfReach",
           "value": 1,
+          "wire": "outOfReach",
           "doc": "no joint vector within limits reaches the goal"
         },
         {
           "name": "Malformed",
           "value": 2,
+          "wire": "malformed",
           "doc": "the goal has the wrong length, is not finite or not a pose"
         }
       ]
@@ -604,6 +624,7 @@ constexpr char kArmDescription[] = R"json({
         },
         {
           "name": "sub_state",
+          "wire": "subState",
           "doc": "What the arm is doing within its state, for people: \"holding\", \"servo_cp\".",
           "type": {
             "kind": "text",
@@ -612,6 +633,7 @@ constexpr char kArmDescription[] = R"json({
         },
         {
           "name": "is_homed",
+          "wire": "isHomed",
           "type": {
             "kind": "Bool"
           },
@@ -619,6 +641,7 @@ constexpr char kArmDescription[] = R"json({
         },
         {
           "name": "is_busy",
+          "wire": "isBusy",
           "doc": "A move is under way; servo commands do not set it.",
           "type": {
             "kind": "Bool"

@@ -601,6 +601,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "configuration_js",
       "kind": "read",
+      "wire": "configurationJs",
       "doc": "What the joints are and may do.",
       "result": {
         "type": {
@@ -613,6 +614,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "operating_state",
       "kind": "read",
+      "wire": "operatingState",
       "result": {
         "type": {
           "kind": "struct",
@@ -624,6 +626,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "period_statistics",
       "kind": "read",
+      "wire": "periodStatistics",
       "doc": "How regularly the arm's task ran in the last second.",
       "result": {
         "type": {
@@ -671,6 +674,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "state_command",
       "kind": "write",
+      "wire": "stateCommand",
       "doc": "One of the six above, by name; anything else is an `error`.",
       "parameters": [
         {
@@ -686,6 +690,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "measured_js",
       "kind": "read",
+      "wire": "measuredJs",
       "result": {
         "type": {
           "kind": "struct",
@@ -697,6 +702,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "setpoint_js",
       "kind": "read",
+      "wire": "setpointJs",
       "result": {
         "type": {
           "kind": "struct",
@@ -708,6 +714,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "goal_js",
       "kind": "read",
+      "wire": "goalJs",
       "doc": "Where the move under way ends; without one, the set-point.",
       "result": {
         "type": {
@@ -720,6 +727,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "measured_cp",
       "kind": "read",
+      "wire": "measuredCp",
       "result": {
         "type": {
           "kind": "struct",
@@ -731,6 +739,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "setpoint_cp",
       "kind": "read",
+      "wire": "setpointCp",
       "result": {
         "type": {
           "kind": "struct",
@@ -742,6 +751,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "goal_cp",
       "kind": "read",
+      "wire": "goalCp",
       "doc": "Where the move under way ends; without one, the set-point.",
       "result": {
         "type": {
@@ -754,6 +764,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "local_measured_cp",
       "kind": "read",
+      "wire": "localMeasuredCp",
       "result": {
         "type": {
           "kind": "struct",
@@ -765,6 +776,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "local_setpoint_cp",
       "kind": "read",
+      "wire": "localSetpointCp",
       "result": {
         "type": {
           "kind": "struct",
@@ -776,6 +788,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "measured_cv",
       "kind": "read",
+      "wire": "measuredCv",
       "doc": "Of the tip, in the directions of the reference frame.",
       "result": {
         "type": {
@@ -788,6 +801,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "setpoint_cv",
       "kind": "read",
+      "wire": "setpointCv",
       "result": {
         "type": {
           "kind": "struct",
@@ -799,6 +813,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "body_measured_cf",
       "kind": "read",
+      "wire": "bodyMeasuredCf",
       "doc": "Force on the tip in its own directions.",
       "result": {
         "type": {
@@ -811,6 +826,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "spatial_measured_cf",
       "kind": "read",
+      "wire": "spatialMeasuredCf",
       "doc": "Force on the tip in the directions of the arm's base frame.",
       "result": {
         "type": {
@@ -823,6 +839,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "measured_cs",
       "kind": "read",
+      "wire": "measuredCs",
       "doc": "Pose, velocity and force of one cycle, in the reference frame.",
       "result": {
         "type": {
@@ -835,6 +852,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "body_jacobian",
       "kind": "read",
+      "wire": "bodyJacobian",
       "doc": "From joint velocities to those of the tip, in its own directions.",
       "result": {
         "type": {
@@ -847,6 +865,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "spatial_jacobian",
       "kind": "read",
+      "wire": "spatialJacobian",
       "doc": "The same in the directions of the arm's base frame.",
       "result": {
         "type": {
@@ -859,6 +878,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "base_frame",
       "kind": "read",
+      "wire": "baseFrame",
       "result": {
         "type": {
           "kind": "struct",
@@ -870,6 +890,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "set_base_frame",
       "kind": "write",
+      "wire": "setBaseFrame",
       "parameters": [
         {
           "name": "frame",
@@ -896,6 +917,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "use_gravity_compensation",
       "kind": "write",
+      "wire": "useGravityCompensation",
       "parameters": [
         {
           "name": "use",
@@ -909,6 +931,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "servo_jp",
       "kind": "write",
+      "wire": "servoJp",
       "parameters": [
         {
           "name": "goal",
@@ -925,6 +948,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "servo_jr",
       "kind": "write",
+      "wire": "servoJr",
       "parameters": [
         {
           "name": "step",
@@ -940,6 +964,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "servo_jv",
       "kind": "write",
+      "wire": "servoJv",
       "parameters": [
         {
           "name": "goal",
@@ -956,6 +981,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "servo_jf",
       "kind": "write",
+      "wire": "servoJf",
       "parameters": [
         {
           "name": "goal",
@@ -972,6 +998,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "servo_cp",
       "kind": "write",
+      "wire": "servoCp",
       "parameters": [
         {
           "name": "goal",
@@ -988,6 +1015,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "servo_cr",
       "kind": "write",
+      "wire": "servoCr",
       "doc": "The step's translation in the reference frame; its rotation turns the tip about itself.",
       "parameters": [
         {
@@ -1004,6 +1032,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "servo_cv",
       "kind": "write",
+      "wire": "servoCv",
       "parameters": [
         {
           "name": "goal",
@@ -1020,6 +1049,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "body_servo_cf",
       "kind": "write",
+      "wire": "bodyServoCf",
       "doc": "In the tip's own directions.",
       "parameters": [
         {
@@ -1037,6 +1067,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "spatial_servo_cf",
       "kind": "write",
+      "wire": "spatialServoCf",
       "doc": "In the directions of the arm's base frame.",
       "parameters": [
         {
@@ -1054,6 +1085,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "move_jp",
       "kind": "write",
+      "wire": "moveJp",
       "doc": "Moves plan and execute a smooth motion from the set-point. Each ends with goal_reached.",
       "parameters": [
         {
@@ -1069,6 +1101,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "move_jr",
       "kind": "write",
+      "wire": "moveJr",
       "parameters": [
         {
           "name": "step",
@@ -1083,6 +1116,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "move_cp",
       "kind": "write",
+      "wire": "moveCp",
       "parameters": [
         {
           "name": "goal",
@@ -1097,6 +1131,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "move_cr",
       "kind": "write",
+      "wire": "moveCr",
       "parameters": [
         {
           "name": "step",
@@ -1111,6 +1146,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "trajectory_j_set_ratio",
       "kind": "write",
+      "wire": "trajectoryJSetRatio",
       "doc": "How fast moves are, of what the joints can do: velocity and acceleration together.",
       "parameters": [
         {
@@ -1129,6 +1165,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "trajectory_j_set_ratio_v",
       "kind": "write",
+      "wire": "trajectoryJSetRatioV",
       "parameters": [
         {
           "name": "ratio",
@@ -1146,6 +1183,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "trajectory_j_set_ratio_a",
       "kind": "write",
+      "wire": "trajectoryJSetRatioA",
       "parameters": [
         {
           "name": "ratio",
@@ -1163,6 +1201,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "trajectory_j_ratio",
       "kind": "read",
+      "wire": "trajectoryJRatio",
       "doc": "The smaller of the two below.",
       "result": {
         "type": {
@@ -1174,6 +1213,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "trajectory_j_ratio_v",
       "kind": "read",
+      "wire": "trajectoryJRatioV",
       "result": {
         "type": {
           "kind": "Float64"
@@ -1184,6 +1224,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "trajectory_j_ratio_a",
       "kind": "read",
+      "wire": "trajectoryJRatioA",
       "result": {
         "type": {
           "kind": "Float64"
@@ -1194,6 +1235,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "forward_kinematics",
       "kind": "qualified read",
+      "wire": "forwardKinematics",
       "doc": "The tool tip for a joint vector; not valid if it has the wrong length.",
       "parameters": [
         {
@@ -1215,6 +1257,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "inverse_kinematics",
       "kind": "qualified read",
+      "wire": "inverseKinematics",
       "doc": "A joint vector for a tool tip, searched from the present set-point.",
       "parameters": [
         {
@@ -1236,6 +1279,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "query_cp",
       "kind": "qualified read",
+      "wire": "queryCp",
       "doc": "The pose of the link behind as many joints as the vector has, at most all: none, the base.",
       "parameters": [
         {
@@ -1257,6 +1301,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "local_query_cp",
       "kind": "qualified read",
+      "wire": "localQueryCp",
       "doc": "The same in the arm's base frame.",
       "parameters": [
         {
@@ -1280,6 +1325,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "operating_state",
       "kind": "write",
+      "wire": "operatingState",
       "doc": "Each change of the operating state, and the last one to whoever connects.",
       "payload": {
         "type": {
@@ -1293,6 +1339,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "desired_state",
       "kind": "write",
+      "wire": "desiredState",
       "doc": "The state that a command asked for.",
       "payload": {
         "type": {
@@ -1306,6 +1353,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "goal_reached",
       "kind": "write",
+      "wire": "goalReached",
       "doc": "A move ended: true at its goal, false when something else replaced it.",
       "payload": {
         "type": {
@@ -1317,6 +1365,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "gravity_compensation",
       "kind": "write",
+      "wire": "gravityCompensation",
       "payload": {
         "type": {
           "kind": "Bool"
@@ -1328,6 +1377,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "trajectory_j_ratio",
       "kind": "write",
+      "wire": "trajectoryJRatio",
       "payload": {
         "type": {
           "kind": "Float64"
@@ -1339,6 +1389,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "trajectory_j_ratio_v",
       "kind": "write",
+      "wire": "trajectoryJRatioV",
       "payload": {
         "type": {
           "kind": "Float64"
@@ -1350,6 +1401,7 @@ constexpr char kCrtkArmDescription[] = R"json({
     {
       "name": "trajectory_j_ratio_a",
       "kind": "write",
+      "wire": "trajectoryJRatioA",
       "payload": {
         "type": {
           "kind": "Float64"
@@ -1399,27 +1451,33 @@ constexpr char kCrtkArmDescription[] = R"json({
       "enumerators": [
         {
           "name": "Undefined",
-          "value": 0
+          "value": 0,
+          "wire": "undefined"
         },
         {
           "name": "Prismatic",
-          "value": 1
+          "value": 1,
+          "wire": "prismatic"
         },
         {
           "name": "Revolute",
-          "value": 2
+          "value": 2,
+          "wire": "revolute"
         },
         {
           "name": "Universal",
-          "value": 3
+          "value": 3,
+          "wire": "universal"
         },
         {
           "name": "BallSocket",
-          "value": 4
+          "value": 4,
+          "wire": "ballSocket"
         },
         {
           "name": "Inactive",
-          "value": 5
+          "value": 5,
+          "wire": "inactive"
         }
       ]
     },
@@ -1430,23 +1488,28 @@ constexpr char kCrtkArmDescription[] = R"json({
       "enumerators": [
         {
           "name": "Undefined",
-          "value": 0
+          "value": 0,
+          "wire": "undefined"
         },
         {
           "name": "Disabled",
-          "value": 1
+          "value": 1,
+          "wire": "disabled"
         },
         {
           "name": "Enabled",
-          "value": 2
+          "value": 2,
+          "wire": "enabled"
         },
         {
           "name": "Paused",
-          "value": 3
+          "value": 3,
+          "wire": "paused"
         },
         {
           "name": "Fault",
-          "value": 4
+          "value": 4,
+          "wire": "fault"
         }
       ]
     }
@@ -1480,6 +1543,7 @@ constexpr char kCrtkArmDescription[] = R"json({
         },
         {
           "name": "position_min",
+          "wire": "positionMin",
           "type": {
             "kind": "list",
             "element": {
@@ -1491,6 +1555,7 @@ constexpr char kCrtkArmDescription[] = R"json({
         },
         {
           "name": "position_max",
+          "wire": "positionMax",
           "type": {
             "kind": "list",
             "element": {
@@ -1502,6 +1567,7 @@ constexpr char kCrtkArmDescription[] = R"json({
         },
         {
           "name": "velocity_min",
+          "wire": "velocityMin",
           "type": {
             "kind": "list",
             "element": {
@@ -1513,6 +1579,7 @@ constexpr char kCrtkArmDescription[] = R"json({
         },
         {
           "name": "velocity_max",
+          "wire": "velocityMax",
           "type": {
             "kind": "list",
             "element": {
@@ -1524,6 +1591,7 @@ constexpr char kCrtkArmDescription[] = R"json({
         },
         {
           "name": "acceleration_min",
+          "wire": "accelerationMin",
           "type": {
             "kind": "list",
             "element": {
@@ -1535,6 +1603,7 @@ constexpr char kCrtkArmDescription[] = R"json({
         },
         {
           "name": "acceleration_max",
+          "wire": "accelerationMax",
           "type": {
             "kind": "list",
             "element": {
@@ -1546,6 +1615,7 @@ constexpr char kCrtkArmDescription[] = R"json({
         },
         {
           "name": "effort_min",
+          "wire": "effortMin",
           "type": {
             "kind": "list",
             "element": {
@@ -1557,6 +1627,7 @@ constexpr char kCrtkArmDescription[] = R"json({
         },
         {
           "name": "effort_max",
+          "wire": "effortMax",
           "type": {
             "kind": "list",
             "element": {
@@ -1589,6 +1660,7 @@ constexpr char kCrtkArmDescription[] = R"json({
         },
         {
           "name": "sub_state",
+          "wire": "subState",
           "doc": "What the arm is doing within its state, for people: \"holding\", \"servo_cp\".",
           "type": {
             "kind": "text",
@@ -1597,6 +1669,7 @@ constexpr char kCrtkArmDescription[] = R"json({
         },
         {
           "name": "is_homed",
+          "wire": "isHomed",
           "type": {
             "kind": "Bool"
           },
@@ -1604,6 +1677,7 @@ constexpr char kCrtkArmDescription[] = R"json({
         },
         {
           "name": "is_busy",
+          "wire": "isBusy",
           "doc": "A move is under way; servo commands do not set it.",
           "type": {
             "kind": "Bool"
@@ -1626,6 +1700,7 @@ constexpr char kCrtkArmDescription[] = R"json({
       "fields": [
         {
           "name": "period_average",
+          "wire": "periodAverage",
           "type": {
             "kind": "Float64"
           },
@@ -1634,6 +1709,7 @@ constexpr char kCrtkArmDescription[] = R"json({
         },
         {
           "name": "period_deviation",
+          "wire": "periodDeviation",
           "type": {
             "kind": "Float64"
           },
@@ -1642,6 +1718,7 @@ constexpr char kCrtkArmDescription[] = R"json({
         },
         {
           "name": "period_min",
+          "wire": "periodMin",
           "type": {
             "kind": "Float64"
           },
@@ -1650,6 +1727,7 @@ constexpr char kCrtkArmDescription[] = R"json({
         },
         {
           "name": "period_max",
+          "wire": "periodMax",
           "type": {
             "kind": "Float64"
           },
@@ -1801,6 +1879,7 @@ constexpr char kCrtkArmDescription[] = R"json({
         },
         {
           "name": "moving_frame",
+          "wire": "movingFrame",
           "type": {
             "kind": "text",
             "capacity": 15
@@ -1808,6 +1887,7 @@ constexpr char kCrtkArmDescription[] = R"json({
         },
         {
           "name": "reference_frame",
+          "wire": "referenceFrame",
           "type": {
             "kind": "text",
             "capacity": 15
@@ -1867,6 +1947,7 @@ constexpr char kCrtkArmDescription[] = R"json({
         },
         {
           "name": "moving_frame",
+          "wire": "movingFrame",
           "type": {
             "kind": "text",
             "capacity": 15
@@ -1874,6 +1955,7 @@ constexpr char kCrtkArmDescription[] = R"json({
         },
         {
           "name": "reference_frame",
+          "wire": "referenceFrame",
           "type": {
             "kind": "text",
             "capacity": 15
@@ -1902,6 +1984,7 @@ constexpr char kCrtkArmDescription[] = R"json({
       "fields": [
         {
           "name": "moving_frame",
+          "wire": "movingFrame",
           "type": {
             "kind": "text",
             "capacity": 15
@@ -1909,6 +1992,7 @@ constexpr char kCrtkArmDescription[] = R"json({
         },
         {
           "name": "reference_frame",
+          "wire": "referenceFrame",
           "type": {
             "kind": "text",
             "capacity": 15
@@ -1924,6 +2008,7 @@ constexpr char kCrtkArmDescription[] = R"json({
         },
         {
           "name": "position_is_valid",
+          "wire": "positionIsValid",
           "type": {
             "kind": "Bool"
           },
@@ -1931,6 +2016,7 @@ constexpr char kCrtkArmDescription[] = R"json({
         },
         {
           "name": "linear_velocity",
+          "wire": "linearVelocity",
           "type": {
             "kind": "matrix",
             "scalar": "Float64",
@@ -1941,6 +2027,7 @@ constexpr char kCrtkArmDescription[] = R"json({
         },
         {
           "name": "angular_velocity",
+          "wire": "angularVelocity",
           "type": {
             "kind": "matrix",
             "scalar": "Float64",
@@ -1951,6 +2038,7 @@ constexpr char kCrtkArmDescription[] = R"json({
         },
         {
           "name": "velocity_is_valid",
+          "wire": "velocityIsValid",
           "type": {
             "kind": "Bool"
           },
@@ -1978,6 +2066,7 @@ constexpr char kCrtkArmDescription[] = R"json({
         },
         {
           "name": "force_is_valid",
+          "wire": "forceIsValid",
           "type": {
             "kind": "Bool"
           },
@@ -2186,6 +2275,7 @@ constexpr char kCrtkArmDescription[] = R"json({
         },
         {
           "name": "linear_acceleration",
+          "wire": "linearAcceleration",
           "type": {
             "kind": "matrix",
             "scalar": "Float64",
@@ -2196,6 +2286,7 @@ constexpr char kCrtkArmDescription[] = R"json({
         },
         {
           "name": "angular_acceleration",
+          "wire": "angularAcceleration",
           "type": {
             "kind": "matrix",
             "scalar": "Float64",

@@ -99,7 +99,7 @@ ComponentClass componentClass<robots::Mtm>() {
             robots::MtmParameters values;
             fromJson(parameters, values);
             if (parameters.failed()) return nullptr;
-            return std::make_unique<robots::Mtm>(values);
+            return std::unique_ptr<Component>(new robots::Mtm(values));
           }};
 }
 

@@ -76,7 +76,7 @@ ComponentClass componentClass<robots::Psm>() {
             robots::PsmParameters values;
             fromJson(parameters, values);
             if (parameters.failed()) return nullptr;
-            return std::make_unique<robots::Psm>(values);
+            return std::unique_ptr<Component>(new robots::Psm(values));
           }};
 }
 

@@ -150,6 +150,7 @@ constexpr char kLoopServerDescription[] = R"json({
         },
         {
           "name": "automatic_timestamp",
+          "wire": "automaticTimestamp",
           "doc": "Whether the provider stamps the data itself.",
           "type": {
             "kind": "Bool"
@@ -165,6 +166,7 @@ constexpr char kLoopServerDescription[] = R"json({
         },
         {
           "name": "moving_frame",
+          "wire": "movingFrame",
           "type": {
             "kind": "text",
             "capacity": 15
@@ -172,6 +174,7 @@ constexpr char kLoopServerDescription[] = R"json({
         },
         {
           "name": "reference_frame",
+          "wire": "referenceFrame",
           "type": {
             "kind": "text",
             "capacity": 15

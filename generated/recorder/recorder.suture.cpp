@@ -66,7 +66,7 @@ ComponentClass componentClass<robots::Recorder>() {
             robots::RecorderParameters values;
             fromJson(parameters, values);
             if (parameters.failed()) return nullptr;
-            return std::make_unique<robots::Recorder>(values);
+            return std::unique_ptr<Component>(new robots::Recorder(values));
           }};
 }
 

@@ -80,7 +80,7 @@ ComponentClass componentClass<robots::Surgeon>() {
             robots::SurgeonParameters values;
             fromJson(parameters, values);
             if (parameters.failed()) return nullptr;
-            return std::make_unique<robots::Surgeon>(values);
+            return std::unique_ptr<Component>(new robots::Surgeon(values));
           }};
 }
 

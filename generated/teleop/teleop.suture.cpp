@@ -75,7 +75,7 @@ ComponentClass componentClass<robots::Teleop>() {
             robots::TeleopParameters values;
             fromJson(parameters, values);
             if (parameters.failed()) return nullptr;
-            return std::make_unique<robots::Teleop>(values);
+            return std::unique_ptr<Component>(new robots::Teleop(values));
           }};
 }
 

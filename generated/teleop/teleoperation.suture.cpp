@@ -110,6 +110,7 @@ constexpr char kTeleoperationDescription[] = R"json({
     {
       "name": "teleop_state",
       "kind": "read",
+      "wire": "teleopState",
       "result": {
         "type": {
           "kind": "enum",
@@ -135,6 +136,7 @@ constexpr char kTeleoperationDescription[] = R"json({
     {
       "name": "teleop_state",
       "kind": "write",
+      "wire": "teleopState",
       "payload": {
         "type": {
           "kind": "enum",
@@ -166,16 +168,19 @@ constexpr char kTeleoperationDescription[] = R"json({
         {
           "name": "Disabled",
           "value": 0,
+          "wire": "disabled",
           "doc": "until enable()"
         },
         {
           "name": "Preparing",
           "value": 1,
+          "wire": "preparing",
           "doc": "waits for both arms: connected, enabled, homed, and fresh data of both"
         },
         {
           "name": "Following",
-          "value": 2
+          "value": 2,
+          "wire": "following"
         }
       ]
     }
@@ -187,6 +192,7 @@ constexpr char kTeleoperationDescription[] = R"json({
       "fields": [
         {
           "name": "master_stamp",
+          "wire": "masterStamp",
           "doc": "Stamp of the first master pose that was followed.",
           "type": {
             "kind": "time",
@@ -204,6 +210,7 @@ constexpr char kTeleoperationDescription[] = R"json({
         },
         {
           "name": "slave_setpoint",
+          "wire": "slaveSetpoint",
           "doc": "The slave's set-point at entry, in the slave's base frame.",
           "type": {
             "kind": "isometry",

@@ -39,6 +39,9 @@ annotation range @0x94378331cf3a0f00 (field, param) :Range;
 annotation capacity @0xb9153c2d27d33063 (field, param, method) :List(UInt32);
 # Upper bounds of text and lists, outside in; 0 = unbounded.
 
+annotation bulk @0xe60b8c2f94a7d135 (field, param, method) :Text;
+# break. "Float64"...: the bytes are such numbers, little-endian, one behind the other.
+
 annotation underlying @0xaa6a851ab778967e (enum) :Text;
 # The C++ underlying type of an enum.
 
@@ -74,6 +77,12 @@ annotation version @0xf5d6a4cd23f0b9c4 (interface) :UInt32;
 
 annotation latched @0xe2f9c1d7b8405a6e (method) :Void;
 # A late subscriber receives the last value.
+
+annotation since @0xb1c95e7f02d48a63 (struct, enum, interface, field, enumerant, method) :UInt32;
+# The version that it came with.
+
+annotation deprecated @0xcf4a1d8e57b63092 (struct, enum, interface, field, enumerant, method) :Text;
+# Why it should not be used any more.
 
 annotation removed @0xd3b1f04c6a8e9275 (struct, enum, interface, field, enumerant, method) :Text;
 # No longer declared; keeps its place for ever. The argument is its last name on the wire.

@@ -36,7 +36,7 @@ ComponentClass componentClass<reference::SimulatedArm>() {
             reference::SimulatedArmParameters values;
             fromJson(parameters, values);
             if (parameters.failed()) return nullptr;
-            return std::make_unique<reference::SimulatedArm>(values);
+            return std::unique_ptr<Component>(new reference::SimulatedArm(values));
           }};
 }
 

@@ -41,8 +41,14 @@ template <Number S, std::uint32_t R, std::uint32_t C, class Builder>
 void toWire(const BoundedMatrix<S, R, C>& slot, Builder out) {
   out.setRows(slot.rows);
   out.setColumns(slot.columns);
-  auto data = out.initData(slot.rows * slot.columns);
-  for (std::uint32_t i = 0; i < data.size(); ++i) data.set(i, slot.data[i]);
+  const std::uint32_t count = slot.rows * slot.columns;
+  if constexpr (std::is_same_v<decltype(out.initData(0)), capnp::Data::Builder>) {  // bulk()
+    auto data = out.initData(count * sizeof(S));
+    std::memcpy(data.begin(), slot.data, data.size());
+  } else {
+    auto data = out.initData(count);
+    for (std::uint32_t i = 0; i < count; ++i) data.set(i, slot.data[i]);
+  }
 }
 template <class Reader, Number S, std::uint32_t R, std::uint32_t C>
 Errc fromWire(Reader in, BoundedMatrix<S, R, C>& slot) {
@@ -50,8 +56,14 @@ Errc fromWire(Reader in, BoundedMatrix<S, R, C>& slot) {
   slot.rows = in.getRows();
   slot.columns = in.getColumns();
   const auto data = in.getData();
-  if (data.size() != std::uint64_t{slot.rows} * slot.columns) return Errc::Invalid;
-  for (std::uint32_t i = 0; i < data.size(); ++i) slot.data[i] = data[i];
+  const std::uint64_t count = std::uint64_t{slot.rows} * slot.columns;
+  if constexpr (std::is_same_v<decltype(in.getData()), capnp::Data::Reader>) {  // bulk()
+    if (data.size() != count * sizeof(S)) return Errc::Invalid;
+    std::memcpy(slot.data, data.begin(), data.size());
+  } else {
+    if (data.size() != count) return Errc::Invalid;
+    for (std::uint32_t i = 0; i < data.size(); ++i) slot.data[i] = data[i];
+  }
   return Errc{};
 }
 

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <initializer_list>
 
@@ -80,16 +81,19 @@ Errc fromWire(const List& in, BoundedList<Element, N>& slot) {
   return Errc{};
 }
 
-// Bytes are Data.
-template <std::uint32_t N>
-void toWire(const BoundedList<std::uint8_t, N>& slot, capnp::Data::Builder out) {
-  std::copy_n(slot.data, out.size(), out.begin());
+// Bytes are Data, and so is what a header calls bulk(): its numbers, little-endian.
+static_assert(std::endian::native == std::endian::little);
+
+template <Number Element, std::uint32_t N>
+void toWire(const BoundedList<Element, N>& slot, capnp::Data::Builder out) {
+  std::copy_n(reinterpret_cast<const kj::byte*>(slot.data), out.size(), out.begin());
 }
-template <std::uint32_t N>
-Errc fromWire(capnp::Data::Reader in, BoundedList<std::uint8_t, N>& slot) {
-  if (in.size() > N) return Errc::TooLarge;
-  slot.size = static_cast<std::uint32_t>(in.size());
-  std::copy_n(in.begin(), in.size(), slot.data);
+template <Number Element, std::uint32_t N>
+Errc fromWire(capnp::Data::Reader in, BoundedList<Element, N>& slot) {
+  if (in.size() % sizeof(Element) != 0) return Errc::Invalid;
+  if (in.size() / sizeof(Element) > N) return Errc::TooLarge;
+  slot.size = static_cast<std::uint32_t>(in.size() / sizeof(Element));
+  std::copy_n(in.begin(), in.size(), reinterpret_cast<kj::byte*>(slot.data));
   return Errc{};
 }
 
@@ -116,6 +120,17 @@ template <class List, Number Element, std::size_t N>
 Errc fromWire(const List& in, std::array<Element, N>& slot) {
   if (in.size() != N) return Errc::Invalid;
   for (std::uint32_t i = 0; i < N; ++i) slot[i] = in[i];
+  return Errc{};
+}
+
+template <Number Element, std::size_t N>
+void toWire(const std::array<Element, N>& slot, capnp::Data::Builder out) {
+  std::memcpy(out.begin(), slot.data(), out.size());
+}
+template <Number Element, std::size_t N>
+Errc fromWire(capnp::Data::Reader in, std::array<Element, N>& slot) {
+  if (in.size() != sizeof(slot)) return Errc::Invalid;
+  std::memcpy(slot.data(), in.begin(), in.size());
   return Errc{};
 }
 

@@ -1,10 +1,12 @@
 """Runs suturec on each questionable header of cases/ and compares everything that it prints.
 
   errors_test.py SUTUREC EIGEN            the test
+  errors_test.py SUTUREC EIGEN --part P      one part of it: cases, fixes, usage or mutants
   errors_test.py SUTUREC EIGEN --mutants N   the same with N mutated headers instead of 200
   errors_test.py SUTUREC EIGEN --record   writes the .err files anew; read the difference before committing
 """
 
+import argparse
 import concurrent.futures
 import pathlib
 import random
@@ -201,20 +203,32 @@ def check_mutation(suturec, eigen, seed):
     return [] if status in (0, 1) else [f"seed {seed} ({original.name}): exit status {status}\n{text}"]
 
 
+def runs(part, suturec, eigen, record, mutants):
+    """Each a function and its arguments."""
+    if part == "cases":
+        return [(check_case, suturec, eigen, h, record) for h in sorted(CASES.glob("*.h"))] + [(check_slugs,)]
+    if part == "fixes":
+        return [(check_fix, suturec, h, record) for h in sorted(FIXES.glob("*.h"))]
+    if part == "usage":
+        pages = sorted(p for p in PAGES.glob("*.md") if p.stem != "README")
+        return ([(check_page, suturec, p) for p in pages] + [(check_usage, suturec, *usage) for usage in USAGE]
+                + [(check_diff, suturec, *diff) for diff in DIFFS])
+    return [(check_mutation, suturec, eigen, seed) for seed in range(mutants)]
+
+
 def main():
-    suturec, eigen = sys.argv[1:3]
-    record = "--record" in sys.argv
-    mutants = int(sys.argv[sys.argv.index("--mutants") + 1]) if "--mutants" in sys.argv else 200
+    parser = argparse.ArgumentParser()
+    parser.add_argument("suturec")
+    parser.add_argument("eigen")
+    parser.add_argument("--part", action="append", choices=["cases", "fixes", "usage", "mutants"])
+    parser.add_argument("--record", action="store_true")
+    parser.add_argument("--mutants", type=int, default=200)
+    options = parser.parse_args()
+    parts = ["cases", "fixes"] if options.record else options.part or ["cases", "fixes", "usage", "mutants"]
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        jobs = [pool.submit(check_case, suturec, eigen, h, record) for h in sorted(CASES.glob("*.h"))]
-        jobs += [pool.submit(check_fix, suturec, h, record) for h in sorted(FIXES.glob("*.h"))]
-        if not record:
-            jobs += [pool.submit(check_page, suturec, p) for p in sorted(PAGES.glob("*.md")) if p.stem != "README"]
-            jobs += [pool.submit(check_usage, suturec, *usage) for usage in USAGE]
-            jobs += [pool.submit(check_diff, suturec, *diff) for diff in DIFFS]
-            jobs += [pool.submit(check_mutation, suturec, eigen, seed) for seed in range(mutants)]
+        jobs = [pool.submit(*run) for part in parts
+                for run in runs(part, options.suturec, options.eigen, options.record, options.mutants)]
         problems = [p for job in jobs for p in job.result()]
-    problems += check_slugs()
     print("\n".join(problems) or f"{len(jobs)} runs as expected")
     return 1 if problems else 0
 

@@ -16,6 +16,7 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 HEADER = "evolution/sample.h"
 LOCK = "schemas/evolution/sample.capnp"
+CHOICE = "schemas/evolution/choice.capnp"
 
 # Reader, file, and what it makes of it.
 READS = [
@@ -29,6 +30,19 @@ READS = [
                      "note='new' mode=Fast"),
     ("v1", "v2fast", "refused"),
 ]
+
+# The same for a Choice: an alternative that a reader does not know is refused, whatever else it is.
+CHOICES = [
+    ("v1", "v1choice", "value=1.500000 second=2.5 x=3 pace=fast"),
+    ("v2", "v1choice", "value=1.500000 second=2.5 x=3 pace=fast"),
+    ("v1", "v2choice", "value=1 second=none x=4 pace=fast"),
+    ("v2", "v2choice", "value=1 second=none x=4 pace=fast"),
+    ("v2", "v2newest", "value=7 second=none x=4 pace=fast"),
+    ("v1", "v2newest", "refused"),
+]
+
+WRITES = [("v1", "write", "v1"), ("v2", "write", "v2"), ("v2", "write-fast", "v2fast"), ("v1", "write-choice", "v1choice"),
+          ("v2", "write-choice", "v2choice"), ("v2", "write-newest", "v2newest")]
 
 # An edit of the first header, and the words of the refusal.
 BREAKS = [
@@ -64,13 +78,13 @@ def run(command, **options):
 
 def check_bytes(programs, failures):
     with tempfile.TemporaryDirectory() as folder:
-        for version, what, stored in [("v1", "write", "v1"), ("v2", "write", "v2"), ("v2", "write-fast", "v2fast")]:
+        for version, what, stored in WRITES:
             written = pathlib.Path(folder) / stored
             run([programs[version], what, written])
             same = filecmp.cmp(written, HERE / "bytes" / f"{stored}.bin", shallow=False)
             failures.expect(same, f"{version} writes what it wrote when {stored}.bin was stored")
-    for reader, stored, words in READS:
-        _, text = run([programs[reader], "read", HERE / "bytes" / f"{stored}.bin"])
+    for what, (reader, stored, words) in [("read", r) for r in READS] + [("read-choice", r) for r in CHOICES]:
+        _, text = run([programs[reader], what, HERE / "bytes" / f"{stored}.bin"])
         failures.expect(text.strip() == words, f"{reader} reads {stored}.bin", f"expected {words}\ngot      {text}")
 
 
@@ -131,9 +145,25 @@ def check_accepted(suturec, flags, failures):
         failures.expect('"major": 2' in described, "a build after an accepted break goes on, and says so", text)
 
 
+def check_range(suturec, flags, failures):
+    """Bytes mean what they meant, but it is not silent: the lock has to be written, without accepting a break."""
+    with tempfile.TemporaryDirectory() as folder:
+        copy = Copy(folder, suturec, flags)
+        copy.edit("std::int32_t count", "SUTURE_FIELD(range(0, 10)) std::int32_t count")
+        status, text = copy.start("--out", "out")
+        failures.expect(status == 1 and "[suture-lock-range]" in text and not (copy.root / "out").exists(),
+                        "a new range stops the build until the lock has it", text)
+        failures.expect(re.search(rf"^{LOCK}:\d+:\d+: note: the lock has: count", text, re.M), "and names the lock's line", text)
+        status, text = copy.start("--update-lock")
+        failures.expect(status == 0 and "major" not in copy.lock(), "an update takes a new range, and it is no break", text)
+        status, text = copy.start("--out", "out")
+        failures.expect(status == 0, "then the build goes on", text)
+
+
 def check_diff(suturec, failures):
-    status, text = run([suturec, "diff", HERE / "v1" / LOCK, HERE / "v2" / LOCK])
-    failures.expect(status == 0 and "breaks:" not in text, "diff finds the second version compatible", text)
+    for lock in (LOCK, CHOICE):
+        status, text = run([suturec, "diff", HERE / "v1" / lock, HERE / "v2" / lock])
+        failures.expect(status == 0 and "breaks:" not in text, f"diff finds the second {lock} compatible", text)
 
 
 def main():
@@ -146,11 +176,11 @@ def main():
     check_diff(arguments.suturec, failures)
     flags = arguments.flags.replace(";", " ").split()
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        jobs = [pool.submit(check_accepted, arguments.suturec, flags, failures)]
+        jobs = [pool.submit(check, arguments.suturec, flags, failures) for check in (check_accepted, check_range)]
         jobs += [pool.submit(check_break, arguments.suturec, flags, *edit, failures) for edit in BREAKS]
         for job in jobs:
             job.result()
-    print("\n".join(failures) or f"{len(READS)} reads and {len(BREAKS)} breaks as expected")
+    print("\n".join(failures) or f"{len(READS) + len(CHOICES)} reads and {len(BREAKS)} breaks as expected")
     return 1 if failures else 0
 
 

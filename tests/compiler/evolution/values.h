@@ -3,6 +3,7 @@
 
 #include <ostream>
 
+#include "evolution/choice.suture.h"
 #include "evolution/sample.suture.h"
 
 namespace evolution {
@@ -12,5 +13,10 @@ Sample example();
 
 /// The fields that the two versions do not share.
 void print(const Sample& sample, std::ostream& out);
+
+/// A choice of something that both versions have, or of the newest that this one has.
+Choice exampleChoice(bool newest);
+
+void print(const Choice& choice, std::ostream& out);
 
 }  // namespace evolution

@@ -57,7 +57,7 @@ void expectCommitted(const model::Artefact& artefact) {
 TEST(Golden, HandMadeModelGivesTheExpectedFiles) {
   model::Model model = sample::robots();
   const std::vector<model::Artefact> artefacts = allOf(model);
-  EXPECT_EQ(artefacts.size(), 12u);
+  EXPECT_EQ(artefacts.size(), 15u);
   for (const model::Artefact& artefact : artefacts) expectCommitted(artefact);
 
   // The other target's turn.

@@ -107,7 +107,7 @@ TEST(Check, UnitsAndRangesEverywhere) {
   model::Header bad = header();
   bad.interfaces[0].commands[0].parameters[0].unit = "furlong";
   bad.interfaces[0].commands[1].resultRange = {1, 0};
-  bad.interfaces[0].events[0].payloadRange = {0, std::numeric_limits<double>::quiet_NaN()};
+  bad.interfaces[0].events[0].limits = {{"", {{0, std::numeric_limits<double>::quiet_NaN()}}}};
   EXPECT_EQ(slugs(bad), (Slugs{"unknown-unit", "range-order", "range-order"}));
 }
 

@@ -151,6 +151,8 @@ model::Command write(const std::string& name, const std::string& parameter, Type
   model::Parameter only;
   only.name = parameter;
   only.wireName = model::camelCase(parameter);
+  only.byReference =
+      type.shape != Type::Shape::Scalar && type.shape != Type::Shape::Enum;  // as the headers do
   only.type = std::move(type);
   one.parameters = {std::move(only)};
   return one;

@@ -73,6 +73,33 @@ TEST_F(CompositesTest, BoundsDoNotChangeAName) {
             name(of(Shape::Optional, {sample::text(4)})));
 }
 
+TEST_F(CompositesTest, AVariantMayGrowAnywhereAndKeepsItsNumbers) {
+  const model::Type number = sample::number(), flag = sample::scalar(Scalar::Bool);
+  add(of(Shape::Optional, {of(Shape::Variant, {number, flag})}));
+  const Locks old = locks();
+  last() = of(Shape::Optional, {of(Shape::Variant, {sample::scalar(Scalar::Int32), flag, number})});
+  EXPECT_EQ(slugs(old), (std::vector<std::string>{"lock-renamed", "lock-new", "lock-renamed"}));
+  model::Diagnostics none;
+  const Lock now = read(update(model_, old).files, none).files.at("robots/arm.capnp");
+  const auto grown = std::find_if(now.nodes.begin(), now.nodes.end(), [](const Node& node) {
+    return node.name == "RobotsArmEitherOfInt32OrBoolOrFloat64";
+  });
+  ASSERT_NE(grown, now.nodes.end());
+  ASSERT_EQ(grown->members.size(), 3u);
+  EXPECT_EQ(grown->members[0].name, "float64");
+  EXPECT_EQ(grown->members[2].name, "int32");
+  for (const Node& node : now.nodes) EXPECT_FALSE(node.removed()) << node.name;
+}
+
+TEST_F(CompositesTest, AVariantNeverLosesAnAlternative) {
+  const model::Type number = sample::number(), flag = sample::scalar(Scalar::Bool);
+  add(of(Shape::Variant, {number, flag, sample::scalar(Scalar::Int32)}));
+  const Locks old = locks();
+  last() = of(Shape::Variant, {number, flag});
+  const std::vector<std::string> found = slugs(old);
+  EXPECT_NE(std::find(found.begin(), found.end(), "lock-break"), found.end());
+}
+
 TEST_F(CompositesTest, AlternativesOfOneTypeAreToldApart) {
   const model::Lookup lookup(model_);
   const model::Type type =

@@ -194,6 +194,30 @@ TEST_F(LockTest, PolicyMayChangeButTheLockIsToldStale) {
   EXPECT_TRUE(check(model_, lockOf(model_, before_)).empty());
 }
 
+TEST_F(LockTest, ARangeHasToBeWrittenButIsNoBreak) {
+  sample::armHeader(model_).structs[0].fields[3].range = {{-0.5, 3}};
+  const Diagnostics found = check(model_, before_);
+  ASSERT_EQ(slugs(found), Slugs{"lock-range"});
+  EXPECT_EQ(found[0].severity, Diagnostic::Severity::Error);
+  EXPECT_TRUE(update(model_, before_).diagnostics.empty());
+  EXPECT_TRUE(check(model_, lockOf(model_, before_)).empty());
+}
+
+TEST_F(LockTest, ATypeKeepsItsIdUnderAnotherName) {
+  auto& enums = sample::armHeader(model_).enums;
+  enums.push_back(sample::enumerated("robots::Pace", {{"Slow", 0}, {"Fast", 1}}));
+  const Locks before = lockOf(model_, before_);
+  enums.back() = sample::enumerated("robots::Speed", {{"Quick", 1}, {"Slow", 0}});
+  enums.back().was = "Pace";
+  enums.back().enumerators[0].was = "Fast";
+  const Locks after = lockOf(model_, before);
+  const Node& now = nodeOf(armLock(after), "Speed");
+  EXPECT_EQ(now.id, nodeOf(armLock(before), "Pace").id);
+  ASSERT_EQ(now.members.size(), 2u);
+  EXPECT_EQ(now.members[0].name, "slow");
+  EXPECT_EQ(now.members[1].name, "quick");
+}
+
 TEST_F(LockTest, CommentsAreNotTheBusinessOfABuild) {
   arm().doc.text = "Another comment.";
   EXPECT_TRUE(check(model_, before_).empty());

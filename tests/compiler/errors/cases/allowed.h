@@ -14,6 +14,8 @@ struct SUTURE_TYPE() Words {
   double interface = 0;
   float Void = 0;
   int text = 0;
+  SUTURE_FIELD(name("struct")) int kind = 0;
+  SUTURE_FIELD(name("true")) bool yes = true;
   SUTURE_FIELD(name("angle")) double winkelÄ = 0;
   SUTURE_FIELD(skip()) std::mutex* guard = nullptr;
 };

@@ -1,14 +1,14 @@
 #pragma once
+#include <demo/arm.h>
 #include <suture/annotate.h>
 #include <suture/component/component.h>
 #include <suture/component/provided.h>
 #include <suture/component/required.h>
 namespace demo {
-class SUTURE_INTERFACE() Arm {};
-class SUTURE_COMPONENT(optional()) Twice : public suture::Task, public Arm {
-  suture::Provided<Arm> left_{*this, "Arm", *this};
-  suture::Provided<Arm> right_{*this, "Arm", *this};
-  suture::Required<Arm> arm_{*this, "Arm"};
-  SUTURE_REQUIRED(optional(), max_age(0ms)) suture::Required<Arm> other_{*this, "Other"};
+class SUTURE_COMPONENT(optional()) Twice : public suture::Task, public Empty {
+  suture::Provided<Empty> left_{*this, "Arm", *this};
+  suture::Provided<Empty> right_{*this, "Arm", *this};
+  suture::Required<Empty> arm_{*this, "Arm"};
+  SUTURE_REQUIRED(optional(), max_age(0ms)) suture::Required<Empty> other_{*this, "Other"};
 };
 }  // namespace demo

@@ -1,13 +1,10 @@
 #pragma once
+#include <demo/arm.h>
 #include <suture/annotate.h>
 #include <suture/component/component.h>
 #include <suture/component/provided.h>
 #include <suture/component/required.h>
 namespace demo {
-class SUTURE_INTERFACE() Arm {
- public:
-  SUTURE_COMMAND() virtual void hold() = 0;
-};
 struct SUTURE_TYPE() Parameters {
   int x = 0;
 };

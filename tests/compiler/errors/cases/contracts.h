@@ -19,5 +19,9 @@ class SUTURE_INTERFACE(version(2)) Derived : public Base {
 class SUTURE_INTERFACE() Pair {
  public:
   SUTURE_EVENT() SUTURE_FIELD(range(0, 1)) suture::EventOf<double, double> moved;
+  SUTURE_EVENT() SUTURE_FIELD() suture::EventOf<> stopped;
+  SUTURE_FIELD() SUTURE_EVENT() SUTURE_FIELD(unit("m/s")) suture::EventOf<bool, double> right;
+  SUTURE_EVENT() SUTURE_FIELD(name("x")) suture::EventOf<double> named;
+  SUTURE_COMMAND() SUTURE_FIELD(was("y")) virtual double place() const = 0;
 };
 }  // namespace demo

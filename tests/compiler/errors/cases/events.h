@@ -5,6 +5,7 @@ class SUTURE_INTERFACE() Contract {
  public:
   SUTURE_EVENT() suture::EventOf<int, int> pair;
   SUTURE_EVENT() suture::EventOf<int*> place;
+  SUTURE_EVENT() suture::EventOf<void> nothing;
   SUTURE_EVENT() int number;
   suture::EventOf<> forgotten;
 };

@@ -1,13 +1,13 @@
 #pragma once
+#include <demo/arm.h>
 #include <suture/annotate.h>
 #include <suture/component/component.h>
 #include <suture/component/provided.h>
 #include <suture/component/required.h>
 namespace demo {
-class SUTURE_INTERFACE() Arm {};
-class SUTURE_COMPONENT(queue(2)) Odd : public suture::Task, public Arm {
-  SUTURE_REQUIRED(max_age(10ms)) suture::Provided<Arm> third_{*this, "Third", *this};
-  SUTURE_REQUIRED(queue(3)) suture::Required<Arm> fourth_{*this, "Fourth"};
+class SUTURE_COMPONENT(queue(2)) Odd : public suture::Task, public Empty {
+  SUTURE_REQUIRED(max_age(10ms)) suture::Provided<Empty> third_{*this, "Third", *this};
+  SUTURE_REQUIRED(queue(3)) suture::Required<Empty> fourth_{*this, "Fourth"};
   SUTURE_REQUIRED() int number_ = 0;
 };
 }  // namespace demo

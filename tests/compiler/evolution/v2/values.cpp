@@ -1,5 +1,7 @@
 #include "tests/compiler/evolution/values.h"
 
+#include <string>
+
 namespace evolution {
 
 Sample example() {
@@ -24,6 +26,26 @@ void print(const Sample& sample, std::ostream& out) {
       << (sample.mode == Mode::On    ? "On"
           : sample.mode == Mode::Off ? "Off"
                                      : "Fast");
+}
+
+Choice exampleChoice(bool newest) {
+  Choice choice;
+  if (newest) choice.value = std::int32_t{7};
+  if (!newest) choice.value = true;
+  choice.inner.x = 4;
+  choice.pace = Pace::Quick;
+  return choice;
+}
+
+void print(const Choice& choice, std::ostream& out) {
+  out << "value=" << std::visit([](auto value) { return std::to_string(value); }, choice.value)
+      << " second=";
+  if (choice.second) {
+    std::visit([&](auto value) { out << value; }, *choice.second);
+  } else {
+    out << "none";
+  }
+  out << " x=" << choice.inner.x << " pace=" << (choice.pace == Pace::Slow ? "slow" : "fast");
 }
 
 }  // namespace evolution

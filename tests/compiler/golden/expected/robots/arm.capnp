@@ -68,8 +68,9 @@ interface Arm @0x974e120931408f6d $Meta.cxx("robots::Arm") {
       $Meta.kind("writeReturn") $Meta.queue(2);
   # Closes the gripper; answers whether it holds something.
   nextToken @9 (sent :Rpc.Sent) -> (value :UInt32) $Meta.cxx("next_token") $Meta.kind("voidReturn")
-      $Meta.queue(16);
-  park @10 (sent :Rpc.Sent) -> () $Meta.direct $Meta.kind("void") $Meta.optional $Meta.queue(16);
+      $Meta.queue(16) $Meta.since(1);
+  park @10 (sent :Rpc.Sent) -> () $Meta.deprecated("use enable") $Meta.direct $Meta.kind("void")
+      $Meta.optional $Meta.queue(16);
   load @11 (sent :Rpc.Sent) -> (value :Float64, stamp :Int64) $Meta.kind("read") $Meta.optional;
 }
 

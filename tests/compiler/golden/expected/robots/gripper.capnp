@@ -9,7 +9,7 @@ using Rpc = import "/suture/rpc.capnp";
 $Cxx.namespace("robots::wire");
 $Meta.header("robots/gripper.h");
 
-interface Gripper @0xb9e926d064e78714 extends(Arm.Arm) $Meta.cxx("robots::Gripper")
+interface Gripper @0xb9e926d064e78714 extends(Arm.Arm) $Meta.cxx("robots::Gripper") $Meta.since(2)
     $Meta.version(2) {
   # An arm with a gripper.
 
@@ -17,7 +17,7 @@ interface Gripper @0xb9e926d064e78714 extends(Arm.Arm) $Meta.cxx("robots::Grippe
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   open @1 (width :Float64 $Meta.unit("m"), sent :Rpc.Sent) -> () $Meta.kind("write")
       $Meta.queue(16);
-  opening @2 (sent :Rpc.Sent) -> (value :Float64, stamp :Int64) $Meta.kind("read");
+  opening @2 (sent :Rpc.Sent) -> (value :Float64, stamp :Int64) $Meta.kind("read") $Meta.since(2);
   fits @3 (width :Float64, sent :Rpc.Sent) -> (value :Bool) $Meta.concurrent
       $Meta.kind("qualifiedRead");
 }
@@ -33,7 +33,7 @@ interface GripperEvents @0x9acb6a7a5fa48866 $Meta.eventsOf("robots::Gripper") {
   moved @4 (value :Geometry.PoseStamped, value2 :Float64, value3 :Arm.Mode) -> () $Meta.latched
       $Meta.queue(16);
   # Where, how fast and why.
-  gripped @5 (value :Float64, value2 :Bool) -> () $Meta.queue(16);
+  gripped @5 (value :Float64, value2 :Bool) -> () $Meta.queue(16) $Meta.since(2);
 }
 
 struct GripperStateRow @0x8d73a8caf926376a $Meta.stateOf("robots::Gripper") {

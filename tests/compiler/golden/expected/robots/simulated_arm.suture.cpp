@@ -42,7 +42,7 @@ ComponentClass componentClass<robots::SimulatedArm>() {
             robots::ArmParameters values;
             fromJson(parameters, values);
             if (parameters.failed()) return nullptr;
-            return std::make_unique<robots::SimulatedArm>(values);
+            return std::unique_ptr<Component>(new robots::SimulatedArm(values));
           }};
 }
 

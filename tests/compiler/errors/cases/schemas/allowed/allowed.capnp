@@ -15,6 +15,8 @@ struct Words @0xa67d4853bd4c75cb $Meta.cxx("demo::Words") {
   void @4 :Float32 $Meta.cxx("Void");
   text @5 :Int32;
   angle @6 :Float64 $Meta.cxx("winkelÄ");
+  struct @7 :Int32 $Meta.cxx("kind");
+  true @8 :Bool = true $Meta.cxx("yes");
 }
 
 interface Contract @0xae3f07d9e2f0431e $Meta.cxx("demo::Contract") {

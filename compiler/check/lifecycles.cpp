@@ -1,0 +1,88 @@
+#include "compiler/check/rules.h"
+#include "compiler/model/naming.h"
+
+namespace suture::compiler::check {
+namespace {
+
+class Rule {
+ public:
+  Rule(const model::Lookup& lookup, model::Diagnostics& findings)
+      : lookup_(lookup), findings_(findings) {}
+
+  void checkSince(const std::string& subject, const model::Lifecycle& lifecycle,
+                  const model::Source& source) {
+    if (lifecycle.since != 0u) return;
+    addError(findings_, source, "since-version", subject + " is there since(0)",
+             "versions count from 1");
+  }
+
+  /// Who is on its way out itself may use what is.
+  void checkUse(const std::string& subject, const model::Lifecycle& user, const model::Type& type,
+                const model::Source& source) {
+    if (!user.deprecated.empty()) return;
+    for (const model::Type& element : type.element) checkUse(subject, user, element, source);
+    const std::string why = deprecationOf(type.name);
+    if (why.empty()) return;
+    addError(findings_, source, "deprecated-type",
+             subject + " is of type '" + type.name + "', which is deprecated: " + why,
+             "use another type, or say deprecated() here as well")
+        .severity = model::Diagnostic::Severity::Warning;
+  }
+
+ private:
+  std::string deprecationOf(const std::string& name) const {
+    if (const model::Struct* const one = lookup_.findStruct(name)) return one->lifecycle.deprecated;
+    if (const model::Enum* const one = lookup_.findEnum(name)) return one->lifecycle.deprecated;
+    return "";
+  }
+
+  const model::Lookup& lookup_;
+  model::Diagnostics& findings_;
+};
+
+void checkStruct(const model::Struct& type, Rule& rule) {
+  rule.checkSince("type '" + model::unqualified(type.name) + "'", type.lifecycle, type.source);
+  for (const model::Field& field : type.fields) {
+    const std::string subject = "field '" + field.name + "'";
+    rule.checkSince(subject, field.lifecycle, field.source);
+    const bool old = !type.lifecycle.deprecated.empty();
+    rule.checkUse(subject, old ? type.lifecycle : field.lifecycle, field.type, field.source);
+  }
+}
+
+void checkEnum(const model::Enum& type, Rule& rule) {
+  rule.checkSince("type '" + model::unqualified(type.name) + "'", type.lifecycle, type.source);
+  for (const model::Enumerator& one : type.enumerators) {
+    rule.checkSince("enumerator '" + one.name + "'", one.lifecycle, one.source);
+  }
+}
+
+void checkInterface(const model::Interface& interface, Rule& rule) {
+  for (const model::Command& command : interface.commands) {
+    for (const model::Parameter& parameter : command.parameters) {
+      rule.checkUse("parameter '" + parameter.name + "'", command.lifecycle, parameter.type,
+                    parameter.source);
+    }
+    if (!command.result) continue;
+    rule.checkUse("the result of command '" + command.name + "'", command.lifecycle,
+                  *command.result, command.source);
+  }
+  for (const model::Event& event : interface.events) {
+    for (const model::Type& type : event.payload) {
+      rule.checkUse("the payload of event '" + event.name + "'", event.lifecycle, type,
+                    event.source);
+    }
+  }
+}
+
+}  // namespace
+
+void checkLifecycles(const model::Header& header, const model::Lookup& lookup,
+                     model::Diagnostics& findings) {
+  Rule rule(lookup, findings);
+  for (const model::Struct& type : header.structs) checkStruct(type, rule);
+  for (const model::Enum& type : header.enums) checkEnum(type, rule);
+  for (const model::Interface& interface : header.interfaces) checkInterface(interface, rule);
+}
+
+}  // namespace suture::compiler::check

@@ -1,0 +1,27 @@
+#pragma once
+// Types are known by name within a schema; between two versions of it some are called otherwise.
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+namespace suture::compiler::lock {
+
+class Renames {
+ public:
+  void add(const std::string& before, const std::string& now) { names_[before] = now; }
+
+  /// A type of the old version as the new one spells it: "List(Pose)" -> "List(Placement)".
+  std::string apply(const std::string& type) const {
+    const std::size_t begin = type.rfind('(') + 1;  // 0 when there is no list
+    const std::size_t end = std::min(type.find(')'), type.size());
+    const auto found = names_.find(type.substr(begin, end - begin));
+    if (found == names_.end()) return type;
+    return type.substr(0, begin) + found->second + type.substr(end);
+  }
+
+ private:
+  std::map<std::string, std::string> names_;
+};
+
+}  // namespace suture::compiler::lock

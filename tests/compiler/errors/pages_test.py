@@ -1,0 +1,151 @@
+"""The examples on the pages of docs/diagnostics are true: suturec refuses the first of a page with the page's slug and
+no other, and takes the one behind "Instead:" without a finding.
+
+  pages_test.py SUTUREC EIGEN          all pages
+  pages_test.py SUTUREC EIGEN 1/2      every second of them, from the first; 2/2 the others
+  pages_test.py SUTUREC EIGEN SLUG...  those
+
+A fragment is put where it belongs: commands into a contract, fields into a type, interfaces into a component. What it
+names but does not declare is in examples/example/names.h.
+"""
+
+import concurrent.futures
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+PAGES = HERE.parents[2] / "docs" / "diagnostics"
+TIME_LIMIT = 120  # seconds; a hang must end the test, the machine may be slow
+
+# What the committed lock says where a page speaks of a lock.
+BEFORE = {
+    "lock-break": 'struct SUTURE_TYPE() Fragment { SUTURE_FIELD(unit("m")) double x = 0; };',
+    "lock-range": "struct SUTURE_TYPE() Grip { SUTURE_FIELD(range(0, 40)) double force = 0; };",
+    "lock-removed": "struct SUTURE_TYPE() Goal { double velocity = 0; };",
+}
+
+# Pages that show what to run instead of what to write.
+WITHOUT_EXAMPLE = {"enum-size", "lock-conflict", "lock-duplicate-id", "lock-missing", "lock-new", "lock-newer",
+                   "lock-renamed", "lock-stale", "lock-syntax", "nesting", "own-generated-include", "slot-size"}
+
+STANDARD = {"array": "array", "optional": "optional", "vector": "vector", "string": "string", "map": "map", "deque": "deque",
+            "variant": "variant", "unique_ptr": "memory", "function": "functional", "string_view": "string_view",
+            "chrono": "chrono", "size_t": "cstddef"}
+
+
+def includes_of(text, slug):
+    wanted = {f"<{header}>" for name, header in STANDARD.items() if re.search(rf"\bstd::{name}\b", text)}
+    if "Eigen::" in text:
+        wanted |= {"<Eigen/Core>", "<Eigen/Geometry>"}
+    if slug.startswith("crtk-"):
+        wanted.add("<example/crtk.h>")
+    return sorted(wanted | {"<cstdint>", "<suture/annotate.h>", "<example/names.h>"})
+
+
+def placed(text, slug):
+    """The fragment as a piece of a header."""
+    first = next(line for line in text.splitlines() if line.strip() and not line.startswith("//"))
+    commands = "crtk()" if slug.startswith("crtk-") else ""
+    if re.match(r"(template <class T>\n)?SUTURE_(COMMAND|EVENT)|private:|public:", text[text.index(first):]):
+        return f"class SUTURE_INTERFACE({commands}) Fragment {{\n public:\n  virtual ~Fragment() = default;\n{text}}};\n"
+    if re.match(r"SUTURE_REQUIRED|suture::(Provided|Required)", first):
+        return ("class SUTURE_COMPONENT() Fragment final : public suture::EventTask, public Arm {\n public:\n"
+                f"  void enable() override;\n private:\n{text}}};\n")
+    if re.match(r"SUTURE_FIELD|std::", first):
+        return f"struct SUTURE_TYPE() Fragment {{\n{text}}};\n"
+    return text
+
+
+def header_of(text, slug):
+    """A whole header; what stands outside of namespaces on the page does so here."""
+    own = [line for line in text.splitlines() if line.startswith("#include")]
+    rest = "".join(line + "\n" for line in text.splitlines() if not line.startswith("#include"))
+    outside = re.search(r"^namespace ", rest, re.M) or "suture::Wire<" in rest
+    body = rest if outside else f"namespace demo {{\n{placed(rest, slug)}}}\n"
+    lines = [f"#include {name}" for name in includes_of(text, slug)] + own
+    return "#pragma once\n" + "\n".join(lines) + "\n" + body
+
+
+class Folder:
+    def __init__(self, suturec, eigen, folder):
+        self.suturec, self.eigen, self.root = suturec, eigen, pathlib.Path(folder)
+
+    def run(self, text, *options):
+        (self.root / "page.h").write_text(text, encoding="utf-8")
+        command = [self.suturec, "--base-dir", ".", "--lock-dir", "schemas", *options, "page.h", "--",
+                   f"-I{HERE}/include", f"-I{HERE}/examples", "-isystem", self.eigen]
+        done = subprocess.run(command, cwd=self.root, capture_output=True, text=True, timeout=TIME_LIMIT)
+        return done.returncode, done.stdout + done.stderr
+
+
+def check_wrong(folder, slug, text):
+    if slug in BEFORE:
+        folder.run(header_of(BEFORE[slug], slug), "--update-lock")
+        status, printed = folder.run(header_of(text, slug), "--out", "out")
+    else:
+        status, printed = folder.run(header_of(text, slug), "--update-lock")
+    slugs = set(re.findall(r"\[suture-([a-z-]+)\]", printed))
+    others = [line for line in re.findall(r".*error: .*", printed) if "[suture-" not in line]
+    warns = "warning:" in printed
+    if slugs == {slug} and not others and status == (0 if warns else 1):
+        return []
+    return [f"{slug}.md: the first example gives {sorted(slugs)}, status {status}:\n{header_of(text, slug)}{printed}"]
+
+
+def check_right(folder, slug, text):
+    status, printed = folder.run(header_of(text, slug), "--update-lock")
+    if status == 0 and "[suture-" not in printed:
+        return []
+    return [f"{slug}.md: what it shows instead is refused:\n{header_of(text, slug)}{printed}"]
+
+
+def examples_of(page):
+    """The wrong ones and the right ones: each block belongs to the paragraph before it."""
+    text = page.read_text(encoding="utf-8")
+    blocks = [(m.start(), m.group(1)) for m in re.finditer(r"```cpp\n(.*?)```", text, re.S)]
+    turn = re.search(r"^(Instead|Give the instance one|Right):?", text, re.M)
+    at = turn.start() if turn else len(text)
+    return [b for place, b in blocks if place < at], [b for place, b in blocks if place > at]
+
+
+def check_page(suturec, eigen, page):
+    slug = page.stem
+    wrong, right = examples_of(page)
+    if slug in WITHOUT_EXAMPLE:
+        return []
+    if not wrong:
+        return [f"{slug}.md shows no example"]
+    problems = []
+    for check, examples in ((check_wrong, wrong), (check_right, right)):
+        for example in examples:
+            with tempfile.TemporaryDirectory() as folder:
+                problems += check(Folder(suturec, eigen, folder), slug, example)
+    return problems
+
+
+def choose(pages, wanted):
+    """All, those named, or "1/2": every second."""
+    share = re.fullmatch(r"(\d+)/(\d+)", wanted[0]) if wanted else None
+    if share:
+        return pages[int(share[1]) - 1::int(share[2])]
+    return [page for page in pages if not wanted or page.stem in wanted]
+
+
+def main():
+    suturec, eigen = sys.argv[1:3]
+    pages = sorted(page for page in PAGES.glob("*.md") if page.stem != "README")
+    known = {page.stem for page in pages}
+    problems = [f"WITHOUT_EXAMPLE names {slug}, which has no page" for slug in sorted(WITHOUT_EXAMPLE - known)]
+    chosen = choose(pages, sys.argv[3:])
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        jobs = [pool.submit(check_page, suturec, eigen, page) for page in chosen]
+        problems += [problem for job in jobs for problem in job.result()]
+    print("\n".join(problems) or f"the examples of {len(chosen)} pages are true")
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,65 @@
+// Written by suturec from shapes/bulk.h. Do not edit.
+#include "shapes/bulk.suture.h"
+
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "shapes/bulk.capnp.h"
+
+namespace shapes {
+
+using suture::Duration;
+using suture::Errc;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<decltype(Bulk::samples), std::vector<double>>);
+static_assert(std::is_same_v<decltype(Bulk::triple), std::array<std::int16_t, 3>>);
+static_assert(std::is_same_v<decltype(Bulk::bytes), std::vector<std::uint8_t>>);
+static_assert(std::is_same_v<decltype(Bulk::line), Eigen::Matrix<float, Eigen::Dynamic, 1>>);
+static_assert(std::is_same_v<decltype(Bulk::jacobian), Eigen::Matrix<double, 6, 7>>);
+static_assert(std::is_same_v<decltype(Bulk::image), Eigen::MatrixXd>);
+
+}  // namespace
+
+// --- between slots and Cap'n Proto
+
+void toWire(const BulkSlot& slot, wire::Bulk::Builder out) {
+  toWire(slot.samples, out.initSamples(slot.samples.size * sizeof(double)));
+  toWire(slot.triple, out.initTriple(3 * sizeof(std::int16_t)));
+  toWire(slot.bytes, out.initBytes(slot.bytes.size));
+  toWire(slot.line, out.initLine(slot.line.size * sizeof(float)));
+  toWire(slot.jacobian, out.initJacobian(42 * sizeof(double)));
+  toWire(slot.image, out.initImage());
+}
+
+Errc fromWire(wire::Bulk::Reader in, BulkSlot& slot, Duration) {
+  return firstError({
+      fromWire(in.getSamples(), slot.samples),
+      fromWire(in.getTriple(), slot.triple),
+      fromWire(in.getBytes(), slot.bytes),
+      fromWire(in.getLine(), slot.line),
+      fromWire(in.getJacobian(), slot.jacobian),
+      fromWire(in.getImage(), slot.image),
+  });
+}
+
+bool isValid(const BulkSlot& slot) {
+  if (!allOf(slot.triple, [](const std::int16_t& element) { return inRange(element, -5, 5); })) {
+    return false;
+  }
+  return isValid(slot.samples) && isValid(slot.line) && isValid(slot.jacobian) &&
+      isValid(slot.image);
+}
+
+}  // namespace shapes

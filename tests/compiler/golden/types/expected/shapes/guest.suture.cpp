@@ -1,0 +1,74 @@
+// Written by suturec from shapes/guest.h. Do not edit.
+#include "shapes/guest.suture.h"
+
+#include <suture/component/json_reader.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "shapes/guest.capnp.h"
+
+namespace shapes {
+
+using suture::Duration;
+using suture::Errc;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<decltype(guest::Limits::low), double>);
+static_assert(std::is_same_v<decltype(guest::Limits::high), double>);
+
+}  // namespace
+
+// --- between slots and Cap'n Proto
+
+void toWire(const guestLimitsSlot& slot, wire::Limits::Builder out) {
+  out.setLow(slot.low);
+  out.setHigh(slot.high);
+}
+
+Errc fromWire(wire::Limits::Reader in, guestLimitsSlot& slot, Duration) {
+  slot.low = in.getLow();
+  slot.high = in.getHigh();
+  return Errc{};
+}
+
+bool isValid(const guestLimitsSlot& slot) {
+  return isValid(slot.low) && isValid(slot.high);
+}
+
+}  // namespace shapes
+
+namespace guest {
+
+void fromJson(const suture::JsonReader& in, Limits& value) {
+  suture::JsonReader reader = in;
+  reader.field("low", value.low);
+  reader.field("high", value.high);
+  reader.finish();
+}
+
+}  // namespace guest
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<shapes::Fence>() {
+  return {"Fence", [](const JsonReader& parameters) -> std::unique_ptr<Component> {
+            guest::Limits values;
+            fromJson(parameters, values);
+            if (parameters.failed()) return nullptr;
+            return std::unique_ptr<Component>(new shapes::Fence(values));
+          }};
+}
+
+}  // namespace suture
