@@ -4,6 +4,7 @@
 
 #include <suture/base/time.h>
 #include <suture/rt/doorbell.h>
+#include <suture/rt/due_bells.h>
 
 #include <atomic>
 #include <string>
@@ -78,7 +79,7 @@ class Component {
   std::vector<ProvidedBase*> provided_;
   std::vector<RequiredBase*> required_;
   rt::Doorbell doorbell_;
-  std::vector<rt::Doorbell*> toRing_;
+  rt::DueBells dueBells_;
   std::atomic<const void*> owner_{nullptr};
 };
 
