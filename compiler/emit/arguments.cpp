@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "compiler/emit/contract.h"
 #include "compiler/emit/parts.h"
 #include "compiler/lock/wanted.h"
@@ -91,11 +93,15 @@ void emitPayloads(Code& code, const Context& context, const model::Interface& in
 
 template <class Declarations>
 void emitNumbers(Code& code, const std::string& contract, const char* kind, const char* plural,
-                 const Declarations& declarations) {
-  if (declarations.empty()) return;
-  code.line("/// The numbers of ", contract, "'s ", plural, ".");
+                 const Declarations& own, std::size_t all) {
+  if (own.empty()) return;
+  std::size_t inherited = all - own.size();
+  const char* const whose = inherited == 0 ? "" : "own ";
+  code.line("/// The numbers of ", contract, "'s ", whose, plural, ".");
   code.open("enum class ", contract, kind, " : std::uint16_t {");
-  for (const auto& declaration : declarations) code.line(declaration.name, ",");
+  for (const auto* const declaration : own) {
+    code.line(declaration->name, startOf(std::exchange(inherited, 0)), ",");
+  }
   code.close("};").blank();
 }
 
@@ -114,8 +120,9 @@ void emitArguments(Code& code, const Context& context, const model::Interface& i
     emitStore(code, context, command, slot);
   }
   emitPayloads(code, context, interface);
-  emitNumbers(code, contract, "Command", "commands in every table and record", interface.commands);
-  emitNumbers(code, contract, "Event", "events", interface.events);
+  emitNumbers(code, contract, "Command", "commands in every table and record",
+              ownCommands(interface), interface.commands.size());
+  emitNumbers(code, contract, "Event", "events", ownEvents(interface), interface.events.size());
 }
 
 }  // namespace suture::compiler::emit

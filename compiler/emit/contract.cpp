@@ -21,21 +21,68 @@ std::string payloadMember(const model::Event& event, const std::string& slot, st
   return event.payload.size() == 1 ? slot : slot + "." + lock::payloadName(index);
 }
 
-void emitEventConstructor(Code& code, const model::Interface& interface,
+std::string baseClass(const char* kind, const model::Interface& interface) {
+  if (interface.base.empty()) return std::string(kind) + "Base";
+  return std::string(kind) + "<" + interface.base + ">";
+}
+
+void emitEventsHead(Code& code, const model::Interface& interface, const std::string& base) {
+  const bool inherits = ownEvents(interface).size() < interface.events.size();
+  code.open("struct Events ", inherits ? ": " + base + "::Events " : "", "{");
+}
+
+void emitEventConstructor(Code& code, const model::Interface& interface, const std::string& base,
                           const std::string& parameter, const std::string& argument) {
+  const std::vector<const model::Event*> events = ownEvents(interface);
   code.line("explicit Events(", parameter, ")");
-  for (const model::Event& event : interface.events) {
-    const bool first = &event == &interface.events.front();
-    const bool last = &event == &interface.events.back();
-    code.line(first ? "    : " : "      ", event.name, "{", argument,
-              ", static_cast<std::uint16_t>(EventId::", event.name, ")}", last ? " {}" : ",");
+  const char* lead = "    : ";
+  if (events.size() < interface.events.size()) {
+    code.line(lead, base, "::Events(", argument, "),");
+    lead = "      ";
+  }
+  for (const model::Event* const event : events) {
+    code.line(lead, event->name, "{", argument,
+              ", static_cast<std::uint16_t>(EventId::", event->name, ")}",
+              event == events.back() ? " {}" : ",");
+    lead = "      ";
   }
   code.blank();
 }
 
 void emitNumberAliases(Code& code, const model::Interface& interface) {
-  if (!interface.commands.empty()) code.line("using Id = ", interface.name, "Command;");
-  if (!interface.events.empty()) code.line("using EventId = ", interface.name, "Event;");
+  if (!ownCommands(interface).empty()) code.line("using Id = ", interface.name, "Command;");
+  if (!ownEvents(interface).empty()) code.line("using EventId = ", interface.name, "Event;");
+}
+
+namespace {
+
+template <class Declaration>
+std::vector<const Declaration*> ownOf(const std::vector<Declaration>& all) {
+  std::vector<const Declaration*> own;
+  for (const Declaration& one : all) {
+    if (one.inheritedFrom.empty()) own.push_back(&one);
+  }
+  return own;
+}
+
+}  // namespace
+
+std::vector<const model::Command*> ownCommands(const model::Interface& interface) {
+  return ownOf(interface.commands);
+}
+
+std::vector<const model::Event*> ownEvents(const model::Interface& interface) {
+  return ownOf(interface.events);
+}
+
+std::string startOf(std::size_t inherited) {
+  return inherited == 0 ? "" : " = " + std::to_string(inherited);
+}
+
+std::string eventNumber(const model::Interface& interface, const model::Event& event,
+                        const std::string& inNamespace) {
+  const std::string& home = event.inheritedFrom.empty() ? interface.name : event.inheritedFrom;
+  return "numberOf(" + relative(home, inNamespace) + "Event::" + event.name + ")";
 }
 
 std::vector<const model::Command*> readsOf(const model::Interface& interface) {
@@ -54,11 +101,15 @@ std::string number(double value) {
   return {text, end};
 }
 
-bool hasParameters(const model::Interface& interface) {
-  for (const model::Command& command : interface.commands) {
-    if (!command.parameters.empty()) return true;
+bool hasOwnParameters(const model::Interface& interface) {
+  for (const model::Command* const command : ownCommands(interface)) {
+    if (!command->parameters.empty()) return true;
   }
   return false;
+}
+
+std::string named(const char* name, bool used) {
+  return used ? name : std::string("/*") + name + "*/";
 }
 
 std::string scratchName(const model::Command& command, const model::Parameter& parameter) {

@@ -17,12 +17,33 @@ inline constexpr char kBreakText[] = {kBreak, '\0'};
 std::string eventArguments(const Context& context, const model::Interface& interface,
                            const model::Event& event);
 
-/// The constructor of an Events struct, which gives each event its number.
-void emitEventConstructor(Code& code, const model::Interface& interface,
+/// "Required<robots::Arm>" for "Required" and a contract that derives from Arm; "RequiredBase"
+/// where it derives from none.
+std::string baseClass(const char* kind, const model::Interface& interface);
+
+/// Opens "struct Events {", with the base's Events where it has inherited ones.
+void emitEventsHead(Code& code, const model::Interface& interface, const std::string& base);
+
+/// The constructor of an Events struct, which gives each event its number. `base`: the class whose
+/// Events has those that the contract inherits.
+void emitEventConstructor(Code& code, const model::Interface& interface, const std::string& base,
                           const std::string& parameter, const std::string& argument);
 
-/// "using Id = robots::ArmCommand;" and the same for events, where there are any.
+/// "using Id = robots::ArmCommand;" and the same for events, where it adds any.
 void emitNumberAliases(Code& code, const model::Interface& interface);
+
+/// What the contract declares itself. For the rest its code hands over to that of its base, whose
+/// commands and events are the first of its own.
+std::vector<const model::Command*> ownCommands(const model::Interface& interface);
+std::vector<const model::Event*> ownEvents(const model::Interface& interface);
+
+/// Where the number of a contract's first own command or event is not 0, what follows its name in
+/// the enum: " = 11".
+std::string startOf(std::size_t inherited);
+
+/// "numberOf(ArmEvent::arrived)", with the enum of the contract that declares the event.
+std::string eventNumber(const model::Interface& interface, const model::Event& event,
+                        const std::string& inNamespace);
 
 /// The read commands, in the order of their columns.
 std::vector<const model::Command*> readsOf(const model::Interface& interface);
@@ -33,8 +54,11 @@ std::string number(double value);
 /// Where value `index` of a payload lies: "slot" for a single value, else "slot.value2".
 std::string payloadMember(const model::Event& event, const std::string& slot, std::size_t index);
 
-/// Has any command parameters?
-bool hasParameters(const model::Interface& interface);
+/// Has any command that the contract declares itself parameters?
+bool hasOwnParameters(const model::Interface& interface);
+
+/// A parameter's name, in a comment where nothing uses it.
+std::string named(const char* name, bool used);
 
 /// "servo_cp_goal".
 std::string scratchName(const model::Command& command, const model::Parameter& parameter);

@@ -124,10 +124,11 @@ class DirectlyUsed {
 
  private:
   void add(const model::Interface& interface) {
-    for (const model::Command& command : interface.commands) {
-      for (const model::Parameter& parameter : command.parameters) add(parameter.type);
-      if (command.result) add(*command.result);
+    for (const model::Command* const command : ownCommands(interface)) {
+      for (const model::Parameter& parameter : command->parameters) add(parameter.type);
+      if (command->result) add(*command->result);
     }
+    for (const model::Command* const read : readsOf(interface)) add(*read->result);
     for (const model::Event& event : interface.events) {
       for (const model::Type& type : event.payload) add(type);
     }

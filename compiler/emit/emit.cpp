@@ -122,7 +122,7 @@ void emitUsings(Code& code, const Context& context, bool converts) {
                                "rpc::fromWireList", "rpc::inRange", "rpc::isValid", "rpc::toWire",
                                "rpc::toWireList"});
   }
-  if (contracts) names.insert(names.end(), {"rpc::ProxyPort", "rpc::ServantPort"});
+  if (contracts) names.insert(names.end(), {"rpc::ProxyPort", "rpc::ServantPort", "rpc::numberOf"});
   std::sort(names.begin(), names.end());
   for (const std::string& name : names) code.line("using suture::", name, ";");
   if (!names.empty()) code.blank();

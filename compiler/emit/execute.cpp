@@ -36,33 +36,32 @@ void emitCase(Code& code, const Context& context, const model::Interface& interf
   code.close("}");
 }
 
-/// The parameter's name, in a comment where nothing uses it.
-std::string named(const char* name, bool used) {
-  return used ? name : std::string("/*") + name + "*/";
-}
-
 }  // namespace
 
 void emitExecute(Code& code, const Context& context, const model::Interface& interface) {
-  bool takes = false;
-  bool answers = false;
-  for (const model::Command& command : interface.commands) {
-    takes = takes || !command.parameters.empty();
-    answers = answers || command.result.has_value();
+  const std::vector<const model::Command*> own = ownCommands(interface);
+  const bool derives = !interface.base.empty();
+  if (derives && own.empty()) return;  // then the base's is right
+  const bool any = !own.empty();
+  bool takes = derives;
+  bool answers = derives;
+  for (const model::Command* const command : own) {
+    takes = takes || !command->parameters.empty();
+    answers = answers || command->result.has_value();
   }
-  const bool any = !interface.commands.empty();
   code.open("Errc Provided<", interface.name, ">::execute(", kBreakText, "std::uint16_t ",
             named("command", any), ", ", kBreakText, "const std::byte* ", named("arguments", takes),
             ", ", kBreakText, "std::byte* ", named("result", answers), ") {");
   if (any) {
     code.line("using ::", interface.name, "Command;");
     code.open("switch (static_cast<", prefixOf(interface), "Command>(command)) {");
-    for (const model::Command& command : interface.commands) {
-      emitCase(code, context, interface, command);
-    }
+    for (const model::Command* const command : own) emitCase(code, context, interface, *command);
     code.close("}");
   }
-  code.line("return Errc::Invalid;").close("}").blank();
+  const std::string rest =
+      derives ? "Provided<" + interface.base + ">::execute(command, arguments, result)"
+              : "Errc::Invalid";
+  code.line("return ", rest, ";").close("}").blank();
 }
 
 }  // namespace suture::compiler::emit

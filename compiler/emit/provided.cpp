@@ -5,12 +5,13 @@ namespace suture::compiler::emit {
 namespace {
 
 void emitEvents(Code& code, const Context& context, const model::Interface& interface) {
+  const std::string base = baseClass("Provided", interface);
   code.blank().line("/// The events of ", interface.name, ", to emit.");
-  code.open("struct Events {");
-  emitEventConstructor(code, interface, "ProvidedBase& provided", "provided");
-  for (const model::Event& event : interface.events) {
-    code.doc(event.doc.text);
-    code.line("Emitter<", eventArguments(context, interface, event), "> ", event.name, ";");
+  emitEventsHead(code, interface, base);
+  emitEventConstructor(code, interface, base, "ProvidedBase& provided", "provided");
+  for (const model::Event* const event : ownEvents(interface)) {
+    code.doc(event->doc.text);
+    code.line("Emitter<", eventArguments(context, interface, *event), "> ", event->name, ";");
   }
   code.close("};").line("Events& emit() { return events_; }");
 }
@@ -18,33 +19,55 @@ void emitEvents(Code& code, const Context& context, const model::Interface& inte
 void emitScratch(Code& code, const model::Interface& interface) {
   code.line("// Reused by every command, so that what they own is allocated once.");
   code.open("struct Scratch {");
-  for (const model::Command& command : interface.commands) {
-    for (const model::Parameter& parameter : command.parameters) {
-      code.line(cxxType(parameter.type, "suture"), " ", scratchName(command, parameter), ";");
+  for (const model::Command* const command : ownCommands(interface)) {
+    for (const model::Parameter& parameter : command->parameters) {
+      code.line(cxxType(parameter.type, "suture"), " ", scratchName(*command, parameter), ";");
     }
   }
   code.close("};").blank();
 }
 
+/// With the information and the implementation as of the contract that derives from this one.
+void emitProtectedConstructor(Code& code, const model::Interface& interface, bool implements) {
+  code.line("// Of a contract that derives from this one: `whole` points to its implementation.");
+  code.line("Provided(Component& owner, std::string_view name, ", kBreakText,
+            "const InterfaceInfo& info, ", kBreakText, "void* whole, ", kBreakText, "Contract& ",
+            named("implementation", implements || !interface.base.empty()), ")");
+  const std::string arguments = interface.base.empty() ? "" : ", implementation";
+  code.line("    : ", baseClass("Provided", interface), "(owner, name, info, whole", arguments, ")",
+            implements ? "," : " {}");
+  if (implements) code.line("      implementation_(implementation) {}");
+  code.blank();
+}
+
 }  // namespace
 
 void emitProvided(Code& code, const Context& context, const model::Interface& interface) {
-  const bool scratch = hasParameters(interface);
+  const bool scratch = hasOwnParameters(interface);
+  const bool commands = !ownCommands(interface).empty();
+  const bool events = !ownEvents(interface).empty();
+  const bool executes = commands || interface.base.empty();
   code.line("/// What serves ", interface.name, " from a component.").line("template <>");
-  code.open("class Provided<", interface.name, "> final : public ProvidedBase {");
+  code.open("class Provided<", interface.name, "> : public ", baseClass("Provided", interface),
+            " {");
   code.line("using Contract = ", interface.name, ";");
-  if (!interface.events.empty()) code.line("using EventId = ", interface.name, "Event;");
+  if (events) code.line("using EventId = ", interface.name, "Event;");
   code.blank().label("public:");
   code.line("Provided(Component& owner, std::string_view name, Contract& implementation)");
-  code.line("    : ProvidedBase(owner, name, interfaceInfo<Contract>(), &implementation),");
-  code.line("      implementation_(implementation) {}");
-  if (!interface.events.empty()) emitEvents(code, context, interface);
-  code.blank().label("private:");
+  code.line("    : Provided(owner, name, interfaceInfo<Contract>(), ", kBreakText,
+            "&implementation, ", kBreakText, "implementation) {}");
+  if (events) emitEvents(code, context, interface);
+  code.blank().label("protected:");
+  emitProtectedConstructor(code, interface, commands);
+  if (executes) {
+    code.line("Errc execute(std::uint16_t command, const std::byte* arguments, ", kBreakText,
+              "std::byte* result) override;");
+    code.blank();
+  }
+  code.label("private:");
   if (scratch) emitScratch(code, interface);
-  code.line("Errc execute(std::uint16_t command, const std::byte* arguments, ", kBreakText,
-            "std::byte* result) override;");
-  code.blank().line("Contract& implementation_;");
-  if (!interface.events.empty()) code.line("Events events_{*this};");
+  if (commands) code.line("Contract& implementation_;");
+  if (events) code.line("Events events_{*this};");
   if (scratch) code.line("Scratch scratch_{};");
   code.close("};").blank();
 }

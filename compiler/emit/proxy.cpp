@@ -41,7 +41,7 @@ void emitState(Code& code, const Context& context, const model::Interface& inter
 
 void emitEvent(Code& code, const Context& context, const model::Interface& interface,
                const model::Event& event) {
-  const std::string id = "eventId(" + prefixOf(interface) + "Event::" + event.name + ")";
+  const std::string id = eventNumber(interface, event, home(context));
   const bool carries = !event.payload.empty();
   code.blank().open("kj::Promise<void> ", event.wireName, "(", model::titleCase(event.wireName),
                     carries ? "Context context) override {" : "Context) override {");
@@ -69,11 +69,6 @@ void emitReceiver(Code& code, const Context& context, const model::Interface& in
   emitState(code, context, interface);
   for (const model::Event& event : interface.events) emitEvent(code, context, interface, event);
   code.blank().label("private:");
-  if (!interface.events.empty()) {
-    code.line("static std::uint16_t eventId(", prefix, "Event event) {",
-              lambdaBody("return static_cast<std::uint16_t>(event);"), "}");
-    code.blank();
-  }
   code.line("kj::Own<ProxyPort> port_;").close("};").blank();
 }
 
@@ -112,17 +107,17 @@ void emitCase(Code& code, const Context& context, const model::Interface& interf
 }
 
 void emitSend(Code& code, const Context& context, const model::Interface& interface) {
-  if (interface.commands.empty()) {
-    code.line("kj::Promise<void> send(const suture::rt::CommandRecord&) override {",
-              lambdaBody("return kj::READY_NOW;"), "}");
-    return;
+  const std::vector<const model::Command*> own = ownCommands(interface);
+  const std::string rest = interface.base.empty() ? "kj::READY_NOW" : "base_->send(record)";
+  const bool uses = !own.empty() || !interface.base.empty();
+  code.open("kj::Promise<void> send(const suture::rt::CommandRecord&", uses ? " record" : "",
+            ") override {");
+  if (!own.empty()) {
+    code.open("switch (static_cast<", prefixOf(interface), "Command>(record.command)) {");
+    for (const model::Command* const command : own) emitCase(code, context, interface, *command);
+    code.close("}");
   }
-  code.open("kj::Promise<void> send(const suture::rt::CommandRecord& record) override {");
-  code.open("switch (static_cast<", prefixOf(interface), "Command>(record.command)) {");
-  for (const model::Command& command : interface.commands) {
-    emitCase(code, context, interface, command);
-  }
-  code.close("}").line("return kj::READY_NOW;").close("}");
+  code.line("return ", rest, ";").close("}");
 }
 
 }  // namespace
@@ -135,7 +130,13 @@ void emitProxy(Code& code, const Context& context, const model::Interface& inter
   code.line("/// Makes remote calls of commands.");
   code.open("class ", prefix, "Proxy final : public suture::rpc::Proxy {").label("public:");
   code.line(prefix, "Proxy(", client, " provider, ProxyPort& port)");
-  code.line("    : provider_(kj::mv(provider)), port_(port) {}").blank();
+  if (interface.base.empty()) {
+    code.line("    : provider_(kj::mv(provider)), port_(port) {}").blank();
+  } else {
+    code.line("    : base_(suture::interfaceInfo<", interface.base, ">().binding().makeProxy(",
+              kBreakText, "provider, port)),");
+    code.line("      provider_(kj::mv(provider)),").line("      port_(port) {}").blank();
+  }
   code.open("kj::Promise<void> subscribe(suture::EventSet events, ", kBreakText,
             "suture::rt::ColumnSet columns) override {");
   code.line("auto request = provider_.subscribeRequest();");
@@ -143,7 +144,9 @@ void emitProxy(Code& code, const Context& context, const model::Interface& inter
   code.line("request.setEventMask(events);").line("request.setStateMask(columns);");
   code.line("return request.send().ignoreResult();").close("}").blank();
   emitSend(code, context, interface);
-  code.blank().label("private:").line(client, " provider_;").line("ProxyPort& port_;");
+  code.blank().label("private:");
+  if (!interface.base.empty()) code.line("kj::Own<suture::rpc::Proxy> base_;");
+  code.line(client, " provider_;").line("ProxyPort& port_;");
   code.close("};").blank();
 }
 
@@ -154,9 +157,9 @@ std::string bindingFunction(const model::Interface& interface) {
 void emitBinding(Code& code, const Context&, const model::Interface& interface) {
   const std::string prefix = prefixOf(interface);
   code.open("class ", prefix, "Binding final : public suture::rpc::Binding {").label("public:");
-  code.open("capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const override {");
-  code.line("return wire::", interface.wireName, "::Client(kj::heap<", prefix,
-            "Servant>(kj::mv(port)));");
+  code.open("kj::Own<capnp::Capability::Server> makeServant(", kBreakText,
+            "kj::Own<ServantPort> port) const override {");
+  code.line("return kj::heap<", prefix, "Servant>(kj::mv(port));");
   code.close("}");
   code.open("kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract, ",
             kBreakText, "ProxyPort& port) const override {");

@@ -38,18 +38,18 @@ std::string memberType(const Context& context, const model::Interface& interface
 }
 
 void emitEvents(Code& code, const Context& context, const model::Interface& interface) {
+  const std::string base = baseClass("Required", interface);
   code.blank().line("/// The events of ", interface.name, ", to subscribe to.");
-  code.open("struct Events {");
-  emitEventConstructor(code, interface, "RequiredBase& required", "required");
-  for (const model::Event& event : interface.events) {
-    code.doc(event.doc.text);
-    code.line("Subscription<", eventArguments(context, interface, event), "> ", event.name, ";");
+  emitEventsHead(code, interface, base);
+  emitEventConstructor(code, interface, base, "RequiredBase& required", "required");
+  for (const model::Event* const event : ownEvents(interface)) {
+    code.doc(event->doc.text);
+    code.line("Subscription<", eventArguments(context, interface, *event), "> ", event->name, ";");
   }
   code.close("};").line("Events& on() { return events_; }");
-  code.blank().label("private:").line("Events events_{*this};");
 }
 
-bool isDeprecated(const model::Command& command) { return !command.lifecycle.deprecated.empty(); }
+bool isDeprecated(const model::Command* command) { return !command->lifecycle.deprecated.empty(); }
 
 /// A parameter's name that hides no command.
 std::string freeName(std::string name, const model::Interface& interface) {
@@ -59,37 +59,49 @@ std::string freeName(std::string name, const model::Interface& interface) {
   return name;
 }
 
-/// It initialises all members, and shall not be warned of those that users should not use.
 void emitConstructor(Code& code, const model::Interface& interface) {
-  const auto& all = interface.commands;
-  const bool quiet = std::any_of(all.begin(), all.end(), isDeprecated);
-  if (quiet) code.verbatim("#pragma GCC diagnostic push\n");
-  if (quiet) code.verbatim("#pragma GCC diagnostic ignored \"-Wdeprecated-declarations\"\n");
   const std::string owner = freeName("owner", interface), name = freeName("name", interface);
   code.line("Required(Component& ", owner, ", std::string_view ", name, ")");
-  code.line("    : RequiredBase(", owner, ", ", name, ", interfaceInfo<Contract>()) {}");
+  code.line("    : Required(", owner, ", ", name, ", interfaceInfo<Contract>()) {}").blank();
+}
+
+/// It initialises all members, and shall not be warned of those that users should not use.
+void emitProtectedConstructor(Code& code, const model::Interface& interface) {
+  const auto own = ownCommands(interface);
+  const bool quiet = std::any_of(own.begin(), own.end(), isDeprecated);
+  const std::string owner = freeName("owner", interface), name = freeName("name", interface),
+                    info = freeName("info", interface);
+  code.blank().label("protected:").line("// Of a contract that derives from this one.");
+  if (quiet) code.verbatim("#pragma GCC diagnostic push\n");
+  if (quiet) code.verbatim("#pragma GCC diagnostic ignored \"-Wdeprecated-declarations\"\n");
+  code.line("Required(Component& ", owner, ", ", kBreakText, "std::string_view ", name, ", ",
+            kBreakText, "const InterfaceInfo& ", info, ")");
+  code.line("    : ", baseClass("Required", interface), "(", owner, ", ", name, ", ", info, ") {}");
   if (quiet) code.verbatim("#pragma GCC diagnostic pop\n");
-  code.blank();
 }
 
 }  // namespace
 
 void emitRequired(Code& code, const Context& context, const model::Interface& interface) {
   code.line("/// What a client of ", interface.name, " calls.").line("template <>");
-  code.open("class Required<", interface.name, "> final : public RequiredBase {");
+  code.open("class Required<", interface.name, "> : public ", baseClass("Required", interface),
+            " {");
   code.line("using Contract = ", interface.name, ";");
   emitNumberAliases(code, interface);
   code.blank().label("public:");
   emitConstructor(code, interface);
-  for (const model::Command& command : interface.commands) {
-    code.doc(command.doc.text);
+  for (const model::Command* const command : ownCommands(interface)) {
+    code.doc(command->doc.text);
     if (isDeprecated(command)) {
-      code.line("[[deprecated(", lock::quoted(command.lifecycle.deprecated), ")]]");
+      code.line("[[deprecated(", lock::quoted(command->lifecycle.deprecated), ")]]");
     }
-    code.line(memberType(context, interface, command), " ", command.name, "{", kBreakText,
-              "*this, static_cast<std::uint16_t>(Id::", command.name, ")};");
+    code.line(memberType(context, interface, *command), " ", command->name, "{", kBreakText,
+              "*this, static_cast<std::uint16_t>(Id::", command->name, ")};");
   }
-  if (!interface.events.empty()) emitEvents(code, context, interface);
+  const bool events = !ownEvents(interface).empty();
+  if (events) emitEvents(code, context, interface);
+  emitProtectedConstructor(code, interface);
+  if (events) code.blank().label("private:").line("Events events_{*this};");
   code.close("};").blank();
 }
 

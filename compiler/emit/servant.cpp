@@ -14,7 +14,7 @@ std::string home(const Context& context) { return context.header.cxxNamespace; }
 
 void emitSinkCase(Code& code, const Context& context, const model::Interface& interface,
                   const model::Event& event) {
-  code.open("case ", prefixOf(interface), "Event::", event.name, ": {");
+  code.open("case ", eventNumber(interface, event, home(context)), ": {");
   if (event.payload.empty()) {
     code.line("return subscriber_.", event.wireName, "Request().send().ignoreResult();");
   } else {
@@ -39,7 +39,7 @@ void emitSinkEvent(Code& code, const Context& context, const model::Interface& i
   for (const model::Event& event : interface.events) carries = carries || !event.payload.empty();
   code.open("kj::Promise<void> event(std::uint16_t event, const std::byte*",
             carries ? " payload" : "", ") override {");
-  code.open("switch (static_cast<", prefixOf(interface), "Event>(event)) {");
+  code.open("switch (event) {");
   for (const model::Event& event : interface.events) emitSinkCase(code, context, interface, event);
   code.close("}").line("return kj::READY_NOW;").close("}");
 }
@@ -77,21 +77,30 @@ void emitSink(Code& code, const Context& context, const model::Interface& interf
   code.blank().label("private:").line(client, " subscriber_;").close("};").blank();
 }
 
-/// Subscribing through a contract that this one derives from: its events and columns are the first
-/// of this one's.
-void emitBaseSubscribe(Code& code, const Context& context, const model::Interface& interface) {
-  const model::Interface* const base = context.lookup.findInterface(interface.base);
-  if (base == nullptr) return;
-  const std::string space = context.lookup.headerOf(base->name)->cxxNamespace;
-  const std::string wire = relative(model::wireNamespace(space), home(context));
-  code.open("kj::Promise<void> subscribe(", kBreakText, wire, "::", base->wireName,
-            "::Server::SubscribeContext context) override {");
-  code.line("auto in = context.getParams();");
-  code.line("port_->subscribe(suture::interfaceInfo<", base->name, ">().binding().makeSink(",
-            kBreakText, "in.getEvents()), ", kBreakText, "in.getEventMask(), ", kBreakText,
-            "in.getStateMask());");
-  code.line("return kj::READY_NOW;").close("}").blank();
-  emitBaseSubscribe(code, context, *base);
+/// What is called through a contract that this one derives from goes to that one's servant: its
+/// commands, events and columns are the first of this one's.
+void emitDispatch(Code& code, const model::Interface& interface) {
+  if (interface.base.empty()) return;
+  const std::string server = "wire::" + interface.wireName;
+  code.open("DispatchCallResult dispatchCall(", kBreakText, "std::uint64_t contract, ", kBreakText,
+            "std::uint16_t method, ", kBreakText, "suture::rpc::AnyCall call) override {");
+  code.line("if (contract != capnp::typeId<", server, ">()) {");
+  code.line("  return base_->dispatchCall(contract, method, call);").line("}");
+  code.line("return ", server, "::Server::dispatchCall(contract, method, call);");
+  code.close("}").blank();
+}
+
+void emitServantConstructor(Code& code, const model::Interface& interface) {
+  const std::string head = "explicit " + prefixOf(interface) + "Servant(kj::Own<ServantPort> port)";
+  code.label("public:");
+  if (interface.base.empty()) {
+    code.line(head, " : port_(kj::mv(port)) {}");
+    return;
+  }
+  code.line(head);
+  code.line("    : base_(suture::interfaceInfo<", interface.base, ">().binding().makeServant(",
+            kBreakText, "kj::addRef(*port))),");
+  code.line("      port_(kj::mv(port)) {}");
 }
 
 // --- commands from the client
@@ -141,7 +150,7 @@ void emitMethod(Code& code, const Context& context, const model::Interface& inte
   const bool takes = !command.parameters.empty();
   if (takes) emitFill(code, context, interface, command);
   if (command.result) emitTake(code, context, command);
-  code.line("return port_->", command.result ? "call(" : "command(", kBreakText, "commandId(",
+  code.line("return port_->", command.result ? "call(" : "command(", kBreakText, "numberOf(",
             prefixOf(interface), "Command::", command.name, "), ", kBreakText, "in.getSent(), ",
             kBreakText, takes ? "fill" : "[](std::byte*) { return Errc{}; }",
             command.result ? ", kj::mv(take));" : ");");
@@ -156,24 +165,19 @@ void emitServant(Code& code, const Context& context, const model::Interface& int
   emitSink(code, context, interface);
   code.line("/// Puts remote calls into the provider's mailbox.");
   code.open("class ", prefix, "Servant final : public wire::", interface.wireName, "::Server {");
-  code.label("public:").line("explicit ", prefix,
-                             "Servant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}");
-  code.blank().label("protected:");
+  emitServantConstructor(code, interface);
+  code.blank();
+  emitDispatch(code, interface);
+  code.label("protected:");
   code.open("kj::Promise<void> subscribe(SubscribeContext context) override {");
   code.line("auto in = context.getParams();");
   code.line("port_->subscribe(kj::heap<", prefix, "Sink>(in.getEvents()), ", kBreakText,
             "in.getEventMask(), ", kBreakText, "in.getStateMask());");
   code.line("return kj::READY_NOW;").close("}").blank();
-  emitBaseSubscribe(code, context, interface);
-  for (const model::Command& command : interface.commands) {
-    emitMethod(code, context, interface, command);
-  }
+  const std::vector<const model::Command*> own = ownCommands(interface);
+  for (const model::Command* const command : own) emitMethod(code, context, interface, *command);
   code.label("private:");
-  if (!interface.commands.empty()) {
-    code.line("static std::uint16_t commandId(", prefix, "Command command) {",
-              lambdaBody("return static_cast<std::uint16_t>(command);"), "}");
-    code.blank();
-  }
+  if (!interface.base.empty()) code.line("kj::Own<capnp::Capability::Server> base_;");
   code.line("kj::Own<ServantPort> port_;").close("};").blank();
 }
 

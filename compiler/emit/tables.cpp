@@ -3,6 +3,7 @@
 #include "compiler/emit/remote.h"
 #include "compiler/model/naming.h"
 
+#include <sstream>
 #include <vector>
 
 namespace suture::compiler::emit {
@@ -20,8 +21,8 @@ const char* kindName(model::CommandKind kind) {
   return "";
 }
 
-std::string flag(const char* name, bool value) {
-  return std::string(name) + (value ? " = true" : " = false");
+std::string duration(const char* name, std::int64_t nanoseconds) {
+  return std::string(name) + " = Duration(" + grouped(nanoseconds) + ")";
 }
 
 /// One row of a table: on one line if it fits, else one member a line.
@@ -39,54 +40,87 @@ void emitEntry(Code& code, const std::vector<std::string>& members) {
   }
 }
 
+/// The same JSON in as few lines as there have to be.
+std::string packed(const std::string& json) {
+  std::string text, line;
+  std::istringstream lines(json);
+  for (std::string one; std::getline(lines, one);) {
+    one.erase(0, one.find_first_not_of(' '));
+    const bool tight = line.empty() || line.ends_with('{') || line.ends_with('[') ||
+                       one.starts_with('}') || one.starts_with(']');
+    if (line.size() + one.size() + 1 > Code::kColumns) {
+      text += line + '\n';
+      line = one;
+    } else {
+      line += (tight ? "" : " ") + one;
+    }
+  }
+  return text + line;
+}
+
 void emitCommand(Code& code, const Context& context, const model::Interface& interface,
                  const model::Command& command, int column) {
   const std::string& home = context.header.cxxNamespace;
-  const std::string arguments =
-      command.parameters.empty()
-          ? "0"
-          : "sizeof(" + relative(argumentsStruct(interface, command), home) + ")";
-  const std::string result =
-      command.result ? "sizeof(" + slotType(*command.result, context, home) + ")" : "0";
   std::vector<std::string> members = {
       ".name = \"" + command.name + "\"",
-      std::string(".kind = CommandKind::") + kindName(command.kind),
-      ".argumentsSize = " + arguments,
-      ".resultSize = " + result,
-      ".depth = " + std::to_string(command.queue),
-      flag(".latest", command.latest),
-      ".ttl = Duration(" + grouped(command.ttlNanoseconds.value_or(0)) + ")",
-      ".column = " + std::to_string(column)};
+      std::string(".kind = CommandKind::") + kindName(command.kind)};
+  if (!command.parameters.empty()) {
+    const std::string slot = relative(argumentsStruct(interface, command), home);
+    members.push_back(".argumentsSize = sizeof(" + slot + ")");
+  }
+  if (command.result) {
+    members.push_back(".resultSize = sizeof(" + slotType(*command.result, context, home) + ")");
+  }
+  members.push_back(".depth = " + std::to_string(command.queue));
+  if (command.latest) members.push_back(".latest = true");
+  if (command.ttlNanoseconds) members.push_back(duration(".ttl", *command.ttlNanoseconds));
+  if (column >= 0) members.push_back(".column = " + std::to_string(column));
   if (command.deadlineNanoseconds) {
-    members.push_back(".deadline = Duration(" + grouped(*command.deadlineNanoseconds) + ")");
+    members.push_back(duration(".deadline", *command.deadlineNanoseconds));
   }
   emitEntry(code, members);
 }
 
 void emitCommands(Code& code, const Context& context, const model::Interface& interface) {
-  if (interface.commands.empty()) return;
+  if (ownCommands(interface).empty()) return;
   code.line("constexpr CommandInfo k", prefixOf(interface), "Commands[] = {");
   int columns = 0;
   for (const model::Command& command : interface.commands) {
-    const bool read = command.kind == model::CommandKind::Read;
-    emitCommand(code, context, interface, command, read ? columns++ : -1);
+    const int column = command.kind == model::CommandKind::Read ? columns++ : -1;
+    if (command.inheritedFrom.empty()) emitCommand(code, context, interface, command, column);
   }
   code.line("};").blank();
 }
 
 void emitEvents(Code& code, const Context& context, const model::Interface& interface) {
-  if (interface.events.empty()) return;
+  const std::vector<const model::Event*> own = ownEvents(interface);
+  if (own.empty()) return;
   code.line("constexpr EventInfo k", prefixOf(interface), "Events[] = {");
-  for (const model::Event& event : interface.events) {
-    const std::string size =
-        event.payload.empty()
-            ? "0"
-            : "sizeof(" + payloadSlot(interface, event, context, context.header.cxxNamespace) + ")";
-    emitEntry(code, {".name = \"" + event.name + "\"", ".payloadSize = " + size,
-                     ".depth = " + std::to_string(event.queue), flag(".latest", event.latest),
-                     flag(".latched", event.latched)});
+  for (const model::Event* const event : own) {
+    std::vector<std::string> members = {".name = \"" + event->name + "\""};
+    if (!event->payload.empty()) {
+      const std::string slot = payloadSlot(interface, *event, context, context.header.cxxNamespace);
+      members.push_back(".payloadSize = sizeof(" + slot + ")");
+    }
+    members.push_back(".depth = " + std::to_string(event->queue));
+    if (event->latest) members.push_back(".latest = true");
+    if (event->latched) members.push_back(".latched = true");
+    emitEntry(code, members);
   }
   code.line("};").blank();
+}
+
+/// All rows of a contract's table `own`, of which its base has the first: how they are spelled in
+/// kInfo. Emits what joins the two.
+std::string rows(Code& code, const model::Interface& interface, const std::string& kind,
+                 const std::string& own, std::size_t ownRows, std::size_t allRows) {
+  if (ownRows == allRows) return allRows == 0 ? "{}" : own;
+  const std::string inherited = "interfaceInfo<" + interface.base + ">()." + kind;
+  if (ownRows == 0) return inherited;
+  const std::string name = "k" + model::titleCase(kind);
+  code.line("static const auto ", name, " = extended<", std::to_string(allRows), ">(", kBreakText,
+            inherited, ", ", kBreakText, own, ");");
+  return name;
 }
 
 }  // namespace
@@ -95,9 +129,8 @@ void emitTables(Code& code, const Context& context, const model::Interface& inte
   emitCommands(code, context, interface);
   emitEvents(code, context, interface);
   code.line("// The self-description, as in ", model::stemOf(context.header.path), ".suture.json.");
-  code.line("constexpr char k", prefixOf(interface), "Description[] = R\"json(",
-            describe(context, interface), ")json\";");
-  code.blank();
+  code.line("constexpr char k", prefixOf(interface), "Description[] = R\"json(");
+  code.verbatim(packed(describe(context, interface))).line(")json\";").blank();
 }
 
 void emitInfo(Code& code, const Context& context, const model::Interface& interface) {
@@ -105,14 +138,19 @@ void emitInfo(Code& code, const Context& context, const model::Interface& interf
   const std::string tables = (home.empty() ? "::k" : home + "::k") + prefixOf(interface);
   code.line("template <>");
   code.open("const InterfaceInfo& interfaceInfo<", interface.name, ">() {");
-  code.line("static constexpr InterfaceInfo kInfo{");
+  const std::string commands = rows(code, interface, "commands", tables + "Commands",
+                                    ownCommands(interface).size(), interface.commands.size());
+  const std::string events = rows(code, interface, "events", tables + "Events",
+                                  ownEvents(interface).size(), interface.events.size());
+  const bool derives = !interface.base.empty();
+  code.line("static ", derives ? "const" : "constexpr", " InterfaceInfo kInfo{");
   code.line("    .name = \"", interface.name, "\",");
   code.line("    .hash = \"", context.hashes.at(interface.name), "\",");
   code.line("    .description = ", tables, "Description,");
-  code.line("    .commands = ", interface.commands.empty() ? "{}" : tables + "Commands", ",");
-  code.line("    .events = ", interface.events.empty() ? "{}" : tables + "Events", ",");
+  code.line("    .commands = ", commands, ",");
+  code.line("    .events = ", events, ",");
   code.line("    .binding = &", home.empty() ? "::" : home + "::", bindingFunction(interface), ",");
-  if (!interface.base.empty()) {
+  if (derives) {
     code.line("    .base = &interfaceInfo<", interface.base, ">,");
     code.line("    .toBase = &castToBase<", interface.name, ", ", kBreakText, interface.base, ">,");
   }

@@ -45,7 +45,7 @@ class Component {
   void park(std::string reason);
 
   /// What a sleeping owner of this component waits on.
-  rt::Doorbell& doorbell() { return doorbell_; }
+  rt::Doorbell& doorbell() { return lender_ == nullptr ? doorbell_ : lender_->doorbell(); }
   /// From the component's own thread: rings `bell` once at the end of the cycle; from a device, at
   /// once.
   void ringLater(rt::Doorbell& bell);
@@ -61,6 +61,8 @@ class Component {
   Component() = default;
 
   void claimForThisThread();
+  /// This component's work is done by the thread of `lender`, which must be woken for it.
+  void borrowThread(Component& lender) { lender_ = &lender; }
   void releaseThread() { owner_.store(nullptr, std::memory_order_release); }
   void setState(ComponentState state) { state_.store(state, std::memory_order_release); }
 
@@ -80,6 +82,7 @@ class Component {
   std::vector<RequiredBase*> required_;
   rt::Doorbell doorbell_;
   rt::DueBells dueBells_;
+  Component* lender_ = nullptr;
   std::atomic<const void*> owner_{nullptr};
 };
 

@@ -5,6 +5,8 @@
 #include <suture/rt/event_queue.h>
 #include <suture/rt/mailbox.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -22,22 +24,30 @@ inline constexpr Duration kDefaultDeadline = std::chrono::seconds(1);
 struct CommandInfo {
   const char* name;  ///< as in C++: "servo_cp"
   CommandKind kind;
-  std::uint32_t argumentsSize;           ///< bytes of the arguments' slot; 0: none
-  std::uint32_t resultSize;              ///< bytes of the result's slot; 0: none
+  std::uint32_t argumentsSize = 0;       ///< bytes of the arguments' slot; 0: none
+  std::uint32_t resultSize = 0;          ///< bytes of the result's slot; 0: none
   std::uint32_t depth;                   ///< how many may wait at the provider
-  bool latest;                           ///< newest wins
-  Duration ttl;                          ///< discarded when older; 0: never
-  int column;                            ///< of a read: its column in the state table; else -1
+  bool latest = false;                   ///< newest wins
+  Duration ttl{0};                       ///< discarded when older; 0: never
+  int column = -1;                       ///< of a read: its column in the state table; else -1
   Duration deadline = kDefaultDeadline;  ///< how long within() waits by itself
 };
 
 struct EventInfo {
   const char* name;
-  std::uint32_t payloadSize;
+  std::uint32_t payloadSize = 0;
   std::uint32_t depth;
-  bool latest;
-  bool latched;
+  bool latest = false;
+  bool latched = false;
 };
+
+/// The table of a contract that derives from another, of N rows: the base's, then its own.
+template <std::size_t N, class Row, std::size_t Own>
+std::array<Row, N> extended(std::span<const Row> base, const Row (&own)[Own]) {
+  std::array<Row, N> rows{};
+  std::copy(std::begin(own), std::end(own), std::copy_n(base.begin(), N - Own, rows.begin()));
+  return rows;
+}
 
 /// One contract. All members have static storage.
 struct InterfaceInfo {

@@ -49,7 +49,7 @@ class ProvidedBase {
  protected:
   ProvidedBase(Component& owner, std::string_view name, const InterfaceInfo& info,
                void* implementation);
-  ~ProvidedBase() = default;
+  virtual ~ProvidedBase() = default;
 
   /// Runs command `command` on its arguments' slot; fills `result` if the command has one. Written
   /// by suturec. Returns 0 or Errc::TooLarge.

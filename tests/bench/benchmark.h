@@ -22,6 +22,8 @@ class Benchmark {
 
 /// The loops and the overhead of the paper's Table 2.
 std::unique_ptr<Benchmark> makeTable2();
+/// suturec itself and the code that it writes.
+std::unique_ptr<Benchmark> makeCompiler();
 /// What carries the traffic within one process.
 std::unique_ptr<Benchmark> makeLocal();
 

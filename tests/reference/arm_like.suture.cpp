@@ -25,6 +25,7 @@ using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
+using suture::rpc::numberOf;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
 
@@ -44,111 +45,56 @@ constexpr CommandInfo kArmLikeCommands[] = {
     {.name = "servo_cp",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(ArmLikeServoCpArguments),
-     .resultSize = 0,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(500'000'000),
-     .column = -1},
+     .ttl = Duration(500'000'000)},
     {.name = "servo_jp",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(ArmLikeServoJpArguments),
-     .resultSize = 0,
      .depth = 16,
-     .latest = true,
-     .ttl = Duration(0),
-     .column = -1},
-    {.name = "hold",
-     .kind = CommandKind::Void,
-     .argumentsSize = 0,
-     .resultSize = 0,
-     .depth = 4,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .latest = true},
+    {.name = "hold", .kind = CommandKind::Void, .depth = 4},
     {.name = "set_mode",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(ArmLikeSetModeArguments),
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
     {.name = "measured_cp",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(PoseStampedSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 0},
     {.name = "measured_js",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(JointStateSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 1},
     {.name = "distance",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = sizeof(ArmLikeDistanceArguments),
      .resultSize = sizeof(double),
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
     {.name = "move",
      .kind = CommandKind::WriteReturn,
      .argumentsSize = sizeof(ArmLikeMoveArguments),
      .resultSize = sizeof(std::uint8_t),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1,
      .deadline = Duration(200'000'000)},
     {.name = "reset",
      .kind = CommandKind::VoidReturn,
-     .argumentsSize = 0,
      .resultSize = sizeof(std::uint32_t),
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
     {.name = "limit",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(ArmLikeLimitArguments),
-     .resultSize = 0,
-     .depth = 2,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
-    {.name = "park",
-     .kind = CommandKind::Void,
-     .argumentsSize = 0,
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 2},
+    {.name = "park", .kind = CommandKind::Void, .depth = 16},
 };
 
 constexpr EventInfo kArmLikeEvents[] = {
-    {.name = "mode",
-     .payloadSize = sizeof(std::uint8_t),
-     .depth = 16,
-     .latest = false,
-     .latched = true},
-    {.name = "arrived",
-     .payloadSize = sizeof(PoseStampedSlot),
-     .depth = 4,
-     .latest = false,
-     .latched = false},
-    {.name = "stopped", .payloadSize = 0, .depth = 16, .latest = false, .latched = false},
-    {.name = "moved",
-     .payloadSize = sizeof(ArmLikeMovedPayload),
-     .depth = 16,
-     .latest = false,
-     .latched = false},
+    {.name = "mode", .payloadSize = sizeof(std::uint8_t), .depth = 16, .latched = true},
+    {.name = "arrived", .payloadSize = sizeof(PoseStampedSlot), .depth = 4},
+    {.name = "stopped", .depth = 16},
+    {.name = "moved", .payloadSize = sizeof(ArmLikeMovedPayload), .depth = 16},
 };
 
 // The self-description, as in reference/arm_like.suture.json.
@@ -216,23 +162,23 @@ class ArmLikeSink final : public suture::rpc::EventSink {
   explicit ArmLikeSink(wire::ArmLikeEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
 
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (static_cast<ArmLikeEvent>(event)) {
-      case ArmLikeEvent::mode: {
+    switch (event) {
+      case numberOf(ArmLikeEvent::mode): {
         const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
         auto request = subscriber_.modeRequest();
         request.setValue(wireMode(slot));
         return request.send().ignoreResult();
       }
-      case ArmLikeEvent::arrived: {
+      case numberOf(ArmLikeEvent::arrived): {
         const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(payload);
         auto request = subscriber_.arrivedRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
-      case ArmLikeEvent::stopped: {
+      case numberOf(ArmLikeEvent::stopped): {
         return subscriber_.stoppedRequest().send().ignoreResult();
       }
-      case ArmLikeEvent::moved: {
+      case numberOf(ArmLikeEvent::moved): {
         const auto& slot = *reinterpret_cast<const ArmLikeMovedPayload*>(payload);
         auto request = subscriber_.movedRequest();
         toWire(slot.value, request.initValue());
@@ -286,7 +232,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
       if (error != Errc{}) return error;
       return isValid(slot.goal) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(ArmLikeCommand::servo_cp), in.getSent(), fill);
+    return port_->command(numberOf(ArmLikeCommand::servo_cp), in.getSent(), fill);
   }
 
   kj::Promise<void> servoJp(ServoJpContext context) override {
@@ -298,12 +244,12 @@ class ArmLikeServant final : public wire::ArmLike::Server {
       if (error != Errc{}) return error;
       return isValid(slot.goal) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(ArmLikeCommand::servo_jp), in.getSent(), fill);
+    return port_->command(numberOf(ArmLikeCommand::servo_jp), in.getSent(), fill);
   }
 
   kj::Promise<void> hold(HoldContext context) override {
     auto in = context.getParams();
-    return port_->command(commandId(ArmLikeCommand::hold), in.getSent(),
+    return port_->command(numberOf(ArmLikeCommand::hold), in.getSent(),
                           [](std::byte*) { return Errc{}; });
   }
 
@@ -313,7 +259,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
       auto& slot = *reinterpret_cast<ArmLikeSetModeArguments*>(memory);
       return fromWire(in.getMode(), slot.mode);
     };
-    return port_->command(commandId(ArmLikeCommand::set_mode), in.getSent(), fill);
+    return port_->command(numberOf(ArmLikeCommand::set_mode), in.getSent(), fill);
   }
 
   kj::Promise<void> measuredCp(MeasuredCpContext context) override {
@@ -324,7 +270,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(ArmLikeCommand::measured_cp), in.getSent(),
+    return port_->call(numberOf(ArmLikeCommand::measured_cp), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -336,7 +282,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(ArmLikeCommand::measured_js), in.getSent(),
+    return port_->call(numberOf(ArmLikeCommand::measured_js), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -353,7 +299,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
       auto out = context.getResults();
       out.setValue(slot);
     };
-    return port_->call(commandId(ArmLikeCommand::distance), in.getSent(), fill, kj::mv(take));
+    return port_->call(numberOf(ArmLikeCommand::distance), in.getSent(), fill, kj::mv(take));
   }
 
   kj::Promise<void> move(MoveContext context) override {
@@ -373,7 +319,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
       auto out = context.getResults();
       out.setValue(slot != 0);
     };
-    return port_->call(commandId(ArmLikeCommand::move), in.getSent(), fill, kj::mv(take));
+    return port_->call(numberOf(ArmLikeCommand::move), in.getSent(), fill, kj::mv(take));
   }
 
   kj::Promise<void> reset(ResetContext context) override {
@@ -383,7 +329,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
       auto out = context.getResults();
       out.setValue(slot);
     };
-    return port_->call(commandId(ArmLikeCommand::reset), in.getSent(),
+    return port_->call(numberOf(ArmLikeCommand::reset), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -396,20 +342,16 @@ class ArmLikeServant final : public wire::ArmLike::Server {
       if (error != Errc{}) return error;
       return isValid(slot.speed) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(ArmLikeCommand::limit), in.getSent(), fill);
+    return port_->command(numberOf(ArmLikeCommand::limit), in.getSent(), fill);
   }
 
   kj::Promise<void> park(ParkContext context) override {
     auto in = context.getParams();
-    return port_->command(commandId(ArmLikeCommand::park), in.getSent(),
+    return port_->command(numberOf(ArmLikeCommand::park), in.getSent(),
                           [](std::byte*) { return Errc{}; });
   }
 
  private:
-  static std::uint16_t commandId(ArmLikeCommand command) {
-    return static_cast<std::uint16_t>(command);
-  }
-
   kj::Own<ServantPort> port_;
 };
 
@@ -444,7 +386,7 @@ class ArmLikeReceiver final : public wire::ArmLikeEvents::Server {
     auto in = context.getParams();
     std::uint8_t slot;
     const Errc error = fromWire(in.getValue(), slot);
-    return port_->event(eventId(ArmLikeEvent::mode), error, slot);
+    return port_->event(numberOf(ArmLikeEvent::mode), error, slot);
   }
 
   kj::Promise<void> arrived(ArrivedContext context) override {
@@ -452,11 +394,11 @@ class ArmLikeReceiver final : public wire::ArmLikeEvents::Server {
     PoseStampedSlot slot;
     const Errc error =
         in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(eventId(ArmLikeEvent::arrived), error, slot);
+    return port_->event(numberOf(ArmLikeEvent::arrived), error, slot);
   }
 
   kj::Promise<void> stopped(StoppedContext) override {
-    return port_->event(eventId(ArmLikeEvent::stopped));
+    return port_->event(numberOf(ArmLikeEvent::stopped));
   }
 
   kj::Promise<void> moved(MovedContext context) override {
@@ -465,12 +407,10 @@ class ArmLikeReceiver final : public wire::ArmLikeEvents::Server {
     slot.value2 = in.getValue2();
     const Errc error =
         in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
-    return port_->event(eventId(ArmLikeEvent::moved), error, slot);
+    return port_->event(numberOf(ArmLikeEvent::moved), error, slot);
   }
 
  private:
-  static std::uint16_t eventId(ArmLikeEvent event) { return static_cast<std::uint16_t>(event); }
-
   kj::Own<ProxyPort> port_;
 };
 
@@ -596,8 +536,8 @@ class ArmLikeProxy final : public suture::rpc::Proxy {
 
 class ArmLikeBinding final : public suture::rpc::Binding {
  public:
-  capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const override {
-    return wire::ArmLike::Client(kj::heap<ArmLikeServant>(kj::mv(port)));
+  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
+    return kj::heap<ArmLikeServant>(kj::mv(port));
   }
   kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
                                         ProxyPort& port) const override {

@@ -163,14 +163,14 @@ const InterfaceInfo& interfaceInfo<reference::ArmLike>();
 
 /// What a client of reference::ArmLike calls.
 template <>
-class Required<reference::ArmLike> final : public RequiredBase {
+class Required<reference::ArmLike> : public RequiredBase {
   using Contract = reference::ArmLike;
   using Id = reference::ArmLikeCommand;
   using EventId = reference::ArmLikeEvent;
 
  public:
   Required(Component& owner, std::string_view name)
-      : RequiredBase(owner, name, interfaceInfo<Contract>()) {}
+      : Required(owner, name, interfaceInfo<Contract>()) {}
 
   /// Follows a stream of poses.
   Command<&Contract::servo_cp, reference::ArmLikeServoCpArguments> servo_cp{
@@ -213,20 +213,24 @@ class Required<reference::ArmLike> final : public RequiredBase {
   };
   Events& on() { return events_; }
 
+ protected:
+  // Of a contract that derives from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+
  private:
   Events events_{*this};
 };
 
 /// What serves reference::ArmLike from a component.
 template <>
-class Provided<reference::ArmLike> final : public ProvidedBase {
+class Provided<reference::ArmLike> : public ProvidedBase {
   using Contract = reference::ArmLike;
   using EventId = reference::ArmLikeEvent;
 
  public:
   Provided(Component& owner, std::string_view name, Contract& implementation)
-      : ProvidedBase(owner, name, interfaceInfo<Contract>(), &implementation),
-        implementation_(implementation) {}
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
   /// The events of reference::ArmLike, to emit.
   struct Events {
@@ -244,6 +248,15 @@ class Provided<reference::ArmLike> final : public ProvidedBase {
   };
   Events& emit() { return events_; }
 
+ protected:
+  // Of a contract that derives from this one: `whole` points to its implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
@@ -257,8 +270,6 @@ class Provided<reference::ArmLike> final : public ProvidedBase {
     double limit_speed;
     reference::Mode limit_mode;
   };
-
-  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
   Contract& implementation_;
   Events events_{*this};

@@ -23,30 +23,15 @@ inline bool store(const double& width, GripperArmCloseArguments& slot) {
   return store(width, slot.width);
 }
 
-/// The numbers of GripperArm's commands in every table and record.
+/// The numbers of GripperArm's own commands in every table and record.
 enum class GripperArmCommand : std::uint16_t {
-  servo_cp,
-  servo_jp,
-  hold,
-  set_mode,
-  measured_cp,
-  measured_js,
-  distance,
-  move,
-  reset,
-  limit,
-  park,
-  close,
+  close = 11,
   opening,
 };
 
-/// The numbers of GripperArm's events.
+/// The numbers of GripperArm's own events.
 enum class GripperArmEvent : std::uint16_t {
-  mode,
-  arrived,
-  stopped,
-  moved,
-  gripped,
+  gripped = 4,
 };
 
 }  // namespace reference
@@ -58,61 +43,34 @@ const InterfaceInfo& interfaceInfo<reference::GripperArm>();
 
 /// What a client of reference::GripperArm calls.
 template <>
-class Required<reference::GripperArm> final : public RequiredBase {
+class Required<reference::GripperArm> : public Required<reference::ArmLike> {
   using Contract = reference::GripperArm;
   using Id = reference::GripperArmCommand;
   using EventId = reference::GripperArmEvent;
 
  public:
   Required(Component& owner, std::string_view name)
-      : RequiredBase(owner, name, interfaceInfo<Contract>()) {}
+      : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// Follows a stream of poses.
-  Command<&Contract::servo_cp, reference::ArmLikeServoCpArguments> servo_cp{
-      *this, static_cast<std::uint16_t>(Id::servo_cp)};
-  Command<&Contract::servo_jp, reference::ArmLikeServoJpArguments> servo_jp{
-      *this, static_cast<std::uint16_t>(Id::servo_jp)};
-  Command<&Contract::hold, NoSlot> hold{*this, static_cast<std::uint16_t>(Id::hold)};
-  Command<&Contract::set_mode, reference::ArmLikeSetModeArguments> set_mode{
-      *this, static_cast<std::uint16_t>(Id::set_mode)};
-  ReadCommand<&Contract::measured_cp, reference::PoseStampedSlot> measured_cp{
-      *this, static_cast<std::uint16_t>(Id::measured_cp)};
-  ReadCommand<&Contract::measured_js, reference::JointStateSlot> measured_js{
-      *this, static_cast<std::uint16_t>(Id::measured_js)};
-  QualifiedReadCommand<&Contract::distance, reference::ArmLikeDistanceArguments, double> distance{
-      *this, static_cast<std::uint16_t>(Id::distance)};
-  /// Moves along a line; answers whether it can.
-  ReturningCommand<&Contract::move, reference::ArmLikeMoveArguments, std::uint8_t> move{
-      *this, static_cast<std::uint16_t>(Id::move)};
-  /// Forgets what it was told; answers how much that was.
-  ReturningCommand<&Contract::reset, NoSlot, std::uint32_t> reset{
-      *this, static_cast<std::uint16_t>(Id::reset)};
-  Command<&Contract::limit, reference::ArmLikeLimitArguments> limit{
-      *this, static_cast<std::uint16_t>(Id::limit)};
-  /// Folds the arm.
-  Command<&Contract::park, NoSlot> park{*this, static_cast<std::uint16_t>(Id::park)};
   /// Closes to this width; answers the width that it could reach.
   ReturningCommand<&Contract::close, reference::GripperArmCloseArguments, double> close{
       *this, static_cast<std::uint16_t>(Id::close)};
   ReadCommand<&Contract::opening, double> opening{*this, static_cast<std::uint16_t>(Id::opening)};
 
   /// The events of reference::GripperArm, to subscribe to.
-  struct Events {
+  struct Events : Required<reference::ArmLike>::Events {
     explicit Events(RequiredBase& required)
-        : mode{required, static_cast<std::uint16_t>(EventId::mode)},
-          arrived{required, static_cast<std::uint16_t>(EventId::arrived)},
-          stopped{required, static_cast<std::uint16_t>(EventId::stopped)},
-          moved{required, static_cast<std::uint16_t>(EventId::moved)},
+        : Required<reference::ArmLike>::Events(required),
           gripped{required, static_cast<std::uint16_t>(EventId::gripped)} {}
 
-    Subscription<std::uint8_t, reference::Mode> mode;
-    Subscription<reference::PoseStampedSlot, reference::PoseStamped> arrived;
-    Subscription<void> stopped;
-    /// Where it is and how fast.
-    Subscription<reference::ArmLikeMovedPayload, reference::PoseStamped, double> moved;
     Subscription<double, double> gripped;
   };
   Events& on() { return events_; }
+
+ protected:
+  // Of a contract that derives from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : Required<reference::ArmLike>(owner, name, info) {}
 
  private:
   Events events_{*this};
@@ -120,49 +78,38 @@ class Required<reference::GripperArm> final : public RequiredBase {
 
 /// What serves reference::GripperArm from a component.
 template <>
-class Provided<reference::GripperArm> final : public ProvidedBase {
+class Provided<reference::GripperArm> : public Provided<reference::ArmLike> {
   using Contract = reference::GripperArm;
   using EventId = reference::GripperArmEvent;
 
  public:
   Provided(Component& owner, std::string_view name, Contract& implementation)
-      : ProvidedBase(owner, name, interfaceInfo<Contract>(), &implementation),
-        implementation_(implementation) {}
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
   /// The events of reference::GripperArm, to emit.
-  struct Events {
+  struct Events : Provided<reference::ArmLike>::Events {
     explicit Events(ProvidedBase& provided)
-        : mode{provided, static_cast<std::uint16_t>(EventId::mode)},
-          arrived{provided, static_cast<std::uint16_t>(EventId::arrived)},
-          stopped{provided, static_cast<std::uint16_t>(EventId::stopped)},
-          moved{provided, static_cast<std::uint16_t>(EventId::moved)},
+        : Provided<reference::ArmLike>::Events(provided),
           gripped{provided, static_cast<std::uint16_t>(EventId::gripped)} {}
 
-    Emitter<std::uint8_t, reference::Mode> mode;
-    Emitter<reference::PoseStampedSlot, reference::PoseStamped> arrived;
-    Emitter<void> stopped;
-    /// Where it is and how fast.
-    Emitter<reference::ArmLikeMovedPayload, reference::PoseStamped, double> moved;
     Emitter<double, double> gripped;
   };
   Events& emit() { return events_; }
 
+ protected:
+  // Of a contract that derives from this one: `whole` points to its implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : Provided<reference::ArmLike>(owner, name, info, whole, implementation),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
-    reference::PoseStamped servo_cp_goal;
-    reference::JointState servo_jp_goal;
-    reference::Mode set_mode_mode;
-    reference::PoseStamped distance_to;
-    reference::PoseStamped move_goal;
-    double move_speed;
-    std::string move_reason;
-    double limit_speed;
-    reference::Mode limit_mode;
     double close_width;
   };
-
-  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
   Contract& implementation_;
   Events events_{*this};

@@ -45,6 +45,11 @@ class Planted(unittest.TestCase):
         self.write("runtime/base/a.h", "\n" * 701)
         self.expect(rules.check_lengths, "701 lines")
 
+    def test_a_model_of_generated_code_that_is_too_long(self):
+        self.write("tests/reference/a.suture.cpp", "\n" * 701)
+        self.write("tests/compiler/golden/expected/a.suture.cpp", "\n" * 701)  # written by suturec
+        self.expect(rules.check_lengths, "reference/a.suture.cpp: 701 lines")
+
     def test_a_folder_without_readme(self):
         self.write("runtime/base/a.h", "\n")
         self.expect(rules.check_readmes, "no README.md")

@@ -2,6 +2,8 @@
 // What suturec writes for each contract so that it can travel over Cap'n Proto RPC. Everything here
 // belongs to the control thread.
 
+#include <suture/transport/rpc/kj_comparisons.h>  // first
+
 #include <capnp/capability.h>
 #include <suture/component/channel.h>
 #include <suture/rt/mailbox.h>
@@ -10,6 +12,15 @@
 #include <cstdint>
 
 namespace suture::rpc {
+
+/// A call of any method, as Cap'n Proto hands it to a capability.
+using AnyCall = capnp::CallContext<capnp::AnyPointer, capnp::AnyPointer>;
+
+/// The number of a command or an event in tables and records.
+template <class Name>
+constexpr std::uint16_t numberOf(Name name) {
+  return static_cast<std::uint16_t>(name);
+}
 
 class ProxyPort;
 class ServantPort;
@@ -41,8 +52,8 @@ class Proxy {
 /// The factory of all three, one object a contract with static storage.
 class Binding {
  public:
-  /// The contract's own capability, served by `port`.
-  virtual capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const = 0;
+  /// Serves the contract's own capability through `port`.
+  virtual kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const = 0;
   /// Speaks to `contract`, which must be of the contract's interface. `port` outlives it.
   virtual kj::Own<Proxy> makeProxy(capnp::Capability::Client contract, ProxyPort& port) const = 0;
   /// Speaks to `subscriber`, which must be of the contract's events interface.

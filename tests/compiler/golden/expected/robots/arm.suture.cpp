@@ -32,6 +32,7 @@ using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
+using suture::rpc::numberOf;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
 
@@ -65,585 +66,118 @@ static_assert(std::is_same_v<decltype(Everything::period), std::chrono::millisec
 static_assert(std::is_same_v<decltype(Everything::when), std::chrono::steady_clock::time_point>);
 
 constexpr CommandInfo kArmCommands[] = {
-    {.name = "enable",
-     .kind = CommandKind::Void,
-     .argumentsSize = 0,
-     .resultSize = 0,
-     .depth = 4,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+    {.name = "enable", .kind = CommandKind::Void, .depth = 4},
     {.name = "servo_cp",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(ArmServoCpArguments),
-     .resultSize = 0,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000),
-     .column = -1},
+     .ttl = Duration(20'000'000)},
     {.name = "set_speed",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(ArmSetSpeedArguments),
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
     {.name = "measured_cp",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(PoseStampedSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 0},
     {.name = "mode",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(std::int8_t),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 1},
     {.name = "everything",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(EverythingSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 2},
     {.name = "inverse_kinematics",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = sizeof(ArmInverseKinematicsArguments),
      .resultSize = sizeof(EverythingSlot),
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
     {.name = "grasp",
      .kind = CommandKind::WriteReturn,
      .argumentsSize = sizeof(ArmGraspArguments),
      .resultSize = sizeof(std::uint8_t),
      .depth = 2,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1,
      .deadline = Duration(50'000'000)},
     {.name = "next_token",
      .kind = CommandKind::VoidReturn,
-     .argumentsSize = 0,
      .resultSize = sizeof(std::uint32_t),
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
-    {.name = "park",
-     .kind = CommandKind::Void,
-     .argumentsSize = 0,
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
+    {.name = "park", .kind = CommandKind::Void, .depth = 16},
     {.name = "load",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(double),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 3},
 };
 
 constexpr EventInfo kArmEvents[] = {
-    {.name = "mode_changed",
-     .payloadSize = sizeof(std::int8_t),
-     .depth = 8,
-     .latest = false,
-     .latched = true},
-    {.name = "stopped", .payloadSize = 0, .depth = 16, .latest = false, .latched = false},
-    {.name = "arrived",
-     .payloadSize = sizeof(PoseStampedSlot),
-     .depth = 16,
-     .latest = false,
-     .latched = false},
-    {.name = "moved",
-     .payloadSize = sizeof(ArmMovedPayload),
-     .depth = 16,
-     .latest = false,
-     .latched = true},
+    {.name = "mode_changed", .payloadSize = sizeof(std::int8_t), .depth = 8, .latched = true},
+    {.name = "stopped", .depth = 16},
+    {.name = "arrived", .payloadSize = sizeof(PoseStampedSlot), .depth = 16},
+    {.name = "moved", .payloadSize = sizeof(ArmMovedPayload), .depth = 16, .latched = true},
 };
 
 // The self-description, as in robots/arm.suture.json.
-constexpr char kArmDescription[] = R"json({
-  "name": "robots::Arm",
-  "doc": "A robot arm.",
-  "hash": "098f1414549f8719cb5e7383aff6c956",
-  "core": "105905a88a26f5954c1b7ccca0ff990d",
-  "commands": [
-    {
-      "name": "enable",
-      "kind": "void",
-      "queue": 4
-    },
-    {
-      "name": "servo_cp",
-      "kind": "write",
-      "doc": "Follow the goal.",
-      "parameters": [
-        {
-          "name": "goal",
-          "type": {
-            "kind": "struct",
-            "name": "robots::PoseStamped"
-          }
-        }
-      ],
-      "queue": 16,
-      "latest": true,
-      "ttl": 0.02
-    },
-    {
-      "name": "set_speed",
-      "kind": "write",
-      "parameters": [
-        {
-          "name": "speed",
-          "type": {
-            "kind": "Float64"
-          },
-          "unit": "m/s"
-        }
-      ],
-      "queue": 16
-    },
-    {
-      "name": "measured_cp",
-      "kind": "read",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::PoseStamped"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "mode",
-      "kind": "read",
-      "result": {
-        "type": {
-          "kind": "enum",
-          "name": "robots::Mode"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "everything",
-      "kind": "read",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::Everything"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "inverse_kinematics",
-      "kind": "qualified read",
-      "parameters": [
-        {
-          "name": "x",
-          "type": {
-            "kind": "struct",
-            "name": "robots::PoseStamped"
-          }
-        },
-        {
-          "name": "tolerance",
-          "type": {
-            "kind": "Float64"
-          },
-          "range": [
-            0.0,
-            1.0
-          ]
-        }
-      ],
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::Everything"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "grasp",
-      "kind": "write with return",
-      "doc": "Closes the gripper; answers whether it holds something.",
-      "parameters": [
-        {
-          "name": "width",
-          "type": {
-            "kind": "Float64"
-          }
-        },
-        {
-          "name": "mode",
-          "type": {
-            "kind": "enum",
-            "name": "robots::Mode"
-          }
-        }
-      ],
-      "result": {
-        "type": {
-          "kind": "Bool"
-        }
-      },
-      "queue": 2,
-      "deadline": 0.05
-    },
-    {
-      "name": "next_token",
-      "kind": "void with return",
-      "result": {
-        "type": {
-          "kind": "UInt32"
-        }
-      },
-      "queue": 16,
-      "since": 1
-    },
-    {
-      "name": "park",
-      "kind": "void",
-      "queue": 16,
-      "optional": true,
-      "direct": true,
-      "deprecated": "use enable"
-    },
-    {
-      "name": "load",
-      "kind": "read",
-      "result": {
-        "type": {
-          "kind": "Float64"
-        }
-      },
-      "queue": 16,
-      "optional": true
-    }
-  ],
-  "events": [
-    {
-      "name": "mode_changed",
-      "kind": "write",
-      "payload": {
-        "type": {
-          "kind": "enum",
-          "name": "robots::Mode"
-        }
-      },
-      "queue": 8,
-      "latched": true
-    },
-    {
-      "name": "stopped",
-      "kind": "void",
-      "queue": 16
-    },
-    {
-      "name": "arrived",
-      "kind": "write",
-      "payload": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::PoseStamped"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "moved",
-      "kind": "write",
-      "doc": "Where, how fast and why.",
-      "payload": [
-        {
-          "name": "value",
-          "type": {
-            "kind": "struct",
-            "name": "robots::PoseStamped"
-          }
-        },
-        {
-          "name": "value2",
-          "type": {
-            "kind": "Float64"
-          }
-        },
-        {
-          "name": "value3",
-          "type": {
-            "kind": "enum",
-            "name": "robots::Mode"
-          }
-        }
-      ],
-      "queue": 16,
-      "latched": true
-    }
-  ],
-  "enums": [
-    {
-      "name": "robots::Mode",
-      "doc": "What the arm does.",
-      "underlying": "Int8",
-      "enumerators": [
-        {
-          "name": "Disabled",
-          "value": -1
-        },
-        {
-          "name": "HoldStill",
-          "value": 4,
-          "doc": "Brakes off, set-point frozen."
-        },
-        {
-          "name": "Servo",
-          "value": 2
-        }
-      ]
-    }
-  ],
-  "structs": [
-    {
-      "name": "robots::PoseStamped",
-      "doc": "A pose with its time.",
-      "fields": [
-        {
-          "name": "pose",
-          "type": {
-            "kind": "isometry",
-            "scalar": "Float64"
-          }
-        },
-        {
-          "name": "stamp",
-          "type": {
-            "kind": "time",
-            "clock": "steady"
-          }
-        },
-        {
-          "name": "valid",
-          "type": {
-            "kind": "Bool"
-          },
-          "default": false
-        }
-      ]
-    },
-    {
-      "name": "robots::Everything",
-      "doc": "Every kind of member.\n\nTwo paragraphs.",
-      "fields": [
-        {
-          "name": "on",
-          "type": {
-            "kind": "Bool"
-          },
-          "default": false
-        },
-        {
-          "name": "tiny",
-          "type": {
-            "kind": "Int8"
-          },
-          "default": 0
-        },
-        {
-          "name": "count",
-          "type": {
-            "kind": "UInt64"
-          },
-          "default": 0
-        },
-        {
-          "name": "speed",
-          "doc": "Along the path.",
-          "type": {
-            "kind": "Float64"
-          },
-          "unit": "m/s",
-          "range": [
-            -0.5,
-            2.0
-          ],
-          "default": 0.25
-        },
-        {
-          "name": "ratio",
-          "type": {
-            "kind": "Float32"
-          },
-          "default": 0.0
-        },
-        {
-          "name": "mode",
-          "type": {
-            "kind": "enum",
-            "name": "robots::Mode"
-          },
-          "default": "Servo"
-        },
-        {
-          "name": "label",
-          "type": {
-            "kind": "text",
-            "capacity": 16
-          }
-        },
-        {
-          "name": "bytes",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "UInt8"
-            },
-            "capacity": 32
-          }
-        },
-        {
-          "name": "flags",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Bool"
-            },
-            "capacity": 4
-          }
-        },
-        {
-          "name": "names",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "text",
-              "capacity": 8
-            },
-            "capacity": 3
-          }
-        },
-        {
-          "name": "pairs",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "array",
-              "element": {
-                "kind": "Float64"
-              },
-              "length": 2
-            },
-            "capacity": 5
-          }
-        },
-        {
-          "name": "modes",
-          "type": {
-            "kind": "array",
-            "element": {
-              "kind": "enum",
-              "name": "robots::Mode"
-            },
-            "length": 2
-          }
-        },
-        {
-          "name": "goal",
-          "type": {
-            "kind": "struct",
-            "name": "robots::PoseStamped"
-          }
-        },
-        {
-          "name": "track",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "struct",
-              "name": "robots::PoseStamped"
-            },
-            "capacity": 2
-          }
-        },
-        {
-          "name": "point",
-          "type": {
-            "kind": "matrix",
-            "scalar": "Float64",
-            "rows": 3,
-            "columns": 1
-          },
-          "unit": "m"
-        },
-        {
-          "name": "plane",
-          "type": {
-            "kind": "matrix",
-            "scalar": "Float32",
-            "rows": 3,
-            "columns": 1
-          }
-        },
-        {
-          "name": "inertia",
-          "type": {
-            "kind": "matrix",
-            "scalar": "Float64",
-            "rows": 3,
-            "columns": 3
-          }
-        },
-        {
-          "name": "jacobian",
-          "type": {
-            "kind": "matrix",
-            "scalar": "Float64",
-            "rows": 6,
-            "columns": 7
-          }
-        },
-        {
-          "name": "attitude",
-          "type": {
-            "kind": "quaternion",
-            "scalar": "Float64"
-          }
-        },
-        {
-          "name": "period",
-          "type": {
-            "kind": "duration",
-            "period": "1/1000"
-          }
-        },
-        {
-          "name": "when",
-          "type": {
-            "kind": "time",
-            "clock": "steady"
-          }
-        }
-      ]
-    }
-  ]
-})json";
+constexpr char kArmDescription[] = R"json(
+{"name": "robots::Arm", "doc": "A robot arm.", "hash": "098f1414549f8719cb5e7383aff6c956",
+"core": "105905a88a26f5954c1b7ccca0ff990d", "commands": [{"name": "enable", "kind": "void",
+"queue": 4}, {"name": "servo_cp", "kind": "write", "doc": "Follow the goal.", "parameters": [{
+"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}], "queue": 16,
+"latest": true, "ttl": 0.02}, {"name": "set_speed", "kind": "write", "parameters": [{
+"name": "speed", "type": {"kind": "Float64"}, "unit": "m/s"}], "queue": 16}, {
+"name": "measured_cp", "kind": "read", "result": {"type": {"kind": "struct",
+"name": "robots::PoseStamped"}}, "queue": 16}, {"name": "mode", "kind": "read", "result": {
+"type": {"kind": "enum", "name": "robots::Mode"}}, "queue": 16}, {"name": "everything",
+"kind": "read", "result": {"type": {"kind": "struct", "name": "robots::Everything"}}, "queue": 16},
+{"name": "inverse_kinematics", "kind": "qualified read", "parameters": [{"name": "x", "type": {
+"kind": "struct", "name": "robots::PoseStamped"}}, {"name": "tolerance", "type": {"kind": "Float64"
+}, "range": [0.0, 1.0]}], "result": {"type": {"kind": "struct", "name": "robots::Everything"}},
+"queue": 16}, {"name": "grasp", "kind": "write with return",
+"doc": "Closes the gripper; answers whether it holds something.", "parameters": [{"name": "width",
+"type": {"kind": "Float64"}}, {"name": "mode", "type": {"kind": "enum", "name": "robots::Mode"}}],
+"result": {"type": {"kind": "Bool"}}, "queue": 2, "deadline": 0.05}, {"name": "next_token",
+"kind": "void with return", "result": {"type": {"kind": "UInt32"}}, "queue": 16, "since": 1}, {
+"name": "park", "kind": "void", "queue": 16, "optional": true, "direct": true,
+"deprecated": "use enable"}, {"name": "load", "kind": "read", "result": {"type": {"kind": "Float64"
+}}, "queue": 16, "optional": true}], "events": [{"name": "mode_changed", "kind": "write",
+"payload": {"type": {"kind": "enum", "name": "robots::Mode"}}, "queue": 8, "latched": true}, {
+"name": "stopped", "kind": "void", "queue": 16}, {"name": "arrived", "kind": "write", "payload": {
+"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "moved",
+"kind": "write", "doc": "Where, how fast and why.", "payload": [{"name": "value", "type": {
+"kind": "struct", "name": "robots::PoseStamped"}}, {"name": "value2", "type": {"kind": "Float64"}},
+{"name": "value3", "type": {"kind": "enum", "name": "robots::Mode"}}], "queue": 16, "latched": true
+}], "enums": [{"name": "robots::Mode", "doc": "What the arm does.", "underlying": "Int8",
+"enumerators": [{"name": "Disabled", "value": -1}, {"name": "HoldStill", "value": 4,
+"doc": "Brakes off, set-point frozen."}, {"name": "Servo", "value": 2}]}], "structs": [{
+"name": "robots::PoseStamped", "doc": "A pose with its time.", "fields": [{"name": "pose", "type": {
+"kind": "isometry", "scalar": "Float64"}}, {"name": "stamp", "type": {"kind": "time",
+"clock": "steady"}}, {"name": "valid", "type": {"kind": "Bool"}, "default": false}]}, {
+"name": "robots::Everything", "doc": "Every kind of member.\n\nTwo paragraphs.", "fields": [{
+"name": "on", "type": {"kind": "Bool"}, "default": false}, {"name": "tiny", "type": {"kind": "Int8"
+}, "default": 0}, {"name": "count", "type": {"kind": "UInt64"}, "default": 0}, {"name": "speed",
+"doc": "Along the path.", "type": {"kind": "Float64"}, "unit": "m/s", "range": [-0.5, 2.0],
+"default": 0.25}, {"name": "ratio", "type": {"kind": "Float32"}, "default": 0.0}, {"name": "mode",
+"type": {"kind": "enum", "name": "robots::Mode"}, "default": "Servo"}, {"name": "label", "type": {
+"kind": "text", "capacity": 16}}, {"name": "bytes", "type": {"kind": "list", "element": {
+"kind": "UInt8"}, "capacity": 32}}, {"name": "flags", "type": {"kind": "list", "element": {
+"kind": "Bool"}, "capacity": 4}}, {"name": "names", "type": {"kind": "list", "element": {
+"kind": "text", "capacity": 8}, "capacity": 3}}, {"name": "pairs", "type": {"kind": "list",
+"element": {"kind": "array", "element": {"kind": "Float64"}, "length": 2}, "capacity": 5}}, {
+"name": "modes", "type": {"kind": "array", "element": {"kind": "enum", "name": "robots::Mode"},
+"length": 2}}, {"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}, {
+"name": "track", "type": {"kind": "list", "element": {"kind": "struct",
+"name": "robots::PoseStamped"}, "capacity": 2}}, {"name": "point", "type": {"kind": "matrix",
+"scalar": "Float64", "rows": 3, "columns": 1}, "unit": "m"}, {"name": "plane", "type": {
+"kind": "matrix", "scalar": "Float32", "rows": 3, "columns": 1}}, {"name": "inertia", "type": {
+"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 3}}, {"name": "jacobian", "type": {
+"kind": "matrix", "scalar": "Float64", "rows": 6, "columns": 7}}, {"name": "attitude", "type": {
+"kind": "quaternion", "scalar": "Float64"}}, {"name": "period", "type": {"kind": "duration",
+"period": "1/1000"}}, {"name": "when", "type": {"kind": "time", "clock": "steady"}}]}]})json";
 
 }  // namespace
 
@@ -754,23 +288,23 @@ class ArmSink final : public suture::rpc::EventSink {
   explicit ArmSink(wire::ArmEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
 
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (static_cast<ArmEvent>(event)) {
-      case ArmEvent::mode_changed: {
+    switch (event) {
+      case numberOf(ArmEvent::mode_changed): {
         const auto& slot = *reinterpret_cast<const std::int8_t*>(payload);
         auto request = subscriber_.modeChangedRequest();
         request.setValue(wireMode(slot));
         return request.send().ignoreResult();
       }
-      case ArmEvent::stopped: {
+      case numberOf(ArmEvent::stopped): {
         return subscriber_.stoppedRequest().send().ignoreResult();
       }
-      case ArmEvent::arrived: {
+      case numberOf(ArmEvent::arrived): {
         const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(payload);
         auto request = subscriber_.arrivedRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
-      case ArmEvent::moved: {
+      case numberOf(ArmEvent::moved): {
         const auto& slot = *reinterpret_cast<const ArmMovedPayload*>(payload);
         auto request = subscriber_.movedRequest();
         toWire(slot.value, request.initValue());
@@ -826,7 +360,7 @@ class ArmServant final : public wire::Arm::Server {
 
   kj::Promise<void> enable(EnableContext context) override {
     auto in = context.getParams();
-    return port_->command(commandId(ArmCommand::enable), in.getSent(),
+    return port_->command(numberOf(ArmCommand::enable), in.getSent(),
                           [](std::byte*) { return Errc{}; });
   }
 
@@ -839,7 +373,7 @@ class ArmServant final : public wire::Arm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.goal) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(ArmCommand::servo_cp), in.getSent(), fill);
+    return port_->command(numberOf(ArmCommand::servo_cp), in.getSent(), fill);
   }
 
   kj::Promise<void> setSpeed(SetSpeedContext context) override {
@@ -849,7 +383,7 @@ class ArmServant final : public wire::Arm::Server {
       slot.speed = in.getSpeed();
       return isValid(slot.speed) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(ArmCommand::set_speed), in.getSent(), fill);
+    return port_->command(numberOf(ArmCommand::set_speed), in.getSent(), fill);
   }
 
   kj::Promise<void> measuredCp(MeasuredCpContext context) override {
@@ -860,7 +394,7 @@ class ArmServant final : public wire::Arm::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(ArmCommand::measured_cp), in.getSent(),
+    return port_->call(numberOf(ArmCommand::measured_cp), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -872,7 +406,7 @@ class ArmServant final : public wire::Arm::Server {
       out.setValue(wireMode(slot));
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(ArmCommand::mode), in.getSent(),
+    return port_->call(numberOf(ArmCommand::mode), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -884,7 +418,7 @@ class ArmServant final : public wire::Arm::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(ArmCommand::everything), in.getSent(),
+    return port_->call(numberOf(ArmCommand::everything), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -902,7 +436,7 @@ class ArmServant final : public wire::Arm::Server {
       auto out = context.getResults();
       toWire(slot, out.initValue());
     };
-    return port_->call(commandId(ArmCommand::inverse_kinematics), in.getSent(), fill, kj::mv(take));
+    return port_->call(numberOf(ArmCommand::inverse_kinematics), in.getSent(), fill, kj::mv(take));
   }
 
   kj::Promise<void> grasp(GraspContext context) override {
@@ -919,7 +453,7 @@ class ArmServant final : public wire::Arm::Server {
       auto out = context.getResults();
       out.setValue(slot != 0);
     };
-    return port_->call(commandId(ArmCommand::grasp), in.getSent(), fill, kj::mv(take));
+    return port_->call(numberOf(ArmCommand::grasp), in.getSent(), fill, kj::mv(take));
   }
 
   kj::Promise<void> nextToken(NextTokenContext context) override {
@@ -929,13 +463,13 @@ class ArmServant final : public wire::Arm::Server {
       auto out = context.getResults();
       out.setValue(slot);
     };
-    return port_->call(commandId(ArmCommand::next_token), in.getSent(),
+    return port_->call(numberOf(ArmCommand::next_token), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
   kj::Promise<void> park(ParkContext context) override {
     auto in = context.getParams();
-    return port_->command(commandId(ArmCommand::park), in.getSent(),
+    return port_->command(numberOf(ArmCommand::park), in.getSent(),
                           [](std::byte*) { return Errc{}; });
   }
 
@@ -947,13 +481,11 @@ class ArmServant final : public wire::Arm::Server {
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(ArmCommand::load), in.getSent(),
+    return port_->call(numberOf(ArmCommand::load), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
  private:
-  static std::uint16_t commandId(ArmCommand command) { return static_cast<std::uint16_t>(command); }
-
   kj::Own<ServantPort> port_;
 };
 
@@ -998,11 +530,11 @@ class ArmReceiver final : public wire::ArmEvents::Server {
     auto in = context.getParams();
     std::int8_t slot;
     const Errc error = fromWire(in.getValue(), slot);
-    return port_->event(eventId(ArmEvent::mode_changed), error, slot);
+    return port_->event(numberOf(ArmEvent::mode_changed), error, slot);
   }
 
   kj::Promise<void> stopped(StoppedContext) override {
-    return port_->event(eventId(ArmEvent::stopped));
+    return port_->event(numberOf(ArmEvent::stopped));
   }
 
   kj::Promise<void> arrived(ArrivedContext context) override {
@@ -1010,7 +542,7 @@ class ArmReceiver final : public wire::ArmEvents::Server {
     PoseStampedSlot slot;
     const Errc error =
         in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(eventId(ArmEvent::arrived), error, slot);
+    return port_->event(numberOf(ArmEvent::arrived), error, slot);
   }
 
   kj::Promise<void> moved(MovedContext context) override {
@@ -1021,12 +553,10 @@ class ArmReceiver final : public wire::ArmEvents::Server {
         in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid,
         fromWire(in.getValue3(), slot.value3),
     });
-    return port_->event(eventId(ArmEvent::moved), error, slot);
+    return port_->event(numberOf(ArmEvent::moved), error, slot);
   }
 
  private:
-  static std::uint16_t eventId(ArmEvent event) { return static_cast<std::uint16_t>(event); }
-
   kj::Own<ProxyPort> port_;
 };
 
@@ -1157,8 +687,8 @@ class ArmProxy final : public suture::rpc::Proxy {
 
 class ArmBinding final : public suture::rpc::Binding {
  public:
-  capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const override {
-    return wire::Arm::Client(kj::heap<ArmServant>(kj::mv(port)));
+  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
+    return kj::heap<ArmServant>(kj::mv(port));
   }
   kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
                                         ProxyPort& port) const override {

@@ -185,17 +185,14 @@ const InterfaceInfo& interfaceInfo<robots::Arm>();
 
 /// What a client of robots::Arm calls.
 template <>
-class Required<robots::Arm> final : public RequiredBase {
+class Required<robots::Arm> : public RequiredBase {
   using Contract = robots::Arm;
   using Id = robots::ArmCommand;
   using EventId = robots::ArmEvent;
 
  public:
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
   Required(Component& owner, std::string_view name)
-      : RequiredBase(owner, name, interfaceInfo<Contract>()) {}
-#pragma GCC diagnostic pop
+      : Required(owner, name, interfaceInfo<Contract>()) {}
 
   Command<&Contract::enable, NoSlot> enable{*this, static_cast<std::uint16_t>(Id::enable)};
   /// Follow the goal.
@@ -236,20 +233,27 @@ class Required<robots::Arm> final : public RequiredBase {
   };
   Events& on() { return events_; }
 
+ protected:
+  // Of a contract that derives from this one.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+#pragma GCC diagnostic pop
+
  private:
   Events events_{*this};
 };
 
 /// What serves robots::Arm from a component.
 template <>
-class Provided<robots::Arm> final : public ProvidedBase {
+class Provided<robots::Arm> : public ProvidedBase {
   using Contract = robots::Arm;
   using EventId = robots::ArmEvent;
 
  public:
   Provided(Component& owner, std::string_view name, Contract& implementation)
-      : ProvidedBase(owner, name, interfaceInfo<Contract>(), &implementation),
-        implementation_(implementation) {}
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
   /// The events of robots::Arm, to emit.
   struct Events {
@@ -267,6 +271,15 @@ class Provided<robots::Arm> final : public ProvidedBase {
   };
   Events& emit() { return events_; }
 
+ protected:
+  // Of a contract that derives from this one: `whole` points to its implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
@@ -277,8 +290,6 @@ class Provided<robots::Arm> final : public ProvidedBase {
     double grasp_width;
     robots::Mode grasp_mode;
   };
-
-  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
   Contract& implementation_;
   Events events_{*this};

@@ -41,808 +41,132 @@ using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
+using suture::rpc::numberOf;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
 
 namespace {
 
 constexpr CommandInfo kGripperCommands[] = {
-    {.name = "enable",
-     .kind = CommandKind::Void,
-     .argumentsSize = 0,
-     .resultSize = 0,
-     .depth = 4,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
-    {.name = "servo_cp",
-     .kind = CommandKind::Write,
-     .argumentsSize = sizeof(ArmServoCpArguments),
-     .resultSize = 0,
-     .depth = 16,
-     .latest = true,
-     .ttl = Duration(20'000'000),
-     .column = -1},
-    {.name = "set_speed",
-     .kind = CommandKind::Write,
-     .argumentsSize = sizeof(ArmSetSpeedArguments),
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
-    {.name = "measured_cp",
-     .kind = CommandKind::Read,
-     .argumentsSize = 0,
-     .resultSize = sizeof(PoseStampedSlot),
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = 0},
-    {.name = "mode",
-     .kind = CommandKind::Read,
-     .argumentsSize = 0,
-     .resultSize = sizeof(std::int8_t),
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = 1},
-    {.name = "everything",
-     .kind = CommandKind::Read,
-     .argumentsSize = 0,
-     .resultSize = sizeof(EverythingSlot),
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = 2},
-    {.name = "inverse_kinematics",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = sizeof(ArmInverseKinematicsArguments),
-     .resultSize = sizeof(EverythingSlot),
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
-    {.name = "grasp",
-     .kind = CommandKind::WriteReturn,
-     .argumentsSize = sizeof(ArmGraspArguments),
-     .resultSize = sizeof(std::uint8_t),
-     .depth = 2,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1,
-     .deadline = Duration(50'000'000)},
-    {.name = "next_token",
-     .kind = CommandKind::VoidReturn,
-     .argumentsSize = 0,
-     .resultSize = sizeof(std::uint32_t),
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
-    {.name = "park",
-     .kind = CommandKind::Void,
-     .argumentsSize = 0,
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
-    {.name = "load",
-     .kind = CommandKind::Read,
-     .argumentsSize = 0,
-     .resultSize = sizeof(double),
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = 3},
     {.name = "open",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(GripperOpenArguments),
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
     {.name = "opening",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(double),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 4},
     {.name = "fits",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = sizeof(GripperFitsArguments),
      .resultSize = sizeof(std::uint8_t),
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
 };
 
 constexpr EventInfo kGripperEvents[] = {
-    {.name = "mode_changed",
-     .payloadSize = sizeof(std::int8_t),
-     .depth = 8,
-     .latest = false,
-     .latched = true},
-    {.name = "stopped", .payloadSize = 0, .depth = 16, .latest = false, .latched = false},
-    {.name = "arrived",
-     .payloadSize = sizeof(PoseStampedSlot),
-     .depth = 16,
-     .latest = false,
-     .latched = false},
-    {.name = "moved",
-     .payloadSize = sizeof(ArmMovedPayload),
-     .depth = 16,
-     .latest = false,
-     .latched = true},
-    {.name = "gripped",
-     .payloadSize = sizeof(GripperGrippedPayload),
-     .depth = 16,
-     .latest = false,
-     .latched = false},
+    {.name = "gripped", .payloadSize = sizeof(GripperGrippedPayload), .depth = 16},
 };
 
 // The self-description, as in robots/gripper.suture.json.
-constexpr char kGripperDescription[] = R"json({
-  "name": "robots::Gripper",
-  "doc": "An arm with a gripper.",
-  "hash": "80297788a323ca7bff040107b64d3705",
-  "core": "a9b1e581d8cd565de2fe8b81c0049693",
-  "version": 2,
-  "base": "robots::Arm",
-  "since": 2,
-  "commands": [
-    {
-      "name": "enable",
-      "kind": "void",
-      "queue": 4,
-      "from": "robots::Arm"
-    },
-    {
-      "name": "servo_cp",
-      "kind": "write",
-      "doc": "Follow the goal.",
-      "parameters": [
-        {
-          "name": "goal",
-          "type": {
-            "kind": "struct",
-            "name": "robots::PoseStamped"
-          }
-        }
-      ],
-      "queue": 16,
-      "latest": true,
-      "ttl": 0.02,
-      "from": "robots::Arm"
-    },
-    {
-      "name": "set_speed",
-      "kind": "write",
-      "parameters": [
-        {
-          "name": "speed",
-          "type": {
-            "kind": "Float64"
-          },
-          "unit": "m/s"
-        }
-      ],
-      "queue": 16,
-      "from": "robots::Arm"
-    },
-    {
-      "name": "measured_cp",
-      "kind": "read",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::PoseStamped"
-        }
-      },
-      "queue": 16,
-      "from": "robots::Arm"
-    },
-    {
-      "name": "mode",
-      "kind": "read",
-      "result": {
-        "type": {
-          "kind": "enum",
-          "name": "robots::Mode"
-        }
-      },
-      "queue": 16,
-      "from": "robots::Arm"
-    },
-    {
-      "name": "everything",
-      "kind": "read",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::Everything"
-        }
-      },
-      "queue": 16,
-      "from": "robots::Arm"
-    },
-    {
-      "name": "inverse_kinematics",
-      "kind": "qualified read",
-      "parameters": [
-        {
-          "name": "x",
-          "type": {
-            "kind": "struct",
-            "name": "robots::PoseStamped"
-          }
-        },
-        {
-          "name": "tolerance",
-          "type": {
-            "kind": "Float64"
-          },
-          "range": [
-            0.0,
-            1.0
-          ]
-        }
-      ],
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::Everything"
-        }
-      },
-      "queue": 16,
-      "from": "robots::Arm"
-    },
-    {
-      "name": "grasp",
-      "kind": "write with return",
-      "doc": "Closes the gripper; answers whether it holds something.",
-      "parameters": [
-        {
-          "name": "width",
-          "type": {
-            "kind": "Float64"
-          }
-        },
-        {
-          "name": "mode",
-          "type": {
-            "kind": "enum",
-            "name": "robots::Mode"
-          }
-        }
-      ],
-      "result": {
-        "type": {
-          "kind": "Bool"
-        }
-      },
-      "queue": 2,
-      "deadline": 0.05,
-      "from": "robots::Arm"
-    },
-    {
-      "name": "next_token",
-      "kind": "void with return",
-      "result": {
-        "type": {
-          "kind": "UInt32"
-        }
-      },
-      "queue": 16,
-      "from": "robots::Arm",
-      "since": 1
-    },
-    {
-      "name": "park",
-      "kind": "void",
-      "queue": 16,
-      "optional": true,
-      "direct": true,
-      "from": "robots::Arm",
-      "deprecated": "use enable"
-    },
-    {
-      "name": "load",
-      "kind": "read",
-      "result": {
-        "type": {
-          "kind": "Float64"
-        }
-      },
-      "queue": 16,
-      "optional": true,
-      "from": "robots::Arm"
-    },
-    {
-      "name": "open",
-      "kind": "write",
-      "parameters": [
-        {
-          "name": "width",
-          "type": {
-            "kind": "Float64"
-          },
-          "unit": "m"
-        }
-      ],
-      "queue": 16
-    },
-    {
-      "name": "opening",
-      "kind": "read",
-      "result": {
-        "type": {
-          "kind": "Float64"
-        }
-      },
-      "queue": 16,
-      "since": 2
-    },
-    {
-      "name": "fits",
-      "kind": "qualified read",
-      "parameters": [
-        {
-          "name": "width",
-          "type": {
-            "kind": "Float64"
-          }
-        }
-      ],
-      "result": {
-        "type": {
-          "kind": "Bool"
-        }
-      },
-      "queue": 16,
-      "concurrent": true
-    }
-  ],
-  "events": [
-    {
-      "name": "mode_changed",
-      "kind": "write",
-      "payload": {
-        "type": {
-          "kind": "enum",
-          "name": "robots::Mode"
-        }
-      },
-      "queue": 8,
-      "latched": true,
-      "from": "robots::Arm"
-    },
-    {
-      "name": "stopped",
-      "kind": "void",
-      "queue": 16,
-      "from": "robots::Arm"
-    },
-    {
-      "name": "arrived",
-      "kind": "write",
-      "payload": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::PoseStamped"
-        }
-      },
-      "queue": 16,
-      "from": "robots::Arm"
-    },
-    {
-      "name": "moved",
-      "kind": "write",
-      "doc": "Where, how fast and why.",
-      "payload": [
-        {
-          "name": "value",
-          "type": {
-            "kind": "struct",
-            "name": "robots::PoseStamped"
-          }
-        },
-        {
-          "name": "value2",
-          "type": {
-            "kind": "Float64"
-          }
-        },
-        {
-          "name": "value3",
-          "type": {
-            "kind": "enum",
-            "name": "robots::Mode"
-          }
-        }
-      ],
-      "queue": 16,
-      "latched": true,
-      "from": "robots::Arm"
-    },
-    {
-      "name": "gripped",
-      "kind": "write",
-      "payload": [
-        {
-          "name": "value",
-          "type": {
-            "kind": "Float64"
-          }
-        },
-        {
-          "name": "value2",
-          "type": {
-            "kind": "Bool"
-          }
-        }
-      ],
-      "queue": 16,
-      "since": 2
-    }
-  ],
-  "enums": [
-    {
-      "name": "robots::Mode",
-      "doc": "What the arm does.",
-      "underlying": "Int8",
-      "enumerators": [
-        {
-          "name": "Disabled",
-          "value": -1
-        },
-        {
-          "name": "HoldStill",
-          "value": 4,
-          "doc": "Brakes off, set-point frozen."
-        },
-        {
-          "name": "Servo",
-          "value": 2
-        }
-      ]
-    }
-  ],
-  "structs": [
-    {
-      "name": "robots::PoseStamped",
-      "doc": "A pose with its time.",
-      "fields": [
-        {
-          "name": "pose",
-          "type": {
-            "kind": "isometry",
-            "scalar": "Float64"
-          }
-        },
-        {
-          "name": "stamp",
-          "type": {
-            "kind": "time",
-            "clock": "steady"
-          }
-        },
-        {
-          "name": "valid",
-          "type": {
-            "kind": "Bool"
-          },
-          "default": false
-        }
-      ]
-    },
-    {
-      "name": "robots::Everything",
-      "doc": "Every kind of member.\n\nTwo paragraphs.",
-      "fields": [
-        {
-          "name": "on",
-          "type": {
-            "kind": "Bool"
-          },
-          "default": false
-        },
-        {
-          "name": "tiny",
-          "type": {
-            "kind": "Int8"
-          },
-          "default": 0
-        },
-        {
-          "name": "count",
-          "type": {
-            "kind": "UInt64"
-          },
-          "default": 0
-        },
-        {
-          "name": "speed",
-          "doc": "Along the path.",
-          "type": {
-            "kind": "Float64"
-          },
-          "unit": "m/s",
-          "range": [
-            -0.5,
-            2.0
-          ],
-          "default": 0.25
-        },
-        {
-          "name": "ratio",
-          "type": {
-            "kind": "Float32"
-          },
-          "default": 0.0
-        },
-        {
-          "name": "mode",
-          "type": {
-            "kind": "enum",
-            "name": "robots::Mode"
-          },
-          "default": "Servo"
-        },
-        {
-          "name": "label",
-          "type": {
-            "kind": "text",
-            "capacity": 16
-          }
-        },
-        {
-          "name": "bytes",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "UInt8"
-            },
-            "capacity": 32
-          }
-        },
-        {
-          "name": "flags",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Bool"
-            },
-            "capacity": 4
-          }
-        },
-        {
-          "name": "names",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "text",
-              "capacity": 8
-            },
-            "capacity": 3
-          }
-        },
-        {
-          "name": "pairs",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "array",
-              "element": {
-                "kind": "Float64"
-              },
-              "length": 2
-            },
-            "capacity": 5
-          }
-        },
-        {
-          "name": "modes",
-          "type": {
-            "kind": "array",
-            "element": {
-              "kind": "enum",
-              "name": "robots::Mode"
-            },
-            "length": 2
-          }
-        },
-        {
-          "name": "goal",
-          "type": {
-            "kind": "struct",
-            "name": "robots::PoseStamped"
-          }
-        },
-        {
-          "name": "track",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "struct",
-              "name": "robots::PoseStamped"
-            },
-            "capacity": 2
-          }
-        },
-        {
-          "name": "point",
-          "type": {
-            "kind": "matrix",
-            "scalar": "Float64",
-            "rows": 3,
-            "columns": 1
-          },
-          "unit": "m"
-        },
-        {
-          "name": "plane",
-          "type": {
-            "kind": "matrix",
-            "scalar": "Float32",
-            "rows": 3,
-            "columns": 1
-          }
-        },
-        {
-          "name": "inertia",
-          "type": {
-            "kind": "matrix",
-            "scalar": "Float64",
-            "rows": 3,
-            "columns": 3
-          }
-        },
-        {
-          "name": "jacobian",
-          "type": {
-            "kind": "matrix",
-            "scalar": "Float64",
-            "rows": 6,
-            "columns": 7
-          }
-        },
-        {
-          "name": "attitude",
-          "type": {
-            "kind": "quaternion",
-            "scalar": "Float64"
-          }
-        },
-        {
-          "name": "period",
-          "type": {
-            "kind": "duration",
-            "period": "1/1000"
-          }
-        },
-        {
-          "name": "when",
-          "type": {
-            "kind": "time",
-            "clock": "steady"
-          }
-        }
-      ]
-    }
-  ]
-})json";
+constexpr char kGripperDescription[] = R"json(
+{"name": "robots::Gripper", "doc": "An arm with a gripper.",
+"hash": "80297788a323ca7bff040107b64d3705", "core": "a9b1e581d8cd565de2fe8b81c0049693",
+"version": 2, "base": "robots::Arm", "since": 2, "commands": [{"name": "enable", "kind": "void",
+"queue": 4, "from": "robots::Arm"}, {"name": "servo_cp", "kind": "write", "doc": "Follow the goal.",
+"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
+"queue": 16, "latest": true, "ttl": 0.02, "from": "robots::Arm"}, {"name": "set_speed",
+"kind": "write", "parameters": [{"name": "speed", "type": {"kind": "Float64"}, "unit": "m/s"}],
+"queue": 16, "from": "robots::Arm"}, {"name": "measured_cp", "kind": "read", "result": {"type": {
+"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16, "from": "robots::Arm"}, {
+"name": "mode", "kind": "read", "result": {"type": {"kind": "enum", "name": "robots::Mode"}},
+"queue": 16, "from": "robots::Arm"}, {"name": "everything", "kind": "read", "result": {"type": {
+"kind": "struct", "name": "robots::Everything"}}, "queue": 16, "from": "robots::Arm"}, {
+"name": "inverse_kinematics", "kind": "qualified read", "parameters": [{"name": "x", "type": {
+"kind": "struct", "name": "robots::PoseStamped"}}, {"name": "tolerance", "type": {"kind": "Float64"
+}, "range": [0.0, 1.0]}], "result": {"type": {"kind": "struct", "name": "robots::Everything"}},
+"queue": 16, "from": "robots::Arm"}, {"name": "grasp", "kind": "write with return",
+"doc": "Closes the gripper; answers whether it holds something.", "parameters": [{"name": "width",
+"type": {"kind": "Float64"}}, {"name": "mode", "type": {"kind": "enum", "name": "robots::Mode"}}],
+"result": {"type": {"kind": "Bool"}}, "queue": 2, "deadline": 0.05, "from": "robots::Arm"}, {
+"name": "next_token", "kind": "void with return", "result": {"type": {"kind": "UInt32"}},
+"queue": 16, "from": "robots::Arm", "since": 1}, {"name": "park", "kind": "void", "queue": 16,
+"optional": true, "direct": true, "from": "robots::Arm", "deprecated": "use enable"}, {
+"name": "load", "kind": "read", "result": {"type": {"kind": "Float64"}}, "queue": 16,
+"optional": true, "from": "robots::Arm"}, {"name": "open", "kind": "write", "parameters": [{
+"name": "width", "type": {"kind": "Float64"}, "unit": "m"}], "queue": 16}, {"name": "opening",
+"kind": "read", "result": {"type": {"kind": "Float64"}}, "queue": 16, "since": 2}, {"name": "fits",
+"kind": "qualified read", "parameters": [{"name": "width", "type": {"kind": "Float64"}}],
+"result": {"type": {"kind": "Bool"}}, "queue": 16, "concurrent": true}], "events": [{
+"name": "mode_changed", "kind": "write", "payload": {"type": {"kind": "enum", "name": "robots::Mode"
+}}, "queue": 8, "latched": true, "from": "robots::Arm"}, {"name": "stopped", "kind": "void",
+"queue": 16, "from": "robots::Arm"}, {"name": "arrived", "kind": "write", "payload": {"type": {
+"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16, "from": "robots::Arm"}, {
+"name": "moved", "kind": "write", "doc": "Where, how fast and why.", "payload": [{"name": "value",
+"type": {"kind": "struct", "name": "robots::PoseStamped"}}, {"name": "value2", "type": {
+"kind": "Float64"}}, {"name": "value3", "type": {"kind": "enum", "name": "robots::Mode"}}],
+"queue": 16, "latched": true, "from": "robots::Arm"}, {"name": "gripped", "kind": "write",
+"payload": [{"name": "value", "type": {"kind": "Float64"}}, {"name": "value2", "type": {
+"kind": "Bool"}}], "queue": 16, "since": 2}], "enums": [{"name": "robots::Mode",
+"doc": "What the arm does.", "underlying": "Int8", "enumerators": [{"name": "Disabled", "value": -1
+}, {"name": "HoldStill", "value": 4, "doc": "Brakes off, set-point frozen."}, {"name": "Servo",
+"value": 2}]}], "structs": [{"name": "robots::PoseStamped", "doc": "A pose with its time.",
+"fields": [{"name": "pose", "type": {"kind": "isometry", "scalar": "Float64"}}, {"name": "stamp",
+"type": {"kind": "time", "clock": "steady"}}, {"name": "valid", "type": {"kind": "Bool"},
+"default": false}]}, {"name": "robots::Everything",
+"doc": "Every kind of member.\n\nTwo paragraphs.", "fields": [{"name": "on", "type": {
+"kind": "Bool"}, "default": false}, {"name": "tiny", "type": {"kind": "Int8"}, "default": 0}, {
+"name": "count", "type": {"kind": "UInt64"}, "default": 0}, {"name": "speed",
+"doc": "Along the path.", "type": {"kind": "Float64"}, "unit": "m/s", "range": [-0.5, 2.0],
+"default": 0.25}, {"name": "ratio", "type": {"kind": "Float32"}, "default": 0.0}, {"name": "mode",
+"type": {"kind": "enum", "name": "robots::Mode"}, "default": "Servo"}, {"name": "label", "type": {
+"kind": "text", "capacity": 16}}, {"name": "bytes", "type": {"kind": "list", "element": {
+"kind": "UInt8"}, "capacity": 32}}, {"name": "flags", "type": {"kind": "list", "element": {
+"kind": "Bool"}, "capacity": 4}}, {"name": "names", "type": {"kind": "list", "element": {
+"kind": "text", "capacity": 8}, "capacity": 3}}, {"name": "pairs", "type": {"kind": "list",
+"element": {"kind": "array", "element": {"kind": "Float64"}, "length": 2}, "capacity": 5}}, {
+"name": "modes", "type": {"kind": "array", "element": {"kind": "enum", "name": "robots::Mode"},
+"length": 2}}, {"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}, {
+"name": "track", "type": {"kind": "list", "element": {"kind": "struct",
+"name": "robots::PoseStamped"}, "capacity": 2}}, {"name": "point", "type": {"kind": "matrix",
+"scalar": "Float64", "rows": 3, "columns": 1}, "unit": "m"}, {"name": "plane", "type": {
+"kind": "matrix", "scalar": "Float32", "rows": 3, "columns": 1}}, {"name": "inertia", "type": {
+"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 3}}, {"name": "jacobian", "type": {
+"kind": "matrix", "scalar": "Float64", "rows": 6, "columns": 7}}, {"name": "attitude", "type": {
+"kind": "quaternion", "scalar": "Float64"}}, {"name": "period", "type": {"kind": "duration",
+"period": "1/1000"}}, {"name": "when", "type": {"kind": "time", "clock": "steady"}}]}]})json";
 
 constexpr CommandInfo kNamesCommands[] = {
     {.name = "queue",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(NamesQueueArguments),
-     .resultSize = 0,
-     .depth = 4,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 4},
     {.name = "name",
      .kind = CommandKind::WriteReturn,
      .argumentsSize = sizeof(NamesNameArguments),
      .resultSize = sizeof(std::uint8_t),
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
     {.name = "range",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(double),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 0},
 };
 
 constexpr EventInfo kNamesEvents[] = {
-    {.name = "latched",
-     .payloadSize = sizeof(double),
-     .depth = 16,
-     .latest = false,
-     .latched = true},
+    {.name = "latched", .payloadSize = sizeof(double), .depth = 16, .latched = true},
 };
 
 // The self-description, as in robots/gripper.suture.json.
-constexpr char kNamesDescription[] = R"json({
-  "name": "robots::Names",
-  "doc": "Members that are called as arguments of the annotations are.",
-  "hash": "2f3178fb14b2b262c7b70ba44253bffb",
-  "commands": [
-    {
-      "name": "queue",
-      "kind": "write",
-      "parameters": [
-        {
-          "name": "name",
-          "type": {
-            "kind": "Int32"
-          }
-        }
-      ],
-      "queue": 4
-    },
-    {
-      "name": "name",
-      "kind": "write with return",
-      "parameters": [
-        {
-          "name": "range",
-          "type": {
-            "kind": "Float64"
-          }
-        },
-        {
-          "name": "slot",
-          "type": {
-            "kind": "Float64"
-          }
-        }
-      ],
-      "result": {
-        "type": {
-          "kind": "Bool"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "range",
-      "kind": "read",
-      "result": {
-        "type": {
-          "kind": "Float64"
-        }
-      },
-      "queue": 16
-    }
-  ],
-  "events": [
-    {
-      "name": "latched",
-      "kind": "write",
-      "payload": {
-        "type": {
-          "kind": "Float64"
-        }
-      },
-      "queue": 16,
-      "latched": true
-    }
-  ],
-  "enums": [],
-  "structs": []
-})json";
+constexpr char kNamesDescription[] = R"json(
+{"name": "robots::Names", "doc": "Members that are called as arguments of the annotations are.",
+"hash": "2f3178fb14b2b262c7b70ba44253bffb", "commands": [{"name": "queue", "kind": "write",
+"parameters": [{"name": "name", "type": {"kind": "Int32"}}], "queue": 4}, {"name": "name",
+"kind": "write with return", "parameters": [{"name": "range", "type": {"kind": "Float64"}}, {
+"name": "slot", "type": {"kind": "Float64"}}], "result": {"type": {"kind": "Bool"}}, "queue": 16}, {
+"name": "range", "kind": "read", "result": {"type": {"kind": "Float64"}}, "queue": 16}], "events": [
+{"name": "latched", "kind": "write", "payload": {"type": {"kind": "Float64"}}, "queue": 16,
+"latched": true}], "enums": [], "structs": []})json";
 
 }  // namespace
 
@@ -856,23 +180,23 @@ class GripperSink final : public suture::rpc::EventSink {
   explicit GripperSink(wire::GripperEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
 
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (static_cast<GripperEvent>(event)) {
-      case GripperEvent::mode_changed: {
+    switch (event) {
+      case numberOf(ArmEvent::mode_changed): {
         const auto& slot = *reinterpret_cast<const std::int8_t*>(payload);
         auto request = subscriber_.modeChangedRequest();
         request.setValue(wireMode(slot));
         return request.send().ignoreResult();
       }
-      case GripperEvent::stopped: {
+      case numberOf(ArmEvent::stopped): {
         return subscriber_.stoppedRequest().send().ignoreResult();
       }
-      case GripperEvent::arrived: {
+      case numberOf(ArmEvent::arrived): {
         const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(payload);
         auto request = subscriber_.arrivedRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
-      case GripperEvent::moved: {
+      case numberOf(ArmEvent::moved): {
         const auto& slot = *reinterpret_cast<const ArmMovedPayload*>(payload);
         auto request = subscriber_.movedRequest();
         toWire(slot.value, request.initValue());
@@ -880,7 +204,7 @@ class GripperSink final : public suture::rpc::EventSink {
         request.setValue3(wireMode(slot.value3));
         return request.send().ignoreResult();
       }
-      case GripperEvent::gripped: {
+      case numberOf(GripperEvent::gripped): {
         const auto& slot = *reinterpret_cast<const GripperGrippedPayload*>(payload);
         auto request = subscriber_.grippedRequest();
         request.setValue(slot.value);
@@ -928,148 +252,23 @@ class GripperSink final : public suture::rpc::EventSink {
 /// Puts remote calls into the provider's mailbox.
 class GripperServant final : public wire::Gripper::Server {
  public:
-  explicit GripperServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
+  explicit GripperServant(kj::Own<ServantPort> port)
+      : base_(suture::interfaceInfo<robots::Arm>().binding().makeServant(kj::addRef(*port))),
+        port_(kj::mv(port)) {}
+
+  DispatchCallResult dispatchCall(std::uint64_t contract, std::uint16_t method,
+                                  suture::rpc::AnyCall call) override {
+    if (contract != capnp::typeId<wire::Gripper>()) {
+      return base_->dispatchCall(contract, method, call);
+    }
+    return wire::Gripper::Server::dispatchCall(contract, method, call);
+  }
 
  protected:
   kj::Promise<void> subscribe(SubscribeContext context) override {
     auto in = context.getParams();
     port_->subscribe(kj::heap<GripperSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
     return kj::READY_NOW;
-  }
-
-  kj::Promise<void> subscribe(wire::Arm::Server::SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(suture::interfaceInfo<robots::Arm>().binding().makeSink(in.getEvents()),
-                     in.getEventMask(), in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> enable(EnableContext context) override {
-    auto in = context.getParams();
-    return port_->command(commandId(GripperCommand::enable), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
-  kj::Promise<void> servoCp(ServoCpContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<ArmServoCpArguments*>(memory);
-      const Errc error =
-          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
-    };
-    return port_->command(commandId(GripperCommand::servo_cp), in.getSent(), fill);
-  }
-
-  kj::Promise<void> setSpeed(SetSpeedContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<ArmSetSpeedArguments*>(memory);
-      slot.speed = in.getSpeed();
-      return isValid(slot.speed) ? Errc{} : Errc::Invalid;
-    };
-    return port_->command(commandId(GripperCommand::set_speed), in.getSent(), fill);
-  }
-
-  kj::Promise<void> measuredCp(MeasuredCpContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(commandId(GripperCommand::measured_cp), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> mode(ModeContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const std::int8_t*>(result);
-      auto out = context.getResults();
-      out.setValue(wireMode(slot));
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(commandId(GripperCommand::mode), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> everything(EverythingContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const EverythingSlot*>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(commandId(GripperCommand::everything), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> inverseKinematics(InverseKinematicsContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<ArmInverseKinematicsArguments*>(memory);
-      slot.tolerance = in.getTolerance();
-      const Errc error = in.hasX() ? fromWire(in.getX(), slot.x, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return isValid(slot.x) && inRange(slot.tolerance, 0, 1) ? Errc{} : Errc::Invalid;
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const EverythingSlot*>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-    };
-    return port_->call(commandId(GripperCommand::inverse_kinematics), in.getSent(),
-                       fill, kj::mv(take));
-  }
-
-  kj::Promise<void> grasp(GraspContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<ArmGraspArguments*>(memory);
-      slot.width = in.getWidth();
-      const Errc error = fromWire(in.getMode(), slot.mode);
-      if (error != Errc{}) return error;
-      return isValid(slot.width) ? Errc{} : Errc::Invalid;
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
-      auto out = context.getResults();
-      out.setValue(slot != 0);
-    };
-    return port_->call(commandId(GripperCommand::grasp), in.getSent(), fill, kj::mv(take));
-  }
-
-  kj::Promise<void> nextToken(NextTokenContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const std::uint32_t*>(result);
-      auto out = context.getResults();
-      out.setValue(slot);
-    };
-    return port_->call(commandId(GripperCommand::next_token), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> park(ParkContext context) override {
-    auto in = context.getParams();
-    return port_->command(commandId(GripperCommand::park), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
-  kj::Promise<void> load(LoadContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const double*>(result);
-      auto out = context.getResults();
-      out.setValue(slot);
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(commandId(GripperCommand::load), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
   kj::Promise<void> open(OpenContext context) override {
@@ -1079,7 +278,7 @@ class GripperServant final : public wire::Gripper::Server {
       slot.width = in.getWidth();
       return isValid(slot.width) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(GripperCommand::open), in.getSent(), fill);
+    return port_->command(numberOf(GripperCommand::open), in.getSent(), fill);
   }
 
   kj::Promise<void> opening(OpeningContext context) override {
@@ -1090,7 +289,7 @@ class GripperServant final : public wire::Gripper::Server {
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(GripperCommand::opening), in.getSent(),
+    return port_->call(numberOf(GripperCommand::opening), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -1106,14 +305,11 @@ class GripperServant final : public wire::Gripper::Server {
       auto out = context.getResults();
       out.setValue(slot != 0);
     };
-    return port_->call(commandId(GripperCommand::fits), in.getSent(), fill, kj::mv(take));
+    return port_->call(numberOf(GripperCommand::fits), in.getSent(), fill, kj::mv(take));
   }
 
  private:
-  static std::uint16_t commandId(GripperCommand command) {
-    return static_cast<std::uint16_t>(command);
-  }
-
+  kj::Own<capnp::Capability::Server> base_;
   kj::Own<ServantPort> port_;
 };
 
@@ -1163,11 +359,11 @@ class GripperReceiver final : public wire::GripperEvents::Server {
     auto in = context.getParams();
     std::int8_t slot;
     const Errc error = fromWire(in.getValue(), slot);
-    return port_->event(eventId(GripperEvent::mode_changed), error, slot);
+    return port_->event(numberOf(ArmEvent::mode_changed), error, slot);
   }
 
   kj::Promise<void> stopped(StoppedContext) override {
-    return port_->event(eventId(GripperEvent::stopped));
+    return port_->event(numberOf(ArmEvent::stopped));
   }
 
   kj::Promise<void> arrived(ArrivedContext context) override {
@@ -1175,7 +371,7 @@ class GripperReceiver final : public wire::GripperEvents::Server {
     PoseStampedSlot slot;
     const Errc error =
         in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(eventId(GripperEvent::arrived), error, slot);
+    return port_->event(numberOf(ArmEvent::arrived), error, slot);
   }
 
   kj::Promise<void> moved(MovedContext context) override {
@@ -1186,7 +382,7 @@ class GripperReceiver final : public wire::GripperEvents::Server {
         in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid,
         fromWire(in.getValue3(), slot.value3),
     });
-    return port_->event(eventId(GripperEvent::moved), error, slot);
+    return port_->event(numberOf(ArmEvent::moved), error, slot);
   }
 
   kj::Promise<void> gripped(GrippedContext context) override {
@@ -1195,12 +391,10 @@ class GripperReceiver final : public wire::GripperEvents::Server {
     slot.value = in.getValue();
     slot.value2 = in.getValue2();
     const Errc error = Errc{};
-    return port_->event(eventId(GripperEvent::gripped), error, slot);
+    return port_->event(numberOf(GripperEvent::gripped), error, slot);
   }
 
  private:
-  static std::uint16_t eventId(GripperEvent event) { return static_cast<std::uint16_t>(event); }
-
   kj::Own<ProxyPort> port_;
 };
 
@@ -1208,7 +402,9 @@ class GripperReceiver final : public wire::GripperEvents::Server {
 class GripperProxy final : public suture::rpc::Proxy {
  public:
   GripperProxy(wire::Gripper::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
+      : base_(suture::interfaceInfo<robots::Arm>().binding().makeProxy(provider, port)),
+        provider_(kj::mv(provider)),
+        port_(port) {}
 
   kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
     auto request = provider_.subscribeRequest();
@@ -1220,106 +416,6 @@ class GripperProxy final : public suture::rpc::Proxy {
 
   kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
     switch (static_cast<GripperCommand>(record.command)) {
-      case GripperCommand::enable: {
-        auto request = provider_.enableRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case GripperCommand::servo_cp: {
-        const auto& slot = *reinterpret_cast<const ArmServoCpArguments*>(record.arguments());
-        auto request = provider_.servoCpRequest();
-        toWire(slot.goal, request.initGoal());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case GripperCommand::set_speed: {
-        const auto& slot = *reinterpret_cast<const ArmSetSpeedArguments*>(record.arguments());
-        auto request = provider_.setSpeedRequest();
-        request.setSpeed(slot.speed);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case GripperCommand::measured_cp: {
-        auto request = provider_.measuredCpRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case GripperCommand::mode: {
-        auto request = provider_.modeRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::int8_t>(call, response.getStamp(), [&](std::int8_t& answer) {
-            return fromWire(response.getValue(), answer);
-          });
-        });
-      }
-      case GripperCommand::everything: {
-        auto request = provider_.everythingRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<EverythingSlot>(call, response.getStamp(), [&](EverythingSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case GripperCommand::inverse_kinematics: {
-        const auto& slot =
-            *reinterpret_cast<const ArmInverseKinematicsArguments*>(record.arguments());
-        auto request = provider_.inverseKinematicsRequest();
-        toWire(slot.x, request.initX());
-        request.setTolerance(slot.tolerance);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<EverythingSlot>(call, [&](EverythingSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case GripperCommand::grasp: {
-        const auto& slot = *reinterpret_cast<const ArmGraspArguments*>(record.arguments());
-        auto request = provider_.graspRequest();
-        request.setWidth(slot.width);
-        request.setMode(wireMode(slot.mode));
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::uint8_t>(call, [&](std::uint8_t& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-      case GripperCommand::next_token: {
-        auto request = provider_.nextTokenRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::uint32_t>(call, [&](std::uint32_t& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-      case GripperCommand::park: {
-        auto request = provider_.parkRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case GripperCommand::load: {
-        auto request = provider_.loadRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<double>(call, response.getStamp(), [&](double& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
       case GripperCommand::open: {
         const auto& slot = *reinterpret_cast<const GripperOpenArguments*>(record.arguments());
         auto request = provider_.openRequest();
@@ -1350,18 +446,19 @@ class GripperProxy final : public suture::rpc::Proxy {
         });
       }
     }
-    return kj::READY_NOW;
+    return base_->send(record);
   }
 
  private:
+  kj::Own<suture::rpc::Proxy> base_;
   wire::Gripper::Client provider_;
   ProxyPort& port_;
 };
 
 class GripperBinding final : public suture::rpc::Binding {
  public:
-  capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const override {
-    return wire::Gripper::Client(kj::heap<GripperServant>(kj::mv(port)));
+  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
+    return kj::heap<GripperServant>(kj::mv(port));
   }
   kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
                                         ProxyPort& port) const override {
@@ -1385,8 +482,8 @@ class NamesSink final : public suture::rpc::EventSink {
   explicit NamesSink(wire::NamesEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
 
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (static_cast<NamesEvent>(event)) {
-      case NamesEvent::latched: {
+    switch (event) {
+      case numberOf(NamesEvent::latched): {
         const auto& slot = *reinterpret_cast<const double*>(payload);
         auto request = subscriber_.latchedRequest();
         request.setValue(slot);
@@ -1433,7 +530,7 @@ class NamesServant final : public wire::Names::Server {
       slot.name = in.getName();
       return Errc{};
     };
-    return port_->command(commandId(NamesCommand::queue), in.getSent(), fill);
+    return port_->command(numberOf(NamesCommand::queue), in.getSent(), fill);
   }
 
   kj::Promise<void> title(TitleContext context) override {
@@ -1449,7 +546,7 @@ class NamesServant final : public wire::Names::Server {
       auto out = context.getResults();
       out.setValue(slot != 0);
     };
-    return port_->call(commandId(NamesCommand::name), in.getSent(), fill, kj::mv(take));
+    return port_->call(numberOf(NamesCommand::name), in.getSent(), fill, kj::mv(take));
   }
 
   kj::Promise<void> range(RangeContext context) override {
@@ -1460,15 +557,11 @@ class NamesServant final : public wire::Names::Server {
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(NamesCommand::range), in.getSent(),
+    return port_->call(numberOf(NamesCommand::range), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
  private:
-  static std::uint16_t commandId(NamesCommand command) {
-    return static_cast<std::uint16_t>(command);
-  }
-
   kj::Own<ServantPort> port_;
 };
 
@@ -1497,12 +590,10 @@ class NamesReceiver final : public wire::NamesEvents::Server {
     double slot;
     slot = in.getValue();
     const Errc error = Errc{};
-    return port_->event(eventId(NamesEvent::latched), error, slot);
+    return port_->event(numberOf(NamesEvent::latched), error, slot);
   }
 
  private:
-  static std::uint16_t eventId(NamesEvent event) { return static_cast<std::uint16_t>(event); }
-
   kj::Own<ProxyPort> port_;
 };
 
@@ -1563,8 +654,8 @@ class NamesProxy final : public suture::rpc::Proxy {
 
 class NamesBinding final : public suture::rpc::Binding {
  public:
-  capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const override {
-    return wire::Names::Client(kj::heap<NamesServant>(kj::mv(port)));
+  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
+    return kj::heap<NamesServant>(kj::mv(port));
   }
   kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
                                         ProxyPort& port) const override {
@@ -1587,12 +678,16 @@ namespace suture {
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::Gripper>() {
-  static constexpr InterfaceInfo kInfo{
+  static const auto kCommands = extended<14>(interfaceInfo<robots::Arm>().commands,
+                                             robots::kGripperCommands);
+  static const auto kEvents = extended<5>(interfaceInfo<robots::Arm>().events,
+                                          robots::kGripperEvents);
+  static const InterfaceInfo kInfo{
       .name = "robots::Gripper",
       .hash = "80297788a323ca7bff040107b64d3705",
       .description = robots::kGripperDescription,
-      .commands = robots::kGripperCommands,
-      .events = robots::kGripperEvents,
+      .commands = kCommands,
+      .events = kEvents,
       .binding = &robots::gripperBinding,
       .base = &interfaceInfo<robots::Arm>,
       .toBase = &castToBase<robots::Gripper, robots::Arm>,
@@ -1617,63 +712,6 @@ Errc Provided<robots::Gripper>::execute(std::uint16_t command, const std::byte* 
                                         std::byte* result) {
   using ::robots::GripperCommand;
   switch (static_cast<GripperCommand>(command)) {
-    case GripperCommand::enable: {
-      implementation_.enable();
-      return Errc{};
-    }
-    case GripperCommand::servo_cp: {
-      const auto& slot = *reinterpret_cast<const robots::ArmServoCpArguments*>(arguments);
-      load(slot.goal, scratch_.servo_cp_goal);
-      implementation_.servo_cp(scratch_.servo_cp_goal);
-      return Errc{};
-    }
-    case GripperCommand::set_speed: {
-      const auto& slot = *reinterpret_cast<const robots::ArmSetSpeedArguments*>(arguments);
-      load(slot.speed, scratch_.set_speed_speed);
-      implementation_.set_speed(scratch_.set_speed_speed);
-      return Errc{};
-    }
-    case GripperCommand::measured_cp: {
-      auto& slot = *reinterpret_cast<robots::PoseStampedSlot*>(result);
-      return store(implementation_.measured_cp(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case GripperCommand::mode: {
-      auto& slot = *reinterpret_cast<std::int8_t*>(result);
-      return store(implementation_.mode(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case GripperCommand::everything: {
-      auto& slot = *reinterpret_cast<robots::EverythingSlot*>(result);
-      return store(implementation_.everything(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case GripperCommand::inverse_kinematics: {
-      const auto& slot = *reinterpret_cast<const robots::ArmInverseKinematicsArguments*>(arguments);
-      load(slot.x, scratch_.inverse_kinematics_x);
-      load(slot.tolerance, scratch_.inverse_kinematics_tolerance);
-      auto& answer = *reinterpret_cast<robots::EverythingSlot*>(result);
-      return store(implementation_.inverse_kinematics(scratch_.inverse_kinematics_x,
-                                                      scratch_.inverse_kinematics_tolerance), answer)
-          ? Errc{} : Errc::TooLarge;
-    }
-    case GripperCommand::grasp: {
-      const auto& slot = *reinterpret_cast<const robots::ArmGraspArguments*>(arguments);
-      load(slot.width, scratch_.grasp_width);
-      load(slot.mode, scratch_.grasp_mode);
-      auto& answer = *reinterpret_cast<std::uint8_t*>(result);
-      return store(implementation_.grasp(scratch_.grasp_width, scratch_.grasp_mode), answer)
-          ? Errc{} : Errc::TooLarge;
-    }
-    case GripperCommand::next_token: {
-      auto& slot = *reinterpret_cast<std::uint32_t*>(result);
-      return store(implementation_.next_token(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case GripperCommand::park: {
-      implementation_.park();
-      return Errc{};
-    }
-    case GripperCommand::load: {
-      auto& slot = *reinterpret_cast<double*>(result);
-      return store(implementation_.load(), slot) ? Errc{} : Errc::TooLarge;
-    }
     case GripperCommand::open: {
       const auto& slot = *reinterpret_cast<const robots::GripperOpenArguments*>(arguments);
       load(slot.width, scratch_.open_width);
@@ -1691,7 +729,7 @@ Errc Provided<robots::Gripper>::execute(std::uint16_t command, const std::byte* 
       return store(implementation_.fits(scratch_.fits_width), answer) ? Errc{} : Errc::TooLarge;
     }
   }
-  return Errc::Invalid;
+  return Provided<robots::Arm>::execute(command, arguments, result);
 }
 
 Errc Provided<robots::Names>::execute(std::uint16_t command, const std::byte* arguments,

@@ -51,31 +51,16 @@ inline void load(const GripperGrippedPayload& slot, double& value, bool& value2)
   load(slot.value2, value2);
 }
 
-/// The numbers of Gripper's commands in every table and record.
+/// The numbers of Gripper's own commands in every table and record.
 enum class GripperCommand : std::uint16_t {
-  enable,
-  servo_cp,
-  set_speed,
-  measured_cp,
-  mode,
-  everything,
-  inverse_kinematics,
-  grasp,
-  next_token,
-  park,
-  load,
-  open,
+  open = 11,
   opening,
   fits,
 };
 
-/// The numbers of Gripper's events.
+/// The numbers of Gripper's own events.
 enum class GripperEvent : std::uint16_t {
-  mode_changed,
-  stopped,
-  arrived,
-  moved,
-  gripped,
+  gripped = 4,
 };
 
 // --- Names: the arguments of its commands ---
@@ -120,40 +105,15 @@ const InterfaceInfo& interfaceInfo<robots::Gripper>();
 
 /// What a client of robots::Gripper calls.
 template <>
-class Required<robots::Gripper> final : public RequiredBase {
+class Required<robots::Gripper> : public Required<robots::Arm> {
   using Contract = robots::Gripper;
   using Id = robots::GripperCommand;
   using EventId = robots::GripperEvent;
 
  public:
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
   Required(Component& owner, std::string_view name)
-      : RequiredBase(owner, name, interfaceInfo<Contract>()) {}
-#pragma GCC diagnostic pop
+      : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  Command<&Contract::enable, NoSlot> enable{*this, static_cast<std::uint16_t>(Id::enable)};
-  /// Follow the goal.
-  Command<&Contract::servo_cp, robots::ArmServoCpArguments> servo_cp{
-      *this, static_cast<std::uint16_t>(Id::servo_cp)};
-  Command<&Contract::set_speed, robots::ArmSetSpeedArguments> set_speed{
-      *this, static_cast<std::uint16_t>(Id::set_speed)};
-  ReadCommand<&Contract::measured_cp, robots::PoseStampedSlot> measured_cp{
-      *this, static_cast<std::uint16_t>(Id::measured_cp)};
-  ReadCommand<&Contract::mode, std::int8_t> mode{*this, static_cast<std::uint16_t>(Id::mode)};
-  ReadCommand<&Contract::everything, robots::EverythingSlot> everything{
-      *this, static_cast<std::uint16_t>(Id::everything)};
-  QualifiedReadCommand<&Contract::inverse_kinematics, robots::ArmInverseKinematicsArguments,
-                       robots::EverythingSlot> inverse_kinematics{
-      *this, static_cast<std::uint16_t>(Id::inverse_kinematics)};
-  /// Closes the gripper; answers whether it holds something.
-  ReturningCommand<&Contract::grasp, robots::ArmGraspArguments, std::uint8_t> grasp{
-      *this, static_cast<std::uint16_t>(Id::grasp)};
-  ReturningCommand<&Contract::next_token, NoSlot, std::uint32_t> next_token{
-      *this, static_cast<std::uint16_t>(Id::next_token)};
-  [[deprecated("use enable")]]
-  Command<&Contract::park, NoSlot> park{*this, static_cast<std::uint16_t>(Id::park)};
-  ReadCommand<&Contract::load, double> load{*this, static_cast<std::uint16_t>(Id::load)};
   Command<&Contract::open, robots::GripperOpenArguments> open{
       *this, static_cast<std::uint16_t>(Id::open)};
   ReadCommand<&Contract::opening, double> opening{*this, static_cast<std::uint16_t>(Id::opening)};
@@ -161,22 +121,19 @@ class Required<robots::Gripper> final : public RequiredBase {
       *this, static_cast<std::uint16_t>(Id::fits)};
 
   /// The events of robots::Gripper, to subscribe to.
-  struct Events {
+  struct Events : Required<robots::Arm>::Events {
     explicit Events(RequiredBase& required)
-        : mode_changed{required, static_cast<std::uint16_t>(EventId::mode_changed)},
-          stopped{required, static_cast<std::uint16_t>(EventId::stopped)},
-          arrived{required, static_cast<std::uint16_t>(EventId::arrived)},
-          moved{required, static_cast<std::uint16_t>(EventId::moved)},
+        : Required<robots::Arm>::Events(required),
           gripped{required, static_cast<std::uint16_t>(EventId::gripped)} {}
 
-    Subscription<std::int8_t, robots::Mode> mode_changed;
-    Subscription<void> stopped;
-    Subscription<robots::PoseStampedSlot, robots::PoseStamped> arrived;
-    /// Where, how fast and why.
-    Subscription<robots::ArmMovedPayload, robots::PoseStamped, double, robots::Mode> moved;
     Subscription<robots::GripperGrippedPayload, double, bool> gripped;
   };
   Events& on() { return events_; }
+
+ protected:
+  // Of a contract that derives from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : Required<robots::Arm>(owner, name, info) {}
 
  private:
   Events events_{*this};
@@ -184,47 +141,39 @@ class Required<robots::Gripper> final : public RequiredBase {
 
 /// What serves robots::Gripper from a component.
 template <>
-class Provided<robots::Gripper> final : public ProvidedBase {
+class Provided<robots::Gripper> : public Provided<robots::Arm> {
   using Contract = robots::Gripper;
   using EventId = robots::GripperEvent;
 
  public:
   Provided(Component& owner, std::string_view name, Contract& implementation)
-      : ProvidedBase(owner, name, interfaceInfo<Contract>(), &implementation),
-        implementation_(implementation) {}
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
   /// The events of robots::Gripper, to emit.
-  struct Events {
+  struct Events : Provided<robots::Arm>::Events {
     explicit Events(ProvidedBase& provided)
-        : mode_changed{provided, static_cast<std::uint16_t>(EventId::mode_changed)},
-          stopped{provided, static_cast<std::uint16_t>(EventId::stopped)},
-          arrived{provided, static_cast<std::uint16_t>(EventId::arrived)},
-          moved{provided, static_cast<std::uint16_t>(EventId::moved)},
+        : Provided<robots::Arm>::Events(provided),
           gripped{provided, static_cast<std::uint16_t>(EventId::gripped)} {}
 
-    Emitter<std::int8_t, robots::Mode> mode_changed;
-    Emitter<void> stopped;
-    Emitter<robots::PoseStampedSlot, robots::PoseStamped> arrived;
-    /// Where, how fast and why.
-    Emitter<robots::ArmMovedPayload, robots::PoseStamped, double, robots::Mode> moved;
     Emitter<robots::GripperGrippedPayload, double, bool> gripped;
   };
   Events& emit() { return events_; }
 
+ protected:
+  // Of a contract that derives from this one: `whole` points to its implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : Provided<robots::Arm>(owner, name, info, whole, implementation),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
-    robots::PoseStamped servo_cp_goal;
-    double set_speed_speed;
-    robots::PoseStamped inverse_kinematics_x;
-    double inverse_kinematics_tolerance;
-    double grasp_width;
-    robots::Mode grasp_mode;
     double open_width;
     double fits_width;
   };
-
-  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
   Contract& implementation_;
   Events events_{*this};
@@ -236,14 +185,14 @@ const InterfaceInfo& interfaceInfo<robots::Names>();
 
 /// What a client of robots::Names calls.
 template <>
-class Required<robots::Names> final : public RequiredBase {
+class Required<robots::Names> : public RequiredBase {
   using Contract = robots::Names;
   using Id = robots::NamesCommand;
   using EventId = robots::NamesEvent;
 
  public:
   Required(Component& owner, std::string_view nameGiven)
-      : RequiredBase(owner, nameGiven, interfaceInfo<Contract>()) {}
+      : Required(owner, nameGiven, interfaceInfo<Contract>()) {}
 
   Command<&Contract::queue, robots::NamesQueueArguments> queue{
       *this, static_cast<std::uint16_t>(Id::queue)};
@@ -260,20 +209,24 @@ class Required<robots::Names> final : public RequiredBase {
   };
   Events& on() { return events_; }
 
+ protected:
+  // Of a contract that derives from this one.
+  Required(Component& owner, std::string_view nameGiven, const InterfaceInfo& info)
+      : RequiredBase(owner, nameGiven, info) {}
+
  private:
   Events events_{*this};
 };
 
 /// What serves robots::Names from a component.
 template <>
-class Provided<robots::Names> final : public ProvidedBase {
+class Provided<robots::Names> : public ProvidedBase {
   using Contract = robots::Names;
   using EventId = robots::NamesEvent;
 
  public:
   Provided(Component& owner, std::string_view name, Contract& implementation)
-      : ProvidedBase(owner, name, interfaceInfo<Contract>(), &implementation),
-        implementation_(implementation) {}
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
   /// The events of robots::Names, to emit.
   struct Events {
@@ -284,6 +237,15 @@ class Provided<robots::Names> final : public ProvidedBase {
   };
   Events& emit() { return events_; }
 
+ protected:
+  // Of a contract that derives from this one: `whole` points to its implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
@@ -291,8 +253,6 @@ class Provided<robots::Names> final : public ProvidedBase {
     double name_range;
     double name_slot;
   };
-
-  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
   Contract& implementation_;
   Events events_{*this};

@@ -25,6 +25,7 @@ using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
+using suture::rpc::numberOf;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
 
@@ -42,120 +43,27 @@ constexpr CommandInfo kCameraCommands[] = {
     {.name = "aim",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(CameraAimArguments),
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
     {.name = "view",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(ViewSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 0},
 };
 
 // The self-description, as in foreign/opencv.suture.json.
-constexpr char kCameraDescription[] = R"json({
-  "name": "foreign::Camera",
-  "doc": "Both sides of it.",
-  "hash": "bcb581c6a70161984896ecf6f6b5db2e",
-  "commands": [
-    {
-      "name": "aim",
-      "kind": "write",
-      "parameters": [
-        {
-          "name": "at",
-          "type": {
-            "kind": "struct",
-            "name": "cv::Point3d"
-          }
-        }
-      ],
-      "queue": 16
-    },
-    {
-      "name": "view",
-      "kind": "read",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "foreign::View"
-        }
-      },
-      "queue": 16
-    }
-  ],
-  "events": [],
-  "enums": [],
-  "structs": [
-    {
-      "name": "cv::Point3d",
-      "fields": [
-        {
-          "name": "x",
-          "type": {
-            "kind": "Float64"
-          }
-        },
-        {
-          "name": "y",
-          "type": {
-            "kind": "Float64"
-          }
-        },
-        {
-          "name": "z",
-          "type": {
-            "kind": "Float64"
-          }
-        }
-      ]
-    },
-    {
-      "name": "cv::Matx33d",
-      "fields": [
-        {
-          "name": "val",
-          "type": {
-            "kind": "array",
-            "element": {
-              "kind": "Float64"
-            },
-            "length": 9
-          }
-        }
-      ]
-    },
-    {
-      "name": "foreign::View",
-      "doc": "A camera and what it sees.",
-      "fields": [
-        {
-          "name": "intrinsics",
-          "type": {
-            "kind": "struct",
-            "name": "cv::Matx33d"
-          }
-        },
-        {
-          "name": "points",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "struct",
-              "name": "cv::Point3d"
-            },
-            "capacity": 4
-          }
-        }
-      ]
-    }
-  ]
-})json";
+constexpr char kCameraDescription[] = R"json(
+{"name": "foreign::Camera", "doc": "Both sides of it.", "hash": "bcb581c6a70161984896ecf6f6b5db2e",
+"commands": [{"name": "aim", "kind": "write", "parameters": [{"name": "at", "type": {
+"kind": "struct", "name": "cv::Point3d"}}], "queue": 16}, {"name": "view", "kind": "read",
+"result": {"type": {"kind": "struct", "name": "foreign::View"}}, "queue": 16}], "events": [],
+"enums": [], "structs": [{"name": "cv::Point3d", "fields": [{"name": "x", "type": {
+"kind": "Float64"}}, {"name": "y", "type": {"kind": "Float64"}}, {"name": "z", "type": {
+"kind": "Float64"}}]}, {"name": "cv::Matx33d", "fields": [{"name": "val", "type": {"kind": "array",
+"element": {"kind": "Float64"}, "length": 9}}]}, {"name": "foreign::View",
+"doc": "A camera and what it sees.", "fields": [{"name": "intrinsics", "type": {"kind": "struct",
+"name": "cv::Matx33d"}}, {"name": "points", "type": {"kind": "list", "element": {"kind": "struct",
+"name": "cv::Point3d"}, "capacity": 4}}]}]})json";
 
 }  // namespace
 
@@ -263,7 +171,7 @@ class CameraServant final : public wire::Camera::Server {
       if (error != Errc{}) return error;
       return isValid(slot.at) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(CameraCommand::aim), in.getSent(), fill);
+    return port_->command(numberOf(CameraCommand::aim), in.getSent(), fill);
   }
 
   kj::Promise<void> view(ViewContext context) override {
@@ -274,15 +182,11 @@ class CameraServant final : public wire::Camera::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(CameraCommand::view), in.getSent(),
+    return port_->call(numberOf(CameraCommand::view), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
  private:
-  static std::uint16_t commandId(CameraCommand command) {
-    return static_cast<std::uint16_t>(command);
-  }
-
   kj::Own<ServantPort> port_;
 };
 
@@ -355,8 +259,8 @@ class CameraProxy final : public suture::rpc::Proxy {
 
 class CameraBinding final : public suture::rpc::Binding {
  public:
-  capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const override {
-    return wire::Camera::Client(kj::heap<CameraServant>(kj::mv(port)));
+  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
+    return kj::heap<CameraServant>(kj::mv(port));
   }
   kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
                                         ProxyPort& port) const override {

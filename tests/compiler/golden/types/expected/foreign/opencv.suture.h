@@ -95,36 +95,47 @@ const InterfaceInfo& interfaceInfo<foreign::Camera>();
 
 /// What a client of foreign::Camera calls.
 template <>
-class Required<foreign::Camera> final : public RequiredBase {
+class Required<foreign::Camera> : public RequiredBase {
   using Contract = foreign::Camera;
   using Id = foreign::CameraCommand;
 
  public:
   Required(Component& owner, std::string_view name)
-      : RequiredBase(owner, name, interfaceInfo<Contract>()) {}
+      : Required(owner, name, interfaceInfo<Contract>()) {}
 
   Command<&Contract::aim, foreign::CameraAimArguments> aim{
       *this, static_cast<std::uint16_t>(Id::aim)};
   ReadCommand<&Contract::view, foreign::ViewSlot> view{*this, static_cast<std::uint16_t>(Id::view)};
+
+ protected:
+  // Of a contract that derives from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
 };
 
 /// What serves foreign::Camera from a component.
 template <>
-class Provided<foreign::Camera> final : public ProvidedBase {
+class Provided<foreign::Camera> : public ProvidedBase {
   using Contract = foreign::Camera;
 
  public:
   Provided(Component& owner, std::string_view name, Contract& implementation)
-      : ProvidedBase(owner, name, interfaceInfo<Contract>(), &implementation),
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+ protected:
+  // Of a contract that derives from this one: `whole` points to its implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
         implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
     cv::Point3d aim_at;
   };
-
-  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
   Contract& implementation_;
   Scratch scratch_{};

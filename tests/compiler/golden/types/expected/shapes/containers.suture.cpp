@@ -25,6 +25,7 @@ using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
+using suture::rpc::numberOf;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
 
@@ -91,713 +92,109 @@ constexpr CommandInfo kStoreCommands[] = {
     {.name = "put",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(StorePutArguments),
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
     {.name = "choose",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(StoreChooseArguments),
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
     {.name = "sequences",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(SequencesSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 0},
     {.name = "choices",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(ChoicesSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 1},
     {.name = "matrices",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(MatricesSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 2},
     {.name = "reading",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(suture::SlotTuple<double, std::int16_t>),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 3},
 };
 
 constexpr EventInfo kStoreEvents[] = {
-    {.name = "changed",
-     .payloadSize = sizeof(suture::SlotVariant<double, PointSlot>),
-     .depth = 16,
-     .latest = false,
-     .latched = false},
+    {.name = "changed", .payloadSize = sizeof(suture::SlotVariant<double, PointSlot>), .depth = 16},
 };
 
 // The self-description, as in shapes/containers.suture.json.
-constexpr char kStoreDescription[] = R"json({
-  "name": "shapes::Store",
-  "doc": "Composites right in a contract.",
-  "hash": "09303ff7be3e944d6c73c2f9f3a63f1b",
-  "commands": [
-    {
-      "name": "put",
-      "kind": "write",
-      "parameters": [
-        {
-          "name": "value",
-          "type": {
-            "kind": "struct",
-            "name": "shapes::Sequences"
-          }
-        }
-      ],
-      "queue": 16
-    },
-    {
-      "name": "choose",
-      "kind": "write",
-      "parameters": [
-        {
-          "name": "gain",
-          "type": {
-            "kind": "optional",
-            "element": {
-              "kind": "Float64"
-            }
-          }
-        }
-      ],
-      "queue": 16
-    },
-    {
-      "name": "sequences",
-      "kind": "read",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "shapes::Sequences"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "choices",
-      "kind": "read",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "shapes::Choices"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "matrices",
-      "kind": "read",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "shapes::Matrices"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "reading",
-      "kind": "read",
-      "result": {
-        "type": {
-          "kind": "tuple",
-          "elements": [
-            {
-              "kind": "Float64"
-            },
-            {
-              "kind": "enum",
-              "name": "shapes::Level"
-            }
-          ]
-        }
-      },
-      "queue": 16
-    }
-  ],
-  "events": [
-    {
-      "name": "changed",
-      "kind": "write",
-      "payload": {
-        "type": {
-          "kind": "variant",
-          "alternatives": [
-            {
-              "kind": "Float64"
-            },
-            {
-              "kind": "struct",
-              "name": "shapes::Point"
-            }
-          ]
-        }
-      },
-      "queue": 16
-    }
-  ],
-  "enums": [
-    {
-      "name": "shapes::Level",
-      "doc": "Sparse, negative, and ready for what later versions add.",
-      "underlying": "Int16",
-      "enumerators": [
-        {
-          "name": "Unknown",
-          "value": -1,
-          "fallback": true
-        },
-        {
-          "name": "Low",
-          "value": 10
-        },
-        {
-          "name": "High",
-          "value": 300
-        }
-      ]
-    }
-  ],
-  "structs": [
-    {
-      "name": "shapes::Point",
-      "doc": "Parts of other types.",
-      "fields": [
-        {
-          "name": "x",
-          "type": {
-            "kind": "Float64"
-          },
-          "unit": "m",
-          "range": [
-            -10.0,
-            10.0
-          ],
-          "default": 0.0
-        },
-        {
-          "name": "y",
-          "type": {
-            "kind": "Float64"
-          },
-          "default": 0.0
-        }
-      ]
-    },
-    {
-      "name": "shapes::Sequences",
-      "doc": "Sequences, sets and maps.",
-      "fields": [
-        {
-          "name": "bytes",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "UInt8"
-            },
-            "capacity": 8
-          }
-        },
-        {
-          "name": "one",
-          "type": {
-            "kind": "UInt8"
-          }
-        },
-        {
-          "name": "row",
-          "type": {
-            "kind": "array",
-            "element": {
-              "kind": "Float64"
-            },
-            "length": 3
-          }
-        },
-        {
-          "name": "grid",
-          "type": {
-            "kind": "array",
-            "element": {
-              "kind": "array",
-              "element": {
-                "kind": "Int32"
-              },
-              "length": 3
-            },
-            "length": 2
-          }
-        },
-        {
-          "name": "corners",
-          "type": {
-            "kind": "array",
-            "element": {
-              "kind": "struct",
-              "name": "shapes::Point"
-            },
-            "length": 2
-          }
-        },
-        {
-          "name": "path",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "struct",
-              "name": "shapes::Point"
-            },
-            "capacity": 3
-          }
-        },
-        {
-          "name": "bits",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Bool"
-            },
-            "capacity": 4
-          }
-        },
-        {
-          "name": "flags",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Bool"
-            },
-            "capacity": 4
-          }
-        },
-        {
-          "name": "numbers",
-          "type": {
-            "kind": "set",
-            "element": {
-              "kind": "Int32"
-            },
-            "capacity": 4
-          }
-        },
-        {
-          "name": "words",
-          "type": {
-            "kind": "set",
-            "element": {
-              "kind": "text",
-              "capacity": 6
-            },
-            "capacity": 3
-          }
-        },
-        {
-          "name": "levels",
-          "type": {
-            "kind": "set",
-            "element": {
-              "kind": "enum",
-              "name": "shapes::Level"
-            },
-            "capacity": 3
-          }
-        },
-        {
-          "name": "gains",
-          "type": {
-            "kind": "map",
-            "key": {
-              "kind": "text",
-              "capacity": 6
-            },
-            "value": {
-              "kind": "Float64"
-            },
-            "capacity": 3
-          }
-        },
-        {
-          "name": "points",
-          "type": {
-            "kind": "map",
-            "key": {
-              "kind": "UInt16"
-            },
-            "value": {
-              "kind": "struct",
-              "name": "shapes::Point"
-            },
-            "capacity": 3
-          }
-        },
-        {
-          "name": "series",
-          "type": {
-            "kind": "map",
-            "key": {
-              "kind": "text",
-              "capacity": 4
-            },
-            "value": {
-              "kind": "list",
-              "element": {
-                "kind": "Float32"
-              },
-              "capacity": 3
-            },
-            "capacity": 2
-          }
-        },
-        {
-          "name": "shares",
-          "type": {
-            "kind": "map",
-            "key": {
-              "kind": "enum",
-              "name": "shapes::Level"
-            },
-            "value": {
-              "kind": "Float64"
-            },
-            "capacity": 3
-          },
-          "range": [
-            0.0,
-            1.0
-          ]
-        }
-      ]
-    },
-    {
-      "name": "shapes::Choices",
-      "doc": "What holds one thing or another, or some of each.",
-      "fields": [
-        {
-          "name": "gain",
-          "type": {
-            "kind": "optional",
-            "element": {
-              "kind": "Float64"
-            }
-          }
-        },
-        {
-          "name": "share",
-          "type": {
-            "kind": "optional",
-            "element": {
-              "kind": "Float64"
-            }
-          },
-          "range": [
-            0.0,
-            1.0
-          ]
-        },
-        {
-          "name": "answer",
-          "type": {
-            "kind": "optional",
-            "element": {
-              "kind": "Bool"
-            }
-          }
-        },
-        {
-          "name": "frame",
-          "type": {
-            "kind": "optional",
-            "element": {
-              "kind": "text",
-              "capacity": 8
-            }
-          }
-        },
-        {
-          "name": "target",
-          "type": {
-            "kind": "optional",
-            "element": {
-              "kind": "struct",
-              "name": "shapes::Point"
-            }
-          }
-        },
-        {
-          "name": "polygon",
-          "type": {
-            "kind": "optional",
-            "element": {
-              "kind": "list",
-              "element": {
-                "kind": "struct",
-                "name": "shapes::Point"
-              },
-              "capacity": 2
-            }
-          }
-        },
-        {
-          "name": "twice",
-          "type": {
-            "kind": "optional",
-            "element": {
-              "kind": "optional",
-              "element": {
-                "kind": "Int32"
-              }
-            }
-          }
-        },
-        {
-          "name": "seen",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "optional",
-              "element": {
-                "kind": "matrix",
-                "scalar": "Float64",
-                "rows": 3,
-                "columns": 1
-              }
-            },
-            "capacity": 3
-          }
-        },
-        {
-          "name": "entry",
-          "type": {
-            "kind": "tuple",
-            "elements": [
-              {
-                "kind": "Int32"
-              },
-              {
-                "kind": "Float64"
-              }
-            ]
-          }
-        },
-        {
-          "name": "triple",
-          "type": {
-            "kind": "tuple",
-            "elements": [
-              {
-                "kind": "Bool"
-              },
-              {
-                "kind": "text",
-                "capacity": 4
-              },
-              {
-                "kind": "struct",
-                "name": "shapes::Point"
-              }
-            ]
-          }
-        },
-        {
-          "name": "either",
-          "type": {
-            "kind": "variant",
-            "alternatives": [
-              {
-                "kind": "nothing"
-              },
-              {
-                "kind": "Float64"
-              },
-              {
-                "kind": "struct",
-                "name": "shapes::Point"
-              },
-              {
-                "kind": "text",
-                "capacity": 4
-              },
-              {
-                "kind": "Float64"
-              }
-            ]
-          }
-        },
-        {
-          "name": "nested",
-          "type": {
-            "kind": "variant",
-            "alternatives": [
-              {
-                "kind": "enum",
-                "name": "shapes::Level"
-              },
-              {
-                "kind": "optional",
-                "element": {
-                  "kind": "struct",
-                  "name": "shapes::Point"
-                }
-              }
-            ]
-          }
-        },
-        {
-          "name": "owned",
-          "type": {
-            "kind": "optional",
-            "element": {
-              "kind": "struct",
-              "name": "shapes::Point"
-            }
-          }
-        }
-      ]
-    },
-    {
-      "name": "shapes::Matrices",
-      "doc": "Eigen types of all kinds.",
-      "fields": [
-        {
-          "name": "joints",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Float64"
-            },
-            "capacity": 4
-          },
-          "unit": "rad"
-        },
-        {
-          "name": "row",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Float64"
-            },
-            "capacity": 3
-          }
-        },
-        {
-          "name": "any",
-          "type": {
-            "kind": "any matrix",
-            "scalar": "Float64",
-            "capacity": [
-              2,
-              3
-            ]
-          }
-        },
-        {
-          "name": "counts",
-          "type": {
-            "kind": "any matrix",
-            "scalar": "Int32",
-            "capacity": [
-              2,
-              2
-            ]
-          }
-        },
-        {
-          "name": "columns",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "matrix",
-              "scalar": "Float64",
-              "rows": 3,
-              "columns": 1
-            },
-            "capacity": 4
-          }
-        },
-        {
-          "name": "limited",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Float32"
-            },
-            "capacity": 5
-          }
-        },
-        {
-          "name": "fixed",
-          "type": {
-            "kind": "matrix",
-            "scalar": "Float64",
-            "rows": 4,
-            "columns": 5
-          }
-        },
-        {
-          "name": "cloud",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "matrix",
-              "scalar": "Float64",
-              "rows": 3,
-              "columns": 1
-            },
-            "capacity": 3
-          }
-        },
-        {
-          "name": "wrenches",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "matrix",
-              "scalar": "Float32",
-              "rows": 6,
-              "columns": 1
-            },
-            "capacity": 3
-          }
-        },
-        {
-          "name": "scaled",
-          "type": {
-            "kind": "affine",
-            "scalar": "Float64"
-          }
-        },
-        {
-          "name": "wait",
-          "type": {
-            "kind": "duration",
-            "period": "1/1000",
-            "scalar": "Float64"
-          }
-        }
-      ]
-    }
-  ]
-})json";
+constexpr char kStoreDescription[] = R"json(
+{"name": "shapes::Store", "doc": "Composites right in a contract.",
+"hash": "09303ff7be3e944d6c73c2f9f3a63f1b", "commands": [{"name": "put", "kind": "write",
+"parameters": [{"name": "value", "type": {"kind": "struct", "name": "shapes::Sequences"}}],
+"queue": 16}, {"name": "choose", "kind": "write", "parameters": [{"name": "gain", "type": {
+"kind": "optional", "element": {"kind": "Float64"}}}], "queue": 16}, {"name": "sequences",
+"kind": "read", "result": {"type": {"kind": "struct", "name": "shapes::Sequences"}}, "queue": 16}, {
+"name": "choices", "kind": "read", "result": {"type": {"kind": "struct", "name": "shapes::Choices"}
+}, "queue": 16}, {"name": "matrices", "kind": "read", "result": {"type": {"kind": "struct",
+"name": "shapes::Matrices"}}, "queue": 16}, {"name": "reading", "kind": "read", "result": {
+"type": {"kind": "tuple", "elements": [{"kind": "Float64"}, {"kind": "enum", "name": "shapes::Level"
+}]}}, "queue": 16}], "events": [{"name": "changed", "kind": "write", "payload": {"type": {
+"kind": "variant", "alternatives": [{"kind": "Float64"}, {"kind": "struct", "name": "shapes::Point"
+}]}}, "queue": 16}], "enums": [{"name": "shapes::Level",
+"doc": "Sparse, negative, and ready for what later versions add.", "underlying": "Int16",
+"enumerators": [{"name": "Unknown", "value": -1, "fallback": true}, {"name": "Low", "value": 10}, {
+"name": "High", "value": 300}]}], "structs": [{"name": "shapes::Point",
+"doc": "Parts of other types.", "fields": [{"name": "x", "type": {"kind": "Float64"}, "unit": "m",
+"range": [-10.0, 10.0], "default": 0.0}, {"name": "y", "type": {"kind": "Float64"}, "default": 0.0}
+]}, {"name": "shapes::Sequences", "doc": "Sequences, sets and maps.", "fields": [{"name": "bytes",
+"type": {"kind": "list", "element": {"kind": "UInt8"}, "capacity": 8}}, {"name": "one", "type": {
+"kind": "UInt8"}}, {"name": "row", "type": {"kind": "array", "element": {"kind": "Float64"},
+"length": 3}}, {"name": "grid", "type": {"kind": "array", "element": {"kind": "array", "element": {
+"kind": "Int32"}, "length": 3}, "length": 2}}, {"name": "corners", "type": {"kind": "array",
+"element": {"kind": "struct", "name": "shapes::Point"}, "length": 2}}, {"name": "path", "type": {
+"kind": "list", "element": {"kind": "struct", "name": "shapes::Point"}, "capacity": 3}}, {
+"name": "bits", "type": {"kind": "list", "element": {"kind": "Bool"}, "capacity": 4}}, {
+"name": "flags", "type": {"kind": "list", "element": {"kind": "Bool"}, "capacity": 4}}, {
+"name": "numbers", "type": {"kind": "set", "element": {"kind": "Int32"}, "capacity": 4}}, {
+"name": "words", "type": {"kind": "set", "element": {"kind": "text", "capacity": 6}, "capacity": 3}
+}, {"name": "levels", "type": {"kind": "set", "element": {"kind": "enum", "name": "shapes::Level"},
+"capacity": 3}}, {"name": "gains", "type": {"kind": "map", "key": {"kind": "text", "capacity": 6},
+"value": {"kind": "Float64"}, "capacity": 3}}, {"name": "points", "type": {"kind": "map", "key": {
+"kind": "UInt16"}, "value": {"kind": "struct", "name": "shapes::Point"}, "capacity": 3}}, {
+"name": "series", "type": {"kind": "map", "key": {"kind": "text", "capacity": 4}, "value": {
+"kind": "list", "element": {"kind": "Float32"}, "capacity": 3}, "capacity": 2}}, {"name": "shares",
+"type": {"kind": "map", "key": {"kind": "enum", "name": "shapes::Level"}, "value": {
+"kind": "Float64"}, "capacity": 3}, "range": [0.0, 1.0]}]}, {"name": "shapes::Choices",
+"doc": "What holds one thing or another, or some of each.", "fields": [{"name": "gain", "type": {
+"kind": "optional", "element": {"kind": "Float64"}}}, {"name": "share", "type": {
+"kind": "optional", "element": {"kind": "Float64"}}, "range": [0.0, 1.0]}, {"name": "answer",
+"type": {"kind": "optional", "element": {"kind": "Bool"}}}, {"name": "frame", "type": {
+"kind": "optional", "element": {"kind": "text", "capacity": 8}}}, {"name": "target", "type": {
+"kind": "optional", "element": {"kind": "struct", "name": "shapes::Point"}}}, {"name": "polygon",
+"type": {"kind": "optional", "element": {"kind": "list", "element": {"kind": "struct",
+"name": "shapes::Point"}, "capacity": 2}}}, {"name": "twice", "type": {"kind": "optional",
+"element": {"kind": "optional", "element": {"kind": "Int32"}}}}, {"name": "seen", "type": {
+"kind": "list", "element": {"kind": "optional", "element": {"kind": "matrix", "scalar": "Float64",
+"rows": 3, "columns": 1}}, "capacity": 3}}, {"name": "entry", "type": {"kind": "tuple",
+"elements": [{"kind": "Int32"}, {"kind": "Float64"}]}}, {"name": "triple", "type": {
+"kind": "tuple", "elements": [{"kind": "Bool"}, {"kind": "text", "capacity": 4}, {"kind": "struct",
+"name": "shapes::Point"}]}}, {"name": "either", "type": {"kind": "variant", "alternatives": [{
+"kind": "nothing"}, {"kind": "Float64"}, {"kind": "struct", "name": "shapes::Point"}, {
+"kind": "text", "capacity": 4}, {"kind": "Float64"}]}}, {"name": "nested", "type": {
+"kind": "variant", "alternatives": [{"kind": "enum", "name": "shapes::Level"}, {"kind": "optional",
+"element": {"kind": "struct", "name": "shapes::Point"}}]}}, {"name": "owned", "type": {
+"kind": "optional", "element": {"kind": "struct", "name": "shapes::Point"}}}]}, {
+"name": "shapes::Matrices", "doc": "Eigen types of all kinds.", "fields": [{"name": "joints",
+"type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 4}, "unit": "rad"}, {
+"name": "row", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 3}}, {
+"name": "any", "type": {"kind": "any matrix", "scalar": "Float64", "capacity": [2, 3]}}, {
+"name": "counts", "type": {"kind": "any matrix", "scalar": "Int32", "capacity": [2, 2]}}, {
+"name": "columns", "type": {"kind": "list", "element": {"kind": "matrix", "scalar": "Float64",
+"rows": 3, "columns": 1}, "capacity": 4}}, {"name": "limited", "type": {"kind": "list", "element": {
+"kind": "Float32"}, "capacity": 5}}, {"name": "fixed", "type": {"kind": "matrix",
+"scalar": "Float64", "rows": 4, "columns": 5}}, {"name": "cloud", "type": {"kind": "list",
+"element": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "capacity": 3}}, {
+"name": "wrenches", "type": {"kind": "list", "element": {"kind": "matrix", "scalar": "Float32",
+"rows": 6, "columns": 1}, "capacity": 3}}, {"name": "scaled", "type": {"kind": "affine",
+"scalar": "Float64"}}, {"name": "wait", "type": {"kind": "duration", "period": "1/1000",
+"scalar": "Float64"}}]}]})json";
 
 }  // namespace
 
@@ -1336,8 +733,8 @@ class StoreSink final : public suture::rpc::EventSink {
   explicit StoreSink(wire::StoreEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
 
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (static_cast<StoreEvent>(event)) {
-      case StoreEvent::changed: {
+    switch (event) {
+      case numberOf(StoreEvent::changed): {
         const auto& slot =
             *reinterpret_cast<const suture::SlotVariant<double, PointSlot>*>(payload);
         auto request = subscriber_.changedRequest();
@@ -1399,7 +796,7 @@ class StoreServant final : public wire::Store::Server {
       if (error != Errc{}) return error;
       return isValid(slot.value) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(StoreCommand::put), in.getSent(), fill);
+    return port_->command(numberOf(StoreCommand::put), in.getSent(), fill);
   }
 
   kj::Promise<void> choose(ChooseContext context) override {
@@ -1410,7 +807,7 @@ class StoreServant final : public wire::Store::Server {
       if (error != Errc{}) return error;
       return isValid(slot.gain) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(StoreCommand::choose), in.getSent(), fill);
+    return port_->command(numberOf(StoreCommand::choose), in.getSent(), fill);
   }
 
   kj::Promise<void> sequences(SequencesContext context) override {
@@ -1421,7 +818,7 @@ class StoreServant final : public wire::Store::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(StoreCommand::sequences), in.getSent(),
+    return port_->call(numberOf(StoreCommand::sequences), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -1433,7 +830,7 @@ class StoreServant final : public wire::Store::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(StoreCommand::choices), in.getSent(),
+    return port_->call(numberOf(StoreCommand::choices), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -1445,7 +842,7 @@ class StoreServant final : public wire::Store::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(StoreCommand::matrices), in.getSent(),
+    return port_->call(numberOf(StoreCommand::matrices), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -1457,15 +854,11 @@ class StoreServant final : public wire::Store::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(StoreCommand::reading), in.getSent(),
+    return port_->call(numberOf(StoreCommand::reading), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
  private:
-  static std::uint16_t commandId(StoreCommand command) {
-    return static_cast<std::uint16_t>(command);
-  }
-
   kj::Own<ServantPort> port_;
 };
 
@@ -1513,12 +906,10 @@ class StoreReceiver final : public wire::StoreEvents::Server {
     suture::SlotVariant<double, PointSlot> slot;
     const Errc error =
         in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(eventId(StoreEvent::changed), error, slot);
+    return port_->event(numberOf(StoreEvent::changed), error, slot);
   }
 
  private:
-  static std::uint16_t eventId(StoreEvent event) { return static_cast<std::uint16_t>(event); }
-
   kj::Own<ProxyPort> port_;
 };
 
@@ -1603,8 +994,8 @@ class StoreProxy final : public suture::rpc::Proxy {
 
 class StoreBinding final : public suture::rpc::Binding {
  public:
-  capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const override {
-    return wire::Store::Client(kj::heap<StoreServant>(kj::mv(port)));
+  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
+    return kj::heap<StoreServant>(kj::mv(port));
   }
   kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
                                         ProxyPort& port) const override {

@@ -234,14 +234,14 @@ const InterfaceInfo& interfaceInfo<shapes::Store>();
 
 /// What a client of shapes::Store calls.
 template <>
-class Required<shapes::Store> final : public RequiredBase {
+class Required<shapes::Store> : public RequiredBase {
   using Contract = shapes::Store;
   using Id = shapes::StoreCommand;
   using EventId = shapes::StoreEvent;
 
  public:
   Required(Component& owner, std::string_view name)
-      : RequiredBase(owner, name, interfaceInfo<Contract>()) {}
+      : Required(owner, name, interfaceInfo<Contract>()) {}
 
   Command<&Contract::put, shapes::StorePutArguments> put{
       *this, static_cast<std::uint16_t>(Id::put)};
@@ -266,20 +266,24 @@ class Required<shapes::Store> final : public RequiredBase {
   };
   Events& on() { return events_; }
 
+ protected:
+  // Of a contract that derives from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+
  private:
   Events events_{*this};
 };
 
 /// What serves shapes::Store from a component.
 template <>
-class Provided<shapes::Store> final : public ProvidedBase {
+class Provided<shapes::Store> : public ProvidedBase {
   using Contract = shapes::Store;
   using EventId = shapes::StoreEvent;
 
  public:
   Provided(Component& owner, std::string_view name, Contract& implementation)
-      : ProvidedBase(owner, name, interfaceInfo<Contract>(), &implementation),
-        implementation_(implementation) {}
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
   /// The events of shapes::Store, to emit.
   struct Events {
@@ -291,14 +295,21 @@ class Provided<shapes::Store> final : public ProvidedBase {
   };
   Events& emit() { return events_; }
 
+ protected:
+  // Of a contract that derives from this one: `whole` points to its implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
     shapes::Sequences put_value;
     std::optional<double> choose_gain;
   };
-
-  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
   Contract& implementation_;
   Events events_{*this};

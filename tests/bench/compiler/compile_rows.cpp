@@ -1,0 +1,139 @@
+#include <fmt/format.h>
+#include <suture/base/errors.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "bench/compiler/parts.h"
+#include "bench/compiler/timed_command.h"
+#include "bench/paths.h"
+#include "bench/table.h"
+
+namespace bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kContract[] = "arm/crtk_arm.suture.cpp";
+constexpr const char* kTypes[] = {
+    "robot_types/cartesian.suture.cpp",       "robot_types/joint_commands.suture.cpp",
+    "robot_types/joints.suture.cpp",          "robot_types/messages.suture.cpp",
+    "robot_types/operating_state.suture.cpp", "robot_types/pose.suture.cpp"};
+constexpr const char* kHandwritten[] = {"crtk_client.cpp", "crtk_server.cpp"};
+constexpr const char* kHandwrittenTypes[] = {"cartesian_conversions.cpp", "joint_conversions.cpp",
+                                             "pose_conversions.cpp"};
+
+/// How this build compiles the generated source of the contract, for any source.
+class CompileCall {
+ public:
+  CompileCall() {
+    const fs::path file = fs::path(paths::kBuild) / "compile_commands.json";
+    std::ifstream in(file);
+    const auto commands = nlohmann::json::parse(in, nullptr, false);
+    if (!commands.is_array()) {
+      throw suture::SetupError("the compiler's calls in " + file.string(), "there are none",
+                               "Configure with the preset release");
+    }
+    for (const auto& one : commands) {
+      const std::string source = one.at("file");
+      if (!source.ends_with(kContract)) continue;
+      words_ = wordsOf(one.at("command"));
+      generated_ = fs::path(source).parent_path().parent_path();
+      return;
+    }
+    throw suture::SetupError("how " + std::string(kContract) + " is compiled",
+                             "the build does not compile it", "Build the preset release");
+  }
+
+  Command operator()(const fs::path& source) const {
+    Command command;
+    for (std::size_t i = 0; i + 1 < words_.size(); ++i) {
+      const bool paired = words_[i] == "-o" || words_[i] == "-c";
+      if (paired) {
+        ++i;
+      } else {
+        command.push_back(words_[i]);
+      }
+    }
+    command.push_back("-I" + (fs::path(paths::kSource) / "tests").string());
+    for (const char* const word : {"-c", "-o", "object.o"}) command.emplace_back(word);
+    command.push_back(source.string());
+    return command;
+  }
+  Command generated(const char* source) const { return (*this)(generated_ / source); }
+  Command handwritten(const char* source) const {
+    return (*this)(fs::path(paths::kSource) / "tests/bench/compiler/handwritten" / source);
+  }
+
+ private:
+  Command words_;
+  fs::path generated_;
+};
+
+/// A user's file that includes one header of the interface and nothing else.
+fs::path userFile(const fs::path& scratch, const char* name, const char* header) {
+  const fs::path file = scratch / name;
+  std::ofstream(file) << "#include \"" << header << "\"\n";
+  return file;
+}
+
+void measure(const CompilerOptions& options, Report& report, Table& table) {
+  const CompileCall call;
+  const fs::path& scratch = options.scratch;
+  std::vector<Command> types, handwritten, handwrittenTypes;
+  for (const char* const source : kTypes) types.push_back(call.generated(source));
+  for (const char* const source : kHandwritten) handwritten.push_back(call.handwritten(source));
+  for (const char* const source : kHandwrittenTypes)
+    handwrittenTypes.push_back(call.handwritten(source));
+
+  Comparison sources, users;
+  const std::size_t contract = sources.add({call.generated(kContract)}, scratch / "contract");
+  const std::size_t hand = sources.add(handwritten, scratch / "hand");
+  const std::size_t contractTypes = sources.add(types, scratch / "types");
+  const std::size_t handTypes = sources.add(handwrittenTypes, scratch / "hand_types");
+  sources.run(options.compileRounds(), "compiling the arm interface");
+  const std::size_t plain =
+      users.add({call(userFile(scratch, "plain.cpp", "arm/crtk_arm.h"))}, scratch / "plain");
+  const std::size_t proxy =
+      users.add({call(userFile(scratch, "proxy.cpp", "arm/crtk_arm.suture.h"))}, scratch / "proxy");
+  users.run(options.toolRounds(), "compiling a user's file");
+
+  const auto add = [&](const Comparison& from, const char* title, const char* figure,
+                       std::size_t contestant) {
+    const Statistics seconds = from.seconds(contestant);
+    report.add(std::string("compile.") + figure, "s", seconds);
+    table.row({title, number(seconds.p50, 2), number(seconds.min, 2), number(seconds.max, 2)});
+    return seconds.p50;
+  };
+  const double ours = add(sources, "generated from the contract", "contract", contract);
+  const double byHand = add(sources, "client and server by hand", "handwritten", hand);
+  const double oursTypes = add(sources, "generated from its types", "types", contractTypes);
+  const double byHandTypes = add(sources, "conversions by hand", "handwritten_types", handTypes);
+  const double without = add(users, "a user's file, contract alone", "user.contract", plain);
+  const double with = add(users, "a user's file, proxy header", "user.proxy", proxy);
+  report.add("compile.ratio", "x", ours / byHand);
+  report.add("compile.ratio_with_types", "x", (ours + oursTypes) / (byHand + byHandTypes));
+  report.add("compile.user.extra", "s", with - without);
+}
+
+}  // namespace
+
+std::string compileRows(const CompilerOptions& options, Report& report) {
+  Table table(1);
+  table.row({"compiling the complete arm interface, processor time, s", "p50", "min", "max"});
+  table.line();
+  try {
+    measure(options, report, table);
+  } catch (const suture::SetupError& error) {
+    report.addUnavailable("compile", error.what());
+    return fmt::format("Compiling cannot be measured: {}\n", error.what());
+  }
+  return table.toString() +
+         fmt::format(
+             "generated / by hand {:.2f}, with the types' conversions {:.2f}; a user pays "
+             "{:.2f} s for the proxy\n",
+             report.find("compile.ratio")->value, report.find("compile.ratio_with_types")->value,
+             report.find("compile.user.extra")->value);
+}
+
+}  // namespace bench

@@ -1,0 +1,81 @@
+// suture-bench compiler: what suturec costs, what it makes run again, and what its code costs.
+
+#include <fmt/format.h>
+#include <stdlib.h>
+#include <suture/base/errors.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "bench/benchmark.h"
+#include "bench/compiler/parts.h"
+#include "bench/table2/placement.h"
+
+namespace bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own, and gone at the end.
+class Scratch {
+ public:
+  Scratch() {
+    std::string name = (fs::temp_directory_path() / "suture-bench-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) {
+      throw suture::SetupError("a folder " + name, std::strerror(errno),
+                               "Set TMPDIR to a folder that can be written");
+    }
+    path_ = name;
+  }
+  ~Scratch() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+class Compiler final : public Benchmark {
+ public:
+  Compiler() { options_.cpu = preferredCpu(); }
+  const char* name() const override { return "compiler"; }
+  const char* description() const override {
+    return "suturec itself, what it makes a build do again, and what its code costs to run and to "
+           "compile";
+  }
+  void addOptions(CLI::App& options) override {
+    options.add_option("--rounds", options_.rounds, "runs of each program")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1000));
+    options.add_option("--cpu", options_.cpu, "processor that everything runs on")
+        ->capture_default_str();
+    options.add_flag("--quick", options_.quick, "one round: shows that it works, not how well");
+  }
+
+  void run(Report& report) override {
+    report.note("options",
+                {{"rounds", options_.rounds}, {"cpu", options_.cpu}, {"quick", options_.quick}});
+    const Scratch scratch;
+    options_.scratch = scratch.path();
+    const Pinned pinned(options_.cpu);
+    for (const auto part : {codecRows, toolRows, compileRows, rebuildRows}) {
+      fmt::print("{}\n", part(options_, report));
+      std::fflush(stdout);
+    }
+  }
+
+ private:
+  CompilerOptions options_;
+};
+
+}  // namespace
+
+std::unique_ptr<Benchmark> makeCompiler() { return std::make_unique<Compiler>(); }
+
+}  // namespace bench

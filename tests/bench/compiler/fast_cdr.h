@@ -1,0 +1,17 @@
+#pragma once
+// The same record through the serializer of Fast DDS, the rival of the figures.
+
+#include <cstddef>
+#include <optional>
+
+#include "bench/statistics.h"
+#include "robot_types/pose.h"
+
+namespace bench {
+
+/// ns to serialize `value` and to deserialize it into a second object, both in memory that is used
+/// again. Nothing where this program was built without Fast CDR.
+std::optional<Statistics> fastCdrBothWays(const robots::PosePrm& value, std::size_t loops,
+                                          std::size_t length);
+
+}  // namespace bench

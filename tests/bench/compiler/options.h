@@ -1,0 +1,21 @@
+#pragma once
+// What a user may choose of `suture-bench compiler`.
+
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <filesystem>
+
+namespace bench {
+
+struct CompilerOptions {
+  std::size_t rounds = 9;  ///< of programs that run for about a second; a third of it for compilers
+  int cpu;                 ///< that all programs run on
+  bool quick = false;      ///< one round of everything
+  std::filesystem::path scratch;  ///< an empty folder, for this run alone
+
+  std::size_t toolRounds() const { return quick ? 1 : rounds; }
+  std::size_t compileRounds() const { return quick ? 1 : (rounds + 2) / 3; }
+  std::size_t codecLoops() const { return quick ? 10 : 200; }
+};
+
+}  // namespace bench

@@ -1,0 +1,47 @@
+#pragma once
+// Other programs, run and timed.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bench/statistics.h"
+
+namespace bench {
+
+struct CommandCost {
+  double seconds = 0;    ///< of processor time, user and system, of the program and its children
+  double megabytes = 0;  ///< the most memory that it or a child had at a time
+};
+
+using Command = std::vector<std::string>;
+
+/// Runs the program `command[0]`, found on PATH, in `directory`, on this thread's processors.
+/// Throws SetupError with the end of what it printed if it cannot be started or fails.
+CommandCost run(const Command& command, const std::filesystem::path& directory);
+
+/// The words of a command line of compile_commands.json.
+Command wordsOf(const std::string& commandLine);
+
+/// Several ways to do a job, compared: in each round each of them once, so that what disturbs the
+/// machine disturbs all alike.
+class Comparison {
+ public:
+  /// `directory` is emptied before each run. Returns the number of the contestant.
+  std::size_t add(std::vector<Command> commands, std::filesystem::path directory);
+  void run(std::size_t rounds, const std::string& what);
+  Statistics seconds(std::size_t contestant) const;
+  double megabytes(std::size_t contestant) const;
+
+ private:
+  struct Contestant {
+    std::vector<Command> commands;
+    std::filesystem::path directory;
+    std::vector<double> seconds;
+    double megabytes = 0;
+  };
+
+  std::vector<Contestant> contestants_;
+};
+
+}  // namespace bench
