@@ -76,9 +76,19 @@ class Channel {
   /// a lane.
   std::atomic<bool> wantsRows{false};
 
-  rt::Histogram readAge;     ///< client: age of each value read, when it was read
+  /// client: age of the values read, when they were read: of each row when it is first read, and
+  /// of every 16th read of a row that has been read before
+  rt::Histogram readAge;
   rt::Histogram commandAge;  ///< provider: age of each command, when it was executed
   std::atomic<std::uint64_t> bytesSent{0}, bytesReceived{0};  ///< on the lane's wire; 0 on `local`
+
+  /// Client endpoint: keeps the age of a value that has just been read from the row of `stamp`.
+  void noteRead(Time stamp) {
+    // Asking for the time takes longer than the read itself.
+    if (stamp == lastRead_ && ++repeatedReads_ % 16 != 0) return;
+    lastRead_ = stamp;
+    readAge.record(now() - stamp);
+  }
 
   /// Provider endpoint: answers call `call` with an error.
   void replyError(std::uint32_t call, Errc error);
@@ -87,6 +97,10 @@ class Channel {
   template <class Produce>
   void reply(std::uint32_t call, std::size_t resultSize, const Produce& produce,
              Time stamp = now());
+
+ private:
+  Time lastRead_{};
+  std::uint32_t repeatedReads_ = 0;
 };
 
 template <class Produce>

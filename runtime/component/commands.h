@@ -103,7 +103,7 @@ class ReadCommand<Method, ResultSlot> {
     ResultSlot slot;
     const Result<Time> stamp = channel.state->read(column, reinterpret_cast<std::byte*>(&slot));
     if (!stamp) return stamp.error();
-    channel.readAge.record(now() - *stamp);
+    channel.noteRead(*stamp);
     load(slot, value);
     return Sample<void>(*stamp);
   }

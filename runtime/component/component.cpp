@@ -2,8 +2,6 @@
 #include <suture/component/provided.h>
 #include <suture/component/required.h>
 
-#include <algorithm>
-
 namespace suture {
 namespace {
 
@@ -20,15 +18,12 @@ Component::~Component() = default;
 void Component::ringLater(rt::Doorbell& bell) {
   if (!ownsThread()) {
     bell.ring();
-  } else if (std::find(toRing_.begin(), toRing_.end(), &bell) == toRing_.end()) {
-    toRing_.push_back(&bell);
+  } else {
+    dueBells_.add(bell);
   }
 }
 
-void Component::ringNow() {
-  for (rt::Doorbell* bell : toRing_) bell->ring();
-  toRing_.clear();
-}
+void Component::ringNow() { dueBells_.ringAll(); }
 
 bool Component::ownedByThisThread() {
   const void* owner = owner_.load(std::memory_order_acquire);
@@ -37,11 +32,7 @@ bool Component::ownedByThisThread() {
   return owner_.compare_exchange_strong(owner, thisThread());
 }
 
-void Component::claimForThisThread() {
-  owner_.store(thisThread(), std::memory_order_release);
-  toRing_.reserve(
-      256);  // more sleeping peers than a process has; beyond it ringLater() would allocate
-}
+void Component::claimForThisThread() { owner_.store(thisThread(), std::memory_order_release); }
 
 void Component::park(std::string reason) {
   if (parked_.test_and_set()) return;

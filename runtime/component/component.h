@@ -4,6 +4,7 @@
 
 #include <suture/base/time.h>
 #include <suture/rt/doorbell.h>
+#include <suture/rt/due_bells.h>
 
 #include <atomic>
 #include <string>
@@ -80,8 +81,8 @@ class Component {
   std::vector<ProvidedBase*> provided_;
   std::vector<RequiredBase*> required_;
   rt::Doorbell doorbell_;
+  rt::DueBells dueBells_;
   Component* lender_ = nullptr;
-  std::vector<rt::Doorbell*> toRing_;
   std::atomic<const void*> owner_{nullptr};
 };
 

@@ -1,6 +1,6 @@
 #include <suture/rt/state_table.h>
 
-#include <algorithm>
+#include <bit>
 #include <cstring>
 #include <new>
 
@@ -11,18 +11,27 @@ constexpr std::size_t wordsFor(std::size_t bytes) { return (bytes + 7) / 8; }
 
 // Row copies go word by word through atomics; the private side is ordinary memory.
 void storeWords(std::atomic<std::uint64_t>* to, const std::byte* from, std::size_t bytes) {
-  for (std::size_t i = 0; i < wordsFor(bytes); ++i) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, from + 8 * i, std::min<std::size_t>(8, bytes - 8 * i));
+  const std::size_t whole = bytes / 8, rest = bytes % 8;
+  for (std::size_t i = 0; i < whole; ++i) {
+    std::uint64_t word;
+    std::memcpy(&word, from + 8 * i, 8);
     to[i].store(word, std::memory_order_release);
   }
+  if (rest == 0) return;
+  std::uint64_t word = 0;
+  std::memcpy(&word, from + 8 * whole, rest);
+  to[whole].store(word, std::memory_order_release);
 }
 
 void loadWords(std::byte* to, const std::atomic<std::uint64_t>* from, std::size_t bytes) {
-  for (std::size_t i = 0; i < wordsFor(bytes); ++i) {
+  const std::size_t whole = bytes / 8, rest = bytes % 8;
+  for (std::size_t i = 0; i < whole; ++i) {
     const std::uint64_t word = from[i].load(std::memory_order_acquire);
-    std::memcpy(to + 8 * i, &word, std::min<std::size_t>(8, bytes - 8 * i));
+    std::memcpy(to + 8 * i, &word, 8);
   }
+  if (rest == 0) return;
+  const std::uint64_t word = from[whole].load(std::memory_order_acquire);
+  std::memcpy(to + 8 * whole, &word, rest);
 }
 
 std::size_t payloadBytes(std::span<const std::uint32_t> columnSizes) {
@@ -35,19 +44,19 @@ std::size_t payloadBytes(std::span<const std::uint32_t> columnSizes) {
 
 StateTable::StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows)
     : rowBytes_((sizeof(RowHeader) + payloadBytes(columnSizes) + 63) & ~std::size_t{63}),
-      rowCount_(rows),
+      rowMask_(std::bit_ceil(rows) - 1),
       draft_(payloadBytes(columnSizes)),
-      memory_("suture-state", rowBytes_ * rows) {
+      memory_("suture-state", rowBytes_ * (rowMask_ + 1)) {
   std::uint32_t offset = 0;
   for (const std::uint32_t size : columnSizes) {
     columns_.push_back({offset, size});
     offset += static_cast<std::uint32_t>(8 * wordsFor(size));
   }
-  for (unsigned i = 0; i < rows; ++i) new (memory_.data() + i * rowBytes_) RowHeader{};
+  for (std::size_t i = 0; i <= rowMask_; ++i) new (memory_.data() + i * rowBytes_) RowHeader{};
 }
 
 StateTable::RowHeader& StateTable::headerAt(std::uint64_t sequence) const {
-  return *reinterpret_cast<RowHeader*>(memory_.data() + (sequence % rowCount_) * rowBytes_);
+  return *reinterpret_cast<RowHeader*>(memory_.data() + (sequence & rowMask_) * rowBytes_);
 }
 
 void StateTable::publish(Time stamp, ColumnSet valid, ColumnSet tooLarge) {

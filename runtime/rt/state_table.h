@@ -25,7 +25,8 @@ class StateTable {
  public:
   static constexpr unsigned kDefaultRows = 64;
 
-  /// A column for each read of the contract: `columnSizes[i]` is the size of the slot of read i.
+  /// A column for each read of the contract: `columnSizes[i]` is the size of the slot of read i. At
+  /// least `rows` rows: a power of two.
   explicit StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows = kDefaultRows);
 
   // --- writer ---
@@ -77,7 +78,7 @@ class StateTable {
 
   std::vector<Column> columns_;
   std::size_t rowBytes_;
-  unsigned rowCount_;
+  std::size_t rowMask_;
   std::vector<std::byte> draft_;
   MemoryBlock memory_;
   std::atomic<std::uint64_t> newest_{0};

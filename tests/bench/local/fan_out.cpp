@@ -14,7 +14,7 @@ namespace bench {
 namespace {
 
 constexpr std::size_t kSubscribers = 64;
-constexpr std::size_t kEvents = 8;  // half of what a subscriber's queue takes
+constexpr std::size_t kEvents = 16;  // all that a subscriber's queue takes
 
 /// Emits kEvents when it is bounced and measures them.
 class Sender final : public suture::EventTask, public SampleServer {

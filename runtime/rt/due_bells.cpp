@@ -1,0 +1,29 @@
+#include <suture/rt/due_bells.h>
+
+namespace suture::rt {
+
+std::size_t DueBells::firstSlot(const Doorbell& bell) {
+  constexpr std::uint64_t kGoldenRatio = 0x9e3779b97f4a7c15;  // Fibonacci hashing: Knuth, vol. 3
+  return reinterpret_cast<std::uintptr_t>(&bell) * kGoldenRatio >> (64 - kSlotBits);
+}
+
+void DueBells::add(Doorbell& bell) {
+  std::size_t slot = firstSlot(bell);
+  while (slots_[slot] < count_ && due_[slots_[slot]].slot == slot) {
+    if (due_[slots_[slot]].bell == &bell) return;
+    slot = (slot + 1) % kSlots;
+  }
+  if (count_ == kCapacity) {
+    bell.ring();
+    return;
+  }
+  slots_[slot] = static_cast<std::uint16_t>(count_);
+  due_[count_++] = {&bell, static_cast<std::uint32_t>(slot)};
+}
+
+void DueBells::ringAll() {
+  for (std::size_t i = 0; i < count_; ++i) due_[i].bell->ring();
+  count_ = 0;
+}
+
+}  // namespace suture::rt

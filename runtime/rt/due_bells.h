@@ -1,0 +1,41 @@
+#pragma once
+// The doorbells that a thread is going to ring.
+
+#include <suture/rt/doorbell.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace suture::rt {
+
+/// One thread. Each bell is rung once, however often it was added since. No allocation; the cost of
+/// add() does not grow with the number of bells.
+class DueBells {
+ public:
+  static constexpr std::size_t kCapacity = 256;
+
+  /// If kCapacity others are due, rings at once.
+  void add(Doorbell& bell);
+  void ringAll();
+
+ private:
+  static constexpr unsigned kSlotBits = 9;
+  static constexpr std::size_t kSlots = std::size_t{1} << kSlotBits;
+  static_assert(kSlots >= 2 * kCapacity, "a free slot must be near");
+
+  struct Due {
+    Doorbell* bell;
+    std::uint32_t slot;
+  };
+
+  static std::size_t firstSlot(const Doorbell& bell);
+
+  std::size_t count_ = 0;
+  std::array<Due, kCapacity> due_{};
+  // By a hash of the bell: its index in due_. Holds only if that one points back, so nothing needs
+  // to be erased.
+  std::array<std::uint16_t, kSlots> slots_{};
+};
+
+}  // namespace suture::rt
