@@ -1,6 +1,7 @@
 #include <capnp/message.h>
 #include <capnp/serialize.h>
 #include <fmt/format.h>
+#include <suture/base/errors.h>
 
 #include <array>
 #include <stdexcept>
