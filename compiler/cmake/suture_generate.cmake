@@ -1,4 +1,4 @@
-# suture_generate(TARGET t HEADERS h... [BASE_DIR d] [LOCK_DIR d] [LOCK_PATH d...])
+# suture_generate(TARGET t HEADERS h... [BASE_DIR d] [LOCK_DIR d] [LOCK_PATH d...] [INSTALL_DIR d])
 #
 # Adds to target t the code that carries what its annotated headers declare. Users of t include
 # "X.suture.h" for each header X.h.
@@ -7,7 +7,10 @@
 #   HEADERS    its annotated headers, all in one call
 #   BASE_DIR   include root: "arm/arm.h" is a path below it. Default: the calling directory
 #   LOCK_DIR   folder of the locked schemas, committed. Default: <project>/schemas
-#   LOCK_PATH  lock folders of other projects whose headers these include
+#   LOCK_PATH  lock folders of other projects in this build whose headers these include. The lock of an
+#              installed header is found beside it
+#   INSTALL_DIR  include root below the install prefix, say "include": install() then puts there what other
+#              projects need of these headers, and whoever imports t finds it
 #
 # SUTUREC_EXECUTABLE, set before, is the suturec to run where that of the package is for another machine.
 # With suturec at hand it runs at build time: once per change of anything the headers read, and it
@@ -19,11 +22,13 @@ include(${CMAKE_CURRENT_LIST_DIR}/suture_generate_parts.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/suture_generate_upkeep.cmake)
 
 function(suture_generate)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;BASE_DIR;LOCK_DIR" "HEADERS;LOCK_PATH")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;BASE_DIR;LOCK_DIR;INSTALL_DIR" "HEADERS;LOCK_PATH")
   suture_check_arguments("${arg_UNPARSED_ARGUMENTS}" "${arg_KEYWORDS_MISSING_VALUES}")
   suture_check_target("${arg_TARGET}")
   suture_default(arg_BASE_DIR ${CMAKE_CURRENT_SOURCE_DIR})
   suture_default(arg_LOCK_DIR ${PROJECT_SOURCE_DIR}/schemas)
+  suture_check_lock_path("${arg_LOCK_PATH}")
+  suture_check_install_dir("${arg_INSTALL_DIR}")
   suture_stems(stems ${arg_TARGET} "${arg_BASE_DIR}" "${arg_HEADERS}")
 
   set(wire ${CMAKE_BINARY_DIR}/generated-wire)
@@ -32,24 +37,30 @@ function(suture_generate)
   if(suturec)
     set(generated ${CMAKE_BINARY_DIR}/generated)
     set(schemas ${generated})
-    suture_run_compiler(${suturec} ${arg_TARGET} ${arg_BASE_DIR} ${generated} "${lock_dirs}" "${stems}")
-    suture_register_upkeep(${suturec} ${arg_TARGET} ${arg_LOCK_DIR} "${stems}")
+    suture_run_compiler("${suturec}" ${arg_TARGET} "${arg_BASE_DIR}" "${generated}" "${lock_dirs}" "${stems}")
+    suture_register_upkeep("${suturec}" ${arg_TARGET} "${stems}")
   else()
     set(generated ${PROJECT_SOURCE_DIR}/generated)
     set(schemas ${arg_LOCK_DIR})
-    suture_check_committed(${arg_TARGET} ${generated} "${stems}")
+    suture_check_committed(${arg_TARGET} "${generated}" "${stems}")
   endif()
 
   foreach(stem IN LISTS stems)
     target_sources(${arg_TARGET} PRIVATE ${generated}/${stem}.suture.cpp)
     # Without suturec, a header that has no lock declares nothing for a wire.
     if(suturec OR EXISTS ${schemas}/${stem}.capnp)
-      suture_compile_schema(${arg_TARGET} ${schemas} ${stem} ${wire} "${lock_dirs}")
+      suture_compile_schema(${arg_TARGET} "${schemas}" ${stem} "${wire}" "${lock_dirs}")
+    endif()
+    if(arg_INSTALL_DIR)
+      suture_install(${stem} ${arg_INSTALL_DIR} "${arg_BASE_DIR}" "${generated}" "${arg_LOCK_DIR}" "${wire}")
     endif()
   endforeach()
   target_include_directories(${arg_TARGET} PUBLIC
-    $<BUILD_INTERFACE:${arg_BASE_DIR}> $<BUILD_INTERFACE:${generated}>)
+    "$<BUILD_INTERFACE:${arg_BASE_DIR}>" "$<BUILD_INTERFACE:${generated}>")
+  if(arg_INSTALL_DIR)
+    target_include_directories(${arg_TARGET} INTERFACE $<INSTALL_INTERFACE:${arg_INSTALL_DIR}>)
+  endif()
   # Capnp's output is nobody's interface: seen by generated code alone.
-  target_include_directories(${arg_TARGET} SYSTEM PRIVATE ${wire})
+  target_include_directories(${arg_TARGET} SYSTEM PRIVATE "${wire}")
   target_link_libraries(${arg_TARGET} PUBLIC suture::suture PRIVATE CapnProto::capnp-rpc)
 endfunction()

@@ -14,6 +14,23 @@ function(suture_gcc_install_dir result)
   set(${result} "${SUTURE_GCC_INSTALL_DIR}" PARENT_SCOPE)
 endfunction()
 
+# What clang must know of the machine that is built for; nothing where it is this one.
+function(suture_target_machine result)
+  set(arguments "")
+  if(CMAKE_CROSSCOMPILING)
+    set(triple "${CMAKE_CXX_COMPILER_TARGET}")
+    if(NOT triple)
+      execute_process(COMMAND ${CMAKE_CXX_COMPILER} -dumpmachine
+        OUTPUT_VARIABLE triple OUTPUT_STRIP_TRAILING_WHITESPACE)
+    endif()
+    set(arguments --target=${triple})
+  endif()
+  if(CMAKE_SYSROOT)
+    list(APPEND arguments --sysroot=${CMAKE_SYSROOT})
+  endif()
+  set(${result} "${arguments}" PARENT_SCOPE)
+endfunction()
+
 # One argument a line; lists of the target are complete only when the build files are written.
 function(suture_write_response_file file target base generated lock_dirs stems)
   set(own --target-name ${target} --project ${PROJECT_NAME} --base-dir ${base} --out ${generated})
@@ -32,6 +49,8 @@ function(suture_write_response_file file target base generated lock_dirs stems)
   if(gcc)
     list(APPEND own --gcc-install-dir=${gcc})
   endif()
+  suture_target_machine(machine)
+  list(APPEND own ${machine})
   list(JOIN own "\n" text)
   string(APPEND text "\n$<$<BOOL:${includes}>:-I$<JOIN:${includes},\n-I>>\n"
     "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},\n-D>>\n")
@@ -63,17 +82,29 @@ endfunction()
 
 function(suture_compile_schema target schemas stem wire lock_dirs)
   # Not through capnp_generate_cpp(): it cannot write several folders into one include root.
-  foreach(directory IN LISTS lock_dirs ITEMS ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../../schemas)
+  foreach(directory IN LISTS lock_dirs)
     list(APPEND imports -I ${directory})
   endforeach()
+  # Where a header of another package is found, its schema is.
+  set(includes $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
   add_custom_command(
     OUTPUT ${wire}/${stem}.capnp.c++ ${wire}/${stem}.capnp.h
     COMMAND ${CMAKE_COMMAND} -E make_directory ${wire}
     COMMAND ${CAPNP_EXECUTABLE} compile -o${CAPNPC_CXX_EXECUTABLE}:${wire}
-      --src-prefix ${schemas} -I ${schemas} ${imports} ${schemas}/${stem}.capnp
+      --src-prefix ${schemas} -I ${schemas} ${imports} "$<$<BOOL:${includes}>:-I$<JOIN:${includes},;-I>>"
+      ${schemas}/${stem}.capnp
     DEPENDS ${schemas}/${stem}.capnp
     COMMENT "capnp ${stem}.capnp"
+    COMMAND_EXPAND_LISTS
     VERBATIM)
-  set_source_files_properties(${wire}/${stem}.capnp.c++ PROPERTIES COMPILE_OPTIONS -w)
+  set_source_files_properties(${wire}/${stem}.capnp.c++ PROPERTIES COMPILE_OPTIONS "-w;-std=c++17")
   target_sources(${target} PRIVATE ${wire}/${stem}.capnp.c++ ${wire}/${stem}.capnp.h)
+endfunction()
+
+# What generated code of other projects includes and imports lies beside the header.
+function(suture_install stem root base generated lock_dir wire)
+  get_filename_component(folder ${root}/${stem} DIRECTORY)
+  install(FILES ${base}/${stem}.h ${generated}/${stem}.suture.h DESTINATION ${folder})
+  # A header that declares nothing for a wire has neither.
+  install(FILES ${lock_dir}/${stem}.capnp ${wire}/${stem}.capnp.h DESTINATION ${folder} OPTIONAL)
 endfunction()

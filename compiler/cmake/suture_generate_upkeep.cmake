@@ -2,7 +2,7 @@
 # test check-generated. Each serves all suture_generate() calls of a project, so they are defined when
 # the project's own list file ends.
 
-function(suture_register_upkeep suturec target lock_dir stems)
+function(suture_register_upkeep suturec target stems)
   set_property(GLOBAL APPEND PROPERTY SUTURE_UPKEEP_TARGETS ${target})
   set_property(GLOBAL PROPERTY SUTURE_UPKEEP_COMPILER ${suturec})
   set_property(GLOBAL PROPERTY SUTURE_UPKEEP_RSP_${target}

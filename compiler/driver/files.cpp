@@ -9,6 +9,8 @@
 namespace suture::compiler::driver {
 namespace {
 
+namespace fs = std::filesystem;
+
 std::string escaped(const std::string& path) {
   std::string result;
   for (const char c : path) {
@@ -21,30 +23,51 @@ std::string escaped(const std::string& path) {
 
 }  // namespace
 
-std::optional<std::string> readText(const std::filesystem::path& path) {
+std::optional<std::string> readText(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file || !std::filesystem::is_regular_file(path)) return std::nullopt;
+  if (!file || !fs::is_regular_file(path)) return std::nullopt;
   return std::string(std::istreambuf_iterator<char>(file), {});
 }
 
-void writeText(const std::filesystem::path& path, const std::string& text) {
-  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
-  const std::filesystem::path temporary = path.string() + ".tmp" + std::to_string(::getpid());
-  std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
-  file << text;
-  file.close();
-  if (!file) {
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    throw std::runtime_error("cannot write '" + path.string() + "'");
-  }
-  std::filesystem::rename(temporary, path);
+NewFiles::~NewFiles() {
+  std::error_code ignored;
+  for (const File& file : files_) fs::remove(file.temporary, ignored);
 }
 
-bool writeIfChanged(const std::filesystem::path& path, const std::string& text) {
+void NewFiles::add(const fs::path& path, const std::string& text) {
+  std::error_code failed;
+  if (path.has_parent_path()) fs::create_directories(path.parent_path(), failed);
+  files_.push_back({path.string() + ".tmp" + std::to_string(::getpid()), path});
+  std::ofstream file(files_.back().temporary, std::ios::binary | std::ios::trunc);
+  file << text;
+  file.close();
+  // A folder in its place would be found only when others have theirs.
+  if (!file || fs::is_directory(path)) {
+    throw std::runtime_error("cannot write '" + path.string() + "'");
+  }
+}
+
+bool NewFiles::addIfChanged(const fs::path& path, const std::string& text) {
   if (readText(path) == text) return false;
-  writeText(path, text);
+  add(path, text);
   return true;
+}
+
+void NewFiles::place() {
+  for (const File& file : files_) {
+    std::error_code failed;
+    fs::rename(file.temporary, file.path, failed);
+    if (failed) {
+      throw std::runtime_error("cannot write '" + file.path.string() + "': " + failed.message());
+    }
+  }
+  files_.clear();
+}
+
+void writeText(const fs::path& path, const std::string& text) {
+  NewFiles file;
+  file.add(path, text);
+  file.place();
 }
 
 std::string makeRule(const std::string& target, const std::vector<std::string>& files) {

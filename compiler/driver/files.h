@@ -11,11 +11,31 @@ namespace suture::compiler::driver {
 /// None if the file cannot be read.
 std::optional<std::string> readText(const std::filesystem::path& path);
 
-/// Through a temporary file beside it and a rename. Throws std::runtime_error naming the path.
-void writeText(const std::filesystem::path& path, const std::string& text);
+/// Files that appear together: each is written beside its place, and takes it when all are written.
+/// What was not placed is removed at the end.
+class NewFiles {
+ public:
+  NewFiles() = default;
+  NewFiles(const NewFiles&) = delete;
+  NewFiles& operator=(const NewFiles&) = delete;
+  ~NewFiles();
 
-/// False if the file had this text already and was left alone.
-bool writeIfChanged(const std::filesystem::path& path, const std::string& text);
+  /// Throws std::runtime_error naming the file that cannot be written.
+  void add(const std::filesystem::path& path, const std::string& text);
+  /// False if the file has this text already and is left alone.
+  bool addIfChanged(const std::filesystem::path& path, const std::string& text);
+  /// Throws std::runtime_error naming the file that cannot take its place.
+  void place();
+
+ private:
+  struct File {
+    std::filesystem::path temporary, path;
+  };
+  std::vector<File> files_;
+};
+
+/// One file, whatever it holds already: its date is of now.
+void writeText(const std::filesystem::path& path, const std::string& text);
 
 /// A Make rule: `target` depends on the files.
 std::string makeRule(const std::string& target, const std::vector<std::string>& files);

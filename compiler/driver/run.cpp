@@ -49,16 +49,23 @@ void checkDeclarations(const model::Model& model) {
   }
 }
 
-/// The first lock folder that has a header's lock wins.
+/// Where the lock of a header may be, best first. That of an installed header lies beside it.
+std::vector<fs::path> lockPlaces(const model::Header& header, const Options& options) {
+  std::vector<fs::path> places;
+  for (const std::string& directory : options.lockDirectories) {
+    places.push_back(fs::path(directory) / lock::lockPath(header.path));
+  }
+  if (!header.own) places.push_back(fs::path(header.file).replace_extension(".capnp"));
+  return places;
+}
+
 std::vector<model::Artefact> lockTexts(const model::Model& model, const Options& options,
                                        std::vector<std::string>& dependencies) {
   std::vector<model::Artefact> texts;
   for (const model::Header& header : model.headers) {
-    const std::string path = lock::lockPath(header.path);
-    for (const std::string& directory : options.lockDirectories) {
-      const fs::path file = fs::path(directory) / path;
+    for (const fs::path& file : lockPlaces(header, options)) {
       if (auto text = readText(file)) {
-        texts.push_back({path, std::move(*text)});
+        texts.push_back({lock::lockPath(header.path), std::move(*text)});
         dependencies.push_back(fs::absolute(file).lexically_normal().string());
         break;
       }
@@ -117,10 +124,12 @@ class Run {
                                "qualified C++ name or the path of a header");
     }
     if (!frontend_.report(update.diagnostics)) return false;
+    NewFiles files;
     for (const model::Artefact& file : update.files) {
       const fs::path path = fs::path(options_.lockDirectories.front()) / file.path;
-      if (writeIfChanged(path, file.text)) std::cout << "updated " << path.string() << "\n";
+      if (files.addIfChanged(path, file.text)) std::cout << "updated " << path.string() << "\n";
     }
+    files.place();
     return true;
   }
 
@@ -129,12 +138,14 @@ class Run {
     for (const model::Header& header : model().headers) {
       if (header.own) artefacts.push_back(wireSchema(header, locks));
     }
+    NewFiles files;
     for (const model::Artefact& artefact : artefacts) {
-      writeIfChanged(fs::path(options_.outputDirectory) / artefact.path, artefact.text);
+      files.addIfChanged(fs::path(options_.outputDirectory) / artefact.path, artefact.text);
     }
     if (!options_.depfile.empty()) {
-      writeIfChanged(options_.depfile, makeRule(options_.stamp, dependencies_));
+      files.addIfChanged(options_.depfile, makeRule(options_.stamp, dependencies_));
     }
+    files.place();
     if (!options_.stamp.empty()) writeText(options_.stamp, "");
     return true;
   }

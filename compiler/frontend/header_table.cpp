@@ -29,6 +29,7 @@ bool HeaderTable::addOwn(const std::string& header) {
   if (!file) return false;
   model::Header& entry = headers_[&file->getFileEntry()];
   entry.path = pathOf(*file);
+  entry.file = file->getName().str();
   entry.own = true;
   return true;
 }
@@ -40,7 +41,10 @@ model::Header& HeaderTable::of(const clang::Decl* declaration) {
       headers_.try_emplace(file ? &file->getFileEntry() : nullptr, model::Header{});
   if (added) {
     entry->second.own = false;
-    if (file) entry->second.path = pathOf(*file);
+    if (file) {
+      entry->second.path = pathOf(*file);
+      entry->second.file = file->getName().str();
+    }
   }
   return entry->second;
 }

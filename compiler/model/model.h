@@ -162,6 +162,7 @@ struct Component {
 /// Everything one header declares, in the order of its text.
 struct Header {
   std::string path;          ///< "arm/arm.h": as included, and the stem of every artefact
+  std::string file;          ///< where it was read, as clang opened it
   std::string cxxNamespace;  ///< enclosing namespace of its declarations: "robots::arm"
   bool own = true;  ///< false: another target's; read for its declarations, nothing is emitted
   std::vector<std::string> imports;  ///< paths of the annotated headers whose types it uses, sorted

@@ -10,26 +10,19 @@
 namespace robots {
 namespace {
 
-constexpr suture::Duration kStreamSilence = std::chrono::milliseconds(100);
-
 // How hard the simulated arm is to push. Of a joint; along and about the axes of the tip.
 constexpr double kJointDamping = 2.0;  // N.m.s/rad, N.s/m
 constexpr double kTipDamping = 50.0;   // N.s/m
 constexpr double kTwistDamping = 1.0;  // N.m.s/rad
 
-using Vector6 = Eigen::Matrix<double, 6, 1>;
+using kinematics::rotated;
+using kinematics::SpatialVector;
 
-Vector6 masked(const Eigen::Vector3d& linear, const Eigen::Vector3d& angular,
-               const std::array<bool, 6>& mask) {
-  Vector6 result;
+SpatialVector masked(const Eigen::Vector3d& linear, const Eigen::Vector3d& angular,
+                     const std::array<bool, 6>& mask) {
+  SpatialVector result;
   result << linear, angular;
   for (int i = 0; i < 6; ++i) result[i] *= mask[static_cast<std::size_t>(i)] ? 1 : 0;
-  return result;
-}
-
-Vector6 rotated(const Eigen::Matrix3d& rotation, const Vector6& vector) {
-  Vector6 result;
-  result << rotation * vector.head<3>(), rotation * vector.tail<3>();
   return result;
 }
 
@@ -45,14 +38,14 @@ void place(Jacobian& jacobian, const Matrix& matrix, suture::Time stamp) {
   jacobian.valid = true;
 }
 
-void place(Twist& twist, const Vector6& value, suture::Time stamp) {
+void place(Twist& twist, const SpatialVector& value, suture::Time stamp) {
   twist.linear = value.head<3>();
   twist.angular = value.tail<3>();
   twist.stamp = stamp;
   twist.valid = true;
 }
 
-void place(Wrench& wrench, const Vector6& value, suture::Time stamp) {
+void place(Wrench& wrench, const SpatialVector& value, suture::Time stamp) {
   wrench.force = value.head<3>();
   wrench.torque = value.tail<3>();
   wrench.stamp = stamp;
@@ -184,7 +177,9 @@ PoseStamped CrtkFace<N>::stepped(const PoseStamped& step) const {
 
 template <int N>
 void CrtkFace<N>::free() {
-  if (arm_.mayMove()) begin(Stream::Free, "free");
+  if (!arm_.mayMove()) return;
+  arm_.follow(arm_.setpoint_, {}, "free");
+  stream_.beFree("free");
 }
 
 template <int N>
@@ -203,21 +198,22 @@ void CrtkFace<N>::servo_jr(const JointGoal& step) {
 
 template <int N>
 void CrtkFace<N>::servo_jv(const JointVelocityGoal& goal) {
-  if (!arm_.mayMove()) return;
-  const auto rate = toJoints<N>(goal.goal);
-  if (!rate) return arm_.warn(ArmWarning::Malformed);
-  begin(Stream::Joints, "servo_jv");
-  rate_ = rate->cwiseMax(-arm_.model_.rate_limit).cwiseMin(arm_.model_.rate_limit);
+  drive(toJoints<N>(goal.goal), "servo_jv");
 }
 
 template <int N>
 void CrtkFace<N>::servo_jf(const JointEffortGoal& goal) {
-  if (!arm_.mayMove()) return;
   const auto effort = toJoints<N>(goal.effort);
-  if (!effort) return arm_.warn(ArmWarning::Malformed);
-  begin(Stream::Joints, "servo_jf");
-  rate_ =
-      (*effort / kJointDamping).cwiseMax(-arm_.model_.rate_limit).cwiseMin(arm_.model_.rate_limit);
+  drive(effort ? std::optional<Joints>(*effort / kJointDamping) : std::nullopt, "servo_jf");
+}
+
+template <int N>
+void CrtkFace<N>::drive(const std::optional<Joints>& rate, const char* activity) {
+  if (!arm_.mayMove()) return;
+  if (!rate) return arm_.warn(ArmWarning::Malformed);
+  const Joints& limit = arm_.model_.rate_limit;
+  arm_.follow(arm_.setpoint_, {}, activity);
+  stream_.follow(rate->cwiseMax(-limit).cwiseMin(limit), activity);
 }
 
 template <int N>
@@ -229,36 +225,36 @@ void CrtkFace<N>::servo_cr(const PoseStamped& step) {
 template <int N>
 void CrtkFace<N>::servo_cv(const TwistGoal& goal) {
   const Eigen::Quaterniond toReference(baseFrame_.pose.linear());
-  const Vector6 twist = masked(goal.linear, goal.angular, goal.mask);
-  drive(Stream::SpatialTwist, rotated(toReference.conjugate().toRotationMatrix(), twist),
+  const SpatialVector twist = masked(goal.linear, goal.angular, goal.mask);
+  drive(Stream::Kind::SpatialTwist, rotated(toReference.conjugate().toRotationMatrix(), twist),
         "servo_cv");
 }
 
 template <int N>
 void CrtkFace<N>::body_servo_cf(const WrenchGoal& goal) {
-  push(goal, Stream::BodyTwist);
+  push(goal, Stream::Kind::BodyTwist);
 }
 
 template <int N>
 void CrtkFace<N>::spatial_servo_cf(const WrenchGoal& goal) {
-  push(goal, Stream::SpatialTwist);
+  push(goal, Stream::Kind::SpatialTwist);
 }
 
 template <int N>
-void CrtkFace<N>::push(const WrenchGoal& goal, Stream stream) {
-  const Vector6 force = masked(goal.force, goal.torque, goal.mask);
-  Vector6 twist;
+void CrtkFace<N>::push(const WrenchGoal& goal, typename Stream::Kind kind) {
+  const SpatialVector force = masked(goal.force, goal.torque, goal.mask);
+  SpatialVector twist;
   twist << force.head<3>() / kTipDamping, force.tail<3>() / kTwistDamping;
-  drive(stream, twist, "servo_cf");
-  if (streaming()) force_ = force;
+  drive(kind, twist, "servo_cf", force);
 }
 
 template <int N>
-void CrtkFace<N>::drive(Stream stream, const Vector6& twist, const char* activity) {
+void CrtkFace<N>::drive(typename Stream::Kind kind, const SpatialVector& twist,
+                        const char* activity, const std::optional<SpatialVector>& force) {
   if (!arm_.mayMove()) return;
   if (!twist.allFinite()) return arm_.warn(ArmWarning::Malformed);
-  begin(stream, activity);
-  twist_ = twist;
+  arm_.follow(arm_.setpoint_, {}, activity);
+  stream_.follow(kind, twist, activity, force);
 }
 
 template <int N>
@@ -319,18 +315,9 @@ PoseStamped CrtkFace<N>::local_query_cp(const JointGoal& q) const {
 // --- streams
 
 template <int N>
-void CrtkFace<N>::begin(Stream stream, const char* activity) {
-  arm_.follow(arm_.setpoint_, {}, activity);
-  stream_ = stream;
-  activity_ = activity;
-  force_.reset();
-  commanded_ = true;
-}
-
-template <int N>
 bool CrtkFace<N>::streaming() const {
-  return stream_ != Stream::None && arm_.state_.state == ArmState::Enabled &&
-         arm_.state_.sub_state == activity_;
+  return stream_.isActive() && arm_.state_.state == ArmState::Enabled &&
+         arm_.state_.sub_state == stream_.activity();
 }
 
 template <int N>
@@ -339,36 +326,11 @@ void CrtkFace<N>::advance(suture::Time now) {
   const double dt =
       lastCycle_ == suture::Time{} ? 0 : std::chrono::duration<double>(now - lastCycle_).count();
   lastCycle_ = now;
-  if (commanded_) lastCommand_ = now;
-  commanded_ = false;
-  if (!streaming()) {
-    stream_ = Stream::None;
-    force_.reset();
-    return;
-  }
-  if (stream_ == Stream::Free) {
-    arm_.setpoint_ = arm_.dynamics_.measured();
-  } else if (now - lastCommand_ > kStreamSilence) {
-    arm_.hold();
-  } else if (stream_ == Stream::Joints) {
-    arm_.setpoint_ = arm_.model_.chain.clamp(arm_.setpoint_ + dt * rate_);
-  } else {
-    stepTwist(dt);
-  }
-}
-
-template <int N>
-void CrtkFace<N>::stepTwist(double dt) {
-  Eigen::Isometry3d pose = arm_.model_.chain.forward(arm_.setpoint_);
-  const Vector6 twist = stream_ == Stream::BodyTwist ? rotated(pose.linear(), twist_) : twist_;
-  const Eigen::Vector3d angle = dt * twist.template tail<3>();
-  pose.translation() += dt * twist.template head<3>();
-  if (angle.norm() > 0) {
-    pose.linear() = Eigen::AngleAxisd(angle.norm(), angle.normalized()) * pose.linear();
-  }
-  const auto solution = kinematics::inverse(arm_.model_.chain, pose, arm_.setpoint_);
-  if (!solution.found) return arm_.warn(ArmWarning::OutOfReach);
-  arm_.setpoint_ = solution.q;
+  if (!streaming()) stream_.end();
+  if (stream_.hasFallenSilent(now)) return arm_.hold();
+  const auto next = stream_.next(arm_.model_.chain, arm_.setpoint_, arm_.dynamics_.measured(), dt);
+  if (!next) return arm_.warn(ArmWarning::OutOfReach);
+  arm_.setpoint_ = *next;
 }
 
 // --- reads and events
@@ -390,22 +352,17 @@ void CrtkFace<N>::publishMotion(suture::Time now) {
       tip.transpose() * spatial.template bottomRows<3>();
   place(spatialJacobian_, spatial, now);
   place(bodyJacobian_, body, now);
-  const Vector6 velocity = spatial * arm_.dynamics_.velocity();
+  const SpatialVector velocity = spatial * arm_.dynamics_.velocity();
+  const SpatialVector asked = streaming() ? stream_.twist(spatial, tip) : SpatialVector::Zero();
   place(measuredCv_, rotated(toReference, velocity), now);
-  Vector6 wanted = Vector6::Zero();
-  if (streaming() && stream_ == Stream::Joints) wanted = spatial * rate_;
-  if (streaming() && stream_ == Stream::SpatialTwist) wanted = twist_;
-  if (streaming() && stream_ == Stream::BodyTwist) wanted = rotated(tip, twist_);
-  place(setpointCv_, rotated(toReference, wanted), now);
+  place(setpointCv_, rotated(toReference, asked), now);
 }
 
 template <int N>
 void CrtkFace<N>::publishForce(suture::Time now) {
   const Eigen::Matrix3d tip = arm_.measured_cp().pose.linear();
-  const Vector6 force = force_.value_or(Vector6::Zero());
-  const bool isBody = stream_ == Stream::BodyTwist;
-  place(bodyCf_, isBody ? force : rotated(tip.transpose(), force), now);
-  place(spatialCf_, isBody ? rotated(tip, force) : force, now);
+  place(bodyCf_, stream_.bodyForce(tip), now);
+  place(spatialCf_, stream_.spatialForce(tip), now);
   const Eigen::Matrix3d toReference = baseFrame_.pose.linear();
   measuredCs_.position = measured_cp().pose;
   measuredCs_.linear_velocity = measuredCv_.linear;

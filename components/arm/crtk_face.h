@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "arm/crtk_arm.h"
+#include "arm/motion_stream.h"
 #include "arm/period_statistics.h"
 #include "arm/simulated_arm.h"
 
@@ -106,8 +107,8 @@ class CrtkFace final : public CrtkArm {
   }
 
  private:
-  enum class Stream { None, Joints, BodyTwist, SpatialTwist, Free };
-  using Vector6 = Eigen::Matrix<double, 6, 1>;
+  using Stream = MotionStream<N>;
+  using SpatialVector = kinematics::SpatialVector;
 
   static std::string_view textOf(ArmWarning warning);
   const Message& compose(std::string_view text);
@@ -116,11 +117,11 @@ class CrtkFace final : public CrtkArm {
   PoseStamped stepped(const PoseStamped& step) const;
   void moveTo(const PoseStamped& goal);
   void setRatios(double velocity, double acceleration);
-  void begin(Stream stream, const char* activity);
   bool streaming() const;
-  void drive(Stream stream, const Vector6& twist, const char* activity);
-  void push(const WrenchGoal& goal, Stream stream);
-  void stepTwist(double dt);
+  void drive(const std::optional<Joints>& rate, const char* activity);
+  void drive(typename Stream::Kind kind, const SpatialVector& twist, const char* activity,
+             const std::optional<SpatialVector>& force = {});
+  void push(const WrenchGoal& goal, typename Stream::Kind kind);
   void publishMotion(suture::Time now);
   void publishForce(suture::Time now);
   void publishGoal(suture::Time now);
@@ -131,13 +132,8 @@ class CrtkFace final : public CrtkArm {
   double ratioV_ = 1, ratioA_ = 1;
   bool gravityCompensation_ = false;
 
-  Stream stream_ = Stream::None;
-  std::string_view activity_;  // of the stream; another activity of the arm has ended it
-  Joints rate_ = Joints::Zero();
-  Vector6 twist_ = Vector6::Zero();
-  std::optional<Vector6> force_;              // that a stream applies, in its own directions
-  bool commanded_ = false;                    // by a command of the stream since the last cycle
-  suture::Time lastCommand_{}, lastCycle_{};  // the cycle that it came in
+  Stream stream_;  // another activity of the arm ends it
+  suture::Time lastCycle_{};
 
   JointGoal moveGoal_;  // keeps its memory
   JointConfiguration configuration_;

@@ -32,6 +32,8 @@ class ChannelList {
     }
   }
 
+  bool empty() const { return head_.load(std::memory_order_acquire) == nullptr; }
+
   /// Owner: lets go of closed channels.
   void sweep();
 

@@ -44,7 +44,7 @@ class Component {
   void park(std::string reason);
 
   /// What a sleeping owner of this component waits on.
-  rt::Doorbell& doorbell() { return doorbell_; }
+  rt::Doorbell& doorbell() { return lender_ == nullptr ? doorbell_ : lender_->doorbell(); }
   /// From the component's own thread: rings `bell` once at the end of the cycle; from a device, at
   /// once.
   void ringLater(rt::Doorbell& bell);
@@ -60,6 +60,8 @@ class Component {
   Component() = default;
 
   void claimForThisThread();
+  /// This component's work is done by the thread of `lender`, which must be woken for it.
+  void borrowThread(Component& lender) { lender_ = &lender; }
   void releaseThread() { owner_.store(nullptr, std::memory_order_release); }
   void setState(ComponentState state) { state_.store(state, std::memory_order_release); }
 
@@ -78,6 +80,7 @@ class Component {
   std::vector<ProvidedBase*> provided_;
   std::vector<RequiredBase*> required_;
   rt::Doorbell doorbell_;
+  Component* lender_ = nullptr;
   std::vector<rt::Doorbell*> toRing_;
   std::atomic<const void*> owner_{nullptr};
 };

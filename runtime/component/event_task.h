@@ -1,6 +1,6 @@
 #pragma once
 
-#include <suture/component/task.h>
+#include <suture/component/thread_task.h>
 
 namespace suture {
 
@@ -11,10 +11,10 @@ struct EventOptions {
 };
 
 /// Sleeps until a command or an event arrives, then runs one cycle.
-class EventTask : public Task {
+class EventTask : public ThreadTask {
  public:
   explicit EventTask(const EventOptions& options = {})
-      : Task(options.scheduling), longestSleep_(options.longestSleep) {}
+      : ThreadTask(options.scheduling), longestSleep_(options.longestSleep) {}
 
  private:
   bool awaitCycle() final;

@@ -6,7 +6,7 @@
 namespace suture {
 
 PeriodicTask::PeriodicTask(const PeriodicOptions& options)
-    : Task(options.scheduling), period_(options.period) {
+    : ThreadTask(options.scheduling), period_(options.period) {
   if (options.period <= Duration{0}) {
     throw SetupError("a periodic task",
                      "a period of " + std::to_string(options.period.count()) + " ns",

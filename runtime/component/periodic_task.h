@@ -1,6 +1,6 @@
 #pragma once
 
-#include <suture/component/task.h>
+#include <suture/component/thread_task.h>
 #include <suture/rt/period.h>
 
 namespace suture {
@@ -12,7 +12,7 @@ struct PeriodicOptions {
 
 /// Runs a cycle at absolute due times, one period apart. A due time that passes while a cycle runs
 /// is skipped and counted: executed + skipped = elapsed / period, within one.
-class PeriodicTask : public Task {
+class PeriodicTask : public ThreadTask {
  public:
   /// Throws SetupError if the period is not positive.
   explicit PeriodicTask(const PeriodicOptions& options);

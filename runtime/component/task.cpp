@@ -1,68 +1,54 @@
 #include <suture/base/errors.h>
+#include <suture/component/guest_task.h>
 #include <suture/component/provided.h>
 #include <suture/component/required.h>
 #include <suture/component/task.h>
 
 #include <algorithm>
-#include <future>
+#include <exception>
 
 namespace suture {
 
-Task::~Task() {
-  // Too late to stop: run() is gone with the derived class. Whoever started the task stops it
-  // before.
-  if (thread_.joinable()) std::terminate();
+void Task::lend(GuestTask& guest) {
+  guest.accept(*this);
+  guests_.push_back(&guest);
 }
 
-void Task::start() {
-  if (thread_.joinable()) return;
-  stopping_ = false;
-  std::promise<void> configured;
-  auto outcome = configured.get_future();
-  thread_ = std::thread([this, &configured] {
-    try {
-      rt::configureThisThread(name(), scheduling_);
-    } catch (...) {
-      configured.set_exception(std::current_exception());
-      return;
-    }
-    claimForThisThread();
-    setState(ComponentState::Running);
-    configured.set_value();
-    loop();
-  });
-  try {
-    outcome.get();
-  } catch (...) {
-    thread_.join();
-    throw;
-  }
+bool Task::isConnected() const {
+  return std::any_of(provided().begin(), provided().end(),
+                     [](const ProvidedBase* one) { return !one->channels().empty(); }) ||
+         std::any_of(required().begin(), required().end(),
+                     [](const RequiredBase* one) { return one->pending(); }) ||
+         std::any_of(guests_.begin(), guests_.end(),
+                     [](const GuestTask* guest) { return guest->isConnected(); });
 }
 
-void Task::stop() {
-  if (!thread_.joinable()) return;
-  stopping_ = true;
-  stopBell_.ring();
-  doorbell().ring();
-  thread_.join();
-  for (ProvidedBase* interface : provided()) interface->announce(ChannelStatus::Lost);
-  if (state() == ComponentState::Running) setState(ComponentState::Stopped);
-  releaseThread();
+void Task::claimThread() {
+  claimForThisThread();
+  for (GuestTask* guest : guests_) guest->claimThread();
 }
 
-void Task::loop() {
-  try {
-    beginCycles();
-    while (awaitCycle()) cycle();
-  } catch (const std::exception& error) {
-    park(error.what());
-  } catch (...) {
-    park("an exception that is not a std::exception");
-  }
-  if (state() == ComponentState::Faulted) waitParked();
+void Task::enter() {
+  claimForThisThread();
+  setState(ComponentState::Running);
+  for (GuestTask* guest : guests_) guest->enter();
 }
 
 void Task::cycle() {
+  if (state() != ComponentState::Faulted) {
+    try {
+      cycleAlone();
+    } catch (const std::exception& error) {
+      park(error.what());
+    } catch (...) {
+      park("an exception that is not a std::exception");
+    }
+    ringNow();
+  }
+  for (GuestTask* guest : guests_) guest->cycle();
+}
+
+void Task::cycleAlone() {
   const Time begin = now();
   handleEvents();
   for (ProvidedBase* interface : provided()) interface->drain();
@@ -74,15 +60,26 @@ void Task::cycle() {
                            std::memory_order_relaxed);
 }
 
-void Task::waitParked() {
-  ringNow();
-  while (!stopping()) stopBell_.waitUntil(now() + std::chrono::seconds(1));
+void Task::leave() {
+  for (GuestTask* guest : guests_) guest->leave();
+  for (ProvidedBase* interface : provided()) interface->announce(ChannelStatus::Lost);
+  if (state() == ComponentState::Running) setState(ComponentState::Stopped);
+  releaseThread();
 }
 
 bool Task::workPending() const {
-  const auto pending = [](const auto* interface) { return interface->pending(); };
-  return std::any_of(provided().begin(), provided().end(), pending) ||
-         std::any_of(required().begin(), required().end(), pending);
+  const auto pending = [](const auto* one) { return one->pending(); };
+  const bool own = state() != ComponentState::Faulted &&
+                   (std::any_of(provided().begin(), provided().end(), pending) ||
+                    std::any_of(required().begin(), required().end(), pending));
+  return own || std::any_of(guests_.begin(), guests_.end(),
+                            [](const GuestTask* guest) { return guest->workPending(); });
+}
+
+bool Task::allParked() const {
+  return state() == ComponentState::Faulted &&
+         std::all_of(guests_.begin(), guests_.end(),
+                     [](const GuestTask* guest) { return guest->allParked(); });
 }
 
 }  // namespace suture

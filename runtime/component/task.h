@@ -3,68 +3,74 @@
 
 #include <suture/component/component.h>
 #include <suture/rt/histogram.h>
-#include <suture/rt/thread.h>
 
 #include <atomic>
 #include <cstdint>
-#include <exception>
-#include <thread>
+#include <vector>
 
 namespace suture {
+
+class GuestTask;
 
 /// Measurements of a task's loop. Written by its thread, readable by any.
 struct TaskStatistics {
   std::atomic<std::uint64_t> cycles{0};
-  std::atomic<std::uint64_t> skipped{0};  ///< periods that passed without a cycle
+  std::atomic<std::uint64_t> skipped{0};  ///< periods or callbacks that passed without a cycle
   rt::Histogram lateness;                 ///< wake-up time minus due time
-  rt::Histogram computeTime;              ///< length of a cycle
+  rt::Histogram computeTime;              ///< length of a cycle, without those of guests
 };
 
-/// Owns a thread. Each cycle: take over new connections, run event handlers, execute waiting
-/// commands, run(), publish the reads that somebody asked for, ring those who sleep. In steady
-/// state a cycle neither allocates nor locks nor touches the network. A handler that throws parks
-/// this component and nothing else.
+/// Works in cycles, one at a time. Each cycle: take over new connections, run event handlers,
+/// execute waiting commands, run(), publish the reads that somebody asked for, ring those who
+/// sleep; then the guests have theirs. In steady state a cycle neither allocates nor locks nor
+/// touches the network. A handler that throws parks this component and nothing else.
 class Task : public Component {
  public:
-  ~Task() override;
-
   bool ownsThread() const final { return true; }
 
-  /// The manager's: starts the thread. Errors of scheduling are thrown here, in the caller's
-  /// thread.
-  void start();
-  /// The manager's: ends the thread after the cycle under way. The derived class must still exist.
-  void stop();
+  /// The manager's: cycles run from now on. Throws SetupError if they cannot.
+  virtual void start() = 0;
+  /// The manager's: returns after the cycle under way; no other follows. The derived class must
+  /// still exist.
+  virtual void stop() = 0;
+
+  /// Before start(), and before `guest` is connected: from now on a cycle of `guest` follows each
+  /// of this task's, in the same thread; several guests run in the order in which they were lent
+  /// to. Throws SetupError. The guest outlives the last cycle.
+  void lend(GuestTask& guest);
 
   const TaskStatistics& statistics() const { return statistics_; }
 
  protected:
-  explicit Task(const rt::Scheduling& scheduling) : scheduling_(scheduling) {}
+  Task() = default;
 
   /// The component's own work of one cycle.
   virtual void run() = 0;
 
-  /// Waits for the next cycle; false when the task is to end. Written by the kinds of task.
-  virtual bool awaitCycle() = 0;
-  /// Called once in the thread before the first awaitCycle().
-  virtual void beginCycles() {}
+  // --- for the kinds of task ---
 
-  bool stopping() const { return stopping_.load(std::memory_order_acquire); }
-  /// Rung by stop() only.
-  rt::Doorbell& stopBell() { return stopBell_; }
-  /// True if commands, events or connections wait to be handled.
+  /// Before the first cycle: it and its guests run from here on, in the calling thread.
+  void enter();
+  /// The next cycle is the calling thread's, for guests too.
+  void claimThread();
+  /// One cycle, and one of each guest.
+  void cycle();
+  /// After the last cycle: clients of this task and its guests are told that they are lost.
+  void leave();
+
+  /// True if commands, events or connections wait to be handled, here or by a guest.
   bool workPending() const;
+  /// True if nothing here can run any more, since what should threw.
+  bool allParked() const;
   TaskStatistics& mutableStatistics() { return statistics_; }
 
  private:
-  void loop();
-  void cycle();
-  void waitParked();
+  friend class GuestTask;
 
-  rt::Scheduling scheduling_;
-  std::thread thread_;
-  std::atomic<bool> stopping_{false};
-  rt::Doorbell stopBell_;
+  void cycleAlone();
+  bool isConnected() const;
+
+  std::vector<GuestTask*> guests_;
   TaskStatistics statistics_;
 };
 

@@ -4,7 +4,7 @@
 
 namespace suture {
 
-DeviceExecutor::DeviceExecutor() : Task(rt::Scheduling{}) { start(); }
+DeviceExecutor::DeviceExecutor() : ThreadTask(rt::Scheduling{}) { start(); }
 
 DeviceExecutor::~DeviceExecutor() { stop(); }
 

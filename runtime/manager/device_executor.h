@@ -2,7 +2,7 @@
 // The thread that serves remote clients of devices, which have none of their own.
 
 #include <suture/component/provided.h>
-#include <suture/component/task.h>
+#include <suture/component/thread_task.h>
 
 #include <memory>
 #include <mutex>
@@ -12,7 +12,7 @@ namespace suture {
 
 /// Executes the commands of remote clients as they arrive, and evaluates the reads they asked for
 /// at the period the device declares. Exists only in a process whose devices have remote clients.
-class DeviceExecutor final : public Task {
+class DeviceExecutor final : public ThreadTask {
  public:
   DeviceExecutor();
   ~DeviceExecutor() override;

@@ -41,4 +41,13 @@ Duration Histogram::quantile(double quantile) const {
   return Duration{0};
 }
 
+double Histogram::shareUpTo(Duration limit) const {
+  if (count() == 0 || limit < Duration{0}) return 0;
+  std::uint64_t seen = 0;
+  for (unsigned i = 0; i <= bucketOf(static_cast<std::uint64_t>(limit.count())); ++i) {
+    seen += buckets_[i].load(std::memory_order_relaxed);
+  }
+  return static_cast<double>(seen) / static_cast<double>(count());
+}
+
 }  // namespace suture::rt

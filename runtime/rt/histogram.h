@@ -20,6 +20,9 @@ class Histogram {
   /// Upper edge of the bucket below which the share `quantile` (0..1) lies; 0 if nothing was
   /// recorded.
   Duration quantile(double quantile) const;
+  /// The share (0..1) of what was recorded that is at most `limit`, counting the bucket of `limit`
+  /// in; 0 if nothing was recorded.
+  double shareUpTo(Duration limit) const;
 
  private:
   static constexpr unsigned kSubBits = 4;  // 16 buckets for each doubling

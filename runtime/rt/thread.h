@@ -26,7 +26,8 @@ inline constexpr Duration kServiceSlice = std::chrono::milliseconds(1);
 /// policy. Linux before 6.12 does not know such a wish; then nothing changes.
 void askForSlice(Duration slice);
 
-/// Applies the name (at most 15 characters are kept) and the scheduling to the calling thread.
+/// Applies the name (at most 15 characters are kept) and the scheduling to the calling thread, and
+/// has its timed sleeps end when they are due.
 /// Throws SetupError if the kernel refuses, e.g. without the right to real-time priorities.
 void configureThisThread(const std::string& name, const Scheduling& scheduling);
 

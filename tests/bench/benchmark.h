@@ -24,5 +24,7 @@ class Benchmark {
 std::unique_ptr<Benchmark> makeTable2();
 /// suturec itself and the code that it writes.
 std::unique_ptr<Benchmark> makeCompiler();
+/// What carries the traffic within one process.
+std::unique_ptr<Benchmark> makeLocal();
 
 }  // namespace bench

@@ -67,9 +67,10 @@ int main(int argc, char** argv) try {
 
   int status = 0;
   const auto table2 = bench::makeTable2();
+  const auto local = bench::makeLocal();
   const auto compiler = bench::makeCompiler();
   CommonOptions options;
-  for (Benchmark* benchmark : {table2.get(), compiler.get()}) {
+  for (Benchmark* benchmark : {table2.get(), local.get(), compiler.get()}) {
     CLI::App* subcommand = program.add_subcommand(benchmark->name(), benchmark->description());
     subcommand->add_option("--json", options.jsonFile, "writes every figure to this file");
     subcommand->add_flag("--check", options.check,

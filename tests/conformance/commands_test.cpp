@@ -59,7 +59,7 @@ TEST_P(Commands, AReadIsNotYetThereAndThenIs) {
         remote.measured_cp();  // asking wakes a sleeping provider, which may be quick
     EXPECT_TRUE(first || first.error() == Errc::NotYet);
   });
-  EXPECT_TRUE(eventually([&] {
+  EXPECT_TRUE(suture::eventually([&] {
     bool there = false;
     client->with([&](Arm& remote) {
       const auto pose = remote.measured_cp();
@@ -76,7 +76,7 @@ TEST_P(Commands, AReadIsNotYetThereAndThenIs) {
 TEST_P(Commands, AReadFollowsTheProvider) {
   for (int x = 1; x <= 20; ++x) {
     client->with([&](Arm& remote) { EXPECT_TRUE(remote.servo_cp.start(poseAt(x)).within(5s)); });
-    EXPECT_TRUE(eventually([&] {
+    EXPECT_TRUE(suture::eventually([&] {
       double seen = 0;
       client->with([&](Arm& remote) {
         PoseStamped pose;
@@ -113,7 +113,7 @@ TEST_P(Commands, AFreshReadIsStampedWhereItIsEvaluated) {
 TEST_P(Commands, AReadThatDoesNotFitIsToldSo) {
   if (runsInCallersThread()) return;  // gives its value by reference, whatever its size
   arm->emitSoon([this](Ports) { arm->outgrow(); });
-  EXPECT_TRUE(eventually([&] {
+  EXPECT_TRUE(suture::eventually([&] {
     suture::Errc error{};
     client->with([&](Arm& remote) {
       JointState joints;
@@ -159,8 +159,8 @@ TEST_P(Commands, TheLaneIsWhatItSaysAndBytesCrossIt) {
   if (local) {
     EXPECT_EQ(channel()->bytesSent, 0u);
   } else {
-    EXPECT_TRUE(
-        eventually([&] { return channel()->bytesSent > 100 && channel()->bytesReceived > 50; }));
+    EXPECT_TRUE(suture::eventually(
+        [&] { return channel()->bytesSent > 100 && channel()->bytesReceived > 50; }));
   }
 }
 

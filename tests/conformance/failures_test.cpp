@@ -16,10 +16,10 @@ TEST_P(Failures, AHandlerThatThrowsParksItsComponentOnly) {
     ASSERT_FALSE(answer);
     EXPECT_EQ(answer.error(), Errc::Faulted);
   });
-  EXPECT_TRUE(
-      eventually([&] { return arm->component().state() == suture::ComponentState::Faulted; }));
+  EXPECT_TRUE(suture::eventually(
+      [&] { return arm->component().state() == suture::ComponentState::Faulted; }));
   EXPECT_EQ(arm->component().fault(), "the drive did not answer");
-  EXPECT_TRUE(eventually([&] {
+  EXPECT_TRUE(suture::eventually([&] {
     Errc error{};
     client->with([&](Arm& remote) {
       const auto held = remote.hold();
@@ -45,7 +45,7 @@ TEST_P(Failures, AnotherThreadIsTurnedAway) {
 TEST_P(Failures, AProviderThatEndsIsLost) {
   if (runsInCallersThread()) return;  // a local device has no life of its own
   stopProvider();
-  EXPECT_TRUE(eventually([&] {
+  EXPECT_TRUE(suture::eventually([&] {
     Errc error{};
     client->with([&](Arm& remote) {
       const auto held = remote.hold();

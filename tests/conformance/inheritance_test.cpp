@@ -37,7 +37,7 @@ TEST_P(Inheritance, TheBasesEventsArriveThroughTheBase) {
 
 TEST_P(Inheritance, ReadsArePushedThroughTheBase) {
   client->with([&](Arm& remote) { EXPECT_TRUE(remote.servo_cp.start(poseAt(8)).within(5s)); });
-  EXPECT_TRUE(eventually([&] {
+  EXPECT_TRUE(suture::eventually([&] {
     double seen = 0;
     client->with([&](Arm& remote) {
       if (const auto pose = remote.measured_cp()) seen = pose->pose.translation().x();

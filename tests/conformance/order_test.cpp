@@ -47,7 +47,7 @@ TEST_P(Order, OfManyServosTheNewestRuns) {
   whileStalled([](Arm& remote) {
     for (int x = 1; x <= 100; ++x) EXPECT_TRUE(remote.servo_cp(poseAt(x)));
   });
-  EXPECT_TRUE(eventually([&] { return arm->lastTaken() == "servo_cp 100"; }));
+  EXPECT_TRUE(suture::eventually([&] { return arm->lastTaken() == "servo_cp 100"; }));
   if (std::get<0>(GetParam()) == LaneUnderTest::Local) {
     EXPECT_EQ(arm->taken().size(), 2u);  // while it was stalled, each replaced the one before
   }
@@ -70,7 +70,7 @@ TEST_P(Order, FullIsToldToTheCaller) {
     EXPECT_EQ(remote.hold().error(), Errc::Full);
   });
   EXPECT_TRUE(eventuallyTaken({"disable", "hold", "hold", "hold", "hold"}));
-  EXPECT_TRUE(eventually([&] {  // the credits are back
+  EXPECT_TRUE(suture::eventually([&] {  // the credits are back
     bool accepted = false;
     client->with([&](Arm& remote) { accepted = remote.hold().has_value(); });
     return accepted;

@@ -10,6 +10,7 @@
 
 #include "conformance/arm.h"
 #include "conformance/client.h"
+#include "support/eventually.h"
 
 namespace conformance {
 
@@ -35,18 +36,8 @@ class Conformance : public testing::TestWithParam<Combination> {
   bool runsInCallersThread() const {
     return providerIsDevice() && std::get<0>(GetParam()) == LaneUnderTest::Local;
   }
-  /// Until `condition` holds, at most 10 s.
-  template <class Condition>
-  static bool eventually(const Condition& condition) {
-    const auto deadline = suture::now() + std::chrono::seconds(10);
-    while (!condition()) {
-      if (suture::now() >= deadline) return false;
-      std::this_thread::sleep_for(std::chrono::microseconds(200));
-    }
-    return true;
-  }
   bool eventuallyTaken(const std::vector<std::string>& lines) {
-    return eventually([&] { return arm->taken() == lines; });
+    return suture::eventually([&] { return arm->taken() == lines; });
   }
   /// The connection as the client's process sees it.
   std::shared_ptr<suture::Channel> channel() const { return clientManager_->channels().at(0); }

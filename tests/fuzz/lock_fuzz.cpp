@@ -1,22 +1,15 @@
 // The reader of locks on any bytes: one diagnostic or one lock, which differs from itself in
 // nothing, and that reads as it was written.
 
-#include <cstdlib>
 #include <string>
 
 #include "compiler/lock/differences.h"
 #include "compiler/lock/lock.h"
 #include "compiler/lock/writer.h"
-
-namespace {
+#include "tests/fuzz/require.h"
 
 using namespace suture::compiler;
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
-
-}  // namespace
+using suture::fuzz::require;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);

@@ -2,6 +2,8 @@
 // What suturec writes for each contract so that it can travel over Cap'n Proto RPC. Everything here
 // belongs to the control thread.
 
+#include <suture/transport/rpc/kj_comparisons.h>  // first
+
 #include <capnp/capability.h>
 #include <suture/component/channel.h>
 #include <suture/rt/mailbox.h>

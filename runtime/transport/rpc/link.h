@@ -1,6 +1,8 @@
 #pragma once
 // One connection between two processes, speaking Cap'n Proto RPC.
 
+#include <suture/transport/rpc/kj_comparisons.h>  // first
+
 #include <capnp/rpc-twoparty.h>
 #include <suture/transport/rpc/message_stream.h>
 

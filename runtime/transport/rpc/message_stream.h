@@ -1,6 +1,8 @@
 #pragma once
 // The only byte stream Cap'n Proto sees in this runtime: buffered in both directions and guarded.
 
+#include <suture/transport/rpc/kj_comparisons.h>  // first
+
 #include <capnp/serialize-async.h>
 #include <kj/async-unix.h>
 #include <kj/vector.h>

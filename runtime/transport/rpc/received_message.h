@@ -1,6 +1,8 @@
 #pragma once
 // A message that has arrived whole: owns its bytes.
 
+#include <suture/transport/rpc/kj_comparisons.h>  // first
+
 #include <capnp/message.h>
 #include <suture/transport/rpc/frame_header.h>
 

@@ -1,6 +1,8 @@
 #pragma once
 // The provider's side of an rpc connection: the client endpoint of a channel, fed by remote calls.
 
+#include <suture/transport/rpc/kj_comparisons.h>  // first
+
 #include <kj/async.h>
 #include <kj/function.h>
 #include <kj/refcount.h>

@@ -6,6 +6,8 @@
 //   fromWire(reader, slot)    message -> slot; Errc::TooLarge or Errc::Invalid if it is not what
 //   the header says isValid(slot)             may the provider act on it: every number is finite
 
+#include <suture/transport/rpc/kj_comparisons.h>  // first
+
 #include <capnp/blob.h>
 #include <suture/base/errors.h>
 #include <suture/base/slots.h>

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "bench/table2/sample_pose.h"
-#include "bench/table2/timed_loops.h"
+#include "bench/timed_loops.h"
 #include "robot_types/pose.capnp.h"
 #include "robot_types/pose.suture.h"
 

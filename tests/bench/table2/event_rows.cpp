@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "bench/progress.h"
 #include "bench/table.h"
 #include "bench/table2/measure.h"
 #include "bench/table2/ping_pong.h"
-#include "bench/table2/progress.h"
 
 namespace bench {
 namespace {

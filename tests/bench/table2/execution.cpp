@@ -6,7 +6,7 @@
 #include "bench/loop.suture.h"
 #include "bench/table2/codec.h"
 #include "bench/table2/sample_pose.h"
-#include "bench/table2/timed_loops.h"
+#include "bench/timed_loops.h"
 
 namespace bench {
 namespace {

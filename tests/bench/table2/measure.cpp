@@ -9,9 +9,9 @@
 #include <filesystem>
 #include <future>
 
+#include "bench/placement.h"
 #include "bench/table2/child_process.h"
 #include "bench/table2/client.h"
-#include "bench/table2/placement.h"
 #include "bench/table2/server.h"
 #include "bench/table2/server_process.h"
 

@@ -1,6 +1,6 @@
 #include "bench/table2/options.h"
 
-#include "bench/table2/placement.h"
+#include "bench/placement.h"
 
 namespace bench {
 

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "bench/placement.h"
+#include "bench/progress.h"
 #include "bench/table.h"
 #include "bench/table2/measure.h"
 #include "bench/table2/paper.h"
-#include "bench/table2/placement.h"
-#include "bench/table2/progress.h"
 
 namespace bench {
 namespace {

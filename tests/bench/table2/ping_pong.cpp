@@ -11,7 +11,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "bench/table2/placement.h"
+#include "bench/placement.h"
 
 namespace bench {
 namespace {

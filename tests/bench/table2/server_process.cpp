@@ -7,7 +7,7 @@
 #include <cstring>
 #include <memory>
 
-#include "bench/table2/placement.h"
+#include "bench/placement.h"
 #include "bench/table2/server.h"
 
 namespace bench {

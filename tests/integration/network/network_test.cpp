@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "integration/network/arm.h"
+#include "support/eventually.h"
 #include "unit/rpc/temporary_directory.h"
 
 namespace suture {
@@ -99,13 +100,6 @@ PoseStamped poseAt(double x) {
   pose.stamp = now();
   pose.valid = true;
   return pose;
-}
-
-template <class Condition>
-bool eventually(const Condition& condition) {
-  const auto deadline = now() + 20s;
-  while (!condition() && now() < deadline) std::this_thread::sleep_for(1ms);
-  return condition();
 }
 
 template <class Work>

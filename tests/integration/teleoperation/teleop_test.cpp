@@ -9,7 +9,7 @@ namespace robots::test {
 namespace {
 
 bool reaches(Workstation& station, TeleopState state) {
-  return eventually([&] { return ask(station.client.teleop.teleop_state) == state; });
+  return suture::eventually([&] { return ask(station.client.teleop.teleop_state) == state; });
 }
 
 ArmState slaveState(Workstation& station) {
@@ -25,7 +25,7 @@ TEST(Teleop, PreparesBothArmsAndFollows) {
   EXPECT_EQ(anchors.scale, 0.4);
   EXPECT_TRUE(ask(station.client.slave.operating_state).is_homed);
   EXPECT_TRUE(ask(station.client.master.operating_state).is_homed);
-  EXPECT_TRUE(eventually([&] {
+  EXPECT_TRUE(suture::eventually([&] {
     const PoseStamped tip = ask(station.client.slave.measured_cp);
     return (tip.pose.translation() - anchors.slave_setpoint.translation()).norm() > 0.02;
   })) << "the surgeon moves the master; the slave does not follow";

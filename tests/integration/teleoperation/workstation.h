@@ -13,6 +13,7 @@
 #include "arm/arm.suture.h"
 #include "arm/mtm.h"
 #include "arm/psm.h"
+#include "support/eventually.h"
 #include "surgeon/surgeon.h"
 #include "teleop/teleop.h"
 #include "teleop/teleoperation.suture.h"
@@ -51,17 +52,6 @@ struct Workstation {
   suture::Manager manager{"workstation"};
 };
 
-/// True once `condition` is; false if it is not within ten seconds.
-template <class Condition>
-bool eventually(const Condition& condition) {
-  const suture::Time deadline = suture::now() + std::chrono::seconds(10);
-  while (!condition()) {
-    if (suture::now() > deadline) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return true;
-}
-
 /// What the provider answers now; a read's default value and a failed test if it does not.
 template <class Read>
 auto ask(Read& read) {
@@ -74,7 +64,7 @@ auto ask(Read& read) {
 /// True once `task` has run `count` more cycles.
 inline bool cyclesPass(const suture::Task& task, std::uint64_t count) {
   const std::uint64_t until = task.statistics().cycles.load() + count;
-  return eventually([&] { return task.statistics().cycles.load() >= until; });
+  return suture::eventually([&] { return task.statistics().cycles.load() >= until; });
 }
 
 }  // namespace robots::test

@@ -9,6 +9,7 @@
 
 #include "reference/arm_like.suture.h"
 #include "reference/simulated_arm.h"
+#include "support/eventually.h"
 
 namespace suture {
 namespace {
@@ -53,13 +54,6 @@ class CountingArm final : public Kind, public ArmLike {
 struct Client final : Device {
   Required<ArmLike> arm{*this, "Arm"};
 };
-
-template <class Condition>
-bool eventually(const Condition& condition) {
-  const Time deadline = now() + 10s;
-  while (!condition() && now() < deadline) std::this_thread::sleep_for(200us);
-  return condition();
-}
 
 TEST(PeriodicTask, RunsOncePerPeriodAndAccountsForEach) {
   CountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1ms});

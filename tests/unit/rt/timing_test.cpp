@@ -62,6 +62,15 @@ TEST(Histogram, QuantilesAreWithinABucket) {
   EXPECT_EQ(histogram.quantile(1.0), histogram.max());
 }
 
+TEST(Histogram, SharesAreWithinABucket) {
+  Histogram histogram;
+  EXPECT_EQ(histogram.shareUpTo(1s), 0);
+  for (int i = 1; i <= 1000; ++i) histogram.record(Duration(i * 1000));
+  EXPECT_EQ(histogram.shareUpTo(900ns), 0);
+  EXPECT_NEAR(histogram.shareUpTo(500us), 0.5, 0.04);
+  EXPECT_EQ(histogram.shareUpTo(1ms), 1);
+}
+
 TEST(Histogram, TakesExtremes) {
   Histogram histogram;
   histogram.record(Duration(-5));

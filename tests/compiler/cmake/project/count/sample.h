@@ -1,6 +1,8 @@
 #pragma once
 #include <suture/annotate.h>
 
+#include "count/limits.h"
+
 namespace scratch {
 
 struct SUTURE_TYPE() Sample {

@@ -1,4 +1,4 @@
-#include "bench/table2/placement.h"
+#include "bench/placement.h"
 
 #include <suture/base/errors.h>
 #include <suture/rt/thread.h>
@@ -6,6 +6,20 @@
 #include <thread>
 
 namespace bench {
+namespace {
+
+std::optional<int> lastAllowed(int except) {
+  cpu_set_t allowed;
+  CPU_ZERO(&allowed);
+  sched_getaffinity(0, sizeof(allowed), &allowed);
+  std::optional<int> last;
+  for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
+    if (cpu != except && CPU_ISSET(cpu, &allowed)) last = cpu;
+  }
+  return last;
+}
+
+}  // namespace
 
 Pinned::Pinned(std::optional<int> cpu) {
   sched_getaffinity(0, sizeof(before_), &before_);
@@ -14,16 +28,9 @@ Pinned::Pinned(std::optional<int> cpu) {
 
 Pinned::~Pinned() { sched_setaffinity(0, sizeof(before_), &before_); }
 
-int preferredCpu() {
-  cpu_set_t allowed;
-  CPU_ZERO(&allowed);
-  sched_getaffinity(0, sizeof(allowed), &allowed);
-  int last = 0;
-  for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
-    if (CPU_ISSET(cpu, &allowed)) last = cpu;
-  }
-  return last;
-}
+int preferredCpu() { return lastAllowed(-1).value_or(0); }
+
+int cpuBeside(int cpu) { return lastAllowed(cpu).value_or(cpu); }
 
 std::string whyNotFifo(int priority) {
   std::string reason;

@@ -1,4 +1,4 @@
-#include "bench/table2/progress.h"
+#include "bench/progress.h"
 
 #include <unistd.h>
 

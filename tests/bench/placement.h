@@ -23,6 +23,8 @@ class Pinned {
 
 /// The last of the processors that this process may use: the first serves most interrupts.
 int preferredCpu();
+/// The last of them that is not `cpu`; `cpu` if it is the only one.
+int cpuBeside(int cpu);
 
 /// Why a thread cannot have SCHED_FIFO at `priority`; "" if it can.
 std::string whyNotFifo(int priority);

@@ -1,0 +1,61 @@
+# What find_package(Suture) finds: after `cmake --install`, in a folder that may be moved anywhere, and in
+# the build folder for work on Suture itself. Install components: suture, and robots on top of it.
+
+include(CMakePackageConfigHelpers)
+
+set(libraries)
+foreach(name base rt component wiring rpc manager observe deploy suture schemas)
+  set_target_properties(suture_${name} PROPERTIES EXPORT_NAME ${name})
+  list(APPEND libraries suture_${name})
+endforeach()
+set(robots robots robots_core robots_kinematics)
+set_target_properties(${libraries} ${robots} PROPERTIES
+  VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+set(programs suture-manager)
+if(TARGET suturec)
+  set_target_properties(suturec PROPERTIES INSTALL_RPATH_USE_LINK_PATH ON)  # LLVM may be anywhere
+  list(APPEND programs suturec)
+endif()
+
+# The same two files, each beside its SutureTargets.cmake.
+function(suture_write_config folder modules)
+  set(SUTURE_MODULES "${modules}")
+  configure_file(${CMAKE_CURRENT_FUNCTION_LIST_DIR}/SutureConfig.cmake.in ${folder}/SutureConfig.cmake @ONLY)
+  write_basic_package_version_file(${folder}/SutureConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+endfunction()
+set(installed ${PROJECT_BINARY_DIR}/installed)
+suture_write_config(${PROJECT_BINARY_DIR} ${CMAKE_CURRENT_LIST_DIR})
+suture_write_config(${installed} "\${CMAKE_CURRENT_LIST_DIR}")
+
+export(TARGETS ${libraries} ${programs} NAMESPACE suture:: FILE ${PROJECT_BINARY_DIR}/SutureTargets.cmake)
+export(TARGETS ${robots} NAMESPACE suture:: FILE ${PROJECT_BINARY_DIR}/SutureRobotsTargets.cmake)
+
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/Suture)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME suture)
+install(TARGETS ${libraries} ${programs} EXPORT SutureTargets)
+install(EXPORT SutureTargets NAMESPACE suture:: DESTINATION ${package})
+install(FILES
+  ${installed}/SutureConfig.cmake
+  ${installed}/SutureConfigVersion.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/suture_generate.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/suture_generate_checks.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/suture_generate_parts.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/suture_generate_upkeep.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/sync_generated.cmake
+  DESTINATION ${package})
+# Schemas lie beside headers, as Cap'n Proto's own do: whoever finds one finds the other.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/ ${PROJECT_SOURCE_DIR}/schemas/suture/
+  ${PROJECT_BINARY_DIR}/schemas/suture/
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/suture FILES_MATCHING PATTERN "*.h" PATTERN "*.capnp")
+if(TARGET suturec)
+  # Where suturec looks first: clang's own headers stay with it.
+  install(DIRECTORY ${SUTURE_CLANG_RESOURCE_DIR}/include DESTINATION lib/suture/clang)
+endif()
+
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME robots)
+install(TARGETS ${robots} EXPORT SutureRobotsTargets)
+install(TARGETS suture-workstation)
+install(EXPORT SutureRobotsTargets NAMESPACE suture:: DESTINATION ${package})
+# Those that are not annotated; suture_generate() installs the others.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/components/
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/suture-robots FILES_MATCHING PATTERN "*.h")

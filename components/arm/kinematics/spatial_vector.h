@@ -1,0 +1,19 @@
+#pragma once
+// Twists and wrenches as six numbers.
+
+#include <Eigen/Core>
+
+namespace robots::kinematics {
+
+/// The linear part (m/s, N) before the angular one (rad/s, N.m), along the axes of one frame.
+using SpatialVector = Eigen::Matrix<double, 6, 1>;
+
+/// The same at the same point, along the axes that `rotation` leads to.
+template <class Rotation>
+SpatialVector rotated(const Eigen::MatrixBase<Rotation>& rotation, const SpatialVector& vector) {
+  SpatialVector result;
+  result << rotation * vector.head<3>(), rotation * vector.tail<3>();
+  return result;
+}
+
+}  // namespace robots::kinematics

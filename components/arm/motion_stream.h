@@ -1,0 +1,69 @@
+#pragma once
+// The commands that set an arm in motion and have to be repeated: rates, twists and forces.
+
+#include <suture/base/time.h>
+
+#include <optional>
+#include <string_view>
+
+#include "arm/kinematics/chain.h"
+#include "arm/kinematics/spatial_vector.h"
+
+namespace robots {
+
+/// What the last of servo_jv, servo_jf, servo_cv, servo_cf and free() asks of the set-point.
+/// Confined to one thread; never allocates.
+template <int N>
+class MotionStream {
+ public:
+  using Joints = Eigen::Matrix<double, N, 1>;
+  using SpatialVector = kinematics::SpatialVector;
+  enum class Kind { None, Free, JointRate, BodyTwist, SpatialTwist };
+
+  /// Activities are of static storage: what the arm says that it does meanwhile.
+  void beFree(std::string_view activity) { begin(Kind::Free, activity); }
+  /// rad/s or m/s
+  void follow(const Joints& rate, std::string_view activity);
+  /// A twist of the tip along its own axes (BodyTwist) or the base's (SpatialTwist), and, where a
+  /// force makes it, that force along the same axes.
+  void follow(Kind kind, const SpatialVector& twist, std::string_view activity,
+              const std::optional<SpatialVector>& force = {});
+  void end();
+
+  bool isActive() const { return kind_ != Kind::None; }
+  std::string_view activity() const { return activity_; }
+
+  /// Counts a cycle; true: the stream has been silent for too long. free() needs no repeating.
+  bool hasFallenSilent(suture::Time now);
+
+  /// The set-point `dt` seconds after `setpoint`, within the limits of the joints; none if no joint
+  /// vector reaches it.
+  std::optional<Joints> next(const kinematics::Chain<N>& chain, const Joints& setpoint,
+                             const Joints& measured, double dt) const;
+
+  /// The twist that is asked for along the base's axes; the Jacobian and the tip's rotation are
+  /// those in the base.
+  SpatialVector twist(const Eigen::Matrix<double, 6, N>& jacobian,
+                      const Eigen::Matrix3d& tip) const;
+  /// The force that is applied, zero without one.
+  SpatialVector bodyForce(const Eigen::Matrix3d& tip) const;
+  SpatialVector spatialForce(const Eigen::Matrix3d& tip) const;
+
+ private:
+  void begin(Kind kind, std::string_view activity);
+  std::optional<Joints> nextByTwist(const kinematics::Chain<N>& chain, const Joints& setpoint,
+                                    double dt) const;
+
+  Kind kind_ = Kind::None;
+  std::string_view activity_;
+  Joints rate_ = Joints::Zero();
+  SpatialVector twist_ = SpatialVector::Zero();
+  std::optional<SpatialVector> force_;
+  bool asked_ = false;        // since the last cycle
+  suture::Time lastAsked_{};  // the cycle that it came in
+};
+
+extern template class MotionStream<6>;
+extern template class MotionStream<7>;
+
+}  // namespace robots

@@ -1,0 +1,434 @@
+// Written by suturec from bench/sample_loop.h. Do not edit.
+#include "bench/sample_loop.suture.h"
+
+#include <suture/transport/rpc/binding.h>
+#include <suture/transport/rpc/proxy_port.h>
+#include <suture/transport/rpc/servant_port.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "bench/sample_loop.capnp.h"
+
+// Defined in robot_types/pose.suture.cpp.
+namespace robots {
+void toWire(const PoseSampleSlot& slot, wire::PoseSample::Builder out);
+suture::Errc fromWire(wire::PoseSample::Reader in, PoseSampleSlot& slot, suture::Duration shift);
+bool isValid(const PoseSampleSlot& slot);
+}  // namespace robots
+
+namespace bench {
+
+using suture::CommandInfo;
+using suture::CommandKind;
+using suture::Duration;
+using suture::Errc;
+using suture::EventInfo;
+using suture::rpc::ProxyPort;
+using suture::rpc::ServantPort;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+
+namespace {
+
+constexpr CommandInfo kSampleServerCommands[] = {
+    {.name = "put",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(SampleServerPutArguments),
+     .resultSize = 0,
+     .depth = 4096,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "bounce",
+     .kind = CommandKind::Write,
+     .argumentsSize = sizeof(SampleServerBounceArguments),
+     .resultSize = 0,
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = -1},
+    {.name = "value",
+     .kind = CommandKind::Read,
+     .argumentsSize = 0,
+     .resultSize = sizeof(robots::PoseSampleSlot),
+     .depth = 16,
+     .latest = false,
+     .ttl = Duration(0),
+     .column = 0},
+};
+
+constexpr EventInfo kSampleServerEvents[] = {
+    {.name = "echo",
+     .payloadSize = sizeof(robots::PoseSampleSlot),
+     .depth = 16,
+     .latest = false,
+     .latched = false},
+};
+
+// The self-description, as in bench/sample_loop.suture.json.
+constexpr char kSampleServerDescription[] = R"json({
+  "name": "bench::SampleServer",
+  "hash": "fc81c3d6983bed150e4b6eeb178f075c",
+  "commands": [
+    {
+      "name": "put",
+      "kind": "write",
+      "doc": "Counted by the provider.",
+      "parameters": [
+        {
+          "name": "value",
+          "type": {
+            "kind": "struct",
+            "name": "robots::PoseSample"
+          }
+        }
+      ],
+      "queue": 4096
+    },
+    {
+      "name": "bounce",
+      "kind": "write",
+      "doc": "Client, server, client: sends the value back as the event echo.",
+      "parameters": [
+        {
+          "name": "value",
+          "type": {
+            "kind": "struct",
+            "name": "robots::PoseSample"
+          }
+        }
+      ],
+      "queue": 16
+    },
+    {
+      "name": "value",
+      "kind": "read",
+      "result": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::PoseSample"
+        }
+      },
+      "queue": 16
+    }
+  ],
+  "events": [
+    {
+      "name": "echo",
+      "kind": "write",
+      "doc": "The value that bounce() took.",
+      "payload": {
+        "type": {
+          "kind": "struct",
+          "name": "robots::PoseSample"
+        }
+      },
+      "queue": 16
+    }
+  ],
+  "enums": [],
+  "structs": [
+    {
+      "name": "robots::PoseSample",
+      "doc": "The pose of the latency figures: 120 bytes and no strings.",
+      "fields": [
+        {
+          "name": "rotation",
+          "type": {
+            "kind": "matrix",
+            "scalar": "Float64",
+            "rows": 3,
+            "columns": 3
+          }
+        },
+        {
+          "name": "position",
+          "type": {
+            "kind": "matrix",
+            "scalar": "Float64",
+            "rows": 3,
+            "columns": 1
+          },
+          "unit": "m"
+        },
+        {
+          "name": "stamp",
+          "type": {
+            "kind": "time",
+            "clock": "steady"
+          }
+        },
+        {
+          "name": "sequence",
+          "type": {
+            "kind": "UInt64"
+          },
+          "default": 0
+        },
+        {
+          "name": "flags",
+          "type": {
+            "kind": "UInt64"
+          },
+          "default": 0
+        }
+      ]
+    }
+  ]
+})json";
+
+}  // namespace
+
+namespace {
+
+// --- SampleServer over Cap'n Proto RPC: the provider's side
+
+/// Makes remote calls of a subscriber's events and rows.
+class SampleServerSink final : public suture::rpc::EventSink {
+ public:
+  explicit SampleServerSink(wire::SampleServerEvents::Client subscriber) :
+      subscriber_(kj::mv(subscriber)) {}
+
+  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
+    switch (static_cast<SampleServerEvent>(event)) {
+      case SampleServerEvent::echo: {
+        const auto& slot = *reinterpret_cast<const robots::PoseSampleSlot*>(payload);
+        auto request = subscriber_.echoRequest();
+        toWire(slot, request.initValue());
+        return request.send().ignoreResult();
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
+                        std::span<const std::byte* const> columns) override {
+    auto request = subscriber_.stateRequest();
+    auto out = request.initRow();
+    out.setStamp(suture::toNanoseconds(row.stamp));
+    out.setEvaluated(row.valid);
+    out.setTooLarge(row.tooLarge);
+    if (row.valid >> 0 & 1) {
+      const auto& slot = *reinterpret_cast<const robots::PoseSampleSlot*>(columns[0]);
+      toWire(slot, out.initValue());
+    }
+    return request.send().ignoreResult();
+  }
+
+ private:
+  wire::SampleServerEvents::Client subscriber_;
+};
+
+/// Puts remote calls into the provider's mailbox.
+class SampleServerServant final : public wire::SampleServer::Server {
+ public:
+  explicit SampleServerServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> subscribe(SubscribeContext context) override {
+    auto in = context.getParams();
+    port_->subscribe(kj::heap<SampleServerSink>(in.getEvents()), in.getEventMask(),
+                     in.getStateMask());
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> put(PutContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<SampleServerPutArguments*>(memory);
+      const Errc error =
+          in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(SampleServerCommand::put), in.getSent(), fill);
+  }
+
+  kj::Promise<void> bounce(BounceContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = *reinterpret_cast<SampleServerBounceArguments*>(memory);
+      const Errc error =
+          in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(commandId(SampleServerCommand::bounce), in.getSent(), fill);
+  }
+
+  kj::Promise<void> value(ValueContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
+      const auto& slot = *reinterpret_cast<const robots::PoseSampleSlot*>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
+    };
+    return port_->call(commandId(SampleServerCommand::value), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+ private:
+  static std::uint16_t commandId(SampleServerCommand command) {
+    return static_cast<std::uint16_t>(command);
+  }
+
+  kj::Own<ServantPort> port_;
+};
+
+// --- SampleServer over Cap'n Proto RPC: the client's side
+
+/// Receives events and rows.
+class SampleServerReceiver final : public wire::SampleServerEvents::Server {
+ public:
+  explicit SampleServerReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> state(StateContext context) override {
+    auto in = context.getParams().getRow();
+    suture::rt::ColumnSet valid = 0;
+    if (in.getEvaluated() >> 0 & 1) {
+      auto& slot = *reinterpret_cast<robots::PoseSampleSlot*>(port_->column(0));
+      const Errc error =
+          in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
+    }
+    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> echo(EchoContext context) override {
+    auto in = context.getParams();
+    robots::PoseSampleSlot slot;
+    const Errc error =
+        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    return port_->event(eventId(SampleServerEvent::echo), error, slot);
+  }
+
+ private:
+  static std::uint16_t eventId(SampleServerEvent event) {
+    return static_cast<std::uint16_t>(event);
+  }
+
+  kj::Own<ProxyPort> port_;
+};
+
+/// Makes remote calls of commands.
+class SampleServerProxy final : public suture::rpc::Proxy {
+ public:
+  SampleServerProxy(wire::SampleServer::Client provider, ProxyPort& port)
+      : provider_(kj::mv(provider)), port_(port) {}
+
+  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
+    auto request = provider_.subscribeRequest();
+    request.setEvents(kj::heap<SampleServerReceiver>(kj::addRef(port_)));
+    request.setEventMask(events);
+    request.setStateMask(columns);
+    return request.send().ignoreResult();
+  }
+
+  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
+    switch (static_cast<SampleServerCommand>(record.command)) {
+      case SampleServerCommand::put: {
+        const auto& slot = *reinterpret_cast<const SampleServerPutArguments*>(record.arguments());
+        auto request = provider_.putRequest();
+        toWire(slot.value, request.initValue());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case SampleServerCommand::bounce: {
+        const auto& slot =
+            *reinterpret_cast<const SampleServerBounceArguments*>(record.arguments());
+        auto request = provider_.bounceRequest();
+        toWire(slot.value, request.initValue());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case SampleServerCommand::value: {
+        auto request = provider_.valueRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<robots::PoseSampleSlot>(call, response.getStamp(), [&](robots::PoseSampleSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+ private:
+  wire::SampleServer::Client provider_;
+  ProxyPort& port_;
+};
+
+class SampleServerBinding final : public suture::rpc::Binding {
+ public:
+  capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const override {
+    return wire::SampleServer::Client(kj::heap<SampleServerServant>(kj::mv(port)));
+  }
+  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
+                                        ProxyPort& port) const override {
+    return kj::heap<SampleServerProxy>(contract.castAs<wire::SampleServer>(), port);
+  }
+  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
+    return kj::heap<SampleServerSink>(subscriber.castAs<wire::SampleServerEvents>());
+  }
+};
+
+const suture::rpc::Binding& sampleServerBinding() {
+  static const SampleServerBinding kBinding;
+  return kBinding;
+}
+
+}  // namespace
+}  // namespace bench
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<bench::SampleServer>() {
+  static constexpr InterfaceInfo kInfo{
+      .name = "bench::SampleServer",
+      .hash = "fc81c3d6983bed150e4b6eeb178f075c",
+      .description = bench::kSampleServerDescription,
+      .commands = bench::kSampleServerCommands,
+      .events = bench::kSampleServerEvents,
+      .binding = &bench::sampleServerBinding,
+  };
+  return kInfo;
+}
+
+Errc Provided<bench::SampleServer>::execute(std::uint16_t command, const std::byte* arguments,
+                                            std::byte* result) {
+  using ::bench::SampleServerCommand;
+  switch (static_cast<SampleServerCommand>(command)) {
+    case SampleServerCommand::put: {
+      const auto& slot = *reinterpret_cast<const bench::SampleServerPutArguments*>(arguments);
+      load(slot.value, scratch_.put_value);
+      implementation_.put(scratch_.put_value);
+      return Errc{};
+    }
+    case SampleServerCommand::bounce: {
+      const auto& slot = *reinterpret_cast<const bench::SampleServerBounceArguments*>(arguments);
+      load(slot.value, scratch_.bounce_value);
+      implementation_.bounce(scratch_.bounce_value);
+      return Errc{};
+    }
+    case SampleServerCommand::value: {
+      auto& slot = *reinterpret_cast<robots::PoseSampleSlot*>(result);
+      return store(implementation_.value(), slot) ? Errc{} : Errc::TooLarge;
+    }
+  }
+  return Errc::Invalid;
+}
+
+}  // namespace suture

@@ -1,0 +1,123 @@
+// Written by suturec from bench/sample_loop.h. Do not edit.
+#pragma once
+
+#include <suture/base/slots.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "bench/sample_loop.h"
+#include "robot_types/pose.suture.h"
+
+namespace bench {
+
+// --- SampleServer: the arguments of its commands ---
+
+struct SampleServerPutArguments {
+  robots::PoseSampleSlot value;
+};
+
+inline bool store(const robots::PoseSample& value, SampleServerPutArguments& slot) {
+  using suture::store;
+  return store(value, slot.value);
+}
+
+struct SampleServerBounceArguments {
+  robots::PoseSampleSlot value;
+};
+
+inline bool store(const robots::PoseSample& value, SampleServerBounceArguments& slot) {
+  using suture::store;
+  return store(value, slot.value);
+}
+
+/// The numbers of SampleServer's commands in every table and record.
+enum class SampleServerCommand : std::uint16_t {
+  put,
+  bounce,
+  value,
+};
+
+/// The numbers of SampleServer's events.
+enum class SampleServerEvent : std::uint16_t {
+  echo,
+};
+
+}  // namespace bench
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<bench::SampleServer>();
+
+/// What a client of bench::SampleServer calls.
+template <>
+class Required<bench::SampleServer> final : public RequiredBase {
+  using Contract = bench::SampleServer;
+  using Id = bench::SampleServerCommand;
+  using EventId = bench::SampleServerEvent;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : RequiredBase(owner, name, interfaceInfo<Contract>()) {}
+
+  /// Counted by the provider.
+  Command<&Contract::put, bench::SampleServerPutArguments> put{
+      *this, static_cast<std::uint16_t>(Id::put)};
+  /// Client, server, client: sends the value back as the event echo.
+  Command<&Contract::bounce, bench::SampleServerBounceArguments> bounce{
+      *this, static_cast<std::uint16_t>(Id::bounce)};
+  ReadCommand<&Contract::value, robots::PoseSampleSlot> value{
+      *this, static_cast<std::uint16_t>(Id::value)};
+
+  /// The events of bench::SampleServer, to subscribe to.
+  struct Events {
+    explicit Events(RequiredBase& required)
+        : echo{required, static_cast<std::uint16_t>(EventId::echo)} {}
+
+    /// The value that bounce() took.
+    Subscription<robots::PoseSampleSlot, robots::PoseSample> echo;
+  };
+  Events& on() { return events_; }
+
+ private:
+  Events events_{*this};
+};
+
+/// What serves bench::SampleServer from a component.
+template <>
+class Provided<bench::SampleServer> final : public ProvidedBase {
+  using Contract = bench::SampleServer;
+  using EventId = bench::SampleServerEvent;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : ProvidedBase(owner, name, interfaceInfo<Contract>(), &implementation),
+        implementation_(implementation) {}
+
+  /// The events of bench::SampleServer, to emit.
+  struct Events {
+    explicit Events(ProvidedBase& provided)
+        : echo{provided, static_cast<std::uint16_t>(EventId::echo)} {}
+
+    /// The value that bounce() took.
+    Emitter<robots::PoseSampleSlot, robots::PoseSample> echo;
+  };
+  Events& emit() { return events_; }
+
+ private:
+  // Reused by every command, so that what they own is allocated once.
+  struct Scratch {
+    robots::PoseSample put_value;
+    robots::PoseSample bounce_value;
+  };
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+  Contract& implementation_;
+  Events events_{*this};
+  Scratch scratch_{};
+};
+
+}  // namespace suture

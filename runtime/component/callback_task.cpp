@@ -1,0 +1,37 @@
+#include <suture/component/callback_task.h>
+
+#include <thread>
+
+namespace suture {
+
+void CallbackTask::start() {
+  if (running_) return;
+  enter();
+  releaseThread();
+  running_ = true;
+}
+
+void CallbackTask::stop() {
+  if (!running_.exchange(false)) return;
+  while (cycling_.test_and_set(std::memory_order_acquire)) {
+    std::this_thread::sleep_for(std::chrono::microseconds(100));
+  }
+  leave();
+  cycling_.clear(std::memory_order_release);
+}
+
+bool CallbackTask::trigger() {
+  if (cycling_.test_and_set(std::memory_order_acquire)) {
+    mutableStatistics().skipped.fetch_add(1, std::memory_order_relaxed);
+    return false;
+  }
+  const bool runs = running_.load(std::memory_order_acquire);
+  if (runs) {
+    claimThread();
+    cycle();
+  }
+  cycling_.clear(std::memory_order_release);
+  return runs;
+}
+
+}  // namespace suture

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <suture/component/task.h>
+
+#include <atomic>
+
+namespace suture {
+
+/// Has no thread: somebody else's, say that of a driver or a window system, calls trigger() and
+/// runs the cycle. Commands and events wait for the next call.
+class CallbackTask : public Task {
+ public:
+  void start() final;
+  /// Waits for the cycle under way, so it must not be called from one. Calls that come later do
+  /// nothing.
+  void stop() final;
+
+  /// Any thread: one cycle, here and now. False, and counted as skipped, if one is under way,
+  /// whether in another thread or further up in this one; false also before start() and after
+  /// stop().
+  bool trigger();
+
+ private:
+  std::atomic<bool> running_{false};
+  std::atomic_flag cycling_ = ATOMIC_FLAG_INIT;
+};
+
+}  // namespace suture

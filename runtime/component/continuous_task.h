@@ -1,0 +1,21 @@
+#pragma once
+
+#include <suture/component/thread_task.h>
+
+namespace suture {
+
+struct ContinuousOptions {
+  rt::Scheduling scheduling{};
+};
+
+/// Runs one cycle after another without a pause: for a run() that itself waits, say for the next
+/// frame of a camera. Whatever it waits for needs a deadline, for stop() waits for the cycle.
+class ContinuousTask : public ThreadTask {
+ public:
+  explicit ContinuousTask(const ContinuousOptions& options = {}) : ThreadTask(options.scheduling) {}
+
+ private:
+  bool awaitCycle() final { return !stopping(); }
+};
+
+}  // namespace suture

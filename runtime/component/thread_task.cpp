@@ -1,0 +1,53 @@
+#include <suture/component/thread_task.h>
+
+#include <exception>
+#include <future>
+
+namespace suture {
+
+ThreadTask::~ThreadTask() {
+  // Too late to stop: run() is gone with the derived class. Whoever started the task stops it
+  // before.
+  if (thread_.joinable()) std::terminate();
+}
+
+void ThreadTask::start() {
+  if (thread_.joinable()) return;
+  stopping_ = false;
+  std::promise<void> configured;
+  auto outcome = configured.get_future();
+  thread_ = std::thread([this, &configured] {
+    try {
+      rt::configureThisThread(name(), scheduling_);
+    } catch (...) {
+      configured.set_exception(std::current_exception());
+      return;
+    }
+    enter();
+    configured.set_value();
+    loop();
+  });
+  try {
+    outcome.get();
+  } catch (...) {
+    thread_.join();
+    throw;
+  }
+}
+
+void ThreadTask::stop() {
+  if (!thread_.joinable()) return;
+  stopping_ = true;
+  stopBell_.ring();
+  doorbell().ring();
+  thread_.join();
+  leave();
+}
+
+void ThreadTask::loop() {
+  beginCycles();
+  while (!allParked() && awaitCycle()) cycle();
+  while (!stopping()) stopBell_.waitUntil(now() + std::chrono::seconds(1));
+}
+
+}  // namespace suture

@@ -1,0 +1,42 @@
+#pragma once
+// A task with a thread of its own.
+
+#include <suture/component/task.h>
+#include <suture/rt/thread.h>
+
+#include <atomic>
+#include <thread>
+
+namespace suture {
+
+/// Runs its cycles in a thread of its own; the kinds derived from it say when.
+class ThreadTask : public Task {
+ public:
+  ~ThreadTask() override;
+
+  /// Errors of scheduling are thrown here, in the caller's thread.
+  void start() final;
+  void stop() final;
+
+ protected:
+  explicit ThreadTask(const rt::Scheduling& scheduling) : scheduling_(scheduling) {}
+
+  /// Waits for the next cycle; false when the task is to end.
+  virtual bool awaitCycle() = 0;
+  /// Called once in the thread before the first awaitCycle().
+  virtual void beginCycles() {}
+
+  bool stopping() const { return stopping_.load(std::memory_order_acquire); }
+  /// Rung by stop() only.
+  rt::Doorbell& stopBell() { return stopBell_; }
+
+ private:
+  void loop();
+
+  const rt::Scheduling scheduling_;
+  std::thread thread_;
+  std::atomic<bool> stopping_{false};
+  rt::Doorbell stopBell_;
+};
+
+}  // namespace suture

@@ -1,0 +1,31 @@
+#include <suture/rt/spsc_ring.h>
+
+#include <array>
+#include <cstring>
+
+#include "bench/local/rows.h"
+#include "bench/table.h"
+#include "bench/timed_loops.h"
+
+namespace bench {
+
+std::string ringRow(const LocalOptions& options, Report& report) {
+  using Command = std::array<std::byte, 128>;
+  suture::rt::SpscRing ring(64 * suture::rt::SpscRing::recordSize(sizeof(Command)));
+  Command sent{}, taken{};
+  const Statistics cost = timedLoops(options.count(200), 100'000, [&] {
+    std::memcpy(ring.claim(sizeof(Command)), sent.data(), sizeof(Command));
+    ring.commit();
+    std::memcpy(taken.data(), ring.front(), sizeof(Command));
+    ring.pop();
+    keep(taken);
+  });
+  report.add("ring", "ns", cost);
+  Table table(1);
+  table.row(joined({"ns, one thread"}, statisticsTitles()));
+  table.line();
+  table.row(joined({"128-byte command in and out of a ring"}, cellsOf(cost, 1)));
+  return table.toString();
+}
+
+}  // namespace bench

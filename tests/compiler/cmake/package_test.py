@@ -1,0 +1,166 @@
+"""Suture as a package: what is installed, and projects that use it: package_test.py SCENARIO --package P ..."""
+
+import argparse
+import os
+import pathlib
+import re
+import shutil
+
+from scratch import HERE, TREE, Project, empty, expect, install, run, succeed
+
+CONTRACT = ("counter.h", "counter.capnp")
+PARTS = ("tally.h", "clicker.h", "main.cpp")
+
+
+def consumer(arguments, kind, *files):
+    """A project of consumers/ with files of the counter example."""
+    root = empty(arguments.scratch / f"{arguments.scenario} {kind}")
+    shutil.copytree(HERE / "consumers" / kind, root, dirs_exist_ok=True)
+    for file in files:
+        source, folder = ("schemas", "schemas/01_counter") if file.endswith(".capnp") else ("examples", "01_counter")
+        (root / folder).mkdir(parents=True, exist_ok=True)
+        shutil.copy(TREE / source / "01_counter" / file, root / folder)
+    return Project(root, arguments.package)
+
+
+def counts(folder):
+    text = succeed("the counter runs", [folder / "01_counter"])
+    expect(re.search(r"^passed \d+$", text, re.M), "provider and client talk", text)
+
+
+def sees_no_capnp(project):
+    """What main.cpp includes, as ninja has recorded it."""
+    text = succeed("ninja tells the headers", ["ninja", "-C", project.build_folder, "-t", "deps"])
+    headers = next(block for block in text.split("\n\n") if "main.cpp.o:" in block)
+    expect("counter.suture.h" in headers, "main.cpp includes generated code", headers)
+    expect(not re.search(r"/(capnp|kj)/|\.capnp\.h", headers), "and no header of capnp or kj", headers)
+    expect(f"{TREE}/" not in headers, "and none of Suture's tree", headers)
+
+
+def one_target(arguments):
+    project = consumer(arguments, "one", *CONTRACT, *PARTS)
+    project.configure()
+    project.must_build("builds contract, provider and client in one target")
+    counts(project.build_folder)
+    sees_no_capnp(project)
+
+
+def two_targets(arguments):
+    project = consumer(arguments, "two", *CONTRACT, *PARTS)
+    project.configure()
+    project.must_build("builds a contract and its users in two targets")
+    counts(project.build_folder)
+
+
+def shared_library(arguments):
+    project = consumer(arguments, "two", *CONTRACT, *PARTS)
+    project.configure("-DBUILD_SHARED_LIBS=ON")
+    project.must_build("builds the contract as a shared library")
+    expect((project.build_folder / "libcontract.so").exists(), "which is there")
+    counts(project.build_folder)
+
+
+def installed_contract(arguments):
+    contract = consumer(arguments, "contract", *CONTRACT)
+    contract.configure()
+    contract.must_build("builds a contract alone")
+    prefix = arguments.scratch / "a contract's prefix"
+    install(contract.build_folder, prefix)
+    shutil.rmtree(contract.root)
+    project = consumer(arguments, "client", *PARTS)
+    project.configure(f"-DContract_DIR={prefix}/lib/cmake/Contract")
+    project.must_build("builds provider and client of an installed contract")
+    counts(project.build_folder)
+
+
+def robots(arguments):
+    project = consumer(arguments, "robots")
+    project.configure()
+    project.must_build("update-lock", "update-lock")
+    lock = (project.root / "schemas/grasp/grasp.capnp").read_text(encoding="utf-8")
+    expect('import "/robot_types/pose.capnp"' in lock, "the user's schema imports an installed one", lock)
+    project.must_build("builds a type on top of suture::robots")
+    expect(succeed("it runs", [project.build_folder / "grasp"]) == "2 N\n", "with the installed kinematics")
+
+
+def installed_tree(arguments):
+    prefix = arguments.package
+    for program in ("suturec", "suture-manager", "suture-workstation"):
+        succeed(f"{program} starts", [prefix / "bin" / program, "--help"])
+    ours = [file for ending in ("cmake", "h", "capnp", "md") for file in prefix.rglob(f"*.{ending}")
+            if "clang" not in file.parts]
+    build_folders = (f"{TREE}/", f"{arguments.build}", f"{prefix} at first")
+    strangers = [file for file in ours if any(folder in file.read_text(encoding="utf-8") for folder in build_folders)]
+    expect(ours and not strangers, "no file of the package names a folder of the build", str(strangers))
+
+    root = empty(arguments.scratch / "without C")
+    (root / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.25)\nproject(x LANGUAGES CXX)\n"
+                                         "find_package(Suture REQUIRED)\n", encoding="utf-8")
+    status, text = run(["cmake", "-S", root, "-B", root / "build", f"-DCMAKE_PREFIX_PATH={prefix}"])
+    expect(status != 0 and "LANGUAGES C CXX" in text, "find_package tells a project without C what to do", text)
+
+
+def shared_cross_build(arguments):
+    """Suture itself, shared and without LLVM, as for another machine: by the suturec of this one."""
+    build = empty(arguments.scratch / "shared cross build")
+    succeed("configures Suture, shared, with SUTUREC_EXECUTABLE",
+            ["cmake", "-S", TREE, "-B", build, "-G", "Ninja", "-DBUILD_SHARED_LIBS=ON", "-DCMAKE_BUILD_TYPE=Debug",
+             "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DSUTURE_BUILD_COMPILER=OFF", "-DSUTURE_BUILD_TESTS=OFF",
+             f"-DSUTUREC_EXECUTABLE={arguments.package}/bin/suturec",
+             "-DCMAKE_SYSTEM_NAME=Linux", f"-DCMAKE_SYSTEM_PROCESSOR={os.uname().machine}"])
+    text = succeed("builds it", ["cmake", "--build", build, "-j", "2", "--target", "suture-manager", "01_counter"])
+    expect("suturec 01_counter" in text and not (build / "bin/suturec").exists(), "with the given suturec", text[-2000:])
+    libraries = succeed("readelf", ["readelf", "-d", build / "bin/01_counter"])
+    expect("libsuture_manager.so" in libraries, "as shared libraries", libraries)
+    counts(build / "bin")
+    install(build, arguments.scratch / "a shared prefix", "--component", "suture")
+    shutil.rmtree(build)  # none of its libraries can be found any more
+
+
+def shared_package(arguments):
+    given = arguments.package / "bin/suturec"
+    arguments.package = arguments.scratch / "a shared prefix"
+    expect(not (arguments.package / "bin/suturec").exists(), "the package has no suturec")
+    succeed("suture-manager finds its libraries", [arguments.package / "bin/suture-manager", "--help"])
+    project = consumer(arguments, "one", *CONTRACT, *PARTS)
+    project.configure(f"-DSUTUREC_EXECUTABLE={given}")
+    project.must_build("builds with the suturec of another package")
+    counts(project.build_folder)
+
+
+def without_suturec(arguments):
+    """Where LLVM is not, what is committed is compiled."""
+    project = consumer(arguments, "one", *CONTRACT, *PARTS)
+    project.configure()
+    project.must_build("update-generated", "update-generated")
+    folder = project.root / "without"
+    project.package = arguments.scratch / "a shared prefix"
+    project.configure(folder=folder)
+    status, text = project.build(folder=folder)
+    expect(status == 0 and "suturec" not in text, "without suturec it builds what is committed", text)
+    counts(folder)
+    (project.root / "generated/01_counter/tally.suture.h").unlink()
+    status, text = run(["cmake", folder])
+    expect(status != 0 and "tally.suture.h must exist" in re.sub(r"\s+", " ", text), "and says what is missing", text)
+
+
+SCENARIOS = {scenario.__name__: scenario for scenario in (
+    installed_tree, one_target, two_targets, shared_library, installed_contract, robots, shared_cross_build,
+    shared_package, without_suturec)}
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("scenario", choices=["install", *SCENARIOS])
+    parser.add_argument("--build", type=pathlib.Path, help="build folder of Suture")
+    parser.add_argument("--package", type=pathlib.Path, required=True, help="where it is installed")
+    parser.add_argument("--scratch", type=pathlib.Path, required=True)
+    arguments = parser.parse_args()
+    if arguments.scenario == "install":
+        install(arguments.build, arguments.package)
+    else:
+        SCENARIOS[arguments.scenario](arguments)
+
+
+if __name__ == "__main__":
+    main()

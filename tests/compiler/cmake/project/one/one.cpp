@@ -1,2 +1,0 @@
-#include "one/client.suture.h"
-#include "one/provider.suture.h"

@@ -1,0 +1,185 @@
+"""What runs and what is rewritten after each kind of change: rows_test.py ROW --generator G --package P --scratch S."""
+
+import argparse
+import pathlib
+import shutil
+
+from scratch import HERE, Project, empty, expect, is_idle, run, runs_of_suturec
+
+
+def stops_without_lock(project):
+    status, text = project.build()
+    expect(status != 0 and "[suture-lock-missing]" in text and "--target update-lock" in text,
+           "without a lock the build stops and says what to run", text)
+    expect(not project.times(), "a failed run writes nothing", str(project.times()))
+    project.must_build("update-lock", "update-lock")
+    expect((project.root / "schemas/count/counter.capnp").exists(), "update-lock writes the lock")
+
+
+def no_change(project):
+    text = project.must_build("builds again")
+    expect(is_idle(text), "no change: nothing runs", text)
+
+
+def touched_header(project):
+    before = project.times()
+    (project.root / "watch/watch.h").touch()
+    text = project.must_build("builds")
+    expect(runs_of_suturec(text) == ["watch"], "a touched header: one run, of its target", text)
+    expect("capnp " not in text and project.times() == before, "and no generated file is rewritten", text)
+    no_change(project)
+
+
+def edited_comment(project):
+    before = project.times()
+    project.edit("count/sample.h", "namespace scratch {\n\n", "namespace scratch {\n\n// A plain comment.\n\n")
+    text = project.must_build("builds")
+    expect(sorted(runs_of_suturec(text)) == ["count", "watch"], "a comment edited: one run a target that reads it", text)
+    expect("capnp " not in text and project.times() == before, "and no generated file is rewritten", text)
+    no_change(project)
+
+
+def transitive_header(project):
+    before = project.times()
+    (project.root / "count/limits.h").touch()
+    text = project.must_build("builds")
+    expect(sorted(runs_of_suturec(text)) == ["count", "watch"], "a header that others include: one run a target", text)
+    expect(project.times() == before, "and no generated file is rewritten", text)
+    no_change(project)
+    project.edit("count/limits.h", "inline constexpr int", "int broken(\ninline constexpr int")
+    status, text = project.build()
+    expect(status != 0 and "limits.h" in text, "an error in it stops the build", text)
+
+
+def new_field(project):
+    before = project.times()
+    project.edit("count/sample.h", "double value = 0;", "double value = 0;\n  double weight = 1;")
+    status, text = project.build()
+    expect(status != 0 and "[suture-lock-new]" in text, "a new field: the build stops until the lock has it", text)
+    expect(project.times() == before, "and writes nothing")
+    project.must_build("update-lock takes the field", "update-lock")
+    text = project.must_build("builds")
+    rewritten = {p.name for p, time in project.times().items() if before.get(p) != time}
+    expect({"sample.suture.h", "sample.capnp.h"} <= rewritten, "the field is generated", text + str(rewritten))
+    no_change(project)
+
+
+def changed_define(project):
+    """A header sees the target's definitions: with another one, it is read again."""
+    before = project.times()
+    project.edit("count/sample.h", "double value = 0;",
+                 "double value = 0;\n#ifdef SCRATCH_HEAVY\n  double extra = 0;\n#endif")
+    text = project.must_build("builds")
+    expect(project.times() == before, "a field behind an undefined macro changes nothing", text)
+    definition = "target_compile_definitions(count PRIVATE SCRATCH_HEAVY)\n"
+    project.edit("CMakeLists.txt", "suture_generate(TARGET count", definition + "suture_generate(TARGET count")
+    status, text = project.build()
+    expect(status != 0 and "Sample::extra' is not in the lock" in text, "a changed define: suturec runs anew", text)
+    project.edit("CMakeLists.txt", definition, "")
+    project.must_build("and again when it is taken back")
+
+
+def added_header(project):
+    (project.root / "count/more.h").write_text(
+        "#pragma once\n#include <suture/annotate.h>\nnamespace scratch {\n"
+        "struct SUTURE_TYPE() More { double value = 0; };\n}\n", encoding="utf-8")
+    project.edit("CMakeLists.txt", "HEADERS count/sample.h", "HEADERS count/more.h count/sample.h")
+    project.must_build("update-lock takes an added header", "update-lock")
+    text = project.must_build("builds")
+    expect(any(p.name == "more.suture.h" for p in project.times()), "an added header is generated", text)
+    no_change(project)
+
+
+def removed_output(project):
+    before = set(project.times())
+    for ending in ("suture.h", "suture.cpp", "capnp"):
+        (project.build_folder / f"generated/count/counter.{ending}").unlink()
+    (project.build_folder / "generated-wire/count/counter.capnp.h").unlink()
+    text = project.must_build("builds")
+    expect(set(project.times()) == before, "removed outputs come back", text)
+    no_change(project)
+
+
+def stale_output(project):
+    """No generated file is ever read back, whatever it holds."""
+    generated = project.build_folder / "generated/count/counter.suture.h"
+    good = generated.read_text(encoding="utf-8")
+    generated.write_text("#error stale\n", encoding="utf-8")
+    (project.root / "watch/watch.h").touch()
+    (project.root / "count/sample.h").touch()
+    text = project.must_build("builds over a broken generated file")
+    expect(generated.read_text(encoding="utf-8") == good, "and replaces it", text)
+
+
+def bad_header(project):
+    """One bad header of a target: nothing of the others is written, and nothing is half-written."""
+    before = project.times()
+    project.edit("count/sample.h", "namespace scratch {", "namespace scratch {\nint broken(")
+    status, text = project.build()
+    expect(status != 0 and project.times() == before, "suturec fails: all generated files stay", text)
+    project.edit("count/sample.h", "\nint broken(", "")
+    project.must_build("a repaired header builds")
+
+
+def interrupted(project):
+    """suturec fails while it writes: the last of its files cannot take its place."""
+    project.edit("count/counter.h", "virtual Sample sum", "virtual Sample last() const = 0;\n  SUTURE_COMMAND() virtual Sample sum")
+    project.edit("count/sample.h", "double value = 0;", "double value = 0;\n  double weight = 1;")
+    project.must_build("update-lock takes both", "update-lock")
+    blocked = project.build_folder / "generated/count/sample.suture.cpp"
+    blocked.unlink()
+    (blocked / "in the way").mkdir(parents=True)
+    before = project.times()
+    status, text = project.build()
+    expect(status != 0 and "cannot write" in text and "sample.suture.cpp" in text, "it names the file", text)
+    expect(project.times() == before, "no file is rewritten", text)
+    expect(not list(project.build_folder.rglob("*.tmp*")), "no temporary file is left")
+    shutil.rmtree(blocked)
+    text = project.must_build("builds when the way is free")
+    expect("weight" in blocked.read_text(encoding="utf-8"), "and writes it", text)
+
+
+def compare_committed(project):
+    return run(["ctest", "--test-dir", project.build_folder, "--output-on-failure", "-R", "check-generated"])
+
+
+def committed(project):
+    status, text = compare_committed(project)
+    expect(status != 0 and "update-generated" in text, "check-generated fails before anything is committed", text)
+    project.must_build("update-generated copies", "update-generated")
+    status, text = compare_committed(project)
+    expect(status == 0, "check-generated passes on equal files", text)
+    left_over = project.root / "generated/count/old.suture.h"
+    left_over.write_text("", encoding="utf-8")
+    status, text = compare_committed(project)
+    expect(status != 0 and "count/old.suture.h is generated from no header" in text, "and names a left-over", text)
+
+
+# Rows that begin before the first build.
+BEFORE = {"no_lock": stops_without_lock}
+AFTER = {row.__name__: row for row in (no_change, touched_header, edited_comment, transitive_header, new_field,
+                                       changed_define, added_header, removed_output, stale_output, bad_header,
+                                       interrupted, committed)}
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("row", choices=[*BEFORE, *AFTER])
+    parser.add_argument("--generator", default="Ninja")
+    parser.add_argument("--package", type=pathlib.Path, required=True)
+    parser.add_argument("--scratch", type=pathlib.Path, required=True)
+    arguments = parser.parse_args()
+    root = empty(arguments.scratch / f"{arguments.row} {arguments.generator}")
+    shutil.copytree(HERE / "project", root, dirs_exist_ok=True)
+    project = Project(root, arguments.package, arguments.generator)
+    project.configure()
+    if arguments.row in BEFORE:
+        BEFORE[arguments.row](project)
+    else:
+        project.must_build("update-lock", "update-lock")
+        project.must_build("builds")
+        AFTER[arguments.row](project)
+
+
+if __name__ == "__main__":
+    main()

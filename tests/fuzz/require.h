@@ -1,0 +1,12 @@
+#pragma once
+// How a fuzzer says that something does not hold.
+
+#include <cstdlib>
+
+namespace suture::fuzz {
+
+inline void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+}  // namespace suture::fuzz
