@@ -12,7 +12,7 @@
 
 #include "bench/benchmark.h"
 #include "bench/compiler/parts.h"
-#include "bench/table2/placement.h"
+#include "bench/placement.h"
 
 namespace bench {
 namespace {

@@ -9,7 +9,7 @@
 #include "bench/compiler/parts.h"
 #include "bench/paths.h"
 #include "bench/table.h"
-#include "bench/table2/progress.h"
+#include "bench/progress.h"
 
 namespace bench {
 namespace {

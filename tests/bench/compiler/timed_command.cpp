@@ -12,7 +12,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "bench/table2/progress.h"
+#include "bench/progress.h"
 
 namespace bench {
 namespace {
