@@ -979,7 +979,7 @@ class StoreProxy final : public suture::rpc::Proxy {
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<suture::SlotTuple<double, std::int16_t>>(call, response.getStamp(),
-                                                                [&](suture::SlotTuple<double, std::int16_t>& answer) {
+                                                                [&](auto& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
