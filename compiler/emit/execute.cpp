@@ -28,7 +28,7 @@ void emitCase(Code& code, const Context& context, const model::Interface& interf
     const std::string answer = command.parameters.empty() ? "slot" : "answer";
     code.line("auto& ", answer, " = *reinterpret_cast<",
               slotType(*command.result, context, "suture"), "*>(result);");
-    code.line("return store(", call(command), ", ", answer, ") ", kBreakText,
+    code.line("return store(", call(command), ", ", kBreakText, answer, ") ", kBreakText,
               "? Errc{} : Errc::TooLarge;");
   } else {
     code.line(call(command), ";").line("return Errc{};");

@@ -3,6 +3,7 @@
 #include "compiler/emit/contract.h"
 #include "compiler/emit/remote.h"
 #include "compiler/emit/wire_form.h"
+#include "compiler/lock/composites.h"
 #include "compiler/model/naming.h"
 
 namespace suture::compiler::emit {
@@ -79,7 +80,9 @@ void emitAnswer(Code& code, const Context& context, const model::Command& comman
   const char* const stamp = command.kind == model::CommandKind::Read ? "response.getStamp(), " : "";
   const std::string slot = slotType(type, context, home(context));
   code.open("return request.send().then([this, call = record.call](auto&& response) {");
-  code.open("port_.answer<", slot, ">(call, ", stamp, "[&](", slot, "& answer) {");
+  // That of a composite is long.
+  const std::string answer = lock::isComposite(type) ? "auto" : slot;
+  code.open("port_.answer<", slot, ">(call, ", stamp, kBreakText, "[&](", answer, "& answer) {");
   emitDecodeAndReturn(code, {{type, "value", "answer", {}}}, "response", "port_.shift()", context);
   code.close("});").close("});");
 }

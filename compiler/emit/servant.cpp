@@ -56,8 +56,8 @@ void emitSinkRow(Code& code, const Context& context, const model::Interface& int
     const std::string column = std::to_string(i);
     const model::Type& type = *reads[i]->result;
     code.open("if (row.valid >> ", column, " & 1) {");
-    code.line("const auto& slot = *reinterpret_cast<const ", slotType(type, context, home(context)),
-              "*>(columns[", column, "]);");
+    code.line("const auto& slot = ", kBreakText, "*reinterpret_cast<const ",
+              slotType(type, context, home(context)), "*>(columns[", column, "]);");
     code.line(encode({type, reads[i]->wireName, "slot", {}}, "out", context), ";").close("}");
   }
   code.line("return request.send().ignoreResult();").close("}");
@@ -134,8 +134,8 @@ void emitTake(Code& code, const Context& context, const model::Command& command)
   const bool stamped = command.kind == model::CommandKind::Read;
   code.open("auto take = [context](const std::byte* result, suture::Time", stamped ? " stamp" : "",
             ") mutable {");
-  code.line("const auto& slot = *reinterpret_cast<const ", slotType(type, context, home(context)),
-            "*>(result);");
+  code.line("const auto& slot = ", kBreakText, "*reinterpret_cast<const ",
+            slotType(type, context, home(context)), "*>(result);");
   code.line("auto out = context.getResults();");
   code.line(encode({type, "value", "slot", {}}, "out", context), ";");
   if (stamped) code.line("out.setStamp(suture::toNanoseconds(stamp));");

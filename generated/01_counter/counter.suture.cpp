@@ -25,6 +25,7 @@ using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
+using suture::rpc::numberOf;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
 
@@ -34,77 +35,27 @@ constexpr CommandInfo kCounterCommands[] = {
     {.name = "add",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(CounterAddArguments),
-     .resultSize = 0,
-     .depth = 8,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 8},
     {.name = "value",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(std::int64_t),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 0},
 };
 
 constexpr EventInfo kCounterEvents[] = {
-    {.name = "ten_more",
-     .payloadSize = sizeof(std::int64_t),
-     .depth = 16,
-     .latest = false,
-     .latched = false},
+    {.name = "ten_more", .payloadSize = sizeof(std::int64_t), .depth = 16},
 };
 
 // The self-description, as in 01_counter/counter.suture.json.
-constexpr char kCounterDescription[] = R"json({
-  "name": "counting::Counter",
-  "hash": "38931bde09fe12583e55c15888548c0c",
-  "commands": [
-    {
-      "name": "add",
-      "kind": "write",
-      "doc": "Adds to the count. Runs in the provider's thread.",
-      "parameters": [
-        {
-          "name": "amount",
-          "type": {
-            "kind": "Int32"
-          }
-        }
-      ],
-      "queue": 8
-    },
-    {
-      "name": "value",
-      "kind": "read",
-      "doc": "The newest count; never waits for anyone.",
-      "result": {
-        "type": {
-          "kind": "Int64"
-        }
-      },
-      "queue": 16
-    }
-  ],
-  "events": [
-    {
-      "name": "ten_more",
-      "kind": "write",
-      "wire": "tenMore",
-      "doc": "The count has passed a multiple of ten.",
-      "payload": {
-        "type": {
-          "kind": "Int64"
-        }
-      },
-      "queue": 16
-    }
-  ],
-  "enums": [],
-  "structs": []
-})json";
+constexpr char kCounterDescription[] = R"json(
+{"name": "counting::Counter", "hash": "38931bde09fe12583e55c15888548c0c", "commands": [{
+"name": "add", "kind": "write", "doc": "Adds to the count. Runs in the provider's thread.",
+"parameters": [{"name": "amount", "type": {"kind": "Int32"}}], "queue": 8}, {"name": "value",
+"kind": "read", "doc": "The newest count; never waits for anyone.", "result": {"type": {
+"kind": "Int64"}}, "queue": 16}], "events": [{"name": "ten_more", "kind": "write",
+"doc": "The count has passed a multiple of ten.", "payload": {"type": {"kind": "Int64"}},
+"queue": 16}], "enums": [], "structs": []})json";
 
 }  // namespace
 
@@ -118,8 +69,8 @@ class CounterSink final : public suture::rpc::EventSink {
   explicit CounterSink(wire::CounterEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
 
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (static_cast<CounterEvent>(event)) {
-      case CounterEvent::ten_more: {
+    switch (event) {
+      case numberOf(CounterEvent::ten_more): {
         const auto& slot = *reinterpret_cast<const std::int64_t*>(payload);
         auto request = subscriber_.tenMoreRequest();
         request.setValue(slot);
@@ -166,7 +117,7 @@ class CounterServant final : public wire::Counter::Server {
       slot.amount = in.getAmount();
       return Errc{};
     };
-    return port_->command(commandId(CounterCommand::add), in.getSent(), fill);
+    return port_->command(numberOf(CounterCommand::add), in.getSent(), fill);
   }
 
   kj::Promise<void> value(ValueContext context) override {
@@ -177,15 +128,11 @@ class CounterServant final : public wire::Counter::Server {
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(CounterCommand::value), in.getSent(),
+    return port_->call(numberOf(CounterCommand::value), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
  private:
-  static std::uint16_t commandId(CounterCommand command) {
-    return static_cast<std::uint16_t>(command);
-  }
-
   kj::Own<ServantPort> port_;
 };
 
@@ -214,12 +161,10 @@ class CounterReceiver final : public wire::CounterEvents::Server {
     std::int64_t slot;
     slot = in.getValue();
     const Errc error = Errc{};
-    return port_->event(eventId(CounterEvent::ten_more), error, slot);
+    return port_->event(numberOf(CounterEvent::ten_more), error, slot);
   }
 
  private:
-  static std::uint16_t eventId(CounterEvent event) { return static_cast<std::uint16_t>(event); }
-
   kj::Own<ProxyPort> port_;
 };
 
@@ -267,8 +212,8 @@ class CounterProxy final : public suture::rpc::Proxy {
 
 class CounterBinding final : public suture::rpc::Binding {
  public:
-  capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const override {
-    return wire::Counter::Client(kj::heap<CounterServant>(kj::mv(port)));
+  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
+    return kj::heap<CounterServant>(kj::mv(port));
   }
   kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
                                         ProxyPort& port) const override {

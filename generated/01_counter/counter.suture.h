@@ -42,14 +42,14 @@ const InterfaceInfo& interfaceInfo<counting::Counter>();
 
 /// What a client of counting::Counter calls.
 template <>
-class Required<counting::Counter> final : public RequiredBase {
+class Required<counting::Counter> : public RequiredBase {
   using Contract = counting::Counter;
   using Id = counting::CounterCommand;
   using EventId = counting::CounterEvent;
 
  public:
   Required(Component& owner, std::string_view name)
-      : RequiredBase(owner, name, interfaceInfo<Contract>()) {}
+      : Required(owner, name, interfaceInfo<Contract>()) {}
 
   /// Adds to the count. Runs in the provider's thread.
   Command<&Contract::add, counting::CounterAddArguments> add{
@@ -67,20 +67,24 @@ class Required<counting::Counter> final : public RequiredBase {
   };
   Events& on() { return events_; }
 
+ protected:
+  // Of a contract that derives from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+
  private:
   Events events_{*this};
 };
 
 /// What serves counting::Counter from a component.
 template <>
-class Provided<counting::Counter> final : public ProvidedBase {
+class Provided<counting::Counter> : public ProvidedBase {
   using Contract = counting::Counter;
   using EventId = counting::CounterEvent;
 
  public:
   Provided(Component& owner, std::string_view name, Contract& implementation)
-      : ProvidedBase(owner, name, interfaceInfo<Contract>(), &implementation),
-        implementation_(implementation) {}
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
   /// The events of counting::Counter, to emit.
   struct Events {
@@ -92,13 +96,20 @@ class Provided<counting::Counter> final : public ProvidedBase {
   };
   Events& emit() { return events_; }
 
+ protected:
+  // Of a contract that derives from this one: `whole` points to its implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
     std::int32_t add_amount;
   };
-
-  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
   Contract& implementation_;
   Events events_{*this};

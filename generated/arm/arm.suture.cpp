@@ -54,6 +54,7 @@ using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
+using suture::rpc::numberOf;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
 
@@ -66,633 +67,157 @@ static_assert(static_cast<std::uint8_t>(ArmWarning::OutOfReach) == 1);
 static_assert(static_cast<std::uint8_t>(ArmWarning::Malformed) == 2);
 
 constexpr CommandInfo kArmCommands[] = {
-    {.name = "enable",
-     .kind = CommandKind::Void,
-     .argumentsSize = 0,
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
-    {.name = "disable",
-     .kind = CommandKind::Void,
-     .argumentsSize = 0,
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
-    {.name = "home",
-     .kind = CommandKind::Void,
-     .argumentsSize = 0,
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
-    {.name = "hold",
-     .kind = CommandKind::Void,
-     .argumentsSize = 0,
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+    {.name = "enable", .kind = CommandKind::Void, .depth = 16},
+    {.name = "disable", .kind = CommandKind::Void, .depth = 16},
+    {.name = "home", .kind = CommandKind::Void, .depth = 16},
+    {.name = "hold", .kind = CommandKind::Void, .depth = 16},
     {.name = "servo_cp",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(ArmServoCpArguments),
-     .resultSize = 0,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000),
-     .column = -1},
+     .ttl = Duration(20'000'000)},
     {.name = "servo_jp",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(ArmServoJpArguments),
-     .resultSize = 0,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000),
-     .column = -1},
+     .ttl = Duration(20'000'000)},
     {.name = "move_jp",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(ArmMoveJpArguments),
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
     {.name = "measured_js",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(JointStateSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 0},
     {.name = "setpoint_js",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(JointStateSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 1},
     {.name = "measured_cp",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(PoseStampedSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 2},
     {.name = "setpoint_cp",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(PoseStampedSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 3},
     {.name = "operating_state",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(OperatingStateSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 4},
     {.name = "forward_kinematics",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = sizeof(ArmForwardKinematicsArguments),
      .resultSize = sizeof(PoseStampedSlot),
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
     {.name = "inverse_kinematics",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = sizeof(ArmInverseKinematicsArguments),
      .resultSize = sizeof(JointSolutionSlot),
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
 };
 
 constexpr EventInfo kArmEvents[] = {
     {.name = "operating_state",
      .payloadSize = sizeof(OperatingStateSlot),
      .depth = 16,
-     .latest = false,
      .latched = true},
-    {.name = "goal_reached",
-     .payloadSize = sizeof(std::uint8_t),
-     .depth = 16,
-     .latest = false,
-     .latched = false},
-    {.name = "warning",
-     .payloadSize = sizeof(std::uint8_t),
-     .depth = 16,
-     .latest = false,
-     .latched = false},
+    {.name = "goal_reached", .payloadSize = sizeof(std::uint8_t), .depth = 16},
+    {.name = "warning", .payloadSize = sizeof(std::uint8_t), .depth = 16},
 };
 
 // The self-description, as in arm/arm.suture.json.
-constexpr char kArmDescription[] = R"json({
-  "name": "robots::Arm",
-  "doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. Poses are of the tool tip in the arm's base frame. An arm starts, and restarts, disabled\nand not homed; until it is enabled it ignores motion commands.",
-  "hash": "9aa063d6d8764804f45a215cbae980fe",
-  "commands": [
-    {
-      "name": "enable",
-      "kind": "void",
-      "doc": "Powers the arm; it holds its position.",
-      "queue": 16
-    },
-    {
-      "name": "disable",
-      "kind": "void",
-      "doc": "Stops at once and ignores motion until enabled again.",
-      "queue": 16
-    },
-    {
-      "name": "home",
-      "kind": "void",
-      "doc": "Moves to the home position; needs an enabled arm. Ends with goal_reached.",
-      "queue": 16
-    },
-    {
-      "name": "hold",
-      "kind": "void",
-      "doc": "Drops what is under way; the set-point stays where it is.",
-      "queue": 16
-    },
-    {
-      "name": "servo_cp",
-      "kind": "write",
-      "wire": "servoCp",
-      "doc": "Streams Cartesian goals, newest wins. A goal out of reach leaves the set-point and says so in\n`warning`. setpoint_cp keeps the goal's stamp.",
-      "parameters": [
-        {
-          "name": "goal",
-          "type": {
-            "kind": "struct",
-            "name": "robots::PoseStamped"
-          }
-        }
-      ],
-      "queue": 16,
-      "latest": true,
-      "ttl": 0.02
-    },
-    {
-      "name": "servo_jp",
-      "kind": "write",
-      "wire": "servoJp",
-      "doc": "Streams joint goals, newest wins; cut to the joint limits.",
-      "parameters": [
-        {
-          "name": "goal",
-          "type": {
-            "kind": "struct",
-            "name": "robots::JointGoal"
-          }
-        }
-      ],
-      "queue": 16,
-      "latest": true,
-      "ttl": 0.02
-    },
-    {
-      "name": "move_jp",
-      "kind": "write",
-      "wire": "moveJp",
-      "doc": "Plans and executes a smooth motion from the set-point. Ends with goal_reached.",
-      "parameters": [
-        {
-          "name": "goal",
-          "type": {
-            "kind": "struct",
-            "name": "robots::JointGoal"
-          }
-        }
-      ],
-      "queue": 16
-    },
-    {
-      "name": "measured_js",
-      "kind": "read",
-      "wire": "measuredJs",
-      "doc": "Where the joints are. Stamp: the arm's cycle.",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::JointState"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "setpoint_js",
-      "kind": "read",
-      "wire": "setpointJs",
-      "doc": "Where the joints shall be.",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::JointState"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "measured_cp",
-      "kind": "read",
-      "wire": "measuredCp",
-      "doc": "Where the tool tip is. Stamp: the arm's cycle.",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::PoseStamped"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "setpoint_cp",
-      "kind": "read",
-      "wire": "setpointCp",
-      "doc": "Where the tool tip shall be. Stamp: that of the servo_cp goal it came from, else the arm's\ncycle.",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::PoseStamped"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "operating_state",
-      "kind": "read",
-      "wire": "operatingState",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::OperatingState"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "forward_kinematics",
-      "kind": "qualified read",
-      "wire": "forwardKinematics",
-      "doc": "The tool tip for a joint vector; not valid if it has the wrong length.",
-      "parameters": [
-        {
-          "name": "q",
-          "type": {
-            "kind": "struct",
-            "name": "robots::JointGoal"
-          }
-        }
-      ],
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::PoseStamped"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "inverse_kinematics",
-      "kind": "qualified read",
-      "wire": "inverseKinematics",
-      "doc": "A joint vector for a tool tip, searched from the present set-point.",
-      "parameters": [
-        {
-          "name": "goal",
-          "type": {
-            "kind": "struct",
-            "name": "robots::PoseStamped"
-          }
-        }
-      ],
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::JointSolution"
-        }
-      },
-      "queue": 16
-    }
-  ],
-  "events": [
-    {
-      "name": "operating_state",
-      "kind": "write",
-      "wire": "operatingState",
-      "doc": "Each change of the operating state, and the last one to whoever connects.",
-      "payload": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::OperatingState"
-        }
-      },
-      "queue": 16,
-      "latched": true
-    },
-    {
-      "name": "goal_reached",
-      "kind": "write",
-      "wire": "goalReached",
-      "doc": "A move ended: true at its goal, false when something else replaced it.",
-      "payload": {
-        "type": {
-          "kind": "Bool"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "warning",
-      "kind": "write",
-      "doc": "The arm refuses what it is asked to do; once per reason, until it obeys again.",
-      "payload": {
-        "type": {
-          "kind": "enum",
-          "name": "robots::ArmWarning"
-        }
-      },
-      "queue": 16
-    }
-  ],
-  "enums": [
-    {
-      "name": "robots::ArmState",
-      "doc": "The states of CRTK.",
-      "underlying": "UInt8",
-      "enumerators": [
-        {
-          "name": "Undefined",
-          "value": 0,
-          "wire": "undefined"
-        },
-        {
-          "name": "Disabled",
-          "value": 1,
-          "wire": "disabled"
-        },
-        {
-          "name": "Enabled",
-          "value": 2,
-          "wire": "enabled"
-        },
-        {
-          "name": "Paused",
-          "value": 3,
-          "wire": "paused"
-        },
-        {
-          "name": "Fault",
-          "value": 4,
-          "wire": "fault"
-        }
-      ]
-    },
-    {
-      "name": "robots::ArmWarning",
-      "doc": "Why an arm does not do what it is asked.",
-      "underlying": "UInt8",
-      "enumerators": [
-        {
-          "name": "NotEnabled",
-          "value": 0,
-          "wire": "notEnabled",
-          "doc": "motion commands need an enabled arm"
-        },
-        {
-          "name": "OutOfReach",
-          "value": 1,
-          "wire": "outOfReach",
-          "doc": "no joint vector within limits reaches the goal"
-        },
-        {
-          "name": "Malformed",
-          "value": 2,
-          "wire": "malformed",
-          "doc": "the goal has the wrong length, is not finite or not a pose"
-        }
-      ]
-    }
-  ],
-  "structs": [
-    {
-      "name": "robots::PoseStamped",
-      "doc": "A pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.",
-      "fields": [
-        {
-          "name": "pose",
-          "doc": "Tool tip in the base frame.",
-          "type": {
-            "kind": "isometry",
-            "scalar": "Float64"
-          },
-          "unit": "m"
-        },
-        {
-          "name": "stamp",
-          "doc": "When the pose was true; of a set-point, the stamp of the data it was made from.",
-          "type": {
-            "kind": "time",
-            "clock": "steady"
-          }
-        },
-        {
-          "name": "valid",
-          "doc": "False: do not use.",
-          "type": {
-            "kind": "Bool"
-          },
-          "default": false
-        }
-      ]
-    },
-    {
-      "name": "robots::JointGoal",
-      "doc": "Where joints shall go: CRTK's servo_jp and move_jp.",
-      "fields": [
-        {
-          "name": "position",
-          "doc": "One entry a joint, in chain order.",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Float64"
-            },
-            "capacity": 8
-          },
-          "unit": "rad"
-        },
-        {
-          "name": "stamp",
-          "type": {
-            "kind": "time",
-            "clock": "steady"
-          }
-        }
-      ]
-    },
-    {
-      "name": "robots::JointState",
-      "doc": "The state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list is\nempty where its quantity is not known, and as long as `name` otherwise.",
-      "fields": [
-        {
-          "name": "name",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "text",
-              "capacity": 15
-            },
-            "capacity": 8
-          }
-        },
-        {
-          "name": "position",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Float64"
-            },
-            "capacity": 8
-          },
-          "unit": "rad"
-        },
-        {
-          "name": "velocity",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Float64"
-            },
-            "capacity": 8
-          },
-          "unit": "rad/s"
-        },
-        {
-          "name": "effort",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Float64"
-            },
-            "capacity": 8
-          },
-          "unit": "N.m"
-        },
-        {
-          "name": "stamp",
-          "type": {
-            "kind": "time",
-            "clock": "steady"
-          }
-        },
-        {
-          "name": "valid",
-          "doc": "False: do not use.",
-          "type": {
-            "kind": "Bool"
-          },
-          "default": false
-        }
-      ]
-    },
-    {
-      "name": "robots::OperatingState",
-      "doc": "CRTK's operating_state.",
-      "fields": [
-        {
-          "name": "state",
-          "type": {
-            "kind": "enum",
-            "name": "robots::ArmState"
-          },
-          "default": "Undefined"
-        },
-        {
-          "name": "sub_state",
-          "wire": "subState",
-          "doc": "What the arm is doing within its state, for people: \"holding\", \"servo_cp\".",
-          "type": {
-            "kind": "text",
-            "capacity": 15
-          }
-        },
-        {
-          "name": "is_homed",
-          "wire": "isHomed",
-          "type": {
-            "kind": "Bool"
-          },
-          "default": false
-        },
-        {
-          "name": "is_busy",
-          "wire": "isBusy",
-          "doc": "A move is under way; servo commands do not set it.",
-          "type": {
-            "kind": "Bool"
-          },
-          "default": false
-        },
-        {
-          "name": "stamp",
-          "doc": "When the arm entered this state.",
-          "type": {
-            "kind": "time",
-            "clock": "steady"
-          }
-        }
-      ]
-    },
-    {
-      "name": "robots::JointSolution",
-      "doc": "A joint vector that an arm computed, without heap so that a control loop may return it.",
-      "fields": [
-        {
-          "name": "position",
-          "doc": "The first `joints` entries count.",
-          "type": {
-            "kind": "array",
-            "element": {
-              "kind": "Float64"
-            },
-            "length": 8
-          },
-          "unit": "rad"
-        },
-        {
-          "name": "joints",
-          "type": {
-            "kind": "UInt32"
-          },
-          "default": 0
-        },
-        {
-          "name": "found",
-          "doc": "False: no joint vector within limits reaches the pose; `position` is the nearest one found.",
-          "type": {
-            "kind": "Bool"
-          },
-          "default": false
-        }
-      ]
-    }
-  ]
-})json";
+constexpr char kArmDescription[] = R"json(
+{"name": "robots::Arm",
+"doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. Poses are of the tool tip in the arm's base frame. An arm starts, and restarts, disabled\nand not homed; until it is enabled it ignores motion commands.",
+"hash": "9aa063d6d8764804f45a215cbae980fe", "commands": [{"name": "enable", "kind": "void",
+"doc": "Powers the arm; it holds its position.", "queue": 16}, {"name": "disable", "kind": "void",
+"doc": "Stops at once and ignores motion until enabled again.", "queue": 16}, {"name": "home",
+"kind": "void", "doc": "Moves to the home position; needs an enabled arm. Ends with goal_reached.",
+"queue": 16}, {"name": "hold", "kind": "void",
+"doc": "Drops what is under way; the set-point stays where it is.", "queue": 16}, {
+"name": "servo_cp", "kind": "write",
+"doc": "Streams Cartesian goals, newest wins. A goal out of reach leaves the set-point and says so in\n`warning`. setpoint_cp keeps the goal's stamp.",
+"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
+"queue": 16, "latest": true, "ttl": 0.02}, {"name": "servo_jp", "kind": "write",
+"doc": "Streams joint goals, newest wins; cut to the joint limits.", "parameters": [{
+"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "queue": 16,
+"latest": true, "ttl": 0.02}, {"name": "move_jp", "kind": "write",
+"doc": "Plans and executes a smooth motion from the set-point. Ends with goal_reached.",
+"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
+"queue": 16}, {"name": "measured_js", "kind": "read",
+"doc": "Where the joints are. Stamp: the arm's cycle.", "result": {"type": {"kind": "struct",
+"name": "robots::JointState"}}, "queue": 16}, {"name": "setpoint_js", "kind": "read",
+"doc": "Where the joints shall be.", "result": {"type": {"kind": "struct",
+"name": "robots::JointState"}}, "queue": 16}, {"name": "measured_cp", "kind": "read",
+"doc": "Where the tool tip is. Stamp: the arm's cycle.", "result": {"type": {"kind": "struct",
+"name": "robots::PoseStamped"}}, "queue": 16}, {"name": "setpoint_cp", "kind": "read",
+"doc": "Where the tool tip shall be. Stamp: that of the servo_cp goal it came from, else the arm's\ncycle.",
+"result": {"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
+"name": "operating_state", "kind": "read", "result": {"type": {"kind": "struct",
+"name": "robots::OperatingState"}}, "queue": 16}, {"name": "forward_kinematics",
+"kind": "qualified read",
+"doc": "The tool tip for a joint vector; not valid if it has the wrong length.", "parameters": [{
+"name": "q", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "result": {"type": {
+"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "inverse_kinematics",
+"kind": "qualified read",
+"doc": "A joint vector for a tool tip, searched from the present set-point.", "parameters": [{
+"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}], "result": {"type": {
+"kind": "struct", "name": "robots::JointSolution"}}, "queue": 16}], "events": [{
+"name": "operating_state", "kind": "write",
+"doc": "Each change of the operating state, and the last one to whoever connects.", "payload": {
+"type": {"kind": "struct", "name": "robots::OperatingState"}}, "queue": 16, "latched": true}, {
+"name": "goal_reached", "kind": "write",
+"doc": "A move ended: true at its goal, false when something else replaced it.", "payload": {
+"type": {"kind": "Bool"}}, "queue": 16}, {"name": "warning", "kind": "write",
+"doc": "The arm refuses what it is asked to do; once per reason, until it obeys again.",
+"payload": {"type": {"kind": "enum", "name": "robots::ArmWarning"}}, "queue": 16}], "enums": [{
+"name": "robots::ArmState", "doc": "The states of CRTK.", "underlying": "UInt8", "enumerators": [{
+"name": "Undefined", "value": 0}, {"name": "Disabled", "value": 1}, {"name": "Enabled", "value": 2
+}, {"name": "Paused", "value": 3}, {"name": "Fault", "value": 4}]}, {"name": "robots::ArmWarning",
+"doc": "Why an arm does not do what it is asked.", "underlying": "UInt8", "enumerators": [{
+"name": "NotEnabled", "value": 0, "doc": "motion commands need an enabled arm"}, {
+"name": "OutOfReach", "value": 1, "doc": "no joint vector within limits reaches the goal"}, {
+"name": "Malformed", "value": 2, "doc": "the goal has the wrong length, is not finite or not a pose"
+}]}], "structs": [{"name": "robots::PoseStamped",
+"doc": "A pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.", "fields": [{
+"name": "pose", "doc": "Tool tip in the base frame.", "type": {"kind": "isometry",
+"scalar": "Float64"}, "unit": "m"}, {"name": "stamp",
+"doc": "When the pose was true; of a set-point, the stamp of the data it was made from.", "type": {
+"kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "False: do not use.", "type": {
+"kind": "Bool"}, "default": false}]}, {"name": "robots::JointGoal",
+"doc": "Where joints shall go: CRTK's servo_jp and move_jp.", "fields": [{"name": "position",
+"doc": "One entry a joint, in chain order.", "type": {"kind": "list", "element": {"kind": "Float64"
+}, "capacity": 8}, "unit": "rad"}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]
+}, {"name": "robots::JointState",
+"doc": "The state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list is\nempty where its quantity is not known, and as long as `name` otherwise.",
+"fields": [{"name": "name", "type": {"kind": "list", "element": {"kind": "text", "capacity": 15},
+"capacity": 8}}, {"name": "position", "type": {"kind": "list", "element": {"kind": "Float64"},
+"capacity": 8}, "unit": "rad"}, {"name": "velocity", "type": {"kind": "list", "element": {
+"kind": "Float64"}, "capacity": 8}, "unit": "rad/s"}, {"name": "effort", "type": {"kind": "list",
+"element": {"kind": "Float64"}, "capacity": 8}, "unit": "N.m"}, {"name": "stamp", "type": {
+"kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "False: do not use.", "type": {
+"kind": "Bool"}, "default": false}]}, {"name": "robots::OperatingState",
+"doc": "CRTK's operating_state.", "fields": [{"name": "state", "type": {"kind": "enum",
+"name": "robots::ArmState"}, "default": "Undefined"}, {"name": "sub_state",
+"doc": "What the arm is doing within its state, for people: \"holding\", \"servo_cp\".", "type": {
+"kind": "text", "capacity": 15}}, {"name": "is_homed", "type": {"kind": "Bool"}, "default": false},
+{"name": "is_busy", "doc": "A move is under way; servo commands do not set it.", "type": {
+"kind": "Bool"}, "default": false}, {"name": "stamp", "doc": "When the arm entered this state.",
+"type": {"kind": "time", "clock": "steady"}}]}, {"name": "robots::JointSolution",
+"doc": "A joint vector that an arm computed, without heap so that a control loop may return it.",
+"fields": [{"name": "position", "doc": "The first `joints` entries count.", "type": {
+"kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad"}, {"name": "joints",
+"type": {"kind": "UInt32"}, "default": 0}, {"name": "found",
+"doc": "False: no joint vector within limits reaches the pose; `position` is the nearest one found.",
+"type": {"kind": "Bool"}, "default": false}]}]})json";
 
 }  // namespace
 
@@ -729,20 +254,20 @@ class ArmSink final : public suture::rpc::EventSink {
   explicit ArmSink(wire::ArmEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
 
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (static_cast<ArmEvent>(event)) {
-      case ArmEvent::operating_state: {
+    switch (event) {
+      case numberOf(ArmEvent::operating_state): {
         const auto& slot = *reinterpret_cast<const OperatingStateSlot*>(payload);
         auto request = subscriber_.operatingStateRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
-      case ArmEvent::goal_reached: {
+      case numberOf(ArmEvent::goal_reached): {
         const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
         auto request = subscriber_.goalReachedRequest();
         request.setValue(slot != 0);
         return request.send().ignoreResult();
       }
-      case ArmEvent::warning: {
+      case numberOf(ArmEvent::warning): {
         const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
         auto request = subscriber_.warningRequest();
         request.setValue(wireArmWarning(slot));
@@ -800,25 +325,25 @@ class ArmServant final : public wire::Arm::Server {
 
   kj::Promise<void> enable(EnableContext context) override {
     auto in = context.getParams();
-    return port_->command(commandId(ArmCommand::enable), in.getSent(),
+    return port_->command(numberOf(ArmCommand::enable), in.getSent(),
                           [](std::byte*) { return Errc{}; });
   }
 
   kj::Promise<void> disable(DisableContext context) override {
     auto in = context.getParams();
-    return port_->command(commandId(ArmCommand::disable), in.getSent(),
+    return port_->command(numberOf(ArmCommand::disable), in.getSent(),
                           [](std::byte*) { return Errc{}; });
   }
 
   kj::Promise<void> home(HomeContext context) override {
     auto in = context.getParams();
-    return port_->command(commandId(ArmCommand::home), in.getSent(),
+    return port_->command(numberOf(ArmCommand::home), in.getSent(),
                           [](std::byte*) { return Errc{}; });
   }
 
   kj::Promise<void> hold(HoldContext context) override {
     auto in = context.getParams();
-    return port_->command(commandId(ArmCommand::hold), in.getSent(),
+    return port_->command(numberOf(ArmCommand::hold), in.getSent(),
                           [](std::byte*) { return Errc{}; });
   }
 
@@ -831,7 +356,7 @@ class ArmServant final : public wire::Arm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.goal) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(ArmCommand::servo_cp), in.getSent(), fill);
+    return port_->command(numberOf(ArmCommand::servo_cp), in.getSent(), fill);
   }
 
   kj::Promise<void> servoJp(ServoJpContext context) override {
@@ -843,7 +368,7 @@ class ArmServant final : public wire::Arm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.goal) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(ArmCommand::servo_jp), in.getSent(), fill);
+    return port_->command(numberOf(ArmCommand::servo_jp), in.getSent(), fill);
   }
 
   kj::Promise<void> moveJp(MoveJpContext context) override {
@@ -855,7 +380,7 @@ class ArmServant final : public wire::Arm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.goal) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(ArmCommand::move_jp), in.getSent(), fill);
+    return port_->command(numberOf(ArmCommand::move_jp), in.getSent(), fill);
   }
 
   kj::Promise<void> measuredJs(MeasuredJsContext context) override {
@@ -866,7 +391,7 @@ class ArmServant final : public wire::Arm::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(ArmCommand::measured_js), in.getSent(),
+    return port_->call(numberOf(ArmCommand::measured_js), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -878,7 +403,7 @@ class ArmServant final : public wire::Arm::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(ArmCommand::setpoint_js), in.getSent(),
+    return port_->call(numberOf(ArmCommand::setpoint_js), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -890,7 +415,7 @@ class ArmServant final : public wire::Arm::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(ArmCommand::measured_cp), in.getSent(),
+    return port_->call(numberOf(ArmCommand::measured_cp), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -902,7 +427,7 @@ class ArmServant final : public wire::Arm::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(ArmCommand::setpoint_cp), in.getSent(),
+    return port_->call(numberOf(ArmCommand::setpoint_cp), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -914,7 +439,7 @@ class ArmServant final : public wire::Arm::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(ArmCommand::operating_state), in.getSent(),
+    return port_->call(numberOf(ArmCommand::operating_state), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -931,7 +456,7 @@ class ArmServant final : public wire::Arm::Server {
       auto out = context.getResults();
       toWire(slot, out.initValue());
     };
-    return port_->call(commandId(ArmCommand::forward_kinematics), in.getSent(), fill, kj::mv(take));
+    return port_->call(numberOf(ArmCommand::forward_kinematics), in.getSent(), fill, kj::mv(take));
   }
 
   kj::Promise<void> inverseKinematics(InverseKinematicsContext context) override {
@@ -948,12 +473,10 @@ class ArmServant final : public wire::Arm::Server {
       auto out = context.getResults();
       toWire(slot, out.initValue());
     };
-    return port_->call(commandId(ArmCommand::inverse_kinematics), in.getSent(), fill, kj::mv(take));
+    return port_->call(numberOf(ArmCommand::inverse_kinematics), in.getSent(), fill, kj::mv(take));
   }
 
  private:
-  static std::uint16_t commandId(ArmCommand command) { return static_cast<std::uint16_t>(command); }
-
   kj::Own<ServantPort> port_;
 };
 
@@ -1007,7 +530,7 @@ class ArmReceiver final : public wire::ArmEvents::Server {
     OperatingStateSlot slot;
     const Errc error =
         in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(eventId(ArmEvent::operating_state), error, slot);
+    return port_->event(numberOf(ArmEvent::operating_state), error, slot);
   }
 
   kj::Promise<void> goalReached(GoalReachedContext context) override {
@@ -1015,19 +538,17 @@ class ArmReceiver final : public wire::ArmEvents::Server {
     std::uint8_t slot;
     slot = in.getValue();
     const Errc error = Errc{};
-    return port_->event(eventId(ArmEvent::goal_reached), error, slot);
+    return port_->event(numberOf(ArmEvent::goal_reached), error, slot);
   }
 
   kj::Promise<void> warning(WarningContext context) override {
     auto in = context.getParams();
     std::uint8_t slot;
     const Errc error = fromWire(in.getValue(), slot);
-    return port_->event(eventId(ArmEvent::warning), error, slot);
+    return port_->event(numberOf(ArmEvent::warning), error, slot);
   }
 
  private:
-  static std::uint16_t eventId(ArmEvent event) { return static_cast<std::uint16_t>(event); }
-
   kj::Own<ProxyPort> port_;
 };
 
@@ -1132,7 +653,8 @@ class ArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.operatingStateRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<OperatingStateSlot>(call, response.getStamp(), [&](OperatingStateSlot& answer) {
+          port_.answer<OperatingStateSlot>(call, response.getStamp(),
+                                           [&](OperatingStateSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -1175,8 +697,8 @@ class ArmProxy final : public suture::rpc::Proxy {
 
 class ArmBinding final : public suture::rpc::Binding {
  public:
-  capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const override {
-    return wire::Arm::Client(kj::heap<ArmServant>(kj::mv(port)));
+  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
+    return kj::heap<ArmServant>(kj::mv(port));
   }
   kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
                                         ProxyPort& port) const override {

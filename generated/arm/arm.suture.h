@@ -95,14 +95,14 @@ const InterfaceInfo& interfaceInfo<robots::Arm>();
 
 /// What a client of robots::Arm calls.
 template <>
-class Required<robots::Arm> final : public RequiredBase {
+class Required<robots::Arm> : public RequiredBase {
   using Contract = robots::Arm;
   using Id = robots::ArmCommand;
   using EventId = robots::ArmEvent;
 
  public:
   Required(Component& owner, std::string_view name)
-      : RequiredBase(owner, name, interfaceInfo<Contract>()) {}
+      : Required(owner, name, interfaceInfo<Contract>()) {}
 
   /// Powers the arm; it holds its position.
   Command<&Contract::enable, NoSlot> enable{*this, static_cast<std::uint16_t>(Id::enable)};
@@ -162,20 +162,24 @@ class Required<robots::Arm> final : public RequiredBase {
   };
   Events& on() { return events_; }
 
+ protected:
+  // Of a contract that derives from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+
  private:
   Events events_{*this};
 };
 
 /// What serves robots::Arm from a component.
 template <>
-class Provided<robots::Arm> final : public ProvidedBase {
+class Provided<robots::Arm> : public ProvidedBase {
   using Contract = robots::Arm;
   using EventId = robots::ArmEvent;
 
  public:
   Provided(Component& owner, std::string_view name, Contract& implementation)
-      : ProvidedBase(owner, name, interfaceInfo<Contract>(), &implementation),
-        implementation_(implementation) {}
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
   /// The events of robots::Arm, to emit.
   struct Events {
@@ -193,6 +197,15 @@ class Provided<robots::Arm> final : public ProvidedBase {
   };
   Events& emit() { return events_; }
 
+ protected:
+  // Of a contract that derives from this one: `whole` points to its implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
@@ -202,8 +215,6 @@ class Provided<robots::Arm> final : public ProvidedBase {
     robots::JointGoal forward_kinematics_q;
     robots::PoseStamped inverse_kinematics_goal;
   };
-
-  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
   Contract& implementation_;
   Events events_{*this};

@@ -106,6 +106,7 @@ using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
+using suture::rpc::numberOf;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
 
@@ -114,2313 +115,504 @@ namespace {
 constexpr CommandInfo kCrtkArmCommands[] = {
     {.name = "configuration_js",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(JointConfigurationSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 0},
     {.name = "operating_state",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(OperatingStateSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 1},
     {.name = "period_statistics",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(IntervalStatisticsSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 2},
-    {.name = "enable",
-     .kind = CommandKind::Void,
-     .argumentsSize = 0,
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
-    {.name = "disable",
-     .kind = CommandKind::Void,
-     .argumentsSize = 0,
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
-    {.name = "pause",
-     .kind = CommandKind::Void,
-     .argumentsSize = 0,
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
-    {.name = "resume",
-     .kind = CommandKind::Void,
-     .argumentsSize = 0,
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
-    {.name = "home",
-     .kind = CommandKind::Void,
-     .argumentsSize = 0,
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
-    {.name = "unhome",
-     .kind = CommandKind::Void,
-     .argumentsSize = 0,
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+    {.name = "enable", .kind = CommandKind::Void, .depth = 16},
+    {.name = "disable", .kind = CommandKind::Void, .depth = 16},
+    {.name = "pause", .kind = CommandKind::Void, .depth = 16},
+    {.name = "resume", .kind = CommandKind::Void, .depth = 16},
+    {.name = "home", .kind = CommandKind::Void, .depth = 16},
+    {.name = "unhome", .kind = CommandKind::Void, .depth = 16},
     {.name = "state_command",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(CrtkArmStateCommandArguments),
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
     {.name = "measured_js",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(JointStateSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 3},
     {.name = "setpoint_js",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(JointStateSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 4},
     {.name = "goal_js",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(JointStateSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 5},
     {.name = "measured_cp",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(PoseStampedSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 6},
     {.name = "setpoint_cp",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(PoseStampedSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 7},
     {.name = "goal_cp",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(PoseStampedSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 8},
     {.name = "local_measured_cp",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(PoseStampedSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 9},
     {.name = "local_setpoint_cp",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(PoseStampedSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 10},
     {.name = "measured_cv",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(TwistSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 11},
     {.name = "setpoint_cv",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(TwistSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 12},
     {.name = "body_measured_cf",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(WrenchSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 13},
     {.name = "spatial_measured_cf",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(WrenchSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 14},
     {.name = "measured_cs",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(CartesianStateSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 15},
     {.name = "body_jacobian",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(JacobianSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 16},
     {.name = "spatial_jacobian",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(JacobianSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 17},
     {.name = "base_frame",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(PoseStampedSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 18},
     {.name = "set_base_frame",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(CrtkArmSetBaseFrameArguments),
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
-    {.name = "hold",
-     .kind = CommandKind::Void,
-     .argumentsSize = 0,
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
-    {.name = "free",
-     .kind = CommandKind::Void,
-     .argumentsSize = 0,
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
+    {.name = "hold", .kind = CommandKind::Void, .depth = 16},
+    {.name = "free", .kind = CommandKind::Void, .depth = 16},
     {.name = "use_gravity_compensation",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(CrtkArmUseGravityCompensationArguments),
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
     {.name = "servo_jp",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(CrtkArmServoJpArguments),
-     .resultSize = 0,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000),
-     .column = -1},
+     .ttl = Duration(20'000'000)},
     {.name = "servo_jr",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(CrtkArmServoJrArguments),
-     .resultSize = 0,
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(20'000'000),
-     .column = -1},
+     .ttl = Duration(20'000'000)},
     {.name = "servo_jv",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(CrtkArmServoJvArguments),
-     .resultSize = 0,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000),
-     .column = -1},
+     .ttl = Duration(20'000'000)},
     {.name = "servo_jf",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(CrtkArmServoJfArguments),
-     .resultSize = 0,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000),
-     .column = -1},
+     .ttl = Duration(20'000'000)},
     {.name = "servo_cp",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(CrtkArmServoCpArguments),
-     .resultSize = 0,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000),
-     .column = -1},
+     .ttl = Duration(20'000'000)},
     {.name = "servo_cr",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(CrtkArmServoCrArguments),
-     .resultSize = 0,
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(20'000'000),
-     .column = -1},
+     .ttl = Duration(20'000'000)},
     {.name = "servo_cv",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(CrtkArmServoCvArguments),
-     .resultSize = 0,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000),
-     .column = -1},
+     .ttl = Duration(20'000'000)},
     {.name = "body_servo_cf",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(CrtkArmBodyServoCfArguments),
-     .resultSize = 0,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000),
-     .column = -1},
+     .ttl = Duration(20'000'000)},
     {.name = "spatial_servo_cf",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(CrtkArmSpatialServoCfArguments),
-     .resultSize = 0,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000),
-     .column = -1},
+     .ttl = Duration(20'000'000)},
     {.name = "move_jp",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(CrtkArmMoveJpArguments),
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
     {.name = "move_jr",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(CrtkArmMoveJrArguments),
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
     {.name = "move_cp",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(CrtkArmMoveCpArguments),
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
     {.name = "move_cr",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(CrtkArmMoveCrArguments),
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
     {.name = "trajectory_j_set_ratio",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(CrtkArmTrajectoryJSetRatioArguments),
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
     {.name = "trajectory_j_set_ratio_v",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(CrtkArmTrajectoryJSetRatioVArguments),
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
     {.name = "trajectory_j_set_ratio_a",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(CrtkArmTrajectoryJSetRatioAArguments),
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
     {.name = "trajectory_j_ratio",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(double),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 19},
     {.name = "trajectory_j_ratio_v",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(double),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 20},
     {.name = "trajectory_j_ratio_a",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(double),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 21},
     {.name = "forward_kinematics",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = sizeof(CrtkArmForwardKinematicsArguments),
      .resultSize = sizeof(PoseStampedSlot),
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
     {.name = "inverse_kinematics",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = sizeof(CrtkArmInverseKinematicsArguments),
      .resultSize = sizeof(JointSolutionSlot),
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
     {.name = "query_cp",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = sizeof(CrtkArmQueryCpArguments),
      .resultSize = sizeof(PoseStampedSlot),
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
     {.name = "local_query_cp",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = sizeof(CrtkArmLocalQueryCpArguments),
      .resultSize = sizeof(PoseStampedSlot),
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
 };
 
 constexpr EventInfo kCrtkArmEvents[] = {
     {.name = "operating_state",
      .payloadSize = sizeof(OperatingStateSlot),
      .depth = 16,
-     .latest = false,
      .latched = true},
-    {.name = "desired_state",
-     .payloadSize = sizeof(std::uint8_t),
-     .depth = 16,
-     .latest = false,
-     .latched = true},
-    {.name = "goal_reached",
-     .payloadSize = sizeof(std::uint8_t),
-     .depth = 16,
-     .latest = false,
-     .latched = false},
+    {.name = "desired_state", .payloadSize = sizeof(std::uint8_t), .depth = 16, .latched = true},
+    {.name = "goal_reached", .payloadSize = sizeof(std::uint8_t), .depth = 16},
     {.name = "gravity_compensation",
      .payloadSize = sizeof(std::uint8_t),
      .depth = 16,
-     .latest = false,
      .latched = true},
-    {.name = "trajectory_j_ratio",
-     .payloadSize = sizeof(double),
-     .depth = 16,
-     .latest = false,
-     .latched = true},
-    {.name = "trajectory_j_ratio_v",
-     .payloadSize = sizeof(double),
-     .depth = 16,
-     .latest = false,
-     .latched = true},
-    {.name = "trajectory_j_ratio_a",
-     .payloadSize = sizeof(double),
-     .depth = 16,
-     .latest = false,
-     .latched = true},
-    {.name = "status",
-     .payloadSize = sizeof(MessageSlot),
-     .depth = 16,
-     .latest = false,
-     .latched = false},
-    {.name = "warning",
-     .payloadSize = sizeof(MessageSlot),
-     .depth = 16,
-     .latest = false,
-     .latched = false},
-    {.name = "error",
-     .payloadSize = sizeof(MessageSlot),
-     .depth = 16,
-     .latest = false,
-     .latched = false},
+    {.name = "trajectory_j_ratio", .payloadSize = sizeof(double), .depth = 16, .latched = true},
+    {.name = "trajectory_j_ratio_v", .payloadSize = sizeof(double), .depth = 16, .latched = true},
+    {.name = "trajectory_j_ratio_a", .payloadSize = sizeof(double), .depth = 16, .latched = true},
+    {.name = "status", .payloadSize = sizeof(MessageSlot), .depth = 16},
+    {.name = "warning", .payloadSize = sizeof(MessageSlot), .depth = 16},
+    {.name = "error", .payloadSize = sizeof(MessageSlot), .depth = 16},
 };
 
 // The self-description, as in arm/crtk_arm.suture.json.
-constexpr char kCrtkArmDescription[] = R"json({
-  "name": "robots::CrtkArm",
-  "doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. `local_` poses are of the tool tip in the arm's base frame, all others in the reference\nframe, in which base_frame() is the arm's base. A servo command replaces the one before it, of\nwhichever space; a stream of velocities or efforts that falls silent for 0.1 s ends as hold().\nRelative goals are relative to the set-point. What an arm refuses it tells in `warning`.",
-  "hash": "fd15fee19f80c14818f4c5f626164e89",
-  "crtk": true,
-  "commands": [
-    {
-      "name": "configuration_js",
-      "kind": "read",
-      "wire": "configurationJs",
-      "doc": "What the joints are and may do.",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::JointConfiguration"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "operating_state",
-      "kind": "read",
-      "wire": "operatingState",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::OperatingState"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "period_statistics",
-      "kind": "read",
-      "wire": "periodStatistics",
-      "doc": "How regularly the arm's task ran in the last second.",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::IntervalStatistics"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "enable",
-      "kind": "void",
-      "doc": "Powers the arm; it holds its position.",
-      "queue": 16
-    },
-    {
-      "name": "disable",
-      "kind": "void",
-      "doc": "Stops at once and ignores motion until enabled again.",
-      "queue": 16
-    },
-    {
-      "name": "pause",
-      "kind": "void",
-      "doc": "Stops where the joints are and ignores motion until resume().",
-      "queue": 16
-    },
-    {
-      "name": "resume",
-      "kind": "void",
-      "queue": 16
-    },
-    {
-      "name": "home",
-      "kind": "void",
-      "doc": "Moves to the home position; needs an enabled arm. Ends with goal_reached.",
-      "queue": 16
-    },
-    {
-      "name": "unhome",
-      "kind": "void",
-      "doc": "Forgets that it is homed.",
-      "queue": 16
-    },
-    {
-      "name": "state_command",
-      "kind": "write",
-      "wire": "stateCommand",
-      "doc": "One of the six above, by name; anything else is an `error`.",
-      "parameters": [
-        {
-          "name": "name",
-          "type": {
-            "kind": "text",
-            "capacity": 15
-          }
-        }
-      ],
-      "queue": 16
-    },
-    {
-      "name": "measured_js",
-      "kind": "read",
-      "wire": "measuredJs",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::JointState"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "setpoint_js",
-      "kind": "read",
-      "wire": "setpointJs",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::JointState"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "goal_js",
-      "kind": "read",
-      "wire": "goalJs",
-      "doc": "Where the move under way ends; without one, the set-point.",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::JointState"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "measured_cp",
-      "kind": "read",
-      "wire": "measuredCp",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::PoseStamped"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "setpoint_cp",
-      "kind": "read",
-      "wire": "setpointCp",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::PoseStamped"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "goal_cp",
-      "kind": "read",
-      "wire": "goalCp",
-      "doc": "Where the move under way ends; without one, the set-point.",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::PoseStamped"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "local_measured_cp",
-      "kind": "read",
-      "wire": "localMeasuredCp",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::PoseStamped"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "local_setpoint_cp",
-      "kind": "read",
-      "wire": "localSetpointCp",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::PoseStamped"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "measured_cv",
-      "kind": "read",
-      "wire": "measuredCv",
-      "doc": "Of the tip, in the directions of the reference frame.",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::Twist"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "setpoint_cv",
-      "kind": "read",
-      "wire": "setpointCv",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::Twist"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "body_measured_cf",
-      "kind": "read",
-      "wire": "bodyMeasuredCf",
-      "doc": "Force on the tip in its own directions.",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::Wrench"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "spatial_measured_cf",
-      "kind": "read",
-      "wire": "spatialMeasuredCf",
-      "doc": "Force on the tip in the directions of the arm's base frame.",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::Wrench"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "measured_cs",
-      "kind": "read",
-      "wire": "measuredCs",
-      "doc": "Pose, velocity and force of one cycle, in the reference frame.",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::CartesianState"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "body_jacobian",
-      "kind": "read",
-      "wire": "bodyJacobian",
-      "doc": "From joint velocities to those of the tip, in its own directions.",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::Jacobian"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "spatial_jacobian",
-      "kind": "read",
-      "wire": "spatialJacobian",
-      "doc": "The same in the directions of the arm's base frame.",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::Jacobian"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "base_frame",
-      "kind": "read",
-      "wire": "baseFrame",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::PoseStamped"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "set_base_frame",
-      "kind": "write",
-      "wire": "setBaseFrame",
-      "parameters": [
-        {
-          "name": "frame",
-          "type": {
-            "kind": "struct",
-            "name": "robots::PoseStamped"
-          }
-        }
-      ],
-      "queue": 16
-    },
-    {
-      "name": "hold",
-      "kind": "void",
-      "doc": "Drops what is under way; the set-point stays where it is.",
-      "queue": 16
-    },
-    {
-      "name": "free",
-      "kind": "void",
-      "doc": "Lets go: the set-point follows the joints until another command.",
-      "queue": 16
-    },
-    {
-      "name": "use_gravity_compensation",
-      "kind": "write",
-      "wire": "useGravityCompensation",
-      "parameters": [
-        {
-          "name": "use",
-          "type": {
-            "kind": "Bool"
-          }
-        }
-      ],
-      "queue": 16
-    },
-    {
-      "name": "servo_jp",
-      "kind": "write",
-      "wire": "servoJp",
-      "parameters": [
-        {
-          "name": "goal",
-          "type": {
-            "kind": "struct",
-            "name": "robots::JointGoal"
-          }
-        }
-      ],
-      "queue": 16,
-      "latest": true,
-      "ttl": 0.02
-    },
-    {
-      "name": "servo_jr",
-      "kind": "write",
-      "wire": "servoJr",
-      "parameters": [
-        {
-          "name": "step",
-          "type": {
-            "kind": "struct",
-            "name": "robots::JointGoal"
-          }
-        }
-      ],
-      "queue": 16,
-      "ttl": 0.02
-    },
-    {
-      "name": "servo_jv",
-      "kind": "write",
-      "wire": "servoJv",
-      "parameters": [
-        {
-          "name": "goal",
-          "type": {
-            "kind": "struct",
-            "name": "robots::JointVelocityGoal"
-          }
-        }
-      ],
-      "queue": 16,
-      "latest": true,
-      "ttl": 0.02
-    },
-    {
-      "name": "servo_jf",
-      "kind": "write",
-      "wire": "servoJf",
-      "parameters": [
-        {
-          "name": "goal",
-          "type": {
-            "kind": "struct",
-            "name": "robots::JointEffortGoal"
-          }
-        }
-      ],
-      "queue": 16,
-      "latest": true,
-      "ttl": 0.02
-    },
-    {
-      "name": "servo_cp",
-      "kind": "write",
-      "wire": "servoCp",
-      "parameters": [
-        {
-          "name": "goal",
-          "type": {
-            "kind": "struct",
-            "name": "robots::PoseStamped"
-          }
-        }
-      ],
-      "queue": 16,
-      "latest": true,
-      "ttl": 0.02
-    },
-    {
-      "name": "servo_cr",
-      "kind": "write",
-      "wire": "servoCr",
-      "doc": "The step's translation in the reference frame; its rotation turns the tip about itself.",
-      "parameters": [
-        {
-          "name": "step",
-          "type": {
-            "kind": "struct",
-            "name": "robots::PoseStamped"
-          }
-        }
-      ],
-      "queue": 16,
-      "ttl": 0.02
-    },
-    {
-      "name": "servo_cv",
-      "kind": "write",
-      "wire": "servoCv",
-      "parameters": [
-        {
-          "name": "goal",
-          "type": {
-            "kind": "struct",
-            "name": "robots::TwistGoal"
-          }
-        }
-      ],
-      "queue": 16,
-      "latest": true,
-      "ttl": 0.02
-    },
-    {
-      "name": "body_servo_cf",
-      "kind": "write",
-      "wire": "bodyServoCf",
-      "doc": "In the tip's own directions.",
-      "parameters": [
-        {
-          "name": "goal",
-          "type": {
-            "kind": "struct",
-            "name": "robots::WrenchGoal"
-          }
-        }
-      ],
-      "queue": 16,
-      "latest": true,
-      "ttl": 0.02
-    },
-    {
-      "name": "spatial_servo_cf",
-      "kind": "write",
-      "wire": "spatialServoCf",
-      "doc": "In the directions of the arm's base frame.",
-      "parameters": [
-        {
-          "name": "goal",
-          "type": {
-            "kind": "struct",
-            "name": "robots::WrenchGoal"
-          }
-        }
-      ],
-      "queue": 16,
-      "latest": true,
-      "ttl": 0.02
-    },
-    {
-      "name": "move_jp",
-      "kind": "write",
-      "wire": "moveJp",
-      "doc": "Moves plan and execute a smooth motion from the set-point. Each ends with goal_reached.",
-      "parameters": [
-        {
-          "name": "goal",
-          "type": {
-            "kind": "struct",
-            "name": "robots::JointGoal"
-          }
-        }
-      ],
-      "queue": 16
-    },
-    {
-      "name": "move_jr",
-      "kind": "write",
-      "wire": "moveJr",
-      "parameters": [
-        {
-          "name": "step",
-          "type": {
-            "kind": "struct",
-            "name": "robots::JointGoal"
-          }
-        }
-      ],
-      "queue": 16
-    },
-    {
-      "name": "move_cp",
-      "kind": "write",
-      "wire": "moveCp",
-      "parameters": [
-        {
-          "name": "goal",
-          "type": {
-            "kind": "struct",
-            "name": "robots::PoseStamped"
-          }
-        }
-      ],
-      "queue": 16
-    },
-    {
-      "name": "move_cr",
-      "kind": "write",
-      "wire": "moveCr",
-      "parameters": [
-        {
-          "name": "step",
-          "type": {
-            "kind": "struct",
-            "name": "robots::PoseStamped"
-          }
-        }
-      ],
-      "queue": 16
-    },
-    {
-      "name": "trajectory_j_set_ratio",
-      "kind": "write",
-      "wire": "trajectoryJSetRatio",
-      "doc": "How fast moves are, of what the joints can do: velocity and acceleration together.",
-      "parameters": [
-        {
-          "name": "ratio",
-          "type": {
-            "kind": "Float64"
-          },
-          "range": [
-            0.01,
-            1.0
-          ]
-        }
-      ],
-      "queue": 16
-    },
-    {
-      "name": "trajectory_j_set_ratio_v",
-      "kind": "write",
-      "wire": "trajectoryJSetRatioV",
-      "parameters": [
-        {
-          "name": "ratio",
-          "type": {
-            "kind": "Float64"
-          },
-          "range": [
-            0.01,
-            1.0
-          ]
-        }
-      ],
-      "queue": 16
-    },
-    {
-      "name": "trajectory_j_set_ratio_a",
-      "kind": "write",
-      "wire": "trajectoryJSetRatioA",
-      "parameters": [
-        {
-          "name": "ratio",
-          "type": {
-            "kind": "Float64"
-          },
-          "range": [
-            0.01,
-            1.0
-          ]
-        }
-      ],
-      "queue": 16
-    },
-    {
-      "name": "trajectory_j_ratio",
-      "kind": "read",
-      "wire": "trajectoryJRatio",
-      "doc": "The smaller of the two below.",
-      "result": {
-        "type": {
-          "kind": "Float64"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "trajectory_j_ratio_v",
-      "kind": "read",
-      "wire": "trajectoryJRatioV",
-      "result": {
-        "type": {
-          "kind": "Float64"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "trajectory_j_ratio_a",
-      "kind": "read",
-      "wire": "trajectoryJRatioA",
-      "result": {
-        "type": {
-          "kind": "Float64"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "forward_kinematics",
-      "kind": "qualified read",
-      "wire": "forwardKinematics",
-      "doc": "The tool tip for a joint vector; not valid if it has the wrong length.",
-      "parameters": [
-        {
-          "name": "q",
-          "type": {
-            "kind": "struct",
-            "name": "robots::JointGoal"
-          }
-        }
-      ],
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::PoseStamped"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "inverse_kinematics",
-      "kind": "qualified read",
-      "wire": "inverseKinematics",
-      "doc": "A joint vector for a tool tip, searched from the present set-point.",
-      "parameters": [
-        {
-          "name": "goal",
-          "type": {
-            "kind": "struct",
-            "name": "robots::PoseStamped"
-          }
-        }
-      ],
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::JointSolution"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "query_cp",
-      "kind": "qualified read",
-      "wire": "queryCp",
-      "doc": "The pose of the link behind as many joints as the vector has, at most all: none, the base.",
-      "parameters": [
-        {
-          "name": "q",
-          "type": {
-            "kind": "struct",
-            "name": "robots::JointGoal"
-          }
-        }
-      ],
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::PoseStamped"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "local_query_cp",
-      "kind": "qualified read",
-      "wire": "localQueryCp",
-      "doc": "The same in the arm's base frame.",
-      "parameters": [
-        {
-          "name": "q",
-          "type": {
-            "kind": "struct",
-            "name": "robots::JointGoal"
-          }
-        }
-      ],
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::PoseStamped"
-        }
-      },
-      "queue": 16
-    }
-  ],
-  "events": [
-    {
-      "name": "operating_state",
-      "kind": "write",
-      "wire": "operatingState",
-      "doc": "Each change of the operating state, and the last one to whoever connects.",
-      "payload": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::OperatingState"
-        }
-      },
-      "queue": 16,
-      "latched": true
-    },
-    {
-      "name": "desired_state",
-      "kind": "write",
-      "wire": "desiredState",
-      "doc": "The state that a command asked for.",
-      "payload": {
-        "type": {
-          "kind": "enum",
-          "name": "robots::ArmState"
-        }
-      },
-      "queue": 16,
-      "latched": true
-    },
-    {
-      "name": "goal_reached",
-      "kind": "write",
-      "wire": "goalReached",
-      "doc": "A move ended: true at its goal, false when something else replaced it.",
-      "payload": {
-        "type": {
-          "kind": "Bool"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "gravity_compensation",
-      "kind": "write",
-      "wire": "gravityCompensation",
-      "payload": {
-        "type": {
-          "kind": "Bool"
-        }
-      },
-      "queue": 16,
-      "latched": true
-    },
-    {
-      "name": "trajectory_j_ratio",
-      "kind": "write",
-      "wire": "trajectoryJRatio",
-      "payload": {
-        "type": {
-          "kind": "Float64"
-        }
-      },
-      "queue": 16,
-      "latched": true
-    },
-    {
-      "name": "trajectory_j_ratio_v",
-      "kind": "write",
-      "wire": "trajectoryJRatioV",
-      "payload": {
-        "type": {
-          "kind": "Float64"
-        }
-      },
-      "queue": 16,
-      "latched": true
-    },
-    {
-      "name": "trajectory_j_ratio_a",
-      "kind": "write",
-      "wire": "trajectoryJRatioA",
-      "payload": {
-        "type": {
-          "kind": "Float64"
-        }
-      },
-      "queue": 16,
-      "latched": true
-    },
-    {
-      "name": "status",
-      "kind": "write",
-      "payload": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::Message"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "warning",
-      "kind": "write",
-      "payload": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::Message"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "error",
-      "kind": "write",
-      "payload": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::Message"
-        }
-      },
-      "queue": 16
-    }
-  ],
-  "enums": [
-    {
-      "name": "robots::JointType",
-      "underlying": "UInt8",
-      "enumerators": [
-        {
-          "name": "Undefined",
-          "value": 0,
-          "wire": "undefined"
-        },
-        {
-          "name": "Prismatic",
-          "value": 1,
-          "wire": "prismatic"
-        },
-        {
-          "name": "Revolute",
-          "value": 2,
-          "wire": "revolute"
-        },
-        {
-          "name": "Universal",
-          "value": 3,
-          "wire": "universal"
-        },
-        {
-          "name": "BallSocket",
-          "value": 4,
-          "wire": "ballSocket"
-        },
-        {
-          "name": "Inactive",
-          "value": 5,
-          "wire": "inactive"
-        }
-      ]
-    },
-    {
-      "name": "robots::ArmState",
-      "doc": "The states of CRTK.",
-      "underlying": "UInt8",
-      "enumerators": [
-        {
-          "name": "Undefined",
-          "value": 0,
-          "wire": "undefined"
-        },
-        {
-          "name": "Disabled",
-          "value": 1,
-          "wire": "disabled"
-        },
-        {
-          "name": "Enabled",
-          "value": 2,
-          "wire": "enabled"
-        },
-        {
-          "name": "Paused",
-          "value": 3,
-          "wire": "paused"
-        },
-        {
-          "name": "Fault",
-          "value": 4,
-          "wire": "fault"
-        }
-      ]
-    }
-  ],
-  "structs": [
-    {
-      "name": "robots::JointConfiguration",
-      "doc": "What the joints are and may do: CRTK's configuration_js. prmConfigurationJoint.",
-      "fields": [
-        {
-          "name": "name",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "text",
-              "capacity": 15
-            },
-            "capacity": 8
-          }
-        },
-        {
-          "name": "type",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "enum",
-              "name": "robots::JointType"
-            },
-            "capacity": 8
-          }
-        },
-        {
-          "name": "position_min",
-          "wire": "positionMin",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Float64"
-            },
-            "capacity": 8
-          },
-          "unit": "rad"
-        },
-        {
-          "name": "position_max",
-          "wire": "positionMax",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Float64"
-            },
-            "capacity": 8
-          },
-          "unit": "rad"
-        },
-        {
-          "name": "velocity_min",
-          "wire": "velocityMin",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Float64"
-            },
-            "capacity": 8
-          },
-          "unit": "rad/s"
-        },
-        {
-          "name": "velocity_max",
-          "wire": "velocityMax",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Float64"
-            },
-            "capacity": 8
-          },
-          "unit": "rad/s"
-        },
-        {
-          "name": "acceleration_min",
-          "wire": "accelerationMin",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Float64"
-            },
-            "capacity": 8
-          },
-          "unit": "rad/s2"
-        },
-        {
-          "name": "acceleration_max",
-          "wire": "accelerationMax",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Float64"
-            },
-            "capacity": 8
-          },
-          "unit": "rad/s2"
-        },
-        {
-          "name": "effort_min",
-          "wire": "effortMin",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Float64"
-            },
-            "capacity": 8
-          },
-          "unit": "N.m"
-        },
-        {
-          "name": "effort_max",
-          "wire": "effortMax",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Float64"
-            },
-            "capacity": 8
-          },
-          "unit": "N.m"
-        },
-        {
-          "name": "valid",
-          "type": {
-            "kind": "Bool"
-          },
-          "default": false
-        }
-      ]
-    },
-    {
-      "name": "robots::OperatingState",
-      "doc": "CRTK's operating_state.",
-      "fields": [
-        {
-          "name": "state",
-          "type": {
-            "kind": "enum",
-            "name": "robots::ArmState"
-          },
-          "default": "Undefined"
-        },
-        {
-          "name": "sub_state",
-          "wire": "subState",
-          "doc": "What the arm is doing within its state, for people: \"holding\", \"servo_cp\".",
-          "type": {
-            "kind": "text",
-            "capacity": 15
-          }
-        },
-        {
-          "name": "is_homed",
-          "wire": "isHomed",
-          "type": {
-            "kind": "Bool"
-          },
-          "default": false
-        },
-        {
-          "name": "is_busy",
-          "wire": "isBusy",
-          "doc": "A move is under way; servo commands do not set it.",
-          "type": {
-            "kind": "Bool"
-          },
-          "default": false
-        },
-        {
-          "name": "stamp",
-          "doc": "When the arm entered this state.",
-          "type": {
-            "kind": "time",
-            "clock": "steady"
-          }
-        }
-      ]
-    },
-    {
-      "name": "robots::IntervalStatistics",
-      "doc": "How regularly a task ran, over its last window.",
-      "fields": [
-        {
-          "name": "period_average",
-          "wire": "periodAverage",
-          "type": {
-            "kind": "Float64"
-          },
-          "unit": "s",
-          "default": 0.0
-        },
-        {
-          "name": "period_deviation",
-          "wire": "periodDeviation",
-          "type": {
-            "kind": "Float64"
-          },
-          "unit": "s",
-          "default": 0.0
-        },
-        {
-          "name": "period_min",
-          "wire": "periodMin",
-          "type": {
-            "kind": "Float64"
-          },
-          "unit": "s",
-          "default": 0.0
-        },
-        {
-          "name": "period_max",
-          "wire": "periodMax",
-          "type": {
-            "kind": "Float64"
-          },
-          "unit": "s",
-          "default": 0.0
-        },
-        {
-          "name": "samples",
-          "type": {
-            "kind": "UInt32"
-          },
-          "default": 0
-        },
-        {
-          "name": "stamp",
-          "type": {
-            "kind": "time",
-            "clock": "steady"
-          }
-        },
-        {
-          "name": "valid",
-          "type": {
-            "kind": "Bool"
-          },
-          "default": false
-        }
-      ]
-    },
-    {
-      "name": "robots::JointState",
-      "doc": "The state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list is\nempty where its quantity is not known, and as long as `name` otherwise.",
-      "fields": [
-        {
-          "name": "name",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "text",
-              "capacity": 15
-            },
-            "capacity": 8
-          }
-        },
-        {
-          "name": "position",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Float64"
-            },
-            "capacity": 8
-          },
-          "unit": "rad"
-        },
-        {
-          "name": "velocity",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Float64"
-            },
-            "capacity": 8
-          },
-          "unit": "rad/s"
-        },
-        {
-          "name": "effort",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Float64"
-            },
-            "capacity": 8
-          },
-          "unit": "N.m"
-        },
-        {
-          "name": "stamp",
-          "type": {
-            "kind": "time",
-            "clock": "steady"
-          }
-        },
-        {
-          "name": "valid",
-          "doc": "False: do not use.",
-          "type": {
-            "kind": "Bool"
-          },
-          "default": false
-        }
-      ]
-    },
-    {
-      "name": "robots::PoseStamped",
-      "doc": "A pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.",
-      "fields": [
-        {
-          "name": "pose",
-          "doc": "Tool tip in the base frame.",
-          "type": {
-            "kind": "isometry",
-            "scalar": "Float64"
-          },
-          "unit": "m"
-        },
-        {
-          "name": "stamp",
-          "doc": "When the pose was true; of a set-point, the stamp of the data it was made from.",
-          "type": {
-            "kind": "time",
-            "clock": "steady"
-          }
-        },
-        {
-          "name": "valid",
-          "doc": "False: do not use.",
-          "type": {
-            "kind": "Bool"
-          },
-          "default": false
-        }
-      ]
-    },
-    {
-      "name": "robots::Twist",
-      "doc": "A velocity: CRTK's measured_cv. The cisst libraries' prmVelocityCartesianGet.",
-      "fields": [
-        {
-          "name": "linear",
-          "type": {
-            "kind": "matrix",
-            "scalar": "Float64",
-            "rows": 3,
-            "columns": 1
-          },
-          "unit": "m/s"
-        },
-        {
-          "name": "angular",
-          "type": {
-            "kind": "matrix",
-            "scalar": "Float64",
-            "rows": 3,
-            "columns": 1
-          },
-          "unit": "rad/s"
-        },
-        {
-          "name": "moving_frame",
-          "wire": "movingFrame",
-          "type": {
-            "kind": "text",
-            "capacity": 15
-          }
-        },
-        {
-          "name": "reference_frame",
-          "wire": "referenceFrame",
-          "type": {
-            "kind": "text",
-            "capacity": 15
-          }
-        },
-        {
-          "name": "stamp",
-          "type": {
-            "kind": "time",
-            "clock": "steady"
-          }
-        },
-        {
-          "name": "valid",
-          "doc": "False: do not use.",
-          "type": {
-            "kind": "Bool"
-          },
-          "default": false
-        }
-      ]
-    },
-    {
-      "name": "robots::Wrench",
-      "doc": "Force and torque at the tool tip: CRTK's measured_cf. prmForceCartesianGet.",
-      "fields": [
-        {
-          "name": "force",
-          "type": {
-            "kind": "matrix",
-            "scalar": "Float64",
-            "rows": 3,
-            "columns": 1
-          },
-          "unit": "N"
-        },
-        {
-          "name": "torque",
-          "type": {
-            "kind": "matrix",
-            "scalar": "Float64",
-            "rows": 3,
-            "columns": 1
-          },
-          "unit": "N.m"
-        },
-        {
-          "name": "mask",
-          "doc": "Which components are known.",
-          "type": {
-            "kind": "array",
-            "element": {
-              "kind": "Bool"
-            },
-            "length": 6
-          }
-        },
-        {
-          "name": "moving_frame",
-          "wire": "movingFrame",
-          "type": {
-            "kind": "text",
-            "capacity": 15
-          }
-        },
-        {
-          "name": "reference_frame",
-          "wire": "referenceFrame",
-          "type": {
-            "kind": "text",
-            "capacity": 15
-          }
-        },
-        {
-          "name": "stamp",
-          "type": {
-            "kind": "time",
-            "clock": "steady"
-          }
-        },
-        {
-          "name": "valid",
-          "doc": "False: do not use.",
-          "type": {
-            "kind": "Bool"
-          },
-          "default": false
-        }
-      ]
-    },
-    {
-      "name": "robots::CartesianState",
-      "doc": "Pose, velocity and force of one instant: CRTK's measured_cs. prmStateCartesian.",
-      "fields": [
-        {
-          "name": "moving_frame",
-          "wire": "movingFrame",
-          "type": {
-            "kind": "text",
-            "capacity": 15
-          }
-        },
-        {
-          "name": "reference_frame",
-          "wire": "referenceFrame",
-          "type": {
-            "kind": "text",
-            "capacity": 15
-          }
-        },
-        {
-          "name": "position",
-          "type": {
-            "kind": "isometry",
-            "scalar": "Float64"
-          },
-          "unit": "m"
-        },
-        {
-          "name": "position_is_valid",
-          "wire": "positionIsValid",
-          "type": {
-            "kind": "Bool"
-          },
-          "default": false
-        },
-        {
-          "name": "linear_velocity",
-          "wire": "linearVelocity",
-          "type": {
-            "kind": "matrix",
-            "scalar": "Float64",
-            "rows": 3,
-            "columns": 1
-          },
-          "unit": "m/s"
-        },
-        {
-          "name": "angular_velocity",
-          "wire": "angularVelocity",
-          "type": {
-            "kind": "matrix",
-            "scalar": "Float64",
-            "rows": 3,
-            "columns": 1
-          },
-          "unit": "rad/s"
-        },
-        {
-          "name": "velocity_is_valid",
-          "wire": "velocityIsValid",
-          "type": {
-            "kind": "Bool"
-          },
-          "default": false
-        },
-        {
-          "name": "force",
-          "type": {
-            "kind": "matrix",
-            "scalar": "Float64",
-            "rows": 3,
-            "columns": 1
-          },
-          "unit": "N"
-        },
-        {
-          "name": "torque",
-          "type": {
-            "kind": "matrix",
-            "scalar": "Float64",
-            "rows": 3,
-            "columns": 1
-          },
-          "unit": "N.m"
-        },
-        {
-          "name": "force_is_valid",
-          "wire": "forceIsValid",
-          "type": {
-            "kind": "Bool"
-          },
-          "default": false
-        },
-        {
-          "name": "stamp",
-          "type": {
-            "kind": "time",
-            "clock": "steady"
-          }
-        }
-      ]
-    },
-    {
-      "name": "robots::Jacobian",
-      "doc": "6 x joints, column-major: linear rows first, in m/s and rad/s per unit of joint velocity.",
-      "fields": [
-        {
-          "name": "joints",
-          "type": {
-            "kind": "UInt32"
-          },
-          "default": 0
-        },
-        {
-          "name": "coefficients",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Float64"
-            },
-            "capacity": 48
-          }
-        },
-        {
-          "name": "stamp",
-          "type": {
-            "kind": "time",
-            "clock": "steady"
-          }
-        },
-        {
-          "name": "valid",
-          "type": {
-            "kind": "Bool"
-          },
-          "default": false
-        }
-      ]
-    },
-    {
-      "name": "robots::JointGoal",
-      "doc": "Where joints shall go: CRTK's servo_jp and move_jp.",
-      "fields": [
-        {
-          "name": "position",
-          "doc": "One entry a joint, in chain order.",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Float64"
-            },
-            "capacity": 8
-          },
-          "unit": "rad"
-        },
-        {
-          "name": "stamp",
-          "type": {
-            "kind": "time",
-            "clock": "steady"
-          }
-        }
-      ]
-    },
-    {
-      "name": "robots::JointVelocityGoal",
-      "doc": "CRTK's servo_jv: prmVelocityJointSet.",
-      "fields": [
-        {
-          "name": "goal",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Float64"
-            },
-            "capacity": 8
-          },
-          "unit": "rad/s"
-        },
-        {
-          "name": "acceleration",
-          "doc": "Optional.",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Float64"
-            },
-            "capacity": 8
-          },
-          "unit": "rad/s2"
-        },
-        {
-          "name": "deceleration",
-          "doc": "Optional.",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Float64"
-            },
-            "capacity": 8
-          },
-          "unit": "rad/s2"
-        },
-        {
-          "name": "guard",
-          "doc": "Optional: the positions not to pass.",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Float64"
-            },
-            "capacity": 8
-          },
-          "unit": "rad"
-        },
-        {
-          "name": "mask",
-          "doc": "Optional: which joints count; empty: all.",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Bool"
-            },
-            "capacity": 8
-          }
-        },
-        {
-          "name": "stamp",
-          "type": {
-            "kind": "time",
-            "clock": "steady"
-          }
-        }
-      ]
-    },
-    {
-      "name": "robots::JointEffortGoal",
-      "doc": "CRTK's servo_jf: prmForceTorqueJointSet.",
-      "fields": [
-        {
-          "name": "effort",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Float64"
-            },
-            "capacity": 8
-          },
-          "unit": "N.m"
-        },
-        {
-          "name": "mask",
-          "doc": "Optional: which joints count; empty: all.",
-          "type": {
-            "kind": "list",
-            "element": {
-              "kind": "Bool"
-            },
-            "capacity": 8
-          }
-        },
-        {
-          "name": "stamp",
-          "type": {
-            "kind": "time",
-            "clock": "steady"
-          }
-        }
-      ]
-    },
-    {
-      "name": "robots::TwistGoal",
-      "doc": "A velocity to follow: CRTK's servo_cv. prmVelocityCartesianSet.",
-      "fields": [
-        {
-          "name": "linear",
-          "type": {
-            "kind": "matrix",
-            "scalar": "Float64",
-            "rows": 3,
-            "columns": 1
-          },
-          "unit": "m/s"
-        },
-        {
-          "name": "angular",
-          "type": {
-            "kind": "matrix",
-            "scalar": "Float64",
-            "rows": 3,
-            "columns": 1
-          },
-          "unit": "rad/s"
-        },
-        {
-          "name": "linear_acceleration",
-          "wire": "linearAcceleration",
-          "type": {
-            "kind": "matrix",
-            "scalar": "Float64",
-            "rows": 3,
-            "columns": 1
-          },
-          "unit": "m/s2"
-        },
-        {
-          "name": "angular_acceleration",
-          "wire": "angularAcceleration",
-          "type": {
-            "kind": "matrix",
-            "scalar": "Float64",
-            "rows": 3,
-            "columns": 1
-          },
-          "unit": "rad/s2"
-        },
-        {
-          "name": "mask",
-          "doc": "Which of x, y, z and the rotations about them count.",
-          "type": {
-            "kind": "array",
-            "element": {
-              "kind": "Bool"
-            },
-            "length": 6
-          }
-        },
-        {
-          "name": "stamp",
-          "type": {
-            "kind": "time",
-            "clock": "steady"
-          }
-        }
-      ]
-    },
-    {
-      "name": "robots::WrenchGoal",
-      "doc": "Force and torque to apply: CRTK's servo_cf. prmForceCartesianSet.",
-      "fields": [
-        {
-          "name": "force",
-          "type": {
-            "kind": "matrix",
-            "scalar": "Float64",
-            "rows": 3,
-            "columns": 1
-          },
-          "unit": "N"
-        },
-        {
-          "name": "torque",
-          "type": {
-            "kind": "matrix",
-            "scalar": "Float64",
-            "rows": 3,
-            "columns": 1
-          },
-          "unit": "N.m"
-        },
-        {
-          "name": "mask",
-          "doc": "Which components count.",
-          "type": {
-            "kind": "array",
-            "element": {
-              "kind": "Bool"
-            },
-            "length": 6
-          }
-        },
-        {
-          "name": "stamp",
-          "type": {
-            "kind": "time",
-            "clock": "steady"
-          }
-        }
-      ]
-    },
-    {
-      "name": "robots::JointSolution",
-      "doc": "A joint vector that an arm computed, without heap so that a control loop may return it.",
-      "fields": [
-        {
-          "name": "position",
-          "doc": "The first `joints` entries count.",
-          "type": {
-            "kind": "array",
-            "element": {
-              "kind": "Float64"
-            },
-            "length": 8
-          },
-          "unit": "rad"
-        },
-        {
-          "name": "joints",
-          "type": {
-            "kind": "UInt32"
-          },
-          "default": 0
-        },
-        {
-          "name": "found",
-          "doc": "False: no joint vector within limits reaches the pose; `position` is the nearest one found.",
-          "type": {
-            "kind": "Bool"
-          },
-          "default": false
-        }
-      ]
-    },
-    {
-      "name": "robots::Message",
-      "doc": "CRTK's status, warning and error.",
-      "fields": [
-        {
-          "name": "text",
-          "type": {
-            "kind": "text",
-            "capacity": 127
-          }
-        },
-        {
-          "name": "counter",
-          "doc": "Counts the messages of its sender.",
-          "type": {
-            "kind": "UInt32"
-          },
-          "default": 0
-        },
-        {
-          "name": "stamp",
-          "type": {
-            "kind": "time",
-            "clock": "steady"
-          }
-        }
-      ]
-    }
-  ]
+constexpr char kCrtkArmDescription[] = R"json(
+{"name": "robots::CrtkArm",
+"doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. `local_` poses are of the tool tip in the arm's base frame, all others in the reference\nframe, in which base_frame() is the arm's base. A servo command replaces the one before it, of\nwhichever space; a stream of velocities or efforts that falls silent for 0.1 s ends as hold().\nRelative goals are relative to the set-point. What an arm refuses it tells in `warning`.",
+"hash": "fd15fee19f80c14818f4c5f626164e89", "crtk": true, "commands": [{"name": "configuration_js",
+"kind": "read", "doc": "What the joints are and may do.", "result": {"type": {"kind": "struct",
+"name": "robots::JointConfiguration"}}, "queue": 16}, {"name": "operating_state", "kind": "read",
+"result": {"type": {"kind": "struct", "name": "robots::OperatingState"}}, "queue": 16}, {
+"name": "period_statistics", "kind": "read",
+"doc": "How regularly the arm's task ran in the last second.", "result": {"type": {
+"kind": "struct", "name": "robots::IntervalStatistics"}}, "queue": 16}, {"name": "enable",
+"kind": "void", "doc": "Powers the arm; it holds its position.", "queue": 16}, {"name": "disable",
+"kind": "void", "doc": "Stops at once and ignores motion until enabled again.", "queue": 16}, {
+"name": "pause", "kind": "void",
+"doc": "Stops where the joints are and ignores motion until resume().", "queue": 16}, {
+"name": "resume", "kind": "void", "queue": 16}, {"name": "home", "kind": "void",
+"doc": "Moves to the home position; needs an enabled arm. Ends with goal_reached.", "queue": 16}, {
+"name": "unhome", "kind": "void", "doc": "Forgets that it is homed.", "queue": 16}, {
+"name": "state_command", "kind": "write",
+"doc": "One of the six above, by name; anything else is an `error`.", "parameters": [{
+"name": "name", "type": {"kind": "text", "capacity": 15}}], "queue": 16}, {"name": "measured_js",
+"kind": "read", "result": {"type": {"kind": "struct", "name": "robots::JointState"}}, "queue": 16},
+{"name": "setpoint_js", "kind": "read", "result": {"type": {"kind": "struct",
+"name": "robots::JointState"}}, "queue": 16}, {"name": "goal_js", "kind": "read",
+"doc": "Where the move under way ends; without one, the set-point.", "result": {"type": {
+"kind": "struct", "name": "robots::JointState"}}, "queue": 16}, {"name": "measured_cp",
+"kind": "read", "result": {"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16
+}, {"name": "setpoint_cp", "kind": "read", "result": {"type": {"kind": "struct",
+"name": "robots::PoseStamped"}}, "queue": 16}, {"name": "goal_cp", "kind": "read",
+"doc": "Where the move under way ends; without one, the set-point.", "result": {"type": {
+"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "local_measured_cp",
+"kind": "read", "result": {"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16
+}, {"name": "local_setpoint_cp", "kind": "read", "result": {"type": {"kind": "struct",
+"name": "robots::PoseStamped"}}, "queue": 16}, {"name": "measured_cv", "kind": "read",
+"doc": "Of the tip, in the directions of the reference frame.", "result": {"type": {
+"kind": "struct", "name": "robots::Twist"}}, "queue": 16}, {"name": "setpoint_cv", "kind": "read",
+"result": {"type": {"kind": "struct", "name": "robots::Twist"}}, "queue": 16}, {
+"name": "body_measured_cf", "kind": "read", "doc": "Force on the tip in its own directions.",
+"result": {"type": {"kind": "struct", "name": "robots::Wrench"}}, "queue": 16}, {
+"name": "spatial_measured_cf", "kind": "read",
+"doc": "Force on the tip in the directions of the arm's base frame.", "result": {"type": {
+"kind": "struct", "name": "robots::Wrench"}}, "queue": 16}, {"name": "measured_cs", "kind": "read",
+"doc": "Pose, velocity and force of one cycle, in the reference frame.", "result": {"type": {
+"kind": "struct", "name": "robots::CartesianState"}}, "queue": 16}, {"name": "body_jacobian",
+"kind": "read", "doc": "From joint velocities to those of the tip, in its own directions.",
+"result": {"type": {"kind": "struct", "name": "robots::Jacobian"}}, "queue": 16}, {
+"name": "spatial_jacobian", "kind": "read",
+"doc": "The same in the directions of the arm's base frame.", "result": {"type": {"kind": "struct",
+"name": "robots::Jacobian"}}, "queue": 16}, {"name": "base_frame", "kind": "read", "result": {
+"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
+"name": "set_base_frame", "kind": "write", "parameters": [{"name": "frame", "type": {
+"kind": "struct", "name": "robots::PoseStamped"}}], "queue": 16}, {"name": "hold", "kind": "void",
+"doc": "Drops what is under way; the set-point stays where it is.", "queue": 16}, {"name": "free",
+"kind": "void", "doc": "Lets go: the set-point follows the joints until another command.",
+"queue": 16}, {"name": "use_gravity_compensation", "kind": "write", "parameters": [{"name": "use",
+"type": {"kind": "Bool"}}], "queue": 16}, {"name": "servo_jp", "kind": "write", "parameters": [{
+"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "queue": 16,
+"latest": true, "ttl": 0.02}, {"name": "servo_jr", "kind": "write", "parameters": [{"name": "step",
+"type": {"kind": "struct", "name": "robots::JointGoal"}}], "queue": 16, "ttl": 0.02}, {
+"name": "servo_jv", "kind": "write", "parameters": [{"name": "goal", "type": {"kind": "struct",
+"name": "robots::JointVelocityGoal"}}], "queue": 16, "latest": true, "ttl": 0.02}, {
+"name": "servo_jf", "kind": "write", "parameters": [{"name": "goal", "type": {"kind": "struct",
+"name": "robots::JointEffortGoal"}}], "queue": 16, "latest": true, "ttl": 0.02}, {
+"name": "servo_cp", "kind": "write", "parameters": [{"name": "goal", "type": {"kind": "struct",
+"name": "robots::PoseStamped"}}], "queue": 16, "latest": true, "ttl": 0.02}, {"name": "servo_cr",
+"kind": "write",
+"doc": "The step's translation in the reference frame; its rotation turns the tip about itself.",
+"parameters": [{"name": "step", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
+"queue": 16, "ttl": 0.02}, {"name": "servo_cv", "kind": "write", "parameters": [{"name": "goal",
+"type": {"kind": "struct", "name": "robots::TwistGoal"}}], "queue": 16, "latest": true, "ttl": 0.02
+}, {"name": "body_servo_cf", "kind": "write", "doc": "In the tip's own directions.", "parameters": [
+{"name": "goal", "type": {"kind": "struct", "name": "robots::WrenchGoal"}}], "queue": 16,
+"latest": true, "ttl": 0.02}, {"name": "spatial_servo_cf", "kind": "write",
+"doc": "In the directions of the arm's base frame.", "parameters": [{"name": "goal", "type": {
+"kind": "struct", "name": "robots::WrenchGoal"}}], "queue": 16, "latest": true, "ttl": 0.02}, {
+"name": "move_jp", "kind": "write",
+"doc": "Moves plan and execute a smooth motion from the set-point. Each ends with goal_reached.",
+"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
+"queue": 16}, {"name": "move_jr", "kind": "write", "parameters": [{"name": "step", "type": {
+"kind": "struct", "name": "robots::JointGoal"}}], "queue": 16}, {"name": "move_cp", "kind": "write",
+"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
+"queue": 16}, {"name": "move_cr", "kind": "write", "parameters": [{"name": "step", "type": {
+"kind": "struct", "name": "robots::PoseStamped"}}], "queue": 16}, {
+"name": "trajectory_j_set_ratio", "kind": "write",
+"doc": "How fast moves are, of what the joints can do: velocity and acceleration together.",
+"parameters": [{"name": "ratio", "type": {"kind": "Float64"}, "range": [0.01, 1.0]}], "queue": 16},
+{"name": "trajectory_j_set_ratio_v", "kind": "write", "parameters": [{"name": "ratio", "type": {
+"kind": "Float64"}, "range": [0.01, 1.0]}], "queue": 16}, {"name": "trajectory_j_set_ratio_a",
+"kind": "write", "parameters": [{"name": "ratio", "type": {"kind": "Float64"}, "range": [0.01, 1.0]
+}], "queue": 16}, {"name": "trajectory_j_ratio", "kind": "read",
+"doc": "The smaller of the two below.", "result": {"type": {"kind": "Float64"}}, "queue": 16}, {
+"name": "trajectory_j_ratio_v", "kind": "read", "result": {"type": {"kind": "Float64"}}, "queue": 16
+}, {"name": "trajectory_j_ratio_a", "kind": "read", "result": {"type": {"kind": "Float64"}},
+"queue": 16}, {"name": "forward_kinematics", "kind": "qualified read",
+"doc": "The tool tip for a joint vector; not valid if it has the wrong length.", "parameters": [{
+"name": "q", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "result": {"type": {
+"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "inverse_kinematics",
+"kind": "qualified read",
+"doc": "A joint vector for a tool tip, searched from the present set-point.", "parameters": [{
+"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}], "result": {"type": {
+"kind": "struct", "name": "robots::JointSolution"}}, "queue": 16}, {"name": "query_cp",
+"kind": "qualified read",
+"doc": "The pose of the link behind as many joints as the vector has, at most all: none, the base.",
+"parameters": [{"name": "q", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "result": {
+"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
+"name": "local_query_cp", "kind": "qualified read", "doc": "The same in the arm's base frame.",
+"parameters": [{"name": "q", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "result": {
+"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}], "events": [{
+"name": "operating_state", "kind": "write",
+"doc": "Each change of the operating state, and the last one to whoever connects.", "payload": {
+"type": {"kind": "struct", "name": "robots::OperatingState"}}, "queue": 16, "latched": true}, {
+"name": "desired_state", "kind": "write", "doc": "The state that a command asked for.", "payload": {
+"type": {"kind": "enum", "name": "robots::ArmState"}}, "queue": 16, "latched": true}, {
+"name": "goal_reached", "kind": "write",
+"doc": "A move ended: true at its goal, false when something else replaced it.", "payload": {
+"type": {"kind": "Bool"}}, "queue": 16}, {"name": "gravity_compensation", "kind": "write",
+"payload": {"type": {"kind": "Bool"}}, "queue": 16, "latched": true}, {
+"name": "trajectory_j_ratio", "kind": "write", "payload": {"type": {"kind": "Float64"}},
+"queue": 16, "latched": true}, {"name": "trajectory_j_ratio_v", "kind": "write", "payload": {
+"type": {"kind": "Float64"}}, "queue": 16, "latched": true}, {"name": "trajectory_j_ratio_a",
+"kind": "write", "payload": {"type": {"kind": "Float64"}}, "queue": 16, "latched": true}, {
+"name": "status", "kind": "write", "payload": {"type": {"kind": "struct", "name": "robots::Message"
+}}, "queue": 16}, {"name": "warning", "kind": "write", "payload": {"type": {"kind": "struct",
+"name": "robots::Message"}}, "queue": 16}, {"name": "error", "kind": "write", "payload": {"type": {
+"kind": "struct", "name": "robots::Message"}}, "queue": 16}], "enums": [{
+"name": "robots::JointType", "underlying": "UInt8", "enumerators": [{"name": "Undefined", "value": 0
+}, {"name": "Prismatic", "value": 1}, {"name": "Revolute", "value": 2}, {"name": "Universal",
+"value": 3}, {"name": "BallSocket", "value": 4}, {"name": "Inactive", "value": 5}]}, {
+"name": "robots::ArmState", "doc": "The states of CRTK.", "underlying": "UInt8", "enumerators": [{
+"name": "Undefined", "value": 0}, {"name": "Disabled", "value": 1}, {"name": "Enabled", "value": 2
+}, {"name": "Paused", "value": 3}, {"name": "Fault", "value": 4}]}], "structs": [{
+"name": "robots::JointConfiguration",
+"doc": "What the joints are and may do: CRTK's configuration_js. prmConfigurationJoint.",
+"fields": [{"name": "name", "type": {"kind": "list", "element": {"kind": "text", "capacity": 15},
+"capacity": 8}}, {"name": "type", "type": {"kind": "list", "element": {"kind": "enum",
+"name": "robots::JointType"}, "capacity": 8}}, {"name": "position_min", "type": {"kind": "list",
+"element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad"}, {"name": "position_max", "type": {
+"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad"}, {
+"name": "velocity_min", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
+"unit": "rad/s"}, {"name": "velocity_max", "type": {"kind": "list", "element": {"kind": "Float64"},
+"capacity": 8}, "unit": "rad/s"}, {"name": "acceleration_min", "type": {"kind": "list", "element": {
+"kind": "Float64"}, "capacity": 8}, "unit": "rad/s2"}, {"name": "acceleration_max", "type": {
+"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad/s2"}, {
+"name": "effort_min", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
+"unit": "N.m"}, {"name": "effort_max", "type": {"kind": "list", "element": {"kind": "Float64"},
+"capacity": 8}, "unit": "N.m"}, {"name": "valid", "type": {"kind": "Bool"}, "default": false}]}, {
+"name": "robots::OperatingState", "doc": "CRTK's operating_state.", "fields": [{"name": "state",
+"type": {"kind": "enum", "name": "robots::ArmState"}, "default": "Undefined"}, {
+"name": "sub_state",
+"doc": "What the arm is doing within its state, for people: \"holding\", \"servo_cp\".", "type": {
+"kind": "text", "capacity": 15}}, {"name": "is_homed", "type": {"kind": "Bool"}, "default": false},
+{"name": "is_busy", "doc": "A move is under way; servo commands do not set it.", "type": {
+"kind": "Bool"}, "default": false}, {"name": "stamp", "doc": "When the arm entered this state.",
+"type": {"kind": "time", "clock": "steady"}}]}, {"name": "robots::IntervalStatistics",
+"doc": "How regularly a task ran, over its last window.", "fields": [{"name": "period_average",
+"type": {"kind": "Float64"}, "unit": "s", "default": 0.0}, {"name": "period_deviation", "type": {
+"kind": "Float64"}, "unit": "s", "default": 0.0}, {"name": "period_min", "type": {"kind": "Float64"
+}, "unit": "s", "default": 0.0}, {"name": "period_max", "type": {"kind": "Float64"}, "unit": "s",
+"default": 0.0}, {"name": "samples", "type": {"kind": "UInt32"}, "default": 0}, {"name": "stamp",
+"type": {"kind": "time", "clock": "steady"}}, {"name": "valid", "type": {"kind": "Bool"},
+"default": false}]}, {"name": "robots::JointState",
+"doc": "The state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list is\nempty where its quantity is not known, and as long as `name` otherwise.",
+"fields": [{"name": "name", "type": {"kind": "list", "element": {"kind": "text", "capacity": 15},
+"capacity": 8}}, {"name": "position", "type": {"kind": "list", "element": {"kind": "Float64"},
+"capacity": 8}, "unit": "rad"}, {"name": "velocity", "type": {"kind": "list", "element": {
+"kind": "Float64"}, "capacity": 8}, "unit": "rad/s"}, {"name": "effort", "type": {"kind": "list",
+"element": {"kind": "Float64"}, "capacity": 8}, "unit": "N.m"}, {"name": "stamp", "type": {
+"kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "False: do not use.", "type": {
+"kind": "Bool"}, "default": false}]}, {"name": "robots::PoseStamped",
+"doc": "A pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.", "fields": [{
+"name": "pose", "doc": "Tool tip in the base frame.", "type": {"kind": "isometry",
+"scalar": "Float64"}, "unit": "m"}, {"name": "stamp",
+"doc": "When the pose was true; of a set-point, the stamp of the data it was made from.", "type": {
+"kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "False: do not use.", "type": {
+"kind": "Bool"}, "default": false}]}, {"name": "robots::Twist",
+"doc": "A velocity: CRTK's measured_cv. The cisst libraries' prmVelocityCartesianGet.", "fields": [
+{"name": "linear", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
+"unit": "m/s"}, {"name": "angular", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
+"columns": 1}, "unit": "rad/s"}, {"name": "moving_frame", "type": {"kind": "text", "capacity": 15}
+}, {"name": "reference_frame", "type": {"kind": "text", "capacity": 15}}, {"name": "stamp",
+"type": {"kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "False: do not use.",
+"type": {"kind": "Bool"}, "default": false}]}, {"name": "robots::Wrench",
+"doc": "Force and torque at the tool tip: CRTK's measured_cf. prmForceCartesianGet.", "fields": [{
+"name": "force", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
+"unit": "N"}, {"name": "torque", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
+"columns": 1}, "unit": "N.m"}, {"name": "mask", "doc": "Which components are known.", "type": {
+"kind": "array", "element": {"kind": "Bool"}, "length": 6}}, {"name": "moving_frame", "type": {
+"kind": "text", "capacity": 15}}, {"name": "reference_frame", "type": {"kind": "text",
+"capacity": 15}}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {"name": "valid",
+"doc": "False: do not use.", "type": {"kind": "Bool"}, "default": false}]}, {
+"name": "robots::CartesianState",
+"doc": "Pose, velocity and force of one instant: CRTK's measured_cs. prmStateCartesian.",
+"fields": [{"name": "moving_frame", "type": {"kind": "text", "capacity": 15}}, {
+"name": "reference_frame", "type": {"kind": "text", "capacity": 15}}, {"name": "position", "type": {
+"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "position_is_valid", "type": {
+"kind": "Bool"}, "default": false}, {"name": "linear_velocity", "type": {"kind": "matrix",
+"scalar": "Float64", "rows": 3, "columns": 1}, "unit": "m/s"}, {"name": "angular_velocity",
+"type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "rad/s"}, {
+"name": "velocity_is_valid", "type": {"kind": "Bool"}, "default": false}, {"name": "force",
+"type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "N"}, {
+"name": "torque", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
+"unit": "N.m"}, {"name": "force_is_valid", "type": {"kind": "Bool"}, "default": false}, {
+"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]}, {"name": "robots::Jacobian",
+"doc": "6 x joints, column-major: linear rows first, in m/s and rad/s per unit of joint velocity.",
+"fields": [{"name": "joints", "type": {"kind": "UInt32"}, "default": 0}, {"name": "coefficients",
+"type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 48}}, {"name": "stamp",
+"type": {"kind": "time", "clock": "steady"}}, {"name": "valid", "type": {"kind": "Bool"},
+"default": false}]}, {"name": "robots::JointGoal",
+"doc": "Where joints shall go: CRTK's servo_jp and move_jp.", "fields": [{"name": "position",
+"doc": "One entry a joint, in chain order.", "type": {"kind": "list", "element": {"kind": "Float64"
+}, "capacity": 8}, "unit": "rad"}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]
+}, {"name": "robots::JointVelocityGoal", "doc": "CRTK's servo_jv: prmVelocityJointSet.", "fields": [
+{"name": "goal", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
+"unit": "rad/s"}, {"name": "acceleration", "doc": "Optional.", "type": {"kind": "list", "element": {
+"kind": "Float64"}, "capacity": 8}, "unit": "rad/s2"}, {"name": "deceleration", "doc": "Optional.",
+"type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad/s2"}, {
+"name": "guard", "doc": "Optional: the positions not to pass.", "type": {"kind": "list",
+"element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad"}, {"name": "mask",
+"doc": "Optional: which joints count; empty: all.", "type": {"kind": "list", "element": {
+"kind": "Bool"}, "capacity": 8}}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]},
+{"name": "robots::JointEffortGoal", "doc": "CRTK's servo_jf: prmForceTorqueJointSet.", "fields": [{
+"name": "effort", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
+"unit": "N.m"}, {"name": "mask", "doc": "Optional: which joints count; empty: all.", "type": {
+"kind": "list", "element": {"kind": "Bool"}, "capacity": 8}}, {"name": "stamp", "type": {
+"kind": "time", "clock": "steady"}}]}, {"name": "robots::TwistGoal",
+"doc": "A velocity to follow: CRTK's servo_cv. prmVelocityCartesianSet.", "fields": [{
+"name": "linear", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
+"unit": "m/s"}, {"name": "angular", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
+"columns": 1}, "unit": "rad/s"}, {"name": "linear_acceleration", "type": {"kind": "matrix",
+"scalar": "Float64", "rows": 3, "columns": 1}, "unit": "m/s2"}, {"name": "angular_acceleration",
+"type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "rad/s2"}, {
+"name": "mask", "doc": "Which of x, y, z and the rotations about them count.", "type": {
+"kind": "array", "element": {"kind": "Bool"}, "length": 6}}, {"name": "stamp", "type": {
+"kind": "time", "clock": "steady"}}]}, {"name": "robots::WrenchGoal",
+"doc": "Force and torque to apply: CRTK's servo_cf. prmForceCartesianSet.", "fields": [{
+"name": "force", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
+"unit": "N"}, {"name": "torque", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
+"columns": 1}, "unit": "N.m"}, {"name": "mask", "doc": "Which components count.", "type": {
+"kind": "array", "element": {"kind": "Bool"}, "length": 6}}, {"name": "stamp", "type": {
+"kind": "time", "clock": "steady"}}]}, {"name": "robots::JointSolution",
+"doc": "A joint vector that an arm computed, without heap so that a control loop may return it.",
+"fields": [{"name": "position", "doc": "The first `joints` entries count.", "type": {
+"kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad"}, {"name": "joints",
+"type": {"kind": "UInt32"}, "default": 0}, {"name": "found",
+"doc": "False: no joint vector within limits reaches the pose; `position` is the nearest one found.",
+"type": {"kind": "Bool"}, "default": false}]}, {"name": "robots::Message",
+"doc": "CRTK's status, warning and error.", "fields": [{"name": "text", "type": {"kind": "text",
+"capacity": 127}}, {"name": "counter", "doc": "Counts the messages of its sender.", "type": {
+"kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]}]
 })json";
 
 }  // namespace
@@ -2435,62 +627,62 @@ class CrtkArmSink final : public suture::rpc::EventSink {
   explicit CrtkArmSink(wire::CrtkArmEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
 
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (static_cast<CrtkArmEvent>(event)) {
-      case CrtkArmEvent::operating_state: {
+    switch (event) {
+      case numberOf(CrtkArmEvent::operating_state): {
         const auto& slot = *reinterpret_cast<const OperatingStateSlot*>(payload);
         auto request = subscriber_.operatingStateRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
-      case CrtkArmEvent::desired_state: {
+      case numberOf(CrtkArmEvent::desired_state): {
         const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
         auto request = subscriber_.desiredStateRequest();
         request.setValue(wireArmState(slot));
         return request.send().ignoreResult();
       }
-      case CrtkArmEvent::goal_reached: {
+      case numberOf(CrtkArmEvent::goal_reached): {
         const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
         auto request = subscriber_.goalReachedRequest();
         request.setValue(slot != 0);
         return request.send().ignoreResult();
       }
-      case CrtkArmEvent::gravity_compensation: {
+      case numberOf(CrtkArmEvent::gravity_compensation): {
         const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
         auto request = subscriber_.gravityCompensationRequest();
         request.setValue(slot != 0);
         return request.send().ignoreResult();
       }
-      case CrtkArmEvent::trajectory_j_ratio: {
+      case numberOf(CrtkArmEvent::trajectory_j_ratio): {
         const auto& slot = *reinterpret_cast<const double*>(payload);
         auto request = subscriber_.trajectoryJRatioRequest();
         request.setValue(slot);
         return request.send().ignoreResult();
       }
-      case CrtkArmEvent::trajectory_j_ratio_v: {
+      case numberOf(CrtkArmEvent::trajectory_j_ratio_v): {
         const auto& slot = *reinterpret_cast<const double*>(payload);
         auto request = subscriber_.trajectoryJRatioVRequest();
         request.setValue(slot);
         return request.send().ignoreResult();
       }
-      case CrtkArmEvent::trajectory_j_ratio_a: {
+      case numberOf(CrtkArmEvent::trajectory_j_ratio_a): {
         const auto& slot = *reinterpret_cast<const double*>(payload);
         auto request = subscriber_.trajectoryJRatioARequest();
         request.setValue(slot);
         return request.send().ignoreResult();
       }
-      case CrtkArmEvent::status: {
+      case numberOf(CrtkArmEvent::status): {
         const auto& slot = *reinterpret_cast<const MessageSlot*>(payload);
         auto request = subscriber_.statusRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
-      case CrtkArmEvent::warning: {
+      case numberOf(CrtkArmEvent::warning): {
         const auto& slot = *reinterpret_cast<const MessageSlot*>(payload);
         auto request = subscriber_.warningRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
-      case CrtkArmEvent::error: {
+      case numberOf(CrtkArmEvent::error): {
         const auto& slot = *reinterpret_cast<const MessageSlot*>(payload);
         auto request = subscriber_.errorRequest();
         toWire(slot, request.initValue());
@@ -2622,7 +814,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(CrtkArmCommand::configuration_js), in.getSent(),
+    return port_->call(numberOf(CrtkArmCommand::configuration_js), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -2634,7 +826,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(CrtkArmCommand::operating_state), in.getSent(),
+    return port_->call(numberOf(CrtkArmCommand::operating_state), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -2646,43 +838,43 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(CrtkArmCommand::period_statistics), in.getSent(),
+    return port_->call(numberOf(CrtkArmCommand::period_statistics), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
   kj::Promise<void> enable(EnableContext context) override {
     auto in = context.getParams();
-    return port_->command(commandId(CrtkArmCommand::enable), in.getSent(),
+    return port_->command(numberOf(CrtkArmCommand::enable), in.getSent(),
                           [](std::byte*) { return Errc{}; });
   }
 
   kj::Promise<void> disable(DisableContext context) override {
     auto in = context.getParams();
-    return port_->command(commandId(CrtkArmCommand::disable), in.getSent(),
+    return port_->command(numberOf(CrtkArmCommand::disable), in.getSent(),
                           [](std::byte*) { return Errc{}; });
   }
 
   kj::Promise<void> pause(PauseContext context) override {
     auto in = context.getParams();
-    return port_->command(commandId(CrtkArmCommand::pause), in.getSent(),
+    return port_->command(numberOf(CrtkArmCommand::pause), in.getSent(),
                           [](std::byte*) { return Errc{}; });
   }
 
   kj::Promise<void> resume(ResumeContext context) override {
     auto in = context.getParams();
-    return port_->command(commandId(CrtkArmCommand::resume), in.getSent(),
+    return port_->command(numberOf(CrtkArmCommand::resume), in.getSent(),
                           [](std::byte*) { return Errc{}; });
   }
 
   kj::Promise<void> home(HomeContext context) override {
     auto in = context.getParams();
-    return port_->command(commandId(CrtkArmCommand::home), in.getSent(),
+    return port_->command(numberOf(CrtkArmCommand::home), in.getSent(),
                           [](std::byte*) { return Errc{}; });
   }
 
   kj::Promise<void> unhome(UnhomeContext context) override {
     auto in = context.getParams();
-    return port_->command(commandId(CrtkArmCommand::unhome), in.getSent(),
+    return port_->command(numberOf(CrtkArmCommand::unhome), in.getSent(),
                           [](std::byte*) { return Errc{}; });
   }
 
@@ -2692,7 +884,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       auto& slot = *reinterpret_cast<CrtkArmStateCommandArguments*>(memory);
       return fromWire(in.getName(), slot.name);
     };
-    return port_->command(commandId(CrtkArmCommand::state_command), in.getSent(), fill);
+    return port_->command(numberOf(CrtkArmCommand::state_command), in.getSent(), fill);
   }
 
   kj::Promise<void> measuredJs(MeasuredJsContext context) override {
@@ -2703,7 +895,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(CrtkArmCommand::measured_js), in.getSent(),
+    return port_->call(numberOf(CrtkArmCommand::measured_js), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -2715,7 +907,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(CrtkArmCommand::setpoint_js), in.getSent(),
+    return port_->call(numberOf(CrtkArmCommand::setpoint_js), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -2727,7 +919,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(CrtkArmCommand::goal_js), in.getSent(),
+    return port_->call(numberOf(CrtkArmCommand::goal_js), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -2739,7 +931,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(CrtkArmCommand::measured_cp), in.getSent(),
+    return port_->call(numberOf(CrtkArmCommand::measured_cp), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -2751,7 +943,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(CrtkArmCommand::setpoint_cp), in.getSent(),
+    return port_->call(numberOf(CrtkArmCommand::setpoint_cp), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -2763,7 +955,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(CrtkArmCommand::goal_cp), in.getSent(),
+    return port_->call(numberOf(CrtkArmCommand::goal_cp), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -2775,7 +967,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(CrtkArmCommand::local_measured_cp), in.getSent(),
+    return port_->call(numberOf(CrtkArmCommand::local_measured_cp), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -2787,7 +979,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(CrtkArmCommand::local_setpoint_cp), in.getSent(),
+    return port_->call(numberOf(CrtkArmCommand::local_setpoint_cp), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -2799,7 +991,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(CrtkArmCommand::measured_cv), in.getSent(),
+    return port_->call(numberOf(CrtkArmCommand::measured_cv), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -2811,7 +1003,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(CrtkArmCommand::setpoint_cv), in.getSent(),
+    return port_->call(numberOf(CrtkArmCommand::setpoint_cv), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -2823,7 +1015,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(CrtkArmCommand::body_measured_cf), in.getSent(),
+    return port_->call(numberOf(CrtkArmCommand::body_measured_cf), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -2835,7 +1027,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(CrtkArmCommand::spatial_measured_cf), in.getSent(),
+    return port_->call(numberOf(CrtkArmCommand::spatial_measured_cf), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -2847,7 +1039,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(CrtkArmCommand::measured_cs), in.getSent(),
+    return port_->call(numberOf(CrtkArmCommand::measured_cs), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -2859,7 +1051,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(CrtkArmCommand::body_jacobian), in.getSent(),
+    return port_->call(numberOf(CrtkArmCommand::body_jacobian), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -2871,7 +1063,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(CrtkArmCommand::spatial_jacobian), in.getSent(),
+    return port_->call(numberOf(CrtkArmCommand::spatial_jacobian), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -2883,7 +1075,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(CrtkArmCommand::base_frame), in.getSent(),
+    return port_->call(numberOf(CrtkArmCommand::base_frame), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -2896,18 +1088,18 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.frame) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(CrtkArmCommand::set_base_frame), in.getSent(), fill);
+    return port_->command(numberOf(CrtkArmCommand::set_base_frame), in.getSent(), fill);
   }
 
   kj::Promise<void> hold(HoldContext context) override {
     auto in = context.getParams();
-    return port_->command(commandId(CrtkArmCommand::hold), in.getSent(),
+    return port_->command(numberOf(CrtkArmCommand::hold), in.getSent(),
                           [](std::byte*) { return Errc{}; });
   }
 
   kj::Promise<void> free(FreeContext context) override {
     auto in = context.getParams();
-    return port_->command(commandId(CrtkArmCommand::free), in.getSent(),
+    return port_->command(numberOf(CrtkArmCommand::free), in.getSent(),
                           [](std::byte*) { return Errc{}; });
   }
 
@@ -2918,7 +1110,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       slot.use = in.getUse();
       return Errc{};
     };
-    return port_->command(commandId(CrtkArmCommand::use_gravity_compensation), in.getSent(), fill);
+    return port_->command(numberOf(CrtkArmCommand::use_gravity_compensation), in.getSent(), fill);
   }
 
   kj::Promise<void> servoJp(ServoJpContext context) override {
@@ -2930,7 +1122,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.goal) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(CrtkArmCommand::servo_jp), in.getSent(), fill);
+    return port_->command(numberOf(CrtkArmCommand::servo_jp), in.getSent(), fill);
   }
 
   kj::Promise<void> servoJr(ServoJrContext context) override {
@@ -2942,7 +1134,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.step) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(CrtkArmCommand::servo_jr), in.getSent(), fill);
+    return port_->command(numberOf(CrtkArmCommand::servo_jr), in.getSent(), fill);
   }
 
   kj::Promise<void> servoJv(ServoJvContext context) override {
@@ -2954,7 +1146,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.goal) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(CrtkArmCommand::servo_jv), in.getSent(), fill);
+    return port_->command(numberOf(CrtkArmCommand::servo_jv), in.getSent(), fill);
   }
 
   kj::Promise<void> servoJf(ServoJfContext context) override {
@@ -2966,7 +1158,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.goal) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(CrtkArmCommand::servo_jf), in.getSent(), fill);
+    return port_->command(numberOf(CrtkArmCommand::servo_jf), in.getSent(), fill);
   }
 
   kj::Promise<void> servoCp(ServoCpContext context) override {
@@ -2978,7 +1170,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.goal) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(CrtkArmCommand::servo_cp), in.getSent(), fill);
+    return port_->command(numberOf(CrtkArmCommand::servo_cp), in.getSent(), fill);
   }
 
   kj::Promise<void> servoCr(ServoCrContext context) override {
@@ -2990,7 +1182,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.step) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(CrtkArmCommand::servo_cr), in.getSent(), fill);
+    return port_->command(numberOf(CrtkArmCommand::servo_cr), in.getSent(), fill);
   }
 
   kj::Promise<void> servoCv(ServoCvContext context) override {
@@ -3002,7 +1194,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.goal) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(CrtkArmCommand::servo_cv), in.getSent(), fill);
+    return port_->command(numberOf(CrtkArmCommand::servo_cv), in.getSent(), fill);
   }
 
   kj::Promise<void> bodyServoCf(BodyServoCfContext context) override {
@@ -3014,7 +1206,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.goal) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(CrtkArmCommand::body_servo_cf), in.getSent(), fill);
+    return port_->command(numberOf(CrtkArmCommand::body_servo_cf), in.getSent(), fill);
   }
 
   kj::Promise<void> spatialServoCf(SpatialServoCfContext context) override {
@@ -3026,7 +1218,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.goal) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(CrtkArmCommand::spatial_servo_cf), in.getSent(), fill);
+    return port_->command(numberOf(CrtkArmCommand::spatial_servo_cf), in.getSent(), fill);
   }
 
   kj::Promise<void> moveJp(MoveJpContext context) override {
@@ -3038,7 +1230,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.goal) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(CrtkArmCommand::move_jp), in.getSent(), fill);
+    return port_->command(numberOf(CrtkArmCommand::move_jp), in.getSent(), fill);
   }
 
   kj::Promise<void> moveJr(MoveJrContext context) override {
@@ -3050,7 +1242,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.step) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(CrtkArmCommand::move_jr), in.getSent(), fill);
+    return port_->command(numberOf(CrtkArmCommand::move_jr), in.getSent(), fill);
   }
 
   kj::Promise<void> moveCp(MoveCpContext context) override {
@@ -3062,7 +1254,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.goal) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(CrtkArmCommand::move_cp), in.getSent(), fill);
+    return port_->command(numberOf(CrtkArmCommand::move_cp), in.getSent(), fill);
   }
 
   kj::Promise<void> moveCr(MoveCrContext context) override {
@@ -3074,7 +1266,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       if (error != Errc{}) return error;
       return isValid(slot.step) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(CrtkArmCommand::move_cr), in.getSent(), fill);
+    return port_->command(numberOf(CrtkArmCommand::move_cr), in.getSent(), fill);
   }
 
   kj::Promise<void> trajectoryJSetRatio(TrajectoryJSetRatioContext context) override {
@@ -3084,7 +1276,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       slot.ratio = in.getRatio();
       return inRange(slot.ratio, 0.01, 1) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(CrtkArmCommand::trajectory_j_set_ratio), in.getSent(), fill);
+    return port_->command(numberOf(CrtkArmCommand::trajectory_j_set_ratio), in.getSent(), fill);
   }
 
   kj::Promise<void> trajectoryJSetRatioV(TrajectoryJSetRatioVContext context) override {
@@ -3094,7 +1286,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       slot.ratio = in.getRatio();
       return inRange(slot.ratio, 0.01, 1) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(CrtkArmCommand::trajectory_j_set_ratio_v), in.getSent(), fill);
+    return port_->command(numberOf(CrtkArmCommand::trajectory_j_set_ratio_v), in.getSent(), fill);
   }
 
   kj::Promise<void> trajectoryJSetRatioA(TrajectoryJSetRatioAContext context) override {
@@ -3104,7 +1296,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       slot.ratio = in.getRatio();
       return inRange(slot.ratio, 0.01, 1) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(CrtkArmCommand::trajectory_j_set_ratio_a), in.getSent(), fill);
+    return port_->command(numberOf(CrtkArmCommand::trajectory_j_set_ratio_a), in.getSent(), fill);
   }
 
   kj::Promise<void> trajectoryJRatio(TrajectoryJRatioContext context) override {
@@ -3115,7 +1307,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(CrtkArmCommand::trajectory_j_ratio), in.getSent(),
+    return port_->call(numberOf(CrtkArmCommand::trajectory_j_ratio), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -3127,7 +1319,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(CrtkArmCommand::trajectory_j_ratio_v), in.getSent(),
+    return port_->call(numberOf(CrtkArmCommand::trajectory_j_ratio_v), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -3139,7 +1331,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(CrtkArmCommand::trajectory_j_ratio_a), in.getSent(),
+    return port_->call(numberOf(CrtkArmCommand::trajectory_j_ratio_a), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -3156,7 +1348,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       auto out = context.getResults();
       toWire(slot, out.initValue());
     };
-    return port_->call(commandId(CrtkArmCommand::forward_kinematics), in.getSent(),
+    return port_->call(numberOf(CrtkArmCommand::forward_kinematics), in.getSent(),
                        fill, kj::mv(take));
   }
 
@@ -3174,7 +1366,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       auto out = context.getResults();
       toWire(slot, out.initValue());
     };
-    return port_->call(commandId(CrtkArmCommand::inverse_kinematics), in.getSent(),
+    return port_->call(numberOf(CrtkArmCommand::inverse_kinematics), in.getSent(),
                        fill, kj::mv(take));
   }
 
@@ -3191,7 +1383,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       auto out = context.getResults();
       toWire(slot, out.initValue());
     };
-    return port_->call(commandId(CrtkArmCommand::query_cp), in.getSent(), fill, kj::mv(take));
+    return port_->call(numberOf(CrtkArmCommand::query_cp), in.getSent(), fill, kj::mv(take));
   }
 
   kj::Promise<void> localQueryCp(LocalQueryCpContext context) override {
@@ -3207,14 +1399,10 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       auto out = context.getResults();
       toWire(slot, out.initValue());
     };
-    return port_->call(commandId(CrtkArmCommand::local_query_cp), in.getSent(), fill, kj::mv(take));
+    return port_->call(numberOf(CrtkArmCommand::local_query_cp), in.getSent(), fill, kj::mv(take));
   }
 
  private:
-  static std::uint16_t commandId(CrtkArmCommand command) {
-    return static_cast<std::uint16_t>(command);
-  }
-
   kj::Own<ServantPort> port_;
 };
 
@@ -3367,14 +1555,14 @@ class CrtkArmReceiver final : public wire::CrtkArmEvents::Server {
     OperatingStateSlot slot;
     const Errc error =
         in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(eventId(CrtkArmEvent::operating_state), error, slot);
+    return port_->event(numberOf(CrtkArmEvent::operating_state), error, slot);
   }
 
   kj::Promise<void> desiredState(DesiredStateContext context) override {
     auto in = context.getParams();
     std::uint8_t slot;
     const Errc error = fromWire(in.getValue(), slot);
-    return port_->event(eventId(CrtkArmEvent::desired_state), error, slot);
+    return port_->event(numberOf(CrtkArmEvent::desired_state), error, slot);
   }
 
   kj::Promise<void> goalReached(GoalReachedContext context) override {
@@ -3382,7 +1570,7 @@ class CrtkArmReceiver final : public wire::CrtkArmEvents::Server {
     std::uint8_t slot;
     slot = in.getValue();
     const Errc error = Errc{};
-    return port_->event(eventId(CrtkArmEvent::goal_reached), error, slot);
+    return port_->event(numberOf(CrtkArmEvent::goal_reached), error, slot);
   }
 
   kj::Promise<void> gravityCompensation(GravityCompensationContext context) override {
@@ -3390,7 +1578,7 @@ class CrtkArmReceiver final : public wire::CrtkArmEvents::Server {
     std::uint8_t slot;
     slot = in.getValue();
     const Errc error = Errc{};
-    return port_->event(eventId(CrtkArmEvent::gravity_compensation), error, slot);
+    return port_->event(numberOf(CrtkArmEvent::gravity_compensation), error, slot);
   }
 
   kj::Promise<void> trajectoryJRatio(TrajectoryJRatioContext context) override {
@@ -3398,7 +1586,7 @@ class CrtkArmReceiver final : public wire::CrtkArmEvents::Server {
     double slot;
     slot = in.getValue();
     const Errc error = Errc{};
-    return port_->event(eventId(CrtkArmEvent::trajectory_j_ratio), error, slot);
+    return port_->event(numberOf(CrtkArmEvent::trajectory_j_ratio), error, slot);
   }
 
   kj::Promise<void> trajectoryJRatioV(TrajectoryJRatioVContext context) override {
@@ -3406,7 +1594,7 @@ class CrtkArmReceiver final : public wire::CrtkArmEvents::Server {
     double slot;
     slot = in.getValue();
     const Errc error = Errc{};
-    return port_->event(eventId(CrtkArmEvent::trajectory_j_ratio_v), error, slot);
+    return port_->event(numberOf(CrtkArmEvent::trajectory_j_ratio_v), error, slot);
   }
 
   kj::Promise<void> trajectoryJRatioA(TrajectoryJRatioAContext context) override {
@@ -3414,7 +1602,7 @@ class CrtkArmReceiver final : public wire::CrtkArmEvents::Server {
     double slot;
     slot = in.getValue();
     const Errc error = Errc{};
-    return port_->event(eventId(CrtkArmEvent::trajectory_j_ratio_a), error, slot);
+    return port_->event(numberOf(CrtkArmEvent::trajectory_j_ratio_a), error, slot);
   }
 
   kj::Promise<void> status(StatusContext context) override {
@@ -3422,7 +1610,7 @@ class CrtkArmReceiver final : public wire::CrtkArmEvents::Server {
     MessageSlot slot;
     const Errc error =
         in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(eventId(CrtkArmEvent::status), error, slot);
+    return port_->event(numberOf(CrtkArmEvent::status), error, slot);
   }
 
   kj::Promise<void> warning(WarningContext context) override {
@@ -3430,7 +1618,7 @@ class CrtkArmReceiver final : public wire::CrtkArmEvents::Server {
     MessageSlot slot;
     const Errc error =
         in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(eventId(CrtkArmEvent::warning), error, slot);
+    return port_->event(numberOf(CrtkArmEvent::warning), error, slot);
   }
 
   kj::Promise<void> error(ErrorContext context) override {
@@ -3438,12 +1626,10 @@ class CrtkArmReceiver final : public wire::CrtkArmEvents::Server {
     MessageSlot slot;
     const Errc error =
         in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(eventId(CrtkArmEvent::error), error, slot);
+    return port_->event(numberOf(CrtkArmEvent::error), error, slot);
   }
 
  private:
-  static std::uint16_t eventId(CrtkArmEvent event) { return static_cast<std::uint16_t>(event); }
-
   kj::Own<ProxyPort> port_;
 };
 
@@ -3467,7 +1653,8 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.configurationJsRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<JointConfigurationSlot>(call, response.getStamp(), [&](JointConfigurationSlot& answer) {
+          port_.answer<JointConfigurationSlot>(call, response.getStamp(),
+                                               [&](JointConfigurationSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -3477,7 +1664,8 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.operatingStateRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<OperatingStateSlot>(call, response.getStamp(), [&](OperatingStateSlot& answer) {
+          port_.answer<OperatingStateSlot>(call, response.getStamp(),
+                                           [&](OperatingStateSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -3487,7 +1675,8 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.periodStatisticsRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<IntervalStatisticsSlot>(call, response.getStamp(), [&](IntervalStatisticsSlot& answer) {
+          port_.answer<IntervalStatisticsSlot>(call, response.getStamp(),
+                                               [&](IntervalStatisticsSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -3655,7 +1844,8 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         auto request = provider_.measuredCsRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<CartesianStateSlot>(call, response.getStamp(), [&](CartesianStateSlot& answer) {
+          port_.answer<CartesianStateSlot>(call, response.getStamp(),
+                                           [&](CartesianStateSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -3926,8 +2116,8 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
 
 class CrtkArmBinding final : public suture::rpc::Binding {
  public:
-  capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const override {
-    return wire::CrtkArm::Client(kj::heap<CrtkArmServant>(kj::mv(port)));
+  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
+    return kj::heap<CrtkArmServant>(kj::mv(port));
   }
   kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
                                         ProxyPort& port) const override {

@@ -306,14 +306,14 @@ const InterfaceInfo& interfaceInfo<robots::CrtkArm>();
 
 /// What a client of robots::CrtkArm calls.
 template <>
-class Required<robots::CrtkArm> final : public RequiredBase {
+class Required<robots::CrtkArm> : public RequiredBase {
   using Contract = robots::CrtkArm;
   using Id = robots::CrtkArmCommand;
   using EventId = robots::CrtkArmEvent;
 
  public:
   Required(Component& owner, std::string_view name)
-      : RequiredBase(owner, name, interfaceInfo<Contract>()) {}
+      : Required(owner, name, interfaceInfo<Contract>()) {}
 
   /// What the joints are and may do.
   ReadCommand<&Contract::configuration_js, robots::JointConfigurationSlot> configuration_js{
@@ -480,20 +480,24 @@ class Required<robots::CrtkArm> final : public RequiredBase {
   };
   Events& on() { return events_; }
 
+ protected:
+  // Of a contract that derives from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+
  private:
   Events events_{*this};
 };
 
 /// What serves robots::CrtkArm from a component.
 template <>
-class Provided<robots::CrtkArm> final : public ProvidedBase {
+class Provided<robots::CrtkArm> : public ProvidedBase {
   using Contract = robots::CrtkArm;
   using EventId = robots::CrtkArmEvent;
 
  public:
   Provided(Component& owner, std::string_view name, Contract& implementation)
-      : ProvidedBase(owner, name, interfaceInfo<Contract>(), &implementation),
-        implementation_(implementation) {}
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
   /// The events of robots::CrtkArm, to emit.
   struct Events {
@@ -525,6 +529,15 @@ class Provided<robots::CrtkArm> final : public ProvidedBase {
   };
   Events& emit() { return events_; }
 
+ protected:
+  // Of a contract that derives from this one: `whole` points to its implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
@@ -552,8 +565,6 @@ class Provided<robots::CrtkArm> final : public ProvidedBase {
     robots::JointGoal query_cp_q;
     robots::JointGoal local_query_cp_q;
   };
-
-  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
   Contract& implementation_;
   Events events_{*this};

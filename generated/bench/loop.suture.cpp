@@ -32,6 +32,7 @@ using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
+using suture::rpc::numberOf;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
 
@@ -41,158 +42,43 @@ constexpr CommandInfo kLoopServerCommands[] = {
     {.name = "put",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(LoopServerPutArguments),
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
     {.name = "bounce",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(LoopServerBounceArguments),
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
     {.name = "value",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(robots::PosePrmSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 0},
 };
 
 constexpr EventInfo kLoopServerEvents[] = {
-    {.name = "echo",
-     .payloadSize = sizeof(robots::PosePrmSlot),
-     .depth = 16,
-     .latest = false,
-     .latched = false},
+    {.name = "echo", .payloadSize = sizeof(robots::PosePrmSlot), .depth = 16},
 };
 
 // The self-description, as in bench/loop.suture.json.
-constexpr char kLoopServerDescription[] = R"json({
-  "name": "bench::LoopServer",
-  "doc": "What the server of a loop offers.",
-  "hash": "39cfa04c06187358856f788402400ce7",
-  "commands": [
-    {
-      "name": "put",
-      "kind": "write",
-      "doc": "Server, client, server: takes back what value() answered and measures how long it was away.",
-      "parameters": [
-        {
-          "name": "value",
-          "type": {
-            "kind": "struct",
-            "name": "robots::PosePrm"
-          }
-        }
-      ],
-      "queue": 16
-    },
-    {
-      "name": "bounce",
-      "kind": "write",
-      "doc": "Client, server, client: sends the value back as the event echo.",
-      "parameters": [
-        {
-          "name": "value",
-          "type": {
-            "kind": "struct",
-            "name": "robots::PosePrm"
-          }
-        }
-      ],
-      "queue": 16
-    },
-    {
-      "name": "value",
-      "kind": "read",
-      "doc": "A pose, stamped when it is evaluated.",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::PosePrm"
-        }
-      },
-      "queue": 16
-    }
-  ],
-  "events": [
-    {
-      "name": "echo",
-      "kind": "write",
-      "doc": "The value that bounce() took.",
-      "payload": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::PosePrm"
-        }
-      },
-      "queue": 16
-    }
-  ],
-  "enums": [],
-  "structs": [
-    {
-      "name": "robots::PosePrm",
-      "doc": "The fields of the cisst libraries' prmPositionCartesianGet, the type of the paper's\nmeasurements.",
-      "fields": [
-        {
-          "name": "timestamp",
-          "type": {
-            "kind": "time",
-            "clock": "steady"
-          }
-        },
-        {
-          "name": "automatic_timestamp",
-          "wire": "automaticTimestamp",
-          "doc": "Whether the provider stamps the data itself.",
-          "type": {
-            "kind": "Bool"
-          },
-          "default": true
-        },
-        {
-          "name": "valid",
-          "type": {
-            "kind": "Bool"
-          },
-          "default": false
-        },
-        {
-          "name": "moving_frame",
-          "wire": "movingFrame",
-          "type": {
-            "kind": "text",
-            "capacity": 15
-          }
-        },
-        {
-          "name": "reference_frame",
-          "wire": "referenceFrame",
-          "type": {
-            "kind": "text",
-            "capacity": 15
-          }
-        },
-        {
-          "name": "position",
-          "doc": "The moving frame in the reference frame.",
-          "type": {
-            "kind": "isometry",
-            "scalar": "Float64"
-          },
-          "unit": "m"
-        }
-      ]
-    }
-  ]
-})json";
+constexpr char kLoopServerDescription[] = R"json(
+{"name": "bench::LoopServer", "doc": "What the server of a loop offers.",
+"hash": "39cfa04c06187358856f788402400ce7", "commands": [{"name": "put", "kind": "write",
+"doc": "Server, client, server: takes back what value() answered and measures how long it was away.",
+"parameters": [{"name": "value", "type": {"kind": "struct", "name": "robots::PosePrm"}}],
+"queue": 16}, {"name": "bounce", "kind": "write",
+"doc": "Client, server, client: sends the value back as the event echo.", "parameters": [{
+"name": "value", "type": {"kind": "struct", "name": "robots::PosePrm"}}], "queue": 16}, {
+"name": "value", "kind": "read", "doc": "A pose, stamped when it is evaluated.", "result": {
+"type": {"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}], "events": [{"name": "echo",
+"kind": "write", "doc": "The value that bounce() took.", "payload": {"type": {"kind": "struct",
+"name": "robots::PosePrm"}}, "queue": 16}], "enums": [], "structs": [{"name": "robots::PosePrm",
+"doc": "The fields of the cisst libraries' prmPositionCartesianGet, the type of the paper's\nmeasurements.",
+"fields": [{"name": "timestamp", "type": {"kind": "time", "clock": "steady"}}, {
+"name": "automatic_timestamp", "doc": "Whether the provider stamps the data itself.", "type": {
+"kind": "Bool"}, "default": true}, {"name": "valid", "type": {"kind": "Bool"}, "default": false}, {
+"name": "moving_frame", "type": {"kind": "text", "capacity": 15}}, {"name": "reference_frame",
+"type": {"kind": "text", "capacity": 15}}, {"name": "position",
+"doc": "The moving frame in the reference frame.", "type": {"kind": "isometry", "scalar": "Float64"
+}, "unit": "m"}]}]})json";
 
 }  // namespace
 
@@ -207,8 +93,8 @@ class LoopServerSink final : public suture::rpc::EventSink {
       subscriber_(kj::mv(subscriber)) {}
 
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (static_cast<LoopServerEvent>(event)) {
-      case LoopServerEvent::echo: {
+    switch (event) {
+      case numberOf(LoopServerEvent::echo): {
         const auto& slot = *reinterpret_cast<const robots::PosePrmSlot*>(payload);
         auto request = subscriber_.echoRequest();
         toWire(slot, request.initValue());
@@ -258,7 +144,7 @@ class LoopServerServant final : public wire::LoopServer::Server {
       if (error != Errc{}) return error;
       return isValid(slot.value) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(LoopServerCommand::put), in.getSent(), fill);
+    return port_->command(numberOf(LoopServerCommand::put), in.getSent(), fill);
   }
 
   kj::Promise<void> bounce(BounceContext context) override {
@@ -270,7 +156,7 @@ class LoopServerServant final : public wire::LoopServer::Server {
       if (error != Errc{}) return error;
       return isValid(slot.value) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(LoopServerCommand::bounce), in.getSent(), fill);
+    return port_->command(numberOf(LoopServerCommand::bounce), in.getSent(), fill);
   }
 
   kj::Promise<void> value(ValueContext context) override {
@@ -281,15 +167,11 @@ class LoopServerServant final : public wire::LoopServer::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(LoopServerCommand::value), in.getSent(),
+    return port_->call(numberOf(LoopServerCommand::value), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
  private:
-  static std::uint16_t commandId(LoopServerCommand command) {
-    return static_cast<std::uint16_t>(command);
-  }
-
   kj::Own<ServantPort> port_;
 };
 
@@ -319,12 +201,10 @@ class LoopServerReceiver final : public wire::LoopServerEvents::Server {
     robots::PosePrmSlot slot;
     const Errc error =
         in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(eventId(LoopServerEvent::echo), error, slot);
+    return port_->event(numberOf(LoopServerEvent::echo), error, slot);
   }
 
  private:
-  static std::uint16_t eventId(LoopServerEvent event) { return static_cast<std::uint16_t>(event); }
-
   kj::Own<ProxyPort> port_;
 };
 
@@ -362,7 +242,8 @@ class LoopServerProxy final : public suture::rpc::Proxy {
         auto request = provider_.valueRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<robots::PosePrmSlot>(call, response.getStamp(), [&](robots::PosePrmSlot& answer) {
+          port_.answer<robots::PosePrmSlot>(call, response.getStamp(),
+                                            [&](robots::PosePrmSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -379,8 +260,8 @@ class LoopServerProxy final : public suture::rpc::Proxy {
 
 class LoopServerBinding final : public suture::rpc::Binding {
  public:
-  capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const override {
-    return wire::LoopServer::Client(kj::heap<LoopServerServant>(kj::mv(port)));
+  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
+    return kj::heap<LoopServerServant>(kj::mv(port));
   }
   kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
                                         ProxyPort& port) const override {

@@ -53,14 +53,14 @@ const InterfaceInfo& interfaceInfo<bench::LoopServer>();
 
 /// What a client of bench::LoopServer calls.
 template <>
-class Required<bench::LoopServer> final : public RequiredBase {
+class Required<bench::LoopServer> : public RequiredBase {
   using Contract = bench::LoopServer;
   using Id = bench::LoopServerCommand;
   using EventId = bench::LoopServerEvent;
 
  public:
   Required(Component& owner, std::string_view name)
-      : RequiredBase(owner, name, interfaceInfo<Contract>()) {}
+      : Required(owner, name, interfaceInfo<Contract>()) {}
 
   /// Server, client, server: takes back what value() answered and measures how long it was away.
   Command<&Contract::put, bench::LoopServerPutArguments> put{
@@ -82,20 +82,24 @@ class Required<bench::LoopServer> final : public RequiredBase {
   };
   Events& on() { return events_; }
 
+ protected:
+  // Of a contract that derives from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+
  private:
   Events events_{*this};
 };
 
 /// What serves bench::LoopServer from a component.
 template <>
-class Provided<bench::LoopServer> final : public ProvidedBase {
+class Provided<bench::LoopServer> : public ProvidedBase {
   using Contract = bench::LoopServer;
   using EventId = bench::LoopServerEvent;
 
  public:
   Provided(Component& owner, std::string_view name, Contract& implementation)
-      : ProvidedBase(owner, name, interfaceInfo<Contract>(), &implementation),
-        implementation_(implementation) {}
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
   /// The events of bench::LoopServer, to emit.
   struct Events {
@@ -107,14 +111,21 @@ class Provided<bench::LoopServer> final : public ProvidedBase {
   };
   Events& emit() { return events_; }
 
+ protected:
+  // Of a contract that derives from this one: `whole` points to its implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
     robots::PosePrm put_value;
     robots::PosePrm bounce_value;
   };
-
-  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
   Contract& implementation_;
   Events events_{*this};

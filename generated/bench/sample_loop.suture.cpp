@@ -32,6 +32,7 @@ using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
+using suture::rpc::numberOf;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
 
@@ -41,148 +42,39 @@ constexpr CommandInfo kSampleServerCommands[] = {
     {.name = "put",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(SampleServerPutArguments),
-     .resultSize = 0,
-     .depth = 4096,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 4096},
     {.name = "bounce",
      .kind = CommandKind::Write,
      .argumentsSize = sizeof(SampleServerBounceArguments),
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+     .depth = 16},
     {.name = "value",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(robots::PoseSampleSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 0},
 };
 
 constexpr EventInfo kSampleServerEvents[] = {
-    {.name = "echo",
-     .payloadSize = sizeof(robots::PoseSampleSlot),
-     .depth = 16,
-     .latest = false,
-     .latched = false},
+    {.name = "echo", .payloadSize = sizeof(robots::PoseSampleSlot), .depth = 16},
 };
 
 // The self-description, as in bench/sample_loop.suture.json.
-constexpr char kSampleServerDescription[] = R"json({
-  "name": "bench::SampleServer",
-  "hash": "fc81c3d6983bed150e4b6eeb178f075c",
-  "commands": [
-    {
-      "name": "put",
-      "kind": "write",
-      "doc": "Counted by the provider.",
-      "parameters": [
-        {
-          "name": "value",
-          "type": {
-            "kind": "struct",
-            "name": "robots::PoseSample"
-          }
-        }
-      ],
-      "queue": 4096
-    },
-    {
-      "name": "bounce",
-      "kind": "write",
-      "doc": "Client, server, client: sends the value back as the event echo.",
-      "parameters": [
-        {
-          "name": "value",
-          "type": {
-            "kind": "struct",
-            "name": "robots::PoseSample"
-          }
-        }
-      ],
-      "queue": 16
-    },
-    {
-      "name": "value",
-      "kind": "read",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::PoseSample"
-        }
-      },
-      "queue": 16
-    }
-  ],
-  "events": [
-    {
-      "name": "echo",
-      "kind": "write",
-      "doc": "The value that bounce() took.",
-      "payload": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::PoseSample"
-        }
-      },
-      "queue": 16
-    }
-  ],
-  "enums": [],
-  "structs": [
-    {
-      "name": "robots::PoseSample",
-      "doc": "The pose of the latency figures: 120 bytes and no strings.",
-      "fields": [
-        {
-          "name": "rotation",
-          "type": {
-            "kind": "matrix",
-            "scalar": "Float64",
-            "rows": 3,
-            "columns": 3
-          }
-        },
-        {
-          "name": "position",
-          "type": {
-            "kind": "matrix",
-            "scalar": "Float64",
-            "rows": 3,
-            "columns": 1
-          },
-          "unit": "m"
-        },
-        {
-          "name": "stamp",
-          "type": {
-            "kind": "time",
-            "clock": "steady"
-          }
-        },
-        {
-          "name": "sequence",
-          "type": {
-            "kind": "UInt64"
-          },
-          "default": 0
-        },
-        {
-          "name": "flags",
-          "type": {
-            "kind": "UInt64"
-          },
-          "default": 0
-        }
-      ]
-    }
-  ]
-})json";
+constexpr char kSampleServerDescription[] = R"json(
+{"name": "bench::SampleServer", "hash": "fc81c3d6983bed150e4b6eeb178f075c", "commands": [{
+"name": "put", "kind": "write", "doc": "Counted by the provider.", "parameters": [{"name": "value",
+"type": {"kind": "struct", "name": "robots::PoseSample"}}], "queue": 4096}, {"name": "bounce",
+"kind": "write", "doc": "Client, server, client: sends the value back as the event echo.",
+"parameters": [{"name": "value", "type": {"kind": "struct", "name": "robots::PoseSample"}}],
+"queue": 16}, {"name": "value", "kind": "read", "result": {"type": {"kind": "struct",
+"name": "robots::PoseSample"}}, "queue": 16}], "events": [{"name": "echo", "kind": "write",
+"doc": "The value that bounce() took.", "payload": {"type": {"kind": "struct",
+"name": "robots::PoseSample"}}, "queue": 16}], "enums": [], "structs": [{
+"name": "robots::PoseSample", "doc": "The pose of the latency figures: 120 bytes and no strings.",
+"fields": [{"name": "rotation", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
+"columns": 3}}, {"name": "position", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
+"columns": 1}, "unit": "m"}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {
+"name": "sequence", "type": {"kind": "UInt64"}, "default": 0}, {"name": "flags", "type": {
+"kind": "UInt64"}, "default": 0}]}]})json";
 
 }  // namespace
 
@@ -197,8 +89,8 @@ class SampleServerSink final : public suture::rpc::EventSink {
       subscriber_(kj::mv(subscriber)) {}
 
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (static_cast<SampleServerEvent>(event)) {
-      case SampleServerEvent::echo: {
+    switch (event) {
+      case numberOf(SampleServerEvent::echo): {
         const auto& slot = *reinterpret_cast<const robots::PoseSampleSlot*>(payload);
         auto request = subscriber_.echoRequest();
         toWire(slot, request.initValue());
@@ -248,7 +140,7 @@ class SampleServerServant final : public wire::SampleServer::Server {
       if (error != Errc{}) return error;
       return isValid(slot.value) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(SampleServerCommand::put), in.getSent(), fill);
+    return port_->command(numberOf(SampleServerCommand::put), in.getSent(), fill);
   }
 
   kj::Promise<void> bounce(BounceContext context) override {
@@ -260,7 +152,7 @@ class SampleServerServant final : public wire::SampleServer::Server {
       if (error != Errc{}) return error;
       return isValid(slot.value) ? Errc{} : Errc::Invalid;
     };
-    return port_->command(commandId(SampleServerCommand::bounce), in.getSent(), fill);
+    return port_->command(numberOf(SampleServerCommand::bounce), in.getSent(), fill);
   }
 
   kj::Promise<void> value(ValueContext context) override {
@@ -271,15 +163,11 @@ class SampleServerServant final : public wire::SampleServer::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(SampleServerCommand::value), in.getSent(),
+    return port_->call(numberOf(SampleServerCommand::value), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
  private:
-  static std::uint16_t commandId(SampleServerCommand command) {
-    return static_cast<std::uint16_t>(command);
-  }
-
   kj::Own<ServantPort> port_;
 };
 
@@ -309,14 +197,10 @@ class SampleServerReceiver final : public wire::SampleServerEvents::Server {
     robots::PoseSampleSlot slot;
     const Errc error =
         in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(eventId(SampleServerEvent::echo), error, slot);
+    return port_->event(numberOf(SampleServerEvent::echo), error, slot);
   }
 
  private:
-  static std::uint16_t eventId(SampleServerEvent event) {
-    return static_cast<std::uint16_t>(event);
-  }
-
   kj::Own<ProxyPort> port_;
 };
 
@@ -355,7 +239,8 @@ class SampleServerProxy final : public suture::rpc::Proxy {
         auto request = provider_.valueRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<robots::PoseSampleSlot>(call, response.getStamp(), [&](robots::PoseSampleSlot& answer) {
+          port_.answer<robots::PoseSampleSlot>(call, response.getStamp(),
+                                               [&](robots::PoseSampleSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -372,8 +257,8 @@ class SampleServerProxy final : public suture::rpc::Proxy {
 
 class SampleServerBinding final : public suture::rpc::Binding {
  public:
-  capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const override {
-    return wire::SampleServer::Client(kj::heap<SampleServerServant>(kj::mv(port)));
+  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
+    return kj::heap<SampleServerServant>(kj::mv(port));
   }
   kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
                                         ProxyPort& port) const override {

@@ -53,14 +53,14 @@ const InterfaceInfo& interfaceInfo<bench::SampleServer>();
 
 /// What a client of bench::SampleServer calls.
 template <>
-class Required<bench::SampleServer> final : public RequiredBase {
+class Required<bench::SampleServer> : public RequiredBase {
   using Contract = bench::SampleServer;
   using Id = bench::SampleServerCommand;
   using EventId = bench::SampleServerEvent;
 
  public:
   Required(Component& owner, std::string_view name)
-      : RequiredBase(owner, name, interfaceInfo<Contract>()) {}
+      : Required(owner, name, interfaceInfo<Contract>()) {}
 
   /// Counted by the provider.
   Command<&Contract::put, bench::SampleServerPutArguments> put{
@@ -81,20 +81,24 @@ class Required<bench::SampleServer> final : public RequiredBase {
   };
   Events& on() { return events_; }
 
+ protected:
+  // Of a contract that derives from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+
  private:
   Events events_{*this};
 };
 
 /// What serves bench::SampleServer from a component.
 template <>
-class Provided<bench::SampleServer> final : public ProvidedBase {
+class Provided<bench::SampleServer> : public ProvidedBase {
   using Contract = bench::SampleServer;
   using EventId = bench::SampleServerEvent;
 
  public:
   Provided(Component& owner, std::string_view name, Contract& implementation)
-      : ProvidedBase(owner, name, interfaceInfo<Contract>(), &implementation),
-        implementation_(implementation) {}
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
   /// The events of bench::SampleServer, to emit.
   struct Events {
@@ -106,14 +110,21 @@ class Provided<bench::SampleServer> final : public ProvidedBase {
   };
   Events& emit() { return events_; }
 
+ protected:
+  // Of a contract that derives from this one: `whole` points to its implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
     robots::PoseSample put_value;
     robots::PoseSample bounce_value;
   };
-
-  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
   Contract& implementation_;
   Events events_{*this};

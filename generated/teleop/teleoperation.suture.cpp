@@ -25,6 +25,7 @@ using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
+using suture::rpc::numberOf;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
 
@@ -43,201 +44,51 @@ static_assert(std::is_same_v<decltype(FollowAnchors::scale), double>);
 static_assert(std::is_same_v<decltype(FollowAnchors::entry), std::uint64_t>);
 
 constexpr CommandInfo kTeleoperationCommands[] = {
-    {.name = "enable",
-     .kind = CommandKind::Void,
-     .argumentsSize = 0,
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
-    {.name = "disable",
-     .kind = CommandKind::Void,
-     .argumentsSize = 0,
-     .resultSize = 0,
-     .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
-     .column = -1},
+    {.name = "enable", .kind = CommandKind::Void, .depth = 16},
+    {.name = "disable", .kind = CommandKind::Void, .depth = 16},
     {.name = "teleop_state",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(std::uint8_t),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 0},
     {.name = "anchors",
      .kind = CommandKind::Read,
-     .argumentsSize = 0,
      .resultSize = sizeof(FollowAnchorsSlot),
      .depth = 16,
-     .latest = false,
-     .ttl = Duration(0),
      .column = 1},
 };
 
 constexpr EventInfo kTeleoperationEvents[] = {
-    {.name = "teleop_state",
-     .payloadSize = sizeof(std::uint8_t),
-     .depth = 16,
-     .latest = false,
-     .latched = true},
-    {.name = "followed",
-     .payloadSize = sizeof(FollowAnchorsSlot),
-     .depth = 16,
-     .latest = false,
-     .latched = true},
+    {.name = "teleop_state", .payloadSize = sizeof(std::uint8_t), .depth = 16, .latched = true},
+    {.name = "followed", .payloadSize = sizeof(FollowAnchorsSlot), .depth = 16, .latched = true},
 };
 
 // The self-description, as in teleop/teleoperation.suture.json.
-constexpr char kTeleoperationDescription[] = R"json({
-  "name": "robots::Teleoperation",
-  "hash": "393a877d8e6228f4888818f28ef2cb8a",
-  "commands": [
-    {
-      "name": "enable",
-      "kind": "void",
-      "doc": "Enables and homes arms that are not, then follows.",
-      "queue": 16
-    },
-    {
-      "name": "disable",
-      "kind": "void",
-      "doc": "Stops following; the slave holds.",
-      "queue": 16
-    },
-    {
-      "name": "teleop_state",
-      "kind": "read",
-      "wire": "teleopState",
-      "result": {
-        "type": {
-          "kind": "enum",
-          "name": "robots::TeleopState"
-        }
-      },
-      "queue": 16
-    },
-    {
-      "name": "anchors",
-      "kind": "read",
-      "doc": "Of the present or last time of following.",
-      "result": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::FollowAnchors"
-        }
-      },
-      "queue": 16
-    }
-  ],
-  "events": [
-    {
-      "name": "teleop_state",
-      "kind": "write",
-      "wire": "teleopState",
-      "payload": {
-        "type": {
-          "kind": "enum",
-          "name": "robots::TeleopState"
-        }
-      },
-      "queue": 16,
-      "latched": true
-    },
-    {
-      "name": "followed",
-      "kind": "write",
-      "doc": "Following begins.",
-      "payload": {
-        "type": {
-          "kind": "struct",
-          "name": "robots::FollowAnchors"
-        }
-      },
-      "queue": 16,
-      "latched": true
-    }
-  ],
-  "enums": [
-    {
-      "name": "robots::TeleopState",
-      "underlying": "UInt8",
-      "enumerators": [
-        {
-          "name": "Disabled",
-          "value": 0,
-          "wire": "disabled",
-          "doc": "until enable()"
-        },
-        {
-          "name": "Preparing",
-          "value": 1,
-          "wire": "preparing",
-          "doc": "waits for both arms: connected, enabled, homed, and fresh data of both"
-        },
-        {
-          "name": "Following",
-          "value": 2,
-          "wire": "following"
-        }
-      ]
-    }
-  ],
-  "structs": [
-    {
-      "name": "robots::FollowAnchors",
-      "doc": "Where following began: with it and the master's poses, anyone can compute what the slave should\ndo.",
-      "fields": [
-        {
-          "name": "master_stamp",
-          "wire": "masterStamp",
-          "doc": "Stamp of the first master pose that was followed.",
-          "type": {
-            "kind": "time",
-            "clock": "steady"
-          }
-        },
-        {
-          "name": "master",
-          "doc": "The master's measured pose at that stamp, in the master's base frame.",
-          "type": {
-            "kind": "isometry",
-            "scalar": "Float64"
-          },
-          "unit": "m"
-        },
-        {
-          "name": "slave_setpoint",
-          "wire": "slaveSetpoint",
-          "doc": "The slave's set-point at entry, in the slave's base frame.",
-          "type": {
-            "kind": "isometry",
-            "scalar": "Float64"
-          },
-          "unit": "m"
-        },
-        {
-          "name": "scale",
-          "doc": "Slave metres a master metre.",
-          "type": {
-            "kind": "Float64"
-          },
-          "default": 0.0
-        },
-        {
-          "name": "entry",
-          "doc": "How many times following began, this one included; 0: never.",
-          "type": {
-            "kind": "UInt64"
-          },
-          "default": 0
-        }
-      ]
-    }
-  ]
-})json";
+constexpr char kTeleoperationDescription[] = R"json(
+{"name": "robots::Teleoperation", "hash": "393a877d8e6228f4888818f28ef2cb8a", "commands": [{
+"name": "enable", "kind": "void", "doc": "Enables and homes arms that are not, then follows.",
+"queue": 16}, {"name": "disable", "kind": "void", "doc": "Stops following; the slave holds.",
+"queue": 16}, {"name": "teleop_state", "kind": "read", "result": {"type": {"kind": "enum",
+"name": "robots::TeleopState"}}, "queue": 16}, {"name": "anchors", "kind": "read",
+"doc": "Of the present or last time of following.", "result": {"type": {"kind": "struct",
+"name": "robots::FollowAnchors"}}, "queue": 16}], "events": [{"name": "teleop_state",
+"kind": "write", "payload": {"type": {"kind": "enum", "name": "robots::TeleopState"}}, "queue": 16,
+"latched": true}, {"name": "followed", "kind": "write", "doc": "Following begins.", "payload": {
+"type": {"kind": "struct", "name": "robots::FollowAnchors"}}, "queue": 16, "latched": true}],
+"enums": [{"name": "robots::TeleopState", "underlying": "UInt8", "enumerators": [{
+"name": "Disabled", "value": 0, "doc": "until enable()"}, {"name": "Preparing", "value": 1,
+"doc": "waits for both arms: connected, enabled, homed, and fresh data of both"}, {
+"name": "Following", "value": 2}]}], "structs": [{"name": "robots::FollowAnchors",
+"doc": "Where following began: with it and the master's poses, anyone can compute what the slave should\ndo.",
+"fields": [{"name": "master_stamp", "doc": "Stamp of the first master pose that was followed.",
+"type": {"kind": "time", "clock": "steady"}}, {"name": "master",
+"doc": "The master's measured pose at that stamp, in the master's base frame.", "type": {
+"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "slave_setpoint",
+"doc": "The slave's set-point at entry, in the slave's base frame.", "type": {"kind": "isometry",
+"scalar": "Float64"}, "unit": "m"}, {"name": "scale", "doc": "Slave metres a master metre.",
+"type": {"kind": "Float64"}, "default": 0.0}, {"name": "entry",
+"doc": "How many times following began, this one included; 0: never.", "type": {"kind": "UInt64"},
+"default": 0}]}]})json";
 
 }  // namespace
 
@@ -297,14 +148,14 @@ class TeleoperationSink final : public suture::rpc::EventSink {
       subscriber_(kj::mv(subscriber)) {}
 
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (static_cast<TeleoperationEvent>(event)) {
-      case TeleoperationEvent::teleop_state: {
+    switch (event) {
+      case numberOf(TeleoperationEvent::teleop_state): {
         const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
         auto request = subscriber_.teleopStateRequest();
         request.setValue(wireTeleopState(slot));
         return request.send().ignoreResult();
       }
-      case TeleoperationEvent::followed: {
+      case numberOf(TeleoperationEvent::followed): {
         const auto& slot = *reinterpret_cast<const FollowAnchorsSlot*>(payload);
         auto request = subscriber_.followedRequest();
         toWire(slot, request.initValue());
@@ -351,13 +202,13 @@ class TeleoperationServant final : public wire::Teleoperation::Server {
 
   kj::Promise<void> enable(EnableContext context) override {
     auto in = context.getParams();
-    return port_->command(commandId(TeleoperationCommand::enable), in.getSent(),
+    return port_->command(numberOf(TeleoperationCommand::enable), in.getSent(),
                           [](std::byte*) { return Errc{}; });
   }
 
   kj::Promise<void> disable(DisableContext context) override {
     auto in = context.getParams();
-    return port_->command(commandId(TeleoperationCommand::disable), in.getSent(),
+    return port_->command(numberOf(TeleoperationCommand::disable), in.getSent(),
                           [](std::byte*) { return Errc{}; });
   }
 
@@ -369,7 +220,7 @@ class TeleoperationServant final : public wire::Teleoperation::Server {
       out.setValue(wireTeleopState(slot));
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(TeleoperationCommand::teleop_state), in.getSent(),
+    return port_->call(numberOf(TeleoperationCommand::teleop_state), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
@@ -381,15 +232,11 @@ class TeleoperationServant final : public wire::Teleoperation::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(commandId(TeleoperationCommand::anchors), in.getSent(),
+    return port_->call(numberOf(TeleoperationCommand::anchors), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
  private:
-  static std::uint16_t commandId(TeleoperationCommand command) {
-    return static_cast<std::uint16_t>(command);
-  }
-
   kj::Own<ServantPort> port_;
 };
 
@@ -423,7 +270,7 @@ class TeleoperationReceiver final : public wire::TeleoperationEvents::Server {
     auto in = context.getParams();
     std::uint8_t slot;
     const Errc error = fromWire(in.getValue(), slot);
-    return port_->event(eventId(TeleoperationEvent::teleop_state), error, slot);
+    return port_->event(numberOf(TeleoperationEvent::teleop_state), error, slot);
   }
 
   kj::Promise<void> followed(FollowedContext context) override {
@@ -431,14 +278,10 @@ class TeleoperationReceiver final : public wire::TeleoperationEvents::Server {
     FollowAnchorsSlot slot;
     const Errc error =
         in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(eventId(TeleoperationEvent::followed), error, slot);
+    return port_->event(numberOf(TeleoperationEvent::followed), error, slot);
   }
 
  private:
-  static std::uint16_t eventId(TeleoperationEvent event) {
-    return static_cast<std::uint16_t>(event);
-  }
-
   kj::Own<ProxyPort> port_;
 };
 
@@ -481,7 +324,8 @@ class TeleoperationProxy final : public suture::rpc::Proxy {
         auto request = provider_.anchorsRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<FollowAnchorsSlot>(call, response.getStamp(), [&](FollowAnchorsSlot& answer) {
+          port_.answer<FollowAnchorsSlot>(call, response.getStamp(),
+                                          [&](FollowAnchorsSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -498,8 +342,8 @@ class TeleoperationProxy final : public suture::rpc::Proxy {
 
 class TeleoperationBinding final : public suture::rpc::Binding {
  public:
-  capnp::Capability::Client makeServant(kj::Own<ServantPort> port) const override {
-    return wire::Teleoperation::Client(kj::heap<TeleoperationServant>(kj::mv(port)));
+  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
+    return kj::heap<TeleoperationServant>(kj::mv(port));
   }
   kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
                                         ProxyPort& port) const override {

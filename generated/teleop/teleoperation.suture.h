@@ -64,14 +64,14 @@ const InterfaceInfo& interfaceInfo<robots::Teleoperation>();
 
 /// What a client of robots::Teleoperation calls.
 template <>
-class Required<robots::Teleoperation> final : public RequiredBase {
+class Required<robots::Teleoperation> : public RequiredBase {
   using Contract = robots::Teleoperation;
   using Id = robots::TeleoperationCommand;
   using EventId = robots::TeleoperationEvent;
 
  public:
   Required(Component& owner, std::string_view name)
-      : RequiredBase(owner, name, interfaceInfo<Contract>()) {}
+      : Required(owner, name, interfaceInfo<Contract>()) {}
 
   /// Enables and homes arms that are not, then follows.
   Command<&Contract::enable, NoSlot> enable{*this, static_cast<std::uint16_t>(Id::enable)};
@@ -95,20 +95,24 @@ class Required<robots::Teleoperation> final : public RequiredBase {
   };
   Events& on() { return events_; }
 
+ protected:
+  // Of a contract that derives from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+
  private:
   Events events_{*this};
 };
 
 /// What serves robots::Teleoperation from a component.
 template <>
-class Provided<robots::Teleoperation> final : public ProvidedBase {
+class Provided<robots::Teleoperation> : public ProvidedBase {
   using Contract = robots::Teleoperation;
   using EventId = robots::TeleoperationEvent;
 
  public:
   Provided(Component& owner, std::string_view name, Contract& implementation)
-      : ProvidedBase(owner, name, interfaceInfo<Contract>(), &implementation),
-        implementation_(implementation) {}
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
   /// The events of robots::Teleoperation, to emit.
   struct Events {
@@ -122,9 +126,16 @@ class Provided<robots::Teleoperation> final : public ProvidedBase {
   };
   Events& emit() { return events_; }
 
- private:
+ protected:
+  // Of a contract that derives from this one: `whole` points to its implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
+ private:
   Contract& implementation_;
   Events events_{*this};
 };

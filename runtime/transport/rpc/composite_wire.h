@@ -67,9 +67,6 @@ Errc fromWire(Reader in, BoundedMatrix<S, R, C>& slot) {
   return Errc{};
 }
 
-/// A transform whose linear part may be anything.
-Errc fromWireAffine(wire::Pose::Reader in, std::array<double, 12>& slot);
-
 // --- validity
 
 template <std::uint32_t N>

@@ -14,8 +14,8 @@
 #include <suture/base/time.h>
 #include <suture/rpc.capnp.h>
 #include <suture/rt/mailbox.h>
+#include <suture/transport/rpc/eigen_wire.h>
 #include <suture/transport/rpc/stamps.h>
-#include <suture/types.capnp.h>
 
 #include <algorithm>
 #include <array>
@@ -146,24 +146,6 @@ Errc fromWireList(const List& in, std::array<Element, N>& slot, const Convert& c
   }
   return Errc{};
 }
-
-// --- Eigen types with a named form
-
-void toWire(const std::array<double, 2>& slot, wire::Vec2::Builder out);
-void toWire(const std::array<double, 3>& slot, wire::Vec3::Builder out);
-void toWire(const std::array<double, 4>& slot, wire::Vec4::Builder out);
-void toWire(const std::array<double, 4>& slot, wire::Quat::Builder out);
-void toWire(const std::array<double, 9>& slot, wire::Mat3::Builder out);
-void toWire(const std::array<double, 16>& slot, wire::Mat4::Builder out);
-void toWire(const std::array<double, 12>& slot, wire::Pose::Builder out);
-
-Errc fromWire(wire::Vec2::Reader in, std::array<double, 2>& slot);
-Errc fromWire(wire::Vec3::Reader in, std::array<double, 3>& slot);
-Errc fromWire(wire::Vec4::Reader in, std::array<double, 4>& slot);
-Errc fromWire(wire::Quat::Reader in, std::array<double, 4>& slot);
-Errc fromWire(wire::Mat3::Reader in, std::array<double, 9>& slot);
-Errc fromWire(wire::Mat4::Reader in, std::array<double, 16>& slot);
-Errc fromWire(wire::Pose::Reader in, std::array<double, 12>& slot);
 
 // --- validity
 

@@ -1,6 +1,7 @@
 #include <capnp/message.h>
 #include <capnp/serialize.h>
 #include <fmt/format.h>
+#include <suture/base/errors.h>
 
 #include <array>
 #include <stdexcept>
@@ -11,7 +12,7 @@
 #include "bench/compiler/parts.h"
 #include "bench/table.h"
 #include "bench/table2/sample_pose.h"
-#include "bench/table2/timed_loops.h"
+#include "bench/timed_loops.h"
 #include "robot_types/pose.suture.h"
 
 // The generated converters, which only generated code calls otherwise.

@@ -7,10 +7,12 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <map>
+#include <string>
 
 #include "bench/benchmark.h"
 #include "bench/compiler/parts.h"
-#include "bench/table2/placement.h"
+#include "bench/placement.h"
 
 namespace bench {
 namespace {
@@ -41,6 +43,10 @@ class Scratch {
   fs::path path_;
 };
 
+using Rows = std::string (*)(const CompilerOptions&, Report&);
+const std::map<std::string, Rows> kParts = {
+    {"codec", codecRows}, {"compile", compileRows}, {"rebuild", rebuildRows}, {"tool", toolRows}};
+
 class Compiler final : public Benchmark {
  public:
   Compiler() { options_.cpu = preferredCpu(); }
@@ -55,6 +61,8 @@ class Compiler final : public Benchmark {
         ->check(CLI::Range(1, 1000));
     options.add_option("--cpu", options_.cpu, "processor that everything runs on")
         ->capture_default_str();
+    options.add_option("--part", options_.part, "codec, compile, rebuild or tool alone")
+        ->check(CLI::IsMember({"codec", "compile", "rebuild", "tool"}));
     options.add_flag("--quick", options_.quick, "one round: shows that it works, not how well");
   }
 
@@ -64,8 +72,9 @@ class Compiler final : public Benchmark {
     const Scratch scratch;
     options_.scratch = scratch.path();
     const Pinned pinned(options_.cpu);
-    for (const auto part : {codecRows, toolRows, compileRows, rebuildRows}) {
-      fmt::print("{}\n", part(options_, report));
+    for (const auto& [part, rows] : kParts) {
+      if (!options_.part.empty() && options_.part != part) continue;
+      fmt::print("{}\n", rows(options_, report));
       std::fflush(stdout);
     }
   }

@@ -7,7 +7,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "bench/table2/timed_loops.h"
+#include "bench/timed_loops.h"
 
 namespace bench {
 namespace {

@@ -31,7 +31,8 @@ std::uintmax_t NinjaBuild::logSize() const {
   return missing ? 0 : size;
 }
 
-// A line of the log: begin, end, time, output, hash; written when the edge has run.
+// A line of the log: begin, end, time, output, hash; written when the edge has run. CMake names the
+// outputs of one edge twice, relative and absolute.
 std::set<std::string> NinjaBuild::finishedSince(std::uintmax_t size) const {
   std::ifstream in(build_ / kLog);
   in.seekg(static_cast<std::streamoff>(size));
@@ -41,7 +42,7 @@ std::set<std::string> NinjaBuild::finishedSince(std::uintmax_t size) const {
     std::string begin, end, time, output;
     if (std::getline(columns, begin, '\t') && std::getline(columns, end, '\t') &&
         std::getline(columns, time, '\t') && std::getline(columns, output, '\t')) {
-      outputs.insert(output);
+      outputs.insert((build_ / output).string());
     }
   }
   return outputs;
@@ -86,7 +87,7 @@ std::set<std::string> NinjaBuild::including(const std::set<std::string>& endings
   for (std::string line; std::getline(in, line);) {
     if (line.empty()) continue;
     if (line.front() != ' ') {
-      object = line.substr(0, line.find(": #deps"));
+      object = (build_ / line.substr(0, line.find(": #deps"))).string();
     } else if (std::any_of(endings.begin(), endings.end(),
                            [&](const std::string& ending) { return line.ends_with(ending); })) {
       objects.insert(object);

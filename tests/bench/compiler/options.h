@@ -4,12 +4,14 @@
 #include <CLI/CLI.hpp>
 #include <cstddef>
 #include <filesystem>
+#include <string>
 
 namespace bench {
 
 struct CompilerOptions {
   std::size_t rounds = 9;  ///< of programs that run for about a second; a third of it for compilers
   int cpu;                 ///< that all programs run on
+  std::string part;        ///< the only one to measure; "": all, as a check needs it
   bool quick = false;      ///< one round of everything
   std::filesystem::path scratch;  ///< an empty folder, for this run alone
 

@@ -8,8 +8,8 @@
 #include "bench/compiler/ninja_build.h"
 #include "bench/compiler/parts.h"
 #include "bench/paths.h"
+#include "bench/progress.h"
 #include "bench/table.h"
-#include "bench/table2/progress.h"
 
 namespace bench {
 namespace {

@@ -12,7 +12,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "bench/table2/progress.h"
+#include "bench/progress.h"
 
 namespace bench {
 namespace {
@@ -94,8 +94,8 @@ std::size_t Comparison::add(std::vector<Command> commands, fs::path directory) {
 }
 
 void Comparison::run(std::size_t rounds, const std::string& what) {
-  // The first round fills the caches and does not count.
-  for (std::size_t round = 0; round <= rounds; ++round) {
+  // The first round fills the caches and does not count, unless it is the only one.
+  for (std::size_t round = rounds > 1 ? 0 : 1; round <= rounds; ++round) {
     progress(what + ", round " + std::to_string(round) + " of " + std::to_string(rounds));
     for (Contestant& one : contestants_) {
       fs::remove_all(one.directory);
@@ -106,7 +106,7 @@ void Comparison::run(std::size_t rounds, const std::string& what) {
         seconds += cost.seconds;
         one.megabytes = std::max(one.megabytes, cost.megabytes);
       }
-      if (round > 0 || rounds == 0) one.seconds.push_back(seconds);
+      if (round > 0) one.seconds.push_back(seconds);
     }
   }
   progress("");

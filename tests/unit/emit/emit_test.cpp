@@ -63,6 +63,28 @@ TEST_F(EmitTest, TheBasesCommandsKeepItsLocksOrderInWhatDerivesFromIt) {
   EXPECT_EQ(emit(model_, locks), before);
 }
 
+TEST_F(EmitTest, WhatDerivesHoldsOnlyWhatItAdds) {
+  const std::string source = text("robots/gripper.suture.cpp");
+  EXPECT_FALSE(contains(source, "servoCpRequest"));
+  EXPECT_FALSE(contains(source, "ServoCpContext"));
+  EXPECT_TRUE(contains(source, "    return base_->send(record);\n"));
+  EXPECT_TRUE(contains(text("robots/gripper.suture.h"),
+                       "class Required<robots::Gripper> : public Required<robots::Arm> {"));
+}
+
+TEST_F(EmitTest, WhatAddsNothingIsServedByItsBase) {
+  for (model::Header& header : model_.headers) {
+    for (model::Interface& interface : header.interfaces) {
+      if (interface.base.empty()) continue;
+      std::erase_if(interface.commands, [](const auto& one) { return one.inheritedFrom.empty(); });
+      std::erase_if(interface.events, [](const auto& one) { return one.inheritedFrom.empty(); });
+    }
+  }
+  const std::string source = text("robots/gripper.suture.cpp");
+  EXPECT_TRUE(contains(source, ".commands = interfaceInfo<robots::Arm>().commands,"));
+  EXPECT_FALSE(contains(source, "Provided<robots::Gripper>::execute"));
+}
+
 TEST_F(EmitTest, SourcePositionsDoNotShow) {
   const auto before = emit(model_, {});
   for (model::Field& field : sample::armHeader(model_).structs[0].fields) field.source.line = 77;

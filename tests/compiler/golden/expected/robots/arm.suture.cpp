@@ -760,8 +760,8 @@ Errc Provided<robots::Arm>::execute(std::uint16_t command, const std::byte* argu
       load(slot.tolerance, scratch_.inverse_kinematics_tolerance);
       auto& answer = *reinterpret_cast<robots::EverythingSlot*>(result);
       return store(implementation_.inverse_kinematics(scratch_.inverse_kinematics_x,
-                                                      scratch_.inverse_kinematics_tolerance), answer)
-          ? Errc{} : Errc::TooLarge;
+                                                      scratch_.inverse_kinematics_tolerance),
+                   answer) ? Errc{} : Errc::TooLarge;
     }
     case ArmCommand::grasp: {
       const auto& slot = *reinterpret_cast<const robots::ArmGraspArguments*>(arguments);

@@ -765,7 +765,8 @@ class StoreSink final : public suture::rpc::EventSink {
       toWire(slot, out.initMatrices());
     }
     if (row.valid >> 3 & 1) {
-      const auto& slot = *reinterpret_cast<const suture::SlotTuple<double, std::int16_t>*>(columns[3]);
+      const auto& slot =
+          *reinterpret_cast<const suture::SlotTuple<double, std::int16_t>*>(columns[3]);
       toWire(slot, out.initReading());
     }
     return request.send().ignoreResult();
@@ -977,7 +978,8 @@ class StoreProxy final : public suture::rpc::Proxy {
         auto request = provider_.readingRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<suture::SlotTuple<double, std::int16_t>>(call, response.getStamp(), [&](suture::SlotTuple<double, std::int16_t>& answer) {
+          port_.answer<suture::SlotTuple<double, std::int16_t>>(call, response.getStamp(),
+                                                                [&](auto& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });

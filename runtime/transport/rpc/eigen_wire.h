@@ -1,7 +1,13 @@
-#include <suture/transport/rpc/wire.h>
+#pragma once
+// Between slots and the wire, for Eigen types with a named form. Inline: these are the inner loop
+// of every pose that travels. Part of wire.h.
+
+#include <suture/base/errors.h>
+#include <suture/types.capnp.h>
+
+#include <array>
 
 namespace suture::rpc {
-namespace {
 
 // The slot is column-major, alone or in front of a translation.
 template <std::size_t N, class Builder>
@@ -17,38 +23,36 @@ void rotationToWire(const std::array<double, N>& slot, Builder& out) {
   out.setM22(slot[8]);
 }
 
-}  // namespace
-
-void toWire(const std::array<double, 2>& slot, wire::Vec2::Builder out) {
+inline void toWire(const std::array<double, 2>& slot, wire::Vec2::Builder out) {
   out.setX(slot[0]);
   out.setY(slot[1]);
 }
 
-void toWire(const std::array<double, 3>& slot, wire::Vec3::Builder out) {
+inline void toWire(const std::array<double, 3>& slot, wire::Vec3::Builder out) {
   out.setX(slot[0]);
   out.setY(slot[1]);
   out.setZ(slot[2]);
 }
 
-void toWire(const std::array<double, 4>& slot, wire::Vec4::Builder out) {
+inline void toWire(const std::array<double, 4>& slot, wire::Vec4::Builder out) {
   out.setX(slot[0]);
   out.setY(slot[1]);
   out.setZ(slot[2]);
   out.setW(slot[3]);
 }
 
-void toWire(const std::array<double, 4>& slot, wire::Quat::Builder out) {
+inline void toWire(const std::array<double, 4>& slot, wire::Quat::Builder out) {
   out.setW(slot[0]);
   out.setX(slot[1]);
   out.setY(slot[2]);
   out.setZ(slot[3]);
 }
 
-void toWire(const std::array<double, 9>& slot, wire::Mat3::Builder out) {
+inline void toWire(const std::array<double, 9>& slot, wire::Mat3::Builder out) {
   rotationToWire(slot, out);
 }
 
-void toWire(const std::array<double, 16>& slot, wire::Mat4::Builder out) {
+inline void toWire(const std::array<double, 16>& slot, wire::Mat4::Builder out) {
   out.setM00(slot[0]);
   out.setM10(slot[1]);
   out.setM20(slot[2]);
@@ -67,53 +71,54 @@ void toWire(const std::array<double, 16>& slot, wire::Mat4::Builder out) {
   out.setM33(slot[15]);
 }
 
-void toWire(const std::array<double, 12>& slot, wire::Pose::Builder out) {
+inline void toWire(const std::array<double, 12>& slot, wire::Pose::Builder out) {
   rotationToWire(slot, out);
   out.setX(slot[9]);
   out.setY(slot[10]);
   out.setZ(slot[11]);
 }
 
-Errc fromWire(wire::Vec2::Reader in, std::array<double, 2>& slot) {
+inline Errc fromWire(wire::Vec2::Reader in, std::array<double, 2>& slot) {
   slot = {in.getX(), in.getY()};
   return Errc{};
 }
 
-Errc fromWire(wire::Vec3::Reader in, std::array<double, 3>& slot) {
+inline Errc fromWire(wire::Vec3::Reader in, std::array<double, 3>& slot) {
   slot = {in.getX(), in.getY(), in.getZ()};
   return Errc{};
 }
 
-Errc fromWire(wire::Vec4::Reader in, std::array<double, 4>& slot) {
+inline Errc fromWire(wire::Vec4::Reader in, std::array<double, 4>& slot) {
   slot = {in.getX(), in.getY(), in.getZ(), in.getW()};
   return Errc{};
 }
 
-Errc fromWire(wire::Quat::Reader in, std::array<double, 4>& slot) {
+inline Errc fromWire(wire::Quat::Reader in, std::array<double, 4>& slot) {
   slot = {in.getW(), in.getX(), in.getY(), in.getZ()};
   return Errc{};
 }
 
-Errc fromWire(wire::Mat3::Reader in, std::array<double, 9>& slot) {
+inline Errc fromWire(wire::Mat3::Reader in, std::array<double, 9>& slot) {
   slot = {in.getM00(), in.getM10(), in.getM20(), in.getM01(), in.getM11(),
           in.getM21(), in.getM02(), in.getM12(), in.getM22()};
   return Errc{};
 }
 
-Errc fromWire(wire::Mat4::Reader in, std::array<double, 16>& slot) {
+inline Errc fromWire(wire::Mat4::Reader in, std::array<double, 16>& slot) {
   slot = {in.getM00(), in.getM10(), in.getM20(), in.getM30(), in.getM01(), in.getM11(),
           in.getM21(), in.getM31(), in.getM02(), in.getM12(), in.getM22(), in.getM32(),
           in.getM03(), in.getM13(), in.getM23(), in.getM33()};
   return Errc{};
 }
 
-Errc fromWireAffine(wire::Pose::Reader in, std::array<double, 12>& slot) {
+/// A transform whose linear part may be anything.
+inline Errc fromWireAffine(wire::Pose::Reader in, std::array<double, 12>& slot) {
   slot = {in.getM00(), in.getM10(), in.getM20(), in.getM01(), in.getM11(), in.getM21(),
           in.getM02(), in.getM12(), in.getM22(), in.getX(),   in.getY(),   in.getZ()};
   return Errc{};
 }
 
-Errc fromWire(wire::Pose::Reader in, std::array<double, 12>& slot) {
+inline Errc fromWire(wire::Pose::Reader in, std::array<double, 12>& slot) {
   fromWireAffine(in, slot);
   // What was not sent reads as zeros, and no rotation has a column of them.
   const bool sent = slot[0] != 0 || slot[1] != 0 || slot[2] != 0;
