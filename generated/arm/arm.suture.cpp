@@ -143,50 +143,54 @@ constexpr char kArmDescription[] = R"json(
 "kind": "void", "doc": "Moves to the home position; needs an enabled arm. Ends with goal_reached.",
 "queue": 16}, {"name": "hold", "kind": "void",
 "doc": "Drops what is under way; the set-point stays where it is.", "queue": 16}, {
-"name": "servo_cp", "kind": "write",
+"name": "servo_cp", "kind": "write", "wire": "servoCp",
 "doc": "Streams Cartesian goals, newest wins. A goal out of reach leaves the set-point and says so in\n`warning`. setpoint_cp keeps the goal's stamp.",
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
-"queue": 16, "latest": true, "ttl": 0.02}, {"name": "servo_jp", "kind": "write",
+"queue": 16, "latest": true, "ttl": 0.02}, {"name": "servo_jp", "kind": "write", "wire": "servoJp",
 "doc": "Streams joint goals, newest wins; cut to the joint limits.", "parameters": [{
 "name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "queue": 16,
-"latest": true, "ttl": 0.02}, {"name": "move_jp", "kind": "write",
+"latest": true, "ttl": 0.02}, {"name": "move_jp", "kind": "write", "wire": "moveJp",
 "doc": "Plans and executes a smooth motion from the set-point. Ends with goal_reached.",
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
-"queue": 16}, {"name": "measured_js", "kind": "read",
+"queue": 16}, {"name": "measured_js", "kind": "read", "wire": "measuredJs",
 "doc": "Where the joints are. Stamp: the arm's cycle.", "result": {"type": {"kind": "struct",
 "name": "robots::JointState"}}, "queue": 16}, {"name": "setpoint_js", "kind": "read",
-"doc": "Where the joints shall be.", "result": {"type": {"kind": "struct",
+"wire": "setpointJs", "doc": "Where the joints shall be.", "result": {"type": {"kind": "struct",
 "name": "robots::JointState"}}, "queue": 16}, {"name": "measured_cp", "kind": "read",
-"doc": "Where the tool tip is. Stamp: the arm's cycle.", "result": {"type": {"kind": "struct",
-"name": "robots::PoseStamped"}}, "queue": 16}, {"name": "setpoint_cp", "kind": "read",
+"wire": "measuredCp", "doc": "Where the tool tip is. Stamp: the arm's cycle.", "result": {"type": {
+"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "setpoint_cp",
+"kind": "read", "wire": "setpointCp",
 "doc": "Where the tool tip shall be. Stamp: that of the servo_cp goal it came from, else the arm's\ncycle.",
 "result": {"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
-"name": "operating_state", "kind": "read", "result": {"type": {"kind": "struct",
-"name": "robots::OperatingState"}}, "queue": 16}, {"name": "forward_kinematics",
-"kind": "qualified read",
+"name": "operating_state", "kind": "read", "wire": "operatingState", "result": {"type": {
+"kind": "struct", "name": "robots::OperatingState"}}, "queue": 16}, {"name": "forward_kinematics",
+"kind": "qualified read", "wire": "forwardKinematics",
 "doc": "The tool tip for a joint vector; not valid if it has the wrong length.", "parameters": [{
 "name": "q", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "result": {"type": {
 "kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "inverse_kinematics",
-"kind": "qualified read",
+"kind": "qualified read", "wire": "inverseKinematics",
 "doc": "A joint vector for a tool tip, searched from the present set-point.", "parameters": [{
 "name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}], "result": {"type": {
 "kind": "struct", "name": "robots::JointSolution"}}, "queue": 16}], "events": [{
-"name": "operating_state", "kind": "write",
+"name": "operating_state", "kind": "write", "wire": "operatingState",
 "doc": "Each change of the operating state, and the last one to whoever connects.", "payload": {
 "type": {"kind": "struct", "name": "robots::OperatingState"}}, "queue": 16, "latched": true}, {
-"name": "goal_reached", "kind": "write",
+"name": "goal_reached", "kind": "write", "wire": "goalReached",
 "doc": "A move ended: true at its goal, false when something else replaced it.", "payload": {
 "type": {"kind": "Bool"}}, "queue": 16}, {"name": "warning", "kind": "write",
 "doc": "The arm refuses what it is asked to do; once per reason, until it obeys again.",
 "payload": {"type": {"kind": "enum", "name": "robots::ArmWarning"}}, "queue": 16}], "enums": [{
 "name": "robots::ArmState", "doc": "The states of CRTK.", "underlying": "UInt8", "enumerators": [{
-"name": "Undefined", "value": 0}, {"name": "Disabled", "value": 1}, {"name": "Enabled", "value": 2
-}, {"name": "Paused", "value": 3}, {"name": "Fault", "value": 4}]}, {"name": "robots::ArmWarning",
-"doc": "Why an arm does not do what it is asked.", "underlying": "UInt8", "enumerators": [{
-"name": "NotEnabled", "value": 0, "doc": "motion commands need an enabled arm"}, {
-"name": "OutOfReach", "value": 1, "doc": "no joint vector within limits reaches the goal"}, {
-"name": "Malformed", "value": 2, "doc": "the goal has the wrong length, is not finite or not a pose"
-}]}], "structs": [{"name": "robots::PoseStamped",
+"name": "Undefined", "value": 0, "wire": "undefined"}, {"name": "Disabled", "value": 1,
+"wire": "disabled"}, {"name": "Enabled", "value": 2, "wire": "enabled"}, {"name": "Paused",
+"value": 3, "wire": "paused"}, {"name": "Fault", "value": 4, "wire": "fault"}]}, {
+"name": "robots::ArmWarning", "doc": "Why an arm does not do what it is asked.",
+"underlying": "UInt8", "enumerators": [{"name": "NotEnabled", "value": 0, "wire": "notEnabled",
+"doc": "motion commands need an enabled arm"}, {"name": "OutOfReach", "value": 1,
+"wire": "outOfReach", "doc": "no joint vector within limits reaches the goal"}, {
+"name": "Malformed", "value": 2, "wire": "malformed",
+"doc": "the goal has the wrong length, is not finite or not a pose"}]}], "structs": [{
+"name": "robots::PoseStamped",
 "doc": "A pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.", "fields": [{
 "name": "pose", "doc": "Tool tip in the base frame.", "type": {"kind": "isometry",
 "scalar": "Float64"}, "unit": "m"}, {"name": "stamp",
@@ -206,12 +210,13 @@ constexpr char kArmDescription[] = R"json(
 "kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "False: do not use.", "type": {
 "kind": "Bool"}, "default": false}]}, {"name": "robots::OperatingState",
 "doc": "CRTK's operating_state.", "fields": [{"name": "state", "type": {"kind": "enum",
-"name": "robots::ArmState"}, "default": "Undefined"}, {"name": "sub_state",
+"name": "robots::ArmState"}, "default": "Undefined"}, {"name": "sub_state", "wire": "subState",
 "doc": "What the arm is doing within its state, for people: \"holding\", \"servo_cp\".", "type": {
-"kind": "text", "capacity": 15}}, {"name": "is_homed", "type": {"kind": "Bool"}, "default": false},
-{"name": "is_busy", "doc": "A move is under way; servo commands do not set it.", "type": {
-"kind": "Bool"}, "default": false}, {"name": "stamp", "doc": "When the arm entered this state.",
-"type": {"kind": "time", "clock": "steady"}}]}, {"name": "robots::JointSolution",
+"kind": "text", "capacity": 15}}, {"name": "is_homed", "wire": "isHomed", "type": {"kind": "Bool"},
+"default": false}, {"name": "is_busy", "wire": "isBusy",
+"doc": "A move is under way; servo commands do not set it.", "type": {"kind": "Bool"},
+"default": false}, {"name": "stamp", "doc": "When the arm entered this state.", "type": {
+"kind": "time", "clock": "steady"}}]}, {"name": "robots::JointSolution",
 "doc": "A joint vector that an arm computed, without heap so that a control loop may return it.",
 "fields": [{"name": "position", "doc": "The first `joints` entries count.", "type": {
 "kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad"}, {"name": "joints",
@@ -257,19 +262,19 @@ class ArmSink final : public suture::rpc::EventSink {
     switch (event) {
       case numberOf(ArmEvent::operating_state): {
         const auto& slot = *reinterpret_cast<const OperatingStateSlot*>(payload);
-        auto request = subscriber_.operatingStateRequest();
+        auto request = subscriber_.operatingStateRequest(suture::rpc::kUsualSize);
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
       case numberOf(ArmEvent::goal_reached): {
         const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
-        auto request = subscriber_.goalReachedRequest();
+        auto request = subscriber_.goalReachedRequest(suture::rpc::kUsualSize);
         request.setValue(slot != 0);
         return request.send().ignoreResult();
       }
       case numberOf(ArmEvent::warning): {
         const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
-        auto request = subscriber_.warningRequest();
+        auto request = subscriber_.warningRequest(suture::rpc::kUsualSize);
         request.setValue(wireArmWarning(slot));
         return request.send().ignoreResult();
       }
@@ -387,7 +392,7 @@ class ArmServant final : public wire::Arm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -399,7 +404,7 @@ class ArmServant final : public wire::Arm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -411,7 +416,7 @@ class ArmServant final : public wire::Arm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -423,7 +428,7 @@ class ArmServant final : public wire::Arm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -435,7 +440,7 @@ class ArmServant final : public wire::Arm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const OperatingStateSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -453,7 +458,7 @@ class ArmServant final : public wire::Arm::Server {
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
     };
     return port_->call(numberOf(ArmCommand::forward_kinematics), in.getSent(), fill, kj::mv(take));
@@ -470,7 +475,7 @@ class ArmServant final : public wire::Arm::Server {
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const JointSolutionSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
     };
     return port_->call(numberOf(ArmCommand::inverse_kinematics), in.getSent(), fill, kj::mv(take));
@@ -569,48 +574,48 @@ class ArmProxy final : public suture::rpc::Proxy {
   kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
     switch (static_cast<ArmCommand>(record.command)) {
       case ArmCommand::enable: {
-        auto request = provider_.enableRequest();
+        auto request = provider_.enableRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmCommand::disable: {
-        auto request = provider_.disableRequest();
+        auto request = provider_.disableRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmCommand::home: {
-        auto request = provider_.homeRequest();
+        auto request = provider_.homeRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmCommand::hold: {
-        auto request = provider_.holdRequest();
+        auto request = provider_.holdRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmCommand::servo_cp: {
         const auto& slot = *reinterpret_cast<const ArmServoCpArguments*>(record.arguments());
-        auto request = provider_.servoCpRequest();
+        auto request = provider_.servoCpRequest(suture::rpc::kUsualSize);
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmCommand::servo_jp: {
         const auto& slot = *reinterpret_cast<const ArmServoJpArguments*>(record.arguments());
-        auto request = provider_.servoJpRequest();
+        auto request = provider_.servoJpRequest(suture::rpc::kUsualSize);
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmCommand::move_jp: {
         const auto& slot = *reinterpret_cast<const ArmMoveJpArguments*>(record.arguments());
-        auto request = provider_.moveJpRequest();
+        auto request = provider_.moveJpRequest(suture::rpc::kUsualSize);
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmCommand::measured_js: {
-        auto request = provider_.measuredJsRequest();
+        auto request = provider_.measuredJsRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
@@ -620,7 +625,7 @@ class ArmProxy final : public suture::rpc::Proxy {
         });
       }
       case ArmCommand::setpoint_js: {
-        auto request = provider_.setpointJsRequest();
+        auto request = provider_.setpointJsRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
@@ -630,7 +635,7 @@ class ArmProxy final : public suture::rpc::Proxy {
         });
       }
       case ArmCommand::measured_cp: {
-        auto request = provider_.measuredCpRequest();
+        auto request = provider_.measuredCpRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
@@ -640,7 +645,7 @@ class ArmProxy final : public suture::rpc::Proxy {
         });
       }
       case ArmCommand::setpoint_cp: {
-        auto request = provider_.setpointCpRequest();
+        auto request = provider_.setpointCpRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
@@ -650,7 +655,7 @@ class ArmProxy final : public suture::rpc::Proxy {
         });
       }
       case ArmCommand::operating_state: {
-        auto request = provider_.operatingStateRequest();
+        auto request = provider_.operatingStateRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<OperatingStateSlot>(call, response.getStamp(),
@@ -663,7 +668,7 @@ class ArmProxy final : public suture::rpc::Proxy {
       case ArmCommand::forward_kinematics: {
         const auto& slot =
             *reinterpret_cast<const ArmForwardKinematicsArguments*>(record.arguments());
-        auto request = provider_.forwardKinematicsRequest();
+        auto request = provider_.forwardKinematicsRequest(suture::rpc::kUsualSize);
         toWire(slot.q, request.initQ());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
@@ -676,7 +681,7 @@ class ArmProxy final : public suture::rpc::Proxy {
       case ArmCommand::inverse_kinematics: {
         const auto& slot =
             *reinterpret_cast<const ArmInverseKinematicsArguments*>(record.arguments());
-        auto request = provider_.inverseKinematicsRequest();
+        auto request = provider_.inverseKinematicsRequest(suture::rpc::kUsualSize);
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {

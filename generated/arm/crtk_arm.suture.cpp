@@ -369,10 +369,11 @@ constexpr char kCrtkArmDescription[] = R"json(
 {"name": "robots::CrtkArm",
 "doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. `local_` poses are of the tool tip in the arm's base frame, all others in the reference\nframe, in which base_frame() is the arm's base. A servo command replaces the one before it, of\nwhichever space; a stream of velocities or efforts that falls silent for 0.1 s ends as hold().\nRelative goals are relative to the set-point. What an arm refuses it tells in `warning`.",
 "hash": "fd15fee19f80c14818f4c5f626164e89", "crtk": true, "commands": [{"name": "configuration_js",
-"kind": "read", "doc": "What the joints are and may do.", "result": {"type": {"kind": "struct",
-"name": "robots::JointConfiguration"}}, "queue": 16}, {"name": "operating_state", "kind": "read",
-"result": {"type": {"kind": "struct", "name": "robots::OperatingState"}}, "queue": 16}, {
-"name": "period_statistics", "kind": "read",
+"kind": "read", "wire": "configurationJs", "doc": "What the joints are and may do.", "result": {
+"type": {"kind": "struct", "name": "robots::JointConfiguration"}}, "queue": 16}, {
+"name": "operating_state", "kind": "read", "wire": "operatingState", "result": {"type": {
+"kind": "struct", "name": "robots::OperatingState"}}, "queue": 16}, {"name": "period_statistics",
+"kind": "read", "wire": "periodStatistics",
 "doc": "How regularly the arm's task ran in the last second.", "result": {"type": {
 "kind": "struct", "name": "robots::IntervalStatistics"}}, "queue": 16}, {"name": "enable",
 "kind": "void", "doc": "Powers the arm; it holds its position.", "queue": 16}, {"name": "disable",
@@ -382,149 +383,168 @@ constexpr char kCrtkArmDescription[] = R"json(
 "name": "resume", "kind": "void", "queue": 16}, {"name": "home", "kind": "void",
 "doc": "Moves to the home position; needs an enabled arm. Ends with goal_reached.", "queue": 16}, {
 "name": "unhome", "kind": "void", "doc": "Forgets that it is homed.", "queue": 16}, {
-"name": "state_command", "kind": "write",
+"name": "state_command", "kind": "write", "wire": "stateCommand",
 "doc": "One of the six above, by name; anything else is an `error`.", "parameters": [{
 "name": "name", "type": {"kind": "text", "capacity": 15}}], "queue": 16}, {"name": "measured_js",
-"kind": "read", "result": {"type": {"kind": "struct", "name": "robots::JointState"}}, "queue": 16},
-{"name": "setpoint_js", "kind": "read", "result": {"type": {"kind": "struct",
-"name": "robots::JointState"}}, "queue": 16}, {"name": "goal_js", "kind": "read",
+"kind": "read", "wire": "measuredJs", "result": {"type": {"kind": "struct",
+"name": "robots::JointState"}}, "queue": 16}, {"name": "setpoint_js", "kind": "read",
+"wire": "setpointJs", "result": {"type": {"kind": "struct", "name": "robots::JointState"}},
+"queue": 16}, {"name": "goal_js", "kind": "read", "wire": "goalJs",
 "doc": "Where the move under way ends; without one, the set-point.", "result": {"type": {
 "kind": "struct", "name": "robots::JointState"}}, "queue": 16}, {"name": "measured_cp",
-"kind": "read", "result": {"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16
-}, {"name": "setpoint_cp", "kind": "read", "result": {"type": {"kind": "struct",
-"name": "robots::PoseStamped"}}, "queue": 16}, {"name": "goal_cp", "kind": "read",
+"kind": "read", "wire": "measuredCp", "result": {"type": {"kind": "struct",
+"name": "robots::PoseStamped"}}, "queue": 16}, {"name": "setpoint_cp", "kind": "read",
+"wire": "setpointCp", "result": {"type": {"kind": "struct", "name": "robots::PoseStamped"}},
+"queue": 16}, {"name": "goal_cp", "kind": "read", "wire": "goalCp",
 "doc": "Where the move under way ends; without one, the set-point.", "result": {"type": {
 "kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "local_measured_cp",
-"kind": "read", "result": {"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16
-}, {"name": "local_setpoint_cp", "kind": "read", "result": {"type": {"kind": "struct",
-"name": "robots::PoseStamped"}}, "queue": 16}, {"name": "measured_cv", "kind": "read",
+"kind": "read", "wire": "localMeasuredCp", "result": {"type": {"kind": "struct",
+"name": "robots::PoseStamped"}}, "queue": 16}, {"name": "local_setpoint_cp", "kind": "read",
+"wire": "localSetpointCp", "result": {"type": {"kind": "struct", "name": "robots::PoseStamped"}},
+"queue": 16}, {"name": "measured_cv", "kind": "read", "wire": "measuredCv",
 "doc": "Of the tip, in the directions of the reference frame.", "result": {"type": {
 "kind": "struct", "name": "robots::Twist"}}, "queue": 16}, {"name": "setpoint_cv", "kind": "read",
-"result": {"type": {"kind": "struct", "name": "robots::Twist"}}, "queue": 16}, {
-"name": "body_measured_cf", "kind": "read", "doc": "Force on the tip in its own directions.",
+"wire": "setpointCv", "result": {"type": {"kind": "struct", "name": "robots::Twist"}}, "queue": 16
+}, {"name": "body_measured_cf", "kind": "read", "wire": "bodyMeasuredCf",
+"doc": "Force on the tip in its own directions.", "result": {"type": {"kind": "struct",
+"name": "robots::Wrench"}}, "queue": 16}, {"name": "spatial_measured_cf", "kind": "read",
+"wire": "spatialMeasuredCf", "doc": "Force on the tip in the directions of the arm's base frame.",
 "result": {"type": {"kind": "struct", "name": "robots::Wrench"}}, "queue": 16}, {
-"name": "spatial_measured_cf", "kind": "read",
-"doc": "Force on the tip in the directions of the arm's base frame.", "result": {"type": {
-"kind": "struct", "name": "robots::Wrench"}}, "queue": 16}, {"name": "measured_cs", "kind": "read",
+"name": "measured_cs", "kind": "read", "wire": "measuredCs",
 "doc": "Pose, velocity and force of one cycle, in the reference frame.", "result": {"type": {
 "kind": "struct", "name": "robots::CartesianState"}}, "queue": 16}, {"name": "body_jacobian",
-"kind": "read", "doc": "From joint velocities to those of the tip, in its own directions.",
-"result": {"type": {"kind": "struct", "name": "robots::Jacobian"}}, "queue": 16}, {
-"name": "spatial_jacobian", "kind": "read",
+"kind": "read", "wire": "bodyJacobian",
+"doc": "From joint velocities to those of the tip, in its own directions.", "result": {"type": {
+"kind": "struct", "name": "robots::Jacobian"}}, "queue": 16}, {"name": "spatial_jacobian",
+"kind": "read", "wire": "spatialJacobian",
 "doc": "The same in the directions of the arm's base frame.", "result": {"type": {"kind": "struct",
-"name": "robots::Jacobian"}}, "queue": 16}, {"name": "base_frame", "kind": "read", "result": {
-"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
-"name": "set_base_frame", "kind": "write", "parameters": [{"name": "frame", "type": {
-"kind": "struct", "name": "robots::PoseStamped"}}], "queue": 16}, {"name": "hold", "kind": "void",
-"doc": "Drops what is under way; the set-point stays where it is.", "queue": 16}, {"name": "free",
-"kind": "void", "doc": "Lets go: the set-point follows the joints until another command.",
-"queue": 16}, {"name": "use_gravity_compensation", "kind": "write", "parameters": [{"name": "use",
-"type": {"kind": "Bool"}}], "queue": 16}, {"name": "servo_jp", "kind": "write", "parameters": [{
-"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "queue": 16,
-"latest": true, "ttl": 0.02}, {"name": "servo_jr", "kind": "write", "parameters": [{"name": "step",
-"type": {"kind": "struct", "name": "robots::JointGoal"}}], "queue": 16, "ttl": 0.02}, {
-"name": "servo_jv", "kind": "write", "parameters": [{"name": "goal", "type": {"kind": "struct",
+"name": "robots::Jacobian"}}, "queue": 16}, {"name": "base_frame", "kind": "read",
+"wire": "baseFrame", "result": {"type": {"kind": "struct", "name": "robots::PoseStamped"}},
+"queue": 16}, {"name": "set_base_frame", "kind": "write", "wire": "setBaseFrame", "parameters": [{
+"name": "frame", "type": {"kind": "struct", "name": "robots::PoseStamped"}}], "queue": 16}, {
+"name": "hold", "kind": "void", "doc": "Drops what is under way; the set-point stays where it is.",
+"queue": 16}, {"name": "free", "kind": "void",
+"doc": "Lets go: the set-point follows the joints until another command.", "queue": 16}, {
+"name": "use_gravity_compensation", "kind": "write", "wire": "useGravityCompensation",
+"parameters": [{"name": "use", "type": {"kind": "Bool"}}], "queue": 16}, {"name": "servo_jp",
+"kind": "write", "wire": "servoJp", "parameters": [{"name": "goal", "type": {"kind": "struct",
+"name": "robots::JointGoal"}}], "queue": 16, "latest": true, "ttl": 0.02}, {"name": "servo_jr",
+"kind": "write", "wire": "servoJr", "parameters": [{"name": "step", "type": {"kind": "struct",
+"name": "robots::JointGoal"}}], "queue": 16, "ttl": 0.02}, {"name": "servo_jv", "kind": "write",
+"wire": "servoJv", "parameters": [{"name": "goal", "type": {"kind": "struct",
 "name": "robots::JointVelocityGoal"}}], "queue": 16, "latest": true, "ttl": 0.02}, {
-"name": "servo_jf", "kind": "write", "parameters": [{"name": "goal", "type": {"kind": "struct",
-"name": "robots::JointEffortGoal"}}], "queue": 16, "latest": true, "ttl": 0.02}, {
-"name": "servo_cp", "kind": "write", "parameters": [{"name": "goal", "type": {"kind": "struct",
-"name": "robots::PoseStamped"}}], "queue": 16, "latest": true, "ttl": 0.02}, {"name": "servo_cr",
-"kind": "write",
+"name": "servo_jf", "kind": "write", "wire": "servoJf", "parameters": [{"name": "goal", "type": {
+"kind": "struct", "name": "robots::JointEffortGoal"}}], "queue": 16, "latest": true, "ttl": 0.02}, {
+"name": "servo_cp", "kind": "write", "wire": "servoCp", "parameters": [{"name": "goal", "type": {
+"kind": "struct", "name": "robots::PoseStamped"}}], "queue": 16, "latest": true, "ttl": 0.02}, {
+"name": "servo_cr", "kind": "write", "wire": "servoCr",
 "doc": "The step's translation in the reference frame; its rotation turns the tip about itself.",
 "parameters": [{"name": "step", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
-"queue": 16, "ttl": 0.02}, {"name": "servo_cv", "kind": "write", "parameters": [{"name": "goal",
-"type": {"kind": "struct", "name": "robots::TwistGoal"}}], "queue": 16, "latest": true, "ttl": 0.02
-}, {"name": "body_servo_cf", "kind": "write", "doc": "In the tip's own directions.", "parameters": [
-{"name": "goal", "type": {"kind": "struct", "name": "robots::WrenchGoal"}}], "queue": 16,
-"latest": true, "ttl": 0.02}, {"name": "spatial_servo_cf", "kind": "write",
+"queue": 16, "ttl": 0.02}, {"name": "servo_cv", "kind": "write", "wire": "servoCv", "parameters": [
+{"name": "goal", "type": {"kind": "struct", "name": "robots::TwistGoal"}}], "queue": 16,
+"latest": true, "ttl": 0.02}, {"name": "body_servo_cf", "kind": "write", "wire": "bodyServoCf",
+"doc": "In the tip's own directions.", "parameters": [{"name": "goal", "type": {"kind": "struct",
+"name": "robots::WrenchGoal"}}], "queue": 16, "latest": true, "ttl": 0.02}, {
+"name": "spatial_servo_cf", "kind": "write", "wire": "spatialServoCf",
 "doc": "In the directions of the arm's base frame.", "parameters": [{"name": "goal", "type": {
 "kind": "struct", "name": "robots::WrenchGoal"}}], "queue": 16, "latest": true, "ttl": 0.02}, {
-"name": "move_jp", "kind": "write",
+"name": "move_jp", "kind": "write", "wire": "moveJp",
 "doc": "Moves plan and execute a smooth motion from the set-point. Each ends with goal_reached.",
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
-"queue": 16}, {"name": "move_jr", "kind": "write", "parameters": [{"name": "step", "type": {
-"kind": "struct", "name": "robots::JointGoal"}}], "queue": 16}, {"name": "move_cp", "kind": "write",
-"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
-"queue": 16}, {"name": "move_cr", "kind": "write", "parameters": [{"name": "step", "type": {
-"kind": "struct", "name": "robots::PoseStamped"}}], "queue": 16}, {
-"name": "trajectory_j_set_ratio", "kind": "write",
+"queue": 16}, {"name": "move_jr", "kind": "write", "wire": "moveJr", "parameters": [{
+"name": "step", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "queue": 16}, {
+"name": "move_cp", "kind": "write", "wire": "moveCp", "parameters": [{"name": "goal", "type": {
+"kind": "struct", "name": "robots::PoseStamped"}}], "queue": 16}, {"name": "move_cr",
+"kind": "write", "wire": "moveCr", "parameters": [{"name": "step", "type": {"kind": "struct",
+"name": "robots::PoseStamped"}}], "queue": 16}, {"name": "trajectory_j_set_ratio", "kind": "write",
+"wire": "trajectoryJSetRatio",
 "doc": "How fast moves are, of what the joints can do: velocity and acceleration together.",
 "parameters": [{"name": "ratio", "type": {"kind": "Float64"}, "range": [0.01, 1.0]}], "queue": 16},
-{"name": "trajectory_j_set_ratio_v", "kind": "write", "parameters": [{"name": "ratio", "type": {
-"kind": "Float64"}, "range": [0.01, 1.0]}], "queue": 16}, {"name": "trajectory_j_set_ratio_a",
-"kind": "write", "parameters": [{"name": "ratio", "type": {"kind": "Float64"}, "range": [0.01, 1.0]
-}], "queue": 16}, {"name": "trajectory_j_ratio", "kind": "read",
+{"name": "trajectory_j_set_ratio_v", "kind": "write", "wire": "trajectoryJSetRatioV",
+"parameters": [{"name": "ratio", "type": {"kind": "Float64"}, "range": [0.01, 1.0]}], "queue": 16},
+{"name": "trajectory_j_set_ratio_a", "kind": "write", "wire": "trajectoryJSetRatioA",
+"parameters": [{"name": "ratio", "type": {"kind": "Float64"}, "range": [0.01, 1.0]}], "queue": 16},
+{"name": "trajectory_j_ratio", "kind": "read", "wire": "trajectoryJRatio",
 "doc": "The smaller of the two below.", "result": {"type": {"kind": "Float64"}}, "queue": 16}, {
-"name": "trajectory_j_ratio_v", "kind": "read", "result": {"type": {"kind": "Float64"}}, "queue": 16
-}, {"name": "trajectory_j_ratio_a", "kind": "read", "result": {"type": {"kind": "Float64"}},
-"queue": 16}, {"name": "forward_kinematics", "kind": "qualified read",
+"name": "trajectory_j_ratio_v", "kind": "read", "wire": "trajectoryJRatioV", "result": {"type": {
+"kind": "Float64"}}, "queue": 16}, {"name": "trajectory_j_ratio_a", "kind": "read",
+"wire": "trajectoryJRatioA", "result": {"type": {"kind": "Float64"}}, "queue": 16}, {
+"name": "forward_kinematics", "kind": "qualified read", "wire": "forwardKinematics",
 "doc": "The tool tip for a joint vector; not valid if it has the wrong length.", "parameters": [{
 "name": "q", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "result": {"type": {
 "kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "inverse_kinematics",
-"kind": "qualified read",
+"kind": "qualified read", "wire": "inverseKinematics",
 "doc": "A joint vector for a tool tip, searched from the present set-point.", "parameters": [{
 "name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}], "result": {"type": {
 "kind": "struct", "name": "robots::JointSolution"}}, "queue": 16}, {"name": "query_cp",
-"kind": "qualified read",
+"kind": "qualified read", "wire": "queryCp",
 "doc": "The pose of the link behind as many joints as the vector has, at most all: none, the base.",
 "parameters": [{"name": "q", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "result": {
 "type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
-"name": "local_query_cp", "kind": "qualified read", "doc": "The same in the arm's base frame.",
-"parameters": [{"name": "q", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "result": {
-"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}], "events": [{
-"name": "operating_state", "kind": "write",
+"name": "local_query_cp", "kind": "qualified read", "wire": "localQueryCp",
+"doc": "The same in the arm's base frame.", "parameters": [{"name": "q", "type": {"kind": "struct",
+"name": "robots::JointGoal"}}], "result": {"type": {"kind": "struct", "name": "robots::PoseStamped"
+}}, "queue": 16}], "events": [{"name": "operating_state", "kind": "write", "wire": "operatingState",
 "doc": "Each change of the operating state, and the last one to whoever connects.", "payload": {
 "type": {"kind": "struct", "name": "robots::OperatingState"}}, "queue": 16, "latched": true}, {
-"name": "desired_state", "kind": "write", "doc": "The state that a command asked for.", "payload": {
-"type": {"kind": "enum", "name": "robots::ArmState"}}, "queue": 16, "latched": true}, {
-"name": "goal_reached", "kind": "write",
+"name": "desired_state", "kind": "write", "wire": "desiredState",
+"doc": "The state that a command asked for.", "payload": {"type": {"kind": "enum",
+"name": "robots::ArmState"}}, "queue": 16, "latched": true}, {"name": "goal_reached",
+"kind": "write", "wire": "goalReached",
 "doc": "A move ended: true at its goal, false when something else replaced it.", "payload": {
 "type": {"kind": "Bool"}}, "queue": 16}, {"name": "gravity_compensation", "kind": "write",
-"payload": {"type": {"kind": "Bool"}}, "queue": 16, "latched": true}, {
-"name": "trajectory_j_ratio", "kind": "write", "payload": {"type": {"kind": "Float64"}},
-"queue": 16, "latched": true}, {"name": "trajectory_j_ratio_v", "kind": "write", "payload": {
-"type": {"kind": "Float64"}}, "queue": 16, "latched": true}, {"name": "trajectory_j_ratio_a",
-"kind": "write", "payload": {"type": {"kind": "Float64"}}, "queue": 16, "latched": true}, {
-"name": "status", "kind": "write", "payload": {"type": {"kind": "struct", "name": "robots::Message"
-}}, "queue": 16}, {"name": "warning", "kind": "write", "payload": {"type": {"kind": "struct",
-"name": "robots::Message"}}, "queue": 16}, {"name": "error", "kind": "write", "payload": {"type": {
-"kind": "struct", "name": "robots::Message"}}, "queue": 16}], "enums": [{
-"name": "robots::JointType", "underlying": "UInt8", "enumerators": [{"name": "Undefined", "value": 0
-}, {"name": "Prismatic", "value": 1}, {"name": "Revolute", "value": 2}, {"name": "Universal",
-"value": 3}, {"name": "BallSocket", "value": 4}, {"name": "Inactive", "value": 5}]}, {
+"wire": "gravityCompensation", "payload": {"type": {"kind": "Bool"}}, "queue": 16, "latched": true
+}, {"name": "trajectory_j_ratio", "kind": "write", "wire": "trajectoryJRatio", "payload": {
+"type": {"kind": "Float64"}}, "queue": 16, "latched": true}, {"name": "trajectory_j_ratio_v",
+"kind": "write", "wire": "trajectoryJRatioV", "payload": {"type": {"kind": "Float64"}}, "queue": 16,
+"latched": true}, {"name": "trajectory_j_ratio_a", "kind": "write", "wire": "trajectoryJRatioA",
+"payload": {"type": {"kind": "Float64"}}, "queue": 16, "latched": true}, {"name": "status",
+"kind": "write", "payload": {"type": {"kind": "struct", "name": "robots::Message"}}, "queue": 16}, {
+"name": "warning", "kind": "write", "payload": {"type": {"kind": "struct", "name": "robots::Message"
+}}, "queue": 16}, {"name": "error", "kind": "write", "payload": {"type": {"kind": "struct",
+"name": "robots::Message"}}, "queue": 16}], "enums": [{"name": "robots::JointType",
+"underlying": "UInt8", "enumerators": [{"name": "Undefined", "value": 0, "wire": "undefined"}, {
+"name": "Prismatic", "value": 1, "wire": "prismatic"}, {"name": "Revolute", "value": 2,
+"wire": "revolute"}, {"name": "Universal", "value": 3, "wire": "universal"}, {"name": "BallSocket",
+"value": 4, "wire": "ballSocket"}, {"name": "Inactive", "value": 5, "wire": "inactive"}]}, {
 "name": "robots::ArmState", "doc": "The states of CRTK.", "underlying": "UInt8", "enumerators": [{
-"name": "Undefined", "value": 0}, {"name": "Disabled", "value": 1}, {"name": "Enabled", "value": 2
-}, {"name": "Paused", "value": 3}, {"name": "Fault", "value": 4}]}], "structs": [{
+"name": "Undefined", "value": 0, "wire": "undefined"}, {"name": "Disabled", "value": 1,
+"wire": "disabled"}, {"name": "Enabled", "value": 2, "wire": "enabled"}, {"name": "Paused",
+"value": 3, "wire": "paused"}, {"name": "Fault", "value": 4, "wire": "fault"}]}], "structs": [{
 "name": "robots::JointConfiguration",
 "doc": "What the joints are and may do: CRTK's configuration_js. prmConfigurationJoint.",
 "fields": [{"name": "name", "type": {"kind": "list", "element": {"kind": "text", "capacity": 15},
 "capacity": 8}}, {"name": "type", "type": {"kind": "list", "element": {"kind": "enum",
-"name": "robots::JointType"}, "capacity": 8}}, {"name": "position_min", "type": {"kind": "list",
-"element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad"}, {"name": "position_max", "type": {
-"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad"}, {
-"name": "velocity_min", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
-"unit": "rad/s"}, {"name": "velocity_max", "type": {"kind": "list", "element": {"kind": "Float64"},
-"capacity": 8}, "unit": "rad/s"}, {"name": "acceleration_min", "type": {"kind": "list", "element": {
-"kind": "Float64"}, "capacity": 8}, "unit": "rad/s2"}, {"name": "acceleration_max", "type": {
-"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad/s2"}, {
-"name": "effort_min", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
-"unit": "N.m"}, {"name": "effort_max", "type": {"kind": "list", "element": {"kind": "Float64"},
-"capacity": 8}, "unit": "N.m"}, {"name": "valid", "type": {"kind": "Bool"}, "default": false}]}, {
-"name": "robots::OperatingState", "doc": "CRTK's operating_state.", "fields": [{"name": "state",
-"type": {"kind": "enum", "name": "robots::ArmState"}, "default": "Undefined"}, {
-"name": "sub_state",
+"name": "robots::JointType"}, "capacity": 8}}, {"name": "position_min", "wire": "positionMin",
+"type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad"}, {
+"name": "position_max", "wire": "positionMax", "type": {"kind": "list", "element": {
+"kind": "Float64"}, "capacity": 8}, "unit": "rad"}, {"name": "velocity_min", "wire": "velocityMin",
+"type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad/s"}, {
+"name": "velocity_max", "wire": "velocityMax", "type": {"kind": "list", "element": {
+"kind": "Float64"}, "capacity": 8}, "unit": "rad/s"}, {"name": "acceleration_min",
+"wire": "accelerationMin", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
+"unit": "rad/s2"}, {"name": "acceleration_max", "wire": "accelerationMax", "type": {"kind": "list",
+"element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad/s2"}, {"name": "effort_min",
+"wire": "effortMin", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
+"unit": "N.m"}, {"name": "effort_max", "wire": "effortMax", "type": {"kind": "list", "element": {
+"kind": "Float64"}, "capacity": 8}, "unit": "N.m"}, {"name": "valid", "type": {"kind": "Bool"},
+"default": false}]}, {"name": "robots::OperatingState", "doc": "CRTK's operating_state.",
+"fields": [{"name": "state", "type": {"kind": "enum", "name": "robots::ArmState"},
+"default": "Undefined"}, {"name": "sub_state", "wire": "subState",
 "doc": "What the arm is doing within its state, for people: \"holding\", \"servo_cp\".", "type": {
-"kind": "text", "capacity": 15}}, {"name": "is_homed", "type": {"kind": "Bool"}, "default": false},
-{"name": "is_busy", "doc": "A move is under way; servo commands do not set it.", "type": {
-"kind": "Bool"}, "default": false}, {"name": "stamp", "doc": "When the arm entered this state.",
-"type": {"kind": "time", "clock": "steady"}}]}, {"name": "robots::IntervalStatistics",
+"kind": "text", "capacity": 15}}, {"name": "is_homed", "wire": "isHomed", "type": {"kind": "Bool"},
+"default": false}, {"name": "is_busy", "wire": "isBusy",
+"doc": "A move is under way; servo commands do not set it.", "type": {"kind": "Bool"},
+"default": false}, {"name": "stamp", "doc": "When the arm entered this state.", "type": {
+"kind": "time", "clock": "steady"}}]}, {"name": "robots::IntervalStatistics",
 "doc": "How regularly a task ran, over its last window.", "fields": [{"name": "period_average",
-"type": {"kind": "Float64"}, "unit": "s", "default": 0.0}, {"name": "period_deviation", "type": {
-"kind": "Float64"}, "unit": "s", "default": 0.0}, {"name": "period_min", "type": {"kind": "Float64"
-}, "unit": "s", "default": 0.0}, {"name": "period_max", "type": {"kind": "Float64"}, "unit": "s",
-"default": 0.0}, {"name": "samples", "type": {"kind": "UInt32"}, "default": 0}, {"name": "stamp",
-"type": {"kind": "time", "clock": "steady"}}, {"name": "valid", "type": {"kind": "Bool"},
-"default": false}]}, {"name": "robots::JointState",
+"wire": "periodAverage", "type": {"kind": "Float64"}, "unit": "s", "default": 0.0}, {
+"name": "period_deviation", "wire": "periodDeviation", "type": {"kind": "Float64"}, "unit": "s",
+"default": 0.0}, {"name": "period_min", "wire": "periodMin", "type": {"kind": "Float64"},
+"unit": "s", "default": 0.0}, {"name": "period_max", "wire": "periodMax", "type": {
+"kind": "Float64"}, "unit": "s", "default": 0.0}, {"name": "samples", "type": {"kind": "UInt32"},
+"default": 0}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {"name": "valid",
+"type": {"kind": "Bool"}, "default": false}]}, {"name": "robots::JointState",
 "doc": "The state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list is\nempty where its quantity is not known, and as long as `name` otherwise.",
 "fields": [{"name": "name", "type": {"kind": "list", "element": {"kind": "text", "capacity": 15},
 "capacity": 8}}, {"name": "position", "type": {"kind": "list", "element": {"kind": "Float64"},
@@ -542,30 +562,33 @@ constexpr char kCrtkArmDescription[] = R"json(
 "doc": "A velocity: CRTK's measured_cv. The cisst libraries' prmVelocityCartesianGet.", "fields": [
 {"name": "linear", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
 "unit": "m/s"}, {"name": "angular", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
-"columns": 1}, "unit": "rad/s"}, {"name": "moving_frame", "type": {"kind": "text", "capacity": 15}
-}, {"name": "reference_frame", "type": {"kind": "text", "capacity": 15}}, {"name": "stamp",
-"type": {"kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "False: do not use.",
-"type": {"kind": "Bool"}, "default": false}]}, {"name": "robots::Wrench",
+"columns": 1}, "unit": "rad/s"}, {"name": "moving_frame", "wire": "movingFrame", "type": {
+"kind": "text", "capacity": 15}}, {"name": "reference_frame", "wire": "referenceFrame", "type": {
+"kind": "text", "capacity": 15}}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {
+"name": "valid", "doc": "False: do not use.", "type": {"kind": "Bool"}, "default": false}]}, {
+"name": "robots::Wrench",
 "doc": "Force and torque at the tool tip: CRTK's measured_cf. prmForceCartesianGet.", "fields": [{
 "name": "force", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
 "unit": "N"}, {"name": "torque", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
 "columns": 1}, "unit": "N.m"}, {"name": "mask", "doc": "Which components are known.", "type": {
-"kind": "array", "element": {"kind": "Bool"}, "length": 6}}, {"name": "moving_frame", "type": {
-"kind": "text", "capacity": 15}}, {"name": "reference_frame", "type": {"kind": "text",
-"capacity": 15}}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {"name": "valid",
-"doc": "False: do not use.", "type": {"kind": "Bool"}, "default": false}]}, {
-"name": "robots::CartesianState",
+"kind": "array", "element": {"kind": "Bool"}, "length": 6}}, {"name": "moving_frame",
+"wire": "movingFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "reference_frame",
+"wire": "referenceFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "stamp", "type": {
+"kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "False: do not use.", "type": {
+"kind": "Bool"}, "default": false}]}, {"name": "robots::CartesianState",
 "doc": "Pose, velocity and force of one instant: CRTK's measured_cs. prmStateCartesian.",
-"fields": [{"name": "moving_frame", "type": {"kind": "text", "capacity": 15}}, {
-"name": "reference_frame", "type": {"kind": "text", "capacity": 15}}, {"name": "position", "type": {
-"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "position_is_valid", "type": {
-"kind": "Bool"}, "default": false}, {"name": "linear_velocity", "type": {"kind": "matrix",
+"fields": [{"name": "moving_frame", "wire": "movingFrame", "type": {"kind": "text", "capacity": 15}
+}, {"name": "reference_frame", "wire": "referenceFrame", "type": {"kind": "text", "capacity": 15}},
+{"name": "position", "type": {"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {
+"name": "position_is_valid", "wire": "positionIsValid", "type": {"kind": "Bool"}, "default": false
+}, {"name": "linear_velocity", "wire": "linearVelocity", "type": {"kind": "matrix",
 "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "m/s"}, {"name": "angular_velocity",
-"type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "rad/s"}, {
-"name": "velocity_is_valid", "type": {"kind": "Bool"}, "default": false}, {"name": "force",
-"type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "N"}, {
-"name": "torque", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
-"unit": "N.m"}, {"name": "force_is_valid", "type": {"kind": "Bool"}, "default": false}, {
+"wire": "angularVelocity", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1
+}, "unit": "rad/s"}, {"name": "velocity_is_valid", "wire": "velocityIsValid", "type": {
+"kind": "Bool"}, "default": false}, {"name": "force", "type": {"kind": "matrix",
+"scalar": "Float64", "rows": 3, "columns": 1}, "unit": "N"}, {"name": "torque", "type": {
+"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "N.m"}, {
+"name": "force_is_valid", "wire": "forceIsValid", "type": {"kind": "Bool"}, "default": false}, {
 "name": "stamp", "type": {"kind": "time", "clock": "steady"}}]}, {"name": "robots::Jacobian",
 "doc": "6 x joints, column-major: linear rows first, in m/s and rad/s per unit of joint velocity.",
 "fields": [{"name": "joints", "type": {"kind": "UInt32"}, "default": 0}, {"name": "coefficients",
@@ -592,12 +615,13 @@ constexpr char kCrtkArmDescription[] = R"json(
 "doc": "A velocity to follow: CRTK's servo_cv. prmVelocityCartesianSet.", "fields": [{
 "name": "linear", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
 "unit": "m/s"}, {"name": "angular", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
-"columns": 1}, "unit": "rad/s"}, {"name": "linear_acceleration", "type": {"kind": "matrix",
-"scalar": "Float64", "rows": 3, "columns": 1}, "unit": "m/s2"}, {"name": "angular_acceleration",
-"type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "rad/s2"}, {
-"name": "mask", "doc": "Which of x, y, z and the rotations about them count.", "type": {
-"kind": "array", "element": {"kind": "Bool"}, "length": 6}}, {"name": "stamp", "type": {
-"kind": "time", "clock": "steady"}}]}, {"name": "robots::WrenchGoal",
+"columns": 1}, "unit": "rad/s"}, {"name": "linear_acceleration", "wire": "linearAcceleration",
+"type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "m/s2"}, {
+"name": "angular_acceleration", "wire": "angularAcceleration", "type": {"kind": "matrix",
+"scalar": "Float64", "rows": 3, "columns": 1}, "unit": "rad/s2"}, {"name": "mask",
+"doc": "Which of x, y, z and the rotations about them count.", "type": {"kind": "array",
+"element": {"kind": "Bool"}, "length": 6}}, {"name": "stamp", "type": {"kind": "time",
+"clock": "steady"}}]}, {"name": "robots::WrenchGoal",
 "doc": "Force and torque to apply: CRTK's servo_cf. prmForceCartesianSet.", "fields": [{
 "name": "force", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
 "unit": "N"}, {"name": "torque", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
@@ -630,61 +654,61 @@ class CrtkArmSink final : public suture::rpc::EventSink {
     switch (event) {
       case numberOf(CrtkArmEvent::operating_state): {
         const auto& slot = *reinterpret_cast<const OperatingStateSlot*>(payload);
-        auto request = subscriber_.operatingStateRequest();
+        auto request = subscriber_.operatingStateRequest(suture::rpc::kUsualSize);
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
       case numberOf(CrtkArmEvent::desired_state): {
         const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
-        auto request = subscriber_.desiredStateRequest();
+        auto request = subscriber_.desiredStateRequest(suture::rpc::kUsualSize);
         request.setValue(wireArmState(slot));
         return request.send().ignoreResult();
       }
       case numberOf(CrtkArmEvent::goal_reached): {
         const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
-        auto request = subscriber_.goalReachedRequest();
+        auto request = subscriber_.goalReachedRequest(suture::rpc::kUsualSize);
         request.setValue(slot != 0);
         return request.send().ignoreResult();
       }
       case numberOf(CrtkArmEvent::gravity_compensation): {
         const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
-        auto request = subscriber_.gravityCompensationRequest();
+        auto request = subscriber_.gravityCompensationRequest(suture::rpc::kUsualSize);
         request.setValue(slot != 0);
         return request.send().ignoreResult();
       }
       case numberOf(CrtkArmEvent::trajectory_j_ratio): {
         const auto& slot = *reinterpret_cast<const double*>(payload);
-        auto request = subscriber_.trajectoryJRatioRequest();
+        auto request = subscriber_.trajectoryJRatioRequest(suture::rpc::kUsualSize);
         request.setValue(slot);
         return request.send().ignoreResult();
       }
       case numberOf(CrtkArmEvent::trajectory_j_ratio_v): {
         const auto& slot = *reinterpret_cast<const double*>(payload);
-        auto request = subscriber_.trajectoryJRatioVRequest();
+        auto request = subscriber_.trajectoryJRatioVRequest(suture::rpc::kUsualSize);
         request.setValue(slot);
         return request.send().ignoreResult();
       }
       case numberOf(CrtkArmEvent::trajectory_j_ratio_a): {
         const auto& slot = *reinterpret_cast<const double*>(payload);
-        auto request = subscriber_.trajectoryJRatioARequest();
+        auto request = subscriber_.trajectoryJRatioARequest(suture::rpc::kUsualSize);
         request.setValue(slot);
         return request.send().ignoreResult();
       }
       case numberOf(CrtkArmEvent::status): {
         const auto& slot = *reinterpret_cast<const MessageSlot*>(payload);
-        auto request = subscriber_.statusRequest();
+        auto request = subscriber_.statusRequest(suture::rpc::kUsualSize);
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
       case numberOf(CrtkArmEvent::warning): {
         const auto& slot = *reinterpret_cast<const MessageSlot*>(payload);
-        auto request = subscriber_.warningRequest();
+        auto request = subscriber_.warningRequest(suture::rpc::kUsualSize);
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
       case numberOf(CrtkArmEvent::error): {
         const auto& slot = *reinterpret_cast<const MessageSlot*>(payload);
-        auto request = subscriber_.errorRequest();
+        auto request = subscriber_.errorRequest(suture::rpc::kUsualSize);
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
@@ -810,7 +834,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JointConfigurationSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -822,7 +846,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const OperatingStateSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -834,7 +858,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const IntervalStatisticsSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -891,7 +915,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -903,7 +927,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -915,7 +939,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -927,7 +951,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -939,7 +963,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -951,7 +975,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -963,7 +987,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -975,7 +999,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -987,7 +1011,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const TwistSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -999,7 +1023,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const TwistSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -1011,7 +1035,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const WrenchSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -1023,7 +1047,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const WrenchSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -1035,7 +1059,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const CartesianStateSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -1047,7 +1071,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JacobianSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -1059,7 +1083,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JacobianSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -1071,7 +1095,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -1303,7 +1327,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -1315,7 +1339,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -1327,7 +1351,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -1345,7 +1369,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
     };
     return port_->call(numberOf(CrtkArmCommand::forward_kinematics), in.getSent(),
@@ -1363,7 +1387,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const JointSolutionSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
     };
     return port_->call(numberOf(CrtkArmCommand::inverse_kinematics), in.getSent(),
@@ -1380,7 +1404,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
     };
     return port_->call(numberOf(CrtkArmCommand::query_cp), in.getSent(), fill, kj::mv(take));
@@ -1396,7 +1420,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
     };
     return port_->call(numberOf(CrtkArmCommand::local_query_cp), in.getSent(), fill, kj::mv(take));
@@ -1650,7 +1674,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
   kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
     switch (static_cast<CrtkArmCommand>(record.command)) {
       case CrtkArmCommand::configuration_js: {
-        auto request = provider_.configurationJsRequest();
+        auto request = provider_.configurationJsRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<JointConfigurationSlot>(call, response.getStamp(),
@@ -1661,7 +1685,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::operating_state: {
-        auto request = provider_.operatingStateRequest();
+        auto request = provider_.operatingStateRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<OperatingStateSlot>(call, response.getStamp(),
@@ -1672,7 +1696,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::period_statistics: {
-        auto request = provider_.periodStatisticsRequest();
+        auto request = provider_.periodStatisticsRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<IntervalStatisticsSlot>(call, response.getStamp(),
@@ -1683,45 +1707,45 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::enable: {
-        auto request = provider_.enableRequest();
+        auto request = provider_.enableRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::disable: {
-        auto request = provider_.disableRequest();
+        auto request = provider_.disableRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::pause: {
-        auto request = provider_.pauseRequest();
+        auto request = provider_.pauseRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::resume: {
-        auto request = provider_.resumeRequest();
+        auto request = provider_.resumeRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::home: {
-        auto request = provider_.homeRequest();
+        auto request = provider_.homeRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::unhome: {
-        auto request = provider_.unhomeRequest();
+        auto request = provider_.unhomeRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::state_command: {
         const auto& slot =
             *reinterpret_cast<const CrtkArmStateCommandArguments*>(record.arguments());
-        auto request = provider_.stateCommandRequest();
+        auto request = provider_.stateCommandRequest(suture::rpc::kUsualSize);
         toWire(slot.name, request.initName(slot.name.size));
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::measured_js: {
-        auto request = provider_.measuredJsRequest();
+        auto request = provider_.measuredJsRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
@@ -1731,7 +1755,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::setpoint_js: {
-        auto request = provider_.setpointJsRequest();
+        auto request = provider_.setpointJsRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
@@ -1741,7 +1765,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::goal_js: {
-        auto request = provider_.goalJsRequest();
+        auto request = provider_.goalJsRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
@@ -1751,7 +1775,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::measured_cp: {
-        auto request = provider_.measuredCpRequest();
+        auto request = provider_.measuredCpRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
@@ -1761,7 +1785,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::setpoint_cp: {
-        auto request = provider_.setpointCpRequest();
+        auto request = provider_.setpointCpRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
@@ -1771,7 +1795,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::goal_cp: {
-        auto request = provider_.goalCpRequest();
+        auto request = provider_.goalCpRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
@@ -1781,7 +1805,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::local_measured_cp: {
-        auto request = provider_.localMeasuredCpRequest();
+        auto request = provider_.localMeasuredCpRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
@@ -1791,7 +1815,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::local_setpoint_cp: {
-        auto request = provider_.localSetpointCpRequest();
+        auto request = provider_.localSetpointCpRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
@@ -1801,7 +1825,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::measured_cv: {
-        auto request = provider_.measuredCvRequest();
+        auto request = provider_.measuredCvRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<TwistSlot>(call, response.getStamp(), [&](TwistSlot& answer) {
@@ -1811,7 +1835,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::setpoint_cv: {
-        auto request = provider_.setpointCvRequest();
+        auto request = provider_.setpointCvRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<TwistSlot>(call, response.getStamp(), [&](TwistSlot& answer) {
@@ -1821,7 +1845,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::body_measured_cf: {
-        auto request = provider_.bodyMeasuredCfRequest();
+        auto request = provider_.bodyMeasuredCfRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<WrenchSlot>(call, response.getStamp(), [&](WrenchSlot& answer) {
@@ -1831,7 +1855,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::spatial_measured_cf: {
-        auto request = provider_.spatialMeasuredCfRequest();
+        auto request = provider_.spatialMeasuredCfRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<WrenchSlot>(call, response.getStamp(), [&](WrenchSlot& answer) {
@@ -1841,7 +1865,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::measured_cs: {
-        auto request = provider_.measuredCsRequest();
+        auto request = provider_.measuredCsRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<CartesianStateSlot>(call, response.getStamp(),
@@ -1852,7 +1876,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::body_jacobian: {
-        auto request = provider_.bodyJacobianRequest();
+        auto request = provider_.bodyJacobianRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<JacobianSlot>(call, response.getStamp(), [&](JacobianSlot& answer) {
@@ -1862,7 +1886,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::spatial_jacobian: {
-        auto request = provider_.spatialJacobianRequest();
+        auto request = provider_.spatialJacobianRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<JacobianSlot>(call, response.getStamp(), [&](JacobianSlot& answer) {
@@ -1872,7 +1896,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::base_frame: {
-        auto request = provider_.baseFrameRequest();
+        auto request = provider_.baseFrameRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
@@ -1884,74 +1908,74 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
       case CrtkArmCommand::set_base_frame: {
         const auto& slot =
             *reinterpret_cast<const CrtkArmSetBaseFrameArguments*>(record.arguments());
-        auto request = provider_.setBaseFrameRequest();
+        auto request = provider_.setBaseFrameRequest(suture::rpc::kUsualSize);
         toWire(slot.frame, request.initFrame());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::hold: {
-        auto request = provider_.holdRequest();
+        auto request = provider_.holdRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::free: {
-        auto request = provider_.freeRequest();
+        auto request = provider_.freeRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::use_gravity_compensation: {
         const auto& slot =
             *reinterpret_cast<const CrtkArmUseGravityCompensationArguments*>(record.arguments());
-        auto request = provider_.useGravityCompensationRequest();
+        auto request = provider_.useGravityCompensationRequest(suture::rpc::kUsualSize);
         request.setUse(slot.use != 0);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::servo_jp: {
         const auto& slot = *reinterpret_cast<const CrtkArmServoJpArguments*>(record.arguments());
-        auto request = provider_.servoJpRequest();
+        auto request = provider_.servoJpRequest(suture::rpc::kUsualSize);
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::servo_jr: {
         const auto& slot = *reinterpret_cast<const CrtkArmServoJrArguments*>(record.arguments());
-        auto request = provider_.servoJrRequest();
+        auto request = provider_.servoJrRequest(suture::rpc::kUsualSize);
         toWire(slot.step, request.initStep());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::servo_jv: {
         const auto& slot = *reinterpret_cast<const CrtkArmServoJvArguments*>(record.arguments());
-        auto request = provider_.servoJvRequest();
+        auto request = provider_.servoJvRequest(suture::rpc::kUsualSize);
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::servo_jf: {
         const auto& slot = *reinterpret_cast<const CrtkArmServoJfArguments*>(record.arguments());
-        auto request = provider_.servoJfRequest();
+        auto request = provider_.servoJfRequest(suture::rpc::kUsualSize);
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::servo_cp: {
         const auto& slot = *reinterpret_cast<const CrtkArmServoCpArguments*>(record.arguments());
-        auto request = provider_.servoCpRequest();
+        auto request = provider_.servoCpRequest(suture::rpc::kUsualSize);
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::servo_cr: {
         const auto& slot = *reinterpret_cast<const CrtkArmServoCrArguments*>(record.arguments());
-        auto request = provider_.servoCrRequest();
+        auto request = provider_.servoCrRequest(suture::rpc::kUsualSize);
         toWire(slot.step, request.initStep());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::servo_cv: {
         const auto& slot = *reinterpret_cast<const CrtkArmServoCvArguments*>(record.arguments());
-        auto request = provider_.servoCvRequest();
+        auto request = provider_.servoCvRequest(suture::rpc::kUsualSize);
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
@@ -1959,7 +1983,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
       case CrtkArmCommand::body_servo_cf: {
         const auto& slot =
             *reinterpret_cast<const CrtkArmBodyServoCfArguments*>(record.arguments());
-        auto request = provider_.bodyServoCfRequest();
+        auto request = provider_.bodyServoCfRequest(suture::rpc::kUsualSize);
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
@@ -1967,35 +1991,35 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
       case CrtkArmCommand::spatial_servo_cf: {
         const auto& slot =
             *reinterpret_cast<const CrtkArmSpatialServoCfArguments*>(record.arguments());
-        auto request = provider_.spatialServoCfRequest();
+        auto request = provider_.spatialServoCfRequest(suture::rpc::kUsualSize);
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::move_jp: {
         const auto& slot = *reinterpret_cast<const CrtkArmMoveJpArguments*>(record.arguments());
-        auto request = provider_.moveJpRequest();
+        auto request = provider_.moveJpRequest(suture::rpc::kUsualSize);
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::move_jr: {
         const auto& slot = *reinterpret_cast<const CrtkArmMoveJrArguments*>(record.arguments());
-        auto request = provider_.moveJrRequest();
+        auto request = provider_.moveJrRequest(suture::rpc::kUsualSize);
         toWire(slot.step, request.initStep());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::move_cp: {
         const auto& slot = *reinterpret_cast<const CrtkArmMoveCpArguments*>(record.arguments());
-        auto request = provider_.moveCpRequest();
+        auto request = provider_.moveCpRequest(suture::rpc::kUsualSize);
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::move_cr: {
         const auto& slot = *reinterpret_cast<const CrtkArmMoveCrArguments*>(record.arguments());
-        auto request = provider_.moveCrRequest();
+        auto request = provider_.moveCrRequest(suture::rpc::kUsualSize);
         toWire(slot.step, request.initStep());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
@@ -2003,7 +2027,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
       case CrtkArmCommand::trajectory_j_set_ratio: {
         const auto& slot =
             *reinterpret_cast<const CrtkArmTrajectoryJSetRatioArguments*>(record.arguments());
-        auto request = provider_.trajectoryJSetRatioRequest();
+        auto request = provider_.trajectoryJSetRatioRequest(suture::rpc::kUsualSize);
         request.setRatio(slot.ratio);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
@@ -2011,7 +2035,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
       case CrtkArmCommand::trajectory_j_set_ratio_v: {
         const auto& slot =
             *reinterpret_cast<const CrtkArmTrajectoryJSetRatioVArguments*>(record.arguments());
-        auto request = provider_.trajectoryJSetRatioVRequest();
+        auto request = provider_.trajectoryJSetRatioVRequest(suture::rpc::kUsualSize);
         request.setRatio(slot.ratio);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
@@ -2019,13 +2043,13 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
       case CrtkArmCommand::trajectory_j_set_ratio_a: {
         const auto& slot =
             *reinterpret_cast<const CrtkArmTrajectoryJSetRatioAArguments*>(record.arguments());
-        auto request = provider_.trajectoryJSetRatioARequest();
+        auto request = provider_.trajectoryJSetRatioARequest(suture::rpc::kUsualSize);
         request.setRatio(slot.ratio);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::trajectory_j_ratio: {
-        auto request = provider_.trajectoryJRatioRequest();
+        auto request = provider_.trajectoryJRatioRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<double>(call, response.getStamp(), [&](double& answer) {
@@ -2035,7 +2059,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::trajectory_j_ratio_v: {
-        auto request = provider_.trajectoryJRatioVRequest();
+        auto request = provider_.trajectoryJRatioVRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<double>(call, response.getStamp(), [&](double& answer) {
@@ -2045,7 +2069,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::trajectory_j_ratio_a: {
-        auto request = provider_.trajectoryJRatioARequest();
+        auto request = provider_.trajectoryJRatioARequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<double>(call, response.getStamp(), [&](double& answer) {
@@ -2057,7 +2081,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
       case CrtkArmCommand::forward_kinematics: {
         const auto& slot =
             *reinterpret_cast<const CrtkArmForwardKinematicsArguments*>(record.arguments());
-        auto request = provider_.forwardKinematicsRequest();
+        auto request = provider_.forwardKinematicsRequest(suture::rpc::kUsualSize);
         toWire(slot.q, request.initQ());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
@@ -2070,7 +2094,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
       case CrtkArmCommand::inverse_kinematics: {
         const auto& slot =
             *reinterpret_cast<const CrtkArmInverseKinematicsArguments*>(record.arguments());
-        auto request = provider_.inverseKinematicsRequest();
+        auto request = provider_.inverseKinematicsRequest(suture::rpc::kUsualSize);
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
@@ -2082,7 +2106,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
       }
       case CrtkArmCommand::query_cp: {
         const auto& slot = *reinterpret_cast<const CrtkArmQueryCpArguments*>(record.arguments());
-        auto request = provider_.queryCpRequest();
+        auto request = provider_.queryCpRequest(suture::rpc::kUsualSize);
         toWire(slot.q, request.initQ());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
@@ -2095,7 +2119,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
       case CrtkArmCommand::local_query_cp: {
         const auto& slot =
             *reinterpret_cast<const CrtkArmLocalQueryCpArguments*>(record.arguments());
-        auto request = provider_.localQueryCpRequest();
+        auto request = provider_.localQueryCpRequest(suture::rpc::kUsualSize);
         toWire(slot.q, request.initQ());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {

@@ -73,10 +73,11 @@ constexpr char kLoopServerDescription[] = R"json(
 "name": "robots::PosePrm"}}, "queue": 16}], "enums": [], "structs": [{"name": "robots::PosePrm",
 "doc": "The fields of the cisst libraries' prmPositionCartesianGet, the type of the paper's\nmeasurements.",
 "fields": [{"name": "timestamp", "type": {"kind": "time", "clock": "steady"}}, {
-"name": "automatic_timestamp", "doc": "Whether the provider stamps the data itself.", "type": {
-"kind": "Bool"}, "default": true}, {"name": "valid", "type": {"kind": "Bool"}, "default": false}, {
-"name": "moving_frame", "type": {"kind": "text", "capacity": 15}}, {"name": "reference_frame",
-"type": {"kind": "text", "capacity": 15}}, {"name": "position",
+"name": "automatic_timestamp", "wire": "automaticTimestamp",
+"doc": "Whether the provider stamps the data itself.", "type": {"kind": "Bool"}, "default": true}, {
+"name": "valid", "type": {"kind": "Bool"}, "default": false}, {"name": "moving_frame",
+"wire": "movingFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "reference_frame",
+"wire": "referenceFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "position",
 "doc": "The moving frame in the reference frame.", "type": {"kind": "isometry", "scalar": "Float64"
 }, "unit": "m"}]}]})json";
 
@@ -96,7 +97,7 @@ class LoopServerSink final : public suture::rpc::EventSink {
     switch (event) {
       case numberOf(LoopServerEvent::echo): {
         const auto& slot = *reinterpret_cast<const robots::PosePrmSlot*>(payload);
-        auto request = subscriber_.echoRequest();
+        auto request = subscriber_.echoRequest(suture::rpc::kUsualSize);
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
@@ -163,7 +164,7 @@ class LoopServerServant final : public wire::LoopServer::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const robots::PosePrmSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -226,20 +227,20 @@ class LoopServerProxy final : public suture::rpc::Proxy {
     switch (static_cast<LoopServerCommand>(record.command)) {
       case LoopServerCommand::put: {
         const auto& slot = *reinterpret_cast<const LoopServerPutArguments*>(record.arguments());
-        auto request = provider_.putRequest();
+        auto request = provider_.putRequest(suture::rpc::kUsualSize);
         toWire(slot.value, request.initValue());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case LoopServerCommand::bounce: {
         const auto& slot = *reinterpret_cast<const LoopServerBounceArguments*>(record.arguments());
-        auto request = provider_.bounceRequest();
+        auto request = provider_.bounceRequest(suture::rpc::kUsualSize);
         toWire(slot.value, request.initValue());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case LoopServerCommand::value: {
-        auto request = provider_.valueRequest();
+        auto request = provider_.valueRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<robots::PosePrmSlot>(call, response.getStamp(),

@@ -68,27 +68,30 @@ constexpr char kTeleoperationDescription[] = R"json(
 {"name": "robots::Teleoperation", "hash": "393a877d8e6228f4888818f28ef2cb8a", "commands": [{
 "name": "enable", "kind": "void", "doc": "Enables and homes arms that are not, then follows.",
 "queue": 16}, {"name": "disable", "kind": "void", "doc": "Stops following; the slave holds.",
-"queue": 16}, {"name": "teleop_state", "kind": "read", "result": {"type": {"kind": "enum",
-"name": "robots::TeleopState"}}, "queue": 16}, {"name": "anchors", "kind": "read",
+"queue": 16}, {"name": "teleop_state", "kind": "read", "wire": "teleopState", "result": {"type": {
+"kind": "enum", "name": "robots::TeleopState"}}, "queue": 16}, {"name": "anchors", "kind": "read",
 "doc": "Of the present or last time of following.", "result": {"type": {"kind": "struct",
 "name": "robots::FollowAnchors"}}, "queue": 16}], "events": [{"name": "teleop_state",
-"kind": "write", "payload": {"type": {"kind": "enum", "name": "robots::TeleopState"}}, "queue": 16,
-"latched": true}, {"name": "followed", "kind": "write", "doc": "Following begins.", "payload": {
-"type": {"kind": "struct", "name": "robots::FollowAnchors"}}, "queue": 16, "latched": true}],
-"enums": [{"name": "robots::TeleopState", "underlying": "UInt8", "enumerators": [{
-"name": "Disabled", "value": 0, "doc": "until enable()"}, {"name": "Preparing", "value": 1,
-"doc": "waits for both arms: connected, enabled, homed, and fresh data of both"}, {
-"name": "Following", "value": 2}]}], "structs": [{"name": "robots::FollowAnchors",
+"kind": "write", "wire": "teleopState", "payload": {"type": {"kind": "enum",
+"name": "robots::TeleopState"}}, "queue": 16, "latched": true}, {"name": "followed",
+"kind": "write", "doc": "Following begins.", "payload": {"type": {"kind": "struct",
+"name": "robots::FollowAnchors"}}, "queue": 16, "latched": true}], "enums": [{
+"name": "robots::TeleopState", "underlying": "UInt8", "enumerators": [{"name": "Disabled",
+"value": 0, "wire": "disabled", "doc": "until enable()"}, {"name": "Preparing", "value": 1,
+"wire": "preparing", "doc": "waits for both arms: connected, enabled, homed, and fresh data of both"
+}, {"name": "Following", "value": 2, "wire": "following"}]}], "structs": [{
+"name": "robots::FollowAnchors",
 "doc": "Where following began: with it and the master's poses, anyone can compute what the slave should\ndo.",
-"fields": [{"name": "master_stamp", "doc": "Stamp of the first master pose that was followed.",
-"type": {"kind": "time", "clock": "steady"}}, {"name": "master",
+"fields": [{"name": "master_stamp", "wire": "masterStamp",
+"doc": "Stamp of the first master pose that was followed.", "type": {"kind": "time",
+"clock": "steady"}}, {"name": "master",
 "doc": "The master's measured pose at that stamp, in the master's base frame.", "type": {
 "kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "slave_setpoint",
-"doc": "The slave's set-point at entry, in the slave's base frame.", "type": {"kind": "isometry",
-"scalar": "Float64"}, "unit": "m"}, {"name": "scale", "doc": "Slave metres a master metre.",
-"type": {"kind": "Float64"}, "default": 0.0}, {"name": "entry",
-"doc": "How many times following began, this one included; 0: never.", "type": {"kind": "UInt64"},
-"default": 0}]}]})json";
+"wire": "slaveSetpoint", "doc": "The slave's set-point at entry, in the slave's base frame.",
+"type": {"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "scale",
+"doc": "Slave metres a master metre.", "type": {"kind": "Float64"}, "default": 0.0}, {
+"name": "entry", "doc": "How many times following began, this one included; 0: never.", "type": {
+"kind": "UInt64"}, "default": 0}]}]})json";
 
 }  // namespace
 
@@ -151,13 +154,13 @@ class TeleoperationSink final : public suture::rpc::EventSink {
     switch (event) {
       case numberOf(TeleoperationEvent::teleop_state): {
         const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
-        auto request = subscriber_.teleopStateRequest();
+        auto request = subscriber_.teleopStateRequest(suture::rpc::kUsualSize);
         request.setValue(wireTeleopState(slot));
         return request.send().ignoreResult();
       }
       case numberOf(TeleoperationEvent::followed): {
         const auto& slot = *reinterpret_cast<const FollowAnchorsSlot*>(payload);
-        auto request = subscriber_.followedRequest();
+        auto request = subscriber_.followedRequest(suture::rpc::kUsualSize);
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
@@ -216,7 +219,7 @@ class TeleoperationServant final : public wire::Teleoperation::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       out.setValue(wireTeleopState(slot));
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -228,7 +231,7 @@ class TeleoperationServant final : public wire::Teleoperation::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const FollowAnchorsSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -302,17 +305,17 @@ class TeleoperationProxy final : public suture::rpc::Proxy {
   kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
     switch (static_cast<TeleoperationCommand>(record.command)) {
       case TeleoperationCommand::enable: {
-        auto request = provider_.enableRequest();
+        auto request = provider_.enableRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case TeleoperationCommand::disable: {
-        auto request = provider_.disableRequest();
+        auto request = provider_.disableRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case TeleoperationCommand::teleop_state: {
-        auto request = provider_.teleopStateRequest();
+        auto request = provider_.teleopStateRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<std::uint8_t>(call, response.getStamp(), [&](std::uint8_t& answer) {
@@ -321,7 +324,7 @@ class TeleoperationProxy final : public suture::rpc::Proxy {
         });
       }
       case TeleoperationCommand::anchors: {
-        auto request = provider_.anchorsRequest();
+        auto request = provider_.anchorsRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<FollowAnchorsSlot>(call, response.getStamp(),

@@ -17,8 +17,6 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
@@ -26,6 +24,8 @@ using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
+using suture::rpc::ProxyPort;
+using suture::rpc::ServantPort;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
 
@@ -132,9 +132,7 @@ Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, Duration shif
   return in.hasPose() ? fromWire(in.getPose(), slot.pose) : Errc::Invalid;
 }
 
-bool isValid(const PoseStampedSlot& slot) {
-  return isValid(slot.pose);
-}
+bool isValid(const PoseStampedSlot& slot) { return isValid(slot.pose); }
 
 void toWire(const JointStateSlot& slot, wire::JointState::Builder out) {
   toWire(slot.name, out.initName(slot.name.size));
@@ -148,9 +146,7 @@ Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, Duration) {
   });
 }
 
-bool isValid(const JointStateSlot& slot) {
-  return isValid(slot.position);
-}
+bool isValid(const JointStateSlot& slot) { return isValid(slot.position); }
 
 namespace {
 
@@ -165,22 +161,22 @@ class ArmLikeSink final : public suture::rpc::EventSink {
     switch (event) {
       case numberOf(ArmLikeEvent::mode): {
         const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
-        auto request = subscriber_.modeRequest();
+        auto request = subscriber_.modeRequest(suture::rpc::kUsualSize);
         request.setValue(wireMode(slot));
         return request.send().ignoreResult();
       }
       case numberOf(ArmLikeEvent::arrived): {
         const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(payload);
-        auto request = subscriber_.arrivedRequest();
+        auto request = subscriber_.arrivedRequest(suture::rpc::kUsualSize);
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
       case numberOf(ArmLikeEvent::stopped): {
-        return subscriber_.stoppedRequest().send().ignoreResult();
+        return subscriber_.stoppedRequest(suture::rpc::kUsualSize).send().ignoreResult();
       }
       case numberOf(ArmLikeEvent::moved): {
         const auto& slot = *reinterpret_cast<const ArmLikeMovedPayload*>(payload);
-        auto request = subscriber_.movedRequest();
+        auto request = subscriber_.movedRequest(suture::rpc::kUsualSize);
         toWire(slot.value, request.initValue());
         request.setValue2(slot.value2);
         return request.send().ignoreResult();
@@ -266,24 +262,26 @@ class ArmLikeServant final : public wire::ArmLike::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(numberOf(ArmLikeCommand::measured_cp), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+    return port_->call(
+        numberOf(ArmLikeCommand::measured_cp), in.getSent(), [](std::byte*) { return Errc{}; },
+        kj::mv(take));
   }
 
   kj::Promise<void> measuredJs(MeasuredJsContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(numberOf(ArmLikeCommand::measured_js), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+    return port_->call(
+        numberOf(ArmLikeCommand::measured_js), in.getSent(), [](std::byte*) { return Errc{}; },
+        kj::mv(take));
   }
 
   kj::Promise<void> distance(DistanceContext context) override {
@@ -296,7 +294,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       out.setValue(slot);
     };
     return port_->call(numberOf(ArmLikeCommand::distance), in.getSent(), fill, kj::mv(take));
@@ -316,7 +314,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       out.setValue(slot != 0);
     };
     return port_->call(numberOf(ArmLikeCommand::move), in.getSent(), fill, kj::mv(take));
@@ -326,11 +324,12 @@ class ArmLikeServant final : public wire::ArmLike::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const std::uint32_t*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       out.setValue(slot);
     };
-    return port_->call(numberOf(ArmLikeCommand::reset), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+    return port_->call(
+        numberOf(ArmLikeCommand::reset), in.getSent(), [](std::byte*) { return Errc{}; },
+        kj::mv(take));
   }
 
   kj::Promise<void> limit(LimitContext context) override {
@@ -432,53 +431,53 @@ class ArmLikeProxy final : public suture::rpc::Proxy {
     switch (static_cast<ArmLikeCommand>(record.command)) {
       case ArmLikeCommand::servo_cp: {
         const auto& slot = *reinterpret_cast<const ArmLikeServoCpArguments*>(record.arguments());
-        auto request = provider_.servoCpRequest();
+        auto request = provider_.servoCpRequest(suture::rpc::kUsualSize);
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmLikeCommand::servo_jp: {
         const auto& slot = *reinterpret_cast<const ArmLikeServoJpArguments*>(record.arguments());
-        auto request = provider_.servoJpRequest();
+        auto request = provider_.servoJpRequest(suture::rpc::kUsualSize);
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmLikeCommand::hold: {
-        auto request = provider_.holdRequest();
+        auto request = provider_.holdRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmLikeCommand::set_mode: {
         const auto& slot = *reinterpret_cast<const ArmLikeSetModeArguments*>(record.arguments());
-        auto request = provider_.setModeRequest();
+        auto request = provider_.setModeRequest(suture::rpc::kUsualSize);
         request.setMode(wireMode(slot.mode));
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmLikeCommand::measured_cp: {
-        auto request = provider_.measuredCpRequest();
+        auto request = provider_.measuredCpRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
+                                       : Errc::Invalid;
           });
         });
       }
       case ArmLikeCommand::measured_js: {
-        auto request = provider_.measuredJsRequest();
+        auto request = provider_.measuredJsRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
+                                       : Errc::Invalid;
           });
         });
       }
       case ArmLikeCommand::distance: {
         const auto& slot = *reinterpret_cast<const ArmLikeDistanceArguments*>(record.arguments());
-        auto request = provider_.distanceRequest();
+        auto request = provider_.distanceRequest(suture::rpc::kUsualSize);
         toWire(slot.to, request.initTo());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
@@ -490,7 +489,7 @@ class ArmLikeProxy final : public suture::rpc::Proxy {
       }
       case ArmLikeCommand::move: {
         const auto& slot = *reinterpret_cast<const ArmLikeMoveArguments*>(record.arguments());
-        auto request = provider_.moveRequest();
+        auto request = provider_.moveRequest(suture::rpc::kUsualSize);
         toWire(slot.goal, request.initGoal());
         request.setSpeed(slot.speed);
         toWire(slot.reason, request.initReason(slot.reason.size));
@@ -503,7 +502,7 @@ class ArmLikeProxy final : public suture::rpc::Proxy {
         });
       }
       case ArmLikeCommand::reset: {
-        auto request = provider_.resetRequest();
+        auto request = provider_.resetRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<std::uint32_t>(call, [&](std::uint32_t& answer) {
@@ -514,14 +513,14 @@ class ArmLikeProxy final : public suture::rpc::Proxy {
       }
       case ArmLikeCommand::limit: {
         const auto& slot = *reinterpret_cast<const ArmLikeLimitArguments*>(record.arguments());
-        auto request = provider_.limitRequest();
+        auto request = provider_.limitRequest(suture::rpc::kUsualSize);
         request.setSpeed(slot.speed);
         request.setMode(wireMode(slot.mode));
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmLikeCommand::park: {
-        auto request = provider_.parkRequest();
+        auto request = provider_.parkRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
@@ -609,8 +608,8 @@ Errc Provided<reference::ArmLike>::execute(std::uint16_t command, const std::byt
       const auto& slot = *reinterpret_cast<const reference::ArmLikeDistanceArguments*>(arguments);
       load(slot.to, scratch_.distance_to);
       auto& answer = *reinterpret_cast<double*>(result);
-      return store(implementation_.distance(scratch_.distance_to), answer)
-          ? Errc{} : Errc::TooLarge;
+      return store(implementation_.distance(scratch_.distance_to), answer) ? Errc{}
+                                                                           : Errc::TooLarge;
     }
     case ArmLikeCommand::move: {
       const auto& slot = *reinterpret_cast<const reference::ArmLikeMoveArguments*>(arguments);
@@ -619,7 +618,10 @@ Errc Provided<reference::ArmLike>::execute(std::uint16_t command, const std::byt
       load(slot.reason, scratch_.move_reason);
       auto& answer = *reinterpret_cast<std::uint8_t*>(result);
       return store(implementation_.move(scratch_.move_goal, scratch_.move_speed,
-                                        scratch_.move_reason), answer) ? Errc{} : Errc::TooLarge;
+                                        scratch_.move_reason),
+                   answer)
+                 ? Errc{}
+                 : Errc::TooLarge;
     }
     case ArmLikeCommand::reset: {
       auto& slot = *reinterpret_cast<std::uint32_t*>(result);

@@ -29,8 +29,6 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
@@ -38,6 +36,8 @@ using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
+using suture::rpc::ProxyPort;
+using suture::rpc::ServantPort;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
 
@@ -72,36 +72,36 @@ namespace {
 /// Makes remote calls of a subscriber's events and rows.
 class GripperArmSink final : public suture::rpc::EventSink {
  public:
-  explicit GripperArmSink(wire::GripperArmEvents::Client subscriber) :
-      subscriber_(kj::mv(subscriber)) {}
+  explicit GripperArmSink(wire::GripperArmEvents::Client subscriber)
+      : subscriber_(kj::mv(subscriber)) {}
 
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
     switch (event) {
       case numberOf(ArmLikeEvent::mode): {
         const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
-        auto request = subscriber_.modeRequest();
+        auto request = subscriber_.modeRequest(suture::rpc::kUsualSize);
         request.setValue(wireMode(slot));
         return request.send().ignoreResult();
       }
       case numberOf(ArmLikeEvent::arrived): {
         const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(payload);
-        auto request = subscriber_.arrivedRequest();
+        auto request = subscriber_.arrivedRequest(suture::rpc::kUsualSize);
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
       case numberOf(ArmLikeEvent::stopped): {
-        return subscriber_.stoppedRequest().send().ignoreResult();
+        return subscriber_.stoppedRequest(suture::rpc::kUsualSize).send().ignoreResult();
       }
       case numberOf(ArmLikeEvent::moved): {
         const auto& slot = *reinterpret_cast<const ArmLikeMovedPayload*>(payload);
-        auto request = subscriber_.movedRequest();
+        auto request = subscriber_.movedRequest(suture::rpc::kUsualSize);
         toWire(slot.value, request.initValue());
         request.setValue2(slot.value2);
         return request.send().ignoreResult();
       }
       case numberOf(GripperArmEvent::gripped): {
         const auto& slot = *reinterpret_cast<const double*>(payload);
-        auto request = subscriber_.grippedRequest();
+        auto request = subscriber_.grippedRequest(suture::rpc::kUsualSize);
         request.setValue(slot);
         return request.send().ignoreResult();
       }
@@ -167,7 +167,7 @@ class GripperArmServant final : public wire::GripperArm::Server {
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       out.setValue(slot);
     };
     return port_->call(numberOf(GripperArmCommand::close), in.getSent(), fill, kj::mv(take));
@@ -177,12 +177,13 @@ class GripperArmServant final : public wire::GripperArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(numberOf(GripperArmCommand::opening), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+    return port_->call(
+        numberOf(GripperArmCommand::opening), in.getSent(), [](std::byte*) { return Errc{}; },
+        kj::mv(take));
   }
 
  private:
@@ -282,7 +283,7 @@ class GripperArmProxy final : public suture::rpc::Proxy {
     switch (static_cast<GripperArmCommand>(record.command)) {
       case GripperArmCommand::close: {
         const auto& slot = *reinterpret_cast<const GripperArmCloseArguments*>(record.arguments());
-        auto request = provider_.closeRequest();
+        auto request = provider_.closeRequest(suture::rpc::kUsualSize);
         request.setWidth(slot.width);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
@@ -293,7 +294,7 @@ class GripperArmProxy final : public suture::rpc::Proxy {
         });
       }
       case GripperArmCommand::opening: {
-        auto request = provider_.openingRequest();
+        auto request = provider_.openingRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<double>(call, response.getStamp(), [&](double& answer) {
@@ -338,10 +339,10 @@ namespace suture {
 
 template <>
 const InterfaceInfo& interfaceInfo<reference::GripperArm>() {
-  static const auto kCommands = extended<13>(interfaceInfo<reference::ArmLike>().commands,
-                                             reference::kGripperArmCommands);
-  static const auto kEvents = extended<5>(interfaceInfo<reference::ArmLike>().events,
-                                          reference::kGripperArmEvents);
+  static const auto kCommands =
+      extended<13>(interfaceInfo<reference::ArmLike>().commands, reference::kGripperArmCommands);
+  static const auto kEvents =
+      extended<5>(interfaceInfo<reference::ArmLike>().events, reference::kGripperArmEvents);
   static const InterfaceInfo kInfo{
       .name = "reference::GripperArm",
       .hash = "gripper",

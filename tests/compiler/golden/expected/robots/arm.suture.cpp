@@ -126,40 +126,42 @@ constexpr EventInfo kArmEvents[] = {
 constexpr char kArmDescription[] = R"json(
 {"name": "robots::Arm", "doc": "A robot arm.", "hash": "098f1414549f8719cb5e7383aff6c956",
 "core": "105905a88a26f5954c1b7ccca0ff990d", "commands": [{"name": "enable", "kind": "void",
-"queue": 4}, {"name": "servo_cp", "kind": "write", "doc": "Follow the goal.", "parameters": [{
-"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}], "queue": 16,
-"latest": true, "ttl": 0.02}, {"name": "set_speed", "kind": "write", "parameters": [{
-"name": "speed", "type": {"kind": "Float64"}, "unit": "m/s"}], "queue": 16}, {
-"name": "measured_cp", "kind": "read", "result": {"type": {"kind": "struct",
-"name": "robots::PoseStamped"}}, "queue": 16}, {"name": "mode", "kind": "read", "result": {
-"type": {"kind": "enum", "name": "robots::Mode"}}, "queue": 16}, {"name": "everything",
+"queue": 4}, {"name": "servo_cp", "kind": "write", "wire": "servoCp", "doc": "Follow the goal.",
+"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
+"queue": 16, "latest": true, "ttl": 0.02}, {"name": "set_speed", "kind": "write",
+"wire": "setSpeed", "parameters": [{"name": "speed", "type": {"kind": "Float64"}, "unit": "m/s"}],
+"queue": 16}, {"name": "measured_cp", "kind": "read", "wire": "measuredCp", "result": {"type": {
+"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "mode", "kind": "read",
+"result": {"type": {"kind": "enum", "name": "robots::Mode"}}, "queue": 16}, {"name": "everything",
 "kind": "read", "result": {"type": {"kind": "struct", "name": "robots::Everything"}}, "queue": 16},
-{"name": "inverse_kinematics", "kind": "qualified read", "parameters": [{"name": "x", "type": {
-"kind": "struct", "name": "robots::PoseStamped"}}, {"name": "tolerance", "type": {"kind": "Float64"
-}, "range": [0.0, 1.0]}], "result": {"type": {"kind": "struct", "name": "robots::Everything"}},
-"queue": 16}, {"name": "grasp", "kind": "write with return",
-"doc": "Closes the gripper; answers whether it holds something.", "parameters": [{"name": "width",
-"type": {"kind": "Float64"}}, {"name": "mode", "type": {"kind": "enum", "name": "robots::Mode"}}],
-"result": {"type": {"kind": "Bool"}}, "queue": 2, "deadline": 0.05}, {"name": "next_token",
-"kind": "void with return", "result": {"type": {"kind": "UInt32"}}, "queue": 16, "since": 1}, {
-"name": "park", "kind": "void", "queue": 16, "optional": true, "direct": true,
-"deprecated": "use enable"}, {"name": "load", "kind": "read", "result": {"type": {"kind": "Float64"
-}}, "queue": 16, "optional": true}], "events": [{"name": "mode_changed", "kind": "write",
-"payload": {"type": {"kind": "enum", "name": "robots::Mode"}}, "queue": 8, "latched": true}, {
-"name": "stopped", "kind": "void", "queue": 16}, {"name": "arrived", "kind": "write", "payload": {
-"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "moved",
-"kind": "write", "doc": "Where, how fast and why.", "payload": [{"name": "value", "type": {
-"kind": "struct", "name": "robots::PoseStamped"}}, {"name": "value2", "type": {"kind": "Float64"}},
-{"name": "value3", "type": {"kind": "enum", "name": "robots::Mode"}}], "queue": 16, "latched": true
-}], "enums": [{"name": "robots::Mode", "doc": "What the arm does.", "underlying": "Int8",
-"enumerators": [{"name": "Disabled", "value": -1}, {"name": "HoldStill", "value": 4,
-"doc": "Brakes off, set-point frozen."}, {"name": "Servo", "value": 2}]}], "structs": [{
-"name": "robots::PoseStamped", "doc": "A pose with its time.", "fields": [{"name": "pose", "type": {
-"kind": "isometry", "scalar": "Float64"}}, {"name": "stamp", "type": {"kind": "time",
-"clock": "steady"}}, {"name": "valid", "type": {"kind": "Bool"}, "default": false}]}, {
-"name": "robots::Everything", "doc": "Every kind of member.\n\nTwo paragraphs.", "fields": [{
-"name": "on", "type": {"kind": "Bool"}, "default": false}, {"name": "tiny", "type": {"kind": "Int8"
-}, "default": 0}, {"name": "count", "type": {"kind": "UInt64"}, "default": 0}, {"name": "speed",
+{"name": "inverse_kinematics", "kind": "qualified read", "wire": "inverseKinematics",
+"parameters": [{"name": "x", "type": {"kind": "struct", "name": "robots::PoseStamped"}}, {
+"name": "tolerance", "type": {"kind": "Float64"}, "range": [0.0, 1.0]}], "result": {"type": {
+"kind": "struct", "name": "robots::Everything"}}, "queue": 16}, {"name": "grasp",
+"kind": "write with return", "doc": "Closes the gripper; answers whether it holds something.",
+"parameters": [{"name": "width", "type": {"kind": "Float64"}}, {"name": "mode", "type": {
+"kind": "enum", "name": "robots::Mode"}}], "result": {"type": {"kind": "Bool"}}, "queue": 2,
+"deadline": 0.05}, {"name": "next_token", "kind": "void with return", "wire": "nextToken",
+"result": {"type": {"kind": "UInt32"}}, "queue": 16, "since": 1}, {"name": "park", "kind": "void",
+"queue": 16, "optional": true, "direct": true, "deprecated": "use enable"}, {"name": "load",
+"kind": "read", "result": {"type": {"kind": "Float64"}}, "queue": 16, "optional": true}],
+"events": [{"name": "mode_changed", "kind": "write", "wire": "modeChanged", "payload": {"type": {
+"kind": "enum", "name": "robots::Mode"}}, "queue": 8, "latched": true}, {"name": "stopped",
+"kind": "void", "queue": 16}, {"name": "arrived", "kind": "write", "payload": {"type": {
+"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "moved", "kind": "write",
+"doc": "Where, how fast and why.", "payload": [{"name": "value", "type": {"kind": "struct",
+"name": "robots::PoseStamped"}}, {"name": "value2", "type": {"kind": "Float64"}}, {
+"name": "value3", "type": {"kind": "enum", "name": "robots::Mode"}}], "queue": 16, "latched": true}
+], "enums": [{"name": "robots::Mode", "doc": "What the arm does.", "underlying": "Int8",
+"enumerators": [{"name": "Disabled", "value": -1, "wire": "disabled"}, {"name": "HoldStill",
+"value": 4, "wire": "holdStill", "doc": "Brakes off, set-point frozen."}, {"name": "Servo",
+"value": 2, "wire": "servo"}]}], "structs": [{"name": "robots::PoseStamped",
+"doc": "A pose with its time.", "fields": [{"name": "pose", "type": {"kind": "isometry",
+"scalar": "Float64"}}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {
+"name": "valid", "type": {"kind": "Bool"}, "default": false}]}, {"name": "robots::Everything",
+"doc": "Every kind of member.\n\nTwo paragraphs.", "fields": [{"name": "on", "type": {
+"kind": "Bool"}, "default": false}, {"name": "tiny", "type": {"kind": "Int8"}, "default": 0}, {
+"name": "count", "type": {"kind": "UInt64"}, "default": 0}, {"name": "speed",
 "doc": "Along the path.", "type": {"kind": "Float64"}, "unit": "m/s", "range": [-0.5, 2.0],
 "default": 0.25}, {"name": "ratio", "type": {"kind": "Float32"}, "default": 0.0}, {"name": "mode",
 "type": {"kind": "enum", "name": "robots::Mode"}, "default": "Servo"}, {"name": "label", "type": {
@@ -291,22 +293,22 @@ class ArmSink final : public suture::rpc::EventSink {
     switch (event) {
       case numberOf(ArmEvent::mode_changed): {
         const auto& slot = *reinterpret_cast<const std::int8_t*>(payload);
-        auto request = subscriber_.modeChangedRequest();
+        auto request = subscriber_.modeChangedRequest(suture::rpc::kUsualSize);
         request.setValue(wireMode(slot));
         return request.send().ignoreResult();
       }
       case numberOf(ArmEvent::stopped): {
-        return subscriber_.stoppedRequest().send().ignoreResult();
+        return subscriber_.stoppedRequest(suture::rpc::kUsualSize).send().ignoreResult();
       }
       case numberOf(ArmEvent::arrived): {
         const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(payload);
-        auto request = subscriber_.arrivedRequest();
+        auto request = subscriber_.arrivedRequest(suture::rpc::kUsualSize);
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
       case numberOf(ArmEvent::moved): {
         const auto& slot = *reinterpret_cast<const ArmMovedPayload*>(payload);
-        auto request = subscriber_.movedRequest();
+        auto request = subscriber_.movedRequest(suture::rpc::kUsualSize);
         toWire(slot.value, request.initValue());
         request.setValue2(slot.value2);
         request.setValue3(wireMode(slot.value3));
@@ -390,7 +392,7 @@ class ArmServant final : public wire::Arm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -402,7 +404,7 @@ class ArmServant final : public wire::Arm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const std::int8_t*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       out.setValue(wireMode(slot));
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -414,7 +416,7 @@ class ArmServant final : public wire::Arm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const EverythingSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -433,7 +435,7 @@ class ArmServant final : public wire::Arm::Server {
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const EverythingSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
     };
     return port_->call(numberOf(ArmCommand::inverse_kinematics), in.getSent(), fill, kj::mv(take));
@@ -450,7 +452,7 @@ class ArmServant final : public wire::Arm::Server {
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       out.setValue(slot != 0);
     };
     return port_->call(numberOf(ArmCommand::grasp), in.getSent(), fill, kj::mv(take));
@@ -460,7 +462,7 @@ class ArmServant final : public wire::Arm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const std::uint32_t*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       out.setValue(slot);
     };
     return port_->call(numberOf(ArmCommand::next_token), in.getSent(),
@@ -477,7 +479,7 @@ class ArmServant final : public wire::Arm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -577,26 +579,26 @@ class ArmProxy final : public suture::rpc::Proxy {
   kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
     switch (static_cast<ArmCommand>(record.command)) {
       case ArmCommand::enable: {
-        auto request = provider_.enableRequest();
+        auto request = provider_.enableRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmCommand::servo_cp: {
         const auto& slot = *reinterpret_cast<const ArmServoCpArguments*>(record.arguments());
-        auto request = provider_.servoCpRequest();
+        auto request = provider_.servoCpRequest(suture::rpc::kUsualSize);
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmCommand::set_speed: {
         const auto& slot = *reinterpret_cast<const ArmSetSpeedArguments*>(record.arguments());
-        auto request = provider_.setSpeedRequest();
+        auto request = provider_.setSpeedRequest(suture::rpc::kUsualSize);
         request.setSpeed(slot.speed);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmCommand::measured_cp: {
-        auto request = provider_.measuredCpRequest();
+        auto request = provider_.measuredCpRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
@@ -606,7 +608,7 @@ class ArmProxy final : public suture::rpc::Proxy {
         });
       }
       case ArmCommand::mode: {
-        auto request = provider_.modeRequest();
+        auto request = provider_.modeRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<std::int8_t>(call, response.getStamp(), [&](std::int8_t& answer) {
@@ -615,7 +617,7 @@ class ArmProxy final : public suture::rpc::Proxy {
         });
       }
       case ArmCommand::everything: {
-        auto request = provider_.everythingRequest();
+        auto request = provider_.everythingRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<EverythingSlot>(call, response.getStamp(), [&](EverythingSlot& answer) {
@@ -627,7 +629,7 @@ class ArmProxy final : public suture::rpc::Proxy {
       case ArmCommand::inverse_kinematics: {
         const auto& slot =
             *reinterpret_cast<const ArmInverseKinematicsArguments*>(record.arguments());
-        auto request = provider_.inverseKinematicsRequest();
+        auto request = provider_.inverseKinematicsRequest(suture::rpc::kUsualSize);
         toWire(slot.x, request.initX());
         request.setTolerance(slot.tolerance);
         suture::rpc::fill(request.initSent(), record);
@@ -640,7 +642,7 @@ class ArmProxy final : public suture::rpc::Proxy {
       }
       case ArmCommand::grasp: {
         const auto& slot = *reinterpret_cast<const ArmGraspArguments*>(record.arguments());
-        auto request = provider_.graspRequest();
+        auto request = provider_.graspRequest(suture::rpc::kUsualSize);
         request.setWidth(slot.width);
         request.setMode(wireMode(slot.mode));
         suture::rpc::fill(request.initSent(), record);
@@ -652,7 +654,7 @@ class ArmProxy final : public suture::rpc::Proxy {
         });
       }
       case ArmCommand::next_token: {
-        auto request = provider_.nextTokenRequest();
+        auto request = provider_.nextTokenRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<std::uint32_t>(call, [&](std::uint32_t& answer) {
@@ -662,12 +664,12 @@ class ArmProxy final : public suture::rpc::Proxy {
         });
       }
       case ArmCommand::park: {
-        auto request = provider_.parkRequest();
+        auto request = provider_.parkRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmCommand::load: {
-        auto request = provider_.loadRequest();
+        auto request = provider_.loadRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<double>(call, response.getStamp(), [&](double& answer) {

@@ -73,47 +73,49 @@ constexpr char kGripperDescription[] = R"json(
 {"name": "robots::Gripper", "doc": "An arm with a gripper.",
 "hash": "80297788a323ca7bff040107b64d3705", "core": "a9b1e581d8cd565de2fe8b81c0049693",
 "version": 2, "base": "robots::Arm", "since": 2, "commands": [{"name": "enable", "kind": "void",
-"queue": 4, "from": "robots::Arm"}, {"name": "servo_cp", "kind": "write", "doc": "Follow the goal.",
-"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
-"queue": 16, "latest": true, "ttl": 0.02, "from": "robots::Arm"}, {"name": "set_speed",
-"kind": "write", "parameters": [{"name": "speed", "type": {"kind": "Float64"}, "unit": "m/s"}],
-"queue": 16, "from": "robots::Arm"}, {"name": "measured_cp", "kind": "read", "result": {"type": {
-"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16, "from": "robots::Arm"}, {
-"name": "mode", "kind": "read", "result": {"type": {"kind": "enum", "name": "robots::Mode"}},
-"queue": 16, "from": "robots::Arm"}, {"name": "everything", "kind": "read", "result": {"type": {
+"queue": 4, "from": "robots::Arm"}, {"name": "servo_cp", "kind": "write", "wire": "servoCp",
+"doc": "Follow the goal.", "parameters": [{"name": "goal", "type": {"kind": "struct",
+"name": "robots::PoseStamped"}}], "queue": 16, "latest": true, "ttl": 0.02, "from": "robots::Arm"},
+{"name": "set_speed", "kind": "write", "wire": "setSpeed", "parameters": [{"name": "speed",
+"type": {"kind": "Float64"}, "unit": "m/s"}], "queue": 16, "from": "robots::Arm"}, {
+"name": "measured_cp", "kind": "read", "wire": "measuredCp", "result": {"type": {"kind": "struct",
+"name": "robots::PoseStamped"}}, "queue": 16, "from": "robots::Arm"}, {"name": "mode",
+"kind": "read", "result": {"type": {"kind": "enum", "name": "robots::Mode"}}, "queue": 16,
+"from": "robots::Arm"}, {"name": "everything", "kind": "read", "result": {"type": {
 "kind": "struct", "name": "robots::Everything"}}, "queue": 16, "from": "robots::Arm"}, {
-"name": "inverse_kinematics", "kind": "qualified read", "parameters": [{"name": "x", "type": {
-"kind": "struct", "name": "robots::PoseStamped"}}, {"name": "tolerance", "type": {"kind": "Float64"
-}, "range": [0.0, 1.0]}], "result": {"type": {"kind": "struct", "name": "robots::Everything"}},
-"queue": 16, "from": "robots::Arm"}, {"name": "grasp", "kind": "write with return",
-"doc": "Closes the gripper; answers whether it holds something.", "parameters": [{"name": "width",
-"type": {"kind": "Float64"}}, {"name": "mode", "type": {"kind": "enum", "name": "robots::Mode"}}],
-"result": {"type": {"kind": "Bool"}}, "queue": 2, "deadline": 0.05, "from": "robots::Arm"}, {
-"name": "next_token", "kind": "void with return", "result": {"type": {"kind": "UInt32"}},
-"queue": 16, "from": "robots::Arm", "since": 1}, {"name": "park", "kind": "void", "queue": 16,
-"optional": true, "direct": true, "from": "robots::Arm", "deprecated": "use enable"}, {
-"name": "load", "kind": "read", "result": {"type": {"kind": "Float64"}}, "queue": 16,
-"optional": true, "from": "robots::Arm"}, {"name": "open", "kind": "write", "parameters": [{
-"name": "width", "type": {"kind": "Float64"}, "unit": "m"}], "queue": 16}, {"name": "opening",
-"kind": "read", "result": {"type": {"kind": "Float64"}}, "queue": 16, "since": 2}, {"name": "fits",
-"kind": "qualified read", "parameters": [{"name": "width", "type": {"kind": "Float64"}}],
-"result": {"type": {"kind": "Bool"}}, "queue": 16, "concurrent": true}], "events": [{
-"name": "mode_changed", "kind": "write", "payload": {"type": {"kind": "enum", "name": "robots::Mode"
-}}, "queue": 8, "latched": true, "from": "robots::Arm"}, {"name": "stopped", "kind": "void",
-"queue": 16, "from": "robots::Arm"}, {"name": "arrived", "kind": "write", "payload": {"type": {
-"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16, "from": "robots::Arm"}, {
-"name": "moved", "kind": "write", "doc": "Where, how fast and why.", "payload": [{"name": "value",
-"type": {"kind": "struct", "name": "robots::PoseStamped"}}, {"name": "value2", "type": {
-"kind": "Float64"}}, {"name": "value3", "type": {"kind": "enum", "name": "robots::Mode"}}],
-"queue": 16, "latched": true, "from": "robots::Arm"}, {"name": "gripped", "kind": "write",
-"payload": [{"name": "value", "type": {"kind": "Float64"}}, {"name": "value2", "type": {
-"kind": "Bool"}}], "queue": 16, "since": 2}], "enums": [{"name": "robots::Mode",
-"doc": "What the arm does.", "underlying": "Int8", "enumerators": [{"name": "Disabled", "value": -1
-}, {"name": "HoldStill", "value": 4, "doc": "Brakes off, set-point frozen."}, {"name": "Servo",
-"value": 2}]}], "structs": [{"name": "robots::PoseStamped", "doc": "A pose with its time.",
-"fields": [{"name": "pose", "type": {"kind": "isometry", "scalar": "Float64"}}, {"name": "stamp",
-"type": {"kind": "time", "clock": "steady"}}, {"name": "valid", "type": {"kind": "Bool"},
-"default": false}]}, {"name": "robots::Everything",
+"name": "inverse_kinematics", "kind": "qualified read", "wire": "inverseKinematics", "parameters": [
+{"name": "x", "type": {"kind": "struct", "name": "robots::PoseStamped"}}, {"name": "tolerance",
+"type": {"kind": "Float64"}, "range": [0.0, 1.0]}], "result": {"type": {"kind": "struct",
+"name": "robots::Everything"}}, "queue": 16, "from": "robots::Arm"}, {"name": "grasp",
+"kind": "write with return", "doc": "Closes the gripper; answers whether it holds something.",
+"parameters": [{"name": "width", "type": {"kind": "Float64"}}, {"name": "mode", "type": {
+"kind": "enum", "name": "robots::Mode"}}], "result": {"type": {"kind": "Bool"}}, "queue": 2,
+"deadline": 0.05, "from": "robots::Arm"}, {"name": "next_token", "kind": "void with return",
+"wire": "nextToken", "result": {"type": {"kind": "UInt32"}}, "queue": 16, "from": "robots::Arm",
+"since": 1}, {"name": "park", "kind": "void", "queue": 16, "optional": true, "direct": true,
+"from": "robots::Arm", "deprecated": "use enable"}, {"name": "load", "kind": "read", "result": {
+"type": {"kind": "Float64"}}, "queue": 16, "optional": true, "from": "robots::Arm"}, {
+"name": "open", "kind": "write", "parameters": [{"name": "width", "type": {"kind": "Float64"},
+"unit": "m"}], "queue": 16}, {"name": "opening", "kind": "read", "result": {"type": {
+"kind": "Float64"}}, "queue": 16, "since": 2}, {"name": "fits", "kind": "qualified read",
+"parameters": [{"name": "width", "type": {"kind": "Float64"}}], "result": {"type": {"kind": "Bool"}
+}, "queue": 16, "concurrent": true}], "events": [{"name": "mode_changed", "kind": "write",
+"wire": "modeChanged", "payload": {"type": {"kind": "enum", "name": "robots::Mode"}}, "queue": 8,
+"latched": true, "from": "robots::Arm"}, {"name": "stopped", "kind": "void", "queue": 16,
+"from": "robots::Arm"}, {"name": "arrived", "kind": "write", "payload": {"type": {"kind": "struct",
+"name": "robots::PoseStamped"}}, "queue": 16, "from": "robots::Arm"}, {"name": "moved",
+"kind": "write", "doc": "Where, how fast and why.", "payload": [{"name": "value", "type": {
+"kind": "struct", "name": "robots::PoseStamped"}}, {"name": "value2", "type": {"kind": "Float64"}},
+{"name": "value3", "type": {"kind": "enum", "name": "robots::Mode"}}], "queue": 16, "latched": true,
+"from": "robots::Arm"}, {"name": "gripped", "kind": "write", "payload": [{"name": "value", "type": {
+"kind": "Float64"}}, {"name": "value2", "type": {"kind": "Bool"}}], "queue": 16, "since": 2}],
+"enums": [{"name": "robots::Mode", "doc": "What the arm does.", "underlying": "Int8",
+"enumerators": [{"name": "Disabled", "value": -1, "wire": "disabled"}, {"name": "HoldStill",
+"value": 4, "wire": "holdStill", "doc": "Brakes off, set-point frozen."}, {"name": "Servo",
+"value": 2, "wire": "servo"}]}], "structs": [{"name": "robots::PoseStamped",
+"doc": "A pose with its time.", "fields": [{"name": "pose", "type": {"kind": "isometry",
+"scalar": "Float64"}}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {
+"name": "valid", "type": {"kind": "Bool"}, "default": false}]}, {"name": "robots::Everything",
 "doc": "Every kind of member.\n\nTwo paragraphs.", "fields": [{"name": "on", "type": {
 "kind": "Bool"}, "default": false}, {"name": "tiny", "type": {"kind": "Int8"}, "default": 0}, {
 "name": "count", "type": {"kind": "UInt64"}, "default": 0}, {"name": "speed",
@@ -162,11 +164,11 @@ constexpr char kNamesDescription[] = R"json(
 {"name": "robots::Names", "doc": "Members that are called as arguments of the annotations are.",
 "hash": "2f3178fb14b2b262c7b70ba44253bffb", "commands": [{"name": "queue", "kind": "write",
 "parameters": [{"name": "name", "type": {"kind": "Int32"}}], "queue": 4}, {"name": "name",
-"kind": "write with return", "parameters": [{"name": "range", "type": {"kind": "Float64"}}, {
-"name": "slot", "type": {"kind": "Float64"}}], "result": {"type": {"kind": "Bool"}}, "queue": 16}, {
-"name": "range", "kind": "read", "result": {"type": {"kind": "Float64"}}, "queue": 16}], "events": [
-{"name": "latched", "kind": "write", "payload": {"type": {"kind": "Float64"}}, "queue": 16,
-"latched": true}], "enums": [], "structs": []})json";
+"kind": "write with return", "wire": "title", "parameters": [{"name": "range", "type": {
+"kind": "Float64"}}, {"name": "slot", "type": {"kind": "Float64"}}], "result": {"type": {
+"kind": "Bool"}}, "queue": 16}, {"name": "range", "kind": "read", "result": {"type": {
+"kind": "Float64"}}, "queue": 16}], "events": [{"name": "latched", "kind": "write", "payload": {
+"type": {"kind": "Float64"}}, "queue": 16, "latched": true}], "enums": [], "structs": []})json";
 
 }  // namespace
 
@@ -183,22 +185,22 @@ class GripperSink final : public suture::rpc::EventSink {
     switch (event) {
       case numberOf(ArmEvent::mode_changed): {
         const auto& slot = *reinterpret_cast<const std::int8_t*>(payload);
-        auto request = subscriber_.modeChangedRequest();
+        auto request = subscriber_.modeChangedRequest(suture::rpc::kUsualSize);
         request.setValue(wireMode(slot));
         return request.send().ignoreResult();
       }
       case numberOf(ArmEvent::stopped): {
-        return subscriber_.stoppedRequest().send().ignoreResult();
+        return subscriber_.stoppedRequest(suture::rpc::kUsualSize).send().ignoreResult();
       }
       case numberOf(ArmEvent::arrived): {
         const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(payload);
-        auto request = subscriber_.arrivedRequest();
+        auto request = subscriber_.arrivedRequest(suture::rpc::kUsualSize);
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
       case numberOf(ArmEvent::moved): {
         const auto& slot = *reinterpret_cast<const ArmMovedPayload*>(payload);
-        auto request = subscriber_.movedRequest();
+        auto request = subscriber_.movedRequest(suture::rpc::kUsualSize);
         toWire(slot.value, request.initValue());
         request.setValue2(slot.value2);
         request.setValue3(wireMode(slot.value3));
@@ -206,7 +208,7 @@ class GripperSink final : public suture::rpc::EventSink {
       }
       case numberOf(GripperEvent::gripped): {
         const auto& slot = *reinterpret_cast<const GripperGrippedPayload*>(payload);
-        auto request = subscriber_.grippedRequest();
+        auto request = subscriber_.grippedRequest(suture::rpc::kUsualSize);
         request.setValue(slot.value);
         request.setValue2(slot.value2 != 0);
         return request.send().ignoreResult();
@@ -285,7 +287,7 @@ class GripperServant final : public wire::Gripper::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -302,7 +304,7 @@ class GripperServant final : public wire::Gripper::Server {
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       out.setValue(slot != 0);
     };
     return port_->call(numberOf(GripperCommand::fits), in.getSent(), fill, kj::mv(take));
@@ -418,13 +420,13 @@ class GripperProxy final : public suture::rpc::Proxy {
     switch (static_cast<GripperCommand>(record.command)) {
       case GripperCommand::open: {
         const auto& slot = *reinterpret_cast<const GripperOpenArguments*>(record.arguments());
-        auto request = provider_.openRequest();
+        auto request = provider_.openRequest(suture::rpc::kUsualSize);
         request.setWidth(slot.width);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case GripperCommand::opening: {
-        auto request = provider_.openingRequest();
+        auto request = provider_.openingRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<double>(call, response.getStamp(), [&](double& answer) {
@@ -435,7 +437,7 @@ class GripperProxy final : public suture::rpc::Proxy {
       }
       case GripperCommand::fits: {
         const auto& slot = *reinterpret_cast<const GripperFitsArguments*>(record.arguments());
-        auto request = provider_.fitsRequest();
+        auto request = provider_.fitsRequest(suture::rpc::kUsualSize);
         request.setWidth(slot.width);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
@@ -485,7 +487,7 @@ class NamesSink final : public suture::rpc::EventSink {
     switch (event) {
       case numberOf(NamesEvent::latched): {
         const auto& slot = *reinterpret_cast<const double*>(payload);
-        auto request = subscriber_.latchedRequest();
+        auto request = subscriber_.latchedRequest(suture::rpc::kUsualSize);
         request.setValue(slot);
         return request.send().ignoreResult();
       }
@@ -543,7 +545,7 @@ class NamesServant final : public wire::Names::Server {
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       out.setValue(slot != 0);
     };
     return port_->call(numberOf(NamesCommand::name), in.getSent(), fill, kj::mv(take));
@@ -553,7 +555,7 @@ class NamesServant final : public wire::Names::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -615,14 +617,14 @@ class NamesProxy final : public suture::rpc::Proxy {
     switch (static_cast<NamesCommand>(record.command)) {
       case NamesCommand::queue: {
         const auto& slot = *reinterpret_cast<const NamesQueueArguments*>(record.arguments());
-        auto request = provider_.queueRequest();
+        auto request = provider_.queueRequest(suture::rpc::kUsualSize);
         request.setName(slot.name);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case NamesCommand::name: {
         const auto& slot = *reinterpret_cast<const NamesNameArguments*>(record.arguments());
-        auto request = provider_.titleRequest();
+        auto request = provider_.titleRequest(suture::rpc::kUsualSize);
         request.setRange(slot.range);
         request.setSlot(slot.slot);
         suture::rpc::fill(request.initSent(), record);
@@ -634,7 +636,7 @@ class NamesProxy final : public suture::rpc::Proxy {
         });
       }
       case NamesCommand::range: {
-        auto request = provider_.rangeRequest();
+        auto request = provider_.rangeRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<double>(call, response.getStamp(), [&](double& answer) {

@@ -139,16 +139,17 @@ constexpr char kStoreDescription[] = R"json(
 "kind": "variant", "alternatives": [{"kind": "Float64"}, {"kind": "struct", "name": "shapes::Point"
 }]}}, "queue": 16}], "enums": [{"name": "shapes::Level",
 "doc": "Sparse, negative, and ready for what later versions add.", "underlying": "Int16",
-"enumerators": [{"name": "Unknown", "value": -1, "fallback": true}, {"name": "Low", "value": 10}, {
-"name": "High", "value": 300}]}], "structs": [{"name": "shapes::Point",
-"doc": "Parts of other types.", "fields": [{"name": "x", "type": {"kind": "Float64"}, "unit": "m",
-"range": [-10.0, 10.0], "default": 0.0}, {"name": "y", "type": {"kind": "Float64"}, "default": 0.0}
-]}, {"name": "shapes::Sequences", "doc": "Sequences, sets and maps.", "fields": [{"name": "bytes",
-"type": {"kind": "list", "element": {"kind": "UInt8"}, "capacity": 8}}, {"name": "one", "type": {
-"kind": "UInt8"}}, {"name": "row", "type": {"kind": "array", "element": {"kind": "Float64"},
-"length": 3}}, {"name": "grid", "type": {"kind": "array", "element": {"kind": "array", "element": {
-"kind": "Int32"}, "length": 3}, "length": 2}}, {"name": "corners", "type": {"kind": "array",
-"element": {"kind": "struct", "name": "shapes::Point"}, "length": 2}}, {"name": "path", "type": {
+"enumerators": [{"name": "Unknown", "value": -1, "wire": "unknown", "fallback": true}, {
+"name": "Low", "value": 10, "wire": "low"}, {"name": "High", "value": 300, "wire": "high"}]}],
+"structs": [{"name": "shapes::Point", "doc": "Parts of other types.", "fields": [{"name": "x",
+"type": {"kind": "Float64"}, "unit": "m", "range": [-10.0, 10.0], "default": 0.0}, {"name": "y",
+"type": {"kind": "Float64"}, "default": 0.0}]}, {"name": "shapes::Sequences",
+"doc": "Sequences, sets and maps.", "fields": [{"name": "bytes", "type": {"kind": "list",
+"element": {"kind": "UInt8"}, "capacity": 8}}, {"name": "one", "type": {"kind": "UInt8"}}, {
+"name": "row", "type": {"kind": "array", "element": {"kind": "Float64"}, "length": 3}}, {
+"name": "grid", "type": {"kind": "array", "element": {"kind": "array", "element": {"kind": "Int32"
+}, "length": 3}, "length": 2}}, {"name": "corners", "type": {"kind": "array", "element": {
+"kind": "struct", "name": "shapes::Point"}, "length": 2}}, {"name": "path", "type": {
 "kind": "list", "element": {"kind": "struct", "name": "shapes::Point"}, "capacity": 3}}, {
 "name": "bits", "type": {"kind": "list", "element": {"kind": "Bool"}, "capacity": 4}}, {
 "name": "flags", "type": {"kind": "list", "element": {"kind": "Bool"}, "capacity": 4}}, {
@@ -737,7 +738,7 @@ class StoreSink final : public suture::rpc::EventSink {
       case numberOf(StoreEvent::changed): {
         const auto& slot =
             *reinterpret_cast<const suture::SlotVariant<double, PointSlot>*>(payload);
-        auto request = subscriber_.changedRequest();
+        auto request = subscriber_.changedRequest(suture::rpc::kUsualSize);
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
@@ -815,7 +816,7 @@ class StoreServant final : public wire::Store::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const SequencesSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -827,7 +828,7 @@ class StoreServant final : public wire::Store::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const ChoicesSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -839,7 +840,7 @@ class StoreServant final : public wire::Store::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const MatricesSlot*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -851,7 +852,7 @@ class StoreServant final : public wire::Store::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const suture::SlotTuple<double, std::int16_t>*>(result);
-      auto out = context.getResults();
+      auto out = context.getResults(suture::rpc::kUsualSize);
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -932,20 +933,20 @@ class StoreProxy final : public suture::rpc::Proxy {
     switch (static_cast<StoreCommand>(record.command)) {
       case StoreCommand::put: {
         const auto& slot = *reinterpret_cast<const StorePutArguments*>(record.arguments());
-        auto request = provider_.putRequest();
+        auto request = provider_.putRequest(suture::rpc::kUsualSize);
         toWire(slot.value, request.initValue());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case StoreCommand::choose: {
         const auto& slot = *reinterpret_cast<const StoreChooseArguments*>(record.arguments());
-        auto request = provider_.chooseRequest();
+        auto request = provider_.chooseRequest(suture::rpc::kUsualSize);
         toWire(slot.gain, request.initGain());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case StoreCommand::sequences: {
-        auto request = provider_.sequencesRequest();
+        auto request = provider_.sequencesRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<SequencesSlot>(call, response.getStamp(), [&](SequencesSlot& answer) {
@@ -955,7 +956,7 @@ class StoreProxy final : public suture::rpc::Proxy {
         });
       }
       case StoreCommand::choices: {
-        auto request = provider_.choicesRequest();
+        auto request = provider_.choicesRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<ChoicesSlot>(call, response.getStamp(), [&](ChoicesSlot& answer) {
@@ -965,7 +966,7 @@ class StoreProxy final : public suture::rpc::Proxy {
         });
       }
       case StoreCommand::matrices: {
-        auto request = provider_.matricesRequest();
+        auto request = provider_.matricesRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<MatricesSlot>(call, response.getStamp(), [&](MatricesSlot& answer) {
@@ -975,7 +976,7 @@ class StoreProxy final : public suture::rpc::Proxy {
         });
       }
       case StoreCommand::reading: {
-        auto request = provider_.readingRequest();
+        auto request = provider_.readingRequest(suture::rpc::kUsualSize);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<suture::SlotTuple<double, std::int16_t>>(call, response.getStamp(),
