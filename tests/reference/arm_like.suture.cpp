@@ -17,6 +17,8 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::rpc::ProxyPort;
+using suture::rpc::ServantPort;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
@@ -24,8 +26,6 @@ using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
 
@@ -132,7 +132,9 @@ Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, Duration shif
   return in.hasPose() ? fromWire(in.getPose(), slot.pose) : Errc::Invalid;
 }
 
-bool isValid(const PoseStampedSlot& slot) { return isValid(slot.pose); }
+bool isValid(const PoseStampedSlot& slot) {
+  return isValid(slot.pose);
+}
 
 void toWire(const JointStateSlot& slot, wire::JointState::Builder out) {
   toWire(slot.name, out.initName(slot.name.size));
@@ -146,7 +148,9 @@ Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, Duration) {
   });
 }
 
-bool isValid(const JointStateSlot& slot) { return isValid(slot.position); }
+bool isValid(const JointStateSlot& slot) {
+  return isValid(slot.position);
+}
 
 namespace {
 
@@ -266,9 +270,8 @@ class ArmLikeServant final : public wire::ArmLike::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(
-        numberOf(ArmLikeCommand::measured_cp), in.getSent(), [](std::byte*) { return Errc{}; },
-        kj::mv(take));
+    return port_->call(numberOf(ArmLikeCommand::measured_cp), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
   kj::Promise<void> measuredJs(MeasuredJsContext context) override {
@@ -279,9 +282,8 @@ class ArmLikeServant final : public wire::ArmLike::Server {
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(
-        numberOf(ArmLikeCommand::measured_js), in.getSent(), [](std::byte*) { return Errc{}; },
-        kj::mv(take));
+    return port_->call(numberOf(ArmLikeCommand::measured_js), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
   kj::Promise<void> distance(DistanceContext context) override {
@@ -327,9 +329,8 @@ class ArmLikeServant final : public wire::ArmLike::Server {
       auto out = context.getResults(suture::rpc::kUsualSize);
       out.setValue(slot);
     };
-    return port_->call(
-        numberOf(ArmLikeCommand::reset), in.getSent(), [](std::byte*) { return Errc{}; },
-        kj::mv(take));
+    return port_->call(numberOf(ArmLikeCommand::reset), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
   kj::Promise<void> limit(LimitContext context) override {
@@ -461,7 +462,7 @@ class ArmLikeProxy final : public suture::rpc::Proxy {
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                                       : Errc::Invalid;
+                : Errc::Invalid;
           });
         });
       }
@@ -471,7 +472,7 @@ class ArmLikeProxy final : public suture::rpc::Proxy {
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                                       : Errc::Invalid;
+                : Errc::Invalid;
           });
         });
       }
@@ -608,8 +609,8 @@ Errc Provided<reference::ArmLike>::execute(std::uint16_t command, const std::byt
       const auto& slot = *reinterpret_cast<const reference::ArmLikeDistanceArguments*>(arguments);
       load(slot.to, scratch_.distance_to);
       auto& answer = *reinterpret_cast<double*>(result);
-      return store(implementation_.distance(scratch_.distance_to), answer) ? Errc{}
-                                                                           : Errc::TooLarge;
+      return store(implementation_.distance(scratch_.distance_to), answer)
+          ? Errc{} : Errc::TooLarge;
     }
     case ArmLikeCommand::move: {
       const auto& slot = *reinterpret_cast<const reference::ArmLikeMoveArguments*>(arguments);
@@ -618,10 +619,7 @@ Errc Provided<reference::ArmLike>::execute(std::uint16_t command, const std::byt
       load(slot.reason, scratch_.move_reason);
       auto& answer = *reinterpret_cast<std::uint8_t*>(result);
       return store(implementation_.move(scratch_.move_goal, scratch_.move_speed,
-                                        scratch_.move_reason),
-                   answer)
-                 ? Errc{}
-                 : Errc::TooLarge;
+                                        scratch_.move_reason), answer) ? Errc{} : Errc::TooLarge;
     }
     case ArmLikeCommand::reset: {
       auto& slot = *reinterpret_cast<std::uint32_t*>(result);

@@ -29,6 +29,8 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::rpc::ProxyPort;
+using suture::rpc::ServantPort;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
@@ -36,8 +38,6 @@ using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
 
@@ -72,8 +72,8 @@ namespace {
 /// Makes remote calls of a subscriber's events and rows.
 class GripperArmSink final : public suture::rpc::EventSink {
  public:
-  explicit GripperArmSink(wire::GripperArmEvents::Client subscriber)
-      : subscriber_(kj::mv(subscriber)) {}
+  explicit GripperArmSink(wire::GripperArmEvents::Client subscriber) :
+      subscriber_(kj::mv(subscriber)) {}
 
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
     switch (event) {
@@ -181,9 +181,8 @@ class GripperArmServant final : public wire::GripperArm::Server {
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
     };
-    return port_->call(
-        numberOf(GripperArmCommand::opening), in.getSent(), [](std::byte*) { return Errc{}; },
-        kj::mv(take));
+    return port_->call(numberOf(GripperArmCommand::opening), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
  private:
@@ -339,10 +338,10 @@ namespace suture {
 
 template <>
 const InterfaceInfo& interfaceInfo<reference::GripperArm>() {
-  static const auto kCommands =
-      extended<13>(interfaceInfo<reference::ArmLike>().commands, reference::kGripperArmCommands);
-  static const auto kEvents =
-      extended<5>(interfaceInfo<reference::ArmLike>().events, reference::kGripperArmEvents);
+  static const auto kCommands = extended<13>(interfaceInfo<reference::ArmLike>().commands,
+                                             reference::kGripperArmCommands);
+  static const auto kEvents = extended<5>(interfaceInfo<reference::ArmLike>().events,
+                                          reference::kGripperArmEvents);
   static const InterfaceInfo kInfo{
       .name = "reference::GripperArm",
       .hash = "gripper",

@@ -44,7 +44,7 @@ void toWire(const BoundedMatrix<S, R, C>& slot, Builder out) {
   const std::uint32_t count = slot.rows * slot.columns;
   if constexpr (std::is_same_v<decltype(out.initData(0)), capnp::Data::Builder>) {  // bulk()
     auto data = out.initData(count * sizeof(S));
-    std::memcpy(data.begin(), slot.data, data.size());
+    std::copy_n(reinterpret_cast<const kj::byte*>(slot.data), data.size(), data.begin());
   } else {
     auto data = out.initData(count);
     for (std::uint32_t i = 0; i < count; ++i) data.set(i, slot.data[i]);
@@ -59,7 +59,7 @@ Errc fromWire(Reader in, BoundedMatrix<S, R, C>& slot) {
   const std::uint64_t count = std::uint64_t{slot.rows} * slot.columns;
   if constexpr (std::is_same_v<decltype(in.getData()), capnp::Data::Reader>) {  // bulk()
     if (data.size() != count * sizeof(S)) return Errc::Invalid;
-    std::memcpy(slot.data, data.begin(), data.size());
+    std::copy_n(data.begin(), data.size(), reinterpret_cast<kj::byte*>(slot.data));
   } else {
     if (data.size() != count) return Errc::Invalid;
     for (std::uint32_t i = 0; i < data.size(); ++i) slot.data[i] = data[i];

@@ -61,6 +61,14 @@ TEST(Bulk, WhatIsCutOrTooLongIsRefused) {
   EXPECT_EQ(trip.receive(), Errc::Invalid);
 }
 
+TEST(Bulk, AnEmptyMatrixMayHaveNoBlock) {
+  Trip trip;
+  auto image = trip.send(full()).getImage();
+  image.setRows(0);
+  image.disownData();
+  EXPECT_EQ(trip.receive(), Errc{});
+}
+
 TEST(Bulk, NumbersAreJudgedLikeOthers) {
   Trip trip;
   Bulk value = full(), received;
