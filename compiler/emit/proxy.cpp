@@ -95,7 +95,7 @@ void emitCase(Code& code, const Context& context, const model::Interface& interf
               relative(argumentsStruct(interface, command), home(context)),
               "*>(record.arguments());");
   }
-  code.line("auto request = provider_.", command.wireName, "Request(suture::rpc::kUsualSize);");
+  code.line("auto request = provider_.", command.wireName, "Request();");
   for (const model::Parameter& one : command.parameters) {
     code.line(encode({one.type, one.wireName, "slot." + one.name, {}}, "request", context), ";");
   }

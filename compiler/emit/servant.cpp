@@ -16,12 +16,12 @@ void emitSinkCase(Code& code, const Context& context, const model::Interface& in
                   const model::Event& event) {
   code.open("case ", eventNumber(interface, event, home(context)), ": {");
   if (event.payload.empty()) {
-    code.line("return subscriber_.", event.wireName, "Request(suture::rpc::kUsualSize)", kBreakText,
+    code.line("return subscriber_.", event.wireName, "Request()", kBreakText,
               ".send().ignoreResult();");
   } else {
     code.line("const auto& slot = ", kBreakText, "*reinterpret_cast<const ",
               payloadSlot(interface, event, context, home(context)), "*>(payload);");
-    code.line("auto request = subscriber_.", event.wireName, "Request(suture::rpc::kUsualSize);");
+    code.line("auto request = subscriber_.", event.wireName, "Request();");
     for (const WireValue& value : payloadValues(event)) {
       code.line(encode(value, "request", context), ";");
     }
@@ -137,7 +137,7 @@ void emitTake(Code& code, const Context& context, const model::Command& command)
             ") mutable {");
   code.line("const auto& slot = ", kBreakText, "*reinterpret_cast<const ",
             slotType(type, context, home(context)), "*>(result);");
-  code.line("auto out = context.getResults(suture::rpc::kUsualSize);");
+  code.line("auto out = context.getResults();");
   code.line(encode({type, "value", "slot", {}}, "out", context), ";");
   if (stamped) code.line("out.setStamp(suture::toNanoseconds(stamp));");
   code.close("};");

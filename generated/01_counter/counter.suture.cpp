@@ -72,7 +72,7 @@ class CounterSink final : public suture::rpc::EventSink {
     switch (event) {
       case numberOf(CounterEvent::ten_more): {
         const auto& slot = *reinterpret_cast<const std::int64_t*>(payload);
-        auto request = subscriber_.tenMoreRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.tenMoreRequest();
         request.setValue(slot);
         return request.send().ignoreResult();
       }
@@ -124,7 +124,7 @@ class CounterServant final : public wire::Counter::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const std::int64_t*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -186,13 +186,13 @@ class CounterProxy final : public suture::rpc::Proxy {
     switch (static_cast<CounterCommand>(record.command)) {
       case CounterCommand::add: {
         const auto& slot = *reinterpret_cast<const CounterAddArguments*>(record.arguments());
-        auto request = provider_.addRequest(suture::rpc::kUsualSize);
+        auto request = provider_.addRequest();
         request.setAmount(slot.amount);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CounterCommand::value: {
-        auto request = provider_.valueRequest(suture::rpc::kUsualSize);
+        auto request = provider_.valueRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<std::int64_t>(call, response.getStamp(), [&](std::int64_t& answer) {

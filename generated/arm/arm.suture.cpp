@@ -262,19 +262,19 @@ class ArmSink final : public suture::rpc::EventSink {
     switch (event) {
       case numberOf(ArmEvent::operating_state): {
         const auto& slot = *reinterpret_cast<const OperatingStateSlot*>(payload);
-        auto request = subscriber_.operatingStateRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.operatingStateRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
       case numberOf(ArmEvent::goal_reached): {
         const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
-        auto request = subscriber_.goalReachedRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.goalReachedRequest();
         request.setValue(slot != 0);
         return request.send().ignoreResult();
       }
       case numberOf(ArmEvent::warning): {
         const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
-        auto request = subscriber_.warningRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.warningRequest();
         request.setValue(wireArmWarning(slot));
         return request.send().ignoreResult();
       }
@@ -392,7 +392,7 @@ class ArmServant final : public wire::Arm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -404,7 +404,7 @@ class ArmServant final : public wire::Arm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -416,7 +416,7 @@ class ArmServant final : public wire::Arm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -428,7 +428,7 @@ class ArmServant final : public wire::Arm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -440,7 +440,7 @@ class ArmServant final : public wire::Arm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const OperatingStateSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -458,7 +458,7 @@ class ArmServant final : public wire::Arm::Server {
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
     };
     return port_->call(numberOf(ArmCommand::forward_kinematics), in.getSent(), fill, kj::mv(take));
@@ -475,7 +475,7 @@ class ArmServant final : public wire::Arm::Server {
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const JointSolutionSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
     };
     return port_->call(numberOf(ArmCommand::inverse_kinematics), in.getSent(), fill, kj::mv(take));
@@ -574,48 +574,48 @@ class ArmProxy final : public suture::rpc::Proxy {
   kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
     switch (static_cast<ArmCommand>(record.command)) {
       case ArmCommand::enable: {
-        auto request = provider_.enableRequest(suture::rpc::kUsualSize);
+        auto request = provider_.enableRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmCommand::disable: {
-        auto request = provider_.disableRequest(suture::rpc::kUsualSize);
+        auto request = provider_.disableRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmCommand::home: {
-        auto request = provider_.homeRequest(suture::rpc::kUsualSize);
+        auto request = provider_.homeRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmCommand::hold: {
-        auto request = provider_.holdRequest(suture::rpc::kUsualSize);
+        auto request = provider_.holdRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmCommand::servo_cp: {
         const auto& slot = *reinterpret_cast<const ArmServoCpArguments*>(record.arguments());
-        auto request = provider_.servoCpRequest(suture::rpc::kUsualSize);
+        auto request = provider_.servoCpRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmCommand::servo_jp: {
         const auto& slot = *reinterpret_cast<const ArmServoJpArguments*>(record.arguments());
-        auto request = provider_.servoJpRequest(suture::rpc::kUsualSize);
+        auto request = provider_.servoJpRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmCommand::move_jp: {
         const auto& slot = *reinterpret_cast<const ArmMoveJpArguments*>(record.arguments());
-        auto request = provider_.moveJpRequest(suture::rpc::kUsualSize);
+        auto request = provider_.moveJpRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmCommand::measured_js: {
-        auto request = provider_.measuredJsRequest(suture::rpc::kUsualSize);
+        auto request = provider_.measuredJsRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
@@ -625,7 +625,7 @@ class ArmProxy final : public suture::rpc::Proxy {
         });
       }
       case ArmCommand::setpoint_js: {
-        auto request = provider_.setpointJsRequest(suture::rpc::kUsualSize);
+        auto request = provider_.setpointJsRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
@@ -635,7 +635,7 @@ class ArmProxy final : public suture::rpc::Proxy {
         });
       }
       case ArmCommand::measured_cp: {
-        auto request = provider_.measuredCpRequest(suture::rpc::kUsualSize);
+        auto request = provider_.measuredCpRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
@@ -645,7 +645,7 @@ class ArmProxy final : public suture::rpc::Proxy {
         });
       }
       case ArmCommand::setpoint_cp: {
-        auto request = provider_.setpointCpRequest(suture::rpc::kUsualSize);
+        auto request = provider_.setpointCpRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
@@ -655,7 +655,7 @@ class ArmProxy final : public suture::rpc::Proxy {
         });
       }
       case ArmCommand::operating_state: {
-        auto request = provider_.operatingStateRequest(suture::rpc::kUsualSize);
+        auto request = provider_.operatingStateRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<OperatingStateSlot>(call, response.getStamp(),
@@ -668,7 +668,7 @@ class ArmProxy final : public suture::rpc::Proxy {
       case ArmCommand::forward_kinematics: {
         const auto& slot =
             *reinterpret_cast<const ArmForwardKinematicsArguments*>(record.arguments());
-        auto request = provider_.forwardKinematicsRequest(suture::rpc::kUsualSize);
+        auto request = provider_.forwardKinematicsRequest();
         toWire(slot.q, request.initQ());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
@@ -681,7 +681,7 @@ class ArmProxy final : public suture::rpc::Proxy {
       case ArmCommand::inverse_kinematics: {
         const auto& slot =
             *reinterpret_cast<const ArmInverseKinematicsArguments*>(record.arguments());
-        auto request = provider_.inverseKinematicsRequest(suture::rpc::kUsualSize);
+        auto request = provider_.inverseKinematicsRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {

@@ -654,61 +654,61 @@ class CrtkArmSink final : public suture::rpc::EventSink {
     switch (event) {
       case numberOf(CrtkArmEvent::operating_state): {
         const auto& slot = *reinterpret_cast<const OperatingStateSlot*>(payload);
-        auto request = subscriber_.operatingStateRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.operatingStateRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
       case numberOf(CrtkArmEvent::desired_state): {
         const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
-        auto request = subscriber_.desiredStateRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.desiredStateRequest();
         request.setValue(wireArmState(slot));
         return request.send().ignoreResult();
       }
       case numberOf(CrtkArmEvent::goal_reached): {
         const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
-        auto request = subscriber_.goalReachedRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.goalReachedRequest();
         request.setValue(slot != 0);
         return request.send().ignoreResult();
       }
       case numberOf(CrtkArmEvent::gravity_compensation): {
         const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
-        auto request = subscriber_.gravityCompensationRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.gravityCompensationRequest();
         request.setValue(slot != 0);
         return request.send().ignoreResult();
       }
       case numberOf(CrtkArmEvent::trajectory_j_ratio): {
         const auto& slot = *reinterpret_cast<const double*>(payload);
-        auto request = subscriber_.trajectoryJRatioRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.trajectoryJRatioRequest();
         request.setValue(slot);
         return request.send().ignoreResult();
       }
       case numberOf(CrtkArmEvent::trajectory_j_ratio_v): {
         const auto& slot = *reinterpret_cast<const double*>(payload);
-        auto request = subscriber_.trajectoryJRatioVRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.trajectoryJRatioVRequest();
         request.setValue(slot);
         return request.send().ignoreResult();
       }
       case numberOf(CrtkArmEvent::trajectory_j_ratio_a): {
         const auto& slot = *reinterpret_cast<const double*>(payload);
-        auto request = subscriber_.trajectoryJRatioARequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.trajectoryJRatioARequest();
         request.setValue(slot);
         return request.send().ignoreResult();
       }
       case numberOf(CrtkArmEvent::status): {
         const auto& slot = *reinterpret_cast<const MessageSlot*>(payload);
-        auto request = subscriber_.statusRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.statusRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
       case numberOf(CrtkArmEvent::warning): {
         const auto& slot = *reinterpret_cast<const MessageSlot*>(payload);
-        auto request = subscriber_.warningRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.warningRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
       case numberOf(CrtkArmEvent::error): {
         const auto& slot = *reinterpret_cast<const MessageSlot*>(payload);
-        auto request = subscriber_.errorRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.errorRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
@@ -834,7 +834,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JointConfigurationSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -846,7 +846,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const OperatingStateSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -858,7 +858,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const IntervalStatisticsSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -915,7 +915,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -927,7 +927,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -939,7 +939,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -951,7 +951,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -963,7 +963,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -975,7 +975,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -987,7 +987,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -999,7 +999,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -1011,7 +1011,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const TwistSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -1023,7 +1023,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const TwistSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -1035,7 +1035,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const WrenchSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -1047,7 +1047,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const WrenchSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -1059,7 +1059,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const CartesianStateSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -1071,7 +1071,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JacobianSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -1083,7 +1083,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JacobianSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -1095,7 +1095,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -1327,7 +1327,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -1339,7 +1339,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -1351,7 +1351,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -1369,7 +1369,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
     };
     return port_->call(numberOf(CrtkArmCommand::forward_kinematics), in.getSent(),
@@ -1387,7 +1387,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const JointSolutionSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
     };
     return port_->call(numberOf(CrtkArmCommand::inverse_kinematics), in.getSent(),
@@ -1404,7 +1404,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
     };
     return port_->call(numberOf(CrtkArmCommand::query_cp), in.getSent(), fill, kj::mv(take));
@@ -1420,7 +1420,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
     };
     return port_->call(numberOf(CrtkArmCommand::local_query_cp), in.getSent(), fill, kj::mv(take));
@@ -1674,7 +1674,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
   kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
     switch (static_cast<CrtkArmCommand>(record.command)) {
       case CrtkArmCommand::configuration_js: {
-        auto request = provider_.configurationJsRequest(suture::rpc::kUsualSize);
+        auto request = provider_.configurationJsRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<JointConfigurationSlot>(call, response.getStamp(),
@@ -1685,7 +1685,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::operating_state: {
-        auto request = provider_.operatingStateRequest(suture::rpc::kUsualSize);
+        auto request = provider_.operatingStateRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<OperatingStateSlot>(call, response.getStamp(),
@@ -1696,7 +1696,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::period_statistics: {
-        auto request = provider_.periodStatisticsRequest(suture::rpc::kUsualSize);
+        auto request = provider_.periodStatisticsRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<IntervalStatisticsSlot>(call, response.getStamp(),
@@ -1707,45 +1707,45 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::enable: {
-        auto request = provider_.enableRequest(suture::rpc::kUsualSize);
+        auto request = provider_.enableRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::disable: {
-        auto request = provider_.disableRequest(suture::rpc::kUsualSize);
+        auto request = provider_.disableRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::pause: {
-        auto request = provider_.pauseRequest(suture::rpc::kUsualSize);
+        auto request = provider_.pauseRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::resume: {
-        auto request = provider_.resumeRequest(suture::rpc::kUsualSize);
+        auto request = provider_.resumeRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::home: {
-        auto request = provider_.homeRequest(suture::rpc::kUsualSize);
+        auto request = provider_.homeRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::unhome: {
-        auto request = provider_.unhomeRequest(suture::rpc::kUsualSize);
+        auto request = provider_.unhomeRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::state_command: {
         const auto& slot =
             *reinterpret_cast<const CrtkArmStateCommandArguments*>(record.arguments());
-        auto request = provider_.stateCommandRequest(suture::rpc::kUsualSize);
+        auto request = provider_.stateCommandRequest();
         toWire(slot.name, request.initName(slot.name.size));
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::measured_js: {
-        auto request = provider_.measuredJsRequest(suture::rpc::kUsualSize);
+        auto request = provider_.measuredJsRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
@@ -1755,7 +1755,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::setpoint_js: {
-        auto request = provider_.setpointJsRequest(suture::rpc::kUsualSize);
+        auto request = provider_.setpointJsRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
@@ -1765,7 +1765,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::goal_js: {
-        auto request = provider_.goalJsRequest(suture::rpc::kUsualSize);
+        auto request = provider_.goalJsRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
@@ -1775,7 +1775,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::measured_cp: {
-        auto request = provider_.measuredCpRequest(suture::rpc::kUsualSize);
+        auto request = provider_.measuredCpRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
@@ -1785,7 +1785,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::setpoint_cp: {
-        auto request = provider_.setpointCpRequest(suture::rpc::kUsualSize);
+        auto request = provider_.setpointCpRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
@@ -1795,7 +1795,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::goal_cp: {
-        auto request = provider_.goalCpRequest(suture::rpc::kUsualSize);
+        auto request = provider_.goalCpRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
@@ -1805,7 +1805,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::local_measured_cp: {
-        auto request = provider_.localMeasuredCpRequest(suture::rpc::kUsualSize);
+        auto request = provider_.localMeasuredCpRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
@@ -1815,7 +1815,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::local_setpoint_cp: {
-        auto request = provider_.localSetpointCpRequest(suture::rpc::kUsualSize);
+        auto request = provider_.localSetpointCpRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
@@ -1825,7 +1825,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::measured_cv: {
-        auto request = provider_.measuredCvRequest(suture::rpc::kUsualSize);
+        auto request = provider_.measuredCvRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<TwistSlot>(call, response.getStamp(), [&](TwistSlot& answer) {
@@ -1835,7 +1835,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::setpoint_cv: {
-        auto request = provider_.setpointCvRequest(suture::rpc::kUsualSize);
+        auto request = provider_.setpointCvRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<TwistSlot>(call, response.getStamp(), [&](TwistSlot& answer) {
@@ -1845,7 +1845,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::body_measured_cf: {
-        auto request = provider_.bodyMeasuredCfRequest(suture::rpc::kUsualSize);
+        auto request = provider_.bodyMeasuredCfRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<WrenchSlot>(call, response.getStamp(), [&](WrenchSlot& answer) {
@@ -1855,7 +1855,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::spatial_measured_cf: {
-        auto request = provider_.spatialMeasuredCfRequest(suture::rpc::kUsualSize);
+        auto request = provider_.spatialMeasuredCfRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<WrenchSlot>(call, response.getStamp(), [&](WrenchSlot& answer) {
@@ -1865,7 +1865,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::measured_cs: {
-        auto request = provider_.measuredCsRequest(suture::rpc::kUsualSize);
+        auto request = provider_.measuredCsRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<CartesianStateSlot>(call, response.getStamp(),
@@ -1876,7 +1876,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::body_jacobian: {
-        auto request = provider_.bodyJacobianRequest(suture::rpc::kUsualSize);
+        auto request = provider_.bodyJacobianRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<JacobianSlot>(call, response.getStamp(), [&](JacobianSlot& answer) {
@@ -1886,7 +1886,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::spatial_jacobian: {
-        auto request = provider_.spatialJacobianRequest(suture::rpc::kUsualSize);
+        auto request = provider_.spatialJacobianRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<JacobianSlot>(call, response.getStamp(), [&](JacobianSlot& answer) {
@@ -1896,7 +1896,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::base_frame: {
-        auto request = provider_.baseFrameRequest(suture::rpc::kUsualSize);
+        auto request = provider_.baseFrameRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
@@ -1908,74 +1908,74 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
       case CrtkArmCommand::set_base_frame: {
         const auto& slot =
             *reinterpret_cast<const CrtkArmSetBaseFrameArguments*>(record.arguments());
-        auto request = provider_.setBaseFrameRequest(suture::rpc::kUsualSize);
+        auto request = provider_.setBaseFrameRequest();
         toWire(slot.frame, request.initFrame());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::hold: {
-        auto request = provider_.holdRequest(suture::rpc::kUsualSize);
+        auto request = provider_.holdRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::free: {
-        auto request = provider_.freeRequest(suture::rpc::kUsualSize);
+        auto request = provider_.freeRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::use_gravity_compensation: {
         const auto& slot =
             *reinterpret_cast<const CrtkArmUseGravityCompensationArguments*>(record.arguments());
-        auto request = provider_.useGravityCompensationRequest(suture::rpc::kUsualSize);
+        auto request = provider_.useGravityCompensationRequest();
         request.setUse(slot.use != 0);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::servo_jp: {
         const auto& slot = *reinterpret_cast<const CrtkArmServoJpArguments*>(record.arguments());
-        auto request = provider_.servoJpRequest(suture::rpc::kUsualSize);
+        auto request = provider_.servoJpRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::servo_jr: {
         const auto& slot = *reinterpret_cast<const CrtkArmServoJrArguments*>(record.arguments());
-        auto request = provider_.servoJrRequest(suture::rpc::kUsualSize);
+        auto request = provider_.servoJrRequest();
         toWire(slot.step, request.initStep());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::servo_jv: {
         const auto& slot = *reinterpret_cast<const CrtkArmServoJvArguments*>(record.arguments());
-        auto request = provider_.servoJvRequest(suture::rpc::kUsualSize);
+        auto request = provider_.servoJvRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::servo_jf: {
         const auto& slot = *reinterpret_cast<const CrtkArmServoJfArguments*>(record.arguments());
-        auto request = provider_.servoJfRequest(suture::rpc::kUsualSize);
+        auto request = provider_.servoJfRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::servo_cp: {
         const auto& slot = *reinterpret_cast<const CrtkArmServoCpArguments*>(record.arguments());
-        auto request = provider_.servoCpRequest(suture::rpc::kUsualSize);
+        auto request = provider_.servoCpRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::servo_cr: {
         const auto& slot = *reinterpret_cast<const CrtkArmServoCrArguments*>(record.arguments());
-        auto request = provider_.servoCrRequest(suture::rpc::kUsualSize);
+        auto request = provider_.servoCrRequest();
         toWire(slot.step, request.initStep());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::servo_cv: {
         const auto& slot = *reinterpret_cast<const CrtkArmServoCvArguments*>(record.arguments());
-        auto request = provider_.servoCvRequest(suture::rpc::kUsualSize);
+        auto request = provider_.servoCvRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
@@ -1983,7 +1983,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
       case CrtkArmCommand::body_servo_cf: {
         const auto& slot =
             *reinterpret_cast<const CrtkArmBodyServoCfArguments*>(record.arguments());
-        auto request = provider_.bodyServoCfRequest(suture::rpc::kUsualSize);
+        auto request = provider_.bodyServoCfRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
@@ -1991,35 +1991,35 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
       case CrtkArmCommand::spatial_servo_cf: {
         const auto& slot =
             *reinterpret_cast<const CrtkArmSpatialServoCfArguments*>(record.arguments());
-        auto request = provider_.spatialServoCfRequest(suture::rpc::kUsualSize);
+        auto request = provider_.spatialServoCfRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::move_jp: {
         const auto& slot = *reinterpret_cast<const CrtkArmMoveJpArguments*>(record.arguments());
-        auto request = provider_.moveJpRequest(suture::rpc::kUsualSize);
+        auto request = provider_.moveJpRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::move_jr: {
         const auto& slot = *reinterpret_cast<const CrtkArmMoveJrArguments*>(record.arguments());
-        auto request = provider_.moveJrRequest(suture::rpc::kUsualSize);
+        auto request = provider_.moveJrRequest();
         toWire(slot.step, request.initStep());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::move_cp: {
         const auto& slot = *reinterpret_cast<const CrtkArmMoveCpArguments*>(record.arguments());
-        auto request = provider_.moveCpRequest(suture::rpc::kUsualSize);
+        auto request = provider_.moveCpRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::move_cr: {
         const auto& slot = *reinterpret_cast<const CrtkArmMoveCrArguments*>(record.arguments());
-        auto request = provider_.moveCrRequest(suture::rpc::kUsualSize);
+        auto request = provider_.moveCrRequest();
         toWire(slot.step, request.initStep());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
@@ -2027,7 +2027,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
       case CrtkArmCommand::trajectory_j_set_ratio: {
         const auto& slot =
             *reinterpret_cast<const CrtkArmTrajectoryJSetRatioArguments*>(record.arguments());
-        auto request = provider_.trajectoryJSetRatioRequest(suture::rpc::kUsualSize);
+        auto request = provider_.trajectoryJSetRatioRequest();
         request.setRatio(slot.ratio);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
@@ -2035,7 +2035,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
       case CrtkArmCommand::trajectory_j_set_ratio_v: {
         const auto& slot =
             *reinterpret_cast<const CrtkArmTrajectoryJSetRatioVArguments*>(record.arguments());
-        auto request = provider_.trajectoryJSetRatioVRequest(suture::rpc::kUsualSize);
+        auto request = provider_.trajectoryJSetRatioVRequest();
         request.setRatio(slot.ratio);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
@@ -2043,13 +2043,13 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
       case CrtkArmCommand::trajectory_j_set_ratio_a: {
         const auto& slot =
             *reinterpret_cast<const CrtkArmTrajectoryJSetRatioAArguments*>(record.arguments());
-        auto request = provider_.trajectoryJSetRatioARequest(suture::rpc::kUsualSize);
+        auto request = provider_.trajectoryJSetRatioARequest();
         request.setRatio(slot.ratio);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::trajectory_j_ratio: {
-        auto request = provider_.trajectoryJRatioRequest(suture::rpc::kUsualSize);
+        auto request = provider_.trajectoryJRatioRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<double>(call, response.getStamp(), [&](double& answer) {
@@ -2059,7 +2059,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::trajectory_j_ratio_v: {
-        auto request = provider_.trajectoryJRatioVRequest(suture::rpc::kUsualSize);
+        auto request = provider_.trajectoryJRatioVRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<double>(call, response.getStamp(), [&](double& answer) {
@@ -2069,7 +2069,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::trajectory_j_ratio_a: {
-        auto request = provider_.trajectoryJRatioARequest(suture::rpc::kUsualSize);
+        auto request = provider_.trajectoryJRatioARequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<double>(call, response.getStamp(), [&](double& answer) {
@@ -2081,7 +2081,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
       case CrtkArmCommand::forward_kinematics: {
         const auto& slot =
             *reinterpret_cast<const CrtkArmForwardKinematicsArguments*>(record.arguments());
-        auto request = provider_.forwardKinematicsRequest(suture::rpc::kUsualSize);
+        auto request = provider_.forwardKinematicsRequest();
         toWire(slot.q, request.initQ());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
@@ -2094,7 +2094,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
       case CrtkArmCommand::inverse_kinematics: {
         const auto& slot =
             *reinterpret_cast<const CrtkArmInverseKinematicsArguments*>(record.arguments());
-        auto request = provider_.inverseKinematicsRequest(suture::rpc::kUsualSize);
+        auto request = provider_.inverseKinematicsRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
@@ -2106,7 +2106,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
       }
       case CrtkArmCommand::query_cp: {
         const auto& slot = *reinterpret_cast<const CrtkArmQueryCpArguments*>(record.arguments());
-        auto request = provider_.queryCpRequest(suture::rpc::kUsualSize);
+        auto request = provider_.queryCpRequest();
         toWire(slot.q, request.initQ());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
@@ -2119,7 +2119,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
       case CrtkArmCommand::local_query_cp: {
         const auto& slot =
             *reinterpret_cast<const CrtkArmLocalQueryCpArguments*>(record.arguments());
-        auto request = provider_.localQueryCpRequest(suture::rpc::kUsualSize);
+        auto request = provider_.localQueryCpRequest();
         toWire(slot.q, request.initQ());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {

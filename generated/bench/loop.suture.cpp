@@ -97,7 +97,7 @@ class LoopServerSink final : public suture::rpc::EventSink {
     switch (event) {
       case numberOf(LoopServerEvent::echo): {
         const auto& slot = *reinterpret_cast<const robots::PosePrmSlot*>(payload);
-        auto request = subscriber_.echoRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.echoRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
@@ -164,7 +164,7 @@ class LoopServerServant final : public wire::LoopServer::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const robots::PosePrmSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -227,20 +227,20 @@ class LoopServerProxy final : public suture::rpc::Proxy {
     switch (static_cast<LoopServerCommand>(record.command)) {
       case LoopServerCommand::put: {
         const auto& slot = *reinterpret_cast<const LoopServerPutArguments*>(record.arguments());
-        auto request = provider_.putRequest(suture::rpc::kUsualSize);
+        auto request = provider_.putRequest();
         toWire(slot.value, request.initValue());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case LoopServerCommand::bounce: {
         const auto& slot = *reinterpret_cast<const LoopServerBounceArguments*>(record.arguments());
-        auto request = provider_.bounceRequest(suture::rpc::kUsualSize);
+        auto request = provider_.bounceRequest();
         toWire(slot.value, request.initValue());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case LoopServerCommand::value: {
-        auto request = provider_.valueRequest(suture::rpc::kUsualSize);
+        auto request = provider_.valueRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<robots::PosePrmSlot>(call, response.getStamp(),

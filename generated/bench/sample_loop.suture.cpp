@@ -92,7 +92,7 @@ class SampleServerSink final : public suture::rpc::EventSink {
     switch (event) {
       case numberOf(SampleServerEvent::echo): {
         const auto& slot = *reinterpret_cast<const robots::PoseSampleSlot*>(payload);
-        auto request = subscriber_.echoRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.echoRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
@@ -159,7 +159,7 @@ class SampleServerServant final : public wire::SampleServer::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const robots::PoseSampleSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -222,7 +222,7 @@ class SampleServerProxy final : public suture::rpc::Proxy {
     switch (static_cast<SampleServerCommand>(record.command)) {
       case SampleServerCommand::put: {
         const auto& slot = *reinterpret_cast<const SampleServerPutArguments*>(record.arguments());
-        auto request = provider_.putRequest(suture::rpc::kUsualSize);
+        auto request = provider_.putRequest();
         toWire(slot.value, request.initValue());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
@@ -230,13 +230,13 @@ class SampleServerProxy final : public suture::rpc::Proxy {
       case SampleServerCommand::bounce: {
         const auto& slot =
             *reinterpret_cast<const SampleServerBounceArguments*>(record.arguments());
-        auto request = provider_.bounceRequest(suture::rpc::kUsualSize);
+        auto request = provider_.bounceRequest();
         toWire(slot.value, request.initValue());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case SampleServerCommand::value: {
-        auto request = provider_.valueRequest(suture::rpc::kUsualSize);
+        auto request = provider_.valueRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<robots::PoseSampleSlot>(call, response.getStamp(),

@@ -154,13 +154,13 @@ class TeleoperationSink final : public suture::rpc::EventSink {
     switch (event) {
       case numberOf(TeleoperationEvent::teleop_state): {
         const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
-        auto request = subscriber_.teleopStateRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.teleopStateRequest();
         request.setValue(wireTeleopState(slot));
         return request.send().ignoreResult();
       }
       case numberOf(TeleoperationEvent::followed): {
         const auto& slot = *reinterpret_cast<const FollowAnchorsSlot*>(payload);
-        auto request = subscriber_.followedRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.followedRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
@@ -219,7 +219,7 @@ class TeleoperationServant final : public wire::Teleoperation::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       out.setValue(wireTeleopState(slot));
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -231,7 +231,7 @@ class TeleoperationServant final : public wire::Teleoperation::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const FollowAnchorsSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -305,17 +305,17 @@ class TeleoperationProxy final : public suture::rpc::Proxy {
   kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
     switch (static_cast<TeleoperationCommand>(record.command)) {
       case TeleoperationCommand::enable: {
-        auto request = provider_.enableRequest(suture::rpc::kUsualSize);
+        auto request = provider_.enableRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case TeleoperationCommand::disable: {
-        auto request = provider_.disableRequest(suture::rpc::kUsualSize);
+        auto request = provider_.disableRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case TeleoperationCommand::teleop_state: {
-        auto request = provider_.teleopStateRequest(suture::rpc::kUsualSize);
+        auto request = provider_.teleopStateRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<std::uint8_t>(call, response.getStamp(), [&](std::uint8_t& answer) {
@@ -324,7 +324,7 @@ class TeleoperationProxy final : public suture::rpc::Proxy {
         });
       }
       case TeleoperationCommand::anchors: {
-        auto request = provider_.anchorsRequest(suture::rpc::kUsualSize);
+        auto request = provider_.anchorsRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<FollowAnchorsSlot>(call, response.getStamp(),

@@ -165,22 +165,22 @@ class ArmLikeSink final : public suture::rpc::EventSink {
     switch (event) {
       case numberOf(ArmLikeEvent::mode): {
         const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
-        auto request = subscriber_.modeRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.modeRequest();
         request.setValue(wireMode(slot));
         return request.send().ignoreResult();
       }
       case numberOf(ArmLikeEvent::arrived): {
         const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(payload);
-        auto request = subscriber_.arrivedRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.arrivedRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
       case numberOf(ArmLikeEvent::stopped): {
-        return subscriber_.stoppedRequest(suture::rpc::kUsualSize).send().ignoreResult();
+        return subscriber_.stoppedRequest().send().ignoreResult();
       }
       case numberOf(ArmLikeEvent::moved): {
         const auto& slot = *reinterpret_cast<const ArmLikeMovedPayload*>(payload);
-        auto request = subscriber_.movedRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.movedRequest();
         toWire(slot.value, request.initValue());
         request.setValue2(slot.value2);
         return request.send().ignoreResult();
@@ -266,7 +266,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -278,7 +278,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -296,7 +296,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       out.setValue(slot);
     };
     return port_->call(numberOf(ArmLikeCommand::distance), in.getSent(), fill, kj::mv(take));
@@ -316,7 +316,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       out.setValue(slot != 0);
     };
     return port_->call(numberOf(ArmLikeCommand::move), in.getSent(), fill, kj::mv(take));
@@ -326,7 +326,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const std::uint32_t*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       out.setValue(slot);
     };
     return port_->call(numberOf(ArmLikeCommand::reset), in.getSent(),
@@ -432,32 +432,32 @@ class ArmLikeProxy final : public suture::rpc::Proxy {
     switch (static_cast<ArmLikeCommand>(record.command)) {
       case ArmLikeCommand::servo_cp: {
         const auto& slot = *reinterpret_cast<const ArmLikeServoCpArguments*>(record.arguments());
-        auto request = provider_.servoCpRequest(suture::rpc::kUsualSize);
+        auto request = provider_.servoCpRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmLikeCommand::servo_jp: {
         const auto& slot = *reinterpret_cast<const ArmLikeServoJpArguments*>(record.arguments());
-        auto request = provider_.servoJpRequest(suture::rpc::kUsualSize);
+        auto request = provider_.servoJpRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmLikeCommand::hold: {
-        auto request = provider_.holdRequest(suture::rpc::kUsualSize);
+        auto request = provider_.holdRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmLikeCommand::set_mode: {
         const auto& slot = *reinterpret_cast<const ArmLikeSetModeArguments*>(record.arguments());
-        auto request = provider_.setModeRequest(suture::rpc::kUsualSize);
+        auto request = provider_.setModeRequest();
         request.setMode(wireMode(slot.mode));
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmLikeCommand::measured_cp: {
-        auto request = provider_.measuredCpRequest(suture::rpc::kUsualSize);
+        auto request = provider_.measuredCpRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
@@ -467,7 +467,7 @@ class ArmLikeProxy final : public suture::rpc::Proxy {
         });
       }
       case ArmLikeCommand::measured_js: {
-        auto request = provider_.measuredJsRequest(suture::rpc::kUsualSize);
+        auto request = provider_.measuredJsRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
@@ -478,7 +478,7 @@ class ArmLikeProxy final : public suture::rpc::Proxy {
       }
       case ArmLikeCommand::distance: {
         const auto& slot = *reinterpret_cast<const ArmLikeDistanceArguments*>(record.arguments());
-        auto request = provider_.distanceRequest(suture::rpc::kUsualSize);
+        auto request = provider_.distanceRequest();
         toWire(slot.to, request.initTo());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
@@ -490,7 +490,7 @@ class ArmLikeProxy final : public suture::rpc::Proxy {
       }
       case ArmLikeCommand::move: {
         const auto& slot = *reinterpret_cast<const ArmLikeMoveArguments*>(record.arguments());
-        auto request = provider_.moveRequest(suture::rpc::kUsualSize);
+        auto request = provider_.moveRequest();
         toWire(slot.goal, request.initGoal());
         request.setSpeed(slot.speed);
         toWire(slot.reason, request.initReason(slot.reason.size));
@@ -503,7 +503,7 @@ class ArmLikeProxy final : public suture::rpc::Proxy {
         });
       }
       case ArmLikeCommand::reset: {
-        auto request = provider_.resetRequest(suture::rpc::kUsualSize);
+        auto request = provider_.resetRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<std::uint32_t>(call, [&](std::uint32_t& answer) {
@@ -514,14 +514,14 @@ class ArmLikeProxy final : public suture::rpc::Proxy {
       }
       case ArmLikeCommand::limit: {
         const auto& slot = *reinterpret_cast<const ArmLikeLimitArguments*>(record.arguments());
-        auto request = provider_.limitRequest(suture::rpc::kUsualSize);
+        auto request = provider_.limitRequest();
         request.setSpeed(slot.speed);
         request.setMode(wireMode(slot.mode));
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmLikeCommand::park: {
-        auto request = provider_.parkRequest(suture::rpc::kUsualSize);
+        auto request = provider_.parkRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }

@@ -79,29 +79,29 @@ class GripperArmSink final : public suture::rpc::EventSink {
     switch (event) {
       case numberOf(ArmLikeEvent::mode): {
         const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
-        auto request = subscriber_.modeRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.modeRequest();
         request.setValue(wireMode(slot));
         return request.send().ignoreResult();
       }
       case numberOf(ArmLikeEvent::arrived): {
         const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(payload);
-        auto request = subscriber_.arrivedRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.arrivedRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
       case numberOf(ArmLikeEvent::stopped): {
-        return subscriber_.stoppedRequest(suture::rpc::kUsualSize).send().ignoreResult();
+        return subscriber_.stoppedRequest().send().ignoreResult();
       }
       case numberOf(ArmLikeEvent::moved): {
         const auto& slot = *reinterpret_cast<const ArmLikeMovedPayload*>(payload);
-        auto request = subscriber_.movedRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.movedRequest();
         toWire(slot.value, request.initValue());
         request.setValue2(slot.value2);
         return request.send().ignoreResult();
       }
       case numberOf(GripperArmEvent::gripped): {
         const auto& slot = *reinterpret_cast<const double*>(payload);
-        auto request = subscriber_.grippedRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.grippedRequest();
         request.setValue(slot);
         return request.send().ignoreResult();
       }
@@ -167,7 +167,7 @@ class GripperArmServant final : public wire::GripperArm::Server {
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       out.setValue(slot);
     };
     return port_->call(numberOf(GripperArmCommand::close), in.getSent(), fill, kj::mv(take));
@@ -177,7 +177,7 @@ class GripperArmServant final : public wire::GripperArm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -282,7 +282,7 @@ class GripperArmProxy final : public suture::rpc::Proxy {
     switch (static_cast<GripperArmCommand>(record.command)) {
       case GripperArmCommand::close: {
         const auto& slot = *reinterpret_cast<const GripperArmCloseArguments*>(record.arguments());
-        auto request = provider_.closeRequest(suture::rpc::kUsualSize);
+        auto request = provider_.closeRequest();
         request.setWidth(slot.width);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
@@ -293,7 +293,7 @@ class GripperArmProxy final : public suture::rpc::Proxy {
         });
       }
       case GripperArmCommand::opening: {
-        auto request = provider_.openingRequest(suture::rpc::kUsualSize);
+        auto request = provider_.openingRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<double>(call, response.getStamp(), [&](double& answer) {

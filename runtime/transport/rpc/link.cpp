@@ -1,39 +1,15 @@
 #include <suture/transport/rpc/link.h>
 
-#include <capnp/rpc.capnp.h>
-
 namespace suture::rpc {
-namespace {
 
-using capnp::rpc::twoparty::Side;
-using capnp::rpc::twoparty::VatId;
-
-capnp::ReaderOptions readerOptions(const StreamLimits& limits) {
-  capnp::ReaderOptions options;
-  options.traversalLimitInWords = limits.messageBytes / sizeof(capnp::word);
-  return options;
-}
-
-/// The caller's last word on a call that has returned: only frees memory at the peer.
-bool isFinish(MessageStream::Segments message) {
-  capnp::SegmentArrayMessageReader reader(message);
-  return reader.getRoot<capnp::rpc::Message>().isFinish();
-}
-
-}  // namespace
-
-Link::Link(kj::Own<MessageStream> stream, Side side, kj::Maybe<capnp::Capability::Client> offers,
-           const StreamLimits& limits)
-    : stream_(kj::mv(stream)),
-      network_(*stream_, side, readerOptions(limits)),
-      system_(network_, kj::mv(offers)) {
-  stream_->letRide(isFinish);
-}
+Link::Link(kj::Own<MessageStream> stream, capnp::rpc::twoparty::Side side,
+           kj::Maybe<capnp::Capability::Client> offers)
+    : network_(kj::mv(stream), side), system_(network_, kj::mv(offers)) {}
 
 capnp::Capability::Client Link::bootstrapCapability() {
   capnp::MallocMessageBuilder message(4);
-  auto peer = message.getRoot<VatId>();
-  peer.setSide(network_.getSide() == Side::CLIENT ? Side::SERVER : Side::CLIENT);
+  auto peer = message.getRoot<capnp::rpc::twoparty::VatId>();
+  peer.setSide(network_.peerSide());
   return system_.bootstrap(peer);
 }
 

@@ -3,8 +3,7 @@
 
 #include <suture/transport/rpc/kj_comparisons.h>  // first
 
-#include <capnp/rpc-twoparty.h>
-#include <suture/transport/rpc/message_stream.h>
+#include <suture/transport/rpc/link_network.h>
 
 #include <memory>
 
@@ -16,7 +15,7 @@ class Link {
  public:
   /// `offers`: what the peer gets when it asks for the bootstrap capability.
   Link(kj::Own<MessageStream> stream, capnp::rpc::twoparty::Side side,
-       kj::Maybe<capnp::Capability::Client> offers = nullptr, const StreamLimits& limits = {});
+       kj::Maybe<capnp::Capability::Client> offers = nullptr);
 
   /// The peer's bootstrap capability.
   template <class Interface>
@@ -27,13 +26,12 @@ class Link {
   /// Resolves when the peer is gone; never rejects.
   kj::Promise<void> onDisconnect() { return network_.onDisconnect(); }
 
-  std::shared_ptr<const LinkCounters> counters() const { return stream_->counters(); }
+  std::shared_ptr<const LinkCounters> counters() const { return network_.counters(); }
 
  private:
   capnp::Capability::Client bootstrapCapability();
 
-  kj::Own<MessageStream> stream_;
-  capnp::TwoPartyVatNetwork network_;
+  LinkNetwork network_;
   capnp::RpcSystem<capnp::rpc::twoparty::VatId> system_;
 };
 

@@ -22,7 +22,7 @@ void LinkServer::accept(kj::AutoCloseFd socket) {
   if (links_ == maxLinks_) return;
   auto stream = kj::heap<MessageStream>(port_, kj::mv(socket), limits_);
   auto offered = offer_(stream->counters());
-  auto link = kj::heap<Link>(kj::mv(stream), Side::SERVER, kj::mv(offered), limits_);
+  auto link = kj::heap<Link>(kj::mv(stream), Side::SERVER, kj::mv(offered));
   ++links_;
   auto gone = link->onDisconnect();
   tasks_.add(gone.attach(kj::mv(link), kj::defer([this] { --links_; })));

@@ -10,10 +10,16 @@
 namespace suture::rpc {
 namespace {
 
-// Beyond this much unsent data a writer is told to wait.
-constexpr std::size_t kHighWater = 1u << 20;
 // This much is worth a send of its own.
 constexpr std::size_t kSendAtOnce = 1u << 16;
+// A buffer that has grown beyond this is given back when it is empty.
+constexpr std::size_t kKept = 1u << 20;
+
+capnp::ReaderOptions readerOptions(const StreamLimits& limits) {
+  capnp::ReaderOptions options;
+  options.traversalLimitInWords = limits.messageBytes / sizeof(capnp::word);
+  return options;
+}
 
 kj::Exception lost(int error) {
   return disconnected(std::string("connection lost: ") + std::strerror(error));
@@ -32,24 +38,24 @@ MessageStream::~MessageStream() noexcept(false) { port_.forget(*this); }
 
 // ---- reading
 
-kj::Promise<kj::Maybe<capnp::MessageReaderAndFds>> MessageStream::tryReadMessage(
-    kj::ArrayPtr<kj::AutoCloseFd>, capnp::ReaderOptions options, kj::ArrayPtr<capnp::word>) {
-  return kj::evalNow([&] { return read(options); });
+MessageStream::Reading MessageStream::read() {
+  return kj::evalNow([this] { return readBuffered(); });
 }
 
-MessageStream::Reading MessageStream::read(capnp::ReaderOptions options) {
+MessageStream::Reading MessageStream::readBuffered() {
   for (;;) {
-    auto message = takeMessage(options);
+    auto message = takeMessage();
     if (message != nullptr) return Reading(kj::mv(message));
-    if (readable_ != nullptr) return waitAndRead(options);
+    if (readable_ != nullptr) return waitAndRead();
     if (receive() == Received::End) {
-      if (incoming_.bytes().empty()) return Reading(kj::Maybe<capnp::MessageReaderAndFds>(nullptr));
+      if (incoming_.bytes().empty())
+        return Reading(kj::Maybe<kj::Own<capnp::IncomingRpcMessage>>(nullptr));
       kj::throwFatalException(disconnected("the peer closed in the middle of a message"));
     }
   }
 }
 
-MessageStream::Reading MessageStream::waitAndRead(capnp::ReaderOptions options) {
+MessageStream::Reading MessageStream::waitAndRead() {
   auto readable = kj::mv(KJ_ASSERT_NONNULL(readable_));
   readable_ = nullptr;
   KJ_IF_MAYBE (deadline, readDeadline()) {
@@ -58,10 +64,10 @@ MessageStream::Reading MessageStream::waitAndRead(capnp::ReaderOptions options) 
                                                        : "the peer sent no message in time"));
     }));
   }
-  return readable.then([this, options] { return read(options); });
+  return readable.then([this] { return readBuffered(); });
 }
 
-kj::Maybe<capnp::MessageReaderAndFds> MessageStream::takeMessage(capnp::ReaderOptions options) {
+kj::Maybe<kj::Own<capnp::IncomingRpcMessage>> MessageStream::takeMessage() {
   const auto bytes = incoming_.bytes();
   const FrameParse parse = parseFrameHeader(bytes, limits_);
   if (parse.fault != FrameFault::None) {
@@ -70,9 +76,8 @@ kj::Maybe<capnp::MessageReaderAndFds> MessageStream::takeMessage(capnp::ReaderOp
   if (!parse.header || bytes.size() < parse.header->totalBytes) return nullptr;
   anyMessage_ = true;
   partialSince_ = nullptr;
-  auto reader =
-      kj::heap<ReceivedMessage>(incoming_.take(parse.header->totalBytes), *parse.header, options);
-  return capnp::MessageReaderAndFds{kj::mv(reader), nullptr};
+  return kj::Own<capnp::IncomingRpcMessage>(kj::heap<ReceivedMessage>(
+      incoming_.take(parse.header->totalBytes), *parse.header, readerOptions(limits_)));
 }
 
 MessageStream::Received MessageStream::receive() {
@@ -107,32 +112,17 @@ kj::Maybe<kj::TimePoint> MessageStream::readDeadline() {
 
 // ---- writing
 
-kj::Promise<void> MessageStream::writeMessage(
-    kj::ArrayPtr<const int>, kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>> segments) {
-  return write(segments);
-}
-
-kj::Promise<void> MessageStream::writeMessages(
-    kj::ArrayPtr<kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>>> messages) {
-  kj::Promise<void> last = kj::READY_NOW;
-  for (auto segments : messages) last = write(segments);
-  return last;
-}
-
-kj::Promise<void> MessageStream::write(Segments segments) {
-  KJ_IF_MAYBE (failed, writeFailure_) return kj::cp(*failed);
-  // The bytes are copied, so that the caller may go on and what it writes next leaves in the same
-  // send.
-  appendFrame(segments, outgoing_);
+void MessageStream::write(Segments message, Leaves when) {
+  if (writeFailure_ != nullptr) return;
+  // The bytes are copied, so that what is written next leaves in the same send.
+  appendFrame(message, outgoing_);
   if (outgoing_.size() - outgoingBegin_ >= kSendAtOnce) {
     flush();
-  } else if (mayWait_ != nullptr && mayWait_(segments)) {
+  } else if (when == Leaves::WithTheNext) {
     scheduleRide();
   } else {
     port_.flushBeforeSleep(*this);
   }
-  if (outgoing_.size() - outgoingBegin_ < kHighWater) return kj::READY_NOW;
-  return whenDrained();
 }
 
 // Never cancelled: in steady traffic one timer covers many messages, and finds that they have left.
@@ -186,36 +176,25 @@ void MessageStream::discardSent() {
 
 void MessageStream::drained() {
   discardSent();
-  if (outgoing_.capacity() > kHighWater) outgoing_.shrink_to_fit();
-  for (auto& waiting : awaitingDrain_) waiting->fulfill();
-  awaitingDrain_.clear();
+  if (outgoing_.capacity() > kKept) outgoing_.shrink_to_fit();
+  KJ_IF_MAYBE (waiting, ending_) (*waiting)->fulfill();
 }
 
+// The reader hears of it from the socket.
 void MessageStream::fail(kj::Exception exception) {
-  for (auto& waiting : awaitingDrain_) waiting->reject(kj::cp(exception));
-  awaitingDrain_.clear();
+  shutdown(socket_, SHUT_RDWR);
+  KJ_IF_MAYBE (waiting, ending_) (*waiting)->reject(kj::cp(exception));
   outgoing_.clear();
   outgoingBegin_ = 0;
   writeFailure_ = kj::mv(exception);
 }
 
-kj::Promise<void> MessageStream::whenDrained() {
-  auto pair = kj::newPromiseAndFulfiller<void>();
-  awaitingDrain_.add(kj::mv(pair.fulfiller));
-  return kj::mv(pair.promise);
-}
-
 kj::Promise<void> MessageStream::end() {
   KJ_IF_MAYBE (failed, writeFailure_) return kj::cp(*failed);
+  auto pair = kj::newPromiseAndFulfiller<void>();
+  ending_ = kj::mv(pair.fulfiller);
   port_.flushBeforeSleep(*this);
-  return whenDrained().then([this] { shutdown(socket_, SHUT_WR); });
-}
-
-kj::Maybe<int> MessageStream::getSendBufferSize() {
-  int bytes = 0;
-  socklen_t length = sizeof(bytes);
-  if (getsockopt(socket_, SOL_SOCKET, SO_SNDBUF, &bytes, &length) != 0) return nullptr;
-  return bytes;
+  return pair.promise.then([this] { shutdown(socket_, SHUT_WR); });
 }
 
 }  // namespace suture::rpc

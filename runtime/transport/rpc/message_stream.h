@@ -3,9 +3,8 @@
 
 #include <suture/transport/rpc/kj_comparisons.h>  // first
 
-#include <capnp/serialize-async.h>
+#include <capnp/rpc.h>
 #include <kj/async-unix.h>
-#include <kj/vector.h>
 #include <suture/transport/rpc/event_port.h>
 #include <suture/transport/rpc/frame_header.h>
 #include <suture/transport/rpc/receive_buffer.h>
@@ -29,54 +28,47 @@ struct LinkCounters {
 ///
 /// One receive brings as many messages as have arrived; messages written during one turn of the
 /// event loop leave in one send. A peer that breaks the limits gets its connection ended with a
-/// kj::Exception from the pending read; nothing it sent beyond that point is looked at. Descriptors
-/// are not carried: those offered to writeMessage() are ignored and tryReadMessage() never delivers
-/// any.
-class MessageStream final : public capnp::MessageStream, private EventPort::Output {
+/// kj::Exception from the pending read; nothing it sent beyond that point is looked at.
+class MessageStream final : private EventPort::Output {
  public:
   MessageStream(EventPort& port, kj::AutoCloseFd socket, StreamLimits limits = {});
   ~MessageStream() noexcept(false);
 
-  using capnp::MessageStream::tryReadMessage;
-  using capnp::MessageStream::writeMessage;
-  using capnp::MessageStream::writeMessages;
-
-  kj::Promise<kj::Maybe<capnp::MessageReaderAndFds>> tryReadMessage(
-      kj::ArrayPtr<kj::AutoCloseFd> descriptors, capnp::ReaderOptions options,
-      kj::ArrayPtr<capnp::word> scratch) override;
-  kj::Promise<void> writeMessage(
-      kj::ArrayPtr<const int> descriptors,
-      kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>> segments) override;
-  kj::Promise<void> writeMessages(
-      kj::ArrayPtr<kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>>> messages) override;
-  kj::Maybe<int> getSendBufferSize() override;
-  kj::Promise<void> end() override;
-
+  using Reading = kj::Promise<kj::Maybe<kj::Own<capnp::IncomingRpcMessage>>>;
   using Segments = kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>>;
 
-  /// Messages of which `mayWait` is true leave with the next message of another kind, or after
-  /// kLongestRide: worth a system call and a wake-up of the peer each.
-  void letRide(bool (*mayWait)(Segments message)) { mayWait_ = mayWait; }
+  /// The next message; nothing at the end of the stream. Rejects if the connection is lost or the
+  /// peer breaks a limit. One read at a time.
+  Reading read();
+
+  /// When a message leaves.
+  enum class Leaves {
+    WithTheTurn,  ///< when the event loop has nothing else to do
+    WithTheNext,  ///< with the next message, or after kLongestRide: not worth a system call and a
+                  ///< wake-up of the peer of its own
+  };
   static constexpr int kLongestRideMilliseconds = 5;
+
+  /// Copies the message. If the connection is lost, nothing happens: the reader hears of it.
+  void write(Segments message, Leaves when = Leaves::WithTheTurn);
+  /// Sends what has been written, then closes this direction. Rejects if the connection is lost.
+  kj::Promise<void> end();
 
   /// Shared, so that it outlives the link for whoever reports.
   std::shared_ptr<const LinkCounters> counters() const { return counters_; }
 
  private:
-  using Reading = kj::Promise<kj::Maybe<capnp::MessageReaderAndFds>>;
   enum class Received { Some, Nothing, End };
 
-  Reading read(capnp::ReaderOptions options);
-  Reading waitAndRead(capnp::ReaderOptions options);
-  kj::Maybe<capnp::MessageReaderAndFds> takeMessage(capnp::ReaderOptions options);
+  Reading readBuffered();
+  Reading waitAndRead();
+  kj::Maybe<kj::Own<capnp::IncomingRpcMessage>> takeMessage();
   Received receive();
   kj::Maybe<kj::TimePoint> readDeadline();
 
-  kj::Promise<void> write(Segments segments);
   void scheduleRide();
   void flush() override;
   void awaitRoom();
-  kj::Promise<void> whenDrained();
   void discardSent();
   void drained();
   void fail(kj::Exception exception);
@@ -97,9 +89,8 @@ class MessageStream final : public capnp::MessageStream, private EventPort::Outp
   std::size_t outgoingBegin_ = 0;
   bool awaitingRoom_ = false;  // the socket is full
   bool rideScheduled_ = false;
-  bool (*mayWait_)(Segments) = nullptr;
   kj::Maybe<kj::Exception> writeFailure_;
-  kj::Vector<kj::Own<kj::PromiseFulfiller<void>>> awaitingDrain_;
+  kj::Maybe<kj::Own<kj::PromiseFulfiller<void>>> ending_;
   kj::Maybe<kj::Own<WriteObserver>> writeObserver_;  // made the first time the socket is full
   kj::Promise<void> rideTask_ = kj::READY_NOW;
   kj::Promise<void> roomTask_ = kj::READY_NOW;  // the tasks last: cancelled first

@@ -4,12 +4,13 @@
 #include <suture/transport/rpc/kj_comparisons.h>  // first
 
 #include <capnp/message.h>
+#include <capnp/rpc.h>
 #include <suture/transport/rpc/frame_header.h>
 
 namespace suture::rpc {
 
 /// Reads the segments of one frame. Belongs to the control thread.
-class ReceivedMessage final : public capnp::MessageReader {
+class ReceivedMessage final : public capnp::MessageReader, public capnp::IncomingRpcMessage {
  public:
   /// `frame`: a whole frame, starting with its header.
   ReceivedMessage(kj::Array<capnp::word> frame, const FrameHeader& header,
@@ -23,6 +24,9 @@ class ReceivedMessage final : public capnp::MessageReader {
     for (std::uint32_t i = 0; i < id; ++i) start += segmentWords(bytes, i);
     return frame_.slice(start, start + segmentWords(bytes, id));
   }
+
+  capnp::AnyPointer::Reader getBody() override { return getRoot<capnp::AnyPointer>(); }
+  std::size_t sizeInWords() override { return frame_.size(); }
 
  private:
   kj::Array<capnp::word> frame_;

@@ -25,11 +25,6 @@
 
 namespace suture::rpc {
 
-/// What a command, an answer or an event gets to be written in: enough for a pose or the state of
-/// seven joints, and so little that malloc gives it back at once. What does not fit goes on in a
-/// second piece of the message.
-inline constexpr capnp::MessageSize kUsualSize{80, 0};
-
 /// The first that is an error; 0 if none is.
 inline Errc firstError(std::initializer_list<Errc> errors) {
   for (const Errc error : errors) {

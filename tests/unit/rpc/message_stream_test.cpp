@@ -20,14 +20,13 @@ class MessageStreamTest : public testing::Test {
     stream_ = kj::heap<MessageStream>(port_, kj::mv(pair.ours), limits);
   }
 
-  auto read() { return stream_->tryReadMessage(); }
+  auto read() { return stream_->read(); }
 
   /// Size of the blob in the next message, -1 at the end of the stream.
   std::int64_t nextBlob() {
     auto message = bounded(read()).wait(port_.scope());
     KJ_IF_MAYBE (reader, message) {
-      return static_cast<std::int64_t>(
-          (*reader)->getRoot<capnp::AnyPointer>().getAs<capnp::Data>().size());
+      return static_cast<std::int64_t>((*reader)->getBody().getAs<capnp::Data>().size());
     }
     return -1;
   }
@@ -173,15 +172,14 @@ TEST_F(MessageStreamTest, ALargeMessageArrivesWhole) {
   capnp::MallocMessageBuilder message;
   auto blob = message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(1 << 20);
   for (std::size_t i = 0; i < blob.size(); ++i) blob[i] = static_cast<capnp::byte>(i * 31);
-  auto writing = sender.writeMessage(message);
+  sender.write(message.getSegmentsForOutput());
   auto received = bounded(read()).wait(port_.scope());
   KJ_IF_MAYBE (reader, received) {
-    const auto root = (*reader)->getRoot<capnp::AnyPointer>().getAs<capnp::Data>();
+    const auto root = (*reader)->getBody().getAs<capnp::Data>();
     EXPECT_TRUE(root == blob.asReader());
   } else {
     FAIL() << "the stream ended";
   }
-  bounded(kj::mv(writing)).wait(port_.scope());
   EXPECT_EQ(sender.counters()->sentBytes, stream_->counters()->receivedBytes);
 }
 
@@ -189,7 +187,7 @@ TEST_F(MessageStreamTest, MessagesOfOneTurnLeaveTogether) {
   open();
   capnp::MallocMessageBuilder message;
   message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(16);
-  for (int i = 0; i < 3; ++i) stream_->writeMessage(message).wait(port_.scope());
+  for (int i = 0; i < 3; ++i) stream_->write(message.getSegmentsForOutput());
   port_.getTimer().afterDelay(1 * kj::MILLISECONDS).wait(port_.scope());
   std::byte bytes[1024];
   const auto frame = blobFrame(16).size();
@@ -199,7 +197,6 @@ TEST_F(MessageStreamTest, MessagesOfOneTurnLeaveTogether) {
 
 TEST_F(MessageStreamTest, WhatMayWaitLeavesWithTheNextMessageOrAfterAWhile) {
   open();
-  stream_->letRide([](MessageStream::Segments message) { return message[0].size() == 2; });
   capnp::MallocMessageBuilder waits, doesNot;
   waits.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(8);
   doesNot.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(16);
@@ -210,13 +207,15 @@ TEST_F(MessageStreamTest, WhatMayWaitLeavesWithTheNextMessageOrAfterAWhile) {
   const auto pass = [this](int milliseconds) {
     port_.getTimer().afterDelay(milliseconds * kj::MILLISECONDS).wait(port_.scope());
   };
-  stream_->writeMessage(waits).wait(port_.scope());
+  stream_->write(waits.getSegmentsForOutput(), MessageStream::Leaves::WithTheNext);
+  kj::evalLast([] {}).wait(port_.scope());
   EXPECT_EQ(arrived(), -1);
-  stream_->writeMessage(doesNot).wait(port_.scope());
+  stream_->write(doesNot.getSegmentsForOutput());
   kj::evalLast([] {}).wait(port_.scope());
   pass(0);
   EXPECT_EQ(arrived(), static_cast<ssize_t>(blobFrame(8).size() + blobFrame(16).size()));
-  stream_->writeMessage(waits).wait(port_.scope());
+  stream_->write(waits.getSegmentsForOutput(), MessageStream::Leaves::WithTheNext);
+  kj::evalLast([] {}).wait(port_.scope());
   pass(3 * MessageStream::kLongestRideMilliseconds);
   EXPECT_EQ(arrived(), static_cast<ssize_t>(blobFrame(8).size()));
 }
@@ -228,22 +227,35 @@ TEST_F(MessageStreamTest, CountsReceivedBytes) {
   EXPECT_EQ(stream_->counters()->receivedBytes, blobFrame(100).size());
 }
 
-TEST_F(MessageStreamTest, WritingToAPeerThatDoesNotReadIsHeldBackNotBuffered) {
+TEST_F(MessageStreamTest, APeerThatClosesBeforeItHasReadEndsBothDirections) {
   open();
   capnp::MallocMessageBuilder message;
   message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(2 << 20);
-  auto writing = stream_->writeMessage(message);
-  EXPECT_FALSE(writing.poll(port_.scope()));
+  stream_->write(message.getSegmentsForOutput());
+  auto ending = stream_->end();
+  EXPECT_FALSE(ending.poll(port_.scope()));
   peer_ = nullptr;
-  EXPECT_THROW(bounded(kj::mv(writing)).wait(port_.scope()), kj::Exception);
-  EXPECT_THROW(stream_->writeMessage(message).wait(port_.scope()), kj::Exception);
+  EXPECT_THROW(bounded(kj::mv(ending)).wait(port_.scope()), kj::Exception);
+  stream_->write(message.getSegmentsForOutput());
+  EXPECT_THROW(stream_->end().wait(port_.scope()), kj::Exception);
+  EXPECT_NE(nextFault(), "a message");
+}
+
+TEST_F(MessageStreamTest, APeerThatOnlyStopsReadingIsGone) {
+  open();
+  auto reading = bounded(read());
+  shutdown(peer_, SHUT_RD);
+  capnp::MallocMessageBuilder message;
+  message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(8);
+  stream_->write(message.getSegmentsForOutput());
+  EXPECT_TRUE(reading.wait(port_.scope()) == nullptr);
 }
 
 TEST_F(MessageStreamTest, EndSendsWhatIsPendingThenCloses) {
   open();
   capnp::MallocMessageBuilder message;
   message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(16);
-  auto writing = stream_->writeMessage(message);
+  stream_->write(message.getSegmentsForOutput());
   bounded(stream_->end()).wait(port_.scope());
   std::byte bytes[1024];
   EXPECT_EQ(recv(peer_, bytes, sizeof(bytes), 0), static_cast<ssize_t>(blobFrame(16).size()));

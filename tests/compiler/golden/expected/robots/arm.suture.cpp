@@ -293,22 +293,22 @@ class ArmSink final : public suture::rpc::EventSink {
     switch (event) {
       case numberOf(ArmEvent::mode_changed): {
         const auto& slot = *reinterpret_cast<const std::int8_t*>(payload);
-        auto request = subscriber_.modeChangedRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.modeChangedRequest();
         request.setValue(wireMode(slot));
         return request.send().ignoreResult();
       }
       case numberOf(ArmEvent::stopped): {
-        return subscriber_.stoppedRequest(suture::rpc::kUsualSize).send().ignoreResult();
+        return subscriber_.stoppedRequest().send().ignoreResult();
       }
       case numberOf(ArmEvent::arrived): {
         const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(payload);
-        auto request = subscriber_.arrivedRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.arrivedRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
       case numberOf(ArmEvent::moved): {
         const auto& slot = *reinterpret_cast<const ArmMovedPayload*>(payload);
-        auto request = subscriber_.movedRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.movedRequest();
         toWire(slot.value, request.initValue());
         request.setValue2(slot.value2);
         request.setValue3(wireMode(slot.value3));
@@ -392,7 +392,7 @@ class ArmServant final : public wire::Arm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -404,7 +404,7 @@ class ArmServant final : public wire::Arm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const std::int8_t*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       out.setValue(wireMode(slot));
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -416,7 +416,7 @@ class ArmServant final : public wire::Arm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const EverythingSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -435,7 +435,7 @@ class ArmServant final : public wire::Arm::Server {
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const EverythingSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
     };
     return port_->call(numberOf(ArmCommand::inverse_kinematics), in.getSent(), fill, kj::mv(take));
@@ -452,7 +452,7 @@ class ArmServant final : public wire::Arm::Server {
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       out.setValue(slot != 0);
     };
     return port_->call(numberOf(ArmCommand::grasp), in.getSent(), fill, kj::mv(take));
@@ -462,7 +462,7 @@ class ArmServant final : public wire::Arm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const std::uint32_t*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       out.setValue(slot);
     };
     return port_->call(numberOf(ArmCommand::next_token), in.getSent(),
@@ -479,7 +479,7 @@ class ArmServant final : public wire::Arm::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -579,26 +579,26 @@ class ArmProxy final : public suture::rpc::Proxy {
   kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
     switch (static_cast<ArmCommand>(record.command)) {
       case ArmCommand::enable: {
-        auto request = provider_.enableRequest(suture::rpc::kUsualSize);
+        auto request = provider_.enableRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmCommand::servo_cp: {
         const auto& slot = *reinterpret_cast<const ArmServoCpArguments*>(record.arguments());
-        auto request = provider_.servoCpRequest(suture::rpc::kUsualSize);
+        auto request = provider_.servoCpRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmCommand::set_speed: {
         const auto& slot = *reinterpret_cast<const ArmSetSpeedArguments*>(record.arguments());
-        auto request = provider_.setSpeedRequest(suture::rpc::kUsualSize);
+        auto request = provider_.setSpeedRequest();
         request.setSpeed(slot.speed);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmCommand::measured_cp: {
-        auto request = provider_.measuredCpRequest(suture::rpc::kUsualSize);
+        auto request = provider_.measuredCpRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
@@ -608,7 +608,7 @@ class ArmProxy final : public suture::rpc::Proxy {
         });
       }
       case ArmCommand::mode: {
-        auto request = provider_.modeRequest(suture::rpc::kUsualSize);
+        auto request = provider_.modeRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<std::int8_t>(call, response.getStamp(), [&](std::int8_t& answer) {
@@ -617,7 +617,7 @@ class ArmProxy final : public suture::rpc::Proxy {
         });
       }
       case ArmCommand::everything: {
-        auto request = provider_.everythingRequest(suture::rpc::kUsualSize);
+        auto request = provider_.everythingRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<EverythingSlot>(call, response.getStamp(), [&](EverythingSlot& answer) {
@@ -629,7 +629,7 @@ class ArmProxy final : public suture::rpc::Proxy {
       case ArmCommand::inverse_kinematics: {
         const auto& slot =
             *reinterpret_cast<const ArmInverseKinematicsArguments*>(record.arguments());
-        auto request = provider_.inverseKinematicsRequest(suture::rpc::kUsualSize);
+        auto request = provider_.inverseKinematicsRequest();
         toWire(slot.x, request.initX());
         request.setTolerance(slot.tolerance);
         suture::rpc::fill(request.initSent(), record);
@@ -642,7 +642,7 @@ class ArmProxy final : public suture::rpc::Proxy {
       }
       case ArmCommand::grasp: {
         const auto& slot = *reinterpret_cast<const ArmGraspArguments*>(record.arguments());
-        auto request = provider_.graspRequest(suture::rpc::kUsualSize);
+        auto request = provider_.graspRequest();
         request.setWidth(slot.width);
         request.setMode(wireMode(slot.mode));
         suture::rpc::fill(request.initSent(), record);
@@ -654,7 +654,7 @@ class ArmProxy final : public suture::rpc::Proxy {
         });
       }
       case ArmCommand::next_token: {
-        auto request = provider_.nextTokenRequest(suture::rpc::kUsualSize);
+        auto request = provider_.nextTokenRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<std::uint32_t>(call, [&](std::uint32_t& answer) {
@@ -664,12 +664,12 @@ class ArmProxy final : public suture::rpc::Proxy {
         });
       }
       case ArmCommand::park: {
-        auto request = provider_.parkRequest(suture::rpc::kUsualSize);
+        auto request = provider_.parkRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmCommand::load: {
-        auto request = provider_.loadRequest(suture::rpc::kUsualSize);
+        auto request = provider_.loadRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<double>(call, response.getStamp(), [&](double& answer) {

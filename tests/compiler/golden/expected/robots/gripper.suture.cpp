@@ -185,22 +185,22 @@ class GripperSink final : public suture::rpc::EventSink {
     switch (event) {
       case numberOf(ArmEvent::mode_changed): {
         const auto& slot = *reinterpret_cast<const std::int8_t*>(payload);
-        auto request = subscriber_.modeChangedRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.modeChangedRequest();
         request.setValue(wireMode(slot));
         return request.send().ignoreResult();
       }
       case numberOf(ArmEvent::stopped): {
-        return subscriber_.stoppedRequest(suture::rpc::kUsualSize).send().ignoreResult();
+        return subscriber_.stoppedRequest().send().ignoreResult();
       }
       case numberOf(ArmEvent::arrived): {
         const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(payload);
-        auto request = subscriber_.arrivedRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.arrivedRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
       case numberOf(ArmEvent::moved): {
         const auto& slot = *reinterpret_cast<const ArmMovedPayload*>(payload);
-        auto request = subscriber_.movedRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.movedRequest();
         toWire(slot.value, request.initValue());
         request.setValue2(slot.value2);
         request.setValue3(wireMode(slot.value3));
@@ -208,7 +208,7 @@ class GripperSink final : public suture::rpc::EventSink {
       }
       case numberOf(GripperEvent::gripped): {
         const auto& slot = *reinterpret_cast<const GripperGrippedPayload*>(payload);
-        auto request = subscriber_.grippedRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.grippedRequest();
         request.setValue(slot.value);
         request.setValue2(slot.value2 != 0);
         return request.send().ignoreResult();
@@ -287,7 +287,7 @@ class GripperServant final : public wire::Gripper::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -304,7 +304,7 @@ class GripperServant final : public wire::Gripper::Server {
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       out.setValue(slot != 0);
     };
     return port_->call(numberOf(GripperCommand::fits), in.getSent(), fill, kj::mv(take));
@@ -420,13 +420,13 @@ class GripperProxy final : public suture::rpc::Proxy {
     switch (static_cast<GripperCommand>(record.command)) {
       case GripperCommand::open: {
         const auto& slot = *reinterpret_cast<const GripperOpenArguments*>(record.arguments());
-        auto request = provider_.openRequest(suture::rpc::kUsualSize);
+        auto request = provider_.openRequest();
         request.setWidth(slot.width);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case GripperCommand::opening: {
-        auto request = provider_.openingRequest(suture::rpc::kUsualSize);
+        auto request = provider_.openingRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<double>(call, response.getStamp(), [&](double& answer) {
@@ -437,7 +437,7 @@ class GripperProxy final : public suture::rpc::Proxy {
       }
       case GripperCommand::fits: {
         const auto& slot = *reinterpret_cast<const GripperFitsArguments*>(record.arguments());
-        auto request = provider_.fitsRequest(suture::rpc::kUsualSize);
+        auto request = provider_.fitsRequest();
         request.setWidth(slot.width);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
@@ -487,7 +487,7 @@ class NamesSink final : public suture::rpc::EventSink {
     switch (event) {
       case numberOf(NamesEvent::latched): {
         const auto& slot = *reinterpret_cast<const double*>(payload);
-        auto request = subscriber_.latchedRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.latchedRequest();
         request.setValue(slot);
         return request.send().ignoreResult();
       }
@@ -545,7 +545,7 @@ class NamesServant final : public wire::Names::Server {
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       out.setValue(slot != 0);
     };
     return port_->call(numberOf(NamesCommand::name), in.getSent(), fill, kj::mv(take));
@@ -555,7 +555,7 @@ class NamesServant final : public wire::Names::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const double*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -617,14 +617,14 @@ class NamesProxy final : public suture::rpc::Proxy {
     switch (static_cast<NamesCommand>(record.command)) {
       case NamesCommand::queue: {
         const auto& slot = *reinterpret_cast<const NamesQueueArguments*>(record.arguments());
-        auto request = provider_.queueRequest(suture::rpc::kUsualSize);
+        auto request = provider_.queueRequest();
         request.setName(slot.name);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case NamesCommand::name: {
         const auto& slot = *reinterpret_cast<const NamesNameArguments*>(record.arguments());
-        auto request = provider_.titleRequest(suture::rpc::kUsualSize);
+        auto request = provider_.titleRequest();
         request.setRange(slot.range);
         request.setSlot(slot.slot);
         suture::rpc::fill(request.initSent(), record);
@@ -636,7 +636,7 @@ class NamesProxy final : public suture::rpc::Proxy {
         });
       }
       case NamesCommand::range: {
-        auto request = provider_.rangeRequest(suture::rpc::kUsualSize);
+        auto request = provider_.rangeRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<double>(call, response.getStamp(), [&](double& answer) {

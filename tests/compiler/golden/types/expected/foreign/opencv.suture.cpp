@@ -178,7 +178,7 @@ class CameraServant final : public wire::Camera::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const ViewSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -233,13 +233,13 @@ class CameraProxy final : public suture::rpc::Proxy {
     switch (static_cast<CameraCommand>(record.command)) {
       case CameraCommand::aim: {
         const auto& slot = *reinterpret_cast<const CameraAimArguments*>(record.arguments());
-        auto request = provider_.aimRequest(suture::rpc::kUsualSize);
+        auto request = provider_.aimRequest();
         toWire(slot.at, request.initAt());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CameraCommand::view: {
-        auto request = provider_.viewRequest(suture::rpc::kUsualSize);
+        auto request = provider_.viewRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<ViewSlot>(call, response.getStamp(), [&](ViewSlot& answer) {

@@ -738,7 +738,7 @@ class StoreSink final : public suture::rpc::EventSink {
       case numberOf(StoreEvent::changed): {
         const auto& slot =
             *reinterpret_cast<const suture::SlotVariant<double, PointSlot>*>(payload);
-        auto request = subscriber_.changedRequest(suture::rpc::kUsualSize);
+        auto request = subscriber_.changedRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
@@ -816,7 +816,7 @@ class StoreServant final : public wire::Store::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const SequencesSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -828,7 +828,7 @@ class StoreServant final : public wire::Store::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const ChoicesSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -840,7 +840,7 @@ class StoreServant final : public wire::Store::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const MatricesSlot*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -852,7 +852,7 @@ class StoreServant final : public wire::Store::Server {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
       const auto& slot = *reinterpret_cast<const suture::SlotTuple<double, std::int16_t>*>(result);
-      auto out = context.getResults(suture::rpc::kUsualSize);
+      auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
     };
@@ -933,20 +933,20 @@ class StoreProxy final : public suture::rpc::Proxy {
     switch (static_cast<StoreCommand>(record.command)) {
       case StoreCommand::put: {
         const auto& slot = *reinterpret_cast<const StorePutArguments*>(record.arguments());
-        auto request = provider_.putRequest(suture::rpc::kUsualSize);
+        auto request = provider_.putRequest();
         toWire(slot.value, request.initValue());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case StoreCommand::choose: {
         const auto& slot = *reinterpret_cast<const StoreChooseArguments*>(record.arguments());
-        auto request = provider_.chooseRequest(suture::rpc::kUsualSize);
+        auto request = provider_.chooseRequest();
         toWire(slot.gain, request.initGain());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case StoreCommand::sequences: {
-        auto request = provider_.sequencesRequest(suture::rpc::kUsualSize);
+        auto request = provider_.sequencesRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<SequencesSlot>(call, response.getStamp(), [&](SequencesSlot& answer) {
@@ -956,7 +956,7 @@ class StoreProxy final : public suture::rpc::Proxy {
         });
       }
       case StoreCommand::choices: {
-        auto request = provider_.choicesRequest(suture::rpc::kUsualSize);
+        auto request = provider_.choicesRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<ChoicesSlot>(call, response.getStamp(), [&](ChoicesSlot& answer) {
@@ -966,7 +966,7 @@ class StoreProxy final : public suture::rpc::Proxy {
         });
       }
       case StoreCommand::matrices: {
-        auto request = provider_.matricesRequest(suture::rpc::kUsualSize);
+        auto request = provider_.matricesRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<MatricesSlot>(call, response.getStamp(), [&](MatricesSlot& answer) {
@@ -976,7 +976,7 @@ class StoreProxy final : public suture::rpc::Proxy {
         });
       }
       case StoreCommand::reading: {
-        auto request = provider_.readingRequest(suture::rpc::kUsualSize);
+        auto request = provider_.readingRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<suture::SlotTuple<double, std::int16_t>>(call, response.getStamp(),
