@@ -64,7 +64,8 @@ TEST(Bounds, ABrokenLineIsAnError) {
 TEST(Bounds, ThoseOfTheProjectCanBeRead) {
   const auto bounds = parseBounds(boundsText());
   EXPECT_FALSE(bounds.empty());
-  for (const Bound& bound : bounds) EXPECT_GE(bound.limit, 0) << bound.figure;  // 0: a count that must stay 0
+  for (const Bound& bound : bounds)
+    EXPECT_GE(bound.limit, 0) << bound.figure;  // 0: a count that must stay 0
 }
 
 }  // namespace
