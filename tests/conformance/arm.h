@@ -56,14 +56,18 @@ class Gate {
 class RecordingArm : public GripperArm {
  public:
   void servo_cp(const PoseStamped& goal) override {
+    {
+      const std::lock_guard lock(mutex_);
+      measured_ = goal;
+    }
     log("servo_cp " + std::to_string(static_cast<int>(goal.pose.translation().x())));
-    const std::lock_guard lock(mutex_);
-    measured_ = goal;
   }
   void servo_jp(const JointState& goal) override {
+    {
+      const std::lock_guard lock(mutex_);
+      joints_ = goal;
+    }
     log("servo_jp " + std::to_string(goal.position.size()));
-    const std::lock_guard lock(mutex_);
-    joints_ = goal;
   }
   void hold() override { log("hold"); }
   void set_mode(Mode mode) override {

@@ -7,14 +7,16 @@
 
 namespace suture {
 
-/// Waits for what another thread will bring about; false after ten seconds.
+/// Waits for what another thread will bring about; false after ten seconds. Asks no more once it is
+/// so: a condition may have an effect.
 template <class Condition>
 bool eventually(const Condition& condition) {
   const Time deadline = now() + std::chrono::seconds(10);
-  while (!condition() && now() < deadline) {
+  while (!condition()) {
+    if (now() >= deadline) return false;
     std::this_thread::sleep_for(std::chrono::microseconds(200));
   }
-  return condition();
+  return true;
 }
 
 }  // namespace suture
