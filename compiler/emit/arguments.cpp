@@ -40,54 +40,81 @@ std::string slotName(const model::Command& command) {
   return name;
 }
 
+std::string storeSignature(const Context& context, const model::Command& command,
+                           const std::string& slot) {
+  return "bool store(" + parameterList(command, context.header.cxxNamespace) + slot + "& " +
+         slotName(command) + ")";
+}
+
 void emitStore(Code& code, const Context& context, const model::Command& command,
                const std::string& slot) {
-  const std::string target = slotName(command);
-  code.open("inline bool store(", parameterList(command, context.header.cxxNamespace), slot, "& ",
-            target, ") {");
-  code.line("using suture::store;");
+  code.open(storeSignature(context, command, slot), " {").line("using suture::store;");
   std::string call;
   for (const model::Parameter& parameter : command.parameters) {
     if (!call.empty()) call += std::string(" && ") + kBreak;
-    call += "store(" + parameter.name + ", " + target + "." + parameter.name + ")";
+    call += "store(" + parameter.name + ", " + slotName(command) + "." + parameter.name + ")";
   }
   code.line("return ", call, ";").close("}").blank();
 }
 
-/// The slot of several values, its store() and its load().
+/// What carries several values of an event.
+struct Payload {
+  Payload(const Context& context, const model::Interface& interface, const model::Event& event)
+      : slot(payloadSlot(interface, event, context, context.header.cxxNamespace)) {
+    std::string constants, variables;
+    for (std::size_t i = 0; i < event.payload.size(); ++i) {
+      const std::string type = cxxType(event.payload[i], context.header.cxxNamespace);
+      constants += "const " + type + "& " + lock::payloadName(i) + ", " + kBreak;
+      variables += std::string(", ") + kBreak + type + "& " + lock::payloadName(i);
+    }
+    store = "bool store(" + constants + slot + "& slot)";
+    load = "void load(const " + slot + "& slot" + variables + ")";
+  }
+  std::string slot, store, load;
+};
+
+void declarePayload(Code& code, const Context& context, const model::Interface& interface,
+                    const model::Event& event) {
+  const Payload payload(context, interface, event);
+  code.open("struct ", payload.slot, " {");
+  for (std::size_t i = 0; i < event.payload.size(); ++i) {
+    code.line(slotType(event.payload[i], context, context.header.cxxNamespace), " ",
+              lock::payloadName(i), ";");
+  }
+  code.close("};").blank();
+  code.line(payload.store, ";").line(payload.load, ";").blank();
+}
+
 void emitPayload(Code& code, const Context& context, const model::Interface& interface,
                  const model::Event& event) {
-  const std::string& home = context.header.cxxNamespace;
-  const std::string slot = payloadSlot(interface, event, context, home);
-  code.open("struct ", slot, " {");
-  std::string constants, variables, stores;
+  const Payload payload(context, interface, event);
+  std::string stores, loads;
   for (std::size_t i = 0; i < event.payload.size(); ++i) {
-    const std::string type = cxxType(event.payload[i], home);
     const std::string name = lock::payloadName(i);
-    code.line(slotType(event.payload[i], context, home), " ", name, ";");
-    constants += "const " + type + "& " + name + ", " + kBreak;
-    variables += std::string(", ") + kBreak + type + "& " + name;
     stores +=
         (i == 0 ? "" : std::string(" && ") + kBreak) + "store(" + name + ", slot." + name + ")";
   }
-  code.close("};").blank();
-  code.open("inline bool store(", constants, slot, "& slot) {").line("using suture::store;");
+  code.open(payload.store, " {").line("using suture::store;");
   code.line("return ", stores, ";").close("}").blank();
-  code.open("inline void load(const ", slot, "& slot", variables, ") {")
-      .line("using suture::load;");
+  code.open(payload.load, " {").line("using suture::load;");
   for (std::size_t i = 0; i < event.payload.size(); ++i) {
     code.line("load(slot.", lock::payloadName(i), ", ", lock::payloadName(i), ");");
   }
   code.close("}").blank();
 }
 
-void emitPayloads(Code& code, const Context& context, const model::Interface& interface) {
-  bool first = true;
+/// The commands and the events that have a slot of their own.
+template <class Emit>
+void forEachArguments(const Context& context, const model::Interface& interface, const Emit& emit) {
+  for (const model::Command& command : interface.commands) {
+    if (command.parameters.empty() || !command.inheritedFrom.empty()) continue;
+    emit(command, relative(argumentsStruct(interface, command), context.header.cxxNamespace));
+  }
+}
+template <class Emit>
+void forEachPayload(const model::Interface& interface, const Emit& emit) {
   for (const model::Event& event : interface.events) {
-    if (event.payload.size() < 2 || !event.inheritedFrom.empty()) continue;
-    if (first) code.line("// --- ", prefixOf(interface), ": what its events carry ---").blank();
-    first = false;
-    emitPayload(code, context, interface, event);
+    if (event.payload.size() >= 2 && event.inheritedFrom.empty()) emit(event);
   }
 }
 
@@ -108,21 +135,33 @@ void emitNumbers(Code& code, const std::string& contract, const char* kind, cons
 }  // namespace
 
 void emitArguments(Code& code, const Context& context, const model::Interface& interface) {
-  const std::string& home = context.header.cxxNamespace;
   const std::string contract = prefixOf(interface);
-  bool first = true;
-  for (const model::Command& command : interface.commands) {
-    if (command.parameters.empty() || !command.inheritedFrom.empty()) continue;
-    if (first) code.line("// --- ", contract, ": the arguments of its commands ---").blank();
-    first = false;
-    const std::string slot = relative(argumentsStruct(interface, command), home);
+  std::string title = ": the arguments of its commands ---";
+  const auto titled = [&] {
+    if (!title.empty()) code.line("// --- ", contract, std::exchange(title, "")).blank();
+  };
+  forEachArguments(context, interface, [&](const model::Command& command, const std::string& slot) {
+    titled();
     emitStruct(code, context, command, slot);
-    emitStore(code, context, command, slot);
-  }
-  emitPayloads(code, context, interface);
+    code.line(storeSignature(context, command, slot), ";").blank();
+  });
+  title = ": what its events carry ---";
+  forEachPayload(interface, [&](const model::Event& event) {
+    titled();
+    declarePayload(code, context, interface, event);
+  });
   emitNumbers(code, contract, "Command", "commands in every table and record",
               ownCommands(interface), interface.commands.size());
   emitNumbers(code, contract, "Event", "events", ownEvents(interface), interface.events.size());
+}
+
+void emitArgumentConversions(Code& code, const Context& context,
+                             const model::Interface& interface) {
+  forEachArguments(context, interface, [&](const model::Command& command, const std::string& slot) {
+    emitStore(code, context, command, slot);
+  });
+  forEachPayload(interface,
+                 [&](const model::Event& event) { emitPayload(code, context, interface, event); });
 }
 
 }  // namespace suture::compiler::emit

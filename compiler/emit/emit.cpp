@@ -55,9 +55,41 @@ void hidden(Code& code, const EmitParts& emitParts) {
   code.line("namespace {").blank().verbatim(inner.text()).line("}  // namespace").blank();
 }
 
+/// Is it converted by what the forms of slots bring along, or by a function of generated code?
+bool convertsItself(const model::Type& type) {
+  using Shape = model::Type::Shape;
+  switch (type.shape) {
+    case Shape::Scalar:
+    case Shape::Enum:
+    case Shape::Text:
+    case Shape::Duration:
+    case Shape::TimePoint:
+    case Shape::Struct: return true;
+    default: return false;
+  }
+}
+
+/// Does a user's code instantiate a conversion of lists, arrays or choices? Those of arguments, of
+/// several values of an event and of types are functions of the generated source.
+bool instantiatesConversions(const model::Interface& interface) {
+  const auto result = [](const model::Command& command) {
+    return command.result && !convertsItself(*command.result);
+  };
+  const auto payload = [](const model::Event& event) {
+    return event.payload.size() == 1 && !convertsItself(event.payload[0]);
+  };
+  return std::any_of(interface.commands.begin(), interface.commands.end(), result) ||
+         std::any_of(interface.events.begin(), interface.events.end(), payload);
+}
+
 void emitHeaderIncludes(Code& code, const Context& context) {
   const bool contracts = !context.header.interfaces.empty();
-  if (contracts || hasSlots(context)) code.line("#include <suture/base/slots.h>");
+  const auto& interfaces = context.header.interfaces;
+  if (std::any_of(interfaces.begin(), interfaces.end(), instantiatesConversions)) {
+    code.line("#include <suture/base/slots.h>");
+  } else if (contracts || hasSlots(context)) {
+    code.line("#include <suture/base/slot_forms.h>");
+  }
   if (contracts) code.line("#include <suture/component/commands.h>");
   if (!context.header.components.empty())
     code.line("#include <suture/component/component_class.h>");
@@ -151,6 +183,8 @@ std::string sourceFile(const Context& context) {
       emitChecks(part, context);
       forEachInterface(part, context, emitTables);
     });
+    emitSlotConversions(inner, context);
+    forEachInterface(inner, context, emitArgumentConversions);
     emitConverters(inner, context);
     hidden(inner, [&](Code& part) {
       for (const model::Interface& one : context.header.interfaces) {

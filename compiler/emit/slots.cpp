@@ -56,10 +56,17 @@ void emitStruct(Code& code, const Context& context, const model::Struct& declara
   code.close("};").blank();
 }
 
+std::string storeSignature(const std::string& type, const std::string& slot) {
+  return "bool store(const " + type + "& value, " + kBreak + slot + "& slot)";
+}
+
+std::string loadSignature(const std::string& type, const std::string& slot) {
+  return "void load(const " + slot + "& slot, " + kBreak + type + "& value)";
+}
+
 void emitStore(Code& code, const model::Struct& declaration, const std::string& home,
                const std::string& slot) {
-  const std::string type = relative(declaration.name, home);
-  code.open("inline bool store(const ", type, "& value, ", slot, "& slot) {");
+  code.open(storeSignature(relative(declaration.name, home), slot), " {");
   code.line("using suture::store;").line("bool fits = true;");
   for (const model::Field& field : declaration.fields) {
     code.line("fits &= store(", access(declaration, field, "value", true, home), ", ", kBreakText,
@@ -70,14 +77,23 @@ void emitStore(Code& code, const model::Struct& declaration, const std::string& 
 
 void emitLoad(Code& code, const model::Struct& declaration, const std::string& home,
               const std::string& slot) {
-  const std::string type = relative(declaration.name, home);
-  code.open("inline void load(const ", slot, "& slot, ", type, "& value) {");
+  code.open(loadSignature(relative(declaration.name, home), slot), " {");
   code.line("using suture::load;");
   for (const model::Field& field : declaration.fields) {
     code.line("load(slot.", field.name, ", ", kBreakText,
               access(declaration, field, "value", false, home), ");");
   }
   code.close("}").blank();
+}
+
+/// Each type of the header that has a slot, with the slot's name.
+template <class Emit>
+void forEachSlot(const Context& context, const Emit& emit) {
+  for (const model::Struct& declaration : context.header.structs) {
+    if (!isBounded(declaration, context.lookup)) continue;
+    emit(declaration,
+         relative(slotStruct(declaration.name, context.lookup), context.header.cxxNamespace));
+  }
 }
 
 }  // namespace
@@ -99,14 +115,18 @@ void emitMembers(Code& code, const Context& context) {
 }
 
 void emitSlots(Code& code, const Context& context) {
-  const std::string& home = context.header.cxxNamespace;
-  for (const model::Struct& declaration : context.header.structs) {
-    if (!isBounded(declaration, context.lookup)) continue;
-    const std::string slot = relative(slotStruct(declaration.name, context.lookup), home);
+  forEachSlot(context, [&](const model::Struct& declaration, const std::string& slot) {
+    const std::string type = relative(declaration.name, context.header.cxxNamespace);
     emitStruct(code, context, declaration, slot);
-    emitStore(code, declaration, home, slot);
-    emitLoad(code, declaration, home, slot);
-  }
+    code.line(storeSignature(type, slot), ";").line(loadSignature(type, slot), ";").blank();
+  });
+}
+
+void emitSlotConversions(Code& code, const Context& context) {
+  forEachSlot(context, [&](const model::Struct& declaration, const std::string& slot) {
+    emitStore(code, declaration, context.header.cxxNamespace, slot);
+    emitLoad(code, declaration, context.header.cxxNamespace, slot);
+  });
 }
 
 }  // namespace suture::compiler::emit

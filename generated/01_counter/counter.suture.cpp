@@ -59,6 +59,11 @@ constexpr char kCounterDescription[] = R"json(
 
 }  // namespace
 
+bool store(const std::int32_t& amount, CounterAddArguments& slot) {
+  using suture::store;
+  return store(amount, slot.amount);
+}
+
 namespace {
 
 // --- Counter over Cap'n Proto RPC: the provider's side

@@ -1,7 +1,7 @@
 // Written by suturec from 01_counter/counter.h. Do not edit.
 #pragma once
 
-#include <suture/base/slots.h>
+#include <suture/base/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
 #include <suture/component/provided.h>
@@ -17,10 +17,7 @@ struct CounterAddArguments {
   std::int32_t amount;
 };
 
-inline bool store(const std::int32_t& amount, CounterAddArguments& slot) {
-  using suture::store;
-  return store(amount, slot.amount);
-}
+bool store(const std::int32_t& amount, CounterAddArguments& slot);
 
 /// The numbers of Counter's commands in every table and record.
 enum class CounterCommand : std::uint16_t {

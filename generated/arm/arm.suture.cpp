@@ -226,6 +226,31 @@ constexpr char kArmDescription[] = R"json(
 
 }  // namespace
 
+bool store(const PoseStamped& goal, ArmServoCpArguments& slot) {
+  using suture::store;
+  return store(goal, slot.goal);
+}
+
+bool store(const JointGoal& goal, ArmServoJpArguments& slot) {
+  using suture::store;
+  return store(goal, slot.goal);
+}
+
+bool store(const JointGoal& goal, ArmMoveJpArguments& slot) {
+  using suture::store;
+  return store(goal, slot.goal);
+}
+
+bool store(const JointGoal& q, ArmForwardKinematicsArguments& slot) {
+  using suture::store;
+  return store(q, slot.q);
+}
+
+bool store(const PoseStamped& goal, ArmInverseKinematicsArguments& slot) {
+  using suture::store;
+  return store(goal, slot.goal);
+}
+
 // --- between slots and Cap'n Proto
 
 wire::ArmWarning wireArmWarning(std::uint8_t slot) {

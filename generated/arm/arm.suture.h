@@ -1,7 +1,7 @@
 // Written by suturec from arm/arm.h. Do not edit.
 #pragma once
 
-#include <suture/base/slots.h>
+#include <suture/base/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
 #include <suture/component/provided.h>
@@ -20,46 +20,31 @@ struct ArmServoCpArguments {
   PoseStampedSlot goal;
 };
 
-inline bool store(const PoseStamped& goal, ArmServoCpArguments& slot) {
-  using suture::store;
-  return store(goal, slot.goal);
-}
+bool store(const PoseStamped& goal, ArmServoCpArguments& slot);
 
 struct ArmServoJpArguments {
   JointGoalSlot goal;
 };
 
-inline bool store(const JointGoal& goal, ArmServoJpArguments& slot) {
-  using suture::store;
-  return store(goal, slot.goal);
-}
+bool store(const JointGoal& goal, ArmServoJpArguments& slot);
 
 struct ArmMoveJpArguments {
   JointGoalSlot goal;
 };
 
-inline bool store(const JointGoal& goal, ArmMoveJpArguments& slot) {
-  using suture::store;
-  return store(goal, slot.goal);
-}
+bool store(const JointGoal& goal, ArmMoveJpArguments& slot);
 
 struct ArmForwardKinematicsArguments {
   JointGoalSlot q;
 };
 
-inline bool store(const JointGoal& q, ArmForwardKinematicsArguments& slot) {
-  using suture::store;
-  return store(q, slot.q);
-}
+bool store(const JointGoal& q, ArmForwardKinematicsArguments& slot);
 
 struct ArmInverseKinematicsArguments {
   PoseStampedSlot goal;
 };
 
-inline bool store(const PoseStamped& goal, ArmInverseKinematicsArguments& slot) {
-  using suture::store;
-  return store(goal, slot.goal);
-}
+bool store(const PoseStamped& goal, ArmInverseKinematicsArguments& slot);
 
 /// The numbers of Arm's commands in every table and record.
 enum class ArmCommand : std::uint16_t {

@@ -1,7 +1,7 @@
 // Written by suturec from arm/crtk_arm.h. Do not edit.
 #pragma once
 
-#include <suture/base/slots.h>
+#include <suture/base/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
 #include <suture/component/provided.h>
@@ -23,208 +23,139 @@ struct CrtkArmStateCommandArguments {
   suture::BoundedText<15> name;
 };
 
-inline bool store(const std::string& name, CrtkArmStateCommandArguments& slot) {
-  using suture::store;
-  return store(name, slot.name);
-}
+bool store(const std::string& name, CrtkArmStateCommandArguments& slot);
 
 struct CrtkArmSetBaseFrameArguments {
   PoseStampedSlot frame;
 };
 
-inline bool store(const PoseStamped& frame, CrtkArmSetBaseFrameArguments& slot) {
-  using suture::store;
-  return store(frame, slot.frame);
-}
+bool store(const PoseStamped& frame, CrtkArmSetBaseFrameArguments& slot);
 
 struct CrtkArmUseGravityCompensationArguments {
   std::uint8_t use;
 };
 
-inline bool store(const bool& use, CrtkArmUseGravityCompensationArguments& slot) {
-  using suture::store;
-  return store(use, slot.use);
-}
+bool store(const bool& use, CrtkArmUseGravityCompensationArguments& slot);
 
 struct CrtkArmServoJpArguments {
   JointGoalSlot goal;
 };
 
-inline bool store(const JointGoal& goal, CrtkArmServoJpArguments& slot) {
-  using suture::store;
-  return store(goal, slot.goal);
-}
+bool store(const JointGoal& goal, CrtkArmServoJpArguments& slot);
 
 struct CrtkArmServoJrArguments {
   JointGoalSlot step;
 };
 
-inline bool store(const JointGoal& step, CrtkArmServoJrArguments& slot) {
-  using suture::store;
-  return store(step, slot.step);
-}
+bool store(const JointGoal& step, CrtkArmServoJrArguments& slot);
 
 struct CrtkArmServoJvArguments {
   JointVelocityGoalSlot goal;
 };
 
-inline bool store(const JointVelocityGoal& goal, CrtkArmServoJvArguments& slot) {
-  using suture::store;
-  return store(goal, slot.goal);
-}
+bool store(const JointVelocityGoal& goal, CrtkArmServoJvArguments& slot);
 
 struct CrtkArmServoJfArguments {
   JointEffortGoalSlot goal;
 };
 
-inline bool store(const JointEffortGoal& goal, CrtkArmServoJfArguments& slot) {
-  using suture::store;
-  return store(goal, slot.goal);
-}
+bool store(const JointEffortGoal& goal, CrtkArmServoJfArguments& slot);
 
 struct CrtkArmServoCpArguments {
   PoseStampedSlot goal;
 };
 
-inline bool store(const PoseStamped& goal, CrtkArmServoCpArguments& slot) {
-  using suture::store;
-  return store(goal, slot.goal);
-}
+bool store(const PoseStamped& goal, CrtkArmServoCpArguments& slot);
 
 struct CrtkArmServoCrArguments {
   PoseStampedSlot step;
 };
 
-inline bool store(const PoseStamped& step, CrtkArmServoCrArguments& slot) {
-  using suture::store;
-  return store(step, slot.step);
-}
+bool store(const PoseStamped& step, CrtkArmServoCrArguments& slot);
 
 struct CrtkArmServoCvArguments {
   TwistGoalSlot goal;
 };
 
-inline bool store(const TwistGoal& goal, CrtkArmServoCvArguments& slot) {
-  using suture::store;
-  return store(goal, slot.goal);
-}
+bool store(const TwistGoal& goal, CrtkArmServoCvArguments& slot);
 
 struct CrtkArmBodyServoCfArguments {
   WrenchGoalSlot goal;
 };
 
-inline bool store(const WrenchGoal& goal, CrtkArmBodyServoCfArguments& slot) {
-  using suture::store;
-  return store(goal, slot.goal);
-}
+bool store(const WrenchGoal& goal, CrtkArmBodyServoCfArguments& slot);
 
 struct CrtkArmSpatialServoCfArguments {
   WrenchGoalSlot goal;
 };
 
-inline bool store(const WrenchGoal& goal, CrtkArmSpatialServoCfArguments& slot) {
-  using suture::store;
-  return store(goal, slot.goal);
-}
+bool store(const WrenchGoal& goal, CrtkArmSpatialServoCfArguments& slot);
 
 struct CrtkArmMoveJpArguments {
   JointGoalSlot goal;
 };
 
-inline bool store(const JointGoal& goal, CrtkArmMoveJpArguments& slot) {
-  using suture::store;
-  return store(goal, slot.goal);
-}
+bool store(const JointGoal& goal, CrtkArmMoveJpArguments& slot);
 
 struct CrtkArmMoveJrArguments {
   JointGoalSlot step;
 };
 
-inline bool store(const JointGoal& step, CrtkArmMoveJrArguments& slot) {
-  using suture::store;
-  return store(step, slot.step);
-}
+bool store(const JointGoal& step, CrtkArmMoveJrArguments& slot);
 
 struct CrtkArmMoveCpArguments {
   PoseStampedSlot goal;
 };
 
-inline bool store(const PoseStamped& goal, CrtkArmMoveCpArguments& slot) {
-  using suture::store;
-  return store(goal, slot.goal);
-}
+bool store(const PoseStamped& goal, CrtkArmMoveCpArguments& slot);
 
 struct CrtkArmMoveCrArguments {
   PoseStampedSlot step;
 };
 
-inline bool store(const PoseStamped& step, CrtkArmMoveCrArguments& slot) {
-  using suture::store;
-  return store(step, slot.step);
-}
+bool store(const PoseStamped& step, CrtkArmMoveCrArguments& slot);
 
 struct CrtkArmTrajectoryJSetRatioArguments {
   double ratio;
 };
 
-inline bool store(const double& ratio, CrtkArmTrajectoryJSetRatioArguments& slot) {
-  using suture::store;
-  return store(ratio, slot.ratio);
-}
+bool store(const double& ratio, CrtkArmTrajectoryJSetRatioArguments& slot);
 
 struct CrtkArmTrajectoryJSetRatioVArguments {
   double ratio;
 };
 
-inline bool store(const double& ratio, CrtkArmTrajectoryJSetRatioVArguments& slot) {
-  using suture::store;
-  return store(ratio, slot.ratio);
-}
+bool store(const double& ratio, CrtkArmTrajectoryJSetRatioVArguments& slot);
 
 struct CrtkArmTrajectoryJSetRatioAArguments {
   double ratio;
 };
 
-inline bool store(const double& ratio, CrtkArmTrajectoryJSetRatioAArguments& slot) {
-  using suture::store;
-  return store(ratio, slot.ratio);
-}
+bool store(const double& ratio, CrtkArmTrajectoryJSetRatioAArguments& slot);
 
 struct CrtkArmForwardKinematicsArguments {
   JointGoalSlot q;
 };
 
-inline bool store(const JointGoal& q, CrtkArmForwardKinematicsArguments& slot) {
-  using suture::store;
-  return store(q, slot.q);
-}
+bool store(const JointGoal& q, CrtkArmForwardKinematicsArguments& slot);
 
 struct CrtkArmInverseKinematicsArguments {
   PoseStampedSlot goal;
 };
 
-inline bool store(const PoseStamped& goal, CrtkArmInverseKinematicsArguments& slot) {
-  using suture::store;
-  return store(goal, slot.goal);
-}
+bool store(const PoseStamped& goal, CrtkArmInverseKinematicsArguments& slot);
 
 struct CrtkArmQueryCpArguments {
   JointGoalSlot q;
 };
 
-inline bool store(const JointGoal& q, CrtkArmQueryCpArguments& slot) {
-  using suture::store;
-  return store(q, slot.q);
-}
+bool store(const JointGoal& q, CrtkArmQueryCpArguments& slot);
 
 struct CrtkArmLocalQueryCpArguments {
   JointGoalSlot q;
 };
 
-inline bool store(const JointGoal& q, CrtkArmLocalQueryCpArguments& slot) {
-  using suture::store;
-  return store(q, slot.q);
-}
+bool store(const JointGoal& q, CrtkArmLocalQueryCpArguments& slot);
 
 /// The numbers of CrtkArm's commands in every table and record.
 enum class CrtkArmCommand : std::uint16_t {

@@ -34,6 +34,24 @@ static_assert(std::is_same_v<decltype(MtmParameters::angular_rate), double>);
 
 }  // namespace
 
+bool store(const MtmParameters& value, MtmParametersSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.side, slot.side);
+  fits &= store(value.period, slot.period);
+  fits &= store(value.time_constant, slot.time_constant);
+  fits &= store(value.angular_rate, slot.angular_rate);
+  return fits;
+}
+
+void load(const MtmParametersSlot& slot, MtmParameters& value) {
+  using suture::load;
+  load(slot.side, value.side);
+  load(slot.period, value.period);
+  load(slot.time_constant, value.time_constant);
+  load(slot.angular_rate, value.angular_rate);
+}
+
 // --- between slots and Cap'n Proto
 
 wire::MtmSide wireMtmSide(std::uint8_t slot) {

@@ -1,7 +1,7 @@
 // Written by suturec from arm/mtm.h. Do not edit.
 #pragma once
 
-#include <suture/base/slots.h>
+#include <suture/base/slot_forms.h>
 #include <suture/component/component_class.h>
 
 #include "arm/mtm.h"
@@ -21,23 +21,8 @@ struct MtmParametersSlot {
   double angular_rate;   // rad/s
 };
 
-inline bool store(const MtmParameters& value, MtmParametersSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.side, slot.side);
-  fits &= store(value.period, slot.period);
-  fits &= store(value.time_constant, slot.time_constant);
-  fits &= store(value.angular_rate, slot.angular_rate);
-  return fits;
-}
-
-inline void load(const MtmParametersSlot& slot, MtmParameters& value) {
-  using suture::load;
-  load(slot.side, value.side);
-  load(slot.period, value.period);
-  load(slot.time_constant, value.time_constant);
-  load(slot.angular_rate, value.angular_rate);
-}
+bool store(const MtmParameters& value, MtmParametersSlot& slot);
+void load(const MtmParametersSlot& slot, MtmParameters& value);
 
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, MtmParameters& value);

@@ -31,6 +31,24 @@ static_assert(std::is_same_v<decltype(PsmParameters::insertion_rate), double>);
 
 }  // namespace
 
+bool store(const PsmParameters& value, PsmParametersSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.period, slot.period);
+  fits &= store(value.time_constant, slot.time_constant);
+  fits &= store(value.angular_rate, slot.angular_rate);
+  fits &= store(value.insertion_rate, slot.insertion_rate);
+  return fits;
+}
+
+void load(const PsmParametersSlot& slot, PsmParameters& value) {
+  using suture::load;
+  load(slot.period, value.period);
+  load(slot.time_constant, value.time_constant);
+  load(slot.angular_rate, value.angular_rate);
+  load(slot.insertion_rate, value.insertion_rate);
+}
+
 // --- between slots and Cap'n Proto
 
 void toWire(const PsmParametersSlot& slot, wire::PsmParameters::Builder out) {

@@ -1,7 +1,7 @@
 // Written by suturec from arm/psm.h. Do not edit.
 #pragma once
 
-#include <suture/base/slots.h>
+#include <suture/base/slot_forms.h>
 #include <suture/component/component_class.h>
 
 #include "arm/psm.h"
@@ -21,23 +21,8 @@ struct PsmParametersSlot {
   double insertion_rate;  // m/s
 };
 
-inline bool store(const PsmParameters& value, PsmParametersSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.period, slot.period);
-  fits &= store(value.time_constant, slot.time_constant);
-  fits &= store(value.angular_rate, slot.angular_rate);
-  fits &= store(value.insertion_rate, slot.insertion_rate);
-  return fits;
-}
-
-inline void load(const PsmParametersSlot& slot, PsmParameters& value) {
-  using suture::load;
-  load(slot.period, value.period);
-  load(slot.time_constant, value.time_constant);
-  load(slot.angular_rate, value.angular_rate);
-  load(slot.insertion_rate, value.insertion_rate);
-}
+bool store(const PsmParameters& value, PsmParametersSlot& slot);
+void load(const PsmParametersSlot& slot, PsmParameters& value);
 
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, PsmParameters& value);

@@ -83,6 +83,16 @@ constexpr char kLoopServerDescription[] = R"json(
 
 }  // namespace
 
+bool store(const robots::PosePrm& value, LoopServerPutArguments& slot) {
+  using suture::store;
+  return store(value, slot.value);
+}
+
+bool store(const robots::PosePrm& value, LoopServerBounceArguments& slot) {
+  using suture::store;
+  return store(value, slot.value);
+}
+
 namespace {
 
 // --- LoopServer over Cap'n Proto RPC: the provider's side

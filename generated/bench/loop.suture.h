@@ -1,7 +1,7 @@
 // Written by suturec from bench/loop.h. Do not edit.
 #pragma once
 
-#include <suture/base/slots.h>
+#include <suture/base/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
 #include <suture/component/provided.h>
@@ -18,19 +18,13 @@ struct LoopServerPutArguments {
   robots::PosePrmSlot value;
 };
 
-inline bool store(const robots::PosePrm& value, LoopServerPutArguments& slot) {
-  using suture::store;
-  return store(value, slot.value);
-}
+bool store(const robots::PosePrm& value, LoopServerPutArguments& slot);
 
 struct LoopServerBounceArguments {
   robots::PosePrmSlot value;
 };
 
-inline bool store(const robots::PosePrm& value, LoopServerBounceArguments& slot) {
-  using suture::store;
-  return store(value, slot.value);
-}
+bool store(const robots::PosePrm& value, LoopServerBounceArguments& slot);
 
 /// The numbers of LoopServer's commands in every table and record.
 enum class LoopServerCommand : std::uint16_t {

@@ -78,6 +78,16 @@ constexpr char kSampleServerDescription[] = R"json(
 
 }  // namespace
 
+bool store(const robots::PoseSample& value, SampleServerPutArguments& slot) {
+  using suture::store;
+  return store(value, slot.value);
+}
+
+bool store(const robots::PoseSample& value, SampleServerBounceArguments& slot) {
+  using suture::store;
+  return store(value, slot.value);
+}
+
 namespace {
 
 // --- SampleServer over Cap'n Proto RPC: the provider's side

@@ -1,7 +1,7 @@
 // Written by suturec from bench/sample_loop.h. Do not edit.
 #pragma once
 
-#include <suture/base/slots.h>
+#include <suture/base/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
 #include <suture/component/provided.h>
@@ -18,19 +18,13 @@ struct SampleServerPutArguments {
   robots::PoseSampleSlot value;
 };
 
-inline bool store(const robots::PoseSample& value, SampleServerPutArguments& slot) {
-  using suture::store;
-  return store(value, slot.value);
-}
+bool store(const robots::PoseSample& value, SampleServerPutArguments& slot);
 
 struct SampleServerBounceArguments {
   robots::PoseSampleSlot value;
 };
 
-inline bool store(const robots::PoseSample& value, SampleServerBounceArguments& slot) {
-  using suture::store;
-  return store(value, slot.value);
-}
+bool store(const robots::PoseSample& value, SampleServerBounceArguments& slot);
 
 /// The numbers of SampleServer's commands in every table and record.
 enum class SampleServerCommand : std::uint16_t {

@@ -29,6 +29,20 @@ static_assert(std::is_same_v<decltype(RecorderParameters::file), std::string>);
 
 }  // namespace
 
+bool store(const RecorderParameters& value, RecorderParametersSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.period, slot.period);
+  fits &= store(value.file, slot.file);
+  return fits;
+}
+
+void load(const RecorderParametersSlot& slot, RecorderParameters& value) {
+  using suture::load;
+  load(slot.period, value.period);
+  load(slot.file, value.file);
+}
+
 // --- between slots and Cap'n Proto
 
 void toWire(const RecorderParametersSlot& slot, wire::RecorderParameters::Builder out) {

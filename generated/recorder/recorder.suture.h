@@ -1,7 +1,7 @@
 // Written by suturec from recorder/recorder.h. Do not edit.
 #pragma once
 
-#include <suture/base/slots.h>
+#include <suture/base/slot_forms.h>
 #include <suture/component/component_class.h>
 
 #include "recorder/recorder.h"
@@ -19,19 +19,8 @@ struct RecorderParametersSlot {
   suture::BoundedText<255> file;
 };
 
-inline bool store(const RecorderParameters& value, RecorderParametersSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.period, slot.period);
-  fits &= store(value.file, slot.file);
-  return fits;
-}
-
-inline void load(const RecorderParametersSlot& slot, RecorderParameters& value) {
-  using suture::load;
-  load(slot.period, value.period);
-  load(slot.file, value.file);
-}
+bool store(const RecorderParameters& value, RecorderParametersSlot& slot);
+void load(const RecorderParametersSlot& slot, RecorderParameters& value);
 
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, RecorderParameters& value);

@@ -44,6 +44,60 @@ static_assert(std::is_same_v<decltype(ImuSample::valid), bool>);
 
 }  // namespace
 
+bool store(const ButtonEvent& value, ButtonEventSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.type, slot.type);
+  fits &= store(value.stamp, slot.stamp);
+  fits &= store(value.valid, slot.valid);
+  return fits;
+}
+
+void load(const ButtonEventSlot& slot, ButtonEvent& value) {
+  using suture::load;
+  load(slot.type, value.type);
+  load(slot.stamp, value.stamp);
+  load(slot.valid, value.valid);
+}
+
+bool store(const InputData& value, InputDataSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.analog_inputs, slot.analog_inputs);
+  fits &= store(value.digital_inputs, slot.digital_inputs);
+  fits &= store(value.stamp, slot.stamp);
+  fits &= store(value.valid, slot.valid);
+  return fits;
+}
+
+void load(const InputDataSlot& slot, InputData& value) {
+  using suture::load;
+  load(slot.analog_inputs, value.analog_inputs);
+  load(slot.digital_inputs, value.digital_inputs);
+  load(slot.stamp, value.stamp);
+  load(slot.valid, value.valid);
+}
+
+bool store(const ImuSample& value, ImuSampleSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.orientation, slot.orientation);
+  fits &= store(value.angular_velocity, slot.angular_velocity);
+  fits &= store(value.linear_acceleration, slot.linear_acceleration);
+  fits &= store(value.stamp, slot.stamp);
+  fits &= store(value.valid, slot.valid);
+  return fits;
+}
+
+void load(const ImuSampleSlot& slot, ImuSample& value) {
+  using suture::load;
+  load(slot.orientation, value.orientation);
+  load(slot.angular_velocity, value.angular_velocity);
+  load(slot.linear_acceleration, value.linear_acceleration);
+  load(slot.stamp, value.stamp);
+  load(slot.valid, value.valid);
+}
+
 // --- between slots and Cap'n Proto
 
 wire::ButtonAction wireButtonAction(std::uint8_t slot) {

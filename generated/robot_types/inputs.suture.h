@@ -1,7 +1,7 @@
 // Written by suturec from robot_types/inputs.h. Do not edit.
 #pragma once
 
-#include <suture/base/slots.h>
+#include <suture/base/slot_forms.h>
 
 #include "robot_types/inputs.h"
 
@@ -14,21 +14,8 @@ struct ButtonEventSlot {
   std::uint8_t valid;  // bool
 };
 
-inline bool store(const ButtonEvent& value, ButtonEventSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.type, slot.type);
-  fits &= store(value.stamp, slot.stamp);
-  fits &= store(value.valid, slot.valid);
-  return fits;
-}
-
-inline void load(const ButtonEventSlot& slot, ButtonEvent& value) {
-  using suture::load;
-  load(slot.type, value.type);
-  load(slot.stamp, value.stamp);
-  load(slot.valid, value.valid);
-}
+bool store(const ButtonEvent& value, ButtonEventSlot& slot);
+void load(const ButtonEventSlot& slot, ButtonEvent& value);
 
 /// prmInputData.
 struct InputDataSlot {
@@ -38,23 +25,8 @@ struct InputDataSlot {
   std::uint8_t valid;  // bool
 };
 
-inline bool store(const InputData& value, InputDataSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.analog_inputs, slot.analog_inputs);
-  fits &= store(value.digital_inputs, slot.digital_inputs);
-  fits &= store(value.stamp, slot.stamp);
-  fits &= store(value.valid, slot.valid);
-  return fits;
-}
-
-inline void load(const InputDataSlot& slot, InputData& value) {
-  using suture::load;
-  load(slot.analog_inputs, value.analog_inputs);
-  load(slot.digital_inputs, value.digital_inputs);
-  load(slot.stamp, value.stamp);
-  load(slot.valid, value.valid);
-}
+bool store(const InputData& value, InputDataSlot& slot);
+void load(const InputDataSlot& slot, InputData& value);
 
 /// prmIMUSensors.
 struct ImuSampleSlot {
@@ -65,24 +37,7 @@ struct ImuSampleSlot {
   std::uint8_t valid;                         // bool
 };
 
-inline bool store(const ImuSample& value, ImuSampleSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.orientation, slot.orientation);
-  fits &= store(value.angular_velocity, slot.angular_velocity);
-  fits &= store(value.linear_acceleration, slot.linear_acceleration);
-  fits &= store(value.stamp, slot.stamp);
-  fits &= store(value.valid, slot.valid);
-  return fits;
-}
-
-inline void load(const ImuSampleSlot& slot, ImuSample& value) {
-  using suture::load;
-  load(slot.orientation, value.orientation);
-  load(slot.angular_velocity, value.angular_velocity);
-  load(slot.linear_acceleration, value.linear_acceleration);
-  load(slot.stamp, value.stamp);
-  load(slot.valid, value.valid);
-}
+bool store(const ImuSample& value, ImuSampleSlot& slot);
+void load(const ImuSampleSlot& slot, ImuSample& value);
 
 }  // namespace robots

@@ -93,6 +93,196 @@ static_assert(std::is_same_v<decltype(Jacobian::valid), bool>);
 
 }  // namespace
 
+bool store(const JointPosition& value, JointPositionSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.position, slot.position);
+  fits &= store(value.stamps, slot.stamps);
+  fits &= store(value.stamp, slot.stamp);
+  fits &= store(value.valid, slot.valid);
+  return fits;
+}
+
+void load(const JointPositionSlot& slot, JointPosition& value) {
+  using suture::load;
+  load(slot.position, value.position);
+  load(slot.stamps, value.stamps);
+  load(slot.stamp, value.stamp);
+  load(slot.valid, value.valid);
+}
+
+bool store(const JointPositionGoal& value, JointPositionGoalSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.goal, slot.goal);
+  fits &= store(value.velocity, slot.velocity);
+  fits &= store(value.acceleration, slot.acceleration);
+  fits &= store(value.time_limit, slot.time_limit);
+  fits &= store(value.is_coordinated, slot.is_coordinated);
+  fits &= store(value.stamp, slot.stamp);
+  return fits;
+}
+
+void load(const JointPositionGoalSlot& slot, JointPositionGoal& value) {
+  using suture::load;
+  load(slot.goal, value.goal);
+  load(slot.velocity, value.velocity);
+  load(slot.acceleration, value.acceleration);
+  load(slot.time_limit, value.time_limit);
+  load(slot.is_coordinated, value.is_coordinated);
+  load(slot.stamp, value.stamp);
+}
+
+bool store(const JointVelocity& value, JointVelocitySlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.velocity, slot.velocity);
+  fits &= store(value.stamp, slot.stamp);
+  fits &= store(value.valid, slot.valid);
+  return fits;
+}
+
+void load(const JointVelocitySlot& slot, JointVelocity& value) {
+  using suture::load;
+  load(slot.velocity, value.velocity);
+  load(slot.stamp, value.stamp);
+  load(slot.valid, value.valid);
+}
+
+bool store(const JointVelocityGoal& value, JointVelocityGoalSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.goal, slot.goal);
+  fits &= store(value.acceleration, slot.acceleration);
+  fits &= store(value.deceleration, slot.deceleration);
+  fits &= store(value.guard, slot.guard);
+  fits &= store(value.mask, slot.mask);
+  fits &= store(value.stamp, slot.stamp);
+  return fits;
+}
+
+void load(const JointVelocityGoalSlot& slot, JointVelocityGoal& value) {
+  using suture::load;
+  load(slot.goal, value.goal);
+  load(slot.acceleration, value.acceleration);
+  load(slot.deceleration, value.deceleration);
+  load(slot.guard, value.guard);
+  load(slot.mask, value.mask);
+  load(slot.stamp, value.stamp);
+}
+
+bool store(const JointEffortGoal& value, JointEffortGoalSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.effort, slot.effort);
+  fits &= store(value.mask, slot.mask);
+  fits &= store(value.stamp, slot.stamp);
+  return fits;
+}
+
+void load(const JointEffortGoalSlot& slot, JointEffortGoal& value) {
+  using suture::load;
+  load(slot.effort, value.effort);
+  load(slot.mask, value.mask);
+  load(slot.stamp, value.stamp);
+}
+
+bool store(const JointConfiguration& value, JointConfigurationSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.name, slot.name);
+  fits &= store(value.type, slot.type);
+  fits &= store(value.position_min, slot.position_min);
+  fits &= store(value.position_max, slot.position_max);
+  fits &= store(value.velocity_min, slot.velocity_min);
+  fits &= store(value.velocity_max, slot.velocity_max);
+  fits &= store(value.acceleration_min, slot.acceleration_min);
+  fits &= store(value.acceleration_max, slot.acceleration_max);
+  fits &= store(value.effort_min, slot.effort_min);
+  fits &= store(value.effort_max, slot.effort_max);
+  fits &= store(value.valid, slot.valid);
+  return fits;
+}
+
+void load(const JointConfigurationSlot& slot, JointConfiguration& value) {
+  using suture::load;
+  load(slot.name, value.name);
+  load(slot.type, value.type);
+  load(slot.position_min, value.position_min);
+  load(slot.position_max, value.position_max);
+  load(slot.velocity_min, value.velocity_min);
+  load(slot.velocity_max, value.velocity_max);
+  load(slot.acceleration_min, value.acceleration_min);
+  load(slot.acceleration_max, value.acceleration_max);
+  load(slot.effort_min, value.effort_min);
+  load(slot.effort_max, value.effort_max);
+  load(slot.valid, value.valid);
+}
+
+bool store(const ServoJoint& value, ServoJointSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.name, slot.name);
+  fits &= store(value.mode, slot.mode);
+  fits &= store(value.position, slot.position);
+  fits &= store(value.velocity, slot.velocity);
+  fits &= store(value.effort, slot.effort);
+  fits &= store(value.position_projection, slot.position_projection);
+  fits &= store(value.stamp, slot.stamp);
+  return fits;
+}
+
+void load(const ServoJointSlot& slot, ServoJoint& value) {
+  using suture::load;
+  load(slot.name, value.name);
+  load(slot.mode, value.mode);
+  load(slot.position, value.position);
+  load(slot.velocity, value.velocity);
+  load(slot.effort, value.effort);
+  load(slot.position_projection, value.position_projection);
+  load(slot.stamp, value.stamp);
+}
+
+bool store(const ActuatorJointCoupling& value, ActuatorJointCouplingSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.joints, slot.joints);
+  fits &= store(value.actuators, slot.actuators);
+  fits &= store(value.actuator_to_joint_position, slot.actuator_to_joint_position);
+  fits &= store(value.joint_to_actuator_position, slot.joint_to_actuator_position);
+  fits &= store(value.actuator_to_joint_effort, slot.actuator_to_joint_effort);
+  fits &= store(value.joint_to_actuator_effort, slot.joint_to_actuator_effort);
+  return fits;
+}
+
+void load(const ActuatorJointCouplingSlot& slot, ActuatorJointCoupling& value) {
+  using suture::load;
+  load(slot.joints, value.joints);
+  load(slot.actuators, value.actuators);
+  load(slot.actuator_to_joint_position, value.actuator_to_joint_position);
+  load(slot.joint_to_actuator_position, value.joint_to_actuator_position);
+  load(slot.actuator_to_joint_effort, value.actuator_to_joint_effort);
+  load(slot.joint_to_actuator_effort, value.joint_to_actuator_effort);
+}
+
+bool store(const Jacobian& value, JacobianSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.joints, slot.joints);
+  fits &= store(value.coefficients, slot.coefficients);
+  fits &= store(value.stamp, slot.stamp);
+  fits &= store(value.valid, slot.valid);
+  return fits;
+}
+
+void load(const JacobianSlot& slot, Jacobian& value) {
+  using suture::load;
+  load(slot.joints, value.joints);
+  load(slot.coefficients, value.coefficients);
+  load(slot.stamp, value.stamp);
+  load(slot.valid, value.valid);
+}
+
 // --- between slots and Cap'n Proto
 
 wire::JointType wireJointType(std::uint8_t slot) {

@@ -1,7 +1,7 @@
 // Written by suturec from robot_types/joint_commands.h. Do not edit.
 #pragma once
 
-#include <suture/base/slots.h>
+#include <suture/base/slot_forms.h>
 
 #include "robot_types/joint_commands.h"
 
@@ -15,23 +15,8 @@ struct JointPositionSlot {
   std::uint8_t valid;  // bool
 };
 
-inline bool store(const JointPosition& value, JointPositionSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.position, slot.position);
-  fits &= store(value.stamps, slot.stamps);
-  fits &= store(value.stamp, slot.stamp);
-  fits &= store(value.valid, slot.valid);
-  return fits;
-}
-
-inline void load(const JointPositionSlot& slot, JointPosition& value) {
-  using suture::load;
-  load(slot.position, value.position);
-  load(slot.stamps, value.stamps);
-  load(slot.stamp, value.stamp);
-  load(slot.valid, value.valid);
-}
+bool store(const JointPosition& value, JointPositionSlot& slot);
+void load(const JointPositionSlot& slot, JointPosition& value);
 
 /// prmPositionJointSet.
 struct JointPositionGoalSlot {
@@ -43,27 +28,8 @@ struct JointPositionGoalSlot {
   std::int64_t stamp;                           // suture::Time, ns
 };
 
-inline bool store(const JointPositionGoal& value, JointPositionGoalSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.goal, slot.goal);
-  fits &= store(value.velocity, slot.velocity);
-  fits &= store(value.acceleration, slot.acceleration);
-  fits &= store(value.time_limit, slot.time_limit);
-  fits &= store(value.is_coordinated, slot.is_coordinated);
-  fits &= store(value.stamp, slot.stamp);
-  return fits;
-}
-
-inline void load(const JointPositionGoalSlot& slot, JointPositionGoal& value) {
-  using suture::load;
-  load(slot.goal, value.goal);
-  load(slot.velocity, value.velocity);
-  load(slot.acceleration, value.acceleration);
-  load(slot.time_limit, value.time_limit);
-  load(slot.is_coordinated, value.is_coordinated);
-  load(slot.stamp, value.stamp);
-}
+bool store(const JointPositionGoal& value, JointPositionGoalSlot& slot);
+void load(const JointPositionGoalSlot& slot, JointPositionGoal& value);
 
 /// prmVelocityJointGet.
 struct JointVelocitySlot {
@@ -72,21 +38,8 @@ struct JointVelocitySlot {
   std::uint8_t valid;                       // bool
 };
 
-inline bool store(const JointVelocity& value, JointVelocitySlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.velocity, slot.velocity);
-  fits &= store(value.stamp, slot.stamp);
-  fits &= store(value.valid, slot.valid);
-  return fits;
-}
-
-inline void load(const JointVelocitySlot& slot, JointVelocity& value) {
-  using suture::load;
-  load(slot.velocity, value.velocity);
-  load(slot.stamp, value.stamp);
-  load(slot.valid, value.valid);
-}
+bool store(const JointVelocity& value, JointVelocitySlot& slot);
+void load(const JointVelocitySlot& slot, JointVelocity& value);
 
 /// CRTK's servo_jv: prmVelocityJointSet.
 struct JointVelocityGoalSlot {
@@ -98,27 +51,8 @@ struct JointVelocityGoalSlot {
   std::int64_t stamp;  // suture::Time, ns
 };
 
-inline bool store(const JointVelocityGoal& value, JointVelocityGoalSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.goal, slot.goal);
-  fits &= store(value.acceleration, slot.acceleration);
-  fits &= store(value.deceleration, slot.deceleration);
-  fits &= store(value.guard, slot.guard);
-  fits &= store(value.mask, slot.mask);
-  fits &= store(value.stamp, slot.stamp);
-  return fits;
-}
-
-inline void load(const JointVelocityGoalSlot& slot, JointVelocityGoal& value) {
-  using suture::load;
-  load(slot.goal, value.goal);
-  load(slot.acceleration, value.acceleration);
-  load(slot.deceleration, value.deceleration);
-  load(slot.guard, value.guard);
-  load(slot.mask, value.mask);
-  load(slot.stamp, value.stamp);
-}
+bool store(const JointVelocityGoal& value, JointVelocityGoalSlot& slot);
+void load(const JointVelocityGoalSlot& slot, JointVelocityGoal& value);
 
 /// CRTK's servo_jf: prmForceTorqueJointSet.
 struct JointEffortGoalSlot {
@@ -127,21 +61,8 @@ struct JointEffortGoalSlot {
   std::int64_t stamp;  // suture::Time, ns
 };
 
-inline bool store(const JointEffortGoal& value, JointEffortGoalSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.effort, slot.effort);
-  fits &= store(value.mask, slot.mask);
-  fits &= store(value.stamp, slot.stamp);
-  return fits;
-}
-
-inline void load(const JointEffortGoalSlot& slot, JointEffortGoal& value) {
-  using suture::load;
-  load(slot.effort, value.effort);
-  load(slot.mask, value.mask);
-  load(slot.stamp, value.stamp);
-}
+bool store(const JointEffortGoal& value, JointEffortGoalSlot& slot);
+void load(const JointEffortGoalSlot& slot, JointEffortGoal& value);
 
 /// What the joints are and may do: CRTK's configuration_js. prmConfigurationJoint.
 struct JointConfigurationSlot {
@@ -158,37 +79,8 @@ struct JointConfigurationSlot {
   std::uint8_t valid;                               // bool
 };
 
-inline bool store(const JointConfiguration& value, JointConfigurationSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.name, slot.name);
-  fits &= store(value.type, slot.type);
-  fits &= store(value.position_min, slot.position_min);
-  fits &= store(value.position_max, slot.position_max);
-  fits &= store(value.velocity_min, slot.velocity_min);
-  fits &= store(value.velocity_max, slot.velocity_max);
-  fits &= store(value.acceleration_min, slot.acceleration_min);
-  fits &= store(value.acceleration_max, slot.acceleration_max);
-  fits &= store(value.effort_min, slot.effort_min);
-  fits &= store(value.effort_max, slot.effort_max);
-  fits &= store(value.valid, slot.valid);
-  return fits;
-}
-
-inline void load(const JointConfigurationSlot& slot, JointConfiguration& value) {
-  using suture::load;
-  load(slot.name, value.name);
-  load(slot.type, value.type);
-  load(slot.position_min, value.position_min);
-  load(slot.position_max, value.position_max);
-  load(slot.velocity_min, value.velocity_min);
-  load(slot.velocity_max, value.velocity_max);
-  load(slot.acceleration_min, value.acceleration_min);
-  load(slot.acceleration_max, value.acceleration_max);
-  load(slot.effort_min, value.effort_min);
-  load(slot.effort_max, value.effort_max);
-  load(slot.valid, value.valid);
-}
+bool store(const JointConfiguration& value, JointConfigurationSlot& slot);
+void load(const JointConfigurationSlot& slot, JointConfiguration& value);
 
 /// Position, velocity and effort in one servo command: prmServoJoint.
 struct ServoJointSlot {
@@ -201,29 +93,8 @@ struct ServoJointSlot {
   std::int64_t stamp;  // suture::Time, ns
 };
 
-inline bool store(const ServoJoint& value, ServoJointSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.name, slot.name);
-  fits &= store(value.mode, slot.mode);
-  fits &= store(value.position, slot.position);
-  fits &= store(value.velocity, slot.velocity);
-  fits &= store(value.effort, slot.effort);
-  fits &= store(value.position_projection, slot.position_projection);
-  fits &= store(value.stamp, slot.stamp);
-  return fits;
-}
-
-inline void load(const ServoJointSlot& slot, ServoJoint& value) {
-  using suture::load;
-  load(slot.name, value.name);
-  load(slot.mode, value.mode);
-  load(slot.position, value.position);
-  load(slot.velocity, value.velocity);
-  load(slot.effort, value.effort);
-  load(slot.position_projection, value.position_projection);
-  load(slot.stamp, value.stamp);
-}
+bool store(const ServoJoint& value, ServoJointSlot& slot);
+void load(const ServoJointSlot& slot, ServoJoint& value);
 
 /// What turns actuators into joints and back, joints x actuators, row-major:
 /// prmActuatorJointCoupling.
@@ -236,27 +107,8 @@ struct ActuatorJointCouplingSlot {
   suture::BoundedList<double, 64> joint_to_actuator_effort;
 };
 
-inline bool store(const ActuatorJointCoupling& value, ActuatorJointCouplingSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.joints, slot.joints);
-  fits &= store(value.actuators, slot.actuators);
-  fits &= store(value.actuator_to_joint_position, slot.actuator_to_joint_position);
-  fits &= store(value.joint_to_actuator_position, slot.joint_to_actuator_position);
-  fits &= store(value.actuator_to_joint_effort, slot.actuator_to_joint_effort);
-  fits &= store(value.joint_to_actuator_effort, slot.joint_to_actuator_effort);
-  return fits;
-}
-
-inline void load(const ActuatorJointCouplingSlot& slot, ActuatorJointCoupling& value) {
-  using suture::load;
-  load(slot.joints, value.joints);
-  load(slot.actuators, value.actuators);
-  load(slot.actuator_to_joint_position, value.actuator_to_joint_position);
-  load(slot.joint_to_actuator_position, value.joint_to_actuator_position);
-  load(slot.actuator_to_joint_effort, value.actuator_to_joint_effort);
-  load(slot.joint_to_actuator_effort, value.joint_to_actuator_effort);
-}
+bool store(const ActuatorJointCoupling& value, ActuatorJointCouplingSlot& slot);
+void load(const ActuatorJointCouplingSlot& slot, ActuatorJointCoupling& value);
 
 /// 6 x joints, column-major: linear rows first, in m/s and rad/s per unit of joint velocity.
 struct JacobianSlot {
@@ -266,22 +118,7 @@ struct JacobianSlot {
   std::uint8_t valid;  // bool
 };
 
-inline bool store(const Jacobian& value, JacobianSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.joints, slot.joints);
-  fits &= store(value.coefficients, slot.coefficients);
-  fits &= store(value.stamp, slot.stamp);
-  fits &= store(value.valid, slot.valid);
-  return fits;
-}
-
-inline void load(const JacobianSlot& slot, Jacobian& value) {
-  using suture::load;
-  load(slot.joints, value.joints);
-  load(slot.coefficients, value.coefficients);
-  load(slot.stamp, value.stamp);
-  load(slot.valid, value.valid);
-}
+bool store(const Jacobian& value, JacobianSlot& slot);
+void load(const JacobianSlot& slot, Jacobian& value);
 
 }  // namespace robots

@@ -37,6 +37,58 @@ static_assert(std::is_same_v<decltype(JointSolution::found), bool>);
 
 }  // namespace
 
+bool store(const JointState& value, JointStateSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.name, slot.name);
+  fits &= store(value.position, slot.position);
+  fits &= store(value.velocity, slot.velocity);
+  fits &= store(value.effort, slot.effort);
+  fits &= store(value.stamp, slot.stamp);
+  fits &= store(value.valid, slot.valid);
+  return fits;
+}
+
+void load(const JointStateSlot& slot, JointState& value) {
+  using suture::load;
+  load(slot.name, value.name);
+  load(slot.position, value.position);
+  load(slot.velocity, value.velocity);
+  load(slot.effort, value.effort);
+  load(slot.stamp, value.stamp);
+  load(slot.valid, value.valid);
+}
+
+bool store(const JointGoal& value, JointGoalSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.position, slot.position);
+  fits &= store(value.stamp, slot.stamp);
+  return fits;
+}
+
+void load(const JointGoalSlot& slot, JointGoal& value) {
+  using suture::load;
+  load(slot.position, value.position);
+  load(slot.stamp, value.stamp);
+}
+
+bool store(const JointSolution& value, JointSolutionSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.position, slot.position);
+  fits &= store(value.joints, slot.joints);
+  fits &= store(value.found, slot.found);
+  return fits;
+}
+
+void load(const JointSolutionSlot& slot, JointSolution& value) {
+  using suture::load;
+  load(slot.position, value.position);
+  load(slot.joints, value.joints);
+  load(slot.found, value.found);
+}
+
 // --- between slots and Cap'n Proto
 
 void toWire(const JointStateSlot& slot, wire::JointState::Builder out) {

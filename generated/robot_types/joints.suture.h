@@ -1,7 +1,7 @@
 // Written by suturec from robot_types/joints.h. Do not edit.
 #pragma once
 
-#include <suture/base/slots.h>
+#include <suture/base/slot_forms.h>
 
 #include "robot_types/joints.h"
 
@@ -18,27 +18,8 @@ struct JointStateSlot {
   std::uint8_t valid;                       // bool
 };
 
-inline bool store(const JointState& value, JointStateSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.name, slot.name);
-  fits &= store(value.position, slot.position);
-  fits &= store(value.velocity, slot.velocity);
-  fits &= store(value.effort, slot.effort);
-  fits &= store(value.stamp, slot.stamp);
-  fits &= store(value.valid, slot.valid);
-  return fits;
-}
-
-inline void load(const JointStateSlot& slot, JointState& value) {
-  using suture::load;
-  load(slot.name, value.name);
-  load(slot.position, value.position);
-  load(slot.velocity, value.velocity);
-  load(slot.effort, value.effort);
-  load(slot.stamp, value.stamp);
-  load(slot.valid, value.valid);
-}
+bool store(const JointState& value, JointStateSlot& slot);
+void load(const JointStateSlot& slot, JointState& value);
 
 /// Where joints shall go: CRTK's servo_jp and move_jp.
 struct JointGoalSlot {
@@ -46,19 +27,8 @@ struct JointGoalSlot {
   std::int64_t stamp;                       // suture::Time, ns
 };
 
-inline bool store(const JointGoal& value, JointGoalSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.position, slot.position);
-  fits &= store(value.stamp, slot.stamp);
-  return fits;
-}
-
-inline void load(const JointGoalSlot& slot, JointGoal& value) {
-  using suture::load;
-  load(slot.position, value.position);
-  load(slot.stamp, value.stamp);
-}
+bool store(const JointGoal& value, JointGoalSlot& slot);
+void load(const JointGoalSlot& slot, JointGoal& value);
 
 /// A joint vector that an arm computed, without heap so that a control loop may return it.
 struct JointSolutionSlot {
@@ -67,20 +37,7 @@ struct JointSolutionSlot {
   std::uint8_t found;  // bool
 };
 
-inline bool store(const JointSolution& value, JointSolutionSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.position, slot.position);
-  fits &= store(value.joints, slot.joints);
-  fits &= store(value.found, slot.found);
-  return fits;
-}
-
-inline void load(const JointSolutionSlot& slot, JointSolution& value) {
-  using suture::load;
-  load(slot.position, value.position);
-  load(slot.joints, value.joints);
-  load(slot.found, value.found);
-}
+bool store(const JointSolution& value, JointSolutionSlot& slot);
+void load(const JointSolutionSlot& slot, JointSolution& value);
 
 }  // namespace robots

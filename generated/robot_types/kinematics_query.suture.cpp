@@ -35,6 +35,64 @@ static_assert(std::is_same_v<decltype(InverseKinematicsResponse::message), std::
 
 }  // namespace
 
+bool store(const ForwardKinematicsRequest& value, ForwardKinematicsRequestSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.jp, slot.jp);
+  return fits;
+}
+
+void load(const ForwardKinematicsRequestSlot& slot, ForwardKinematicsRequest& value) {
+  using suture::load;
+  load(slot.jp, value.jp);
+}
+
+bool store(const ForwardKinematicsResponse& value, ForwardKinematicsResponseSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.cp, slot.cp);
+  fits &= store(value.result, slot.result);
+  fits &= store(value.message, slot.message);
+  return fits;
+}
+
+void load(const ForwardKinematicsResponseSlot& slot, ForwardKinematicsResponse& value) {
+  using suture::load;
+  load(slot.cp, value.cp);
+  load(slot.result, value.result);
+  load(slot.message, value.message);
+}
+
+bool store(const InverseKinematicsRequest& value, InverseKinematicsRequestSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.cp, slot.cp);
+  fits &= store(value.jp, slot.jp);
+  return fits;
+}
+
+void load(const InverseKinematicsRequestSlot& slot, InverseKinematicsRequest& value) {
+  using suture::load;
+  load(slot.cp, value.cp);
+  load(slot.jp, value.jp);
+}
+
+bool store(const InverseKinematicsResponse& value, InverseKinematicsResponseSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.jp, slot.jp);
+  fits &= store(value.result, slot.result);
+  fits &= store(value.message, slot.message);
+  return fits;
+}
+
+void load(const InverseKinematicsResponseSlot& slot, InverseKinematicsResponse& value) {
+  using suture::load;
+  load(slot.jp, value.jp);
+  load(slot.result, value.result);
+  load(slot.message, value.message);
+}
+
 // --- between slots and Cap'n Proto
 
 void toWire(const ForwardKinematicsRequestSlot& slot, wire::ForwardKinematicsRequest::Builder out) {

@@ -1,7 +1,7 @@
 // Written by suturec from robot_types/kinematics_query.h. Do not edit.
 #pragma once
 
-#include <suture/base/slots.h>
+#include <suture/base/slot_forms.h>
 
 #include "robot_types/kinematics_query.h"
 
@@ -11,17 +11,8 @@ struct ForwardKinematicsRequestSlot {
   suture::BoundedList<double, 8> jp;  // rad
 };
 
-inline bool store(const ForwardKinematicsRequest& value, ForwardKinematicsRequestSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.jp, slot.jp);
-  return fits;
-}
-
-inline void load(const ForwardKinematicsRequestSlot& slot, ForwardKinematicsRequest& value) {
-  using suture::load;
-  load(slot.jp, value.jp);
-}
+bool store(const ForwardKinematicsRequest& value, ForwardKinematicsRequestSlot& slot);
+void load(const ForwardKinematicsRequestSlot& slot, ForwardKinematicsRequest& value);
 
 struct ForwardKinematicsResponseSlot {
   std::array<double, 12> cp;  // Eigen::Isometry3d, m
@@ -29,40 +20,16 @@ struct ForwardKinematicsResponseSlot {
   suture::BoundedText<63> message;
 };
 
-inline bool store(const ForwardKinematicsResponse& value, ForwardKinematicsResponseSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.cp, slot.cp);
-  fits &= store(value.result, slot.result);
-  fits &= store(value.message, slot.message);
-  return fits;
-}
-
-inline void load(const ForwardKinematicsResponseSlot& slot, ForwardKinematicsResponse& value) {
-  using suture::load;
-  load(slot.cp, value.cp);
-  load(slot.result, value.result);
-  load(slot.message, value.message);
-}
+bool store(const ForwardKinematicsResponse& value, ForwardKinematicsResponseSlot& slot);
+void load(const ForwardKinematicsResponseSlot& slot, ForwardKinematicsResponse& value);
 
 struct InverseKinematicsRequestSlot {
   std::array<double, 12> cp;          // Eigen::Isometry3d, m
   suture::BoundedList<double, 8> jp;  // rad
 };
 
-inline bool store(const InverseKinematicsRequest& value, InverseKinematicsRequestSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.cp, slot.cp);
-  fits &= store(value.jp, slot.jp);
-  return fits;
-}
-
-inline void load(const InverseKinematicsRequestSlot& slot, InverseKinematicsRequest& value) {
-  using suture::load;
-  load(slot.cp, value.cp);
-  load(slot.jp, value.jp);
-}
+bool store(const InverseKinematicsRequest& value, InverseKinematicsRequestSlot& slot);
+void load(const InverseKinematicsRequestSlot& slot, InverseKinematicsRequest& value);
 
 struct InverseKinematicsResponseSlot {
   suture::BoundedList<double, 8> jp;  // rad
@@ -70,20 +37,7 @@ struct InverseKinematicsResponseSlot {
   suture::BoundedText<63> message;
 };
 
-inline bool store(const InverseKinematicsResponse& value, InverseKinematicsResponseSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.jp, slot.jp);
-  fits &= store(value.result, slot.result);
-  fits &= store(value.message, slot.message);
-  return fits;
-}
-
-inline void load(const InverseKinematicsResponseSlot& slot, InverseKinematicsResponse& value) {
-  using suture::load;
-  load(slot.jp, value.jp);
-  load(slot.result, value.result);
-  load(slot.message, value.message);
-}
+bool store(const InverseKinematicsResponse& value, InverseKinematicsResponseSlot& slot);
+void load(const InverseKinematicsResponseSlot& slot, InverseKinematicsResponse& value);
 
 }  // namespace robots

@@ -39,6 +39,60 @@ static_assert(std::is_same_v<decltype(KeyValue::value), std::string>);
 
 }  // namespace
 
+bool store(const Message& value, MessageSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.text, slot.text);
+  fits &= store(value.counter, slot.counter);
+  fits &= store(value.stamp, slot.stamp);
+  return fits;
+}
+
+void load(const MessageSlot& slot, Message& value) {
+  using suture::load;
+  load(slot.text, value.text);
+  load(slot.counter, value.counter);
+  load(slot.stamp, value.stamp);
+}
+
+bool store(const IntervalStatistics& value, IntervalStatisticsSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.period_average, slot.period_average);
+  fits &= store(value.period_deviation, slot.period_deviation);
+  fits &= store(value.period_min, slot.period_min);
+  fits &= store(value.period_max, slot.period_max);
+  fits &= store(value.samples, slot.samples);
+  fits &= store(value.stamp, slot.stamp);
+  fits &= store(value.valid, slot.valid);
+  return fits;
+}
+
+void load(const IntervalStatisticsSlot& slot, IntervalStatistics& value) {
+  using suture::load;
+  load(slot.period_average, value.period_average);
+  load(slot.period_deviation, value.period_deviation);
+  load(slot.period_min, value.period_min);
+  load(slot.period_max, value.period_max);
+  load(slot.samples, value.samples);
+  load(slot.stamp, value.stamp);
+  load(slot.valid, value.valid);
+}
+
+bool store(const KeyValue& value, KeyValueSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.key, slot.key);
+  fits &= store(value.value, slot.value);
+  return fits;
+}
+
+void load(const KeyValueSlot& slot, KeyValue& value) {
+  using suture::load;
+  load(slot.key, value.key);
+  load(slot.value, value.value);
+}
+
 // --- between slots and Cap'n Proto
 
 void toWire(const MessageSlot& slot, wire::Message::Builder out) {

@@ -1,7 +1,7 @@
 // Written by suturec from robot_types/messages.h. Do not edit.
 #pragma once
 
-#include <suture/base/slots.h>
+#include <suture/base/slot_forms.h>
 
 #include "robot_types/messages.h"
 
@@ -14,21 +14,8 @@ struct MessageSlot {
   std::int64_t stamp;  // suture::Time, ns
 };
 
-inline bool store(const Message& value, MessageSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.text, slot.text);
-  fits &= store(value.counter, slot.counter);
-  fits &= store(value.stamp, slot.stamp);
-  return fits;
-}
-
-inline void load(const MessageSlot& slot, Message& value) {
-  using suture::load;
-  load(slot.text, value.text);
-  load(slot.counter, value.counter);
-  load(slot.stamp, value.stamp);
-}
+bool store(const Message& value, MessageSlot& slot);
+void load(const MessageSlot& slot, Message& value);
 
 /// How regularly a task ran, over its last window.
 struct IntervalStatisticsSlot {
@@ -41,29 +28,8 @@ struct IntervalStatisticsSlot {
   std::uint8_t valid;  // bool
 };
 
-inline bool store(const IntervalStatistics& value, IntervalStatisticsSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.period_average, slot.period_average);
-  fits &= store(value.period_deviation, slot.period_deviation);
-  fits &= store(value.period_min, slot.period_min);
-  fits &= store(value.period_max, slot.period_max);
-  fits &= store(value.samples, slot.samples);
-  fits &= store(value.stamp, slot.stamp);
-  fits &= store(value.valid, slot.valid);
-  return fits;
-}
-
-inline void load(const IntervalStatisticsSlot& slot, IntervalStatistics& value) {
-  using suture::load;
-  load(slot.period_average, value.period_average);
-  load(slot.period_deviation, value.period_deviation);
-  load(slot.period_min, value.period_min);
-  load(slot.period_max, value.period_max);
-  load(slot.samples, value.samples);
-  load(slot.stamp, value.stamp);
-  load(slot.valid, value.valid);
-}
+bool store(const IntervalStatistics& value, IntervalStatisticsSlot& slot);
+void load(const IntervalStatisticsSlot& slot, IntervalStatistics& value);
 
 /// prmKeyValue.
 struct KeyValueSlot {
@@ -71,18 +37,7 @@ struct KeyValueSlot {
   suture::BoundedText<127> value;
 };
 
-inline bool store(const KeyValue& value, KeyValueSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.key, slot.key);
-  fits &= store(value.value, slot.value);
-  return fits;
-}
-
-inline void load(const KeyValueSlot& slot, KeyValue& value) {
-  using suture::load;
-  load(slot.key, value.key);
-  load(slot.value, value.value);
-}
+bool store(const KeyValue& value, KeyValueSlot& slot);
+void load(const KeyValueSlot& slot, KeyValue& value);
 
 }  // namespace robots

@@ -38,6 +38,26 @@ static_assert(std::is_same_v<decltype(OperatingState::stamp),
 
 }  // namespace
 
+bool store(const OperatingState& value, OperatingStateSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.state, slot.state);
+  fits &= store(value.sub_state, slot.sub_state);
+  fits &= store(value.is_homed, slot.is_homed);
+  fits &= store(value.is_busy, slot.is_busy);
+  fits &= store(value.stamp, slot.stamp);
+  return fits;
+}
+
+void load(const OperatingStateSlot& slot, OperatingState& value) {
+  using suture::load;
+  load(slot.state, value.state);
+  load(slot.sub_state, value.sub_state);
+  load(slot.is_homed, value.is_homed);
+  load(slot.is_busy, value.is_busy);
+  load(slot.stamp, value.stamp);
+}
+
 // --- between slots and Cap'n Proto
 
 wire::ArmState wireArmState(std::uint8_t slot) {

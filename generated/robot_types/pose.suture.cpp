@@ -40,6 +40,64 @@ static_assert(std::is_same_v<decltype(PosePrm::position), Eigen::Isometry3d>);
 
 }  // namespace
 
+bool store(const PoseStamped& value, PoseStampedSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.pose, slot.pose);
+  fits &= store(value.stamp, slot.stamp);
+  fits &= store(value.valid, slot.valid);
+  return fits;
+}
+
+void load(const PoseStampedSlot& slot, PoseStamped& value) {
+  using suture::load;
+  load(slot.pose, value.pose);
+  load(slot.stamp, value.stamp);
+  load(slot.valid, value.valid);
+}
+
+bool store(const PoseSample& value, PoseSampleSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.rotation, slot.rotation);
+  fits &= store(value.position, slot.position);
+  fits &= store(value.stamp, slot.stamp);
+  fits &= store(value.sequence, slot.sequence);
+  fits &= store(value.flags, slot.flags);
+  return fits;
+}
+
+void load(const PoseSampleSlot& slot, PoseSample& value) {
+  using suture::load;
+  load(slot.rotation, value.rotation);
+  load(slot.position, value.position);
+  load(slot.stamp, value.stamp);
+  load(slot.sequence, value.sequence);
+  load(slot.flags, value.flags);
+}
+
+bool store(const PosePrm& value, PosePrmSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.timestamp, slot.timestamp);
+  fits &= store(value.automatic_timestamp, slot.automatic_timestamp);
+  fits &= store(value.valid, slot.valid);
+  fits &= store(value.moving_frame, slot.moving_frame);
+  fits &= store(value.reference_frame, slot.reference_frame);
+  fits &= store(value.position, slot.position);
+  return fits;
+}
+
+void load(const PosePrmSlot& slot, PosePrm& value) {
+  using suture::load;
+  load(slot.timestamp, value.timestamp);
+  load(slot.automatic_timestamp, value.automatic_timestamp);
+  load(slot.valid, value.valid);
+  load(slot.moving_frame, value.moving_frame);
+  load(slot.reference_frame, value.reference_frame);
+  load(slot.position, value.position);
+}
+
 // --- between slots and Cap'n Proto
 
 void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {

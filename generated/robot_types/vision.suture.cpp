@@ -53,6 +53,100 @@ static_assert(std::is_same_v<decltype(DepthMap::valid), bool>);
 
 }  // namespace
 
+bool store(const PoseArray& value, PoseArraySlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.reference_frame, slot.reference_frame);
+  fits &= store(value.moving_frames, slot.moving_frames);
+  fits &= store(value.positions, slot.positions);
+  fits &= store(value.visible, slot.visible);
+  fits &= store(value.stamp, slot.stamp);
+  fits &= store(value.valid, slot.valid);
+  return fits;
+}
+
+void load(const PoseArraySlot& slot, PoseArray& value) {
+  using suture::load;
+  load(slot.reference_frame, value.reference_frame);
+  load(slot.moving_frames, value.moving_frames);
+  load(slot.positions, value.positions);
+  load(slot.visible, value.visible);
+  load(slot.stamp, value.stamp);
+  load(slot.valid, value.valid);
+}
+
+bool store(const ImageFrame& value, ImageFrameSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.width, slot.width);
+  fits &= store(value.height, slot.height);
+  fits &= store(value.channels, slot.channels);
+  fits &= store(value.data, slot.data);
+  fits &= store(value.stamp, slot.stamp);
+  fits &= store(value.valid, slot.valid);
+  return fits;
+}
+
+void load(const ImageFrameSlot& slot, ImageFrame& value) {
+  using suture::load;
+  load(slot.width, value.width);
+  load(slot.height, value.height);
+  load(slot.channels, value.channels);
+  load(slot.data, value.data);
+  load(slot.stamp, value.stamp);
+  load(slot.valid, value.valid);
+}
+
+bool store(const CameraInfo& value, CameraInfoSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.width, slot.width);
+  fits &= store(value.height, slot.height);
+  fits &= store(value.distortion, slot.distortion);
+  fits &= store(value.intrinsic, slot.intrinsic);
+  fits &= store(value.rectification, slot.rectification);
+  fits &= store(value.projection, slot.projection);
+  fits &= store(value.stamp, slot.stamp);
+  fits &= store(value.valid, slot.valid);
+  return fits;
+}
+
+void load(const CameraInfoSlot& slot, CameraInfo& value) {
+  using suture::load;
+  load(slot.width, value.width);
+  load(slot.height, value.height);
+  load(slot.distortion, value.distortion);
+  load(slot.intrinsic, value.intrinsic);
+  load(slot.rectification, value.rectification);
+  load(slot.projection, value.projection);
+  load(slot.stamp, value.stamp);
+  load(slot.valid, value.valid);
+}
+
+bool store(const DepthMap& value, DepthMapSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.reference_frame, slot.reference_frame);
+  fits &= store(value.width, slot.width);
+  fits &= store(value.height, slot.height);
+  fits &= store(value.points, slot.points);
+  fits &= store(value.color, slot.color);
+  fits &= store(value.stamp, slot.stamp);
+  fits &= store(value.valid, slot.valid);
+  return fits;
+}
+
+void load(const DepthMapSlot& slot, DepthMap& value) {
+  using suture::load;
+  load(slot.reference_frame, value.reference_frame);
+  load(slot.width, value.width);
+  load(slot.height, value.height);
+  load(slot.points, value.points);
+  load(slot.color, value.color);
+  load(slot.stamp, value.stamp);
+  load(slot.valid, value.valid);
+}
+
 // --- between slots and Cap'n Proto
 
 void toWire(const PoseArraySlot& slot, wire::PoseArray::Builder out) {

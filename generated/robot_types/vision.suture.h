@@ -1,7 +1,7 @@
 // Written by suturec from robot_types/vision.h. Do not edit.
 #pragma once
 
-#include <suture/base/slots.h>
+#include <suture/base/slot_forms.h>
 
 #include "robot_types/vision.h"
 
@@ -17,27 +17,8 @@ struct PoseArraySlot {
   std::uint8_t valid;  // bool
 };
 
-inline bool store(const PoseArray& value, PoseArraySlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.reference_frame, slot.reference_frame);
-  fits &= store(value.moving_frames, slot.moving_frames);
-  fits &= store(value.positions, slot.positions);
-  fits &= store(value.visible, slot.visible);
-  fits &= store(value.stamp, slot.stamp);
-  fits &= store(value.valid, slot.valid);
-  return fits;
-}
-
-inline void load(const PoseArraySlot& slot, PoseArray& value) {
-  using suture::load;
-  load(slot.reference_frame, value.reference_frame);
-  load(slot.moving_frames, value.moving_frames);
-  load(slot.positions, value.positions);
-  load(slot.visible, value.visible);
-  load(slot.stamp, value.stamp);
-  load(slot.valid, value.valid);
-}
+bool store(const PoseArray& value, PoseArraySlot& slot);
+void load(const PoseArraySlot& slot, PoseArray& value);
 
 /// prmImageFrame.
 struct ImageFrameSlot {
@@ -49,27 +30,8 @@ struct ImageFrameSlot {
   std::uint8_t valid;  // bool
 };
 
-inline bool store(const ImageFrame& value, ImageFrameSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.width, slot.width);
-  fits &= store(value.height, slot.height);
-  fits &= store(value.channels, slot.channels);
-  fits &= store(value.data, slot.data);
-  fits &= store(value.stamp, slot.stamp);
-  fits &= store(value.valid, slot.valid);
-  return fits;
-}
-
-inline void load(const ImageFrameSlot& slot, ImageFrame& value) {
-  using suture::load;
-  load(slot.width, value.width);
-  load(slot.height, value.height);
-  load(slot.channels, value.channels);
-  load(slot.data, value.data);
-  load(slot.stamp, value.stamp);
-  load(slot.valid, value.valid);
-}
+bool store(const ImageFrame& value, ImageFrameSlot& slot);
+void load(const ImageFrameSlot& slot, ImageFrame& value);
 
 /// prmCameraInfo: a pinhole with its distortion.
 struct CameraInfoSlot {
@@ -83,31 +45,8 @@ struct CameraInfoSlot {
   std::uint8_t valid;                   // bool
 };
 
-inline bool store(const CameraInfo& value, CameraInfoSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.width, slot.width);
-  fits &= store(value.height, slot.height);
-  fits &= store(value.distortion, slot.distortion);
-  fits &= store(value.intrinsic, slot.intrinsic);
-  fits &= store(value.rectification, slot.rectification);
-  fits &= store(value.projection, slot.projection);
-  fits &= store(value.stamp, slot.stamp);
-  fits &= store(value.valid, slot.valid);
-  return fits;
-}
-
-inline void load(const CameraInfoSlot& slot, CameraInfo& value) {
-  using suture::load;
-  load(slot.width, value.width);
-  load(slot.height, value.height);
-  load(slot.distortion, value.distortion);
-  load(slot.intrinsic, value.intrinsic);
-  load(slot.rectification, value.rectification);
-  load(slot.projection, value.projection);
-  load(slot.stamp, value.stamp);
-  load(slot.valid, value.valid);
-}
+bool store(const CameraInfo& value, CameraInfoSlot& slot);
+void load(const CameraInfoSlot& slot, CameraInfo& value);
 
 /// A cloud of coloured points: prmDepthMap.
 struct DepthMapSlot {
@@ -120,28 +59,7 @@ struct DepthMapSlot {
   std::uint8_t valid;  // bool
 };
 
-inline bool store(const DepthMap& value, DepthMapSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.reference_frame, slot.reference_frame);
-  fits &= store(value.width, slot.width);
-  fits &= store(value.height, slot.height);
-  fits &= store(value.points, slot.points);
-  fits &= store(value.color, slot.color);
-  fits &= store(value.stamp, slot.stamp);
-  fits &= store(value.valid, slot.valid);
-  return fits;
-}
-
-inline void load(const DepthMapSlot& slot, DepthMap& value) {
-  using suture::load;
-  load(slot.reference_frame, value.reference_frame);
-  load(slot.width, value.width);
-  load(slot.height, value.height);
-  load(slot.points, value.points);
-  load(slot.color, value.color);
-  load(slot.stamp, value.stamp);
-  load(slot.valid, value.valid);
-}
+bool store(const DepthMap& value, DepthMapSlot& slot);
+void load(const DepthMapSlot& slot, DepthMap& value);
 
 }  // namespace robots

@@ -32,6 +32,26 @@ static_assert(std::is_same_v<decltype(SurgeonParameters::ramp), double>);
 
 }  // namespace
 
+bool store(const SurgeonParameters& value, SurgeonParametersSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.period, slot.period);
+  fits &= store(value.amplitude, slot.amplitude);
+  fits &= store(value.turn, slot.turn);
+  fits &= store(value.frequency, slot.frequency);
+  fits &= store(value.ramp, slot.ramp);
+  return fits;
+}
+
+void load(const SurgeonParametersSlot& slot, SurgeonParameters& value) {
+  using suture::load;
+  load(slot.period, value.period);
+  load(slot.amplitude, value.amplitude);
+  load(slot.turn, value.turn);
+  load(slot.frequency, value.frequency);
+  load(slot.ramp, value.ramp);
+}
+
 // --- between slots and Cap'n Proto
 
 void toWire(const SurgeonParametersSlot& slot, wire::SurgeonParameters::Builder out) {

@@ -1,7 +1,7 @@
 // Written by suturec from surgeon/surgeon.h. Do not edit.
 #pragma once
 
-#include <suture/base/slots.h>
+#include <suture/base/slot_forms.h>
 #include <suture/component/component_class.h>
 
 #include "surgeon/surgeon.h"
@@ -21,25 +21,8 @@ struct SurgeonParametersSlot {
   double ramp;          // s
 };
 
-inline bool store(const SurgeonParameters& value, SurgeonParametersSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.period, slot.period);
-  fits &= store(value.amplitude, slot.amplitude);
-  fits &= store(value.turn, slot.turn);
-  fits &= store(value.frequency, slot.frequency);
-  fits &= store(value.ramp, slot.ramp);
-  return fits;
-}
-
-inline void load(const SurgeonParametersSlot& slot, SurgeonParameters& value) {
-  using suture::load;
-  load(slot.period, value.period);
-  load(slot.amplitude, value.amplitude);
-  load(slot.turn, value.turn);
-  load(slot.frequency, value.frequency);
-  load(slot.ramp, value.ramp);
-}
+bool store(const SurgeonParameters& value, SurgeonParametersSlot& slot);
+void load(const SurgeonParametersSlot& slot, SurgeonParameters& value);
 
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, SurgeonParameters& value);

@@ -31,6 +31,24 @@ static_assert(std::is_same_v<decltype(TeleopParameters::enable_at_start), bool>)
 
 }  // namespace
 
+bool store(const TeleopParameters& value, TeleopParametersSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.period, slot.period);
+  fits &= store(value.scale, slot.scale);
+  fits &= store(value.max_age, slot.max_age);
+  fits &= store(value.enable_at_start, slot.enable_at_start);
+  return fits;
+}
+
+void load(const TeleopParametersSlot& slot, TeleopParameters& value) {
+  using suture::load;
+  load(slot.period, value.period);
+  load(slot.scale, value.scale);
+  load(slot.max_age, value.max_age);
+  load(slot.enable_at_start, value.enable_at_start);
+}
+
 // --- between slots and Cap'n Proto
 
 void toWire(const TeleopParametersSlot& slot, wire::TeleopParameters::Builder out) {

@@ -95,6 +95,26 @@ constexpr char kTeleoperationDescription[] = R"json(
 
 }  // namespace
 
+bool store(const FollowAnchors& value, FollowAnchorsSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.master_stamp, slot.master_stamp);
+  fits &= store(value.master, slot.master);
+  fits &= store(value.slave_setpoint, slot.slave_setpoint);
+  fits &= store(value.scale, slot.scale);
+  fits &= store(value.entry, slot.entry);
+  return fits;
+}
+
+void load(const FollowAnchorsSlot& slot, FollowAnchors& value) {
+  using suture::load;
+  load(slot.master_stamp, value.master_stamp);
+  load(slot.master, value.master);
+  load(slot.slave_setpoint, value.slave_setpoint);
+  load(slot.scale, value.scale);
+  load(slot.entry, value.entry);
+}
+
 // --- between slots and Cap'n Proto
 
 wire::TeleopState wireTeleopState(std::uint8_t slot) {

@@ -1,7 +1,7 @@
 // Written by suturec from teleop/teleoperation.h. Do not edit.
 #pragma once
 
-#include <suture/base/slots.h>
+#include <suture/base/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
 #include <suture/component/provided.h>
@@ -21,25 +21,8 @@ struct FollowAnchorsSlot {
   std::uint64_t entry;
 };
 
-inline bool store(const FollowAnchors& value, FollowAnchorsSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.master_stamp, slot.master_stamp);
-  fits &= store(value.master, slot.master);
-  fits &= store(value.slave_setpoint, slot.slave_setpoint);
-  fits &= store(value.scale, slot.scale);
-  fits &= store(value.entry, slot.entry);
-  return fits;
-}
-
-inline void load(const FollowAnchorsSlot& slot, FollowAnchors& value) {
-  using suture::load;
-  load(slot.master_stamp, value.master_stamp);
-  load(slot.master, value.master);
-  load(slot.slave_setpoint, value.slave_setpoint);
-  load(slot.scale, value.scale);
-  load(slot.entry, value.entry);
-}
+bool store(const FollowAnchors& value, FollowAnchorsSlot& slot);
+void load(const FollowAnchorsSlot& slot, FollowAnchors& value);
 
 /// The numbers of Teleoperation's commands in every table and record.
 enum class TeleoperationCommand : std::uint16_t {

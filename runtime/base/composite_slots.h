@@ -14,18 +14,8 @@
 
 namespace suture {
 
-/// Of std::monostate.
-struct SlotNothing {};
-
 inline bool store(std::monostate, SlotNothing&) { return true; }
 inline void load(SlotNothing, std::monostate&) {}
-
-/// `value` counts if `present` is not 0.
-template <class S>
-struct SlotOptional {
-  std::uint8_t present;
-  S value;
-};
 
 template <class T, class S>
 bool store(const std::optional<T>& value, SlotOptional<S>& slot) {
@@ -50,17 +40,6 @@ void load(const SlotOptional<S>& slot, std::unique_ptr<T>& value) {
   if (!value) value = std::make_unique<T>();
   load(slot.value, *value);
 }
-
-/// Unlike std::tuple, it may be copied as bytes.
-template <class Head, class... Tail>
-struct SlotTuple {
-  Head head;
-  SlotTuple<Tail...> tail;
-};
-template <class Head>
-struct SlotTuple<Head> {
-  Head head;
-};
 
 template <std::size_t I, class Tuple>
 auto& item(Tuple& slot) {
@@ -99,13 +78,6 @@ template <class A, class B, class... S>
 void load(const SlotTuple<S...>& slot, std::pair<A, B>& value) {
   loadItems(slot, value, std::make_index_sequence<2>());
 }
-
-/// Alternative `index` lies in `data`.
-template <class... S>
-struct SlotVariant {
-  std::uint32_t index;
-  alignas(S...) std::byte data[std::max({sizeof(S)...})];
-};
 
 template <std::size_t I, class... S>
 auto& alternative(SlotVariant<S...>& slot) {

@@ -13,13 +13,6 @@
 
 namespace suture {
 
-/// One entry of a map.
-template <class Key, class Value>
-struct SlotEntry {
-  Key key;
-  Value value;
-};
-
 template <Number T>
 bool comesBefore(T a, T b) {
   return a < b;

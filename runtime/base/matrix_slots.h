@@ -6,13 +6,6 @@
 
 namespace suture {
 
-/// A matrix of at most R x C, column after column without gaps.
-template <Number S, std::uint32_t R, std::uint32_t C>
-struct BoundedMatrix {
-  std::uint32_t rows, columns;
-  S data[std::size_t{R} * C];
-};
-
 template <class Matrix>
 inline constexpr bool isOpenVector = (Matrix::RowsAtCompileTime == Eigen::Dynamic &&
                                       Matrix::ColsAtCompileTime == 1) ||

@@ -3,7 +3,7 @@
 // thread of the component that owns the required interface.
 
 #include <suture/base/sample.h>
-#include <suture/base/slots.h>
+#include <suture/base/slot_forms.h>
 #include <suture/component/call.h>
 #include <suture/component/required.h>
 

@@ -2,7 +2,7 @@
 // The members of a generated Provided<Contract>::emit() and Required<Contract>::on(): one object an
 // event.
 
-#include <suture/base/slots.h>
+#include <suture/base/slot_forms.h>
 #include <suture/component/provided.h>
 #include <suture/component/required.h>
 

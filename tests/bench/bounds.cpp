@@ -37,7 +37,7 @@ std::string judge(const Bound& bound, const Report& report) {
   const auto found = report.find(bound.figure);
   if (!found) {
     const std::string why = report.whyUnavailable(bound.figure);
-    return why.empty() ? "not measured" : "not available: " + why;
+    return why.empty() ? "not measured" : "not available: " + why.substr(0, why.find('\n'));
   }
   if (found->unit != bound.unit) {
     return fmt::format("measured in {}, bounded in {}", found->unit, bound.unit);

@@ -10,7 +10,7 @@ import re
 import sys
 
 DECODER = re.compile(r"^Errc fromWire\((wire::\w+)::Reader(?: in)?,\s+(\w+)&(?: slot)?,\s+Duration", re.MULTILINE)
-STORE = re.compile(r"^inline bool store\(const ([^&]+)& value,\s+(\w+)& slot\)", re.MULTILINE)
+STORE = re.compile(r"^bool store\(const ([^&]+)& value,\s+(\w+)& slot\)", re.MULTILINE)
 NAMESPACE = re.compile(r"^namespace ([\w:]+) \{$", re.MULTILINE)
 
 

@@ -102,6 +102,78 @@ constexpr char kArmLikeDescription[] = R"json({"name": "reference::ArmLike"})jso
 
 }  // namespace
 
+bool store(const PoseStamped& value, PoseStampedSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.pose, slot.pose);
+  fits &= store(value.stamp, slot.stamp);
+  fits &= store(value.valid, slot.valid);
+  return fits;
+}
+
+void load(const PoseStampedSlot& slot, PoseStamped& value) {
+  using suture::load;
+  load(slot.pose, value.pose);
+  load(slot.stamp, value.stamp);
+  load(slot.valid, value.valid);
+}
+
+bool store(const JointState& value, JointStateSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.name, slot.name);
+  fits &= store(value.position, slot.position);
+  return fits;
+}
+
+void load(const JointStateSlot& slot, JointState& value) {
+  using suture::load;
+  load(slot.name, value.name);
+  load(slot.position, value.position);
+}
+
+bool store(const PoseStamped& goal, ArmLikeServoCpArguments& slot) {
+  using suture::store;
+  return store(goal, slot.goal);
+}
+
+bool store(const JointState& goal, ArmLikeServoJpArguments& slot) {
+  using suture::store;
+  return store(goal, slot.goal);
+}
+
+bool store(const Mode& mode, ArmLikeSetModeArguments& slot) {
+  using suture::store;
+  return store(mode, slot.mode);
+}
+
+bool store(const PoseStamped& to, ArmLikeDistanceArguments& slot) {
+  using suture::store;
+  return store(to, slot.to);
+}
+
+bool store(const PoseStamped& goal, const double& speed, const std::string& reason,
+           ArmLikeMoveArguments& slot) {
+  using suture::store;
+  return store(goal, slot.goal) && store(speed, slot.speed) && store(reason, slot.reason);
+}
+
+bool store(const double& speed, const Mode& mode, ArmLikeLimitArguments& slot) {
+  using suture::store;
+  return store(speed, slot.speed) && store(mode, slot.mode);
+}
+
+bool store(const PoseStamped& value, const double& value2, ArmLikeMovedPayload& slot) {
+  using suture::store;
+  return store(value, slot.value) && store(value2, slot.value2);
+}
+
+void load(const ArmLikeMovedPayload& slot, PoseStamped& value, double& value2) {
+  using suture::load;
+  load(slot.value, value);
+  load(slot.value2, value2);
+}
+
 // --- between slots and Cap'n Proto
 
 wire::Mode wireMode(std::uint8_t slot) {

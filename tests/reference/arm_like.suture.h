@@ -1,7 +1,7 @@
 // Written by suturec from reference/arm_like.h. Do not edit.
 #pragma once
 
-#include <suture/base/slots.h>
+#include <suture/base/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
 #include <suture/component/provided.h>
@@ -18,40 +18,16 @@ struct PoseStampedSlot {
   std::uint8_t valid;           // bool
 };
 
-inline bool store(const PoseStamped& value, PoseStampedSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.pose, slot.pose);
-  fits &= store(value.stamp, slot.stamp);
-  fits &= store(value.valid, slot.valid);
-  return fits;
-}
-
-inline void load(const PoseStampedSlot& slot, PoseStamped& value) {
-  using suture::load;
-  load(slot.pose, value.pose);
-  load(slot.stamp, value.stamp);
-  load(slot.valid, value.valid);
-}
+bool store(const PoseStamped& value, PoseStampedSlot& slot);
+void load(const PoseStampedSlot& slot, PoseStamped& value);
 
 struct JointStateSlot {
   suture::BoundedList<suture::BoundedText<15>, 8> name;
   suture::BoundedList<double, 8> position;  // rad
 };
 
-inline bool store(const JointState& value, JointStateSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.name, slot.name);
-  fits &= store(value.position, slot.position);
-  return fits;
-}
-
-inline void load(const JointStateSlot& slot, JointState& value) {
-  using suture::load;
-  load(slot.name, value.name);
-  load(slot.position, value.position);
-}
+bool store(const JointState& value, JointStateSlot& slot);
+void load(const JointStateSlot& slot, JointState& value);
 
 // --- ArmLike: the arguments of its commands ---
 
@@ -59,37 +35,25 @@ struct ArmLikeServoCpArguments {
   PoseStampedSlot goal;
 };
 
-inline bool store(const PoseStamped& goal, ArmLikeServoCpArguments& slot) {
-  using suture::store;
-  return store(goal, slot.goal);
-}
+bool store(const PoseStamped& goal, ArmLikeServoCpArguments& slot);
 
 struct ArmLikeServoJpArguments {
   JointStateSlot goal;
 };
 
-inline bool store(const JointState& goal, ArmLikeServoJpArguments& slot) {
-  using suture::store;
-  return store(goal, slot.goal);
-}
+bool store(const JointState& goal, ArmLikeServoJpArguments& slot);
 
 struct ArmLikeSetModeArguments {
   std::uint8_t mode;  // Mode
 };
 
-inline bool store(const Mode& mode, ArmLikeSetModeArguments& slot) {
-  using suture::store;
-  return store(mode, slot.mode);
-}
+bool store(const Mode& mode, ArmLikeSetModeArguments& slot);
 
 struct ArmLikeDistanceArguments {
   PoseStampedSlot to;
 };
 
-inline bool store(const PoseStamped& to, ArmLikeDistanceArguments& slot) {
-  using suture::store;
-  return store(to, slot.to);
-}
+bool store(const PoseStamped& to, ArmLikeDistanceArguments& slot);
 
 struct ArmLikeMoveArguments {
   PoseStampedSlot goal;
@@ -97,21 +61,15 @@ struct ArmLikeMoveArguments {
   suture::BoundedText<15> reason;
 };
 
-inline bool store(const PoseStamped& goal, const double& speed, const std::string& reason,
-                  ArmLikeMoveArguments& slot) {
-  using suture::store;
-  return store(goal, slot.goal) && store(speed, slot.speed) && store(reason, slot.reason);
-}
+bool store(const PoseStamped& goal, const double& speed, const std::string& reason,
+           ArmLikeMoveArguments& slot);
 
 struct ArmLikeLimitArguments {
   double speed;
   std::uint8_t mode;  // Mode
 };
 
-inline bool store(const double& speed, const Mode& mode, ArmLikeLimitArguments& slot) {
-  using suture::store;
-  return store(speed, slot.speed) && store(mode, slot.mode);
-}
+bool store(const double& speed, const Mode& mode, ArmLikeLimitArguments& slot);
 
 // --- ArmLike: what its events carry ---
 
@@ -120,16 +78,8 @@ struct ArmLikeMovedPayload {
   double value2;
 };
 
-inline bool store(const PoseStamped& value, const double& value2, ArmLikeMovedPayload& slot) {
-  using suture::store;
-  return store(value, slot.value) && store(value2, slot.value2);
-}
-
-inline void load(const ArmLikeMovedPayload& slot, PoseStamped& value, double& value2) {
-  using suture::load;
-  load(slot.value, value);
-  load(slot.value2, value2);
-}
+bool store(const PoseStamped& value, const double& value2, ArmLikeMovedPayload& slot);
+void load(const ArmLikeMovedPayload& slot, PoseStamped& value, double& value2);
 
 /// The numbers of ArmLike's commands in every table and record.
 enum class ArmLikeCommand : std::uint16_t {

@@ -65,6 +65,11 @@ constexpr char kGripperArmDescription[] = R"json({"name": "reference::GripperArm
 
 }  // namespace
 
+bool store(const double& width, GripperArmCloseArguments& slot) {
+  using suture::store;
+  return store(width, slot.width);
+}
+
 namespace {
 
 // --- GripperArm over Cap'n Proto RPC: the provider's side

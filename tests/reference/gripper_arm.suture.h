@@ -1,7 +1,7 @@
 // Written by suturec from reference/gripper_arm.h. Do not edit.
 #pragma once
 
-#include <suture/base/slots.h>
+#include <suture/base/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
 #include <suture/component/provided.h>
@@ -18,10 +18,7 @@ struct GripperArmCloseArguments {
   double width;  // m
 };
 
-inline bool store(const double& width, GripperArmCloseArguments& slot) {
-  using suture::store;
-  return store(width, slot.width);
-}
+bool store(const double& width, GripperArmCloseArguments& slot);
 
 /// The numbers of GripperArm's own commands in every table and record.
 enum class GripperArmCommand : std::uint16_t {

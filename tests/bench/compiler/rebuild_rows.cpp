@@ -68,7 +68,8 @@ void measure(const CompilerOptions& options, Report& report, Table& table) {
       source, source / "build",
       {{"SUTUREC", paths::kSuturec},
        {"SUTURE_CMAKE", (fs::path(paths::kSource) / "compiler/cmake").string()},
-       {"SUTURE_INCLUDES", (build / "include").string() + ";" + (build / "schemas").string()}});
+       {"SUTURE_INCLUDES", (build / "include").string() + ";" + (build / "schemas").string() + ";" +
+                               (fs::path(paths::kSource) / "schemas").string()}});
   const fs::path length = source / "parts/length.h";
   project.build("update-lock");
   project.build();

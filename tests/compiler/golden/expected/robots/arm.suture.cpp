@@ -183,6 +183,91 @@ constexpr char kArmDescription[] = R"json(
 
 }  // namespace
 
+bool store(const Everything& value, EverythingSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.on, slot.on);
+  fits &= store(value.tiny, slot.tiny);
+  fits &= store(value.count, slot.count);
+  fits &= store(value.speed, slot.speed);
+  fits &= store(value.ratio, slot.ratio);
+  fits &= store(value.mode, slot.mode);
+  fits &= store(value.label, slot.label);
+  fits &= store(value.bytes, slot.bytes);
+  fits &= store(value.flags, slot.flags);
+  fits &= store(value.names, slot.names);
+  fits &= store(value.pairs, slot.pairs);
+  fits &= store(value.modes, slot.modes);
+  fits &= store(value.goal, slot.goal);
+  fits &= store(value.track, slot.track);
+  fits &= store(value.point, slot.point);
+  fits &= store(value.plane, slot.plane);
+  fits &= store(value.inertia, slot.inertia);
+  fits &= store(value.jacobian, slot.jacobian);
+  fits &= store(value.attitude, slot.attitude);
+  fits &= store(value.period, slot.period);
+  fits &= store(value.when, slot.when);
+  return fits;
+}
+
+void load(const EverythingSlot& slot, Everything& value) {
+  using suture::load;
+  load(slot.on, value.on);
+  load(slot.tiny, value.tiny);
+  load(slot.count, value.count);
+  load(slot.speed, value.speed);
+  load(slot.ratio, value.ratio);
+  load(slot.mode, value.mode);
+  load(slot.label, value.label);
+  load(slot.bytes, value.bytes);
+  load(slot.flags, value.flags);
+  load(slot.names, value.names);
+  load(slot.pairs, value.pairs);
+  load(slot.modes, value.modes);
+  load(slot.goal, value.goal);
+  load(slot.track, value.track);
+  load(slot.point, value.point);
+  load(slot.plane, value.plane);
+  load(slot.inertia, value.inertia);
+  load(slot.jacobian, value.jacobian);
+  load(slot.attitude, value.attitude);
+  load(slot.period, value.period);
+  load(slot.when, value.when);
+}
+
+bool store(const PoseStamped& goal, ArmServoCpArguments& slot) {
+  using suture::store;
+  return store(goal, slot.goal);
+}
+
+bool store(const double& speed, ArmSetSpeedArguments& slot) {
+  using suture::store;
+  return store(speed, slot.speed);
+}
+
+bool store(const PoseStamped& x, const double& tolerance, ArmInverseKinematicsArguments& slot) {
+  using suture::store;
+  return store(x, slot.x) && store(tolerance, slot.tolerance);
+}
+
+bool store(const double& width, const Mode& mode, ArmGraspArguments& slot) {
+  using suture::store;
+  return store(width, slot.width) && store(mode, slot.mode);
+}
+
+bool store(const PoseStamped& value, const double& value2, const Mode& value3,
+           ArmMovedPayload& slot) {
+  using suture::store;
+  return store(value, slot.value) && store(value2, slot.value2) && store(value3, slot.value3);
+}
+
+void load(const ArmMovedPayload& slot, PoseStamped& value, double& value2, Mode& value3) {
+  using suture::load;
+  load(slot.value, value);
+  load(slot.value2, value2);
+  load(slot.value3, value3);
+}
+
 // --- between slots and Cap'n Proto
 
 wire::Mode wireMode(std::int8_t slot) {

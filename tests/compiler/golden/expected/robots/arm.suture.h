@@ -1,7 +1,7 @@
 // Written by suturec from robots/arm.h. Do not edit.
 #pragma once
 
-#include <suture/base/slots.h>
+#include <suture/base/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
 #include <suture/component/provided.h>
@@ -39,57 +39,8 @@ struct EverythingSlot {
   std::int64_t when;                // suture::Time, ns
 };
 
-inline bool store(const Everything& value, EverythingSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.on, slot.on);
-  fits &= store(value.tiny, slot.tiny);
-  fits &= store(value.count, slot.count);
-  fits &= store(value.speed, slot.speed);
-  fits &= store(value.ratio, slot.ratio);
-  fits &= store(value.mode, slot.mode);
-  fits &= store(value.label, slot.label);
-  fits &= store(value.bytes, slot.bytes);
-  fits &= store(value.flags, slot.flags);
-  fits &= store(value.names, slot.names);
-  fits &= store(value.pairs, slot.pairs);
-  fits &= store(value.modes, slot.modes);
-  fits &= store(value.goal, slot.goal);
-  fits &= store(value.track, slot.track);
-  fits &= store(value.point, slot.point);
-  fits &= store(value.plane, slot.plane);
-  fits &= store(value.inertia, slot.inertia);
-  fits &= store(value.jacobian, slot.jacobian);
-  fits &= store(value.attitude, slot.attitude);
-  fits &= store(value.period, slot.period);
-  fits &= store(value.when, slot.when);
-  return fits;
-}
-
-inline void load(const EverythingSlot& slot, Everything& value) {
-  using suture::load;
-  load(slot.on, value.on);
-  load(slot.tiny, value.tiny);
-  load(slot.count, value.count);
-  load(slot.speed, value.speed);
-  load(slot.ratio, value.ratio);
-  load(slot.mode, value.mode);
-  load(slot.label, value.label);
-  load(slot.bytes, value.bytes);
-  load(slot.flags, value.flags);
-  load(slot.names, value.names);
-  load(slot.pairs, value.pairs);
-  load(slot.modes, value.modes);
-  load(slot.goal, value.goal);
-  load(slot.track, value.track);
-  load(slot.point, value.point);
-  load(slot.plane, value.plane);
-  load(slot.inertia, value.inertia);
-  load(slot.jacobian, value.jacobian);
-  load(slot.attitude, value.attitude);
-  load(slot.period, value.period);
-  load(slot.when, value.when);
-}
+bool store(const Everything& value, EverythingSlot& slot);
+void load(const EverythingSlot& slot, Everything& value);
 
 // --- Arm: the arguments of its commands ---
 
@@ -97,40 +48,27 @@ struct ArmServoCpArguments {
   PoseStampedSlot goal;
 };
 
-inline bool store(const PoseStamped& goal, ArmServoCpArguments& slot) {
-  using suture::store;
-  return store(goal, slot.goal);
-}
+bool store(const PoseStamped& goal, ArmServoCpArguments& slot);
 
 struct ArmSetSpeedArguments {
   double speed;  // m/s
 };
 
-inline bool store(const double& speed, ArmSetSpeedArguments& slot) {
-  using suture::store;
-  return store(speed, slot.speed);
-}
+bool store(const double& speed, ArmSetSpeedArguments& slot);
 
 struct ArmInverseKinematicsArguments {
   PoseStampedSlot x;
   double tolerance;
 };
 
-inline bool store(const PoseStamped& x, const double& tolerance,
-                  ArmInverseKinematicsArguments& slot) {
-  using suture::store;
-  return store(x, slot.x) && store(tolerance, slot.tolerance);
-}
+bool store(const PoseStamped& x, const double& tolerance, ArmInverseKinematicsArguments& slot);
 
 struct ArmGraspArguments {
   double width;
   std::int8_t mode;  // Mode
 };
 
-inline bool store(const double& width, const Mode& mode, ArmGraspArguments& slot) {
-  using suture::store;
-  return store(width, slot.width) && store(mode, slot.mode);
-}
+bool store(const double& width, const Mode& mode, ArmGraspArguments& slot);
 
 // --- Arm: what its events carry ---
 
@@ -140,18 +78,9 @@ struct ArmMovedPayload {
   std::int8_t value3;
 };
 
-inline bool store(const PoseStamped& value, const double& value2, const Mode& value3,
-                  ArmMovedPayload& slot) {
-  using suture::store;
-  return store(value, slot.value) && store(value2, slot.value2) && store(value3, slot.value3);
-}
-
-inline void load(const ArmMovedPayload& slot, PoseStamped& value, double& value2, Mode& value3) {
-  using suture::load;
-  load(slot.value, value);
-  load(slot.value2, value2);
-  load(slot.value3, value3);
-}
+bool store(const PoseStamped& value, const double& value2, const Mode& value3,
+           ArmMovedPayload& slot);
+void load(const ArmMovedPayload& slot, PoseStamped& value, double& value2, Mode& value3);
 
 /// The numbers of Arm's commands in every table and record.
 enum class ArmCommand : std::uint16_t {

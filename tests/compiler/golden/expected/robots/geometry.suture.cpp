@@ -29,6 +29,22 @@ static_assert(std::is_same_v<decltype(PoseStamped::valid), bool>);
 
 }  // namespace
 
+bool store(const PoseStamped& value, PoseStampedSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.pose, slot.pose);
+  fits &= store(value.stamp, slot.stamp);
+  fits &= store(value.valid, slot.valid);
+  return fits;
+}
+
+void load(const PoseStampedSlot& slot, PoseStamped& value) {
+  using suture::load;
+  load(slot.pose, value.pose);
+  load(slot.stamp, value.stamp);
+  load(slot.valid, value.valid);
+}
+
 // --- between slots and Cap'n Proto
 
 void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {

@@ -1,7 +1,7 @@
 // Written by suturec from robots/geometry.h. Do not edit.
 #pragma once
 
-#include <suture/base/slots.h>
+#include <suture/base/slot_forms.h>
 
 #include "robots/geometry.h"
 
@@ -14,20 +14,7 @@ struct PoseStampedSlot {
   std::uint8_t valid;           // bool
 };
 
-inline bool store(const PoseStamped& value, PoseStampedSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.pose, slot.pose);
-  fits &= store(value.stamp, slot.stamp);
-  fits &= store(value.valid, slot.valid);
-  return fits;
-}
-
-inline void load(const PoseStampedSlot& slot, PoseStamped& value) {
-  using suture::load;
-  load(slot.pose, value.pose);
-  load(slot.stamp, value.stamp);
-  load(slot.valid, value.valid);
-}
+bool store(const PoseStamped& value, PoseStampedSlot& slot);
+void load(const PoseStampedSlot& slot, PoseStamped& value);
 
 }  // namespace robots

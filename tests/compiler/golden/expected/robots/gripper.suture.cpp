@@ -172,6 +172,37 @@ constexpr char kNamesDescription[] = R"json(
 
 }  // namespace
 
+bool store(const double& width, GripperOpenArguments& slot) {
+  using suture::store;
+  return store(width, slot.width);
+}
+
+bool store(const double& width, GripperFitsArguments& slot) {
+  using suture::store;
+  return store(width, slot.width);
+}
+
+bool store(const double& value, const bool& value2, GripperGrippedPayload& slot) {
+  using suture::store;
+  return store(value, slot.value) && store(value2, slot.value2);
+}
+
+void load(const GripperGrippedPayload& slot, double& value, bool& value2) {
+  using suture::load;
+  load(slot.value, value);
+  load(slot.value2, value2);
+}
+
+bool store(const std::int32_t& name, NamesQueueArguments& slot) {
+  using suture::store;
+  return store(name, slot.name);
+}
+
+bool store(const double& range, const double& slot, NamesNameArguments& arguments_) {
+  using suture::store;
+  return store(range, arguments_.range) && store(slot, arguments_.slot);
+}
+
 namespace {
 
 // --- Gripper over Cap'n Proto RPC: the provider's side

@@ -1,7 +1,7 @@
 // Written by suturec from robots/gripper.h. Do not edit.
 #pragma once
 
-#include <suture/base/slots.h>
+#include <suture/base/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
 #include <suture/component/provided.h>
@@ -19,19 +19,13 @@ struct GripperOpenArguments {
   double width;  // m
 };
 
-inline bool store(const double& width, GripperOpenArguments& slot) {
-  using suture::store;
-  return store(width, slot.width);
-}
+bool store(const double& width, GripperOpenArguments& slot);
 
 struct GripperFitsArguments {
   double width;
 };
 
-inline bool store(const double& width, GripperFitsArguments& slot) {
-  using suture::store;
-  return store(width, slot.width);
-}
+bool store(const double& width, GripperFitsArguments& slot);
 
 // --- Gripper: what its events carry ---
 
@@ -40,16 +34,8 @@ struct GripperGrippedPayload {
   std::uint8_t value2;
 };
 
-inline bool store(const double& value, const bool& value2, GripperGrippedPayload& slot) {
-  using suture::store;
-  return store(value, slot.value) && store(value2, slot.value2);
-}
-
-inline void load(const GripperGrippedPayload& slot, double& value, bool& value2) {
-  using suture::load;
-  load(slot.value, value);
-  load(slot.value2, value2);
-}
+bool store(const double& value, const bool& value2, GripperGrippedPayload& slot);
+void load(const GripperGrippedPayload& slot, double& value, bool& value2);
 
 /// The numbers of Gripper's own commands in every table and record.
 enum class GripperCommand : std::uint16_t {
@@ -69,20 +55,14 @@ struct NamesQueueArguments {
   std::int32_t name;
 };
 
-inline bool store(const std::int32_t& name, NamesQueueArguments& slot) {
-  using suture::store;
-  return store(name, slot.name);
-}
+bool store(const std::int32_t& name, NamesQueueArguments& slot);
 
 struct NamesNameArguments {
   double range;
   double slot;
 };
 
-inline bool store(const double& range, const double& slot, NamesNameArguments& arguments_) {
-  using suture::store;
-  return store(range, arguments_.range) && store(slot, arguments_.slot);
-}
+bool store(const double& range, const double& slot, NamesNameArguments& arguments_);
 
 /// The numbers of Names's commands in every table and record.
 enum class NamesCommand : std::uint16_t {

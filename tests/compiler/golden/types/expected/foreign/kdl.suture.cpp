@@ -39,6 +39,102 @@ static_assert(std::is_same_v<decltype(Motion::joints), KDL::JntArray>);
 
 }  // namespace
 
+bool store(const KDL::Vector& value, KDLVectorSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.data, slot.data);
+  return fits;
+}
+
+void load(const KDLVectorSlot& slot, KDL::Vector& value) {
+  using suture::load;
+  load(slot.data, value.data);
+}
+
+bool store(const KDL::Rotation& value, KDLRotationSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.data, slot.data);
+  return fits;
+}
+
+void load(const KDLRotationSlot& slot, KDL::Rotation& value) {
+  using suture::load;
+  load(slot.data, value.data);
+}
+
+bool store(const KDL::Frame& value, KDLFrameSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.p, slot.p);
+  fits &= store(value.M, slot.M);
+  return fits;
+}
+
+void load(const KDLFrameSlot& slot, KDL::Frame& value) {
+  using suture::load;
+  load(slot.p, value.p);
+  load(slot.M, value.M);
+}
+
+bool store(const KDL::Twist& value, KDLTwistSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.vel, slot.vel);
+  fits &= store(value.rot, slot.rot);
+  return fits;
+}
+
+void load(const KDLTwistSlot& slot, KDL::Twist& value) {
+  using suture::load;
+  load(slot.vel, value.vel);
+  load(slot.rot, value.rot);
+}
+
+bool store(const KDL::Wrench& value, KDLWrenchSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.force, slot.force);
+  fits &= store(value.torque, slot.torque);
+  return fits;
+}
+
+void load(const KDLWrenchSlot& slot, KDL::Wrench& value) {
+  using suture::load;
+  load(slot.force, value.force);
+  load(slot.torque, value.torque);
+}
+
+bool store(const KDL::JntArray& value, KDLJntArraySlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.data, slot.data);
+  return fits;
+}
+
+void load(const KDLJntArraySlot& slot, KDL::JntArray& value) {
+  using suture::load;
+  load(slot.data, value.data);
+}
+
+bool store(const Motion& value, MotionSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.frame, slot.frame);
+  fits &= store(value.twist, slot.twist);
+  fits &= store(value.wrench, slot.wrench);
+  fits &= store(value.joints, slot.joints);
+  return fits;
+}
+
+void load(const MotionSlot& slot, Motion& value) {
+  using suture::load;
+  load(slot.frame, value.frame);
+  load(slot.twist, value.twist);
+  load(slot.wrench, value.wrench);
+  load(slot.joints, value.joints);
+}
+
 // --- between slots and Cap'n Proto
 
 void toWire(const KDLVectorSlot& slot, wire::Vector::Builder out) {

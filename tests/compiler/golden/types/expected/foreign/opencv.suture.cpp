@@ -67,6 +67,53 @@ constexpr char kCameraDescription[] = R"json(
 
 }  // namespace
 
+bool store(const cv::Point3d& value, cvPoint3dSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.x, slot.x);
+  fits &= store(value.y, slot.y);
+  fits &= store(value.z, slot.z);
+  return fits;
+}
+
+void load(const cvPoint3dSlot& slot, cv::Point3d& value) {
+  using suture::load;
+  load(slot.x, value.x);
+  load(slot.y, value.y);
+  load(slot.z, value.z);
+}
+
+bool store(const cv::Matx33d& value, cvMatx33dSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.val, slot.val);
+  return fits;
+}
+
+void load(const cvMatx33dSlot& slot, cv::Matx33d& value) {
+  using suture::load;
+  load(slot.val, value.val);
+}
+
+bool store(const View& value, ViewSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.intrinsics, slot.intrinsics);
+  fits &= store(value.points, slot.points);
+  return fits;
+}
+
+void load(const ViewSlot& slot, View& value) {
+  using suture::load;
+  load(slot.intrinsics, value.intrinsics);
+  load(slot.points, value.points);
+}
+
+bool store(const cv::Point3d& at, CameraAimArguments& slot) {
+  using suture::store;
+  return store(at, slot.at);
+}
+
 // --- between slots and Cap'n Proto
 
 void toWire(const cvPoint3dSlot& slot, wire::Point3d::Builder out) {

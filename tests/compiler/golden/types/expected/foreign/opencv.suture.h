@@ -1,7 +1,7 @@
 // Written by suturec from foreign/opencv.h. Do not edit.
 #pragma once
 
-#include <suture/base/slots.h>
+#include <suture/base/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
 #include <suture/component/provided.h>
@@ -17,37 +17,15 @@ struct cvPoint3dSlot {
   double z;
 };
 
-inline bool store(const cv::Point3d& value, cvPoint3dSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.x, slot.x);
-  fits &= store(value.y, slot.y);
-  fits &= store(value.z, slot.z);
-  return fits;
-}
-
-inline void load(const cvPoint3dSlot& slot, cv::Point3d& value) {
-  using suture::load;
-  load(slot.x, value.x);
-  load(slot.y, value.y);
-  load(slot.z, value.z);
-}
+bool store(const cv::Point3d& value, cvPoint3dSlot& slot);
+void load(const cvPoint3dSlot& slot, cv::Point3d& value);
 
 struct cvMatx33dSlot {
   std::array<double, 9> val;
 };
 
-inline bool store(const cv::Matx33d& value, cvMatx33dSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.val, slot.val);
-  return fits;
-}
-
-inline void load(const cvMatx33dSlot& slot, cv::Matx33d& value) {
-  using suture::load;
-  load(slot.val, value.val);
-}
+bool store(const cv::Matx33d& value, cvMatx33dSlot& slot);
+void load(const cvMatx33dSlot& slot, cv::Matx33d& value);
 
 /// A camera and what it sees.
 struct ViewSlot {
@@ -55,19 +33,8 @@ struct ViewSlot {
   suture::BoundedList<cvPoint3dSlot, 4> points;
 };
 
-inline bool store(const View& value, ViewSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.intrinsics, slot.intrinsics);
-  fits &= store(value.points, slot.points);
-  return fits;
-}
-
-inline void load(const ViewSlot& slot, View& value) {
-  using suture::load;
-  load(slot.intrinsics, value.intrinsics);
-  load(slot.points, value.points);
-}
+bool store(const View& value, ViewSlot& slot);
+void load(const ViewSlot& slot, View& value);
 
 // --- Camera: the arguments of its commands ---
 
@@ -75,10 +42,7 @@ struct CameraAimArguments {
   cvPoint3dSlot at;
 };
 
-inline bool store(const cv::Point3d& at, CameraAimArguments& slot) {
-  using suture::store;
-  return store(at, slot.at);
-}
+bool store(const cv::Point3d& at, CameraAimArguments& slot);
 
 /// The numbers of Camera's commands in every table and record.
 enum class CameraCommand : std::uint16_t {

@@ -47,6 +47,118 @@ static_assert(std::is_same_v<decltype(JointState::effort), std::vector<double>>)
 
 }  // namespace
 
+bool store(const ros::Time& value, rosTimeSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.sec, slot.sec);
+  fits &= store(value.nsec, slot.nsec);
+  return fits;
+}
+
+void load(const rosTimeSlot& slot, ros::Time& value) {
+  using suture::load;
+  load(slot.sec, value.sec);
+  load(slot.nsec, value.nsec);
+}
+
+bool store(const Header& value, HeaderSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.seq, slot.seq);
+  fits &= store(value.stamp, slot.stamp);
+  fits &= store(value.frame_id, slot.frame_id);
+  return fits;
+}
+
+void load(const HeaderSlot& slot, Header& value) {
+  using suture::load;
+  load(slot.seq, value.seq);
+  load(slot.stamp, value.stamp);
+  load(slot.frame_id, value.frame_id);
+}
+
+bool store(const Point& value, PointSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.x, slot.x);
+  fits &= store(value.y, slot.y);
+  fits &= store(value.z, slot.z);
+  return fits;
+}
+
+void load(const PointSlot& slot, Point& value) {
+  using suture::load;
+  load(slot.x, value.x);
+  load(slot.y, value.y);
+  load(slot.z, value.z);
+}
+
+bool store(const Quaternion& value, QuaternionSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.x, slot.x);
+  fits &= store(value.y, slot.y);
+  fits &= store(value.z, slot.z);
+  fits &= store(value.w, slot.w);
+  return fits;
+}
+
+void load(const QuaternionSlot& slot, Quaternion& value) {
+  using suture::load;
+  load(slot.x, value.x);
+  load(slot.y, value.y);
+  load(slot.z, value.z);
+  load(slot.w, value.w);
+}
+
+bool store(const Pose& value, PoseSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.position, slot.position);
+  fits &= store(value.orientation, slot.orientation);
+  return fits;
+}
+
+void load(const PoseSlot& slot, Pose& value) {
+  using suture::load;
+  load(slot.position, value.position);
+  load(slot.orientation, value.orientation);
+}
+
+bool store(const PoseStamped& value, PoseStampedSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.header, slot.header);
+  fits &= store(value.pose, slot.pose);
+  return fits;
+}
+
+void load(const PoseStampedSlot& slot, PoseStamped& value) {
+  using suture::load;
+  load(slot.header, value.header);
+  load(slot.pose, value.pose);
+}
+
+bool store(const JointState& value, JointStateSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.header, slot.header);
+  fits &= store(value.name, slot.name);
+  fits &= store(value.position, slot.position);
+  fits &= store(value.velocity, slot.velocity);
+  fits &= store(value.effort, slot.effort);
+  return fits;
+}
+
+void load(const JointStateSlot& slot, JointState& value) {
+  using suture::load;
+  load(slot.header, value.header);
+  load(slot.name, value.name);
+  load(slot.position, value.position);
+  load(slot.velocity, value.velocity);
+  load(slot.effort, value.effort);
+}
+
 // --- between slots and Cap'n Proto
 
 void toWire(const rosTimeSlot& slot, wire::Time::Builder out) {

@@ -32,6 +32,28 @@ static_assert(std::is_same_v<decltype(Bulk::image), Eigen::MatrixXd>);
 
 }  // namespace
 
+bool store(const Bulk& value, BulkSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.samples, slot.samples);
+  fits &= store(value.triple, slot.triple);
+  fits &= store(value.bytes, slot.bytes);
+  fits &= store(value.line, slot.line);
+  fits &= store(value.jacobian, slot.jacobian);
+  fits &= store(value.image, slot.image);
+  return fits;
+}
+
+void load(const BulkSlot& slot, Bulk& value) {
+  using suture::load;
+  load(slot.samples, value.samples);
+  load(slot.triple, value.triple);
+  load(slot.bytes, value.bytes);
+  load(slot.line, value.line);
+  load(slot.jacobian, value.jacobian);
+  load(slot.image, value.image);
+}
+
 // --- between slots and Cap'n Proto
 
 void toWire(const BulkSlot& slot, wire::Bulk::Builder out) {

@@ -1,7 +1,7 @@
 // Written by suturec from shapes/bulk.h. Do not edit.
 #pragma once
 
-#include <suture/base/slots.h>
+#include <suture/base/slot_forms.h>
 
 #include "shapes/bulk.h"
 
@@ -17,26 +17,7 @@ struct BulkSlot {
   suture::BoundedMatrix<double, 3, 4> image;  // Eigen::MatrixXd
 };
 
-inline bool store(const Bulk& value, BulkSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.samples, slot.samples);
-  fits &= store(value.triple, slot.triple);
-  fits &= store(value.bytes, slot.bytes);
-  fits &= store(value.line, slot.line);
-  fits &= store(value.jacobian, slot.jacobian);
-  fits &= store(value.image, slot.image);
-  return fits;
-}
-
-inline void load(const BulkSlot& slot, Bulk& value) {
-  using suture::load;
-  load(slot.samples, value.samples);
-  load(slot.triple, value.triple);
-  load(slot.bytes, value.bytes);
-  load(slot.line, value.line);
-  load(slot.jacobian, value.jacobian);
-  load(slot.image, value.image);
-}
+bool store(const Bulk& value, BulkSlot& slot);
+void load(const BulkSlot& slot, Bulk& value);
 
 }  // namespace shapes

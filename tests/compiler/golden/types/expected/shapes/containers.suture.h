@@ -17,19 +17,8 @@ struct PointSlot {
   double y;
 };
 
-inline bool store(const Point& value, PointSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.x, slot.x);
-  fits &= store(value.y, slot.y);
-  return fits;
-}
-
-inline void load(const PointSlot& slot, Point& value) {
-  using suture::load;
-  load(slot.x, value.x);
-  load(slot.y, value.y);
-}
+bool store(const Point& value, PointSlot& slot);
+void load(const PointSlot& slot, Point& value);
 
 /// Sequences, sets and maps.
 struct SequencesSlot {
@@ -50,45 +39,8 @@ struct SequencesSlot {
   suture::BoundedList<suture::SlotEntry<std::int16_t, double>, 3> shares;
 };
 
-inline bool store(const Sequences& value, SequencesSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.bytes, slot.bytes);
-  fits &= store(value.one, slot.one);
-  fits &= store(value.row, slot.row);
-  fits &= store(value.grid, slot.grid);
-  fits &= store(value.corners, slot.corners);
-  fits &= store(value.path, slot.path);
-  fits &= store(value.bits, slot.bits);
-  fits &= store(value.flags, slot.flags);
-  fits &= store(value.numbers, slot.numbers);
-  fits &= store(value.words, slot.words);
-  fits &= store(value.levels, slot.levels);
-  fits &= store(value.gains, slot.gains);
-  fits &= store(value.points, slot.points);
-  fits &= store(value.series, slot.series);
-  fits &= store(value.shares, slot.shares);
-  return fits;
-}
-
-inline void load(const SequencesSlot& slot, Sequences& value) {
-  using suture::load;
-  load(slot.bytes, value.bytes);
-  load(slot.one, value.one);
-  load(slot.row, value.row);
-  load(slot.grid, value.grid);
-  load(slot.corners, value.corners);
-  load(slot.path, value.path);
-  load(slot.bits, value.bits);
-  load(slot.flags, value.flags);
-  load(slot.numbers, value.numbers);
-  load(slot.words, value.words);
-  load(slot.levels, value.levels);
-  load(slot.gains, value.gains);
-  load(slot.points, value.points);
-  load(slot.series, value.series);
-  load(slot.shares, value.shares);
-}
+bool store(const Sequences& value, SequencesSlot& slot);
+void load(const SequencesSlot& slot, Sequences& value);
 
 /// What holds one thing or another, or some of each.
 struct ChoicesSlot {
@@ -107,41 +59,8 @@ struct ChoicesSlot {
   suture::SlotOptional<PointSlot> owned;
 };
 
-inline bool store(const Choices& value, ChoicesSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.gain, slot.gain);
-  fits &= store(value.share, slot.share);
-  fits &= store(value.answer, slot.answer);
-  fits &= store(value.frame, slot.frame);
-  fits &= store(value.target, slot.target);
-  fits &= store(value.polygon, slot.polygon);
-  fits &= store(value.twice, slot.twice);
-  fits &= store(value.seen, slot.seen);
-  fits &= store(value.entry, slot.entry);
-  fits &= store(value.triple, slot.triple);
-  fits &= store(value.either, slot.either);
-  fits &= store(value.nested, slot.nested);
-  fits &= store(value.owned, slot.owned);
-  return fits;
-}
-
-inline void load(const ChoicesSlot& slot, Choices& value) {
-  using suture::load;
-  load(slot.gain, value.gain);
-  load(slot.share, value.share);
-  load(slot.answer, value.answer);
-  load(slot.frame, value.frame);
-  load(slot.target, value.target);
-  load(slot.polygon, value.polygon);
-  load(slot.twice, value.twice);
-  load(slot.seen, value.seen);
-  load(slot.entry, value.entry);
-  load(slot.triple, value.triple);
-  load(slot.either, value.either);
-  load(slot.nested, value.nested);
-  load(slot.owned, value.owned);
-}
+bool store(const Choices& value, ChoicesSlot& slot);
+void load(const ChoicesSlot& slot, Choices& value);
 
 /// Eigen types of all kinds.
 struct MatricesSlot {
@@ -158,37 +77,8 @@ struct MatricesSlot {
   double wait;                    // std::chrono::duration<double, std::ratio<1, 1000>>
 };
 
-inline bool store(const Matrices& value, MatricesSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.joints, slot.joints);
-  fits &= store(value.row, slot.row);
-  fits &= store(value.any, slot.any);
-  fits &= store(value.counts, slot.counts);
-  fits &= store(value.columns, slot.columns);
-  fits &= store(value.limited, slot.limited);
-  fits &= store(value.fixed, slot.fixed);
-  fits &= store(value.cloud, slot.cloud);
-  fits &= store(value.wrenches, slot.wrenches);
-  fits &= store(value.scaled, slot.scaled);
-  fits &= store(value.wait, slot.wait);
-  return fits;
-}
-
-inline void load(const MatricesSlot& slot, Matrices& value) {
-  using suture::load;
-  load(slot.joints, value.joints);
-  load(slot.row, value.row);
-  load(slot.any, value.any);
-  load(slot.counts, value.counts);
-  load(slot.columns, value.columns);
-  load(slot.limited, value.limited);
-  load(slot.fixed, value.fixed);
-  load(slot.cloud, value.cloud);
-  load(slot.wrenches, value.wrenches);
-  load(slot.scaled, value.scaled);
-  load(slot.wait, value.wait);
-}
+bool store(const Matrices& value, MatricesSlot& slot);
+void load(const MatricesSlot& slot, Matrices& value);
 
 // --- Store: the arguments of its commands ---
 
@@ -196,19 +86,13 @@ struct StorePutArguments {
   SequencesSlot value;
 };
 
-inline bool store(const Sequences& value, StorePutArguments& slot) {
-  using suture::store;
-  return store(value, slot.value);
-}
+bool store(const Sequences& value, StorePutArguments& slot);
 
 struct StoreChooseArguments {
   suture::SlotOptional<double> gain;
 };
 
-inline bool store(const std::optional<double>& gain, StoreChooseArguments& slot) {
-  using suture::store;
-  return store(gain, slot.gain);
-}
+bool store(const std::optional<double>& gain, StoreChooseArguments& slot);
 
 /// The numbers of Store's commands in every table and record.
 enum class StoreCommand : std::uint16_t {

@@ -29,6 +29,20 @@ static_assert(std::is_same_v<decltype(guest::Limits::high), double>);
 
 }  // namespace
 
+bool store(const guest::Limits& value, guestLimitsSlot& slot) {
+  using suture::store;
+  bool fits = true;
+  fits &= store(value.low, slot.low);
+  fits &= store(value.high, slot.high);
+  return fits;
+}
+
+void load(const guestLimitsSlot& slot, guest::Limits& value) {
+  using suture::load;
+  load(slot.low, value.low);
+  load(slot.high, value.high);
+}
+
 // --- between slots and Cap'n Proto
 
 void toWire(const guestLimitsSlot& slot, wire::Limits::Builder out) {

@@ -1,7 +1,7 @@
 // Written by suturec from shapes/guest.h. Do not edit.
 #pragma once
 
-#include <suture/base/slots.h>
+#include <suture/base/slot_forms.h>
 #include <suture/component/component_class.h>
 
 #include "shapes/guest.h"
@@ -17,19 +17,8 @@ struct guestLimitsSlot {
   double high;  // N
 };
 
-inline bool store(const guest::Limits& value, guestLimitsSlot& slot) {
-  using suture::store;
-  bool fits = true;
-  fits &= store(value.low, slot.low);
-  fits &= store(value.high, slot.high);
-  return fits;
-}
-
-inline void load(const guestLimitsSlot& slot, guest::Limits& value) {
-  using suture::load;
-  load(slot.low, value.low);
-  load(slot.high, value.high);
-}
+bool store(const guest::Limits& value, guestLimitsSlot& slot);
+void load(const guestLimitsSlot& slot, guest::Limits& value);
 
 }  // namespace shapes
 

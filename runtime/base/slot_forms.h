@@ -1,0 +1,182 @@
+#pragma once
+// The forms of slots, and the conversions that need no more than those: all that the generated
+// header of a contract needs. Slots are the flat, bounded, trivially copyable twins of the types in
+// a contract; they travel in mailboxes, state rows and shared memory.
+//
+//   store(value, slot): C++ -> slot; false if the value exceeds the capacity of the slot
+//   load(slot, value):  slot -> C++; reuses what the value already owns
+
+#include <suture/annotate.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <type_traits>
+
+namespace suture {
+
+/// A string of at most N bytes.
+template <std::uint32_t N>
+struct BoundedText {
+  std::uint32_t size;
+  char data[N];
+};
+
+/// A list of at most N elements.
+template <class Element, std::uint32_t N>
+struct BoundedList {
+  std::uint32_t size;
+  Element data[N];
+};
+
+/// A matrix of at most R x C, column after column without gaps.
+template <class S, std::uint32_t R, std::uint32_t C>
+struct BoundedMatrix {
+  std::uint32_t rows, columns;
+  S data[std::size_t{R} * C];
+};
+
+/// One entry of a map.
+template <class Key, class Value>
+struct SlotEntry {
+  Key key;
+  Value value;
+};
+
+/// Of std::monostate.
+struct SlotNothing {};
+
+/// `value` counts if `present` is not 0.
+template <class S>
+struct SlotOptional {
+  std::uint8_t present;
+  S value;
+};
+
+/// Unlike std::tuple, it may be copied as bytes.
+template <class Head, class... Tail>
+struct SlotTuple {
+  Head head;
+  SlotTuple<Tail...> tail;
+};
+template <class Head>
+struct SlotTuple<Head> {
+  Head head;
+};
+
+/// Alternative `index` lies in `data`.
+template <class... S>
+struct SlotVariant {
+  std::uint32_t index;
+  alignas(S...) std::byte data[std::max({sizeof(S)...})];
+};
+
+template <class T>
+concept Number = std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
+
+template <Number T>
+bool store(T value, T& slot) {
+  slot = value;
+  return true;
+}
+template <Number T>
+void load(T slot, T& value) {
+  value = slot;
+}
+
+inline bool store(bool value, std::uint8_t& slot) {
+  slot = value ? 1 : 0;
+  return true;
+}
+inline void load(std::uint8_t slot, bool& value) { value = slot != 0; }
+
+template <class E>
+requires std::is_enum_v<E>
+bool store(E value, std::underlying_type_t<E>& slot) {
+  slot = static_cast<std::underlying_type_t<E>>(value);
+  return true;
+}
+template <class E>
+requires std::is_enum_v<E>
+void load(std::underlying_type_t<E> slot, E& value) { value = static_cast<E>(slot); }
+
+/// Durations of a real representation travel as their count, whatever it is; the others and time
+/// points as nanoseconds.
+template <std::floating_point Rep, class Period>
+bool store(std::chrono::duration<Rep, Period> value, double& slot) {
+  slot = static_cast<double>(value.count());
+  return true;
+}
+template <std::floating_point Rep, class Period>
+void load(double slot, std::chrono::duration<Rep, Period>& value) {
+  value = std::chrono::duration<Rep, Period>(static_cast<Rep>(slot));
+}
+template <class Rep, class Period>
+bool store(std::chrono::duration<Rep, Period> value, std::int64_t& slot) {
+  slot = std::chrono::duration_cast<std::chrono::nanoseconds>(value).count();
+  return true;
+}
+template <class Rep, class Period>
+void load(std::int64_t slot, std::chrono::duration<Rep, Period>& value) {
+  using Target = std::chrono::duration<Rep, Period>;
+  value = std::chrono::duration_cast<Target>(std::chrono::nanoseconds(slot));
+}
+template <class Clock, class D>
+bool store(std::chrono::time_point<Clock, D> value, std::int64_t& slot) {
+  return store(value.time_since_epoch(), slot);
+}
+template <class Clock, class D>
+void load(std::int64_t slot, std::chrono::time_point<Clock, D>& value) {
+  D sinceEpoch;
+  load(slot, sinceEpoch);
+  value = std::chrono::time_point<Clock, D>(sinceEpoch);
+}
+
+template <std::uint32_t N>
+bool store(const std::string& value, BoundedText<N>& slot) {
+  if (value.size() > N) return false;
+  slot.size = static_cast<std::uint32_t>(value.size());
+  std::copy_n(value.data(), value.size(), slot.data);
+  return true;
+}
+template <std::uint32_t N>
+void load(const BoundedText<N>& slot, std::string& value) {
+  value.assign(slot.data, std::min(slot.size, N));
+}
+
+/// What has a suture::Wire travels as that says.
+template <class T>
+concept Hooked = requires {
+  typename Wire<T>::Type;
+};
+
+template <Hooked T, class S>
+bool store(const T& value, S& slot) {
+  return store(Wire<T>::to(value), slot);
+}
+template <class S, Hooked T>
+void load(const S& slot, T& value) {
+  typename Wire<T>::Type form{};
+  load(slot, form);
+  value = Wire<T>::from(form);
+}
+
+/// How a T is written into and read from a std::array; slots.h knows it of arrays and of Eigen's
+/// fixed types.
+template <class T>
+struct ArraySlot;
+
+template <class T, class S, std::size_t N>
+requires(!Hooked<T>) bool store(const T& value, std::array<S, N>& slot) {
+  return ArraySlot<T>::write(value, slot);
+}
+template <class T, class S, std::size_t N>
+requires(!Hooked<T>) void load(const std::array<S, N>& slot, T& value) {
+  ArraySlot<T>::read(slot, value);
+}
+
+}  // namespace suture
