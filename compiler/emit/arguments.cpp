@@ -48,13 +48,12 @@ std::string storeSignature(const Context& context, const model::Command& command
 
 void emitStore(Code& code, const Context& context, const model::Command& command,
                const std::string& slot) {
-  code.open(storeSignature(context, command, slot), " {").line("using suture::store;");
   std::string call;
   for (const model::Parameter& parameter : command.parameters) {
     if (!call.empty()) call += std::string(" && ") + kBreak;
     call += "store(" + parameter.name + ", " + slotName(command) + "." + parameter.name + ")";
   }
-  code.line("return ", call, ";").close("}").blank();
+  code.function(storeSignature(context, command, slot), "return " + call + ";").blank();
 }
 
 /// What carries several values of an event.
@@ -94,9 +93,8 @@ void emitPayload(Code& code, const Context& context, const model::Interface& int
     stores +=
         (i == 0 ? "" : std::string(" && ") + kBreak) + "store(" + name + ", slot." + name + ")";
   }
-  code.open(payload.store, " {").line("using suture::store;");
-  code.line("return ", stores, ";").close("}").blank();
-  code.open(payload.load, " {").line("using suture::load;");
+  code.function(payload.store, "return " + stores + ";").blank();
+  code.open(payload.load, " {");
   for (std::size_t i = 0; i < event.payload.size(); ++i) {
     code.line("load(slot.", lock::payloadName(i), ", ", lock::payloadName(i), ");");
   }

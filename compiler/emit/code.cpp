@@ -71,6 +71,12 @@ void trimRight(std::string& text) { text.erase(text.find_last_not_of(' ') + 1); 
 
 }  // namespace
 
+Code& Code::function(const std::string& signature, const std::string& statement) {
+  const std::string whole = signature + " { " + statement + " }";
+  if (depth_ * kStep + onOneLine(whole).size() <= kColumns) return line(whole);
+  return open(signature, " {").line(statement).close("}");
+}
+
 Code& Code::write(std::string_view text) {
   const std::size_t own = std::min(text.find_first_not_of(' '), text.size());
   write(text.substr(own), depth_ * kStep + own);

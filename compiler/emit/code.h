@@ -44,6 +44,8 @@ class Code {
     return *this;
   }
   Code& close(std::string_view text);
+  /// A function of one statement: one line if that is enough.
+  Code& function(const std::string& signature, const std::string& statement);
   /// A label such as "public:" or "case x:", half a step out in a class.
   Code& label(std::string_view text);
 

@@ -1,6 +1,7 @@
 #include "compiler/emit/emit.h"
 
 #include <algorithm>
+#include <cctype>
 #include <string_view>
 #include <utility>
 
@@ -150,19 +151,32 @@ void emitSourceIncludes(Code& code, const Context& context, bool converts) {
   if (converts) code.line("#include \"", model::stemOf(header.path), ".capnp.h\"").blank();
 }
 
-void emitUsings(Code& code, const Context& context, bool converts) {
-  const bool contracts = !context.header.interfaces.empty();
-  std::vector<std::string> names;
-  if (contracts) names = {"CommandInfo", "CommandKind", "EventInfo"};
-  if (converts) {
-    names.insert(names.end(), {"Duration", "Errc", "rpc::allOf", "rpc::firstError", "rpc::fromWire",
-                               "rpc::fromWireList", "rpc::inRange", "rpc::isValid", "rpc::toWire",
-                               "rpc::toWireList"});
+bool isWordCharacter(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+/// Does `text` say `word`, without a scope before it?
+bool mentions(std::string_view text, std::string_view word) {
+  for (auto at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
+    const char before = at == 0 ? ' ' : text[at - 1];
+    const char after = at + word.size() == text.size() ? ' ' : text[at + word.size()];
+    if (!isWordCharacter(before) && before != ':' && !isWordCharacter(after)) return true;
   }
-  if (contracts) names.insert(names.end(), {"rpc::ProxyPort", "rpc::ServantPort", "rpc::numberOf"});
-  std::sort(names.begin(), names.end());
-  for (const std::string& name : names) code.line("using suture::", name, ";");
-  if (!names.empty()) code.blank();
+  return false;
+}
+
+/// Those names of the runtime that `body` says.
+void emitUsings(Code& code, std::string_view body) {
+  bool any = false;
+  for (const char* const name :
+       {"CommandInfo", "CommandKind", "Duration", "Errc", "EventInfo", "load", "rpc::ProxyPort",
+        "rpc::ServantPort", "rpc::allOf", "rpc::firstError", "rpc::fromWire", "rpc::fromWireList",
+        "rpc::inRange", "rpc::isValid", "rpc::numberOf", "rpc::toWire", "rpc::toWireList",
+        "store"}) {
+    const std::string_view full = name;
+    if (!mentions(body, full.substr(full.rfind(':') + 1))) continue;
+    any = true;
+    code.line("using suture::", name, ";");
+  }
+  if (any) code.blank();
 }
 
 /// Does anything of the header travel? Then its schema has to be there.
@@ -178,21 +192,23 @@ std::string sourceFile(const Context& context) {
   emitSourceIncludes(code, context, converts(context));
   emitForeignConverters(code, context);
   inNamespace(code, home, [&](Code& inner) {
-    emitUsings(inner, context, converts(context));
-    hidden(inner, [&](Code& part) {
+    Code body;
+    hidden(body, [&](Code& part) {
       emitChecks(part, context);
       forEachInterface(part, context, emitTables);
     });
-    emitSlotConversions(inner, context);
-    forEachInterface(inner, context, emitArgumentConversions);
-    emitConverters(inner, context);
-    hidden(inner, [&](Code& part) {
+    emitSlotConversions(body, context);
+    forEachInterface(body, context, emitArgumentConversions);
+    emitConverters(body, context);
+    hidden(body, [&](Code& part) {
       for (const model::Interface& one : context.header.interfaces) {
         emitServant(part, context, one);
         emitProxy(part, context, one);
         emitBinding(part, context, one);
       }
     });
+    emitUsings(inner, body.text());
+    inner.verbatim(body.text());
   });
   emitReaders(code, context);
   inNamespace(code, "suture", [&](Code& inner) {

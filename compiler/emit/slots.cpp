@@ -67,7 +67,7 @@ std::string loadSignature(const std::string& type, const std::string& slot) {
 void emitStore(Code& code, const model::Struct& declaration, const std::string& home,
                const std::string& slot) {
   code.open(storeSignature(relative(declaration.name, home), slot), " {");
-  code.line("using suture::store;").line("bool fits = true;");
+  code.line("bool fits = true;");
   for (const model::Field& field : declaration.fields) {
     code.line("fits &= store(", access(declaration, field, "value", true, home), ", ", kBreakText,
               "slot.", field.name, ");");
@@ -78,7 +78,6 @@ void emitStore(Code& code, const model::Struct& declaration, const std::string& 
 void emitLoad(Code& code, const model::Struct& declaration, const std::string& home,
               const std::string& slot) {
   code.open(loadSignature(relative(declaration.name, home), slot), " {");
-  code.line("using suture::load;");
   for (const model::Field& field : declaration.fields) {
     code.line("load(slot.", field.name, ", ", kBreakText,
               access(declaration, field, "value", false, home), ");");

@@ -14,20 +14,12 @@ namespace counting {
 
 using suture::CommandInfo;
 using suture::CommandKind;
-using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
-using suture::rpc::allOf;
-using suture::rpc::firstError;
-using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
-using suture::rpc::inRange;
-using suture::rpc::isValid;
 using suture::rpc::numberOf;
-using suture::rpc::toWire;
-using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -60,7 +52,6 @@ constexpr char kCounterDescription[] = R"json(
 }  // namespace
 
 bool store(const std::int32_t& amount, CounterAddArguments& slot) {
-  using suture::store;
   return store(amount, slot.amount);
 }
 

@@ -48,15 +48,11 @@ using suture::Errc;
 using suture::EventInfo;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
-using suture::rpc::allOf;
-using suture::rpc::firstError;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -226,28 +222,15 @@ constexpr char kArmDescription[] = R"json(
 
 }  // namespace
 
-bool store(const PoseStamped& goal, ArmServoCpArguments& slot) {
-  using suture::store;
-  return store(goal, slot.goal);
-}
+bool store(const PoseStamped& goal, ArmServoCpArguments& slot) { return store(goal, slot.goal); }
 
-bool store(const JointGoal& goal, ArmServoJpArguments& slot) {
-  using suture::store;
-  return store(goal, slot.goal);
-}
+bool store(const JointGoal& goal, ArmServoJpArguments& slot) { return store(goal, slot.goal); }
 
-bool store(const JointGoal& goal, ArmMoveJpArguments& slot) {
-  using suture::store;
-  return store(goal, slot.goal);
-}
+bool store(const JointGoal& goal, ArmMoveJpArguments& slot) { return store(goal, slot.goal); }
 
-bool store(const JointGoal& q, ArmForwardKinematicsArguments& slot) {
-  using suture::store;
-  return store(q, slot.q);
-}
+bool store(const JointGoal& q, ArmForwardKinematicsArguments& slot) { return store(q, slot.q); }
 
 bool store(const PoseStamped& goal, ArmInverseKinematicsArguments& slot) {
-  using suture::store;
   return store(goal, slot.goal);
 }
 

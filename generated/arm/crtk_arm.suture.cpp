@@ -100,15 +100,12 @@ using suture::Errc;
 using suture::EventInfo;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
-using suture::rpc::allOf;
-using suture::rpc::firstError;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -642,119 +639,76 @@ constexpr char kCrtkArmDescription[] = R"json(
 }  // namespace
 
 bool store(const std::string& name, CrtkArmStateCommandArguments& slot) {
-  using suture::store;
   return store(name, slot.name);
 }
 
 bool store(const PoseStamped& frame, CrtkArmSetBaseFrameArguments& slot) {
-  using suture::store;
   return store(frame, slot.frame);
 }
 
 bool store(const bool& use, CrtkArmUseGravityCompensationArguments& slot) {
-  using suture::store;
   return store(use, slot.use);
 }
 
-bool store(const JointGoal& goal, CrtkArmServoJpArguments& slot) {
-  using suture::store;
-  return store(goal, slot.goal);
-}
+bool store(const JointGoal& goal, CrtkArmServoJpArguments& slot) { return store(goal, slot.goal); }
 
-bool store(const JointGoal& step, CrtkArmServoJrArguments& slot) {
-  using suture::store;
-  return store(step, slot.step);
-}
+bool store(const JointGoal& step, CrtkArmServoJrArguments& slot) { return store(step, slot.step); }
 
 bool store(const JointVelocityGoal& goal, CrtkArmServoJvArguments& slot) {
-  using suture::store;
   return store(goal, slot.goal);
 }
 
 bool store(const JointEffortGoal& goal, CrtkArmServoJfArguments& slot) {
-  using suture::store;
   return store(goal, slot.goal);
 }
 
 bool store(const PoseStamped& goal, CrtkArmServoCpArguments& slot) {
-  using suture::store;
   return store(goal, slot.goal);
 }
 
 bool store(const PoseStamped& step, CrtkArmServoCrArguments& slot) {
-  using suture::store;
   return store(step, slot.step);
 }
 
-bool store(const TwistGoal& goal, CrtkArmServoCvArguments& slot) {
-  using suture::store;
-  return store(goal, slot.goal);
-}
+bool store(const TwistGoal& goal, CrtkArmServoCvArguments& slot) { return store(goal, slot.goal); }
 
 bool store(const WrenchGoal& goal, CrtkArmBodyServoCfArguments& slot) {
-  using suture::store;
   return store(goal, slot.goal);
 }
 
 bool store(const WrenchGoal& goal, CrtkArmSpatialServoCfArguments& slot) {
-  using suture::store;
   return store(goal, slot.goal);
 }
 
-bool store(const JointGoal& goal, CrtkArmMoveJpArguments& slot) {
-  using suture::store;
-  return store(goal, slot.goal);
-}
+bool store(const JointGoal& goal, CrtkArmMoveJpArguments& slot) { return store(goal, slot.goal); }
 
-bool store(const JointGoal& step, CrtkArmMoveJrArguments& slot) {
-  using suture::store;
-  return store(step, slot.step);
-}
+bool store(const JointGoal& step, CrtkArmMoveJrArguments& slot) { return store(step, slot.step); }
 
-bool store(const PoseStamped& goal, CrtkArmMoveCpArguments& slot) {
-  using suture::store;
-  return store(goal, slot.goal);
-}
+bool store(const PoseStamped& goal, CrtkArmMoveCpArguments& slot) { return store(goal, slot.goal); }
 
-bool store(const PoseStamped& step, CrtkArmMoveCrArguments& slot) {
-  using suture::store;
-  return store(step, slot.step);
-}
+bool store(const PoseStamped& step, CrtkArmMoveCrArguments& slot) { return store(step, slot.step); }
 
 bool store(const double& ratio, CrtkArmTrajectoryJSetRatioArguments& slot) {
-  using suture::store;
   return store(ratio, slot.ratio);
 }
 
 bool store(const double& ratio, CrtkArmTrajectoryJSetRatioVArguments& slot) {
-  using suture::store;
   return store(ratio, slot.ratio);
 }
 
 bool store(const double& ratio, CrtkArmTrajectoryJSetRatioAArguments& slot) {
-  using suture::store;
   return store(ratio, slot.ratio);
 }
 
-bool store(const JointGoal& q, CrtkArmForwardKinematicsArguments& slot) {
-  using suture::store;
-  return store(q, slot.q);
-}
+bool store(const JointGoal& q, CrtkArmForwardKinematicsArguments& slot) { return store(q, slot.q); }
 
 bool store(const PoseStamped& goal, CrtkArmInverseKinematicsArguments& slot) {
-  using suture::store;
   return store(goal, slot.goal);
 }
 
-bool store(const JointGoal& q, CrtkArmQueryCpArguments& slot) {
-  using suture::store;
-  return store(q, slot.q);
-}
+bool store(const JointGoal& q, CrtkArmQueryCpArguments& slot) { return store(q, slot.q); }
 
-bool store(const JointGoal& q, CrtkArmLocalQueryCpArguments& slot) {
-  using suture::store;
-  return store(q, slot.q);
-}
+bool store(const JointGoal& q, CrtkArmLocalQueryCpArguments& slot) { return store(q, slot.q); }
 
 namespace {
 

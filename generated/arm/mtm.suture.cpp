@@ -12,14 +12,12 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
-using suture::rpc::allOf;
-using suture::rpc::firstError;
+using suture::load;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -35,7 +33,6 @@ static_assert(std::is_same_v<decltype(MtmParameters::angular_rate), double>);
 }  // namespace
 
 bool store(const MtmParameters& value, MtmParametersSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.side, slot.side);
   fits &= store(value.period, slot.period);
@@ -45,7 +42,6 @@ bool store(const MtmParameters& value, MtmParametersSlot& slot) {
 }
 
 void load(const MtmParametersSlot& slot, MtmParameters& value) {
-  using suture::load;
   load(slot.side, value.side);
   load(slot.period, value.period);
   load(slot.time_constant, value.time_constant);

@@ -12,14 +12,12 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
-using suture::rpc::allOf;
-using suture::rpc::firstError;
+using suture::load;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -32,7 +30,6 @@ static_assert(std::is_same_v<decltype(PsmParameters::insertion_rate), double>);
 }  // namespace
 
 bool store(const PsmParameters& value, PsmParametersSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.period, slot.period);
   fits &= store(value.time_constant, slot.time_constant);
@@ -42,7 +39,6 @@ bool store(const PsmParameters& value, PsmParametersSlot& slot) {
 }
 
 void load(const PsmParametersSlot& slot, PsmParameters& value) {
-  using suture::load;
   load(slot.period, value.period);
   load(slot.time_constant, value.time_constant);
   load(slot.angular_rate, value.angular_rate);

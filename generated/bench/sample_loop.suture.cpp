@@ -21,20 +21,15 @@ namespace bench {
 
 using suture::CommandInfo;
 using suture::CommandKind;
-using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
-using suture::rpc::allOf;
-using suture::rpc::firstError;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -79,12 +74,10 @@ constexpr char kSampleServerDescription[] = R"json(
 }  // namespace
 
 bool store(const robots::PoseSample& value, SampleServerPutArguments& slot) {
-  using suture::store;
   return store(value, slot.value);
 }
 
 bool store(const robots::PoseSample& value, SampleServerBounceArguments& slot) {
-  using suture::store;
   return store(value, slot.value);
 }
 

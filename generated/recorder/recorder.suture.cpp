@@ -12,14 +12,11 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
-using suture::rpc::allOf;
-using suture::rpc::firstError;
+using suture::load;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -30,7 +27,6 @@ static_assert(std::is_same_v<decltype(RecorderParameters::file), std::string>);
 }  // namespace
 
 bool store(const RecorderParameters& value, RecorderParametersSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.period, slot.period);
   fits &= store(value.file, slot.file);
@@ -38,7 +34,6 @@ bool store(const RecorderParameters& value, RecorderParametersSlot& slot) {
 }
 
 void load(const RecorderParametersSlot& slot, RecorderParameters& value) {
-  using suture::load;
   load(slot.period, value.period);
   load(slot.file, value.file);
 }

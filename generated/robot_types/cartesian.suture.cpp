@@ -11,14 +11,14 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
-using suture::rpc::allOf;
+using suture::load;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -111,7 +111,6 @@ static_assert(std::is_same_v<decltype(CartesianImpedance::stamp),
 }  // namespace
 
 bool store(const Twist& value, TwistSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.linear, slot.linear);
   fits &= store(value.angular, slot.angular);
@@ -123,7 +122,6 @@ bool store(const Twist& value, TwistSlot& slot) {
 }
 
 void load(const TwistSlot& slot, Twist& value) {
-  using suture::load;
   load(slot.linear, value.linear);
   load(slot.angular, value.angular);
   load(slot.moving_frame, value.moving_frame);
@@ -133,7 +131,6 @@ void load(const TwistSlot& slot, Twist& value) {
 }
 
 bool store(const TwistGoal& value, TwistGoalSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.linear, slot.linear);
   fits &= store(value.angular, slot.angular);
@@ -145,7 +142,6 @@ bool store(const TwistGoal& value, TwistGoalSlot& slot) {
 }
 
 void load(const TwistGoalSlot& slot, TwistGoal& value) {
-  using suture::load;
   load(slot.linear, value.linear);
   load(slot.angular, value.angular);
   load(slot.linear_acceleration, value.linear_acceleration);
@@ -155,7 +151,6 @@ void load(const TwistGoalSlot& slot, TwistGoal& value) {
 }
 
 bool store(const Wrench& value, WrenchSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.force, slot.force);
   fits &= store(value.torque, slot.torque);
@@ -168,7 +163,6 @@ bool store(const Wrench& value, WrenchSlot& slot) {
 }
 
 void load(const WrenchSlot& slot, Wrench& value) {
-  using suture::load;
   load(slot.force, value.force);
   load(slot.torque, value.torque);
   load(slot.mask, value.mask);
@@ -179,7 +173,6 @@ void load(const WrenchSlot& slot, Wrench& value) {
 }
 
 bool store(const WrenchGoal& value, WrenchGoalSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.force, slot.force);
   fits &= store(value.torque, slot.torque);
@@ -189,7 +182,6 @@ bool store(const WrenchGoal& value, WrenchGoalSlot& slot) {
 }
 
 void load(const WrenchGoalSlot& slot, WrenchGoal& value) {
-  using suture::load;
   load(slot.force, value.force);
   load(slot.torque, value.torque);
   load(slot.mask, value.mask);
@@ -197,7 +189,6 @@ void load(const WrenchGoalSlot& slot, WrenchGoal& value) {
 }
 
 bool store(const CartesianState& value, CartesianStateSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.moving_frame, slot.moving_frame);
   fits &= store(value.reference_frame, slot.reference_frame);
@@ -214,7 +205,6 @@ bool store(const CartesianState& value, CartesianStateSlot& slot) {
 }
 
 void load(const CartesianStateSlot& slot, CartesianState& value) {
-  using suture::load;
   load(slot.moving_frame, value.moving_frame);
   load(slot.reference_frame, value.reference_frame);
   load(slot.position, value.position);
@@ -229,7 +219,6 @@ void load(const CartesianStateSlot& slot, CartesianState& value) {
 }
 
 bool store(const CartesianGoal& value, CartesianGoalSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.goal, slot.goal);
   fits &= store(value.linear_velocity, slot.linear_velocity);
@@ -245,7 +234,6 @@ bool store(const CartesianGoal& value, CartesianGoalSlot& slot) {
 }
 
 void load(const CartesianGoalSlot& slot, CartesianGoal& value) {
-  using suture::load;
   load(slot.goal, value.goal);
   load(slot.linear_velocity, value.linear_velocity);
   load(slot.angular_velocity, value.angular_velocity);
@@ -259,7 +247,6 @@ void load(const CartesianGoalSlot& slot, CartesianGoal& value) {
 }
 
 bool store(const ServoCartesian& value, ServoCartesianSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.task_frame, slot.task_frame);
   fits &= store(value.position, slot.position);
@@ -273,7 +260,6 @@ bool store(const ServoCartesian& value, ServoCartesianSlot& slot) {
 }
 
 void load(const ServoCartesianSlot& slot, ServoCartesian& value) {
-  using suture::load;
   load(slot.task_frame, value.task_frame);
   load(slot.position, value.position);
   load(slot.linear_velocity, value.linear_velocity);
@@ -285,7 +271,6 @@ void load(const ServoCartesianSlot& slot, ServoCartesian& value) {
 }
 
 bool store(const HalfPlaneGains& value, HalfPlaneGainsSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.p, slot.p);
   fits &= store(value.d, slot.d);
@@ -295,7 +280,6 @@ bool store(const HalfPlaneGains& value, HalfPlaneGainsSlot& slot) {
 }
 
 void load(const HalfPlaneGainsSlot& slot, HalfPlaneGains& value) {
-  using suture::load;
   load(slot.p, value.p);
   load(slot.d, value.d);
   load(slot.bias, value.bias);
@@ -303,7 +287,6 @@ void load(const HalfPlaneGainsSlot& slot, HalfPlaneGains& value) {
 }
 
 bool store(const AngularHalfPlaneGains& value, AngularHalfPlaneGainsSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.p, slot.p);
   fits &= store(value.d, slot.d);
@@ -313,7 +296,6 @@ bool store(const AngularHalfPlaneGains& value, AngularHalfPlaneGainsSlot& slot) 
 }
 
 void load(const AngularHalfPlaneGainsSlot& slot, AngularHalfPlaneGains& value) {
-  using suture::load;
   load(slot.p, value.p);
   load(slot.d, value.d);
   load(slot.bias, value.bias);
@@ -321,7 +303,6 @@ void load(const AngularHalfPlaneGainsSlot& slot, AngularHalfPlaneGains& value) {
 }
 
 bool store(const CartesianImpedance& value, CartesianImpedanceSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.force_orientation, slot.force_orientation);
   fits &= store(value.force_position, slot.force_position);
@@ -335,7 +316,6 @@ bool store(const CartesianImpedance& value, CartesianImpedanceSlot& slot) {
 }
 
 void load(const CartesianImpedanceSlot& slot, CartesianImpedance& value) {
-  using suture::load;
   load(slot.force_orientation, value.force_orientation);
   load(slot.force_position, value.force_position);
   load(slot.torque_orientation, value.torque_orientation);

@@ -11,14 +11,12 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
-using suture::rpc::allOf;
+using suture::load;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -45,7 +43,6 @@ static_assert(std::is_same_v<decltype(ImuSample::valid), bool>);
 }  // namespace
 
 bool store(const ButtonEvent& value, ButtonEventSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.type, slot.type);
   fits &= store(value.stamp, slot.stamp);
@@ -54,14 +51,12 @@ bool store(const ButtonEvent& value, ButtonEventSlot& slot) {
 }
 
 void load(const ButtonEventSlot& slot, ButtonEvent& value) {
-  using suture::load;
   load(slot.type, value.type);
   load(slot.stamp, value.stamp);
   load(slot.valid, value.valid);
 }
 
 bool store(const InputData& value, InputDataSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.analog_inputs, slot.analog_inputs);
   fits &= store(value.digital_inputs, slot.digital_inputs);
@@ -71,7 +66,6 @@ bool store(const InputData& value, InputDataSlot& slot) {
 }
 
 void load(const InputDataSlot& slot, InputData& value) {
-  using suture::load;
   load(slot.analog_inputs, value.analog_inputs);
   load(slot.digital_inputs, value.digital_inputs);
   load(slot.stamp, value.stamp);
@@ -79,7 +73,6 @@ void load(const InputDataSlot& slot, InputData& value) {
 }
 
 bool store(const ImuSample& value, ImuSampleSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.orientation, slot.orientation);
   fits &= store(value.angular_velocity, slot.angular_velocity);
@@ -90,7 +83,6 @@ bool store(const ImuSample& value, ImuSampleSlot& slot) {
 }
 
 void load(const ImuSampleSlot& slot, ImuSample& value) {
-  using suture::load;
   load(slot.orientation, value.orientation);
   load(slot.angular_velocity, value.angular_velocity);
   load(slot.linear_acceleration, value.linear_acceleration);

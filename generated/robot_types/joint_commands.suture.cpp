@@ -11,14 +11,14 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
-using suture::rpc::allOf;
+using suture::load;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -94,7 +94,6 @@ static_assert(std::is_same_v<decltype(Jacobian::valid), bool>);
 }  // namespace
 
 bool store(const JointPosition& value, JointPositionSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.position, slot.position);
   fits &= store(value.stamps, slot.stamps);
@@ -104,7 +103,6 @@ bool store(const JointPosition& value, JointPositionSlot& slot) {
 }
 
 void load(const JointPositionSlot& slot, JointPosition& value) {
-  using suture::load;
   load(slot.position, value.position);
   load(slot.stamps, value.stamps);
   load(slot.stamp, value.stamp);
@@ -112,7 +110,6 @@ void load(const JointPositionSlot& slot, JointPosition& value) {
 }
 
 bool store(const JointPositionGoal& value, JointPositionGoalSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.goal, slot.goal);
   fits &= store(value.velocity, slot.velocity);
@@ -124,7 +121,6 @@ bool store(const JointPositionGoal& value, JointPositionGoalSlot& slot) {
 }
 
 void load(const JointPositionGoalSlot& slot, JointPositionGoal& value) {
-  using suture::load;
   load(slot.goal, value.goal);
   load(slot.velocity, value.velocity);
   load(slot.acceleration, value.acceleration);
@@ -134,7 +130,6 @@ void load(const JointPositionGoalSlot& slot, JointPositionGoal& value) {
 }
 
 bool store(const JointVelocity& value, JointVelocitySlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.velocity, slot.velocity);
   fits &= store(value.stamp, slot.stamp);
@@ -143,14 +138,12 @@ bool store(const JointVelocity& value, JointVelocitySlot& slot) {
 }
 
 void load(const JointVelocitySlot& slot, JointVelocity& value) {
-  using suture::load;
   load(slot.velocity, value.velocity);
   load(slot.stamp, value.stamp);
   load(slot.valid, value.valid);
 }
 
 bool store(const JointVelocityGoal& value, JointVelocityGoalSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.goal, slot.goal);
   fits &= store(value.acceleration, slot.acceleration);
@@ -162,7 +155,6 @@ bool store(const JointVelocityGoal& value, JointVelocityGoalSlot& slot) {
 }
 
 void load(const JointVelocityGoalSlot& slot, JointVelocityGoal& value) {
-  using suture::load;
   load(slot.goal, value.goal);
   load(slot.acceleration, value.acceleration);
   load(slot.deceleration, value.deceleration);
@@ -172,7 +164,6 @@ void load(const JointVelocityGoalSlot& slot, JointVelocityGoal& value) {
 }
 
 bool store(const JointEffortGoal& value, JointEffortGoalSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.effort, slot.effort);
   fits &= store(value.mask, slot.mask);
@@ -181,14 +172,12 @@ bool store(const JointEffortGoal& value, JointEffortGoalSlot& slot) {
 }
 
 void load(const JointEffortGoalSlot& slot, JointEffortGoal& value) {
-  using suture::load;
   load(slot.effort, value.effort);
   load(slot.mask, value.mask);
   load(slot.stamp, value.stamp);
 }
 
 bool store(const JointConfiguration& value, JointConfigurationSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.name, slot.name);
   fits &= store(value.type, slot.type);
@@ -205,7 +194,6 @@ bool store(const JointConfiguration& value, JointConfigurationSlot& slot) {
 }
 
 void load(const JointConfigurationSlot& slot, JointConfiguration& value) {
-  using suture::load;
   load(slot.name, value.name);
   load(slot.type, value.type);
   load(slot.position_min, value.position_min);
@@ -220,7 +208,6 @@ void load(const JointConfigurationSlot& slot, JointConfiguration& value) {
 }
 
 bool store(const ServoJoint& value, ServoJointSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.name, slot.name);
   fits &= store(value.mode, slot.mode);
@@ -233,7 +220,6 @@ bool store(const ServoJoint& value, ServoJointSlot& slot) {
 }
 
 void load(const ServoJointSlot& slot, ServoJoint& value) {
-  using suture::load;
   load(slot.name, value.name);
   load(slot.mode, value.mode);
   load(slot.position, value.position);
@@ -244,7 +230,6 @@ void load(const ServoJointSlot& slot, ServoJoint& value) {
 }
 
 bool store(const ActuatorJointCoupling& value, ActuatorJointCouplingSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.joints, slot.joints);
   fits &= store(value.actuators, slot.actuators);
@@ -256,7 +241,6 @@ bool store(const ActuatorJointCoupling& value, ActuatorJointCouplingSlot& slot) 
 }
 
 void load(const ActuatorJointCouplingSlot& slot, ActuatorJointCoupling& value) {
-  using suture::load;
   load(slot.joints, value.joints);
   load(slot.actuators, value.actuators);
   load(slot.actuator_to_joint_position, value.actuator_to_joint_position);
@@ -266,7 +250,6 @@ void load(const ActuatorJointCouplingSlot& slot, ActuatorJointCoupling& value) {
 }
 
 bool store(const Jacobian& value, JacobianSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.joints, slot.joints);
   fits &= store(value.coefficients, slot.coefficients);
@@ -276,7 +259,6 @@ bool store(const Jacobian& value, JacobianSlot& slot) {
 }
 
 void load(const JacobianSlot& slot, Jacobian& value) {
-  using suture::load;
   load(slot.joints, value.joints);
   load(slot.coefficients, value.coefficients);
   load(slot.stamp, value.stamp);

@@ -11,14 +11,12 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
-using suture::rpc::allOf;
+using suture::load;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -38,7 +36,6 @@ static_assert(std::is_same_v<decltype(JointSolution::found), bool>);
 }  // namespace
 
 bool store(const JointState& value, JointStateSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.name, slot.name);
   fits &= store(value.position, slot.position);
@@ -50,7 +47,6 @@ bool store(const JointState& value, JointStateSlot& slot) {
 }
 
 void load(const JointStateSlot& slot, JointState& value) {
-  using suture::load;
   load(slot.name, value.name);
   load(slot.position, value.position);
   load(slot.velocity, value.velocity);
@@ -60,7 +56,6 @@ void load(const JointStateSlot& slot, JointState& value) {
 }
 
 bool store(const JointGoal& value, JointGoalSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.position, slot.position);
   fits &= store(value.stamp, slot.stamp);
@@ -68,13 +63,11 @@ bool store(const JointGoal& value, JointGoalSlot& slot) {
 }
 
 void load(const JointGoalSlot& slot, JointGoal& value) {
-  using suture::load;
   load(slot.position, value.position);
   load(slot.stamp, value.stamp);
 }
 
 bool store(const JointSolution& value, JointSolutionSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.position, slot.position);
   fits &= store(value.joints, slot.joints);
@@ -83,7 +76,6 @@ bool store(const JointSolution& value, JointSolutionSlot& slot) {
 }
 
 void load(const JointSolutionSlot& slot, JointSolution& value) {
-  using suture::load;
   load(slot.position, value.position);
   load(slot.joints, value.joints);
   load(slot.found, value.found);

@@ -11,14 +11,12 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
-using suture::rpc::allOf;
+using suture::load;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -36,19 +34,16 @@ static_assert(std::is_same_v<decltype(InverseKinematicsResponse::message), std::
 }  // namespace
 
 bool store(const ForwardKinematicsRequest& value, ForwardKinematicsRequestSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.jp, slot.jp);
   return fits;
 }
 
 void load(const ForwardKinematicsRequestSlot& slot, ForwardKinematicsRequest& value) {
-  using suture::load;
   load(slot.jp, value.jp);
 }
 
 bool store(const ForwardKinematicsResponse& value, ForwardKinematicsResponseSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.cp, slot.cp);
   fits &= store(value.result, slot.result);
@@ -57,14 +52,12 @@ bool store(const ForwardKinematicsResponse& value, ForwardKinematicsResponseSlot
 }
 
 void load(const ForwardKinematicsResponseSlot& slot, ForwardKinematicsResponse& value) {
-  using suture::load;
   load(slot.cp, value.cp);
   load(slot.result, value.result);
   load(slot.message, value.message);
 }
 
 bool store(const InverseKinematicsRequest& value, InverseKinematicsRequestSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.cp, slot.cp);
   fits &= store(value.jp, slot.jp);
@@ -72,13 +65,11 @@ bool store(const InverseKinematicsRequest& value, InverseKinematicsRequestSlot& 
 }
 
 void load(const InverseKinematicsRequestSlot& slot, InverseKinematicsRequest& value) {
-  using suture::load;
   load(slot.cp, value.cp);
   load(slot.jp, value.jp);
 }
 
 bool store(const InverseKinematicsResponse& value, InverseKinematicsResponseSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.jp, slot.jp);
   fits &= store(value.result, slot.result);
@@ -87,7 +78,6 @@ bool store(const InverseKinematicsResponse& value, InverseKinematicsResponseSlot
 }
 
 void load(const InverseKinematicsResponseSlot& slot, InverseKinematicsResponse& value) {
-  using suture::load;
   load(slot.jp, value.jp);
   load(slot.result, value.result);
   load(slot.message, value.message);

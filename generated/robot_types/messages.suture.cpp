@@ -11,14 +11,12 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
-using suture::rpc::allOf;
+using suture::load;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -40,7 +38,6 @@ static_assert(std::is_same_v<decltype(KeyValue::value), std::string>);
 }  // namespace
 
 bool store(const Message& value, MessageSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.text, slot.text);
   fits &= store(value.counter, slot.counter);
@@ -49,14 +46,12 @@ bool store(const Message& value, MessageSlot& slot) {
 }
 
 void load(const MessageSlot& slot, Message& value) {
-  using suture::load;
   load(slot.text, value.text);
   load(slot.counter, value.counter);
   load(slot.stamp, value.stamp);
 }
 
 bool store(const IntervalStatistics& value, IntervalStatisticsSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.period_average, slot.period_average);
   fits &= store(value.period_deviation, slot.period_deviation);
@@ -69,7 +64,6 @@ bool store(const IntervalStatistics& value, IntervalStatisticsSlot& slot) {
 }
 
 void load(const IntervalStatisticsSlot& slot, IntervalStatistics& value) {
-  using suture::load;
   load(slot.period_average, value.period_average);
   load(slot.period_deviation, value.period_deviation);
   load(slot.period_min, value.period_min);
@@ -80,7 +74,6 @@ void load(const IntervalStatisticsSlot& slot, IntervalStatistics& value) {
 }
 
 bool store(const KeyValue& value, KeyValueSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.key, slot.key);
   fits &= store(value.value, slot.value);
@@ -88,7 +81,6 @@ bool store(const KeyValue& value, KeyValueSlot& slot) {
 }
 
 void load(const KeyValueSlot& slot, KeyValue& value) {
-  using suture::load;
   load(slot.key, value.key);
   load(slot.value, value.value);
 }

@@ -11,14 +11,12 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
-using suture::rpc::allOf;
+using suture::load;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -39,7 +37,6 @@ static_assert(std::is_same_v<decltype(OperatingState::stamp),
 }  // namespace
 
 bool store(const OperatingState& value, OperatingStateSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.state, slot.state);
   fits &= store(value.sub_state, slot.sub_state);
@@ -50,7 +47,6 @@ bool store(const OperatingState& value, OperatingStateSlot& slot) {
 }
 
 void load(const OperatingStateSlot& slot, OperatingState& value) {
-  using suture::load;
   load(slot.state, value.state);
   load(slot.sub_state, value.sub_state);
   load(slot.is_homed, value.is_homed);

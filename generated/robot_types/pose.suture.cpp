@@ -11,14 +11,12 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
-using suture::rpc::allOf;
+using suture::load;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -41,7 +39,6 @@ static_assert(std::is_same_v<decltype(PosePrm::position), Eigen::Isometry3d>);
 }  // namespace
 
 bool store(const PoseStamped& value, PoseStampedSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.pose, slot.pose);
   fits &= store(value.stamp, slot.stamp);
@@ -50,14 +47,12 @@ bool store(const PoseStamped& value, PoseStampedSlot& slot) {
 }
 
 void load(const PoseStampedSlot& slot, PoseStamped& value) {
-  using suture::load;
   load(slot.pose, value.pose);
   load(slot.stamp, value.stamp);
   load(slot.valid, value.valid);
 }
 
 bool store(const PoseSample& value, PoseSampleSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.rotation, slot.rotation);
   fits &= store(value.position, slot.position);
@@ -68,7 +63,6 @@ bool store(const PoseSample& value, PoseSampleSlot& slot) {
 }
 
 void load(const PoseSampleSlot& slot, PoseSample& value) {
-  using suture::load;
   load(slot.rotation, value.rotation);
   load(slot.position, value.position);
   load(slot.stamp, value.stamp);
@@ -77,7 +71,6 @@ void load(const PoseSampleSlot& slot, PoseSample& value) {
 }
 
 bool store(const PosePrm& value, PosePrmSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.timestamp, slot.timestamp);
   fits &= store(value.automatic_timestamp, slot.automatic_timestamp);
@@ -89,7 +82,6 @@ bool store(const PosePrm& value, PosePrmSlot& slot) {
 }
 
 void load(const PosePrmSlot& slot, PosePrm& value) {
-  using suture::load;
   load(slot.timestamp, value.timestamp);
   load(slot.automatic_timestamp, value.automatic_timestamp);
   load(slot.valid, value.valid);

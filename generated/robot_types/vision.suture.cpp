@@ -11,14 +11,15 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
+using suture::load;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -54,7 +55,6 @@ static_assert(std::is_same_v<decltype(DepthMap::valid), bool>);
 }  // namespace
 
 bool store(const PoseArray& value, PoseArraySlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.reference_frame, slot.reference_frame);
   fits &= store(value.moving_frames, slot.moving_frames);
@@ -66,7 +66,6 @@ bool store(const PoseArray& value, PoseArraySlot& slot) {
 }
 
 void load(const PoseArraySlot& slot, PoseArray& value) {
-  using suture::load;
   load(slot.reference_frame, value.reference_frame);
   load(slot.moving_frames, value.moving_frames);
   load(slot.positions, value.positions);
@@ -76,7 +75,6 @@ void load(const PoseArraySlot& slot, PoseArray& value) {
 }
 
 bool store(const ImageFrame& value, ImageFrameSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.width, slot.width);
   fits &= store(value.height, slot.height);
@@ -88,7 +86,6 @@ bool store(const ImageFrame& value, ImageFrameSlot& slot) {
 }
 
 void load(const ImageFrameSlot& slot, ImageFrame& value) {
-  using suture::load;
   load(slot.width, value.width);
   load(slot.height, value.height);
   load(slot.channels, value.channels);
@@ -98,7 +95,6 @@ void load(const ImageFrameSlot& slot, ImageFrame& value) {
 }
 
 bool store(const CameraInfo& value, CameraInfoSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.width, slot.width);
   fits &= store(value.height, slot.height);
@@ -112,7 +108,6 @@ bool store(const CameraInfo& value, CameraInfoSlot& slot) {
 }
 
 void load(const CameraInfoSlot& slot, CameraInfo& value) {
-  using suture::load;
   load(slot.width, value.width);
   load(slot.height, value.height);
   load(slot.distortion, value.distortion);
@@ -124,7 +119,6 @@ void load(const CameraInfoSlot& slot, CameraInfo& value) {
 }
 
 bool store(const DepthMap& value, DepthMapSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.reference_frame, slot.reference_frame);
   fits &= store(value.width, slot.width);
@@ -137,7 +131,6 @@ bool store(const DepthMap& value, DepthMapSlot& slot) {
 }
 
 void load(const DepthMapSlot& slot, DepthMap& value) {
-  using suture::load;
   load(slot.reference_frame, value.reference_frame);
   load(slot.width, value.width);
   load(slot.height, value.height);

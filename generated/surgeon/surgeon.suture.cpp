@@ -12,14 +12,12 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
-using suture::rpc::allOf;
-using suture::rpc::firstError;
+using suture::load;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -33,7 +31,6 @@ static_assert(std::is_same_v<decltype(SurgeonParameters::ramp), double>);
 }  // namespace
 
 bool store(const SurgeonParameters& value, SurgeonParametersSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.period, slot.period);
   fits &= store(value.amplitude, slot.amplitude);
@@ -44,7 +41,6 @@ bool store(const SurgeonParameters& value, SurgeonParametersSlot& slot) {
 }
 
 void load(const SurgeonParametersSlot& slot, SurgeonParameters& value) {
-  using suture::load;
   load(slot.period, value.period);
   load(slot.amplitude, value.amplitude);
   load(slot.turn, value.turn);

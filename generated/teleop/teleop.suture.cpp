@@ -12,14 +12,12 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
-using suture::rpc::allOf;
-using suture::rpc::firstError;
+using suture::load;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -32,7 +30,6 @@ static_assert(std::is_same_v<decltype(TeleopParameters::enable_at_start), bool>)
 }  // namespace
 
 bool store(const TeleopParameters& value, TeleopParametersSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.period, slot.period);
   fits &= store(value.scale, slot.scale);
@@ -42,7 +39,6 @@ bool store(const TeleopParameters& value, TeleopParametersSlot& slot) {
 }
 
 void load(const TeleopParametersSlot& slot, TeleopParameters& value) {
-  using suture::load;
   load(slot.period, value.period);
   load(slot.scale, value.scale);
   load(slot.max_age, value.max_age);

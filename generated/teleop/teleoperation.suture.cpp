@@ -17,17 +17,15 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::load;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
-using suture::rpc::allOf;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -96,7 +94,6 @@ constexpr char kTeleoperationDescription[] = R"json(
 }  // namespace
 
 bool store(const FollowAnchors& value, FollowAnchorsSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.master_stamp, slot.master_stamp);
   fits &= store(value.master, slot.master);
@@ -107,7 +104,6 @@ bool store(const FollowAnchors& value, FollowAnchorsSlot& slot) {
 }
 
 void load(const FollowAnchorsSlot& slot, FollowAnchors& value) {
-  using suture::load;
   load(slot.master_stamp, value.master_stamp);
   load(slot.master, value.master);
   load(slot.slave_setpoint, value.slave_setpoint);

@@ -17,17 +17,16 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::load;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
-using suture::rpc::allOf;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -103,7 +102,6 @@ constexpr char kArmLikeDescription[] = R"json({"name": "reference::ArmLike"})jso
 }  // namespace
 
 bool store(const PoseStamped& value, PoseStampedSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.pose, slot.pose);
   fits &= store(value.stamp, slot.stamp);
@@ -112,14 +110,12 @@ bool store(const PoseStamped& value, PoseStampedSlot& slot) {
 }
 
 void load(const PoseStampedSlot& slot, PoseStamped& value) {
-  using suture::load;
   load(slot.pose, value.pose);
   load(slot.stamp, value.stamp);
   load(slot.valid, value.valid);
 }
 
 bool store(const JointState& value, JointStateSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.name, slot.name);
   fits &= store(value.position, slot.position);
@@ -127,49 +123,34 @@ bool store(const JointState& value, JointStateSlot& slot) {
 }
 
 void load(const JointStateSlot& slot, JointState& value) {
-  using suture::load;
   load(slot.name, value.name);
   load(slot.position, value.position);
 }
 
 bool store(const PoseStamped& goal, ArmLikeServoCpArguments& slot) {
-  using suture::store;
   return store(goal, slot.goal);
 }
 
-bool store(const JointState& goal, ArmLikeServoJpArguments& slot) {
-  using suture::store;
-  return store(goal, slot.goal);
-}
+bool store(const JointState& goal, ArmLikeServoJpArguments& slot) { return store(goal, slot.goal); }
 
-bool store(const Mode& mode, ArmLikeSetModeArguments& slot) {
-  using suture::store;
-  return store(mode, slot.mode);
-}
+bool store(const Mode& mode, ArmLikeSetModeArguments& slot) { return store(mode, slot.mode); }
 
-bool store(const PoseStamped& to, ArmLikeDistanceArguments& slot) {
-  using suture::store;
-  return store(to, slot.to);
-}
+bool store(const PoseStamped& to, ArmLikeDistanceArguments& slot) { return store(to, slot.to); }
 
 bool store(const PoseStamped& goal, const double& speed, const std::string& reason,
            ArmLikeMoveArguments& slot) {
-  using suture::store;
   return store(goal, slot.goal) && store(speed, slot.speed) && store(reason, slot.reason);
 }
 
 bool store(const double& speed, const Mode& mode, ArmLikeLimitArguments& slot) {
-  using suture::store;
   return store(speed, slot.speed) && store(mode, slot.mode);
 }
 
 bool store(const PoseStamped& value, const double& value2, ArmLikeMovedPayload& slot) {
-  using suture::store;
   return store(value, slot.value) && store(value2, slot.value2);
 }
 
 void load(const ArmLikeMovedPayload& slot, PoseStamped& value, double& value2) {
-  using suture::load;
   load(slot.value, value);
   load(slot.value2, value2);
 }

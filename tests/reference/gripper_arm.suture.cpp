@@ -26,20 +26,15 @@ namespace reference {
 
 using suture::CommandInfo;
 using suture::CommandKind;
-using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
-using suture::rpc::allOf;
-using suture::rpc::firstError;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -65,10 +60,7 @@ constexpr char kGripperArmDescription[] = R"json({"name": "reference::GripperArm
 
 }  // namespace
 
-bool store(const double& width, GripperArmCloseArguments& slot) {
-  using suture::store;
-  return store(width, slot.width);
-}
+bool store(const double& width, GripperArmCloseArguments& slot) { return store(width, slot.width); }
 
 namespace {
 

@@ -24,6 +24,7 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::load;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::allOf;
@@ -35,6 +36,7 @@ using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -184,7 +186,6 @@ constexpr char kArmDescription[] = R"json(
 }  // namespace
 
 bool store(const Everything& value, EverythingSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.on, slot.on);
   fits &= store(value.tiny, slot.tiny);
@@ -211,7 +212,6 @@ bool store(const Everything& value, EverythingSlot& slot) {
 }
 
 void load(const EverythingSlot& slot, Everything& value) {
-  using suture::load;
   load(slot.on, value.on);
   load(slot.tiny, value.tiny);
   load(slot.count, value.count);
@@ -235,34 +235,24 @@ void load(const EverythingSlot& slot, Everything& value) {
   load(slot.when, value.when);
 }
 
-bool store(const PoseStamped& goal, ArmServoCpArguments& slot) {
-  using suture::store;
-  return store(goal, slot.goal);
-}
+bool store(const PoseStamped& goal, ArmServoCpArguments& slot) { return store(goal, slot.goal); }
 
-bool store(const double& speed, ArmSetSpeedArguments& slot) {
-  using suture::store;
-  return store(speed, slot.speed);
-}
+bool store(const double& speed, ArmSetSpeedArguments& slot) { return store(speed, slot.speed); }
 
 bool store(const PoseStamped& x, const double& tolerance, ArmInverseKinematicsArguments& slot) {
-  using suture::store;
   return store(x, slot.x) && store(tolerance, slot.tolerance);
 }
 
 bool store(const double& width, const Mode& mode, ArmGraspArguments& slot) {
-  using suture::store;
   return store(width, slot.width) && store(mode, slot.mode);
 }
 
 bool store(const PoseStamped& value, const double& value2, const Mode& value3,
            ArmMovedPayload& slot) {
-  using suture::store;
   return store(value, slot.value) && store(value2, slot.value2) && store(value3, slot.value3);
 }
 
 void load(const ArmMovedPayload& slot, PoseStamped& value, double& value2, Mode& value3) {
-  using suture::load;
   load(slot.value, value);
   load(slot.value2, value2);
   load(slot.value3, value3);

@@ -11,14 +11,11 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
-using suture::rpc::allOf;
-using suture::rpc::firstError;
+using suture::load;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -30,7 +27,6 @@ static_assert(std::is_same_v<decltype(PoseStamped::valid), bool>);
 }  // namespace
 
 bool store(const PoseStamped& value, PoseStampedSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.pose, slot.pose);
   fits &= store(value.stamp, slot.stamp);
@@ -39,7 +35,6 @@ bool store(const PoseStamped& value, PoseStampedSlot& slot) {
 }
 
 void load(const PoseStampedSlot& slot, PoseStamped& value) {
-  using suture::load;
   load(slot.pose, value.pose);
   load(slot.stamp, value.stamp);
   load(slot.valid, value.valid);

@@ -30,20 +30,17 @@ namespace robots {
 
 using suture::CommandInfo;
 using suture::CommandKind;
-using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::load;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
-using suture::rpc::allOf;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -172,34 +169,22 @@ constexpr char kNamesDescription[] = R"json(
 
 }  // namespace
 
-bool store(const double& width, GripperOpenArguments& slot) {
-  using suture::store;
-  return store(width, slot.width);
-}
+bool store(const double& width, GripperOpenArguments& slot) { return store(width, slot.width); }
 
-bool store(const double& width, GripperFitsArguments& slot) {
-  using suture::store;
-  return store(width, slot.width);
-}
+bool store(const double& width, GripperFitsArguments& slot) { return store(width, slot.width); }
 
 bool store(const double& value, const bool& value2, GripperGrippedPayload& slot) {
-  using suture::store;
   return store(value, slot.value) && store(value2, slot.value2);
 }
 
 void load(const GripperGrippedPayload& slot, double& value, bool& value2) {
-  using suture::load;
   load(slot.value, value);
   load(slot.value2, value2);
 }
 
-bool store(const std::int32_t& name, NamesQueueArguments& slot) {
-  using suture::store;
-  return store(name, slot.name);
-}
+bool store(const std::int32_t& name, NamesQueueArguments& slot) { return store(name, slot.name); }
 
 bool store(const double& range, const double& slot, NamesNameArguments& arguments_) {
-  using suture::store;
   return store(range, arguments_.range) && store(slot, arguments_.slot);
 }
 

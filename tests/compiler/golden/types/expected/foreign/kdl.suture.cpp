@@ -11,14 +11,14 @@ namespace foreign {
 
 using suture::Duration;
 using suture::Errc;
+using suture::load;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -40,31 +40,26 @@ static_assert(std::is_same_v<decltype(Motion::joints), KDL::JntArray>);
 }  // namespace
 
 bool store(const KDL::Vector& value, KDLVectorSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.data, slot.data);
   return fits;
 }
 
 void load(const KDLVectorSlot& slot, KDL::Vector& value) {
-  using suture::load;
   load(slot.data, value.data);
 }
 
 bool store(const KDL::Rotation& value, KDLRotationSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.data, slot.data);
   return fits;
 }
 
 void load(const KDLRotationSlot& slot, KDL::Rotation& value) {
-  using suture::load;
   load(slot.data, value.data);
 }
 
 bool store(const KDL::Frame& value, KDLFrameSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.p, slot.p);
   fits &= store(value.M, slot.M);
@@ -72,13 +67,11 @@ bool store(const KDL::Frame& value, KDLFrameSlot& slot) {
 }
 
 void load(const KDLFrameSlot& slot, KDL::Frame& value) {
-  using suture::load;
   load(slot.p, value.p);
   load(slot.M, value.M);
 }
 
 bool store(const KDL::Twist& value, KDLTwistSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.vel, slot.vel);
   fits &= store(value.rot, slot.rot);
@@ -86,13 +79,11 @@ bool store(const KDL::Twist& value, KDLTwistSlot& slot) {
 }
 
 void load(const KDLTwistSlot& slot, KDL::Twist& value) {
-  using suture::load;
   load(slot.vel, value.vel);
   load(slot.rot, value.rot);
 }
 
 bool store(const KDL::Wrench& value, KDLWrenchSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.force, slot.force);
   fits &= store(value.torque, slot.torque);
@@ -100,25 +91,21 @@ bool store(const KDL::Wrench& value, KDLWrenchSlot& slot) {
 }
 
 void load(const KDLWrenchSlot& slot, KDL::Wrench& value) {
-  using suture::load;
   load(slot.force, value.force);
   load(slot.torque, value.torque);
 }
 
 bool store(const KDL::JntArray& value, KDLJntArraySlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.data, slot.data);
   return fits;
 }
 
 void load(const KDLJntArraySlot& slot, KDL::JntArray& value) {
-  using suture::load;
   load(slot.data, value.data);
 }
 
 bool store(const Motion& value, MotionSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.frame, slot.frame);
   fits &= store(value.twist, slot.twist);
@@ -128,7 +115,6 @@ bool store(const Motion& value, MotionSlot& slot) {
 }
 
 void load(const MotionSlot& slot, Motion& value) {
-  using suture::load;
   load(slot.frame, value.frame);
   load(slot.twist, value.twist);
   load(slot.wrench, value.wrench);

@@ -16,18 +16,18 @@ using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
-using suture::EventInfo;
+using suture::load;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -68,7 +68,6 @@ constexpr char kCameraDescription[] = R"json(
 }  // namespace
 
 bool store(const cv::Point3d& value, cvPoint3dSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.x, slot.x);
   fits &= store(value.y, slot.y);
@@ -77,26 +76,22 @@ bool store(const cv::Point3d& value, cvPoint3dSlot& slot) {
 }
 
 void load(const cvPoint3dSlot& slot, cv::Point3d& value) {
-  using suture::load;
   load(slot.x, value.x);
   load(slot.y, value.y);
   load(slot.z, value.z);
 }
 
 bool store(const cv::Matx33d& value, cvMatx33dSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.val, slot.val);
   return fits;
 }
 
 void load(const cvMatx33dSlot& slot, cv::Matx33d& value) {
-  using suture::load;
   load(slot.val, value.val);
 }
 
 bool store(const View& value, ViewSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.intrinsics, slot.intrinsics);
   fits &= store(value.points, slot.points);
@@ -104,15 +99,11 @@ bool store(const View& value, ViewSlot& slot) {
 }
 
 void load(const ViewSlot& slot, View& value) {
-  using suture::load;
   load(slot.intrinsics, value.intrinsics);
   load(slot.points, value.points);
 }
 
-bool store(const cv::Point3d& at, CameraAimArguments& slot) {
-  using suture::store;
-  return store(at, slot.at);
-}
+bool store(const cv::Point3d& at, CameraAimArguments& slot) { return store(at, slot.at); }
 
 // --- between slots and Cap'n Proto
 

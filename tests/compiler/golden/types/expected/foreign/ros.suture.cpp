@@ -11,14 +11,12 @@ namespace foreign {
 
 using suture::Duration;
 using suture::Errc;
-using suture::rpc::allOf;
+using suture::load;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -48,7 +46,6 @@ static_assert(std::is_same_v<decltype(JointState::effort), std::vector<double>>)
 }  // namespace
 
 bool store(const ros::Time& value, rosTimeSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.sec, slot.sec);
   fits &= store(value.nsec, slot.nsec);
@@ -56,13 +53,11 @@ bool store(const ros::Time& value, rosTimeSlot& slot) {
 }
 
 void load(const rosTimeSlot& slot, ros::Time& value) {
-  using suture::load;
   load(slot.sec, value.sec);
   load(slot.nsec, value.nsec);
 }
 
 bool store(const Header& value, HeaderSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.seq, slot.seq);
   fits &= store(value.stamp, slot.stamp);
@@ -71,14 +66,12 @@ bool store(const Header& value, HeaderSlot& slot) {
 }
 
 void load(const HeaderSlot& slot, Header& value) {
-  using suture::load;
   load(slot.seq, value.seq);
   load(slot.stamp, value.stamp);
   load(slot.frame_id, value.frame_id);
 }
 
 bool store(const Point& value, PointSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.x, slot.x);
   fits &= store(value.y, slot.y);
@@ -87,14 +80,12 @@ bool store(const Point& value, PointSlot& slot) {
 }
 
 void load(const PointSlot& slot, Point& value) {
-  using suture::load;
   load(slot.x, value.x);
   load(slot.y, value.y);
   load(slot.z, value.z);
 }
 
 bool store(const Quaternion& value, QuaternionSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.x, slot.x);
   fits &= store(value.y, slot.y);
@@ -104,7 +95,6 @@ bool store(const Quaternion& value, QuaternionSlot& slot) {
 }
 
 void load(const QuaternionSlot& slot, Quaternion& value) {
-  using suture::load;
   load(slot.x, value.x);
   load(slot.y, value.y);
   load(slot.z, value.z);
@@ -112,7 +102,6 @@ void load(const QuaternionSlot& slot, Quaternion& value) {
 }
 
 bool store(const Pose& value, PoseSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.position, slot.position);
   fits &= store(value.orientation, slot.orientation);
@@ -120,13 +109,11 @@ bool store(const Pose& value, PoseSlot& slot) {
 }
 
 void load(const PoseSlot& slot, Pose& value) {
-  using suture::load;
   load(slot.position, value.position);
   load(slot.orientation, value.orientation);
 }
 
 bool store(const PoseStamped& value, PoseStampedSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.header, slot.header);
   fits &= store(value.pose, slot.pose);
@@ -134,13 +121,11 @@ bool store(const PoseStamped& value, PoseStampedSlot& slot) {
 }
 
 void load(const PoseStampedSlot& slot, PoseStamped& value) {
-  using suture::load;
   load(slot.header, value.header);
   load(slot.pose, value.pose);
 }
 
 bool store(const JointState& value, JointStateSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.header, slot.header);
   fits &= store(value.name, slot.name);
@@ -151,7 +136,6 @@ bool store(const JointState& value, JointStateSlot& slot) {
 }
 
 void load(const JointStateSlot& slot, JointState& value) {
-  using suture::load;
   load(slot.header, value.header);
   load(slot.name, value.name);
   load(slot.position, value.position);

@@ -11,14 +11,14 @@ namespace shapes {
 
 using suture::Duration;
 using suture::Errc;
+using suture::load;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -33,7 +33,6 @@ static_assert(std::is_same_v<decltype(Bulk::image), Eigen::MatrixXd>);
 }  // namespace
 
 bool store(const Bulk& value, BulkSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.samples, slot.samples);
   fits &= store(value.triple, slot.triple);
@@ -45,7 +44,6 @@ bool store(const Bulk& value, BulkSlot& slot) {
 }
 
 void load(const BulkSlot& slot, Bulk& value) {
-  using suture::load;
   load(slot.samples, value.samples);
   load(slot.triple, value.triple);
   load(slot.bytes, value.bytes);

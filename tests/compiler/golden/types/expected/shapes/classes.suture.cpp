@@ -20,6 +20,7 @@ namespace shapes {
 
 using suture::Duration;
 using suture::Errc;
+using suture::load;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
@@ -28,6 +29,7 @@ using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -54,19 +56,16 @@ static_assert(std::is_same_v<decltype(Classes::spiral), std::vector<shapes::Pola
 }  // namespace
 
 bool store(const Named& value, NamedSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.name, slot.name);
   return fits;
 }
 
 void load(const NamedSlot& slot, Named& value) {
-  using suture::load;
   load(slot.name, value.name);
 }
 
 bool store(const StampedPoint& value, StampedPointSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.value, slot.value);
   fits &= store(value.time, slot.time);
@@ -74,13 +73,11 @@ bool store(const StampedPoint& value, StampedPointSlot& slot) {
 }
 
 void load(const StampedPointSlot& slot, StampedPoint& value) {
-  using suture::load;
   load(slot.value, value.value);
   load(slot.time, value.time);
 }
 
 bool store(const Tool& value, ToolSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(static_cast<const Named&>(value), slot.base);
   fits &= store(static_cast<const Point&>(value), slot.basePoint);
@@ -89,14 +86,12 @@ bool store(const Tool& value, ToolSlot& slot) {
 }
 
 void load(const ToolSlot& slot, Tool& value) {
-  using suture::load;
   load(slot.base, static_cast<Named&>(value));
   load(slot.basePoint, static_cast<Point&>(value));
   load(slot.last, value.last);
 }
 
 bool store(const StampedLevel& value, StampedLevelSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.value, slot.value);
   fits &= store(value.time, slot.time);
@@ -104,25 +99,21 @@ bool store(const StampedLevel& value, StampedLevelSlot& slot) {
 }
 
 void load(const StampedLevelSlot& slot, StampedLevel& value) {
-  using suture::load;
   load(slot.value, value.value);
   load(slot.time, value.time);
 }
 
 bool store(const Counter& value, CounterSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(suture::Members<Counter>::count_(value), slot.count_);
   return fits;
 }
 
 void load(const CounterSlot& slot, Counter& value) {
-  using suture::load;
   load(slot.count_, suture::Members<Counter>::count_(value));
 }
 
 bool store(const Classes& value, ClassesSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.tool, slot.tool);
   fits &= store(value.level, slot.level);
@@ -133,7 +124,6 @@ bool store(const Classes& value, ClassesSlot& slot) {
 }
 
 void load(const ClassesSlot& slot, Classes& value) {
-  using suture::load;
   load(slot.tool, value.tool);
   load(slot.level, value.level);
   load(slot.counter, value.counter);

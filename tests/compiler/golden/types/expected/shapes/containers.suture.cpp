@@ -17,6 +17,7 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::load;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::allOf;
@@ -28,6 +29,7 @@ using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -200,7 +202,6 @@ constexpr char kStoreDescription[] = R"json(
 }  // namespace
 
 bool store(const Point& value, PointSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.x, slot.x);
   fits &= store(value.y, slot.y);
@@ -208,13 +209,11 @@ bool store(const Point& value, PointSlot& slot) {
 }
 
 void load(const PointSlot& slot, Point& value) {
-  using suture::load;
   load(slot.x, value.x);
   load(slot.y, value.y);
 }
 
 bool store(const Sequences& value, SequencesSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.bytes, slot.bytes);
   fits &= store(value.one, slot.one);
@@ -235,7 +234,6 @@ bool store(const Sequences& value, SequencesSlot& slot) {
 }
 
 void load(const SequencesSlot& slot, Sequences& value) {
-  using suture::load;
   load(slot.bytes, value.bytes);
   load(slot.one, value.one);
   load(slot.row, value.row);
@@ -254,7 +252,6 @@ void load(const SequencesSlot& slot, Sequences& value) {
 }
 
 bool store(const Choices& value, ChoicesSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.gain, slot.gain);
   fits &= store(value.share, slot.share);
@@ -273,7 +270,6 @@ bool store(const Choices& value, ChoicesSlot& slot) {
 }
 
 void load(const ChoicesSlot& slot, Choices& value) {
-  using suture::load;
   load(slot.gain, value.gain);
   load(slot.share, value.share);
   load(slot.answer, value.answer);
@@ -290,7 +286,6 @@ void load(const ChoicesSlot& slot, Choices& value) {
 }
 
 bool store(const Matrices& value, MatricesSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.joints, slot.joints);
   fits &= store(value.row, slot.row);
@@ -307,7 +302,6 @@ bool store(const Matrices& value, MatricesSlot& slot) {
 }
 
 void load(const MatricesSlot& slot, Matrices& value) {
-  using suture::load;
   load(slot.joints, value.joints);
   load(slot.row, value.row);
   load(slot.any, value.any);
@@ -321,13 +315,9 @@ void load(const MatricesSlot& slot, Matrices& value) {
   load(slot.wait, value.wait);
 }
 
-bool store(const Sequences& value, StorePutArguments& slot) {
-  using suture::store;
-  return store(value, slot.value);
-}
+bool store(const Sequences& value, StorePutArguments& slot) { return store(value, slot.value); }
 
 bool store(const std::optional<double>& gain, StoreChooseArguments& slot) {
-  using suture::store;
   return store(gain, slot.gain);
 }
 

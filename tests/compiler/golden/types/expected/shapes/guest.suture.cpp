@@ -12,14 +12,11 @@ namespace shapes {
 
 using suture::Duration;
 using suture::Errc;
-using suture::rpc::allOf;
-using suture::rpc::firstError;
+using suture::load;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
+using suture::store;
 
 namespace {
 
@@ -30,7 +27,6 @@ static_assert(std::is_same_v<decltype(guest::Limits::high), double>);
 }  // namespace
 
 bool store(const guest::Limits& value, guestLimitsSlot& slot) {
-  using suture::store;
   bool fits = true;
   fits &= store(value.low, slot.low);
   fits &= store(value.high, slot.high);
@@ -38,7 +34,6 @@ bool store(const guest::Limits& value, guestLimitsSlot& slot) {
 }
 
 void load(const guestLimitsSlot& slot, guest::Limits& value) {
-  using suture::load;
   load(slot.low, value.low);
   load(slot.high, value.high);
 }
