@@ -20,9 +20,6 @@ namespace suture {
 
 class ProvidedBase;
 
-/// A set of a contract's events, one bit each.
-using EventSet = std::uint64_t;
-
 enum class ChannelStatus : std::uint8_t {
   Connected,
   Lost,     ///< the far end went away

@@ -1,3 +1,4 @@
+#include <suture/component/channel.h>
 #include <suture/component/channel_list.h>
 
 namespace suture {

@@ -1,12 +1,12 @@
 #pragma once
 // The channels of one provided interface.
 
-#include <suture/component/channel.h>
-
 #include <atomic>
 #include <memory>
 
 namespace suture {
+
+class Channel;
 
 /// Any thread may add; one owner thread walks and sweeps. What is added during a walk is seen by
 /// the next one. Walking takes no lock and allocates nothing.

@@ -96,14 +96,10 @@ class ReadCommand<Method, ResultSlot> {
   /// The same into `value`, which keeps its memory and is left alone if there is no value.
   Sample<void> operator()(Value& value) {
     if (const Errc error = required_.unusable(id_); error != Errc{}) return error;
-    Channel& channel = *required_.channel_;
     if (required_.device() != nullptr) return readDevice(value);
-    const auto column = static_cast<unsigned>(required_.info_.commands[id_].column);
-    if (channel.state->ask(column)) required_.owner_.ringLater(*channel.ends.provider);
     ResultSlot slot;
-    const Result<Time> stamp = channel.state->read(column, reinterpret_cast<std::byte*>(&slot));
+    const Result<Time> stamp = required_.read(id_, reinterpret_cast<std::byte*>(&slot));
     if (!stamp) return stamp.error();
-    channel.noteRead(*stamp);
     load(slot, value);
     return Sample<void>(*stamp);
   }

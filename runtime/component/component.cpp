@@ -1,3 +1,4 @@
+#include <suture/component/channel.h>
 #include <suture/component/component.h>
 #include <suture/component/provided.h>
 #include <suture/component/required.h>

@@ -2,8 +2,6 @@
 // What the runtime knows of a contract: plain tables that suturec writes.
 
 #include <suture/base/time.h>
-#include <suture/rt/event_queue.h>
-#include <suture/rt/mailbox.h>
 
 #include <algorithm>
 #include <array>
@@ -32,6 +30,9 @@ struct CommandInfo {
   int column = -1;                       ///< of a read: its column in the state table; else -1
   Duration deadline = kDefaultDeadline;  ///< how long within() waits by itself
 };
+
+/// A set of a contract's events, one bit each.
+using EventSet = std::uint64_t;
 
 struct EventInfo {
   const char* name;

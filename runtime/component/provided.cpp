@@ -1,3 +1,4 @@
+#include <suture/component/channel.h>
 #include <suture/component/provided.h>
 
 #include <algorithm>
@@ -34,6 +35,8 @@ ProvidedBase::ProvidedBase(Component& owner, std::string_view name, const Interf
       latched_(makeLatchedTable(info)) {
   owner.provided_.push_back(this);
 }
+
+ProvidedBase::~ProvidedBase() = default;
 
 void* ProvidedBase::implementation(const InterfaceInfo& contract) const {
   void* pointer = implementation_;
@@ -168,7 +171,7 @@ void ProvidedBase::keepLatched(std::uint16_t event, std::span<const std::byte> p
   // last.
   if (keeping_.test_and_set(std::memory_order_acquire)) return;
   std::copy(payload.begin(), payload.end(), latched_->draft(event));
-  latchedSoFar_ |= rt::ColumnSet{1} << event;
+  latchedSoFar_ |= EventSet{1} << event;
   latched_->publish(now(), latchedSoFar_, 0);
   keeping_.clear(std::memory_order_release);
 }

@@ -1,18 +1,27 @@
 #pragma once
 // A provided interface: what runs a component's commands, publishes its reads and emits its events.
 
+#include <suture/base/errors.h>
 #include <suture/component/channel_list.h>
 #include <suture/component/component.h>
 #include <suture/component/interface_info.h>
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 
+namespace suture::rt {
+class StateTable;
+struct CommandRecord;
+}  // namespace suture::rt
+
 namespace suture {
+
+enum class ChannelStatus : std::uint8_t;
 
 /// The part of Provided<Contract> that does not depend on the contract. Commands and reads run in
 /// the thread of the component; for a device, in the thread of a local caller or of the executor
@@ -49,7 +58,7 @@ class ProvidedBase {
  protected:
   ProvidedBase(Component& owner, std::string_view name, const InterfaceInfo& info,
                void* implementation);
-  virtual ~ProvidedBase() = default;
+  virtual ~ProvidedBase();
 
   /// Runs command `command` on its arguments' slot; fills `result` if the command has one. Written
   /// by suturec. Returns 0 or Errc::TooLarge.
@@ -75,7 +84,7 @@ class ProvidedBase {
   // The last value of each latched event: a column an event. Written by whoever emits.
   std::unique_ptr<rt::StateTable> latched_;
   std::atomic_flag keeping_ = ATOMIC_FLAG_INIT;
-  rt::ColumnSet latchedSoFar_ = 0;
+  EventSet latchedSoFar_ = 0;
 };
 
 /// A component's provided interface of type Contract. Each contract's generated header specialises

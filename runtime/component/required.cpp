@@ -1,3 +1,4 @@
+#include <suture/component/channel.h>
 #include <suture/component/required.h>
 
 #include <algorithm>
@@ -6,7 +7,11 @@
 namespace suture {
 
 RequiredBase::RequiredBase(Component& owner, std::string_view name, const InterfaceInfo& info)
-    : name_(name), owner_(owner), info_(info), handlers_(info.events.size()) {
+    : name_(name),
+      owner_(owner),
+      info_(info),
+      calls_(Channel::kMaxCalls),
+      handlers_(info.events.size()) {
   std::uint32_t largest = 0;
   for (const CommandInfo& command : info.commands) largest = std::max(largest, command.resultSize);
   for (PendingCall& call : calls_) call.result.resize(largest);
@@ -50,6 +55,30 @@ Errc RequiredBase::unusable(std::uint16_t command) {
   const Errc error = unusable();
   if (error != Errc{} || command < channel_->offered) return error;
   return Errc::NotImplemented;
+}
+
+ProvidedBase* RequiredBase::device() const { return channel_->ends.device; }
+
+Result<std::byte*> RequiredBase::claim(std::uint16_t command, std::uint32_t call) {
+  return channel_->commands.claim(command, now(), call);
+}
+
+Errc RequiredBase::commit(bool fits) {
+  if (!fits) {
+    channel_->commands.counters.tooLarge.fetch_add(1, std::memory_order_relaxed);
+    return Errc::TooLarge;
+  }
+  channel_->commands.commit();
+  owner_.ringLater(*channel_->ends.provider);
+  return Errc{};
+}
+
+Result<Time> RequiredBase::read(std::uint16_t command, std::byte* slot) {
+  const auto column = static_cast<unsigned>(info_.commands[command].column);
+  if (channel_->state->ask(column)) owner_.ringLater(*channel_->ends.provider);
+  const Result<Time> stamp = channel_->state->read(column, slot);
+  if (stamp) channel_->noteRead(*stamp);
+  return stamp;
 }
 
 void RequiredBase::handleEvents() {

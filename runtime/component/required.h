@@ -1,12 +1,11 @@
 #pragma once
 // A required interface: what a component's code calls, whoever and wherever the provider is.
 
-#include <suture/component/channel.h>
+#include <suture/base/errors.h>
 #include <suture/component/component.h>
 #include <suture/component/interface_info.h>
 #include <suture/component/provided.h>
 
-#include <array>
 #include <atomic>
 #include <exception>
 #include <functional>
@@ -17,6 +16,8 @@
 #include <vector>
 
 namespace suture {
+
+class Channel;
 
 /// The part of Required<Contract> that does not depend on the contract. It belongs to the thread of
 /// its component; calls from another thread answer Errc::WrongThread.
@@ -76,7 +77,7 @@ class RequiredBase {
   };
 
   /// The provider if it is a device in this process, called directly; else nullptr.
-  ProvidedBase* device() const { return channel_->ends.device; }
+  ProvidedBase* device() const;
   /// Runs `body(Contract&)` on such a device. A throw parks the device, not the caller.
   template <class Contract, class Body>
   Errc callDevice(const Body& body);
@@ -85,6 +86,11 @@ class RequiredBase {
   /// fit.
   template <class Fill>
   Errc send(std::uint16_t command, std::uint32_t call, const Fill& fill);
+  Result<std::byte*> claim(std::uint16_t command, std::uint32_t call);
+  /// Of what claim() gave: publishes it, or counts that the arguments did not fit.
+  Errc commit(bool fits);
+  /// Copies the newest result of read `command` into `slot`; its stamp.
+  Result<Time> read(std::uint16_t command, std::byte* slot);
   PendingCall* openCall();
   void closeCall(PendingCall& call);
   void collectReplies();
@@ -96,7 +102,7 @@ class RequiredBase {
   const InterfaceInfo& info_;
   std::shared_ptr<Channel> channel_;
   std::atomic<std::shared_ptr<Channel>*> incoming_{nullptr};
-  std::array<PendingCall, Channel::kMaxCalls> calls_;
+  std::vector<PendingCall> calls_;
   std::uint32_t callsOpened_ = 0;
   std::vector<std::function<void(const std::byte*)>> handlers_;
   EventSet subscribed_ = 0;
@@ -118,15 +124,8 @@ Errc RequiredBase::callDevice(const Body& body) {
 
 template <class Fill>
 Errc RequiredBase::send(std::uint16_t command, std::uint32_t call, const Fill& fill) {
-  const auto arguments = channel_->commands.claim(command, now(), call);
-  if (!arguments) return arguments.error();
-  if (!fill(*arguments)) {
-    channel_->commands.counters.tooLarge.fetch_add(1, std::memory_order_relaxed);
-    return Errc::TooLarge;
-  }
-  channel_->commands.commit();
-  owner_.ringLater(*channel_->ends.provider);
-  return Errc{};
+  const Result<std::byte*> arguments = claim(command, call);
+  return arguments ? commit(fill(*arguments)) : arguments.error();
 }
 
 /// A component's required interface of type Contract. Each contract's generated header specialises

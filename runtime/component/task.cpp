@@ -1,4 +1,5 @@
 #include <suture/base/errors.h>
+#include <suture/component/channel.h>
 #include <suture/component/guest_task.h>
 #include <suture/component/provided.h>
 #include <suture/component/required.h>

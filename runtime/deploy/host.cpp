@@ -1,4 +1,5 @@
 #include <suture/base/nearest.h>
+#include <suture/component/channel.h>
 #include <suture/deploy/host.h>
 
 #include <algorithm>

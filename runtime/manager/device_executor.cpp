@@ -1,4 +1,5 @@
 #include <suture/manager/device_executor.h>
+#include <suture/rt/state_table.h>
 
 #include <algorithm>
 

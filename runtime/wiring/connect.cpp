@@ -1,3 +1,4 @@
+#include <suture/component/channel.h>
 #include <suture/wiring/connect.h>
 #include <suture/wiring/differences.h>
 #include <suture/wiring/optional_commands.h>

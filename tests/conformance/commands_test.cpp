@@ -1,4 +1,5 @@
 // Every kind of command.
+#include <suture/component/channel.h>
 #include "conformance/setup.h"
 
 namespace conformance {

@@ -1,5 +1,6 @@
 #include "bench/table2/measure.h"
 
+#include <suture/component/channel.h>
 #include <suture/manager/global_manager.h>
 #include <suture/manager/manager.h>
 #include <suture/transport/rpc/control_thread.h>

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <poll.h>
+#include <suture/component/channel.h>
 #include <suture/component/device.h>
 #include <suture/manager/global_manager.h>
 #include <suture/manager/manager.h>

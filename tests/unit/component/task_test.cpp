@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <suture/component/channel.h>
 #include <suture/component/device.h>
 #include <suture/component/event_task.h>
 #include <suture/component/periodic_task.h>

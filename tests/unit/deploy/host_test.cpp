@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <suture/component/channel.h>
 #include <suture/deploy/host.h>
 
 #include <array>
