@@ -8,11 +8,16 @@
 namespace suture::compiler::emit {
 namespace {
 
+/// What store() calls the value of a parameter: itself it must be able to call.
+std::string valueName(const model::Parameter& parameter) {
+  return parameter.name == "store" ? "store_" : parameter.name;
+}
+
 /// "const PoseStamped& goal, const double& time, "
 std::string parameterList(const model::Command& command, const std::string& home) {
   std::string text;
   for (const model::Parameter& parameter : command.parameters) {
-    text += "const " + cxxType(parameter.type, home) + "& " + parameter.name + ", " + kBreak;
+    text += "const " + cxxType(parameter.type, home) + "& " + valueName(parameter) + ", " + kBreak;
   }
   return text;
 }
@@ -51,7 +56,7 @@ void emitStore(Code& code, const Context& context, const model::Command& command
   std::string call;
   for (const model::Parameter& parameter : command.parameters) {
     if (!call.empty()) call += std::string(" && ") + kBreak;
-    call += "store(" + parameter.name + ", " + slotName(command) + "." + parameter.name + ")";
+    call += "store(" + valueName(parameter) + ", " + slotName(command) + "." + parameter.name + ")";
   }
   code.function(storeSignature(context, command, slot), "return " + call + ";").blank();
 }

@@ -3,6 +3,8 @@
 #include <capnp/rpc.capnp.h>
 #include <kj/refcount.h>
 
+#include <cstring>
+
 namespace suture::rpc {
 
 using capnp::rpc::twoparty::Side;
@@ -36,7 +38,7 @@ class LinkNetwork::Outgoing final : public capnp::OutgoingRpcMessage {
   kj::ArrayPtr<capnp::word> first(capnp::uint words) {
     if (words <= kRoom) return room_;
     large_ = kj::heapArray<capnp::word>(words);
-    memset(large_.begin(), 0, large_.asBytes().size());
+    std::memset(large_.begin(), 0, large_.asBytes().size());
     return large_;
   }
 

@@ -352,7 +352,8 @@ model::Interface names() {
   model::Command name = command("name", CommandKind::WriteReturn);
   name.wireName = "title";
   name.parameters = {write("", "range", number()).parameters[0],
-                     write("", "slot", number()).parameters[0]};
+                     write("", "slot", number()).parameters[0],
+                     write("", "store", number()).parameters[0]};
   name.result = scalar(Scalar::Bool);
   model::Event latched = event("latched", {number()});
   latched.latched = true;

@@ -127,6 +127,24 @@ TEST_P(LinkTest, AFailureArrivesAsItsTextAlone) {
   }
 }
 
+TEST_P(LinkTest, AMessageMayBeLargerThanItsRoom) {
+  serve();
+  auto link = connect();
+  auto client = link->bootstrap<Echo>();
+  auto announced = client.echoRequest(capnp::MessageSize{4000, 0});
+  memset(announced.initData(30'000).begin(), 5, 30'000);
+  EXPECT_EQ(announced.send().wait(port_.scope()).getData().size(), 30'000u);
+  auto failing = client.failRequest();
+  const std::string reason(3000, 'x');
+  failing.setText(reason);
+  try {
+    failing.send().ignoreResult().wait(port_.scope());
+    FAIL() << "no failure";
+  } catch (const kj::Exception& e) {
+    EXPECT_EQ(describe(e), reason);
+  }
+}
+
 TEST_P(LinkTest, APeerThatClosesEndsCallsAndTheLink) {
   serve();
   auto link = connect();

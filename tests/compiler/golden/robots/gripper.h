@@ -22,7 +22,7 @@ class SUTURE_INTERFACE(version(2), since(2)) Gripper : public Arm {
 class SUTURE_INTERFACE() Names {
  public:
   SUTURE_COMMAND(queue(4)) virtual void queue(std::int32_t name) = 0;
-  SUTURE_COMMAND(name("title")) virtual bool name(double range, double slot) = 0;
+  SUTURE_COMMAND(name("title")) virtual bool name(double range, double slot, double store) = 0;
   SUTURE_COMMAND() virtual double range() const = 0;
   SUTURE_EVENT(latched()) suture::EventOf<double> latched;
 };

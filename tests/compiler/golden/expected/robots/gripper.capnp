@@ -58,8 +58,8 @@ interface Names @0xa213f67f20043abb $Meta.cxx("robots::Names") {
   subscribe @0 (events :NamesEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   queue @1 (name :Int32, sent :Rpc.Sent) -> () $Meta.kind("write") $Meta.queue(4);
-  title @2 (range :Float64, slot :Float64, sent :Rpc.Sent) -> (value :Bool) $Meta.cxx("name")
-      $Meta.kind("writeReturn") $Meta.queue(16);
+  title @2 (range :Float64, slot :Float64, store :Float64, sent :Rpc.Sent) -> (value :Bool)
+      $Meta.cxx("name") $Meta.kind("writeReturn") $Meta.queue(16);
   range @3 (sent :Rpc.Sent) -> (value :Float64, stamp :Int64) $Meta.kind("read");
 }
 

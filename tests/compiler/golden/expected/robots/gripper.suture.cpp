@@ -159,13 +159,14 @@ constexpr EventInfo kNamesEvents[] = {
 // The self-description, as in robots/gripper.suture.json.
 constexpr char kNamesDescription[] = R"json(
 {"name": "robots::Names", "doc": "Members that are called as arguments of the annotations are.",
-"hash": "2f3178fb14b2b262c7b70ba44253bffb", "commands": [{"name": "queue", "kind": "write",
+"hash": "e54c0cb37918bd57e34585c46706a1ad", "commands": [{"name": "queue", "kind": "write",
 "parameters": [{"name": "name", "type": {"kind": "Int32"}}], "queue": 4}, {"name": "name",
 "kind": "write with return", "wire": "title", "parameters": [{"name": "range", "type": {
-"kind": "Float64"}}, {"name": "slot", "type": {"kind": "Float64"}}], "result": {"type": {
-"kind": "Bool"}}, "queue": 16}, {"name": "range", "kind": "read", "result": {"type": {
-"kind": "Float64"}}, "queue": 16}], "events": [{"name": "latched", "kind": "write", "payload": {
-"type": {"kind": "Float64"}}, "queue": 16, "latched": true}], "enums": [], "structs": []})json";
+"kind": "Float64"}}, {"name": "slot", "type": {"kind": "Float64"}}, {"name": "store", "type": {
+"kind": "Float64"}}], "result": {"type": {"kind": "Bool"}}, "queue": 16}, {"name": "range",
+"kind": "read", "result": {"type": {"kind": "Float64"}}, "queue": 16}], "events": [{
+"name": "latched", "kind": "write", "payload": {"type": {"kind": "Float64"}}, "queue": 16,
+"latched": true}], "enums": [], "structs": []})json";
 
 }  // namespace
 
@@ -184,8 +185,10 @@ void load(const GripperGrippedPayload& slot, double& value, bool& value2) {
 
 bool store(const std::int32_t& name, NamesQueueArguments& slot) { return store(name, slot.name); }
 
-bool store(const double& range, const double& slot, NamesNameArguments& arguments_) {
-  return store(range, arguments_.range) && store(slot, arguments_.slot);
+bool store(const double& range, const double& slot, const double& store_,
+           NamesNameArguments& arguments_) {
+  return store(range, arguments_.range) && store(slot, arguments_.slot) &&
+      store(store_, arguments_.store);
 }
 
 namespace {
@@ -557,7 +560,9 @@ class NamesServant final : public wire::Names::Server {
       auto& slot = *reinterpret_cast<NamesNameArguments*>(memory);
       slot.range = in.getRange();
       slot.slot = in.getSlot();
-      return isValid(slot.range) && isValid(slot.slot) ? Errc{} : Errc::Invalid;
+      slot.store = in.getStore();
+      return isValid(slot.range) && isValid(slot.slot) && isValid(slot.store) ? Errc{} :
+          Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
@@ -643,6 +648,7 @@ class NamesProxy final : public suture::rpc::Proxy {
         auto request = provider_.titleRequest();
         request.setRange(slot.range);
         request.setSlot(slot.slot);
+        request.setStore(slot.store);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
           port_.answer<std::uint8_t>(call, [&](std::uint8_t& answer) {
@@ -717,7 +723,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::Names>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::Names",
-      .hash = "2f3178fb14b2b262c7b70ba44253bffb",
+      .hash = "e54c0cb37918bd57e34585c46706a1ad",
       .description = robots::kNamesDescription,
       .commands = robots::kNamesCommands,
       .events = robots::kNamesEvents,
@@ -764,9 +770,10 @@ Errc Provided<robots::Names>::execute(std::uint16_t command, const std::byte* ar
       const auto& slot = *reinterpret_cast<const robots::NamesNameArguments*>(arguments);
       load(slot.range, scratch_.name_range);
       load(slot.slot, scratch_.name_slot);
+      load(slot.store, scratch_.name_store);
       auto& answer = *reinterpret_cast<std::uint8_t*>(result);
-      return store(implementation_.name(scratch_.name_range, scratch_.name_slot), answer)
-          ? Errc{} : Errc::TooLarge;
+      return store(implementation_.name(scratch_.name_range, scratch_.name_slot,
+                                        scratch_.name_store), answer) ? Errc{} : Errc::TooLarge;
     }
     case NamesCommand::range: {
       auto& slot = *reinterpret_cast<double*>(result);

@@ -60,9 +60,11 @@ bool store(const std::int32_t& name, NamesQueueArguments& slot);
 struct NamesNameArguments {
   double range;
   double slot;
+  double store;
 };
 
-bool store(const double& range, const double& slot, NamesNameArguments& arguments_);
+bool store(const double& range, const double& slot, const double& store_,
+           NamesNameArguments& arguments_);
 
 /// The numbers of Names's commands in every table and record.
 enum class NamesCommand : std::uint16_t {
@@ -232,6 +234,7 @@ class Provided<robots::Names> : public ProvidedBase {
     std::int32_t queue_name;
     double name_range;
     double name_slot;
+    double name_store;
   };
 
   Contract& implementation_;
