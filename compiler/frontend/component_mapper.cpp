@@ -33,7 +33,8 @@ model::ComponentBase mapBase(const clang::CXXRecordDecl* declaration, Mapping& m
   if (!derivesFrom(declaration, "suture::Device")) {
     mapping.error(declaration, "component-base",
                   "component " + quoted(declaration) + " is neither a device nor a task",
-                  "derive it from suture::Device, suture::PeriodicTask or suture::EventTask");
+                  "derive it from suture::Device or a task of suture: PeriodicTask, EventTask, "
+                  "ContinuousTask, CallbackTask, GuestTask");
   }
   return model::ComponentBase::Device;
 }
