@@ -116,7 +116,10 @@ void MessageStream::write(Segments message, Leaves when) {
   if (writeFailure_ != nullptr) return;
   // The bytes are copied, so that what is written next leaves in the same send.
   appendFrame(message, outgoing_);
-  if (outgoing_.size() - outgoingBegin_ >= kSendAtOnce) {
+  const std::size_t unsent = outgoing_.size() - outgoingBegin_;
+  if (unsent > limits_.unsentBytes) {
+    fail(disconnected("the peer does not take what is sent"));
+  } else if (unsent >= kSendAtOnce) {
     flush();
   } else if (when == Leaves::WithTheNext) {
     scheduleRide();

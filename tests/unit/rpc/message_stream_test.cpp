@@ -241,6 +241,23 @@ TEST_F(MessageStreamTest, APeerThatClosesBeforeItHasReadEndsBothDirections) {
   EXPECT_NE(nextFault(), "a message");
 }
 
+TEST_F(MessageStreamTest, APeerThatTakesNothingCostsSoMuchAndNoMore) {
+  open({.unsentBytes = 3u << 20});
+  auto reading = bounded(read());
+  capnp::MallocMessageBuilder message;
+  message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(1 << 20);
+  for (int i = 0; i < 3; ++i) stream_->write(message.getSegmentsForOutput());
+  EXPECT_FALSE(reading.poll(port_.scope()));  // the third fits beside what the socket has taken
+  for (int i = 0; i < 2; ++i) stream_->write(message.getSegmentsForOutput());
+  EXPECT_TRUE(reading.wait(port_.scope()) == nullptr);
+  try {
+    stream_->end().wait(port_.scope());
+    FAIL() << "no failure";
+  } catch (const kj::Exception& e) {
+    EXPECT_EQ(describe(e), "the peer does not take what is sent");
+  }
+}
+
 TEST_F(MessageStreamTest, APeerThatOnlyStopsReadingIsGone) {
   open();
   auto reading = bounded(read());
