@@ -98,10 +98,9 @@ class ReadCommand<Method, ResultSlot> {
     if (const Errc error = required_.unusable(id_); error != Errc{}) return error;
     if (required_.device() != nullptr) return readDevice(value);
     ResultSlot slot;
-    const Result<Time> stamp = required_.read(id_, reinterpret_cast<std::byte*>(&slot));
-    if (!stamp) return stamp.error();
-    load(slot, value);
-    return Sample<void>(*stamp);
+    const Sample<void> read = required_.read(id_, reinterpret_cast<std::byte*>(&slot));
+    if (read) load(slot, value);
+    return read;
   }
 
   /// Has the provider evaluate the value now, in its own thread.

@@ -58,10 +58,7 @@ template <>
 class Subscription<void> {
  public:
   Subscription(RequiredBase& required, std::uint16_t event) : required_(required), event_(event) {}
-  void operator()(std::function<void()> handler) {
-    required_.handlers_[event_] = [handler = std::move(handler)](const std::byte*) { handler(); };
-    required_.subscribed_ |= EventSet{1} << event_;
-  }
+  void operator()(std::function<void()> handler);
 
  private:
   RequiredBase& required_;

@@ -59,8 +59,11 @@ Errc RequiredBase::unusable(std::uint16_t command) {
 
 ProvidedBase* RequiredBase::device() const { return channel_->ends.device; }
 
-Result<std::byte*> RequiredBase::claim(std::uint16_t command, std::uint32_t call) {
-  return channel_->commands.claim(command, now(), call);
+Errc RequiredBase::claim(std::uint16_t command, std::uint32_t call, std::byte*& arguments) {
+  const Result<std::byte*> claimed = channel_->commands.claim(command, now(), call);
+  if (!claimed) return claimed.error();
+  arguments = *claimed;
+  return Errc{};
 }
 
 Errc RequiredBase::commit(bool fits) {
@@ -73,12 +76,13 @@ Errc RequiredBase::commit(bool fits) {
   return Errc{};
 }
 
-Result<Time> RequiredBase::read(std::uint16_t command, std::byte* slot) {
+Sample<void> RequiredBase::read(std::uint16_t command, std::byte* slot) {
   const auto column = static_cast<unsigned>(info_.commands[command].column);
   if (channel_->state->ask(column)) owner_.ringLater(*channel_->ends.provider);
   const Result<Time> stamp = channel_->state->read(column, slot);
-  if (stamp) channel_->noteRead(*stamp);
-  return stamp;
+  if (!stamp) return stamp.error();
+  channel_->noteRead(*stamp);
+  return Sample<void>(*stamp);
 }
 
 void RequiredBase::handleEvents() {

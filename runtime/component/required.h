@@ -2,6 +2,7 @@
 // A required interface: what a component's code calls, whoever and wherever the provider is.
 
 #include <suture/base/errors.h>
+#include <suture/base/sample.h>
 #include <suture/component/component.h>
 #include <suture/component/interface_info.h>
 #include <suture/component/provided.h>
@@ -86,11 +87,12 @@ class RequiredBase {
   /// fit.
   template <class Fill>
   Errc send(std::uint16_t command, std::uint32_t call, const Fill& fill);
-  Result<std::byte*> claim(std::uint16_t command, std::uint32_t call);
+  /// `arguments`: where they go.
+  Errc claim(std::uint16_t command, std::uint32_t call, std::byte*& arguments);
   /// Of what claim() gave: publishes it, or counts that the arguments did not fit.
   Errc commit(bool fits);
-  /// Copies the newest result of read `command` into `slot`; its stamp.
-  Result<Time> read(std::uint16_t command, std::byte* slot);
+  /// Copies the newest result of read `command` into `slot`.
+  Sample<void> read(std::uint16_t command, std::byte* slot);
   PendingCall* openCall();
   void closeCall(PendingCall& call);
   void collectReplies();
@@ -124,8 +126,9 @@ Errc RequiredBase::callDevice(const Body& body) {
 
 template <class Fill>
 Errc RequiredBase::send(std::uint16_t command, std::uint32_t call, const Fill& fill) {
-  const Result<std::byte*> arguments = claim(command, call);
-  return arguments ? commit(fill(*arguments)) : arguments.error();
+  std::byte* arguments = nullptr;
+  const Errc error = claim(command, call, arguments);
+  return error == Errc{} ? commit(fill(arguments)) : error;
 }
 
 /// A component's required interface of type Contract. Each contract's generated header specialises
