@@ -95,10 +95,10 @@ class ReadCommand<Method, ResultSlot> {
 
   /// The same into `value`, which keeps its memory and is left alone if there is no value.
   Sample<void> operator()(Value& value) {
-    if (const Errc error = required_.unusable(id_); error != Errc{}) return error;
-    if (required_.device() != nullptr) return readDevice(value);
     ResultSlot slot;
-    const Sample<void> read = required_.read(id_, reinterpret_cast<std::byte*>(&slot));
+    bool device = false;
+    const Sample<void> read = required_.read(id_, reinterpret_cast<std::byte*>(&slot), device);
+    if (device) return readDevice(value);
     if (read) load(slot, value);
     return read;
   }

@@ -76,7 +76,10 @@ Errc RequiredBase::commit(bool fits) {
   return Errc{};
 }
 
-Sample<void> RequiredBase::read(std::uint16_t command, std::byte* slot) {
+Sample<void> RequiredBase::read(std::uint16_t command, std::byte* slot, bool& device) {
+  if (const Errc error = unusable(command); error != Errc{}) return error;
+  device = channel_->ends.device != nullptr;
+  if (device) return Errc{};
   const auto column = static_cast<unsigned>(info_.commands[command].column);
   if (channel_->state->ask(column)) owner_.ringLater(*channel_->ends.provider);
   const Result<Time> stamp = channel_->state->read(column, slot);

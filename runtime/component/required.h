@@ -91,8 +91,9 @@ class RequiredBase {
   Errc claim(std::uint16_t command, std::uint32_t call, std::byte*& arguments);
   /// Of what claim() gave: publishes it, or counts that the arguments did not fit.
   Errc commit(bool fits);
-  /// Copies the newest result of read `command` into `slot`.
-  Sample<void> read(std::uint16_t command, std::byte* slot);
+  /// Copies the newest result of read `command` into `slot`, unless the provider is a `device`, to
+  /// be called directly.
+  Sample<void> read(std::uint16_t command, std::byte* slot, bool& device);
   PendingCall* openCall();
   void closeCall(PendingCall& call);
   void collectReplies();

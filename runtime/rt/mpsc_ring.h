@@ -39,4 +39,30 @@ class MpscRing {
   alignas(64) std::uint64_t head_ = 0;
 };
 
+// Each cell carries the position at which it may be used next: equal to a producer's position it is
+// free, one more it is published. A cell comes round again one lap (mask_ + 1) later.
+//
+// Inline: what an event costs its sender is mostly this, once for each subscriber.
+
+inline std::byte* MpscRing::claim() {
+  std::uint64_t position = tail_.load(std::memory_order_relaxed);
+  while (true) {
+    const std::uint64_t turn = turnAt(position).load(std::memory_order_acquire);
+    if (turn == position) {
+      if (tail_.compare_exchange_weak(position, position + 1, std::memory_order_relaxed)) {
+        return reinterpret_cast<std::byte*>(&turnAt(position)) + sizeof(std::uint64_t);
+      }
+    } else if (turn < position) {
+      return nullptr;
+    } else {
+      position = tail_.load(std::memory_order_relaxed);
+    }
+  }
+}
+
+inline void MpscRing::commit(std::byte* cell) {
+  auto& turn = *reinterpret_cast<std::atomic<std::uint64_t>*>(cell - sizeof(std::uint64_t));
+  turn.store(turn.load(std::memory_order_relaxed) + 1, std::memory_order_release);
+}
+
 }  // namespace suture::rt
