@@ -12,10 +12,11 @@ presets=("${@:-}")
 for preset in "${presets[@]}"; do
   echo "=== $preset: build"
   cmake --preset "$preset" --log-level=WARNING
-  cmake --build --preset "$preset" -j "$(nproc)" -- --quiet
-  echo "=== $preset: test"
   case "$preset" in
-    dev) ctest --preset dev -j "$(nproc)" ;;
-    *) ctest --preset "$preset" -j "$(nproc)" -L runtime ;;
+    dev) target=all only=() ;;
+    *) target=runtime_tests only=(-L runtime) ;;
   esac
+  cmake --build --preset "$preset" -j "$(nproc)" --target "$target" -- --quiet
+  echo "=== $preset: test"
+  ctest --preset "$preset" -j "$(nproc)" "${only[@]}"
 done
