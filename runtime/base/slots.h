@@ -73,9 +73,10 @@ struct ArraySlot<T[N]> : ElementByElement {};
 template <class T, class S, std::uint32_t N>
 bool store(const std::vector<T>& value, BoundedList<S, N>& slot) {
   if (value.size() > N) return false;
-  slot.size = static_cast<std::uint32_t>(value.size());
+  const auto size = static_cast<std::uint32_t>(value.size());
+  slot.size = size;
   bool fits = true;
-  for (std::size_t i = 0; i < value.size(); ++i) {
+  for (std::uint32_t i = 0; i < size; ++i) {
     const T& element = value[i];  // binds a vector<bool> proxy to a bool
     fits = store(element, slot.data[i]) && fits;
   }
@@ -96,9 +97,10 @@ void load(const BoundedList<S, N>& slot, std::vector<T>& value) {
 template <class T, class S, std::uint32_t N>
 bool store(const std::deque<T>& value, BoundedList<S, N>& slot) {
   if (value.size() > N) return false;
-  slot.size = static_cast<std::uint32_t>(value.size());
+  const auto size = static_cast<std::uint32_t>(value.size());
+  slot.size = size;
   bool fits = true;
-  for (std::uint32_t i = 0; i < slot.size; ++i) fits = store(value[i], slot.data[i]) && fits;
+  for (std::uint32_t i = 0; i < size; ++i) fits = store(value[i], slot.data[i]) && fits;
   return fits;
 }
 template <class T, class S, std::uint32_t N>
