@@ -22,11 +22,6 @@ const char* kindOf(Node::Kind kind) {
 
 std::string titleOf(const Node& node) { return kindOf(node.kind) + node.name; }
 
-std::string valueOf(const Annotations& annotations, const std::string& name) {
-  const auto found = annotations.find(name);
-  return found == annotations.end() ? "none" : found->second;
-}
-
 bool isMeaningful(const std::string& name) {
   return std::find(std::begin(kMeaningful), std::end(kMeaningful), name) != std::end(kMeaningful);
 }

@@ -24,6 +24,11 @@ namespace suture::compiler::lock {
 
 /// What stands behind "Meta." to its argument as written: {"unit", "\"m\""}; "" for a Void one.
 using Annotations = std::map<std::string, std::string>;
+/// "none" if it is not there.
+inline std::string valueOf(const Annotations& annotations, const std::string& name) {
+  const auto found = annotations.find(name);
+  return found == annotations.end() ? "none" : found->second;
+}
 
 /// Something that has a name and a type: a field, a method, an enumerator, a parameter.
 struct Member {

@@ -17,11 +17,6 @@ using model::Diagnostic;
 constexpr char kAcceptAdvice[] =
     "; where all peers are replaced together, update the lock with --accept-break";
 
-std::string valueOf(const Annotations& annotations, const std::string& name) {
-  const auto found = annotations.find(name);
-  return found == annotations.end() ? "none" : found->second;
-}
-
 class Merger {
  public:
   Merger(const Lock& old, const Options& options) : old_(old), options_(options) {}

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <filesystem>
 
 namespace conformance {
 namespace {
@@ -28,11 +27,6 @@ std::unique_ptr<Client> makeClient(ClientKind kind) {
   return std::make_unique<DeviceClient>();
 }
 
-std::string makeDirectory() {
-  std::string path = std::filesystem::temp_directory_path() / "suture-test-XXXXXX";
-  return mkdtemp(path.data()) == nullptr ? "" : path;
-}
-
 }  // namespace
 
 /// A global manager of the test's own.
@@ -43,9 +37,7 @@ struct Conformance::Names {
 };
 
 Conformance::Conformance()
-    : arm(makeArm(std::get<1>(GetParam()))),
-      client(makeClient(std::get<2>(GetParam()))),
-      directory_(makeDirectory()) {}
+    : arm(makeArm(std::get<1>(GetParam()))), client(makeClient(std::get<2>(GetParam()))) {}
 
 // Two managers in one process are two processes to each other: nothing is shared but the sockets.
 void Conformance::SetUp() {
@@ -55,7 +47,7 @@ void Conformance::SetUp() {
     clientManager_ = providerManager_.get();
   } else {
     names_ = std::make_unique<Names>(lane == LaneUnderTest::RpcUnix
-                                         ? "unix:" + directory_ + "/manager.sock"
+                                         ? "unix:" + directory_.file("manager.sock")
                                          : "tcp://127.0.0.1:0");
     const std::string& address = names_->global.address();
     providerManager_ = std::make_unique<suture::Manager>("provider", address);
@@ -80,10 +72,7 @@ void Conformance::TearDown() {
   if (providerManager_ != nullptr) providerManager_->stop();
 }
 
-Conformance::~Conformance() {
-  std::error_code ignored;
-  std::filesystem::remove_all(directory_, ignored);
-}
+Conformance::~Conformance() = default;
 
 void Conformance::stopProvider() {
   // On `local` both live in one manager, and only the provider's task is to end.

@@ -11,6 +11,7 @@
 #include "conformance/arm.h"
 #include "conformance/client.h"
 #include "support/eventually.h"
+#include "support/temporary_directory.h"
 
 namespace conformance {
 
@@ -53,7 +54,7 @@ class Conformance : public testing::TestWithParam<Combination> {
  private:
   struct Names;
 
-  std::string directory_;
+  suture::TemporaryDirectory directory_;
   std::unique_ptr<Names> names_;
   std::unique_ptr<suture::Manager> providerManager_;
   std::unique_ptr<suture::Manager> ownClientManager_;

@@ -3,18 +3,17 @@
 #include <capnp/rpc.capnp.h>
 #include <kj/refcount.h>
 
-#include <cstring>
-
 namespace suture::rpc {
 
 using capnp::rpc::twoparty::Side;
 using capnp::rpc::twoparty::VatId;
 using Base = capnp::TwoPartyVatNetworkBase;
 
-/// A message that is being built, with room for most in the same block of memory.
+/// A message that is being built, with room for most in the same block of memory; what does not fit
+/// goes on in further segments.
 class LinkNetwork::Outgoing final : public capnp::OutgoingRpcMessage {
  public:
-  Outgoing(MessageStream& stream, capnp::uint words) : stream_(stream), message_(first(words)) {}
+  explicit Outgoing(MessageStream& stream) : stream_(stream), message_(room_) {}
 
   capnp::AnyPointer::Builder getBody() override { return message_.getRoot<capnp::AnyPointer>(); }
 
@@ -35,16 +34,8 @@ class LinkNetwork::Outgoing final : public capnp::OutgoingRpcMessage {
   // Blocks of up to 1032 bytes are those that malloc keeps at hand for each thread.
   static constexpr std::size_t kRoom = 88;
 
-  kj::ArrayPtr<capnp::word> first(capnp::uint words) {
-    if (words <= kRoom) return room_;
-    large_ = kj::heapArray<capnp::word>(words);
-    std::memset(large_.begin(), 0, large_.asBytes().size());
-    return large_;
-  }
-
   MessageStream& stream_;
   capnp::word room_[kRoom] = {};
-  kj::Array<capnp::word> large_;
   capnp::MallocMessageBuilder message_;
 };
 
@@ -61,8 +52,8 @@ class LinkNetwork::Only final : public Base::Connection, public kj::Refcounted {
 
   VatId::Reader getPeerVatId() override { return peer_.getRoot<VatId>(); }
 
-  kj::Own<capnp::OutgoingRpcMessage> newOutgoingMessage(capnp::uint words) override {
-    return kj::heap<Outgoing>(*network_.stream_, words);
+  kj::Own<capnp::OutgoingRpcMessage> newOutgoingMessage(capnp::uint) override {
+    return kj::heap<Outgoing>(*network_.stream_);
   }
 
   kj::Promise<kj::Maybe<kj::Own<capnp::IncomingRpcMessage>>> receiveIncomingMessage() override {

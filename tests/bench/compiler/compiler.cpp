@@ -1,47 +1,21 @@
 // suture-bench compiler: what suturec costs, what it makes run again, and what its code costs.
 
 #include <fmt/format.h>
-#include <stdlib.h>
 #include <suture/base/errors.h>
 
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <map>
 #include <string>
 
 #include "bench/benchmark.h"
 #include "bench/compiler/parts.h"
 #include "bench/placement.h"
+#include "support/temporary_directory.h"
 
 namespace bench {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder of its own, and gone at the end.
-class Scratch {
- public:
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "suture-bench-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) {
-      throw suture::SetupError("a folder " + name, std::strerror(errno),
-                               "Set TMPDIR to a folder that can be written");
-    }
-    path_ = name;
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 using Rows = std::string (*)(const CompilerOptions&, Report&);
 const std::map<std::string, Rows> kParts = {
@@ -69,7 +43,7 @@ class Compiler final : public Benchmark {
   void run(Report& report) override {
     report.note("options",
                 {{"rounds", options_.rounds}, {"cpu", options_.cpu}, {"quick", options_.quick}});
-    const Scratch scratch;
+    const suture::TemporaryDirectory scratch;
     options_.scratch = scratch.path();
     const Pinned pinned(options_.cpu);
     for (const auto& [part, rows] : kParts) {

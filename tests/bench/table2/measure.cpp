@@ -4,11 +4,7 @@
 #include <suture/manager/global_manager.h>
 #include <suture/manager/manager.h>
 #include <suture/transport/rpc/control_thread.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
 #include <future>
 
 #include "bench/placement.h"
@@ -16,6 +12,7 @@
 #include "bench/table2/client.h"
 #include "bench/table2/server.h"
 #include "bench/table2/server_process.h"
+#include "support/temporary_directory.h"
 
 namespace bench {
 namespace {
@@ -42,30 +39,9 @@ std::vector<std::int64_t> kept(const std::vector<std::int64_t>& all, const LoopS
   return {begin, begin + static_cast<std::ptrdiff_t>(setup.samples)};
 }
 
-/// A folder for sockets that nobody else can enter, for as long as the object lives.
-class SocketFolder {
- public:
-  SocketFolder() {
-    std::string path = (std::filesystem::temp_directory_path() / "suture-bench-XXXXXX").string();
-    if (mkdtemp(path.data()) == nullptr) {
-      throw SetupError("a temporary folder " + path, std::strerror(errno), "Set TMPDIR");
-    }
-    path_ = path;
-  }
-  ~SocketFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  SocketFolder(const SocketFolder&) = delete;
-  SocketFolder& operator=(const SocketFolder&) = delete;
-
-  std::string managerAddress(Transport transport) const {
-    return transport == Transport::Tcp ? "tcp://127.0.0.1:0" : "unix:" + path_ + "/manager";
-  }
-
- private:
-  std::string path_;
-};
+std::string managerAddress(const suture::TemporaryDirectory& folder, Transport transport) {
+  return transport == Transport::Tcp ? "tcp://127.0.0.1:0" : "unix:" + folder.file("manager");
+}
 
 LoopResult resultOf(const Client& client, const std::vector<std::int64_t>& server,
                     const LoopSetup& setup, const suture::Channel& channel) {
@@ -106,9 +82,9 @@ LoopResult measureLocally(const LoopSetup& setup) {
 
 LoopResult measureAcross(const LoopSetup& setup, Transport transport) {
   const Pinned pinned(setup.scheduling.cpu);
-  const SocketFolder folder;
+  const suture::TemporaryDirectory folder;
   suture::rpc::ControlThread control;
-  const suture::GlobalManager names(control, folder.managerAddress(transport));
+  const suture::GlobalManager names(control, managerAddress(folder, transport));
   ChildProcess serverProcess(serverProcessArguments(setup, names.address()));
 
   const auto client = makeClient(setup);

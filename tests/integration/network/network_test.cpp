@@ -14,7 +14,7 @@
 
 #include "integration/network/arm.h"
 #include "support/eventually.h"
-#include "unit/rpc/temporary_directory.h"
+#include "support/temporary_directory.h"
 
 namespace suture {
 namespace {

@@ -1,6 +1,7 @@
 """Builds and runs a contract of random types across two processes, as a foreign project would."""
 
 import argparse
+import contextlib
 import os
 import pathlib
 import random
@@ -61,48 +62,54 @@ def call_across_processes(project, suture, seed, server_program=None):
             process.wait(timeout=20)
 
 
-def main():
+@contextlib.contextmanager
+def project():
+    """The options of a test of random headers, and the folder of its project, gone at the end."""
     parser = argparse.ArgumentParser()
     parser.add_argument("--suture", type=pathlib.Path, required=True, help="build folder of Suture")
     parser.add_argument("--seed", type=int, default=random.SystemRandom().randrange(1 << 30))
     parser.add_argument("--keep", type=pathlib.Path, help="write the project here and leave it")
     options = parser.parse_args()
-    suture = options.suture.resolve()
     print(f"seed {options.seed}", flush=True)
-
-    project = options.keep or pathlib.Path(tempfile.mkdtemp(prefix="suture random "))
-    project.mkdir(parents=True, exist_ok=True)
+    folder = options.keep or pathlib.Path(tempfile.mkdtemp(prefix="suture random "))
+    folder.mkdir(parents=True, exist_ok=True)
     try:
+        yield options, folder
+    finally:
+        if options.keep is None:
+            shutil.rmtree(folder, ignore_errors=True)
+
+
+def main():
+    with project() as (options, folder):
+        suture = options.suture.resolve()
         types = random_types.Types(options.seed)
-        shutil.copy(pathlib.Path(__file__).with_name("values.h"), project)
-        (project / "CMakeLists.txt").write_text(CMAKE)
-        (project / "main.cpp").write_text(types.program())
+        shutil.copy(pathlib.Path(__file__).with_name("values.h"), folder)
+        (folder / "CMakeLists.txt").write_text(CMAKE)
+        (folder / "main.cpp").write_text(types.program())
 
         def write_types():
-            (project / "invented.h").write_text(types.header())
-            (project / "invented_values.h").write_text(types.values())
+            (folder / "invented.h").write_text(types.header())
+            (folder / "invented_values.h").write_text(types.values())
 
         write_types()
-        build(project, suture)
-        call_across_processes(project, suture, options.seed)
+        build(folder, suture)
+        call_across_processes(folder, suture, options.seed)
 
         # A field more: one header edited, and update-lock.
         types.structs["Record4"].append(random_types.Field("added", "Eigen::Vector3d"))
         write_types()
-        build(project, suture)
-        call_across_processes(project, suture, options.seed)
+        build(folder, suture)
+        call_across_processes(folder, suture, options.seed)
 
         # Optional commands more: the new client works with the old server.
-        older = shutil.copy(project / "build" / "invented", project / "invented-older")
+        older = shutil.copy(folder / "build" / "invented", folder / "invented-older")
         types.optional = True
         write_types()
-        (project / "main.cpp").write_text(types.program())
-        build(project, suture)
-        call_across_processes(project, suture, options.seed)
-        call_across_processes(project, suture, options.seed, older)
-    finally:
-        if options.keep is None:
-            shutil.rmtree(project, ignore_errors=True)
+        (folder / "main.cpp").write_text(types.program())
+        build(folder, suture)
+        call_across_processes(folder, suture, options.seed)
+        call_across_processes(folder, suture, options.seed, older)
 
 
 if __name__ == "__main__":

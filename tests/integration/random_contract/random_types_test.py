@@ -3,13 +3,10 @@
   random_types_test.py --suture BUILD [--seed N] [--keep DIR]
 """
 
-import argparse
 import os
 import pathlib
-import random
 import shutil
 import sys
-import tempfile
 
 import random_contract
 import random_types
@@ -49,28 +46,16 @@ def program(types, seed):
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--suture", type=pathlib.Path, required=True, help="build folder of Suture")
-    parser.add_argument("--seed", type=int, default=random.SystemRandom().randrange(1 << 30))
-    parser.add_argument("--keep", type=pathlib.Path, help="write the project here and leave it")
-    options = parser.parse_args()
-    print(f"seed {options.seed}", flush=True)
-
-    project = options.keep or pathlib.Path(tempfile.mkdtemp(prefix="suture random "))
-    project.mkdir(parents=True, exist_ok=True)
-    try:
+    with random_contract.project() as (options, folder):
         types = random_types.Types(options.seed, COUNT, data_only=True)
         for name in ("values.h", "round_trip.h"):
-            shutil.copy(pathlib.Path(__file__).with_name(name), project)
-        (project / "CMakeLists.txt").write_text(random_contract.CMAKE)
-        (project / "main.cpp").write_text(program(types, options.seed))
-        (project / "invented.h").write_text(types.header())
-        (project / "invented_values.h").write_text(types.values())
-        random_contract.build(project, options.suture.resolve())
-        random_contract.run([project / "build" / "invented"], timeout=300)
-    finally:
-        if options.keep is None:
-            shutil.rmtree(project, ignore_errors=True)
+            shutil.copy(pathlib.Path(__file__).with_name(name), folder)
+        (folder / "CMakeLists.txt").write_text(random_contract.CMAKE)
+        (folder / "main.cpp").write_text(program(types, options.seed))
+        (folder / "invented.h").write_text(types.header())
+        (folder / "invented_values.h").write_text(types.values())
+        random_contract.build(folder, options.suture.resolve())
+        random_contract.run([folder / "build" / "invented"], timeout=300)
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@
 
 #include <thread>
 
-#include "unit/rpc/temporary_directory.h"
+#include "support/temporary_directory.h"
 
 namespace suture {
 namespace {

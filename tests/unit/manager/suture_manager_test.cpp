@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "unit/rpc/temporary_directory.h"
+#include "support/temporary_directory.h"
 
 namespace suture {
 namespace {

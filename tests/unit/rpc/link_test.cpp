@@ -12,7 +12,7 @@
 #include <fstream>
 
 #include "socket_pair.h"
-#include "temporary_directory.h"
+#include "support/temporary_directory.h"
 
 namespace suture::rpc {
 namespace {
