@@ -3,6 +3,7 @@
 // is one channel shared by two tasks; every other lane carries what it finds in one channel to
 // another.
 
+#include <suture/base/shared_slot.h>
 #include <suture/component/interface_info.h>
 #include <suture/rt/doorbell.h>
 #include <suture/rt/event_queue.h>
@@ -32,8 +33,16 @@ struct ReplyRecord {
   Time stamp;          ///< when the result was produced, on this process's clock
   std::uint32_t call;  ///< the number of the call
   Errc error;          ///< 0: success, and the result follows
+  bool shared;         ///< the result is a counted pointer, see base/shared_slot.h
 
+  std::byte* result() { return reinterpret_cast<std::byte*>(this + 1); }
   const std::byte* result() const { return reinterpret_cast<const std::byte*>(this + 1); }
+};
+
+/// What the result of a call is in its record.
+struct ResultForm {
+  std::uint32_t size = 0;
+  bool shared = false;
 };
 
 /// The client endpoint produces into `commands` and consumes `replies`, `events` and `state`; the
@@ -54,6 +63,9 @@ class Channel {
   /// events the client has handlers for. `lane`: its name, for people.
   Channel(const InterfaceInfo& info, std::string name, std::string lane, Ends ends,
           std::shared_ptr<rt::StateTable> state, EventSet subscribed);
+  ~Channel();
+  Channel(const Channel&) = delete;
+  Channel& operator=(const Channel&) = delete;
 
   const InterfaceInfo& info;
   const std::string name;  ///< "Teleop/Slave -> psm-host:PSM/Arm"
@@ -92,8 +104,12 @@ class Channel {
   /// Provider endpoint: answers call `call`; `produce(std::byte* result)` fills the result in place
   /// and returns an Errc, 0 for success. `stamp`: when the result was produced.
   template <class Produce>
-  void reply(std::uint32_t call, std::size_t resultSize, const Produce& produce,
-             Time stamp = now());
+  void reply(std::uint32_t call, ResultForm form, const Produce& produce, Time stamp = now());
+
+  /// Client endpoint: the oldest answer, or nullptr; and lets go of it, unless its result has been
+  /// moved elsewhere and is null now.
+  ReplyRecord* nextReply();
+  void popReply();
 
  private:
   Time lastRead_{};
@@ -101,13 +117,18 @@ class Channel {
 };
 
 template <class Produce>
-void Channel::reply(std::uint32_t call, std::size_t resultSize, const Produce& produce,
-                    Time stamp) {
+void Channel::reply(std::uint32_t call, ResultForm form, const Produce& produce, Time stamp) {
   // Never full: it holds an answer to every call that may be unfinished.
-  std::byte* memory = replies.claim(sizeof(ReplyRecord) + resultSize);
+  std::byte* memory = replies.claim(sizeof(ReplyRecord) + form.size);
   if (memory == nullptr) return;
-  auto* record = new (memory) ReplyRecord{stamp, call, Errc{}};
-  record->error = produce(memory + sizeof(ReplyRecord));
+  auto* record = new (memory) ReplyRecord{stamp, call, Errc{}, form.shared};
+  if (form.shared) putSharedSlot(record->result(), nullptr);
+  try {
+    record->error = produce(record->result());
+  } catch (...) {
+    if (form.shared) releaseSharedSlot(record->result());
+    throw;
+  }
   replies.commit();
 }
 

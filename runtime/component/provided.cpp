@@ -9,13 +9,15 @@ namespace {
 
 std::unique_ptr<rt::StateTable> makeLatchedTable(const InterfaceInfo& info) {
   std::vector<std::uint32_t> sizes;
+  rt::ColumnSet shared = 0;
   bool any = false;
   for (const EventInfo& event : info.events) {
+    shared |= rt::ColumnSet{event.latched && event.sharedPayload} << sizes.size();
     sizes.push_back(event.latched ? event.payloadSize : 0);
     any = any || event.latched;
   }
   constexpr unsigned kRows = 4;
-  return any ? std::make_unique<rt::StateTable>(sizes, kRows) : nullptr;
+  return any ? std::make_unique<rt::StateTable>(sizes, kRows, shared) : nullptr;
 }
 
 // The counters have one writer each.
@@ -33,6 +35,7 @@ ProvidedBase::ProvidedBase(Component& owner, std::string_view name, const Interf
       implementation_(implementation),
       state_(makeStateTable(info)),
       latched_(makeLatchedTable(info)) {
+  refuseUnbounded(info, owner.ownsThread());
   owner.provided_.push_back(this);
 }
 
@@ -111,7 +114,8 @@ void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time d
   if (record.call == 0) {
     execute(record.command, record.arguments(), nullptr);
   } else {
-    channel.reply(record.call, command.resultSize, [&](std::byte* result) {
+    const ResultForm form{command.resultSize, command.sharedResult};
+    channel.reply(record.call, form, [&](std::byte* result) {
       return execute(record.command, record.arguments(), result);
     });
     release.answered = true;
@@ -171,6 +175,7 @@ void ProvidedBase::keepLatched(std::uint16_t event, std::span<const std::byte> p
   // last.
   if (keeping_.test_and_set(std::memory_order_acquire)) return;
   std::copy(payload.begin(), payload.end(), latched_->draft(event));
+  if (info_.events[event].sharedPayload) sharedSlotIn(payload.data())->retain();
   latchedSoFar_ |= EventSet{1} << event;
   latched_->publish(now(), latchedSoFar_, 0);
   keeping_.clear(std::memory_order_release);
@@ -184,6 +189,7 @@ void ProvidedBase::replayLatched(Channel& channel) {
     const auto stamp = latched_->read(i, payload.data());
     if (!stamp) continue;
     channel.events.push(i, *stamp, std::span(payload).first(info_.events[i].payloadSize));
+    if (info_.events[i].sharedPayload) releaseSharedSlot(payload.data());
     owner_.ringLater(*channel.ends.client);
   }
 }

@@ -12,6 +12,7 @@ RequiredBase::RequiredBase(Component& owner, std::string_view name, const Interf
       info_(info),
       calls_(Channel::kMaxCalls),
       handlers_(info.events.size()) {
+  refuseUnbounded(info, owner.ownsThread());
   std::uint32_t largest = 0;
   for (const CommandInfo& command : info.commands) largest = std::max(largest, command.resultSize);
   for (PendingCall& call : calls_) call.result.resize(largest);
@@ -20,6 +21,7 @@ RequiredBase::RequiredBase(Component& owner, std::string_view name, const Interf
 
 RequiredBase::~RequiredBase() {
   delete incoming_.load(std::memory_order_acquire);
+  for (PendingCall& call : calls_) discard(call);
   if (channel_ != nullptr) channel_->status = ChannelStatus::Closed;
 }
 
@@ -38,7 +40,7 @@ void RequiredBase::adopt() {
     if (call.number == 0) continue;
     call.error = Errc::OutcomeUnknown;
     call.done = true;
-    if (call.abandoned) call.number = 0;
+    if (call.abandoned) discard(call);
   }
   if (channel_ != nullptr) channel_->status = ChannelStatus::Closed;
   channel_ = std::move(*arrived);
@@ -68,6 +70,7 @@ Errc RequiredBase::claim(std::uint16_t command, std::uint32_t call, std::byte*& 
 
 Errc RequiredBase::commit(bool fits) {
   if (!fits) {
+    channel_->commands.abandon();
     channel_->commands.counters.tooLarge.fetch_add(1, std::memory_order_relaxed);
     return Errc::TooLarge;
   }
@@ -122,7 +125,7 @@ RequiredBase::PendingCall* RequiredBase::openCall() {
 void RequiredBase::closeCall(PendingCall& call) {
   // The answer may still come; until then the place is taken.
   if (call.done || channel_ == nullptr) {
-    call.number = 0;
+    discard(call);
   } else {
     call.abandoned = true;
   }
@@ -130,19 +133,28 @@ void RequiredBase::closeCall(PendingCall& call) {
 
 void RequiredBase::collectReplies() {
   if (channel_ == nullptr) return;
-  while (const std::byte* memory = channel_->replies.front()) {
-    const auto* reply = reinterpret_cast<const ReplyRecord*>(memory);
-    PendingCall& call = calls_[reply->call % Channel::kMaxCalls];
-    if (call.number == reply->call) {
-      call.done = true;
-      call.error = reply->error;
-      call.stamp = reply->stamp;
-      const std::size_t size = channel_->replies.frontSize() - sizeof(ReplyRecord);
-      std::memcpy(call.result.data(), reply->result(), std::min(size, call.result.size()));
-      if (call.abandoned) call.number = 0;
-    }
-    channel_->replies.pop();
+  while (ReplyRecord* const reply = channel_->nextReply()) {
+    collect(*reply, channel_->replies.frontSize() - sizeof(ReplyRecord));
+    channel_->popReply();
   }
+}
+
+void RequiredBase::collect(ReplyRecord& reply, std::size_t size) {
+  PendingCall& call = calls_[reply.call % Channel::kMaxCalls];
+  if (call.number != reply.call) return;
+  call.done = true;
+  call.error = reply.error;
+  call.stamp = reply.stamp;
+  std::memcpy(call.result.data(), reply.result(), std::min(size, call.result.size()));
+  call.shared = reply.shared;
+  if (reply.shared) putSharedSlot(reply.result(), nullptr);  // it is the call's now
+  if (call.abandoned) discard(call);
+}
+
+void RequiredBase::discard(PendingCall& call) {
+  if (call.shared) releaseSharedSlot(call.result.data());
+  call.shared = false;
+  call.number = 0;
 }
 
 bool RequiredBase::isDone(PendingCall& call) {

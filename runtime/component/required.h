@@ -19,6 +19,7 @@
 namespace suture {
 
 class Channel;
+struct ReplyRecord;
 
 /// The part of Required<Contract> that does not depend on the contract. It belongs to the thread of
 /// its component; calls from another thread answer Errc::WrongThread.
@@ -74,6 +75,7 @@ class RequiredBase {
     bool abandoned = false;
     Errc error{};
     Time stamp{};
+    bool shared = false;  // result holds a counted pointer
     std::vector<std::byte> result;
   };
 
@@ -97,6 +99,9 @@ class RequiredBase {
   PendingCall* openCall();
   void closeCall(PendingCall& call);
   void collectReplies();
+  void collect(ReplyRecord& reply, std::size_t size);
+  /// Of a call that is over: its place is free.
+  static void discard(PendingCall& call);
   bool isDone(PendingCall& call);
   void waitFor(PendingCall& call, Time deadline);
 

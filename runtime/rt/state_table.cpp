@@ -1,8 +1,10 @@
+#include <suture/base/shared_slot.h>
 #include <suture/rt/state_table.h>
 
 #include <bit>
 #include <cstring>
 #include <new>
+#include <utility>
 
 namespace suture::rt {
 namespace {
@@ -42,10 +44,12 @@ std::size_t payloadBytes(std::span<const std::uint32_t> columnSizes) {
 
 }  // namespace
 
-StateTable::StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows)
+StateTable::StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows, ColumnSet shared)
     : rowBytes_((sizeof(RowHeader) + payloadBytes(columnSizes) + 63) & ~std::size_t{63}),
       rowMask_(std::bit_ceil(rows) - 1),
       draft_(payloadBytes(columnSizes)),
+      shared_(shared),
+      newestShared_(columnSizes.size(), nullptr),
       memory_("suture-state", rowBytes_ * (rowMask_ + 1)) {
   std::uint32_t offset = 0;
   for (const std::uint32_t size : columnSizes) {
@@ -55,11 +59,50 @@ StateTable::StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows
   for (std::size_t i = 0; i <= rowMask_; ++i) new (memory_.data() + i * rowBytes_) RowHeader{};
 }
 
+StateTable::~StateTable() {
+  for (unsigned i = 0; i < columns_.size(); ++i) {
+    if (!isShared(i)) continue;
+    draft(i);
+    if (newestShared_[i] != nullptr) newestShared_[i]->release();
+  }
+}
+
+std::byte* StateTable::draft(unsigned column) {
+  std::byte* const memory = draft_.data() + columns_[column].offset;
+  if (isShared(column)) releaseSharedSlot(memory);  // of a row that was not published
+  return memory;
+}
+
+void StateTable::publishShared(ColumnSet valid) {
+  const std::lock_guard lock(newestSharedMutex_);
+  for (unsigned i = 0; i < columns_.size(); ++i) {
+    std::byte* const memory = draft_.data() + columns_[i].offset;
+    const bool stays = !isShared(i) || (valid >> i & 1) == 0 || sharedSlotIn(memory) == nullptr;
+    if (stays) continue;
+    SharedSlot* const old = std::exchange(newestShared_[i], sharedSlotIn(memory));
+    putSharedSlot(memory, nullptr);
+    if (old != nullptr) old->release();
+  }
+}
+
+void StateTable::loadColumn(unsigned column, RowHeader& header, std::byte* slot) const {
+  if (!isShared(column)) {
+    const Column& wanted = columns_[column];
+    loadWords(slot, payloadOf(header) + wanted.offset / 8, wanted.size);
+    return;
+  }
+  const std::lock_guard lock(newestSharedMutex_);
+  releaseSharedSlot(slot);
+  newestShared_[column]->retain();
+  putSharedSlot(slot, newestShared_[column]);
+}
+
 StateTable::RowHeader& StateTable::headerAt(std::uint64_t sequence) const {
   return *reinterpret_cast<RowHeader*>(memory_.data() + (sequence & rowMask_) * rowBytes_);
 }
 
 void StateTable::publish(Time stamp, ColumnSet valid, ColumnSet tooLarge) {
+  if ((valid & shared_) != 0) publishShared(valid);
   const std::uint64_t sequence = newest_.load(std::memory_order_relaxed) + 1;
   RowHeader& header = headerAt(sequence);
   header.sequence.store(0, std::memory_order_relaxed);
@@ -67,9 +110,10 @@ void StateTable::publish(Time stamp, ColumnSet valid, ColumnSet tooLarge) {
   header.valid.store(valid, std::memory_order_release);
   header.tooLarge.store(tooLarge, std::memory_order_release);
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    if ((valid >> i & 1) == 0) continue;
-    storeWords(payloadOf(header) + columns_[i].offset / 8, draft_.data() + columns_[i].offset,
-               columns_[i].size);
+    if ((valid & ~shared_) >> i & 1) {
+      storeWords(payloadOf(header) + columns_[i].offset / 8, draft_.data() + columns_[i].offset,
+                 columns_[i].size);
+    }
   }
   header.sequence.store(sequence, std::memory_order_release);
   newest_.store(sequence, std::memory_order_release);
@@ -114,17 +158,14 @@ StateTable::Row StateTable::readRow(std::span<std::byte* const> slots) const {
   return readNewest([&](RowHeader& header, const Row& row) {
     for (std::size_t i = 0; i < slots.size(); ++i) {
       if (slots[i] == nullptr || (row.valid >> i & 1) == 0) continue;
-      loadWords(slots[i], payloadOf(header) + columns_[i].offset / 8, columns_[i].size);
+      loadColumn(static_cast<unsigned>(i), header, slots[i]);
     }
   });
 }
 
 Result<Time> StateTable::read(unsigned column, std::byte* slot) const {
-  const Column& wanted = columns_[column];
   const Row row = readNewest([&](RowHeader& header, const Row& newest) {
-    if (newest.valid >> column & 1) {
-      loadWords(slot, payloadOf(header) + wanted.offset / 8, wanted.size);
-    }
+    if (newest.valid >> column & 1) loadColumn(column, header, slot);
   });
   if (row.valid >> column & 1) return row.stamp;
   return tl::unexpected(row.tooLarge >> column & 1 ? Errc::TooLarge : Errc::NotYet);

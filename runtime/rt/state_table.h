@@ -8,8 +8,13 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
 #include <span>
 #include <vector>
+
+namespace suture {
+class SharedSlot;
+}
 
 namespace suture::rt {
 
@@ -27,12 +32,18 @@ class StateTable {
 
   /// A column for each read of the contract: `columnSizes[i]` is the size of the slot of read i. At
   /// least `rows` rows: a power of two.
-  explicit StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows = kDefaultRows);
+  /// Columns in `shared` hold counted pointers (base/shared_slot.h): of those only the newest is
+  /// kept, and they are read under a lock.
+  explicit StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows = kDefaultRows,
+                      ColumnSet shared = 0);
+  ~StateTable();
+  StateTable(const StateTable&) = delete;
+  StateTable& operator=(const StateTable&) = delete;
 
   // --- writer ---
 
   /// Where to prepare column `column` of the next row. Private to the writer.
-  std::byte* draft(unsigned column) { return draft_.data() + columns_[column].offset; }
+  std::byte* draft(unsigned column);
   /// Publishes the draft as a new row: of the columns in `valid` the values, of those in `tooLarge`
   /// the fact that they did not fit. All others say "not yet".
   void publish(Time stamp, ColumnSet valid, ColumnSet tooLarge);
@@ -58,6 +69,8 @@ class StateTable {
 
   std::size_t columns() const { return columns_.size(); }
   std::uint32_t columnSize(unsigned column) const { return columns_[column].size; }
+  /// Does a copy of the column have to be released?
+  bool isShared(unsigned column) const { return (shared_ >> column & 1) != 0; }
 
  private:
   using Word = std::atomic<std::uint64_t>;
@@ -69,6 +82,8 @@ class StateTable {
     Word stamp, valid, tooLarge;
   };
 
+  void publishShared(ColumnSet valid);
+  void loadColumn(unsigned column, RowHeader& header, std::byte* slot) const;
   RowHeader& headerAt(std::uint64_t sequence) const;
   Word* payloadOf(RowHeader& header) const { return reinterpret_cast<Word*>(&header + 1); }
   template <class Copy>
@@ -80,6 +95,9 @@ class StateTable {
   std::size_t rowBytes_;
   std::size_t rowMask_;
   std::vector<std::byte> draft_;
+  const ColumnSet shared_;
+  mutable std::mutex newestSharedMutex_;
+  std::vector<SharedSlot*> newestShared_;  // by column
   MemoryBlock memory_;
   std::atomic<std::uint64_t> newest_{0};
   std::atomic<ColumnSet> demand_{0};

@@ -92,8 +92,7 @@ void ServantPort::pump() {
 }
 
 void ServantPort::pumpReplies() {
-  while (const std::byte* memory = channel_->replies.front()) {
-    const auto* reply = reinterpret_cast<const ReplyRecord*>(memory);
+  while (const ReplyRecord* const reply = channel_->nextReply()) {
     for (PendingCall& call : calls_) {
       if (call.number != reply->call || call.done.get() == nullptr) continue;
       if (reply->error == Errc{}) {
@@ -104,7 +103,7 @@ void ServantPort::pumpReplies() {
       }
       call = PendingCall{};
     }
-    channel_->replies.pop();
+    channel_->popReply();
   }
 }
 
@@ -124,16 +123,24 @@ void ServantPort::pumpEvents() {
     while (eventsInFlight_ < kWindow) {
       const rt::EventRecord* record = channel_->events.next();
       if (record == nullptr) return;
-      if ((events_ >> record->event & 1) != 0) {
-        ++eventsInFlight_;
-        sending_.add((*sink)->event(record->event, record->payload()).then([this] {
-          --eventsInFlight_;
-          pumpEvents();
-        }));
-      }
+      if ((events_ >> record->event & 1) != 0) sendEvent(**sink, *record);
       channel_->events.pop();
     }
   }
+}
+
+void ServantPort::sendEvent(EventSink& sink, const rt::EventRecord& record) {
+  ++eventsInFlight_;
+  const auto sent = [this] {
+    --eventsInFlight_;
+    pumpEvents();
+  };
+  sending_.add(
+      sink.event(record.event, record.payload()).then(sent, [this, sent](kj::Exception&& failure) {
+        if (errcOf(failure) != Errc::TooLarge) kj::throwFatalException(kj::mv(failure));
+        channel_->events.countDropped();
+        sent();
+      }));
 }
 
 void ServantPort::pumpRow() {
@@ -143,12 +150,34 @@ void ServantPort::pumpRow() {
     lastRow_ = row.sequence;
     row.valid &= columns_;
     row.tooLarge &= columns_;
-    if ((row.valid | row.tooLarge) == 0) return;
-    ++rowsInFlight_;
-    sending_.add((*sink)->row(row, rowPointers_).then([this] {
-      --rowsInFlight_;
-      pumpRow();
-    }));
+    if ((row.valid | row.tooLarge) != 0) sendRow(**sink, row);
+    releaseRow();
+  }
+}
+
+void ServantPort::sendRow(EventSink& sink, const rt::StateTable::Row& row) {
+  ++rowsInFlight_;
+  sending_.add(sink.row(row, rowPointers_)
+                   .then(
+                       [this] {
+                         --rowsInFlight_;
+                         pumpRow();
+                       },
+                       [this, row](kj::Exception&& failure) {
+                         --rowsInFlight_;
+                         if (errcOf(failure) != Errc::TooLarge)
+                           kj::throwFatalException(kj::mv(failure));
+                         rt::StateTable::Row told = row;  // the client learns that much
+                         told.tooLarge |= std::exchange(told.valid, 0);
+                         KJ_IF_MAYBE (subscriber, sink_) sendRow(**subscriber, told);
+                       }));
+}
+
+void ServantPort::releaseRow() {
+  for (unsigned i = 0; i < rowPointers_.size(); ++i) {
+    if (rowPointers_[i] != nullptr && channel_->state->isShared(i)) {
+      releaseSharedSlot(rowPointers_[i]);
+    }
   }
 }
 

@@ -93,7 +93,10 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
     }
     const auto slot = channel_->commands.claim(command, stampOf(sent), call);
     if (!slot) return slot.error();
-    if (const Errc error = fill(*slot); error != Errc{}) return error;
+    if (const Errc error = fill(*slot); error != Errc{}) {
+      channel_->commands.abandon();
+      return error;
+    }
     channel_->commands.commit();
     channel_->ends.provider->ring();
     return Errc{};
@@ -109,6 +112,9 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
   void pumpReplies();
   void pumpEvents();
   void pumpRow();
+  void sendEvent(EventSink& sink, const rt::EventRecord& record);
+  void sendRow(EventSink& sink, const rt::StateTable::Row& row);
+  void releaseRow();
   void pumpStatus();
   void taskFailed(kj::Exception&& exception) override;
 

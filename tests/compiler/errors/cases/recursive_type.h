@@ -1,5 +1,7 @@
 #pragma once
 #include <suture/annotate.h>
+#include <suture/component/component.h>
+#include <suture/component/provided.h>
 #include <map>
 #include <memory>
 #include <string>
@@ -19,5 +21,11 @@ class SUTURE_INTERFACE() Contract {
   virtual ~Contract() = default;
   SUTURE_COMMAND() virtual void put(const Node& node) = 0;
   SUTURE_COMMAND() virtual const Tree& tree() const = 0;
+};
+class SUTURE_COMPONENT() Registry : public suture::Device, public Contract {
+  suture::Provided<Contract> fine_{*this, "Fine", *this};
+};
+class SUTURE_COMPONENT() Planner : public suture::EventTask, public Contract {
+  suture::Provided<Contract> trees_{*this, "Trees", *this};
 };
 }  // namespace demo
