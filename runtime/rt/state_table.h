@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -29,12 +30,16 @@ class StateTable {
   /// least `rows` rows: a power of two.
   explicit StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows = kDefaultRows);
 
+  /// Before the first row and the first reader: keeps at least `rows` rows instead.
+  void resize(unsigned rows);
+
   // --- writer ---
 
   /// Where to prepare column `column` of the next row. Private to the writer.
   std::byte* draft(unsigned column) { return draft_.data() + columns_[column].offset; }
   /// Publishes the draft as a new row: of the columns in `valid` the values, of those in `tooLarge`
-  /// the fact that they did not fit. All others say "not yet".
+  /// the fact that they did not fit. All others say "not yet". Stamps never go back: an earlier one
+  /// counts as that of the row before.
   void publish(Time stamp, ColumnSet valid, ColumnSet tooLarge);
   /// Columns that somebody has asked for. Never shrinks.
   ColumnSet demand() const { return demand_.load(std::memory_order_acquire); }
@@ -45,17 +50,32 @@ class StateTable {
   bool ask(unsigned column);
   /// Copies a column of the newest row. The stamp is when the row was published.
   Result<Time> read(unsigned column, std::byte* slot) const;
+  /// Copies a column as it was at `at`: of the last row stamped at or before it. NotYet if the
+  /// value had not been produced by then, TooOld if that row has been overwritten. Looks at as many
+  /// rows as the number of rows has bits.
+  Result<Time> readAt(Time at, unsigned column, std::byte* slot) const;
   /// Copies the newest row into `slots` (one pointer a column, nullptr: not wanted) and tells its
   /// columns.
   struct Row {
-    std::uint64_t sequence = 0;
+    std::uint64_t sequence = 0;  ///< 0: there is none
     Time stamp{};
     ColumnSet valid = 0, tooLarge = 0;
+    bool tooOld = false;  ///< there was one, and it has been overwritten
+
+    /// Why there is no value of `column`; 0 if there is one.
+    Errc missing(unsigned column) const;
   };
   Row readRow(std::span<std::byte* const> slots) const;
+  /// The same of the last row at or before `at`.
+  Row readRowAt(Time at, std::span<std::byte* const> slots) const;
+  /// The same of row number `sequence`, from 1.
+  Row readRowNumber(std::uint64_t sequence, std::span<std::byte* const> slots) const;
   /// Number of rows published so far.
   std::uint64_t rows() const { return newest_.load(std::memory_order_acquire); }
+  /// How many rows it keeps, of which the oldest may be under the writer's pen.
+  std::uint64_t capacity() const { return rowMask_ + 1; }
 
+  std::size_t rowBytes() const { return rowBytes_; }
   std::size_t columns() const { return columns_.size(); }
   std::uint32_t columnSize(unsigned column) const { return columns_[column].size; }
 
@@ -71,16 +91,25 @@ class StateTable {
 
   RowHeader& headerAt(std::uint64_t sequence) const;
   Word* payloadOf(RowHeader& header) const { return reinterpret_cast<Word*>(&header + 1); }
+  std::uint64_t oldest(std::uint64_t newest) const;
+  bool stampOf(std::uint64_t sequence, Time& stamp) const;
+  Row findAt(Time at) const;
   template <class Copy>
-  bool tryReadNewest(Row& row, const Copy& copy) const;
+  bool tryRead(Row& row, const Copy& copy) const;
   template <class Copy>
   Row readNewest(const Copy& copy) const;
+  template <class Copy>
+  Row readAt(Time at, const Copy& copy) const;
+  auto copying(unsigned column, std::byte* slot) const;
+  auto copying(std::span<std::byte* const> slots) const;
 
   std::vector<Column> columns_;
   std::size_t rowBytes_;
-  std::size_t rowMask_;
+  std::size_t rowMask_ = 0;
   std::vector<std::byte> draft_;
-  MemoryBlock memory_;
+  std::unique_ptr<MemoryBlock> memory_;
+  std::byte* rows_ = nullptr;  // in memory_
+  Time lastStamp_{};           // the writer's
   std::atomic<std::uint64_t> newest_{0};
   std::atomic<ColumnSet> demand_{0};
 };
