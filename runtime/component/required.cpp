@@ -122,6 +122,14 @@ Sample<void> RequiredBase::readRow(const Time* at, std::span<const std::uint16_t
   return Sample<void>(row.stamp);
 }
 
+void RequiredBase::handle(std::uint16_t event,
+                          std::function<void(const std::byte*, Time)> handler) {
+  handlers_[event] = [handler = std::move(handler)](const std::byte* payload) {
+    handler(payload, rt::EventRecord::of(payload).stamp);
+  };
+  subscribed_ |= EventSet{1} << event;
+}
+
 void RequiredBase::watch(ProvidedBase& own) {
   std::erase(owner_.required_, this);
   rt::Doorbell& bell = owner_.doorbell();

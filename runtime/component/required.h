@@ -57,6 +57,14 @@ class RequiredBase {
   RequiredBase(Component& owner, std::string_view name, const InterfaceInfo& info);
   ~RequiredBase();
 
+  // --- for those who need no generated members
+
+  /// In a constructor: `handler` gets the payload's slot of each event `event`, and when it was
+  /// emitted.
+  void handle(std::uint16_t event, std::function<void(const std::byte*, Time)> handler);
+  /// Owner's thread: the connection as it is in this cycle; nullptr if there is none.
+  const std::shared_ptr<Channel>& channel() const { return channel_; }
+
   /// In a constructor, for the reads alone: looks at the state table of `own`, an interface that
   /// the owner provides itself. Nobody can wire it any more.
   void watch(ProvidedBase& own);
