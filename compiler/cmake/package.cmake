@@ -4,11 +4,12 @@
 include(CMakePackageConfigHelpers)
 
 set(libraries)
-foreach(name base rt component wiring rpc manager observe deploy suture schemas)
+foreach(name base rt component wiring rpc manager observe record deploy suture schemas)
   set_target_properties(suture_${name} PROPERTIES EXPORT_NAME ${name})
   list(APPEND libraries suture_${name})
 endforeach()
-set(robots robots robots_core robots_kinematics)
+set_target_properties(suture_standard PROPERTIES EXPORT_NAME standard)
+set(robots suture_standard robots robots_core robots_kinematics)
 set_target_properties(${libraries} ${robots} PROPERTIES
   VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 set(programs suture-manager)
@@ -60,4 +61,6 @@ install(TARGETS suture-workstation)
 install(EXPORT SutureRobotsTargets NAMESPACE suture:: DESTINATION ${package})
 # Those that are not annotated; suture_generate() installs the others.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/components/
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/suture-robots FILES_MATCHING PATTERN "*.h")
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/suture-robots FILES_MATCHING PATTERN "*.h" PATTERN standard EXCLUDE)
+install(FILES ${PROJECT_SOURCE_DIR}/components/standard/timing_port.h
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/suture-standard/standard)

@@ -28,6 +28,7 @@ enum class Errc : std::uint8_t {
   TooManyCalls,      ///< this required interface has as many unfinished calls as it can follow
   WrongThread,       ///< a required interface belongs to one thread, and this is another
   NotImplemented,    ///< an optional command that this provider does not have
+  TooOld,            ///< the state table does not reach back that far; configure more rows
 };
 
 /// The error in words, for people. Any thread; static storage.

@@ -73,7 +73,10 @@ class Command<Method, ArgumentsSlot> {
 /// A read command: the newest value the provider produced, copied without waiting for anyone.
 ///   const auto pose = master_.measured_cp();             Sample<PoseStamped>
 ///   master_.measured_js(state);                          into an object that keeps its memory
+///   master_.measured_cp.at(frame.stamp)                  as it was then
+///   master_.measured_cp.delayed(10ms)                    as it was 10 ms ago
 ///   auto call = master_.measured_cp.fresh();             evaluated by the provider for this call
+/// readTogether() (read_together.h) reads several of one row.
 template <auto Method, class ResultSlot>
 class ReadCommand;
 
@@ -104,6 +107,30 @@ class ReadCommand<Method, ResultSlot> {
     return read;
   }
 
+  /// The value as it was at `time`: of the last row published at or before it, whose stamp the
+  /// sample carries. Errc::TooOld if the provider keeps no row so old (ProvidedBase::keepState), or
+  /// is a device in this process, which keeps none; NotYet if it had not produced the value by
+  /// then. On other lanes than `local` the rows are those that arrived.
+  Sample<Value> at(Time time) {
+    Value value{};
+    const Sample<void> read = at(time, value);
+    if (!read) return read.error();
+    return {std::move(value), read.stamp()};
+  }
+  /// The same into `value`, which keeps its memory and is left alone if there is no value.
+  Sample<void> at(Time time, Value& value) {
+    LooseSlot<ResultSlot> slot;
+    bool device = false;
+    const Sample<void> read = required_.readAt(time, id_, slot.memory(), device);
+    if (device) return time < now() ? Sample<void>(Errc::TooOld) : readDevice(value);
+    if (read) load(slot.value(), value);
+    return read;
+  }
+
+  /// The value as it was `delay` ago; see at().
+  Sample<Value> delayed(Duration delay) { return at(now() - delay); }
+  Sample<void> delayed(Duration delay, Value& value) { return at(now() - delay, value); }
+
   /// Has the provider evaluate the value now, in its own thread.
   [[nodiscard]] Call<Sample<Value>, ResultSlot> fresh() {
     if (const Errc error = required_.unusable(id_); error != Errc{}) return error;
@@ -115,6 +142,9 @@ class ReadCommand<Method, ResultSlot> {
   }
 
  private:
+  friend class RowReader;
+  using Slot = ResultSlot;
+
   Sample<void> readDevice(Value& value) {
     const Errc error = required_.template callDevice<const Contract>(
         [&](const Contract& contract) { copy((contract.*Method)(), value); });

@@ -2,6 +2,7 @@
 #include <suture/component/provided.h>
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 namespace suture {
@@ -48,6 +49,25 @@ void* ProvidedBase::implementation(const InterfaceInfo& contract) const {
     pointer = one->toBase(pointer);
   }
   return pointer;
+}
+
+void ProvidedBase::keepState(const StateOptions& options) {
+  const std::string asked = "the state table of '" + name_ + "'";
+  if (!channels_.empty() || state_->demand() != 0) {
+    throw SetupError(asked, "somebody uses it already",
+                     "Call keepState() in the component's constructor");
+  }
+  if (options.manual && !owner_.ownsThread()) {
+    throw SetupError(asked, "a device, which has no thread to publish rows in",
+                     "Make the component a task, or leave 'manual' out");
+  }
+  constexpr unsigned kMostRows = 1u << 20;
+  if (options.rows == 0 || options.rows > kMostRows) {
+    throw SetupError(asked, std::to_string(options.rows) + " rows",
+                     "Keep 1 to " + std::to_string(kMostRows));
+  }
+  manual_ = options.manual;
+  state_->resize(options.rows);
 }
 
 void ProvidedBase::attach(std::shared_ptr<Channel> channel) {
@@ -123,6 +143,10 @@ void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time d
 }
 
 void ProvidedBase::publishRow() {
+  if (!manual_) advance();
+}
+
+void ProvidedBase::advance() {
   const rt::ColumnSet demand = state_->demand();
   if (demand == 0) return;
   rt::ColumnSet valid = 0, tooLarge = 0;

@@ -23,6 +23,14 @@ namespace suture {
 
 enum class ChannelStatus : std::uint8_t;
 
+/// How a provided interface keeps the values of its reads.
+struct StateOptions {
+  /// How many rows of the past can be read: at least so many, a power of two.
+  unsigned rows = 64;
+  /// Rows are published by advance() alone, not at the end of each cycle. Not for a device.
+  bool manual = false;
+};
+
 /// The part of Provided<Contract> that does not depend on the contract. Commands and reads run in
 /// the thread of the component; for a device, in the thread of a local caller or of the executor
 /// that serves remote ones.
@@ -40,6 +48,10 @@ class ProvidedBase {
   /// a local client of a device calls directly.
   void* implementation(const InterfaceInfo& contract) const;
 
+  /// In the component's constructor. Throws SetupError if the interface is in use already, or
+  /// cannot be so.
+  void keepState(const StateOptions& options);
+
   /// Any thread: one more client. It is served from the next cycle on.
   void attach(std::shared_ptr<Channel> channel);
 
@@ -48,8 +60,13 @@ class ProvidedBase {
   /// Executes what is waiting. A handler's exception passes through, after its caller got
   /// Errc::Faulted.
   void drain();
-  /// Evaluates the reads that somebody asked for and publishes them as one row.
+  /// The end of a cycle: advance(), unless that is the component's own business.
   void publishRow();
+  /// Evaluates the reads that somebody asked for and publishes them as one row, stamped now. For a
+  /// task whose rows are manual; its thread only.
+  ///   frames_.keepState({.manual = true});          in the constructor
+  ///   if (camera_.newFrame()) frames_.advance();    in run()
+  void advance();
   /// True if commands are waiting.
   bool pending() const;
   /// Tells all clients that nothing is executed any more, and why.
@@ -80,6 +97,7 @@ class ProvidedBase {
   const InterfaceInfo& info_;
   void* implementation_;
   std::shared_ptr<rt::StateTable> state_;
+  bool manual_ = false;
   ChannelList channels_;
   // The last value of each latched event: a column an event. Written by whoever emits.
   std::unique_ptr<rt::StateTable> latched_;

@@ -2,6 +2,7 @@
 #include <suture/component/required.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 namespace suture {
@@ -79,16 +80,65 @@ Errc RequiredBase::commit(bool fits) {
   return Errc{};
 }
 
-Sample<void> RequiredBase::read(std::uint16_t command, std::byte* slot, bool& device) {
+Errc RequiredBase::ask(std::uint16_t command, bool& device) {
   if (const Errc error = unusable(command); error != Errc{}) return error;
   device = channel_->ends.device != nullptr;
   if (device) return Errc{};
   const auto column = static_cast<unsigned>(info_.commands[command].column);
   if (channel_->state->ask(column)) owner_.ringLater(*channel_->ends.provider);
+  return Errc{};
+}
+
+Sample<void> RequiredBase::read(std::uint16_t command, std::byte* slot, bool& device) {
+  if (const Errc error = ask(command, device); error != Errc{} || device) return error;
+  const auto column = static_cast<unsigned>(info_.commands[command].column);
   const Result<Time> stamp = channel_->state->read(column, slot);
   if (!stamp) return stamp.error();
   channel_->noteRead(*stamp);
   return Sample<void>(*stamp);
+}
+
+Sample<void> RequiredBase::readAt(Time at, std::uint16_t command, std::byte* slot, bool& device) {
+  if (const Errc error = ask(command, device); error != Errc{} || device) return error;
+  const auto column = static_cast<unsigned>(info_.commands[command].column);
+  const Result<Time> stamp = channel_->state->readAt(at, column, slot);
+  if (!stamp) return stamp.error();
+  return Sample<void>(*stamp);
+}
+
+Sample<void> RequiredBase::readRow(const Time* at, std::span<const std::uint16_t> commands,
+                                   std::span<std::byte* const> slots, bool& device) {
+  std::array<std::byte*, 64> byColumn{};  // a contract has no more reads
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    if (const Errc error = ask(commands[i], device); error != Errc{} || device) return error;
+    byColumn[static_cast<std::size_t>(info_.commands[commands[i]].column)] = slots[i];
+  }
+  const rt::StateTable& state = *channel_->state;
+  const std::span<std::byte* const> wanted = std::span(byColumn).first(state.columns());
+  const rt::StateTable::Row row =
+      at == nullptr ? state.readRow(wanted) : state.readRowAt(*at, wanted);
+  for (const std::uint16_t command : commands) {
+    const auto column = static_cast<unsigned>(info_.commands[command].column);
+    if (const Errc error = row.missing(column); error != Errc{}) return error;
+  }
+  if (at == nullptr) channel_->noteRead(row.stamp);
+  return Sample<void>(row.stamp);
+}
+
+void RequiredBase::handle(std::uint16_t event,
+                          std::function<void(const std::byte*, Time)> handler) {
+  handlers_[event] = [handler = std::move(handler)](const std::byte* payload) {
+    handler(payload, rt::EventRecord::of(payload).stamp);
+  };
+  subscribed_ |= EventSet{1} << event;
+}
+
+void RequiredBase::watch(ProvidedBase& own) {
+  std::erase(owner_.required_, this);
+  rt::Doorbell& bell = owner_.doorbell();
+  channel_ = std::make_shared<Channel>(info_, owner_.name() + "/" + name_, "own",
+                                       Channel::Ends{.client = &bell, .provider = &bell},
+                                       own.state(), EventSet{0});
 }
 
 void RequiredBase::handleEvents() {

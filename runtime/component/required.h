@@ -11,6 +11,7 @@
 #include <exception>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -57,6 +58,18 @@ class RequiredBase {
   RequiredBase(Component& owner, std::string_view name, const InterfaceInfo& info);
   ~RequiredBase();
 
+  // --- for those who need no generated members
+
+  /// In a constructor: `handler` gets the payload's slot of each event `event`, and when it was
+  /// emitted.
+  void handle(std::uint16_t event, std::function<void(const std::byte*, Time)> handler);
+  /// Owner's thread: the connection as it is in this cycle; nullptr if there is none.
+  const std::shared_ptr<Channel>& channel() const { return channel_; }
+
+  /// In a constructor, for the reads alone: looks at the state table of `own`, an interface that
+  /// the owner provides itself. Nobody can wire it any more.
+  void watch(ProvidedBase& own);
+
  private:
   template <class, class>
   friend class Call;
@@ -68,6 +81,7 @@ class RequiredBase {
   friend class AnsweredCommand;
   template <class, class...>
   friend class Subscription;
+  friend class RowReader;
 
   struct PendingCall {
     std::uint32_t number = 0;  // 0: free
@@ -96,6 +110,13 @@ class RequiredBase {
   /// Copies the newest result of read `command` into `slot`, unless the provider is a `device`, to
   /// be called directly.
   Sample<void> read(std::uint16_t command, std::byte* slot, bool& device);
+  /// The same as it was at `at`.
+  Sample<void> readAt(Time at, std::uint16_t command, std::byte* slot, bool& device);
+  /// What read() and readAt() do first.
+  Errc ask(std::uint16_t command, bool& device);
+  /// The reads `commands` of one row, each into its slot: of the newest row, or of that at `at`.
+  Sample<void> readRow(const Time* at, std::span<const std::uint16_t> commands,
+                       std::span<std::byte* const> slots, bool& device);
   PendingCall* openCall();
   void closeCall(PendingCall& call);
   void collectReplies();

@@ -56,7 +56,9 @@ void Task::cycleAlone() {
   run();
   for (ProvidedBase* interface : provided()) interface->publishRow();
   ringNow();
-  statistics_.computeTime.record(now() - begin);
+  const Time end = now();
+  statistics_.computeTime.record(end - begin);
+  statistics_.windows.cycle(begin, end, statistics_.skipped.load(std::memory_order_relaxed));
   statistics_.cycles.store(statistics_.cycles.load(std::memory_order_relaxed) + 1,
                            std::memory_order_relaxed);
 }

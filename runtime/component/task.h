@@ -2,6 +2,7 @@
 // An active component: the common part of all tasks.
 
 #include <suture/component/component.h>
+#include <suture/component/task_window.h>
 #include <suture/rt/histogram.h>
 
 #include <atomic>
@@ -12,12 +13,14 @@ namespace suture {
 
 class GuestTask;
 
-/// Measurements of a task's loop. Written by its thread, readable by any.
+/// Measurements of a task's loop: since it exists, and over its last window. Written by its thread,
+/// readable by any.
 struct TaskStatistics {
   std::atomic<std::uint64_t> cycles{0};
   std::atomic<std::uint64_t> skipped{0};  ///< periods or callbacks that passed without a cycle
   rt::Histogram lateness;                 ///< wake-up time minus due time
   rt::Histogram computeTime;              ///< length of a cycle, without those of guests
+  WindowMeter windows;                    ///< windows.last(): mean, deviation, min, max, p99
 };
 
 /// Works in cycles, one at a time. Each cycle: take over new connections, run event handlers,
@@ -40,6 +43,8 @@ class Task : public Component {
   void lend(GuestTask& guest);
 
   const TaskStatistics& statistics() const { return statistics_; }
+  /// Before start(): the length of the windows of statistics(), 1 s without. Throws SetupError.
+  void measureOver(Duration window) { statistics_.windows.setLength(window); }
 
  protected:
   Task() = default;

@@ -1,5 +1,6 @@
 #include <suture/manager/describe.h>
 #include <suture/manager/peer_server.h>
+#include <suture/rt/state_table.h>
 #include <suture/transport/rpc/stamps.h>
 #include <suture/wiring/connect.h>
 
@@ -143,6 +144,7 @@ void PeerServer::accept(ProvidedBase& provided, const Endpoint& endpoint, Connec
   port->setListener(kj::heap<NoticesSender>(host_.control_, in.getNotices()));
   auto accepted = context.getResults().initAccepted();
   accepted.setOffered(static_cast<std::uint16_t>(offered));
+  accepted.setRows(static_cast<std::uint32_t>(provided.state()->capacity()));
   accepted.setConnection(kj::heap<ConnectionServer>(kj::addRef(*port)));
   accepted.setContract(provided.info().binding().makeServant(kj::mv(port)));
 }

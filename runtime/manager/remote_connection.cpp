@@ -18,6 +18,14 @@ constexpr Duration kComeBackPatience = std::chrono::seconds(5);
 constexpr Duration kHeartbeat = std::chrono::milliseconds(500);
 constexpr Duration kSilence = std::chrono::seconds(2);
 
+// As far back as the provider's own table; a peer must not make this process take more memory.
+void mirrorRows(std::uint32_t rows, rt::StateTable& mirror) {
+  constexpr std::size_t kMostBytes = std::size_t{64} << 20;
+  const std::size_t most = std::max<std::size_t>(kMostBytes / mirror.rowBytes(), 1);
+  const auto kept = static_cast<unsigned>(std::min<std::size_t>(rows, most));
+  if (kept > mirror.capacity()) mirror.resize(kept);
+}
+
 }  // namespace
 
 /// Hears what befalls the provider.
@@ -129,6 +137,7 @@ kj::Promise<void> RemoteConnection::ask() {
 void RemoteConnection::begin(wire::ConnectResults::Accepted::Reader accepted) {
   connection_ = accepted.getConnection();
   channel_->offered = std::min<std::size_t>(accepted.getOffered(), channel_->info.commands.size());
+  mirrorRows(accepted.getRows(), *channel_->state);
   auto& port = *KJ_ASSERT_NONNULL(port_);
   port.open(required_.info().binding().makeProxy(accepted.getContract(), port));
   required_.attach(channel_);

@@ -45,6 +45,14 @@ ConnectionReport reportOf(const Channel& channel, ConnectionEnd end) {
           .commandAge = distribution(channel.commandAge)};
 }
 
+WindowReport reportOf(const TaskWindow& window) {
+  return {.length = window.end - window.begin,
+          .cycles = window.cycles,
+          .skipped = window.skipped,
+          .period = window.period,
+          .compute = window.compute};
+}
+
 TaskReport reportOf(const Task& task) {
   const TaskStatistics& statistics = task.statistics();
   const ComponentState state = task.state();
@@ -54,7 +62,8 @@ TaskReport reportOf(const Task& task) {
           .cycles = count(statistics.cycles),
           .skipped = count(statistics.skipped),
           .lateness = distribution(statistics.lateness),
-          .computeTime = distribution(statistics.computeTime)};
+          .computeTime = distribution(statistics.computeTime),
+          .window = reportOf(statistics.windows.last())};
 }
 
 }  // namespace

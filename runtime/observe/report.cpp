@@ -28,6 +28,26 @@ void eachField(Distributed& value, const Visit& visit) requires
   visit("max", value.max);
 }
 
+template <class Summary, class Visit>
+void eachField(Summary& value, const Visit& visit) requires
+    std::is_same_v<std::remove_const_t<Summary>, DurationSummary> {
+  visit("mean", value.mean);
+  visit("deviation", value.deviation);
+  visit("min", value.min);
+  visit("max", value.max);
+  visit("p99", value.p99);
+}
+
+template <class Window, class Visit>
+void eachField(Window& value, const Visit& visit) requires
+    std::is_same_v<std::remove_const_t<Window>, WindowReport> {
+  visit("length", value.length);
+  visit("cycles", value.cycles);
+  visit("skipped", value.skipped);
+  visit("period", value.period);
+  visit("compute", value.compute);
+}
+
 template <class Connection, class Visit>
 void eachField(Connection& value, const Visit& visit) requires
     std::is_same_v<std::remove_const_t<Connection>, ConnectionReport> {
@@ -61,13 +81,19 @@ void eachField(TaskValue& value, const Visit& visit) requires
   visit("skipped", value.skipped);
   visit("lateness", value.lateness);
   visit("compute_time", value.computeTime);
+  visit("window", value.window);
 }
+
+template <class Value>
+constexpr bool kIsPart =
+    std::is_same_v<Value, Distribution> || std::is_same_v<Value, DurationSummary> ||
+    std::is_same_v<Value, WindowReport>;
 
 template <class Value>
 json fieldToJson(const Value& value) {
   if constexpr (std::is_same_v<Value, Duration>) {
     return value.count();
-  } else if constexpr (std::is_same_v<Value, Distribution>) {
+  } else if constexpr (kIsPart<Value>) {
     json out;
     eachField(value, [&](const char* key, const auto& field) { out[key] = fieldToJson(field); });
     return out;
@@ -80,7 +106,7 @@ template <class Value>
 void fieldFromJson(const json& in, Value& value) {
   if constexpr (std::is_same_v<Value, Duration>) {
     value = Duration(in.get<std::int64_t>());
-  } else if constexpr (std::is_same_v<Value, Distribution>) {
+  } else if constexpr (kIsPart<Value>) {
     eachField(value, [&](const char* key, auto& field) { fieldFromJson(in.at(key), field); });
   } else {
     in.get_to(value);

@@ -5,6 +5,7 @@
 #include <suture/base/time.h>
 #include <suture/component/channel.h>
 #include <suture/component/component.h>
+#include <suture/component/task_window.h>
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
@@ -46,6 +47,13 @@ struct ConnectionReport {
   std::uint64_t dropped() const { return full + tooLarge + superseded; }
 };
 
+/// A window of a task's cycles, as TaskWindow has it; all zero before the first.
+struct WindowReport {
+  Duration length{};
+  std::uint64_t cycles = 0, skipped = 0;
+  DurationSummary period, compute;
+};
+
 struct TaskReport {
   std::string name;
   ComponentState state = ComponentState::Constructed;
@@ -53,6 +61,7 @@ struct TaskReport {
   std::uint64_t cycles = 0, skipped = 0;
   Distribution lateness;  ///< wake-up time minus due time: the jitter of the period
   Distribution computeTime;
+  WindowReport window;  ///< the last whole one
 };
 
 struct Report {

@@ -30,6 +30,10 @@ struct EventRecord {
 
   std::byte* payload() { return reinterpret_cast<std::byte*>(this + 1); }
   const std::byte* payload() const { return reinterpret_cast<const std::byte*>(this + 1); }
+  /// The record that `payload` belongs to.
+  static const EventRecord& of(const std::byte* payload) {
+    return *(reinterpret_cast<const EventRecord*>(payload) - 1);
+  }
 };
 
 /// Any thread may push (a task's events come from its own thread, a device's from any); one

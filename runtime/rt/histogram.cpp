@@ -31,6 +31,12 @@ void Histogram::record(Duration duration) {
   }
 }
 
+void Histogram::clear() {
+  for (auto& bucket : buckets_) bucket.store(0, std::memory_order_relaxed);
+  count_.store(0, std::memory_order_relaxed);
+  max_.store(0, std::memory_order_relaxed);
+}
+
 Duration Histogram::quantile(double quantile) const {
   const auto rank = static_cast<std::uint64_t>(std::ceil(quantile * static_cast<double>(count())));
   std::uint64_t seen = 0;

@@ -14,6 +14,8 @@ namespace suture::rt {
 class Histogram {
  public:
   void record(Duration duration);
+  /// The recording thread, where no other reads: forgets everything.
+  void clear();
 
   std::uint64_t count() const { return count_.load(std::memory_order_relaxed); }
   Duration max() const { return Duration(max_.load(std::memory_order_relaxed)); }

@@ -1,10 +1,10 @@
 #include <suture/base/shared_slot.h>
 #include <suture/rt/state_table.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <new>
-#include <utility>
 
 namespace suture::rt {
 namespace {
@@ -46,25 +46,25 @@ std::size_t payloadBytes(std::span<const std::uint32_t> columnSizes) {
 
 StateTable::StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows, ColumnSet shared)
     : rowBytes_((sizeof(RowHeader) + payloadBytes(columnSizes) + 63) & ~std::size_t{63}),
-      rowMask_(std::bit_ceil(rows) - 1),
       draft_(payloadBytes(columnSizes)),
-      shared_(shared),
-      newestShared_(columnSizes.size(), nullptr),
-      memory_("suture-state", rowBytes_ * (rowMask_ + 1)) {
+      shared_(shared, columnSizes.size()) {
   std::uint32_t offset = 0;
   for (const std::uint32_t size : columnSizes) {
     columns_.push_back({offset, size});
     offset += static_cast<std::uint32_t>(8 * wordsFor(size));
   }
-  for (std::size_t i = 0; i <= rowMask_; ++i) new (memory_.data() + i * rowBytes_) RowHeader{};
+  resize(rows);
+}
+
+void StateTable::resize(unsigned rows) {
+  rowMask_ = std::bit_ceil(rows) - 1;
+  memory_ = std::make_unique<MemoryBlock>("suture-state", rowBytes_ * (rowMask_ + 1));
+  rows_ = memory_->data();
+  for (std::size_t i = 0; i <= rowMask_; ++i) new (rows_ + i * rowBytes_) RowHeader{};
 }
 
 StateTable::~StateTable() {
-  for (unsigned i = 0; i < columns_.size(); ++i) {
-    if (!isShared(i)) continue;
-    draft(i);
-    if (newestShared_[i] != nullptr) newestShared_[i]->release();
-  }
+  for (unsigned i = 0; i < columns_.size(); ++i) draft(i);
 }
 
 std::byte* StateTable::draft(unsigned column) {
@@ -73,47 +73,41 @@ std::byte* StateTable::draft(unsigned column) {
   return memory;
 }
 
-void StateTable::publishShared(ColumnSet valid) {
-  const std::lock_guard lock(newestSharedMutex_);
-  for (unsigned i = 0; i < columns_.size(); ++i) {
-    std::byte* const memory = draft_.data() + columns_[i].offset;
-    const bool stays = !isShared(i) || (valid >> i & 1) == 0 || sharedSlotIn(memory) == nullptr;
-    if (stays) continue;
-    SharedSlot* const old = std::exchange(newestShared_[i], sharedSlotIn(memory));
-    putSharedSlot(memory, nullptr);
-    if (old != nullptr) old->release();
+void StateTable::storeColumn(unsigned column, RowHeader& header) {
+  const auto [offset, size] = columns_[column];
+  std::byte* const draft = draft_.data() + offset;
+  if (isShared(column)) {
+    shared_.take(column, draft);
+  } else {
+    storeWords(payloadOf(header) + offset / 8, draft, size);
   }
 }
 
 void StateTable::loadColumn(unsigned column, RowHeader& header, std::byte* slot) const {
-  if (!isShared(column)) {
-    const Column& wanted = columns_[column];
-    loadWords(slot, payloadOf(header) + wanted.offset / 8, wanted.size);
-    return;
+  const auto [offset, size] = columns_[column];
+  if (isShared(column)) {
+    shared_.copy(column, slot);
+  } else {
+    loadWords(slot, payloadOf(header) + offset / 8, size);
   }
-  const std::lock_guard lock(newestSharedMutex_);
-  releaseSharedSlot(slot);
-  newestShared_[column]->retain();
-  putSharedSlot(slot, newestShared_[column]);
 }
 
 StateTable::RowHeader& StateTable::headerAt(std::uint64_t sequence) const {
-  return *reinterpret_cast<RowHeader*>(memory_.data() + (sequence & rowMask_) * rowBytes_);
+  return *reinterpret_cast<RowHeader*>(rows_ + (sequence & rowMask_) * rowBytes_);
 }
 
 void StateTable::publish(Time stamp, ColumnSet valid, ColumnSet tooLarge) {
-  if ((valid & shared_) != 0) publishShared(valid);
+  const auto lock = shared_.lock();
   const std::uint64_t sequence = newest_.load(std::memory_order_relaxed) + 1;
+  lastStamp_ = std::max(lastStamp_, stamp);
   RowHeader& header = headerAt(sequence);
   header.sequence.store(0, std::memory_order_relaxed);
-  header.stamp.store(static_cast<std::uint64_t>(toNanoseconds(stamp)), std::memory_order_release);
+  header.stamp.store(static_cast<std::uint64_t>(toNanoseconds(lastStamp_)),
+                     std::memory_order_release);
   header.valid.store(valid, std::memory_order_release);
   header.tooLarge.store(tooLarge, std::memory_order_release);
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    if ((valid & ~shared_) >> i & 1) {
-      storeWords(payloadOf(header) + columns_[i].offset / 8, draft_.data() + columns_[i].offset,
-                 columns_[i].size);
-    }
+  for (unsigned i = 0; i < columns_.size(); ++i) {
+    if (valid >> i & 1) storeColumn(i, header);
   }
   header.sequence.store(sequence, std::memory_order_release);
   newest_.store(sequence, std::memory_order_release);
@@ -125,50 +119,135 @@ bool StateTable::ask(unsigned column) {
   return (demand_.fetch_or(bit, std::memory_order_acq_rel) & bit) == 0;
 }
 
-// Runs `copy(header, row)` on the newest complete row and tells whether the row stayed whole
+Errc StateTable::Row::missing(unsigned column) const {
+  if (valid >> column & 1) return Errc{};
+  if (tooLarge >> column & 1) return Errc::TooLarge;
+  return tooOld ? Errc::TooOld : Errc::NotYet;
+}
+
+// Runs `copy(header, row)` on row number `row.sequence` and tells whether the row stayed whole
 // meanwhile.
 template <class Copy>
-bool StateTable::tryReadNewest(Row& row, const Copy& copy) const {
-  row = Row{};
-  const std::uint64_t sequence = newest_.load(std::memory_order_acquire);
-  if (sequence == 0) return true;
+bool StateTable::tryRead(Row& row, const Copy& copy) const {
+  const std::uint64_t sequence = row.sequence;
   RowHeader& header = headerAt(sequence);
   if (header.sequence.load(std::memory_order_acquire) != sequence) return false;
-  row.sequence = sequence;
   row.stamp =
       fromNanoseconds(static_cast<std::int64_t>(header.stamp.load(std::memory_order_acquire)));
   row.valid = header.valid.load(std::memory_order_acquire);
   row.tooLarge = header.tooLarge.load(std::memory_order_acquire);
+  if (shared_.which() != 0 && sequence != newest_.load(std::memory_order_relaxed)) {
+    row.tooOld = (row.valid & shared_.which()) != 0;
+    row.valid &= ~shared_.which();
+  }
   copy(header, row);
   return header.sequence.load(std::memory_order_relaxed) == sequence;
 }
 
 // A reader fails only if the writer went nearly a whole lap while it copied; each retry starts
 // afresh.
+constexpr int kAttempts = 100;
+
 template <class Copy>
 StateTable::Row StateTable::readNewest(const Copy& copy) const {
-  Row row;
-  for (int attempt = 0; attempt < 100; ++attempt) {
-    if (tryReadNewest(row, copy)) return row;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    Row row{.sequence = newest_.load(std::memory_order_acquire)};
+    if (row.sequence == 0 || tryRead(row, copy)) return row;
   }
   return Row{};
 }
 
-StateTable::Row StateTable::readRow(std::span<std::byte* const> slots) const {
-  return readNewest([&](RowHeader& header, const Row& row) {
+// The oldest row that the ring holds whole: that of the slot before the next to be written, which
+// the writer may be about to overwrite.
+std::uint64_t StateTable::oldest(std::uint64_t newest) const {
+  return newest > rowMask_ ? newest - rowMask_ : 1;
+}
+
+bool StateTable::stampOf(std::uint64_t sequence, Time& stamp) const {
+  Row row{.sequence = sequence};
+  const bool whole = tryRead(row, [](RowHeader&, const Row&) {});
+  stamp = row.stamp;
+  return whole;
+}
+
+// Stamps ascend with the numbers, and what has been overwritten is older than what has not.
+StateTable::Row StateTable::findAt(Time at) const {
+  std::uint64_t last = newest_.load(std::memory_order_acquire);
+  std::uint64_t first = oldest(last);
+  Row found{.tooOld = first > 1};
+  while (first <= last) {
+    const std::uint64_t middle = first + (last - first) / 2;
+    Time stamp;
+    const bool whole = stampOf(middle, stamp);
+    if (!whole) found.tooOld = true;
+    if (whole && stamp > at) {
+      last = middle - 1;
+    } else {
+      if (whole) found.sequence = middle;
+      first = middle + 1;
+    }
+  }
+  return found;
+}
+
+template <class Copy>
+StateTable::Row StateTable::readAt(Time at, const Copy& copy) const {
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    Row row = findAt(at);
+    if (row.sequence == 0) return row;
+    row.tooOld = false;
+    if (tryRead(row, copy)) return row;
+  }
+  return Row{.tooOld = true};
+}
+
+auto StateTable::copying(unsigned column, std::byte* slot) const {
+  return [this, column, slot](RowHeader& header, const Row& row) {
+    if (row.valid >> column & 1) loadColumn(column, header, slot);
+  };
+}
+
+auto StateTable::copying(std::span<std::byte* const> slots) const {
+  return [this, slots](RowHeader& header, const Row& row) {
     for (std::size_t i = 0; i < slots.size(); ++i) {
       if (slots[i] == nullptr || (row.valid >> i & 1) == 0) continue;
       loadColumn(static_cast<unsigned>(i), header, slots[i]);
     }
-  });
+  };
+}
+
+StateTable::Row StateTable::readRow(std::span<std::byte* const> slots) const {
+  const auto lock = shared_.lock();
+  return readNewest(copying(slots));
+}
+
+StateTable::Row StateTable::readRowAt(Time at, std::span<std::byte* const> slots) const {
+  const auto lock = shared_.lock();
+  return readAt(at, copying(slots));
+}
+
+StateTable::Row StateTable::readRowNumber(std::uint64_t sequence,
+                                          std::span<std::byte* const> slots) const {
+  const auto lock = shared_.lock();
+  const std::uint64_t newest = newest_.load(std::memory_order_acquire);
+  Row row{.sequence = sequence};
+  if (sequence > newest) return Row{};
+  if (sequence >= oldest(newest) && tryRead(row, copying(slots))) return row;
+  return Row{.tooOld = true};
 }
 
 Result<Time> StateTable::read(unsigned column, std::byte* slot) const {
-  const Row row = readNewest([&](RowHeader& header, const Row& newest) {
-    if (newest.valid >> column & 1) loadColumn(column, header, slot);
-  });
+  const auto lock = shared_.lock();
+  const Row row = readNewest(copying(column, slot));
   if (row.valid >> column & 1) return row.stamp;
-  return tl::unexpected(row.tooLarge >> column & 1 ? Errc::TooLarge : Errc::NotYet);
+  return tl::unexpected(row.missing(column));
+}
+
+Result<Time> StateTable::readAt(Time at, unsigned column, std::byte* slot) const {
+  const auto lock = shared_.lock();
+  const Row row = readAt(at, copying(column, slot));
+  if (row.valid >> column & 1) return row.stamp;
+  return tl::unexpected(row.missing(column));
 }
 
 }  // namespace suture::rt

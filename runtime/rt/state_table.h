@@ -4,17 +4,14 @@
 #include <suture/base/errors.h>
 #include <suture/base/memory_block.h>
 #include <suture/base/time.h>
+#include <suture/rt/shared_columns.h>
 
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <mutex>
+#include <memory>
 #include <span>
 #include <vector>
-
-namespace suture {
-class SharedSlot;
-}
 
 namespace suture::rt {
 
@@ -32,20 +29,24 @@ class StateTable {
 
   /// A column for each read of the contract: `columnSizes[i]` is the size of the slot of read i. At
   /// least `rows` rows: a power of two.
-  /// Columns in `shared` hold counted pointers (base/shared_slot.h): of those only the newest is
-  /// kept, and they are read under a lock.
+  /// Columns in `shared` hold counted pointers (base/shared_slot.h): of those only the newest value
+  /// is kept, and the table is used under a lock.
   explicit StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows = kDefaultRows,
                       ColumnSet shared = 0);
   ~StateTable();
   StateTable(const StateTable&) = delete;
   StateTable& operator=(const StateTable&) = delete;
 
+  /// Before the first row and the first reader: keeps at least `rows` rows instead.
+  void resize(unsigned rows);
+
   // --- writer ---
 
   /// Where to prepare column `column` of the next row. Private to the writer.
   std::byte* draft(unsigned column);
   /// Publishes the draft as a new row: of the columns in `valid` the values, of those in `tooLarge`
-  /// the fact that they did not fit. All others say "not yet".
+  /// the fact that they did not fit. All others say "not yet". Stamps never go back: an earlier one
+  /// counts as that of the row before.
   void publish(Time stamp, ColumnSet valid, ColumnSet tooLarge);
   /// Columns that somebody has asked for. Never shrinks.
   ColumnSet demand() const { return demand_.load(std::memory_order_acquire); }
@@ -56,21 +57,36 @@ class StateTable {
   bool ask(unsigned column);
   /// Copies a column of the newest row. The stamp is when the row was published.
   Result<Time> read(unsigned column, std::byte* slot) const;
+  /// Copies a column as it was at `at`: of the last row stamped at or before it. NotYet if the
+  /// value had not been produced by then, TooOld if that row has been overwritten. Looks at as many
+  /// rows as the number of rows has bits.
+  Result<Time> readAt(Time at, unsigned column, std::byte* slot) const;
   /// Copies the newest row into `slots` (one pointer a column, nullptr: not wanted) and tells its
   /// columns.
   struct Row {
-    std::uint64_t sequence = 0;
+    std::uint64_t sequence = 0;  ///< 0: there is none
     Time stamp{};
     ColumnSet valid = 0, tooLarge = 0;
+    bool tooOld = false;  ///< there was one, and it has been overwritten
+
+    /// Why there is no value of `column`; 0 if there is one.
+    Errc missing(unsigned column) const;
   };
   Row readRow(std::span<std::byte* const> slots) const;
+  /// The same of the last row at or before `at`.
+  Row readRowAt(Time at, std::span<std::byte* const> slots) const;
+  /// The same of row number `sequence`, from 1.
+  Row readRowNumber(std::uint64_t sequence, std::span<std::byte* const> slots) const;
   /// Number of rows published so far.
   std::uint64_t rows() const { return newest_.load(std::memory_order_acquire); }
+  /// How many rows it keeps, of which the oldest may be under the writer's pen.
+  std::uint64_t capacity() const { return rowMask_ + 1; }
 
+  std::size_t rowBytes() const { return rowBytes_; }
   std::size_t columns() const { return columns_.size(); }
   std::uint32_t columnSize(unsigned column) const { return columns_[column].size; }
   /// Does a copy of the column have to be released?
-  bool isShared(unsigned column) const { return (shared_ >> column & 1) != 0; }
+  bool isShared(unsigned column) const { return shared_.contains(column); }
 
  private:
   using Word = std::atomic<std::uint64_t>;
@@ -82,23 +98,30 @@ class StateTable {
     Word stamp, valid, tooLarge;
   };
 
-  void publishShared(ColumnSet valid);
+  void storeColumn(unsigned column, RowHeader& header);
   void loadColumn(unsigned column, RowHeader& header, std::byte* slot) const;
   RowHeader& headerAt(std::uint64_t sequence) const;
   Word* payloadOf(RowHeader& header) const { return reinterpret_cast<Word*>(&header + 1); }
+  std::uint64_t oldest(std::uint64_t newest) const;
+  bool stampOf(std::uint64_t sequence, Time& stamp) const;
+  Row findAt(Time at) const;
   template <class Copy>
-  bool tryReadNewest(Row& row, const Copy& copy) const;
+  bool tryRead(Row& row, const Copy& copy) const;
   template <class Copy>
   Row readNewest(const Copy& copy) const;
+  template <class Copy>
+  Row readAt(Time at, const Copy& copy) const;
+  auto copying(unsigned column, std::byte* slot) const;
+  auto copying(std::span<std::byte* const> slots) const;
 
   std::vector<Column> columns_;
   std::size_t rowBytes_;
-  std::size_t rowMask_;
+  std::size_t rowMask_ = 0;
   std::vector<std::byte> draft_;
-  const ColumnSet shared_;
-  mutable std::mutex newestSharedMutex_;
-  std::vector<SharedSlot*> newestShared_;  // by column
-  MemoryBlock memory_;
+  SharedColumns shared_;
+  std::unique_ptr<MemoryBlock> memory_;
+  std::byte* rows_ = nullptr;  // in memory_
+  Time lastStamp_{};           // the writer's
   std::atomic<std::uint64_t> newest_{0};
   std::atomic<ColumnSet> demand_{0};
 };

@@ -62,6 +62,8 @@ struct ConnectResults {
       connection @1 :Connection;
       offered @3 :UInt16 = 65535;
       # How many of the caller's commands, from the first, the provider has: it may lack optional ones.
+      rows @4 :UInt32 = 64;
+      # How many rows of state the provider keeps; so does the caller, of those that arrive.
     }
     refused @2 :Manager.Refusal;
   }

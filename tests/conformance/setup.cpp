@@ -37,7 +37,10 @@ struct Conformance::Names {
 };
 
 Conformance::Conformance()
-    : arm(makeArm(std::get<1>(GetParam()))), client(makeClient(std::get<2>(GetParam()))) {}
+    : arm(makeArm(std::get<1>(GetParam()))), client(makeClient(std::get<2>(GetParam()))) {
+  // Seconds of the past, however long a scenario takes.
+  for (suture::ProvidedBase* one : arm->component().provided()) one->keepState({.rows = 4096});
+}
 
 // Two managers in one process are two processes to each other: nothing is shared but the sockets.
 void Conformance::SetUp() {

@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 
 class Client final : public suture::PeriodicTask {
  public:
-  Client() : PeriodicTask({.period = 1ms}) {}
+  Client() : PeriodicTask({.period = 1ms}) { measureOver(2ms); }
 
  private:
   void run() override {
@@ -39,7 +39,8 @@ TEST(Observe, CountsWhatALocalConnectionDoes) {
   do {
     std::this_thread::yield();
     report = suture::observe(manager, began);
-  } while ((report.connections.at(0).executed < 3 || report.connections.at(0).readAge.count < 3) &&
+  } while ((report.connections.at(0).executed < 3 || report.connections.at(0).readAge.count < 3 ||
+            report.tasks.at(0).window.cycles == 0) &&
            suture::now() < deadline);
   manager.stop();
 
@@ -63,6 +64,9 @@ TEST(Observe, CountsWhatALocalConnectionDoes) {
   EXPECT_GE(report.tasks[0].cycles, 3u);
   EXPECT_GE(report.tasks[1].lateness.count, 3u);
   EXPECT_GT(report.tasks[1].computeTime.max, 0ns);
+  EXPECT_GE(report.tasks[0].window.length, 2ms);
+  EXPECT_GT(report.tasks[0].window.period.mean, 0ns);
+  EXPECT_GT(report.tasks[0].window.compute.p99, 0ns);
 }
 
 }  // namespace

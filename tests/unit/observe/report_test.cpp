@@ -35,6 +35,7 @@ suture::Report sample() {
   task.skipped = 22;
   task.lateness = {23, 24ns, 25ns, 26ns};
   task.computeTime = {27, 28ns, 29ns, 30ns};
+  task.window = {31ns, 32, 33, {34ns, 35ns, 36ns, 37ns, 38ns}, {39ns, 40ns, 41ns, 42ns, 43ns}};
   return {"left", 2s, {connection}, {task}};
 }
 
@@ -55,6 +56,9 @@ TEST(Report, EveryFieldIsInTheJson) {
   EXPECT_EQ(task.at("state"), "faulted");
   EXPECT_EQ(task.at("fault"), "it threw");
   EXPECT_EQ(task.at("compute_time").at("p99"), 29);
+  EXPECT_EQ(task.at("window").at("cycles"), 32);
+  EXPECT_EQ(task.at("window").at("period").at("deviation"), 35);
+  EXPECT_EQ(task.at("window").at("compute").at("p99"), 43);
   EXPECT_EQ(json.at("age"), 2'000'000'000);
 }
 

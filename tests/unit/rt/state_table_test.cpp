@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <suture/rt/state_table.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <thread>
@@ -43,6 +44,118 @@ TEST(StateTable, AValueWhoseSizeIsNoMultipleOfAWordKeepsItsNeighbours) {
   const auto read = table.read(1, reinterpret_cast<std::byte*>(&around[1]));
   EXPECT_EQ(around, (std::array<std::uint32_t, 3>{1, value, 3}));
   EXPECT_EQ(*read, stamp);
+}
+
+/// Publishes `value` in column 1 at `value` ns.
+void publish(StateTable& table, std::uint32_t value) {
+  std::memcpy(table.draft(1), &value, sizeof(value));
+  table.publish(fromNanoseconds(value), 0b010, 0);
+}
+
+Result<std::uint32_t> valueAt(const StateTable& table, std::int64_t nanoseconds) {
+  std::uint32_t value = 0;
+  const auto read =
+      table.readAt(fromNanoseconds(nanoseconds), 1, reinterpret_cast<std::byte*>(&value));
+  if (!read) return tl::unexpected(read.error());
+  EXPECT_EQ(toNanoseconds(*read), static_cast<std::int64_t>(value));
+  return value;
+}
+
+TEST(StateTable, FindsTheRowAtOrBeforeATime) {
+  StateTable table(kSizes, 8);
+  for (std::uint32_t stamp = 10; stamp <= 50; stamp += 10) publish(table, stamp);
+  EXPECT_EQ(valueAt(table, 10).value(), 10u);
+  EXPECT_EQ(valueAt(table, 19).value(), 10u);
+  EXPECT_EQ(valueAt(table, 20).value(), 20u);
+  EXPECT_EQ(valueAt(table, 49).value(), 40u);
+  EXPECT_EQ(valueAt(table, 1000).value(), 50u);
+}
+
+TEST(StateTable, TellsWhatWasNotYetFromWhatIsNoMore) {
+  StateTable table(kSizes, 4);
+  EXPECT_EQ(valueAt(table, 5).error(), Errc::NotYet);
+  for (std::uint32_t stamp = 10; stamp <= 40; stamp += 10) publish(table, stamp);
+  EXPECT_EQ(valueAt(table, 5).error(), Errc::NotYet);
+  publish(table, 50);
+  EXPECT_EQ(valueAt(table, 15).error(), Errc::TooOld);
+  EXPECT_EQ(valueAt(table, 5).error(), Errc::TooOld);
+  EXPECT_EQ(valueAt(table, 29).value(), 20u);
+}
+
+TEST(StateTable, AColumnThatWasProducedLaterWasNotYet) {
+  StateTable table(kSizes, 4);
+  table.publish(fromNanoseconds(10), 0b100, 0);
+  publish(table, 20);
+  EXPECT_EQ(valueAt(table, 10).error(), Errc::NotYet);
+  EXPECT_EQ(valueAt(table, 20).value(), 20u);
+}
+
+TEST(StateTable, AnEarlierStampCountsAsTheOneBefore) {
+  StateTable table(kSizes, 4);
+  publish(table, 20);
+  table.publish(fromNanoseconds(10), 0b010, 0);
+  std::uint32_t value = 0;
+  EXPECT_EQ(*table.read(1, reinterpret_cast<std::byte*>(&value)), fromNanoseconds(20));
+}
+
+TEST(StateTable, KeepsAsManyRowsAsItIsAskedTo) {
+  StateTable table(kSizes, 2);
+  table.resize(100);
+  EXPECT_EQ(table.capacity(), 128u);
+  for (std::uint32_t stamp = 1; stamp <= 128; ++stamp) publish(table, stamp);
+  EXPECT_EQ(valueAt(table, 1).value(), 1u);
+  publish(table, 129);
+  EXPECT_EQ(valueAt(table, 1).error(), Errc::TooOld);
+}
+
+TEST(StateTable, RowsAreReadByNumber) {
+  StateTable table(kSizes, 4);
+  for (std::uint32_t stamp = 10; stamp <= 50; stamp += 10) publish(table, stamp);
+  std::uint32_t value = 0;
+  const std::array<std::byte*, 3> slots{nullptr, reinterpret_cast<std::byte*>(&value), nullptr};
+  EXPECT_TRUE(table.readRowNumber(1, slots).tooOld);
+  EXPECT_EQ(table.readRowNumber(2, slots).sequence, 2u);
+  EXPECT_EQ(value, 20u);
+  EXPECT_EQ(table.readRowNumber(5, slots).valid, 0b010u);
+  EXPECT_EQ(value, 50u);
+  EXPECT_EQ(table.readRowNumber(6, slots).sequence, 0u);
+  EXPECT_FALSE(table.readRowNumber(6, slots).tooOld);
+}
+
+// A writer that laps the ring all the time: what a reader of the past gets is whole and at or
+// before the time, or TooOld.
+TEST(StateTable, ThePastIsNeverTornUnderAFastWriter) {
+  constexpr std::uint64_t kRows = 300'000;
+  constexpr std::uint32_t kColumns[] = {128};
+  StateTable table(kColumns, 64);
+  std::thread writer([&table] {
+    for (std::uint64_t i = 1; i <= kRows; ++i) {
+      for (int word = 0; word < 16; ++word) std::memcpy(table.draft(0) + 8 * word, &i, 8);
+      table.publish(fromNanoseconds(static_cast<std::int64_t>(2 * i)), 1, 0);
+    }
+  });
+  std::array<std::uint64_t, 16> wide{};
+  std::uint64_t found = 0, next = 1;
+  for (std::uint64_t newest = 0; newest < kRows; newest = table.rows()) {
+    if (newest < 40) continue;
+    const std::uint64_t wanted = newest - 30;
+    const auto at = fromNanoseconds(static_cast<std::int64_t>(2 * wanted + 1));
+    const auto read = table.readAt(at, 0, reinterpret_cast<std::byte*>(wide.data()));
+    if (read) {
+      ++found;
+      for (const std::uint64_t word : wide) ASSERT_EQ(word, wanted);
+    } else {
+      ASSERT_EQ(read.error(), Errc::TooOld);
+    }
+    const std::array<std::byte*, 1> slots{reinterpret_cast<std::byte*>(wide.data())};
+    const StateTable::Row row = table.readRowNumber(next, slots);
+    if (row.sequence == next) {
+      for (const std::uint64_t word : wide) ASSERT_EQ(word, next);
+    }
+    next = std::max(next + 1, newest - 30);
+  }
+  writer.join();
+  EXPECT_GT(found, 0u);
 }
 
 // One writer, two readers: no value is torn, none goes backwards, and two columns of one row belong

@@ -1,0 +1,28 @@
+#pragma once
+// A provider's view of what it has published itself.
+
+#include <suture/component/commands.h>
+#include <suture/component/required.h>
+
+namespace suture {
+
+/// The rows of one of a component's own provided interfaces, read like those of another: to know
+/// where the arm was when the image was taken. Belongs to the component's thread; of a task.
+///   Provided<Arm> arm_{*this, "Arm", *this};
+///   OwnState<Arm> past_{arm_};
+///   const auto then = past_[&Required<Arm>::measured_cp].at(image.stamp);
+template <class Contract>
+class OwnState : private Required<Contract> {
+ public:
+  /// As a member behind `own`.
+  explicit OwnState(Provided<Contract>& own) : Required<Contract>(own.owner(), own.name()) {
+    this->watch(own);
+  }
+
+  template <auto Method, class Slot>
+  ReadCommand<Method, Slot>& operator[](ReadCommand<Method, Slot> Required<Contract>::*read) {
+    return this->*read;
+  }
+};
+
+}  // namespace suture

@@ -1,0 +1,90 @@
+#include <suture/base/errors.h>
+#include <suture/base/nearest.h>
+#include <suture/record/collection.h>
+
+#include <algorithm>
+
+namespace suture {
+namespace {
+
+// The counters have one writer each.
+void add(std::atomic<std::uint64_t>& counter, std::uint64_t count) {
+  counter.store(counter.load(std::memory_order_relaxed) + count, std::memory_order_relaxed);
+}
+
+template <class Member, class Eligible>
+std::vector<std::uint16_t> numbersOf(const char* contract, const char* kind,
+                                     std::span<const Member> members,
+                                     const std::vector<std::string>& names,
+                                     const Eligible& eligible) {
+  std::vector<std::uint16_t> numbers;
+  std::vector<std::string> known;
+  for (std::uint16_t i = 0; i < members.size(); ++i) {
+    if (!eligible(members[i])) continue;
+    known.emplace_back(members[i].name);
+    if (names.empty() || std::find(names.begin(), names.end(), known.back()) != names.end()) {
+      numbers.push_back(i);
+    }
+  }
+  for (const std::string& name : names) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    const std::string nearest = nearestName(name, known);
+    throw SetupError(
+        std::string("collecting ") + kind + " '" + name + "'",
+        std::string(contract) + " has " + listNames(known),
+        nearest.empty() ? "Use one of those names" : "Did you mean '" + nearest + "'?");
+  }
+  return numbers;
+}
+
+}  // namespace
+
+Collection::Collection(const CollectingInterval& interval, bool on)
+    : interval_(interval), wanted_(on) {
+  if (interval.every == 0) {
+    throw SetupError("a collector", "it is to keep every 0th", "Keep every one (1) or every n-th");
+  }
+}
+
+CollectedCounts Collection::counts() const {
+  return {.collected = collected_.load(std::memory_order_relaxed),
+          .passedOver = passedOver_.load(std::memory_order_relaxed),
+          .missed = missed_.load(std::memory_order_relaxed)};
+}
+
+void Collection::setActive(bool active) {
+  if (active) {
+    for (auto* counter : {&collected_, &passedOver_, &missed_}) counter->store(0);
+    untilNext_ = 0;
+    last_ = Time{};
+  }
+  active_.store(active, std::memory_order_release);
+}
+
+bool Collection::keep(Time stamp) {
+  const bool due = untilNext_ == 0;
+  untilNext_ = due ? interval_.every - 1 : untilNext_ - 1;
+  if (!due || (last_ != Time{} && stamp - last_ < interval_.atLeast)) {
+    add(passedOver_, 1);
+    return false;
+  }
+  last_ = stamp;
+  add(collected_, 1);
+  return true;
+}
+
+void Collection::countMissed(std::uint64_t count) { add(missed_, count); }
+
+std::vector<std::uint16_t> readsOf(const InterfaceInfo& contract,
+                                   const std::vector<std::string>& names) {
+  return numbersOf(contract.name, "the read", contract.commands, names,
+                   [](const CommandInfo& command) { return command.kind == CommandKind::Read; });
+}
+
+std::vector<std::uint16_t> eventsOf(const InterfaceInfo& contract,
+                                    const std::vector<std::string>& names) {
+  return numbersOf(contract.name, "the event", contract.events, names,
+                   [](const EventInfo&) { return true; });
+}
+
+}  // namespace suture

@@ -1,0 +1,73 @@
+#include <suture/component/channel.h>
+#include <suture/record/event_collector.h>
+
+namespace suture {
+
+/// What the collector listens to, of whatever contract.
+class EventCollector::Source final : public RequiredBase {
+ public:
+  Source(Component& owner, const InterfaceInfo& contract)
+      : RequiredBase(owner, "Source", contract) {}
+
+  using RequiredBase::channel;
+  using RequiredBase::handle;
+};
+
+EventCollector::EventCollector(const InterfaceInfo& contract, const EventCollectorOptions& options,
+                               Sink& sink)
+    : EventTask({.scheduling = options.scheduling}),
+      collection_(options.interval, options.collecting),
+      sink_(sink),
+      source_(std::make_unique<Source>(*this, contract)),
+      from_{"", contract} {
+  for (const std::uint16_t event : eventsOf(contract, options.events)) {
+    source_->handle(event,
+                    [this, event](const std::byte* slot, Time stamp) { take(event, stamp, slot); });
+  }
+}
+
+EventCollector::~EventCollector() { stop(); }
+
+void EventCollector::startCollecting() {
+  collection_.switchTo(true);
+  doorbell().ring();
+}
+
+void EventCollector::stopCollecting() {
+  collection_.switchTo(false);
+  doorbell().ring();
+}
+
+void EventCollector::run() { follow(); }
+
+// Keeps up with the switch, the connection and what its queue dropped.
+void EventCollector::follow() {
+  const bool fresh = channel_ != source_->channel();
+  if (fresh) {
+    channel_ = source_->channel();
+    droppedBefore_ = 0;
+  }
+  const bool wanted = collection_.wanted();
+  if (wanted != collection_.active()) {
+    from_.collector = name();
+    if (wanted && !fresh && channel_ != nullptr) droppedBefore_ = channel_->events.dropped();
+    collection_.setActive(wanted);
+  }
+  if (wanted) noticeDropped();
+}
+
+void EventCollector::take(std::uint16_t event, Time stamp, const std::byte* slot) {
+  follow();
+  if (collection_.active() && collection_.keep(stamp)) sink_.event(from_, event, stamp, slot);
+}
+
+void EventCollector::noticeDropped() {
+  if (channel_ == nullptr) return;
+  const std::uint64_t dropped = channel_->events.dropped();
+  if (dropped == droppedBefore_) return;
+  collection_.countMissed(dropped - droppedBefore_);
+  sink_.missed(from_, dropped - droppedBefore_);
+  droppedBefore_ = dropped;
+}
+
+}  // namespace suture

@@ -1,0 +1,50 @@
+#pragma once
+// A sink that writes one JSON object a line.
+
+#include <suture/record/sink.h>
+#include <suture/record/slot_layout.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace suture {
+
+/// Any number of collectors at a time; they wait for each other here, and for the file.
+///   {"from":"Collector","row":17,"stamp":81234567,"measured_cp":{...},"measured_js":null}
+///   {"from":"Collector","event":"mode","stamp":81234999,"value":"Enabled"}
+///   {"from":"Collector","missed":3}
+/// Stamps are ns of this machine's steady clock.
+class JsonLines final : public Sink {
+ public:
+  /// Replaces the file. Throws SetupError if it cannot be written.
+  explicit JsonLines(const std::filesystem::path& file);
+
+  void row(const CollectedInterface& from, std::uint64_t number, Time stamp,
+           std::span<const CollectedValue> values) override;
+  void event(const CollectedInterface& from, std::uint16_t event, Time stamp,
+             const std::byte* slot) override;
+  void missed(const CollectedInterface& from, std::uint64_t count) override;
+
+  /// What has been written so far is in the file. False if the file system did not take all of it.
+  bool flush();
+
+ private:
+  struct Contract {
+    explicit Contract(const InterfaceInfo& info);
+    std::map<std::uint16_t, SlotLayout> reads, events;
+  };
+
+  const Contract& contract(const InterfaceInfo& info);
+  void write(const nlohmann::ordered_json& line);
+
+  std::mutex mutex_;  // of collectors' threads alone
+  std::ofstream out_;
+  std::map<const InterfaceInfo*, Contract> contracts_;
+};
+
+}  // namespace suture

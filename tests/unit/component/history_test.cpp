@@ -1,0 +1,221 @@
+// The past of a state table, as a client and as its provider read it.
+#include <gtest/gtest.h>
+#include <suture/base/errors.h>
+#include <suture/component/device.h>
+#include <suture/component/own_state.h>
+#include <suture/component/periodic_task.h>
+#include <suture/component/read_together.h>
+#include <suture/rt/state_table.h>
+#include <suture/wiring/connect.h>
+
+#include <functional>
+
+#include "reference/arm_like.suture.h"
+#include "support/eventually.h"
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+using reference::ArmLike;
+using reference::JointState;
+using reference::Mode;
+using reference::PoseStamped;
+
+/// Its pose and its only joint both count evaluations of the pose.
+class CountingArm : public ArmLike {
+ public:
+  void servo_cp(const PoseStamped&) override {}
+  void servo_jp(const JointState&) override {}
+  void hold() override {}
+  void set_mode(Mode) override {}
+  PoseStamped measured_cp() const override {
+    pose_.pose.translation().x() += 1;
+    joints_.position.assign(1, pose_.pose.translation().x());
+    return pose_;
+  }
+  const JointState& measured_js() const override { return joints_; }
+  double distance(const PoseStamped&) const override { return 0; }
+  bool move(const PoseStamped&, double, const std::string&) override { return false; }
+  std::uint32_t reset() override { return 0; }
+  void limit(double, Mode) override {}
+
+ private:
+  mutable PoseStamped pose_;
+  mutable JointState joints_;
+};
+
+/// Driven by the test, which is its thread: cycle after cycle.
+class Arm final : public Task {
+ public:
+  void start() override { enter(); }
+  void stop() override { leave(); }
+  using Task::cycle;
+
+  CountingArm automatic, manual;
+  Provided<ArmLike> automaticPort{*this, "Automatic", automatic};
+  Provided<ArmLike> manualPort{*this, "Manual", manual};
+  OwnState<ArmLike> past{automaticPort};
+  std::function<void()> work = [] {};
+
+ private:
+  void run() override { work(); }
+};
+
+struct Client final : Device {
+  Required<ArmLike> arm{*this, "Arm"};
+};
+
+struct History : testing::Test {
+  void begin(const StateOptions& automatic = {}) {
+    arm.automaticPort.keepState(automatic);
+    arm.manualPort.keepState({.manual = true});
+    connectLocally(client.arm, arm.automaticPort, "automatic");
+    connectLocally(manualClient.arm, arm.manualPort, "manual");
+    arm.start();
+    EXPECT_EQ(client.arm.measured_cp().error(), Errc::NotYet);
+    EXPECT_EQ(client.arm.measured_js().error(), Errc::NotYet);
+    EXPECT_EQ(manualClient.arm.measured_cp().error(), Errc::NotYet);
+  }
+  /// One cycle; when its row was published.
+  Time cycle() {
+    arm.cycle();
+    return client.arm.measured_cp().stamp();
+  }
+  static double x(const PoseStamped& pose) { return pose.pose.translation().x(); }
+
+  Arm arm;
+  Client client, manualClient;
+};
+
+TEST_F(History, AClientReadsTheRowAtOrBeforeATime) {
+  begin();
+  const Time begun = now();
+  const Time first = cycle(), second = cycle(), third = cycle();
+  ASSERT_LT(first, second);
+  const auto exactly = client.arm.measured_cp.at(second);
+  ASSERT_TRUE(exactly);
+  EXPECT_EQ(x(*exactly), 2);
+  EXPECT_EQ(exactly.stamp(), second);
+  EXPECT_EQ(x(*client.arm.measured_cp.at(second - 1ns)), 1);
+  EXPECT_EQ(x(*client.arm.measured_cp.at(third + 1h)), 3);
+  EXPECT_EQ(client.arm.measured_cp.at(begun).error(), Errc::NotYet);
+  JointState joints;
+  EXPECT_EQ(client.arm.measured_js.at(second, joints).stamp(), second);
+  EXPECT_EQ(joints.position, std::vector<double>{2});
+}
+
+TEST_F(History, ReachesAsFarBackAsConfigured) {
+  begin({.rows = 4});
+  const Time first = cycle(), second = cycle();
+  cycle();
+  cycle();
+  EXPECT_EQ(x(*client.arm.measured_cp.at(first)), 1);
+  cycle();
+  EXPECT_EQ(client.arm.measured_cp.at(first).error(), Errc::TooOld);
+  EXPECT_EQ(x(*client.arm.measured_cp.at(second)), 2);
+}
+
+TEST_F(History, ADelayedReadIsOfThePast) {
+  begin({.rows = 1u << 16});
+  const Time first = cycle();
+  while (now() - first < 2ms) cycle();
+  const auto delayed = client.arm.measured_cp.delayed(1ms);
+  ASSERT_TRUE(delayed);
+  EXPECT_GE(delayed.age(), 1ms);
+  EXPECT_GT(client.arm.measured_cp().stamp(), delayed.stamp());
+  EXPECT_EQ(client.arm.measured_cp.delayed(1h).error(),
+            client.arm.measured_cp.at(first - 1h).error());
+}
+
+TEST_F(History, SeveralReadsAreOfOneRow) {
+  begin();
+  const Time first = cycle();
+  cycle();
+  const auto row = readTogether(client.arm.measured_cp, client.arm.measured_js);
+  ASSERT_TRUE(row);
+  const auto& [pose, joints] = *row;
+  EXPECT_EQ(x(pose), 2);
+  EXPECT_EQ(joints.position, std::vector<double>{2});
+
+  PoseStamped then;
+  JointState jointsThen;
+  const auto old =
+      readIntoAt(first, std::tie(jointsThen, then), client.arm.measured_js, client.arm.measured_cp);
+  ASSERT_TRUE(old);
+  EXPECT_EQ(old.stamp(), first);
+  EXPECT_EQ(x(then), 1);
+  EXPECT_EQ(jointsThen.position, std::vector<double>{1});
+  EXPECT_EQ(readTogetherAt(first - 1h, client.arm.measured_cp).error(), Errc::NotYet);
+}
+
+TEST_F(History, ReadsOfTwoInterfacesAreNoRow) {
+  begin();
+  cycle();
+  EXPECT_EQ(readTogether(client.arm.measured_cp, manualClient.arm.measured_js).error(),
+            Errc::Invalid);
+}
+
+TEST_F(History, ARowIsWhole) {
+  begin();
+  arm.cycle();
+  EXPECT_EQ(readTogether(manualClient.arm.measured_cp, manualClient.arm.measured_js).error(),
+            Errc::NotYet);
+  arm.manualPort.advance();
+  // The joints have been asked for only by the call above.
+  EXPECT_TRUE(readTogether(manualClient.arm.measured_cp, manualClient.arm.measured_js));
+}
+
+TEST_F(History, AManualTableAdvancesWhenTheComponentSaysSo) {
+  begin();
+  int cycles = 0;
+  arm.work = [&] {
+    if (++cycles % 3 == 0) arm.manualPort.advance();
+  };
+  for (int i = 0; i < 7; ++i) arm.cycle();
+  EXPECT_EQ(x(*manualClient.arm.measured_cp()), 2);
+  EXPECT_EQ(x(*client.arm.measured_cp()), 7);
+  EXPECT_EQ(arm.manualPort.state()->rows(), 2u);
+}
+
+TEST_F(History, AProviderReadsItsOwn) {
+  begin();
+  const Time first = cycle();
+  cycle();
+  const auto then = arm.past[&Required<ArmLike>::measured_cp].at(first);
+  ASSERT_TRUE(then);
+  EXPECT_EQ(x(*then), 1);
+  EXPECT_EQ(x(*arm.past[&Required<ArmLike>::measured_cp]()), 2);
+  EXPECT_TRUE(arm.required().empty());  // nobody is to wire it
+}
+
+TEST_F(History, AStateInUseStaysAsItIs) {
+  begin();
+  EXPECT_THROW(arm.automaticPort.keepState({.rows = 1000}), SetupError);
+}
+
+class ArmDevice final : public Device {
+ public:
+  CountingArm arm;
+  Provided<ArmLike> port{*this, "Arm", arm};
+};
+
+TEST(DeviceHistory, ADeviceHasNone) {
+  ArmDevice device;
+  Client client;
+  EXPECT_THROW(device.port.keepState({.manual = true}), SetupError);
+  connectLocally(client.arm, device.port, "device");
+  EXPECT_TRUE(client.arm.measured_cp());
+  EXPECT_TRUE(client.arm.measured_cp.at(now() + 1h));
+  EXPECT_EQ(client.arm.measured_cp.delayed(1ms).error(), Errc::TooOld);
+  EXPECT_TRUE(readTogether(client.arm.measured_cp, client.arm.measured_js));
+}
+
+TEST(KeepState, RefusesMoreRowsThanAreOfUse) {
+  Arm arm;
+  EXPECT_THROW(arm.automaticPort.keepState({.rows = 0}), SetupError);
+  EXPECT_THROW(arm.automaticPort.keepState({.rows = 1u << 30}), SetupError);
+}
+
+}  // namespace
+}  // namespace suture

@@ -1,0 +1,136 @@
+#include <gtest/gtest.h>
+#include <suture/base/errors.h>
+#include <suture/component/periodic_task.h>
+#include <suture/manager/manager.h>
+#include <suture/record/event_collector.h>
+
+#include <atomic>
+#include <functional>
+
+#include "reference/arm_like.suture.h"
+#include "support/eventually.h"
+#include "unit/record/counting_sink.h"
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+using reference::ArmLike;
+using reference::JointState;
+using reference::Mode;
+using reference::PoseStamped;
+
+/// Emits `arrived` (its queue holds 4) at 1 kHz while it is told to.
+class Emitting final : public PeriodicTask, public ArmLike {
+ public:
+  Emitting() : PeriodicTask({.period = 1ms}) {}
+
+  void servo_cp(const PoseStamped&) override {}
+  void servo_jp(const JointState&) override {}
+  void hold() override {}
+  void set_mode(Mode) override {}
+  PoseStamped measured_cp() const override { return {}; }
+  const JointState& measured_js() const override { return joints_; }
+  double distance(const PoseStamped&) const override { return 0; }
+  bool move(const PoseStamped&, double, const std::string&) override { return false; }
+  std::uint32_t reset() override { return 0; }
+  void limit(double, Mode) override {}
+
+  std::atomic<bool> on{false};
+  std::atomic<std::uint64_t> emitted{0};
+
+ private:
+  void run() override {
+    if (!on) return;
+    (void)arm_.emit().arrived(PoseStamped{});
+    arm_.emit().stopped();
+    emitted += 1;
+  }
+
+  JointState joints_;
+  Provided<ArmLike> arm_{*this, "Arm", *this};
+};
+
+struct Collected {
+  Collected(const EventCollectorOptions& options, Sink& sink)
+      : collector(interfaceInfo<ArmLike>(), options, sink) {
+    manager.add("PSM", arm);
+    manager.add("Collector", collector);
+    manager.connect("Collector/Source", "PSM/Arm");
+    manager.start();
+    // Both ends have taken the connection over.
+    EXPECT_TRUE(eventually([&] { return !options.collecting || collector.collecting(); }));
+    std::this_thread::sleep_for(20ms);
+    arm.on = true;
+  }
+  /// Ends the events and waits until the collector has come to the last of `perCycle` each cycle.
+  void finish(unsigned perCycle) {
+    arm.stop();
+    EXPECT_TRUE(eventually([&] {
+      return collector.counts().produced() == perCycle * arm.emitted.load();
+    })) << collector.counts().produced()
+        << " of " << perCycle * arm.emitted.load();
+    manager.stop();
+  }
+
+  Emitting arm;
+  EventCollector collector;
+  Manager manager{"here"};
+};
+
+TEST(EventCollector, EventsCollectedAndMissedAreThoseEmitted) {
+  CountingSink sink;
+  Collected run({.events = {"arrived", "stopped"}}, sink);
+  std::this_thread::sleep_for(1s);
+  run.finish(2);
+  const CollectedCounts counts = run.collector.counts();
+  EXPECT_GT(counts.collected, 0u);
+  EXPECT_EQ(sink.numbers.size(), counts.collected);
+  EXPECT_EQ(sink.lost, counts.missed);
+  for (std::size_t i = 1; i < sink.stamps.size(); ++i) {
+    ASSERT_LE(sink.stamps[i - 1], sink.stamps[i]);
+  }
+  EXPECT_GT(sink.stamps.front(), now() - 1min);
+}
+
+TEST(EventCollector, ASlowSinkLosesEventsAndTheyAreCounted) {
+  CountingSink sink(10ms);
+  Collected run({.events = {"arrived"}}, sink);
+  EXPECT_TRUE(eventually([&] { return run.collector.counts().missed > 100; }));
+  run.finish(1);
+  EXPECT_EQ(sink.numbers.size(), run.collector.counts().collected);
+  EXPECT_EQ(sink.lost, run.collector.counts().missed);
+}
+
+TEST(EventCollector, KeepsEveryNthEvent) {
+  CountingSink sink;
+  Collected run({.events = {"arrived"}, .interval = {.every = 4}}, sink);
+  EXPECT_TRUE(eventually([&] { return run.collector.counts().collected >= 10; }));
+  run.finish(1);
+  const CollectedCounts counts = run.collector.counts();
+  EXPECT_EQ(counts.collected, (counts.collected + counts.passedOver + 3) / 4);
+}
+
+TEST(EventCollector, CollectsFromStartToStopAlone) {
+  CountingSink sink;
+  Collected run({.collecting = false}, sink);
+  EXPECT_TRUE(eventually([&] { return run.arm.emitted > 20; }));
+  EXPECT_EQ(run.collector.counts().produced(), 0u);
+  run.collector.startCollecting();
+  EXPECT_TRUE(eventually([&] { return run.collector.counts().collected > 20; }));
+  run.collector.stopCollecting();
+  EXPECT_TRUE(eventually([&] { return !run.collector.collecting(); }));
+  const std::uint64_t before = run.collector.counts().produced();
+  const std::uint64_t emitted = run.arm.emitted;
+  EXPECT_TRUE(eventually([&] { return run.arm.emitted > emitted + 20; }));
+  EXPECT_EQ(run.collector.counts().produced(), before);
+  run.manager.stop();
+}
+
+TEST(EventCollector, RefusesAnEventThatIsNotThere) {
+  CountingSink sink;
+  EXPECT_THROW(EventCollector(interfaceInfo<ArmLike>(), {.events = {"arived"}}, sink), SetupError);
+}
+
+}  // namespace
+}  // namespace suture

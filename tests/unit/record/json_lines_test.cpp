@@ -1,0 +1,65 @@
+#include <gtest/gtest.h>
+#include <suture/base/errors.h>
+#include <suture/record/json_lines.h>
+
+#include <fstream>
+
+#include "arm/crtk_arm.suture.h"
+#include "support/temporary_directory.h"
+
+namespace suture {
+namespace {
+
+using nlohmann::json;
+
+std::vector<json> linesOf(const std::string& file) {
+  std::vector<json> lines;
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) lines.push_back(json::parse(line));
+  return lines;
+}
+
+TEST(JsonLines, WritesOneObjectALine) {
+  using Command = robots::CrtkArmCommand;
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("run.jsonl");
+  JsonLines sink(file);
+  const CollectedInterface from{"Collector", interfaceInfo<robots::CrtkArm>()};
+
+  robots::PoseStamped pose;
+  pose.pose.translation().x() = 0.25;
+  pose.stamp = fromNanoseconds(5);
+  pose.valid = true;
+  robots::PoseStampedSlot slot{};
+  ASSERT_TRUE(store(pose, slot));
+  const CollectedValue values[] = {
+      {static_cast<std::uint16_t>(Command::measured_cp), reinterpret_cast<std::byte*>(&slot)},
+      {static_cast<std::uint16_t>(Command::measured_js), nullptr}};
+  sink.row(from, 17, fromNanoseconds(6), values);
+  sink.missed(from, 3);
+  const std::uint8_t reached = 1;
+  sink.event(from, static_cast<std::uint16_t>(robots::CrtkArmEvent::goal_reached),
+             fromNanoseconds(7), reinterpret_cast<const std::byte*>(&reached));
+  ASSERT_TRUE(sink.flush());
+
+  const std::vector<json> lines = linesOf(file);
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_EQ(lines[0]["from"], "Collector");
+  EXPECT_EQ(lines[0]["row"], 17);
+  EXPECT_EQ(lines[0]["stamp"], 6);
+  EXPECT_EQ(lines[0]["measured_cp"]["pose"][0], json({1.0, 0.0, 0.0, 0.25}));
+  EXPECT_EQ(lines[0]["measured_cp"]["stamp"], 5);
+  EXPECT_EQ(lines[0]["measured_cp"]["valid"], true);
+  EXPECT_EQ(lines[0]["measured_js"], nullptr);
+  EXPECT_EQ(lines[1], json({{"from", "Collector"}, {"missed", 3}}));
+  EXPECT_EQ(lines[2]["event"], "goal_reached");
+  EXPECT_EQ(lines[2]["value"], true);
+}
+
+TEST(JsonLines, RefusesAFileThatCannotBeWritten) {
+  const TemporaryDirectory directory;
+  EXPECT_THROW(JsonLines(directory.file("missing/run.jsonl")), SetupError);
+}
+
+}  // namespace
+}  // namespace suture
