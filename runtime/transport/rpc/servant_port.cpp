@@ -4,6 +4,14 @@
 #include <algorithm>
 
 namespace suture::rpc {
+namespace {
+
+/// What exceeds a message is lost alone; any other failure ends the subscription.
+void throwUnlessTooLarge(kj::Exception&& failure) {
+  if (errcOf(failure) != Errc::TooLarge) kj::throwFatalException(kj::mv(failure));
+}
+
+}  // namespace
 
 ServantPort::ServantPort(ControlThread& control, std::shared_ptr<Channel> channel, Duration shift,
                          std::shared_ptr<const LinkCounters> counters)
@@ -131,16 +139,18 @@ void ServantPort::pumpEvents() {
 
 void ServantPort::sendEvent(EventSink& sink, const rt::EventRecord& record) {
   ++eventsInFlight_;
-  const auto sent = [this] {
-    --eventsInFlight_;
-    pumpEvents();
-  };
-  sending_.add(
-      sink.event(record.event, record.payload()).then(sent, [this, sent](kj::Exception&& failure) {
-        if (errcOf(failure) != Errc::TooLarge) kj::throwFatalException(kj::mv(failure));
-        channel_->events.countDropped();
-        sent();
-      }));
+  sending_.add(sink.event(record.event, record.payload())
+                   .then([this] { eventSent(); },
+                         [this](kj::Exception&& failure) {
+                           throwUnlessTooLarge(kj::mv(failure));
+                           channel_->events.countDropped();
+                           eventSent();
+                         }));
+}
+
+void ServantPort::eventSent() {
+  --eventsInFlight_;
+  pumpEvents();
 }
 
 void ServantPort::pumpRow() {

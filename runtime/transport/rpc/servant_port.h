@@ -113,6 +113,7 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
   void pumpEvents();
   void pumpRow();
   void sendEvent(EventSink& sink, const rt::EventRecord& record);
+  void eventSent();
   void sendRow(EventSink& sink, const rt::StateTable::Row& row);
   void releaseRow();
   void pumpStatus();

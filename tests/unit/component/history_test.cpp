@@ -123,6 +123,7 @@ TEST_F(History, ADelayedReadIsOfThePast) {
   const auto delayed = client.arm.measured_cp.delayed(1ms);
   ASSERT_TRUE(delayed);
   EXPECT_GE(delayed.age(), 1ms);
+  cycle();
   EXPECT_GT(client.arm.measured_cp().stamp(), delayed.stamp());
   EXPECT_EQ(client.arm.measured_cp.delayed(1h).error(),
             client.arm.measured_cp.at(first - 1h).error());

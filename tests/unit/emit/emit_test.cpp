@@ -107,8 +107,8 @@ TEST_F(EmitTest, AContractOfNothingIsStillWellFormed) {
   EXPECT_FALSE(contains(text("robots/arm.suture.h"), "struct Events"));
 }
 
-TEST_F(EmitTest, UnboundedTypesHaveNoSlot) {
-  EXPECT_FALSE(contains(text("robots/simulated_arm.suture.h"), "ArmParametersSlot"));
+TEST_F(EmitTest, UnboundedTypesHaveASlotThatOwnsMemory) {
+  EXPECT_TRUE(contains(text("robots/simulated_arm.suture.h"), "  suture::OpenText "));
 }
 
 TEST_F(EmitTest, NumbersFollowTheLock) {

@@ -51,8 +51,7 @@ INSTANTIATE_TEST_SUITE_P(
                "'y' of struct Pose was removed; its place is kept"},
         Change{"y @1 :Float64 = 2;\n", "y @1 :Float64 = 2; z @2 :Float64;\n", Effect::None,
                "'z' of struct Pose is new"},
-        Change{"unit(\"m\")", "unit(\"m\") $Meta.range((lowest = 0, highest = 1))",
-               Effect::Refusals,
+        Change{"unit(\"m\")", "unit(\"m\") $Meta.range(lowest = 0, highest = 1)", Effect::Refusals,
                "'x' of struct Pose: range (lowest = 0, highest = 1) instead of none; each side "
                "refuses what lies outside its own"},
         Change{"queue(4)", "queue(8)", Effect::None,
