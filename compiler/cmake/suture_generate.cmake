@@ -11,6 +11,7 @@
 #              installed header is found beside it
 #   INSTALL_DIR  include root below the install prefix, say "include": install() then puts there what other
 #              projects need of these headers, and whoever imports t finds it
+#   RUNTIME    what to link instead of all of the runtime: for contracts that the runtime itself links
 #
 # SUTUREC_EXECUTABLE, set before, is the suturec to run where that of the package is for another machine.
 # With suturec at hand it runs at build time: once per change of anything the headers read, and it
@@ -22,7 +23,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/suture_generate_parts.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/suture_generate_upkeep.cmake)
 
 function(suture_generate)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;BASE_DIR;LOCK_DIR;INSTALL_DIR" "HEADERS;LOCK_PATH")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;BASE_DIR;LOCK_DIR;INSTALL_DIR;RUNTIME" "HEADERS;LOCK_PATH")
   suture_check_arguments("${arg_UNPARSED_ARGUMENTS}" "${arg_KEYWORDS_MISSING_VALUES}")
   suture_check_target("${arg_TARGET}")
   suture_default(arg_BASE_DIR ${CMAKE_CURRENT_SOURCE_DIR})
@@ -63,5 +64,8 @@ function(suture_generate)
   endif()
   # Capnp's output is nobody's interface: seen by generated code alone.
   target_include_directories(${arg_TARGET} SYSTEM PRIVATE "${wire}")
-  target_link_libraries(${arg_TARGET} PUBLIC suture::suture PRIVATE CapnProto::capnp-rpc)
+  if(NOT arg_RUNTIME)
+    set(arg_RUNTIME suture::suture)
+  endif()
+  target_link_libraries(${arg_TARGET} PUBLIC ${arg_RUNTIME} PRIVATE CapnProto::capnp-rpc)
 endfunction()

@@ -18,6 +18,7 @@ const char* toString(Errc error) {
     case Errc::TooManyCalls: return "too many unfinished calls";
     case Errc::WrongThread: return "called from a thread that does not own the required interface";
     case Errc::NotImplemented: return "the provider does not have this optional command";
+    case Errc::Suspended: return "the provider is suspended";
   }
   return "unknown error";
 }

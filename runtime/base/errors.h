@@ -27,6 +27,7 @@ enum class Errc : std::uint8_t {
   TooManyCalls,      ///< this required interface has as many unfinished calls as it can follow
   WrongThread,       ///< a required interface belongs to one thread, and this is another
   NotImplemented,    ///< an optional command that this provider does not have
+  Suspended,         ///< the provider is suspended; the command was not executed
 };
 
 /// The error in words, for people. Any thread; static storage.

@@ -8,7 +8,6 @@
 #include <suture/component/provided.h>
 
 #include <atomic>
-#include <exception>
 #include <functional>
 #include <memory>
 #include <string>
@@ -49,6 +48,8 @@ class RequiredBase {
   void adopt();
   /// Owner's thread: runs the handlers of what has arrived.
   void handleEvents();
+  /// Owner's thread: true if adopt() has something to do.
+  bool rewired() const { return incoming_.load(std::memory_order_relaxed) != nullptr; }
   /// Owner's thread: true if adopt() or handleEvents() has something to do.
   bool pending() const;
 
@@ -113,16 +114,11 @@ class RequiredBase {
 
 template <class Contract, class Body>
 Errc RequiredBase::callDevice(const Body& body) {
-  try {
+  const bool returned = device()->owner().parkOnThrow([&] {
     const InterfaceInfo& contract = interfaceInfo<std::remove_const_t<Contract>>();
     body(*static_cast<Contract*>(device()->implementation(contract)));
-    return Errc{};
-  } catch (const std::exception& error) {
-    device()->owner().park(error.what());
-  } catch (...) {
-    device()->owner().park("an exception that is not a std::exception");
-  }
-  return Errc::Faulted;
+  });
+  return returned ? Errc{} : Errc::Faulted;
 }
 
 template <class Fill>

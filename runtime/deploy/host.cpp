@@ -110,6 +110,7 @@ std::vector<Trouble> Host::troubles() const {
         found.push_back({subject, "is useless: its provider's code threw"});
         break;
       case ChannelStatus::Connected:
+      case ChannelStatus::Suspended:
       case ChannelStatus::Closed: break;
     }
   }

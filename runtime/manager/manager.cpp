@@ -1,11 +1,33 @@
 #include <suture/base/errors.h>
+#include <suture/component/device.h>
 #include <suture/component/task.h>
 #include <suture/manager/device_executor.h>
+#include <suture/manager/lifecycle_face.h>
 #include <suture/manager/manager.h>
 #include <suture/manager/network.h>
 #include <suture/wiring/connect.h>
 
+#include <thread>
+
 namespace suture {
+namespace {
+
+// How often what another thread does is looked at.
+constexpr Duration kPoll = std::chrono::milliseconds(1);
+
+Task* taskOf(Component& component) {
+  return component.ownsThread() ? static_cast<Task*>(&component) : nullptr;
+}
+
+void startOne(Component& component) {
+  if (Task* const task = taskOf(component); task != nullptr) {
+    task->start();
+  } else {
+    static_cast<Device&>(component).start();
+  }
+}
+
+}  // namespace
 
 Manager::Manager(std::string process) : directory_(std::move(process)) {}
 
@@ -26,23 +48,59 @@ Manager::~Manager() { stop(); }
 void Manager::add(const std::string& name, Component& component) {
   directory_.add(name, component);
   component.name_ = name;
+  if (component.listener_ == nullptr) {
+    component.listener_ = std::make_unique<LifecycleFace>(component);
+  }
 }
 
-std::vector<Task*> Manager::tasks() const {
-  std::vector<Task*> all;
+void Manager::configure() {
   for (Component* component : directory_.components()) {
-    if (auto* task = dynamic_cast<Task*>(component); task != nullptr) all.push_back(task);
+    if (after(component->state(), Transition::Configure)) component->configure();
   }
-  return all;
 }
 
 void Manager::start() {
-  for (Task* task : tasks()) task->start();
+  configure();
+  for (Component* component : directory_.components()) {
+    const ComponentState state = component->state();
+    const bool started = state == ComponentState::Running || state == ComponentState::Suspended;
+    if (!started) startOne(*component);
+  }
   if (network_ != nullptr) network_->publish();
 }
 
+void Manager::suspend(const std::string& component, Duration patience) {
+  change(component, Transition::Suspend, patience);
+}
+
+void Manager::resume(const std::string& component, Duration patience) {
+  change(component, Transition::Resume, patience);
+}
+
+void Manager::change(const std::string& name, Transition transition, Duration patience) {
+  Component& component = directory_.component(name);
+  const ComponentState before = component.state();
+  component.request(transition);
+  const Time deadline = now() + patience;
+  while (component.state() == before && now() < deadline) std::this_thread::sleep_for(kPoll);
+  const ComponentState reached = component.state();
+  if (reached == after(before, transition)) return;
+  const std::string asked = "component '" + name + "' was asked to " + toString(transition);
+  if (reached == ComponentState::Faulted) {
+    throw SetupError(asked, "its code threw: " + component.fault(), "Correct the cause");
+  }
+  throw SetupError(asked, std::string("it is still ") + toString(reached),
+                   "Its run() has to return, and the callback of a CallbackTask has to come");
+}
+
 void Manager::stop() {
-  for (Task* task : tasks()) task->stop();
+  // Tasks use devices, not the other way round.
+  for (Component* component : directory_.components()) {
+    if (Task* const task = taskOf(*component); task != nullptr) task->stop();
+  }
+  for (Component* component : directory_.components()) {
+    if (taskOf(*component) == nullptr) static_cast<Device*>(component)->stop();
+  }
   // The executor rings the network's doorbell, and the network may yet ask for an executor.
   if (network_ != nullptr) network_->leave();
   executor_.reset();

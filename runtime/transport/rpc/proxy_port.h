@@ -36,8 +36,8 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
   /// The connection is over: the client is told `why`, calls under way end with their outcome
   /// unknown. May be called again.
   void close(ChannelStatus why);
-  /// The provider's component was parked.
-  void faulted();
+  /// How it stands with the provider's component.
+  void tell(ChannelStatus status) { channel_->tell(status); }
 
   // --- for generated code
 
