@@ -30,6 +30,11 @@ class RequiredBase {
   const InterfaceInfo& info() const { return info_; }
   Component& owner() const { return owner_; }
 
+  /// In the component's constructor: it does without a provider, so no start waits for one. What
+  /// SUTURE_REQUIRED(optional()) says of a component that is created by its class.
+  void makeOptional() { optional_ = true; }
+  bool isOptional() const { return optional_; }
+
   /// True if calls can reach the provider now.
   bool connected() { return unusable() == Errc{}; }
   /// Why they cannot; 0 if they can.
@@ -110,6 +115,7 @@ class RequiredBase {
   std::uint32_t callsOpened_ = 0;
   std::vector<std::function<void(const std::byte*)>> handlers_;
   EventSet subscribed_ = 0;
+  bool optional_ = false;
 };
 
 template <class Contract, class Body>

@@ -1,4 +1,5 @@
 #include <suture/base/errors.h>
+#include <suture/component/channel.h>
 #include <suture/component/device.h>
 #include <suture/component/task.h>
 #include <suture/manager/device_executor.h>
@@ -7,6 +8,7 @@
 #include <suture/manager/network.h>
 #include <suture/wiring/connect.h>
 
+#include <algorithm>
 #include <thread>
 
 namespace suture {
@@ -67,6 +69,53 @@ void Manager::start() {
     if (!started) startOne(*component);
   }
   if (network_ != nullptr) network_->publish();
+}
+
+void Manager::awaitStart(Duration patience) const {
+  const Time begin = now();
+  const auto faulted = [this] {
+    const std::vector<Component*> all = directory_.components();
+    return std::any_of(all.begin(), all.end(), [](const Component* component) {
+      return component->state() == ComponentState::Faulted;
+    });
+  };
+  while (!missing().empty() && now() < begin + patience && !faulted()) {
+    std::this_thread::sleep_for(kPoll);
+  }
+  const std::vector<std::string> lines = missing();
+  if (lines.empty()) return;
+  const auto waited = std::chrono::duration_cast<std::chrono::milliseconds>(now() - begin);
+  std::string found = "after " + std::to_string(waited.count()) + " ms this is missing:";
+  for (const std::string& line : lines) found += "\n    " + line;
+  throw SetupError("waiting until process '" + process() + "' has started", found + "\n  ",
+                   "Mend that, or call makeOptional() of what a component can do without");
+}
+
+std::vector<std::string> Manager::missing() const {
+  std::vector<std::string> lines;
+  for (const Component* component : directory_.components()) {
+    const ComponentState state = component->state();
+    if (state != ComponentState::Running) {
+      lines.push_back(
+          "component '" + component->name() + "' is " + toString(state) +
+          (state == ComponentState::Faulted ? ", its code threw: " + component->fault() : ""));
+    }
+    for (const RequiredBase* required : component->required()) {
+      if (required->isOptional()) continue;
+      if (std::string line = missingFor(*required); !line.empty()) lines.push_back(std::move(line));
+    }
+  }
+  return lines;
+}
+
+std::string Manager::missingFor(const RequiredBase& required) const {
+  const std::string name = required.owner().name() + "/" + required.name();
+  const std::string what =
+      "required interface '" + name + "' (" + required.info().name + ") is not connected: ";
+  const auto channel = connectionOf(name);
+  if (channel == nullptr) return what + "nobody has called connect() for it";
+  const Errc error = errorOf(channel->status.load(std::memory_order_acquire));
+  return error == Errc{} ? "" : what + channel->name + ": " + toString(error);
 }
 
 void Manager::suspend(const std::string& component, Duration patience) {

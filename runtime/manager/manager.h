@@ -56,7 +56,11 @@ class Manager {
   /// Configures, starts all components that do not run, and makes the provided interfaces known.
   /// Throws SetupError if a thread cannot have the scheduling it asks for.
   void start();
-  /// Waits until every component is suspended or running again. `component`: its name. Throws
+  /// Waits until every component runs and every required interface that is not optional can reach
+  /// its provider. Throws SetupError that names each that does not, and why, after `patience`, or
+  /// as soon as a component has faulted.
+  void awaitStart(Duration patience = kDefaultPatience) const;
+  /// Waits until that component is suspended or running again. `component`: its name. Throws
   /// SetupError if there is none, if it is not running or not suspended, or if it has not got there
   /// within `patience`: its run() does not return, or nobody calls trigger().
   void suspend(const std::string& component, Duration patience = kDefaultPatience);
@@ -81,6 +85,8 @@ class Manager {
  private:
   void change(const std::string& component, Transition transition, Duration patience);
   std::shared_ptr<Channel> connectionOf(const std::string& required) const;
+  std::string missingFor(const RequiredBase& required) const;
+  std::vector<std::string> missing() const;
 
   Directory directory_;
   std::unique_ptr<DeviceExecutor> executor_;

@@ -12,6 +12,7 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "support/eventually.h"
@@ -63,6 +64,14 @@ struct Watcher final : Device {
   }
   Required<Lifecycle> component{*this, "Watched"};
   std::vector<StateChange> changes;
+};
+
+/// Two managers that are two processes to each other.
+struct Processes {
+  TemporaryDirectory directory;
+  rpc::ControlThread control;
+  GlobalManager global{control, "unix:" + directory.file("manager.sock")};
+  Manager there{"there", global.address()}, here{"here", global.address()};
 };
 
 TEST(ManagerLifecycle, LeadsTasksAndDevicesThroughTheirStates) {
@@ -119,6 +128,82 @@ TEST(ManagerLifecycle, SaysWhyItCannotBe) {
             "Correct the cause");
 }
 
+TEST(AwaitStart, NamesEveryComponentAndInterfaceThatIsMissing) {
+  Worker worker;
+  Idle idle;
+  Watcher connected, unconnected, optional;
+  optional.component.makeOptional();
+  Manager manager("here");
+  manager.add("Worker", worker);
+  manager.add("Connected", connected);
+  manager.add("Unconnected", unconnected);
+  manager.add("Optional", optional);
+  manager.start();
+  manager.add("Idle", idle);
+  manager.connect("Connected/Watched", "Worker/component");
+  const std::string text = refusal([&] { manager.awaitStart(20ms); });
+  EXPECT_NE(text.find("waiting until process 'here' has started: after 2"), std::string::npos);
+  EXPECT_NE(text.find("\n    component 'Idle' is constructed\n"
+                      "    required interface 'Unconnected/Watched' (suture::Lifecycle) is not "
+                      "connected: nobody has called connect() for it\n"),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("'Connected/"), std::string::npos) << text;
+  EXPECT_EQ(text.find("'Optional/"), std::string::npos) << text;
+
+  manager.start();
+  manager.connect("Unconnected/Watched", "Worker/component");
+  EXPECT_EQ(refusal([&] { manager.awaitStart(); }), "");
+}
+
+TEST(AwaitStart, WaitsForWhatComesLater) {
+  Worker worker;
+  Idle idle;
+  Manager manager("here");
+  manager.add("Worker", worker);
+  manager.start();
+  manager.add("Idle", idle);
+  std::thread later([&] {
+    std::this_thread::sleep_for(20ms);
+    idle.start();
+  });
+  EXPECT_EQ(refusal([&] { manager.awaitStart(); }), "");
+  EXPECT_EQ(idle.state(), State::Running);
+  later.join();
+}
+
+TEST(AwaitStart, AFaultIsToldAtOnce) {
+  Worker worker;
+  Manager manager("here");
+  manager.add("Worker", worker);
+  worker.broken = true;
+  manager.start();
+  EXPECT_TRUE(eventually([&] { return worker.state() == State::Faulted; }));
+  const Time begin = now();
+  const std::string text = refusal([&] { manager.awaitStart(1h); });
+  EXPECT_NE(text.find("'Worker' is faulted, its code threw: the encoder says nonsense"),
+            std::string::npos)
+      << text;
+  EXPECT_LT(now() - begin, 1min);
+}
+
+TEST(AwaitStart, AProviderThatIsSuspendedOrGoneIsNamed) {
+  Worker worker;
+  Watcher watcher;
+  Processes processes;
+  processes.there.add("Worker", worker);
+  processes.here.add("Watcher", watcher);
+  processes.there.start();
+  processes.here.start();
+  processes.here.connect("Watcher/Watched", "there:Worker/component");
+  EXPECT_EQ(refusal([&] { processes.here.awaitStart(); }), "");
+  processes.there.stop();
+  EXPECT_TRUE(eventually([&] {
+    const std::string text = refusal([&] { processes.here.awaitStart(1ms); });
+    return text.find("there:Worker/component: connection lost") != std::string::npos;
+  }));
+}
+
 TEST(ManagerLifecycle, RefusesAnInterfaceOfTheReservedName) {
   struct Own final : Device, Lifecycle {
     bool suspend() override { return false; }
@@ -129,14 +214,6 @@ TEST(ManagerLifecycle, RefusesAnInterfaceOfTheReservedName) {
   Manager manager("here");
   EXPECT_NE(refusal([&] { manager.add("Own", own); }).find("Rename it"), std::string::npos);
 }
-
-/// Two managers that are two processes to each other.
-struct Processes {
-  TemporaryDirectory directory;
-  rpc::ControlThread control;
-  GlobalManager global{control, "unix:" + directory.file("manager.sock")};
-  Manager there{"there", global.address()}, here{"here", global.address()};
-};
 
 void watchesAndLeads(Watcher& watcher, Worker& worker) {
   EXPECT_TRUE(watcher.hears({"running"})) << "the last before it was connected";
