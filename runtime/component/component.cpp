@@ -1,3 +1,4 @@
+#include <suture/base/errors.h>
 #include <suture/component/channel.h>
 #include <suture/component/component.h>
 #include <suture/component/provided.h>
@@ -42,6 +43,12 @@ void Component::configure() {
 }
 
 void Component::request(Transition transition) {
+  if (transition != Transition::Suspend && transition != Transition::Resume) {
+    throw SetupError(
+        "component '" + name_ + "' was asked to " + toString(transition),
+        "that is for whoever gave it its thread",
+        "Call configure(), start() or stop(); only suspend and resume can be asked for");
+  }
   requireLegal(name_, state(), transition);
   take(transition);
 }

@@ -166,6 +166,8 @@ TEST(Lifecycle, WhatIsNotLegalIsRefusedWithWhatIs) {
             "component '(unnamed)' was asked to start: it is running. A component can start when "
             "it is configured or stopped");
   EXPECT_NE(refusal([&] { task.configure(); }).find("it is running"), std::string::npos);
+  EXPECT_NE(refusal([&] { task.request(Transition::Stop); }).find("start() or stop()"),
+            std::string::npos);
   EXPECT_NE(refusal([&] { task.request(Transition::Resume); }).find("when it is suspended"),
             std::string::npos);
   EXPECT_EQ(task.state(), State::Running);
