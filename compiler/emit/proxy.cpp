@@ -47,13 +47,11 @@ void emitEvent(Code& code, const Context& context, const model::Interface& inter
   code.blank().open("kj::Promise<void> ", event.wireName, "(", model::titleCase(event.wireName),
                     carries ? "Context context) override {" : "Context) override {");
   if (carries) {
+    const std::string slot = payloadSlot(interface, event, context, home(context));
     code.line("auto in = context.getParams();");
-    code.line("LooseSlot<", payloadSlot(interface, event, context, home(context)), "> payload;");
-    code.line("auto& slot = payload.value();");
-    const std::string outcome =
-        emitDecode(code, payloadValues(event), "in", "port_->shift()", context);
-    emitError(code, outcome);
-    code.line("return port_->event(", id, ", error, payload);");
+    code.open("return port_->event<", slot, ">(", id, ", ", kBreakText, "[&](", slot, "& slot) {");
+    emitDecodeAndReturn(code, payloadValues(event), "in", "port_->shift()", context);
+    code.close("});");
   } else {
     code.line("return port_->event(", id, ");");
   }

@@ -44,6 +44,15 @@ Channel::Channel(const InterfaceInfo& contract, std::string channelName, std::st
       replies(replyBytes(contract)),
       events(eventLimits(contract)) {}
 
+void Channel::tell(ChannelStatus news) {
+  ChannelStatus present = status.load(std::memory_order_acquire);
+  do {
+    const bool open = present == ChannelStatus::Connected || present == ChannelStatus::Suspended;
+    if (!open || present == news) return;
+  } while (!status.compare_exchange_weak(present, news));
+  ends.client->ring();
+}
+
 void Channel::replyError(std::uint32_t call, Errc error) {
   reply(call, {}, [error](std::byte*) { return error; });
 }
@@ -68,8 +77,17 @@ Errc errorOf(ChannelStatus status) {
     case ChannelStatus::Lost: return Errc::Lost;
     case ChannelStatus::Faulted: return Errc::Faulted;
     case ChannelStatus::Closed: return Errc::NotConnected;
+    case ChannelStatus::Suspended: return Errc::Suspended;
   }
   return Errc::NotConnected;
+}
+
+ChannelStatus statusIn(ComponentState state) {
+  switch (state) {
+    case ComponentState::Suspended: return ChannelStatus::Suspended;
+    case ComponentState::Faulted: return ChannelStatus::Faulted;
+    default: return ChannelStatus::Connected;
+  }
 }
 
 std::shared_ptr<rt::StateTable> makeStateTable(const InterfaceInfo& info) {

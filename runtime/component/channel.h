@@ -5,6 +5,7 @@
 
 #include <suture/base/shared_slot.h>
 #include <suture/component/interface_info.h>
+#include <suture/component/lifecycle.h>
 #include <suture/rt/doorbell.h>
 #include <suture/rt/event_queue.h>
 #include <suture/rt/histogram.h>
@@ -23,9 +24,10 @@ class ProvidedBase;
 
 enum class ChannelStatus : std::uint8_t {
   Connected,
-  Lost,     ///< the far end went away
-  Faulted,  ///< the provider's handler threw
-  Closed,   ///< this connection was taken down; both ends let go of it
+  Lost,       ///< the far end went away
+  Faulted,    ///< the provider's handler threw
+  Closed,     ///< this connection was taken down; both ends let go of it
+  Suspended,  ///< the provider executes nothing until it is resumed
 };
 
 /// Precedes the result of every answered call.
@@ -99,6 +101,10 @@ class Channel {
     readAge.record(now() - stamp);
   }
 
+  /// Any thread: how it stands with the provider, unless the connection is past that; the client
+  /// is rung if that is news.
+  void tell(ChannelStatus news);
+
   /// Provider endpoint: answers call `call` with an error.
   void replyError(std::uint32_t call, Errc error);
   /// Provider endpoint: answers call `call`; `produce(std::byte* result)` fills the result in place
@@ -134,6 +140,9 @@ void Channel::reply(std::uint32_t call, ResultForm form, const Produce& produce,
 
 /// The error that a call through a channel of this status meets; 0 if it is connected.
 Errc errorOf(ChannelStatus status);
+
+/// What a connection to a component in this state is; Connected also before its first cycle.
+ChannelStatus statusIn(ComponentState state);
 
 /// Column sizes of a contract's state table: one column a read.
 std::shared_ptr<rt::StateTable> makeStateTable(const InterfaceInfo& info);

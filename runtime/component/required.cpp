@@ -33,7 +33,7 @@ void RequiredBase::attach(std::shared_ptr<Channel> channel) {
 }
 
 void RequiredBase::adopt() {
-  if (incoming_.load(std::memory_order_relaxed) == nullptr) return;
+  if (!rewired()) return;
   const std::unique_ptr<std::shared_ptr<Channel>> arrived(
       incoming_.exchange(nullptr, std::memory_order_acq_rel));
   // What was under way went to the old connection; nobody will answer it here.
@@ -155,8 +155,7 @@ void RequiredBase::handleEvents() {
 }
 
 bool RequiredBase::pending() const {
-  return incoming_.load(std::memory_order_relaxed) != nullptr ||
-         (channel_ != nullptr && channel_->events.pending());
+  return rewired() || (channel_ != nullptr && channel_->events.pending());
 }
 
 RequiredBase::PendingCall* RequiredBase::openCall() {
@@ -213,7 +212,8 @@ bool RequiredBase::isDone(PendingCall& call) {
   const ChannelStatus status = channel_ == nullptr
                                    ? ChannelStatus::Closed
                                    : channel_->status.load(std::memory_order_acquire);
-  if (status == ChannelStatus::Connected) return false;
+  // A suspended provider answers what has been sent: with Errc::Suspended.
+  if (errorOf(status) == Errc{} || status == ChannelStatus::Suspended) return false;
   collectReplies();  // an answer may have come just before the end
   if (call.done) return true;
   call.done = true;

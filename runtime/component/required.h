@@ -8,7 +8,6 @@
 #include <suture/component/provided.h>
 
 #include <atomic>
-#include <exception>
 #include <functional>
 #include <memory>
 #include <span>
@@ -33,6 +32,11 @@ class RequiredBase {
   const InterfaceInfo& info() const { return info_; }
   Component& owner() const { return owner_; }
 
+  /// In the component's constructor: it does without a provider, so no start waits for one. What
+  /// SUTURE_REQUIRED(optional()) says of a component that is created by its class.
+  void makeOptional() { optional_ = true; }
+  bool isOptional() const { return optional_; }
+
   /// True if calls can reach the provider now.
   bool connected() { return unusable() == Errc{}; }
   /// Why they cannot; 0 if they can.
@@ -51,6 +55,8 @@ class RequiredBase {
   void adopt();
   /// Owner's thread: runs the handlers of what has arrived.
   void handleEvents();
+  /// Owner's thread: true if adopt() has something to do.
+  bool rewired() const { return incoming_.load(std::memory_order_relaxed) != nullptr; }
   /// Owner's thread: true if adopt() or handleEvents() has something to do.
   bool pending() const;
 
@@ -135,20 +141,16 @@ class RequiredBase {
   std::uint32_t callsOpened_ = 0;
   std::vector<std::function<void(const std::byte*)>> handlers_;
   EventSet subscribed_ = 0;
+  bool optional_ = false;
 };
 
 template <class Contract, class Body>
 Errc RequiredBase::callDevice(const Body& body) {
-  try {
+  const bool returned = device()->owner().parkOnThrow([&] {
     const InterfaceInfo& contract = interfaceInfo<std::remove_const_t<Contract>>();
     body(*static_cast<Contract*>(device()->implementation(contract)));
-    return Errc{};
-  } catch (const std::exception& error) {
-    device()->owner().park(error.what());
-  } catch (...) {
-    device()->owner().park("an exception that is not a std::exception");
-  }
-  return Errc::Faulted;
+  });
+  return returned ? Errc{} : Errc::Faulted;
 }
 
 template <class Fill>

@@ -1,5 +1,5 @@
-// What has no bounds, between devices: it arrives whole, and what is dropped, replaced or given up on
-// the way is freed, as AddressSanitizer's leak check tells.
+// What has no bounds, between devices: it arrives whole, and what is dropped, replaced or given up
+// on the way is freed, as AddressSanitizer's leak check tells.
 
 #include "conformance/archive.h"
 

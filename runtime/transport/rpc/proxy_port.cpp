@@ -40,12 +40,6 @@ void ProxyPort::close(ChannelStatus why) {
   channel_->ends.client->ring();
 }
 
-void ProxyPort::faulted() {
-  ChannelStatus expected = ChannelStatus::Connected;
-  channel_->status.compare_exchange_strong(expected, ChannelStatus::Faulted);
-  channel_->ends.client->ring();
-}
-
 // What has not happened yet would have a negative age.
 Time ProxyPort::here(std::int64_t stamp) const {
   const Time received = now();

@@ -37,8 +37,8 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
   /// The connection is over: the client is told `why`, calls under way end with their outcome
   /// unknown. May be called again.
   void close(ChannelStatus why);
-  /// The provider's component was parked.
-  void faulted();
+  /// How it stands with the provider's component.
+  void tell(ChannelStatus status) { channel_->tell(status); }
 
   // --- for generated code
 
@@ -70,11 +70,12 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
   /// provider's clock, ns.
   void publish(std::int64_t stamp, rt::ColumnSet valid, rt::ColumnSet tooLarge);
 
-  /// Hands an event to the client, unless its payload could not be converted. The promise is the
-  /// answer to the provider; see acknowledge().
-  template <class Slot>
-  kj::Promise<void> event(std::uint16_t event, Errc error, const LooseSlot<Slot>& payload) {
-    if (error != Errc{}) return remoteError(error);
+  /// Hands an event to the client: `decode(Slot&)` converts the payload and returns an Errc. The
+  /// promise is the answer to the provider; see acknowledge().
+  template <class Slot, class Decode>
+  kj::Promise<void> event(std::uint16_t event, const Decode& decode) {
+    LooseSlot<Slot> payload;
+    if (const Errc error = decode(payload.value()); error != Errc{}) return remoteError(error);
     push(event, payload.bytes());
     return acknowledge();
   }

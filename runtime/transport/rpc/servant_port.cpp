@@ -193,20 +193,24 @@ void ServantPort::releaseRow() {
 
 void ServantPort::pumpStatus() {
   const ChannelStatus status = channel_->status.load(std::memory_order_acquire);
-  if (status == ChannelStatus::Connected || faultTold_) return;
-  faultTold_ = true;
+  if (status == told_) return;
+  told_ = status;
+  // A suspended provider answers what it was sent.
+  const Errc error = errorOf(status);
+  if (error != Errc{} && error != Errc::Suspended) failAll(error);
+  KJ_IF_MAYBE (listener, listener_) (*listener)->told(status);
+}
+
+void ServantPort::failAll(Errc error) {
   for (PendingCall& call : calls_) {
-    if (call.done.get() != nullptr) call.done->reject(remoteError(errorOf(status)));
+    if (call.done.get() != nullptr) call.done->reject(remoteError(error));
     call = PendingCall{};
   }
   for (auto& calls : taken_) {
     for (auto& call : calls) {
-      if (call.get() != nullptr) call->reject(remoteError(errorOf(status)));
+      if (call.get() != nullptr) call->reject(remoteError(error));
     }
     calls.clear();
-  }
-  KJ_IF_MAYBE (listener, listener_) {
-    status == ChannelStatus::Faulted ? (*listener)->faulted() : (*listener)->closed();
   }
 }
 
