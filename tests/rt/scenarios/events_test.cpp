@@ -29,7 +29,7 @@ TEST_P(Events, VoidAndWriteEventsArriveAtBothEnds) {
   provoke(*client);
   provoke(*server);
   for (End* end : {client.get(), server.get()}) {
-    EXPECT_TRUE(end->await(hasAll));
+    ASSERT_TRUE(end->await(hasAll));
     EXPECT_TRUE(end->await(isRight));
   }
 }
