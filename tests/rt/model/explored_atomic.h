@@ -35,13 +35,12 @@ class explored_atomic {
 
   T load(memory_order order = memory_order_seq_cst) const noexcept {
     model::access(this, false);
-    if (acquires(order)) model::acquire(this);
-    return value_;
+    return fromBits(
+        model::load(this, toBits(value_), acquires(order), order == memory_order_seq_cst));
   }
   void store(T value, memory_order order = memory_order_seq_cst) noexcept {
     model::access(this, true);
-    value_ = value;
-    model::written(this, releases(order), false);
+    replace(value, order, false);
   }
   T exchange(T value, memory_order order = memory_order_seq_cst) noexcept {
     return modify(order, [value](T) { return value; });
@@ -55,13 +54,12 @@ class explored_atomic {
   bool compare_exchange_weak(T& expected, T value,
                              memory_order order = memory_order_seq_cst) noexcept {
     model::access(this, true);
-    if (acquires(order)) model::acquire(this);
-    if (value_ != expected) {
-      expected = value_;
+    const T old = newest(order);
+    if (old != expected) {
+      expected = old;
       return false;
     }
-    value_ = value;
-    model::written(this, releases(order), true);
+    replace(value, order, true);
     return true;
   }
   bool compare_exchange_strong(T& expected, T value,
@@ -79,17 +77,33 @@ class explored_atomic {
     return order == memory_order_release || order == memory_order_acq_rel ||
            order == memory_order_seq_cst;
   }
+  static uint64_t toBits(T value) {
+    uint64_t bits = 0;
+    memcpy(&bits, &value, sizeof(value));
+    return bits;
+  }
+  static T fromBits(uint64_t bits) {
+    T value;
+    memcpy(&value, &bits, sizeof(value));
+    return value;
+  }
+  // A read-modify-write reads the last store.
+  T newest(memory_order order) const {
+    return fromBits(model::load(this, toBits(value_), acquires(order), true));
+  }
+  void replace(T value, memory_order order, bool readModifyWrite) {
+    model::store(this, toBits(value_), toBits(value), releases(order), readModifyWrite);
+    value_ = value;
+  }
   template <class Change>
   T modify(memory_order order, const Change& change) noexcept {
     model::access(this, true);
-    if (acquires(order)) model::acquire(this);
-    const T old = value_;
-    value_ = change(old);
-    model::written(this, releases(order), true);
+    const T old = newest(order);
+    replace(change(old), order, true);
     return old;
   }
 
-  T value_;
+  T value_;  // the last one stored
 };
 
 class explored_atomic_flag {

@@ -5,18 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <map>
 #include <memory>
-#include <utility>
+
+#include "rt/model/memory.h"
 
 namespace model {
 namespace {
 
-constexpr std::size_t kMaxThreads = 4;
 constexpr std::size_t kStackBytes = 256 * 1024;
 
 using Threads = std::uint32_t;  // a bit each
-using Clock = std::array<std::uint32_t, kMaxThreads>;
 
 struct Access {
   const void* place = nullptr;
@@ -27,24 +25,14 @@ bool independent(const Access& a, const Access& b) {
   return a.place != b.place || (!a.writes && !b.writes);
 }
 
-void join(Clock& clock, const Clock& other) {
-  for (std::size_t i = 0; i < kMaxThreads; ++i) clock[i] = std::max(clock[i], other[i]);
-}
-
 /// A moment of a run at which one of several threads had to be chosen.
 struct Choice {
   Threads enabled = 0;
   Threads asleep = 0;  // whoever they run as next, it has been seen in another run
   Threads tried = 0;
   std::size_t chosen = 0;
+  std::size_t value = 0, values = 1;  // which of so many values its load returns
   std::array<Access, kMaxThreads> next{};
-};
-
-/// Who has written and read a word of plain memory, by their clocks.
-struct Shadow {
-  std::size_t writer = 0;
-  std::uint32_t written = 0;
-  Clock read{};
 };
 
 class Exploration {
@@ -52,8 +40,9 @@ class Exploration {
   Outcome explore(const std::function<Run()>& scenario);
 
   void access(const void* place, bool writes);
-  void acquire(const void* place);
-  void written(const void* place, bool release, bool readModifyWrite);
+  std::uint64_t load(const void* place, std::uint64_t newest, bool acquires, bool newestOnly);
+  void store(const void* place, std::uint64_t old, std::uint64_t value, bool releases,
+             bool readModifyWrite);
   void plain(const void* word, bool writes);
   void violate(const char* what);
   /// True if `memory` can be seen by several threads of the run.
@@ -65,13 +54,12 @@ class Exploration {
     std::unique_ptr<char[]> stack{new char[kStackBytes]};
     bool ended = false;
     Access next;
-    Clock clock{};
   };
 
   void run(const Run& run);
   void start(const Run& run);
   void resume(std::size_t thread);
-  bool choose(std::size_t depth);
+  bool choose();
   Threads asleepAfter(const Choice& choice) const;
   Choice present() const;
   bool backtrack();
@@ -83,8 +71,8 @@ class Exploration {
   const Run* run_ = nullptr;
   int current_ = -1;  // -1: no thread of the run
   std::vector<Choice> choices_;
-  std::map<const void*, Clock> released_;
-  std::map<const void*, Shadow> shadows_;
+  std::size_t depth_ = 0;
+  Memory memory_;
   Outcome outcome_;
 };
 
@@ -102,12 +90,12 @@ Outcome Exploration::explore(const std::function<Run()>& scenario) {
 
 void Exploration::run(const Run& one) {
   start(one);
-  for (std::size_t depth = 0; present().enabled != 0; ++depth) {
-    if (!choose(depth)) {
+  for (depth_ = 0; present().enabled != 0; ++depth_) {
+    if (!choose()) {
       ++outcome_.given_up;
       return;
     }
-    resume(choices_[depth].chosen);
+    resume(choices_[depth_].chosen);
     if (!outcome_.violation.empty()) return;
   }
   ++outcome_.runs;
@@ -118,13 +106,10 @@ void Exploration::run(const Run& one) {
 void Exploration::start(const Run& one) {
   run_ = &one;
   count_ = one.threads.size();
-  released_.clear();
-  shadows_.clear();
+  memory_.begin(count_);
   for (std::size_t i = 0; i < count_; ++i) {
     Fiber& fiber = fibers_[i];
     fiber.ended = false;
-    fiber.clock = {};
-    fiber.clock[i] = 1;
     getcontext(&fiber.context);
     fiber.context.uc_stack.ss_sp = fiber.stack.get();
     fiber.context.uc_stack.ss_size = kStackBytes;
@@ -167,13 +152,13 @@ Threads Exploration::asleepAfter(const Choice& choice) const {
 }
 
 /// Decides who is next, unless it has been decided. False if every choice has been seen elsewhere.
-bool Exploration::choose(std::size_t depth) {
+bool Exploration::choose() {
   Choice choice = present();
-  if (depth < choices_.size()) {
-    choices_[depth].next = choice.next;  // the same accesses, of this run's objects
+  if (depth_ < choices_.size()) {
+    choices_[depth_].next = choice.next;  // the same accesses, of this run's objects
     return true;
   }
-  if (depth > 0) choice.asleep = asleepAfter(choices_[depth - 1]);
+  if (depth_ > 0) choice.asleep = asleepAfter(choices_[depth_ - 1]);
   const Threads open = choice.enabled & ~choice.asleep;
   if (open == 0) return false;
   choice.chosen = static_cast<std::size_t>(__builtin_ctz(open));
@@ -185,6 +170,9 @@ bool Exploration::choose(std::size_t depth) {
 bool Exploration::backtrack() {
   while (!choices_.empty()) {
     Choice& last = choices_.back();
+    if (++last.value < last.values) return true;
+    last.value = 0;
+    last.values = 1;
     last.tried |= 1u << last.chosen;
     const Threads open = last.enabled & ~last.asleep & ~last.tried;
     if (open != 0) {
@@ -203,41 +191,27 @@ void Exploration::access(const void* place, bool writes) {
   swapcontext(&fiber.context, &scheduler_);
 }
 
-void Exploration::acquire(const void* place) {
-  if (current_ < 0) return;
-  const auto released = released_.find(place);
-  if (released != released_.end()) {
-    join(fibers_[static_cast<std::size_t>(current_)].clock, released->second);
-  }
+std::uint64_t Exploration::load(const void* place, std::uint64_t newest, bool acquires,
+                                bool newestOnly) {
+  if (current_ < 0) return newest;
+  const auto thread = static_cast<std::size_t>(current_);
+  Choice& choice = choices_[depth_];
+  const std::size_t values = memory_.choices(thread, place, newest);
+  choice.values = newestOnly ? 1 : values;
+  return memory_.load(thread, place, choice.value, acquires);
 }
 
-void Exploration::written(const void* place, bool release, bool readModifyWrite) {
+void Exploration::store(const void* place, std::uint64_t old, std::uint64_t value, bool releases,
+                        bool readModifyWrite) {
   if (current_ < 0) return;
-  const auto thread = static_cast<std::size_t>(current_);
-  Clock& clock = fibers_[thread].clock;
-  if (!readModifyWrite) released_.erase(place);  // else the release sequence goes on
-  if (release) join(released_[place], clock);
-  ++clock[thread];
+  memory_.store(static_cast<std::size_t>(current_), place, old, value, releases, readModifyWrite);
 }
 
 void Exploration::plain(const void* word, bool writes) {
   access(word, writes);
   if (current_ < 0) return;
-  const auto thread = static_cast<std::size_t>(current_);
-  const Clock& clock = fibers_[thread].clock;
-  Shadow& shadow = shadows_[word];
-  if (shadow.written > clock[shadow.writer]) violate("a race on plain memory: written unordered");
-  if (writes) {
-    for (std::size_t i = 0; i < count_; ++i) {
-      if (i != thread && shadow.read[i] > clock[i]) {
-        violate("a race on plain memory: overwritten while it may be read");
-      }
-    }
-    shadow.writer = thread;
-    shadow.written = clock[thread];
-  } else {
-    shadow.read[thread] = clock[thread];
-  }
+  const char* race = memory_.plain(static_cast<std::size_t>(current_), word, writes);
+  if (race != nullptr) violate(race);
 }
 
 bool Exploration::shared(const std::byte* memory) const {
@@ -286,12 +260,13 @@ void access(const void* place, bool writes) {
   if (exploration != nullptr) exploration->access(place, writes);
 }
 
-void acquire(const void* place) {
-  if (exploration != nullptr) exploration->acquire(place);
+std::uint64_t load(const void* place, std::uint64_t newest, bool acquires, bool newestOnly) {
+  return exploration == nullptr ? newest : exploration->load(place, newest, acquires, newestOnly);
 }
 
-void written(const void* place, bool release, bool readModifyWrite) {
-  if (exploration != nullptr) exploration->written(place, release, readModifyWrite);
+void store(const void* place, std::uint64_t old, std::uint64_t value, bool releases,
+           bool readModifyWrite) {
+  if (exploration != nullptr) exploration->store(place, old, value, releases, readModifyWrite);
 }
 
 }  // namespace model

@@ -24,9 +24,8 @@ struct Outcome {
 
 /// Every order of the accesses, but of those that differ only in accesses that do not matter to
 /// each other (different places, or both of them reads) one: sleep sets (Godefroid, LNCS 1032,
-/// 1996). Orders are sequentially consistent. On top, whether plain memory may be read where it is
-/// read follows from the memory orders stated: a release that is missing is a violation in every
-/// order.
+/// 1996). In each order, every value that a load may return under the memory orders stated
+/// (memory.h).
 Outcome explore(const std::function<Run()>& scenario);
 
 // --- in a run
@@ -44,9 +43,10 @@ void copy(std::byte* to, const std::byte* from, std::size_t size);
 
 /// The calling thread is about to access `place`; others may come first.
 void access(const void* place, bool writes);
-/// ...has read `place` to acquire what was released there.
-void acquire(const void* place);
-/// ...has written it, releasing or not; as part of a read-modify-write or not.
-void written(const void* place, bool release, bool readModifyWrite);
+/// ...loads it: a value that it may see. `newest`: the last one stored.
+std::uint64_t load(const void* place, std::uint64_t newest, bool acquires, bool newestOnly);
+/// ...stores to it, in the place of `old`.
+void store(const void* place, std::uint64_t old, std::uint64_t value, bool releases,
+           bool readModifyWrite);
 
 }  // namespace model

@@ -53,12 +53,13 @@ struct Connection {
 Run mailboxOrder() {
   const auto it = std::make_shared<Connection>();
   return {.threads = {[it] {
-                        for (const auto command : {kServo, kHold, kJoints, kServo, kHold}) {
+                        for (const auto command : {kServo, kHold, kJoints, kServo}) {
                           it->send(command);
                         }
                       },
                       [it] {
-                        for (int i = 0; i < 3; ++i) it->drain();
+                        it->drain();
+                        it->drain();
                       }},
           .atEnd = [it] { it->finish(); }};
 }

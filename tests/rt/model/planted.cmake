@@ -48,10 +48,14 @@ suture_planted(mailbox_forgotten_cell PART mailbox SCENARIO MailboxOrder FINDS "
   TEXT "cell.values.take() || cell.held" REPLACEMENT "cell.values.take()")
 suture_planted(mailbox_one_too_many PART mailbox SCENARIO MailboxCredits FINDS "more wait than the depth allows"
   TEXT "memory = waiting < limits.depth" REPLACEMENT "memory = waiting <= limits.depth")
-suture_planted(row_not_checked_again PART state_table SCENARIO StateTable FINDS "a row is torn"
+suture_planted(row_not_checked_again PART state_table SCENARIO StateRow FINDS "a row is torn"
   TEXT "return header.sequence.load(std::memory_order_relaxed) == sequence;" REPLACEMENT "return true;")
-suture_planted(row_not_marked PART state_table SCENARIO StateTable FINDS "a row is torn"
+suture_planted(row_not_marked PART state_table SCENARIO StateRow FINDS "a row is torn"
   TEXT "header.sequence.store(0, std::memory_order_relaxed);" REPLACEMENT "")
+suture_planted(row_words_unordered PART state_table SCENARIO StateRow FINDS "a row is torn"
+  TEXT "to[i].store(word, std::memory_order_release);" REPLACEMENT "to[i].store(word, std::memory_order_relaxed);")
+suture_planted(row_read_unordered PART state_table SCENARIO StateRow FINDS "a row is torn"
+  TEXT "from[i].load(std::memory_order_acquire);" REPLACEMENT "from[i].load(std::memory_order_relaxed);")
 suture_planted(events_two_writers PART event_queue SCENARIO EventQueue FINDS "a race on plain memory"
   TEXT "if (cell.writing.test_and_set(std::memory_order_acquire)) return false;" REPLACEMENT "")
 suture_planted(bell_lost_ring PART doorbell SCENARIO Doorbell FINDS "it sleeps, there is work"

@@ -12,7 +12,8 @@ Run mpscRing();
 Run latestCell();
 Run mailboxOrder();
 Run mailboxCredits();
-Run stateTable();
+Run stateRow();
+Run stateOrder();
 Run eventQueue();
 Run doorbell();
 
