@@ -100,6 +100,7 @@ bool Watch::allowedWake(long address) {
 }
 
 void Watch::record(const char* what, long number) {
+  const std::uint64_t faults = pageFaults();
   std::string name = number < 0 ? what : what + std::to_string(number);
   auto found = std::find_if(findings_.begin(), findings_.end(),
                             [&](const Finding& finding) { return finding.what == name; });
@@ -110,6 +111,7 @@ void Watch::record(const char* what, long number) {
     found = findings_.end() - 1;
   }
   ++found->count;
+  faultsBefore_ += pageFaults() - faults;  // those are the watch's own
 }
 
 std::vector<std::string> Watch::findings() const {
