@@ -14,14 +14,13 @@
 
 #include "rt/task_thread/arm_tasks.h"
 #include "rt/task_thread/watch.h"
-#include "support/eventually.h"
 
 namespace proof {
 namespace {
 
 using Findings = std::vector<std::string>;
 
-#ifdef SUTURE_SANITIZED
+#ifdef SUTURE_UNWATCHED
 constexpr std::uint64_t kCycles = 5'000, kSleepingCycles = 2'000;
 #else
 constexpr std::uint64_t kCycles = 1'000'000, kSleepingCycles = 100'000;

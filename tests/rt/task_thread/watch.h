@@ -16,7 +16,7 @@ struct Allowance {
 
 /// Watches one thread for a number of its cycles, after some in which it warms up: every use of
 /// the allocator, every lock, every page fault, and every system call beyond the allowance.
-/// Under the sanitizers, which have an allocator and locks of their own, it only counts cycles.
+/// Under the sanitizers (unwatched.cpp) it only counts cycles.
 class Watch {
  public:
   /// `thread`: whose it is, for the findings.
