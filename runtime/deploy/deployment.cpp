@@ -3,6 +3,7 @@
 #include <suture/deploy/schema_check.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace suture {
@@ -73,8 +74,36 @@ void Deployment::readConnections() {
     const std::string pointer = "/connections/" + std::to_string(i);
     const Lane lane = connections[i].value("lane", "auto") == "rpc" ? Lane::Rpc : Lane::Auto;
     connections_.push_back({readEndpoint(connections[i], pointer, "from"),
-                            readEndpoint(connections[i], pointer, "to"), lane, pointer});
+                            readEndpoint(connections[i], pointer, "to"), lane,
+                            readDelay(connections[i], pointer), pointer});
   }
+}
+
+ConnectionDelay Deployment::readDelay(const json& connection, const std::string& pointer) {
+  const auto given = connection.find("delay");
+  if (given == connection.end()) return {};
+  const std::string where = pointer + "/delay";
+  if (given->is_string()) {
+    const Duration both = readDuration(*given, where);
+    return {.commands = both, .answers = both};
+  }
+  return {.commands = readDuration(given->value("commands", "0s"), where + "/commands"),
+          .answers = readDuration(given->value("answers", "0s"), where + "/answers")};
+}
+
+// A number and its unit, as the schema has checked.
+Duration Deployment::readDuration(const std::string& text, const std::string& pointer) {
+  static const std::map<std::string, double> kUnits{
+      {"ns", 1}, {"us", 1e3}, {"ms", 1e6}, {"s", 1e9}};
+  std::size_t digits = 0;
+  const double count = std::stod(text, &digits);
+  const double nanoseconds = count * kUnits.at(text.substr(digits));
+  constexpr double kLongest = 60e9;
+  if (nanoseconds > kLongest) {
+    report(pointer, "a delay of " + text + " is longer than 60s, which is the longest; shorten it");
+    return {};
+  }
+  return Duration(std::llround(nanoseconds));
 }
 
 Endpoint Deployment::readEndpoint(const json& connection, const std::string& pointer,

@@ -29,6 +29,7 @@ struct ConnectionEntry {
   Endpoint from;  ///< a required interface; its process is always named
   Endpoint to;    ///< a provided interface; its process is always named
   Lane lane = Lane::Auto;
+  ConnectionDelay delay;
   std::string pointer;
 };
 
@@ -54,6 +55,8 @@ class Deployment {
   void readConnections();
   Endpoint readEndpoint(const nlohmann::json& connection, const std::string& pointer,
                         const char* end);
+  ConnectionDelay readDelay(const nlohmann::json& connection, const std::string& pointer);
+  Duration readDuration(const std::string& text, const std::string& pointer);
   void checkNames();
   void checkSingleProviders();
   void checkManager();

@@ -140,7 +140,8 @@ void Host::start() {
     if (connection.from.process != process_.name) continue;
     const Endpoint from{"", connection.from.component, connection.from.interface};
     try {
-      manager_->connect(from.toString(), connection.to.toString(), connection.lane, patience_);
+      manager_->connect(from.toString(), connection.to.toString(), connection.lane, patience_,
+                        connection.delay);
     } catch (const SetupError& error) {
       throw DocumentError({deployment_.document().locate(connection.pointer, error.what())});
     }
@@ -157,6 +158,8 @@ std::vector<Trouble> Host::troubles() const {
   }
   for (const auto& channel : manager_->channels()) {
     const std::string subject = "connection '" + channel->name + "'";
+    // Both ends of one that is delayed are in this process.
+    if (!found.empty() && found.back().subject == subject) continue;
     switch (channel->status.load(std::memory_order_acquire)) {
       case ChannelStatus::Lost:
         found.push_back({subject, "is lost: the other process does not answer. Start it again"});

@@ -2,17 +2,20 @@
 // The local manager: the components of one process and their connections.
 
 #include <suture/component/component.h>
+#include <suture/transport/delay/connection_delay.h>
 #include <suture/wiring/directory.h>
 
 #include <chrono>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace suture {
 
+class DelayThread;
 class DeviceExecutor;
 class Network;
 
@@ -70,9 +73,10 @@ class Manager {
 
   /// Connects a required interface of this process ("Teleop/Slave") to a provided one ("PSM/Arm",
   /// or "psm-host:PSM/Arm" of another process, for which it waits at most `patience`). Before or
-  /// after start(). Works or throws a SetupError that says why not.
+  /// after start(). Works or throws a SetupError that says why not. `delay` is added to whatever
+  /// the lane takes, by a thread of its own.
   void connect(std::string_view required, std::string_view provided, Lane lane = Lane::Auto,
-               Duration patience = kDefaultPatience);
+               Duration patience = kDefaultPatience, const ConnectionDelay& delay = {});
 
   const Directory& directory() const { return directory_; }
   /// The address of the global manager while it does not answer, else "". Connections live on
@@ -87,11 +91,18 @@ class Manager {
   std::shared_ptr<Channel> connectionOf(const std::string& required) const;
   std::string missingFor(const RequiredBase& required) const;
   std::vector<std::string> missing() const;
+  rt::Doorbell& serverOf(ProvidedBase& provided);
+  DelayThread* delaysFor(const ConnectionDelay& delay);
+  std::shared_ptr<Channel> connectHere(RequiredBase& required, ProvidedBase& provided,
+                                       const std::string& connection, const ConnectionDelay& delay);
 
   Directory directory_;
+  std::mutex executorMutex_;  // never taken by a task thread
   std::unique_ptr<DeviceExecutor> executor_;
+  std::unique_ptr<DelayThread> delays_;
   std::unique_ptr<Network> network_;
   std::map<std::string, std::shared_ptr<Channel>> local_;  // by required interface
+  std::vector<std::shared_ptr<Channel>> offered_;          // the provider ends of delayed ones
 };
 
 }  // namespace suture

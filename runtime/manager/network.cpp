@@ -68,17 +68,19 @@ class Network::Impl {
     });
   }
 
-  void connect(RequiredBase& required, Endpoint from, Endpoint to, Duration patience) {
+  void connect(RequiredBase& required, Endpoint from, Endpoint to, Duration patience,
+               const Interposer& interposer) {
     const std::string name = from.toString();
     if (from.process.empty()) from.process = directory_.process();
     if (to.process.empty()) to.process = directory_.process();
-    run(control_, patience + kLocalWork, [this, &required, name, from, to, patience] {
+    run(control_, patience + kLocalWork, [this, &required, name, from, to, patience, interposer] {
       const auto made = [this, name](std::shared_ptr<Channel> channel) {
         std::lock_guard lock(mutex_);
         connected_[name] = std::move(channel);
       };
       auto& connection = connections_[name];
-      connection = std::make_unique<RemoteConnection>(control_, *link_, required, from, to, made);
+      connection = std::make_unique<RemoteConnection>(control_, *link_, required, from, to, made,
+                                                      interposer);
       return connection->open(patience);
     });
   }
@@ -139,8 +141,8 @@ void Network::leave() { impl_->leave(); }
 void Network::publish() { impl_->publish(); }
 
 void Network::connect(RequiredBase& required, const Endpoint& from, const Endpoint& to,
-                      Duration patience) {
-  impl_->connect(required, from, to, patience);
+                      Duration patience, const Interposer& interposer) {
+  impl_->connect(required, from, to, patience, interposer);
 }
 
 std::string Network::missingManager() const { return impl_->missingManager(); }

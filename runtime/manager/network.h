@@ -5,6 +5,7 @@
 #include <suture/component/channel.h>
 #include <suture/component/provided.h>
 #include <suture/component/required.h>
+#include <suture/transport/delay/connection_delay.h>
 #include <suture/wiring/directory.h>
 
 #include <functional>
@@ -14,6 +15,14 @@
 #include <vector>
 
 namespace suture {
+
+class DelayThread;
+
+/// Who stands between a required interface and the link, if anybody does.
+struct Interposer {
+  DelayThread* delays = nullptr;
+  ConnectionDelay delay;
+};
 
 /// Used by the manager's thread; all work happens on the control thread that it owns.
 class Network {
@@ -33,7 +42,8 @@ class Network {
   void publish();
 
   /// Connects over Cap'n Proto RPC, also to this process itself. Throws SetupError.
-  void connect(RequiredBase& required, const Endpoint& from, const Endpoint& to, Duration patience);
+  void connect(RequiredBase& required, const Endpoint& from, const Endpoint& to, Duration patience,
+               const Interposer& interposer);
 
   /// Ends all connections and gives the name back. What rings the network's doorbell may still do
   /// so, until this is destroyed.

@@ -1,5 +1,6 @@
 #include <suture/manager/peer_host.h>
 #include <suture/manager/remote_connection.h>
+#include <suture/transport/delay/delay_thread.h>
 #include <suture/transport/rpc/deadline.h>
 #include <suture/transport/rpc/dialer.h>
 #include <suture/transport/rpc/stamps.h>
@@ -56,13 +57,15 @@ class RemoteConnection::NoticesReceiver final : public wire::Notices::Server {
 };
 
 RemoteConnection::RemoteConnection(rpc::ControlThread& control, ManagerLink& manager,
-                                   RequiredBase& required, Endpoint from, Endpoint to, Made made)
+                                   RequiredBase& required, Endpoint from, Endpoint to, Made made,
+                                   const Interposer& interposer)
     : control_(control),
       manager_(manager),
       required_(required),
       from_(std::move(from)),
       to_(std::move(to)),
-      made_(std::move(made)) {}
+      made_(std::move(made)),
+      interposer_(interposer) {}
 
 RemoteConnection::~RemoteConnection() noexcept(false) {
   keeping_ = kj::READY_NOW;
@@ -115,8 +118,8 @@ kj::Promise<void> RemoteConnection::greet() {
 }
 
 kj::Promise<void> RemoteConnection::ask() {
-  const Channel::Ends ends{.client = &required_.owner().doorbell(),
-                           .provider = &control_.doorbell()};
+  Component& client = interposer_.delays == nullptr ? required_.owner() : *interposer_.delays;
+  const Channel::Ends ends{.client = &client.doorbell(), .provider = &control_.doorbell()};
   channel_ =
       std::make_shared<Channel>(required_.info(), from_.toString() + " -> " + to_.toString(), "rpc",
                                 ends, makeStateTable(required_.info()), required_.subscribed());
@@ -148,6 +151,10 @@ void RemoteConnection::begin(wire::ConnectResults::Accepted::Reader accepted) {
   mirrorRows(accepted.getRows(), *channel_->state);
   auto& port = *KJ_ASSERT_NONNULL(port_);
   port.open(required_.info().binding().makeProxy(accepted.getContract(), port));
+  if (interposer_.delays != nullptr) {
+    made_(interposer_.delays->interpose(required_, channel_, interposer_.delay));
+    return;
+  }
   required_.attach(channel_);
   made_(channel_);
 }

@@ -3,6 +3,7 @@
 
 #include <suture/component/required.h>
 #include <suture/manager/manager_link.h>
+#include <suture/manager/network.h>
 #include <suture/peer.capnp.h>
 #include <suture/transport/rpc/proxy_port.h>
 #include <suture/wiring/endpoint.h>
@@ -23,7 +24,7 @@ class RemoteConnection {
 
   /// `from` and `to` with their processes.
   RemoteConnection(rpc::ControlThread& control, ManagerLink& manager, RequiredBase& required,
-                   Endpoint from, Endpoint to, Made made);
+                   Endpoint from, Endpoint to, Made made, const Interposer& interposer);
   ~RemoteConnection() noexcept(false);
 
   /// Connects, waiting at most `patience` for the other process and its component. Rejects with the
@@ -48,6 +49,7 @@ class RemoteConnection {
   RequiredBase& required_;
   const Endpoint from_, to_;
   const Made made_;
+  const Interposer interposer_;
   std::shared_ptr<Channel> channel_;
   kj::Maybe<kj::Own<rpc::Link>> link_;
   kj::Maybe<wire::Peer::Client> peer_;

@@ -16,11 +16,12 @@ std::uint64_t count(const std::atomic<std::uint64_t>& counter) {
 
 // A lane's own end of a channel is woken by a doorbell that is no component's.
 ConnectionEnd endOf(const Channel& channel, const std::vector<Component*>& components) {
-  if (channel.lane == "local") return ConnectionEnd::Both;
-  const bool client = std::any_of(components.begin(), components.end(), [&](Component* one) {
-    return &one->doorbell() == channel.ends.client;
-  });
-  return client ? ConnectionEnd::Client : ConnectionEnd::Provider;
+  const auto isComponents = [&](const rt::Doorbell* bell) {
+    return std::any_of(components.begin(), components.end(),
+                       [&](Component* one) { return &one->doorbell() == bell; });
+  };
+  if (!isComponents(channel.ends.client)) return ConnectionEnd::Provider;
+  return isComponents(channel.ends.provider) ? ConnectionEnd::Both : ConnectionEnd::Client;
 }
 
 ConnectionReport reportOf(const Channel& channel, ConnectionEnd end) {

@@ -26,17 +26,33 @@ std::size_t requireSameContract(const InterfaceInfo& required, const InterfaceIn
                        : "Connect interfaces of the same contract");
 }
 
-std::shared_ptr<Channel> connectLocally(RequiredBase& required, ProvidedBase& provided,
-                                        const std::string& connection) {
+namespace {
+
+std::shared_ptr<Channel> makeChannel(const RequiredBase& required, ProvidedBase& provided,
+                                     const std::string& connection, Channel::Ends ends) {
   const std::size_t offered = requireSameContract(required.info(), provided.info(), connection);
-  Component& provider = provided.owner();
-  const Channel::Ends ends{.client = &required.owner().doorbell(),
-                           .provider = &provider.doorbell(),
-                           .device = provider.ownsThread() ? nullptr : &provided};
   auto channel = std::make_shared<Channel>(required.info(), connection, "local", ends,
                                            provided.state(), required.subscribed());
   channel->offered = std::min(offered, required.info().commands.size());
   provided.attach(channel);
+  return channel;
+}
+
+}  // namespace
+
+std::shared_ptr<Channel> offerLocally(const RequiredBase& required, ProvidedBase& provided,
+                                      const std::string& connection, rt::Doorbell& client,
+                                      rt::Doorbell& provider) {
+  return makeChannel(required, provided, connection, {.client = &client, .provider = &provider});
+}
+
+std::shared_ptr<Channel> connectLocally(RequiredBase& required, ProvidedBase& provided,
+                                        const std::string& connection) {
+  Component& provider = provided.owner();
+  auto channel = makeChannel(required, provided, connection,
+                             {.client = &required.owner().doorbell(),
+                              .provider = &provider.doorbell(),
+                              .device = provider.ownsThread() ? nullptr : &provided});
   required.attach(channel);
   return channel;
 }

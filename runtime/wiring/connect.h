@@ -15,6 +15,13 @@ namespace suture {
 std::size_t requireSameContract(const InterfaceInfo& required, const InterfaceInfo& provided,
                                 const std::string& connection);
 
+/// A channel of this process whose provider end is `provided`'s, for somebody else to carry on to
+/// `required`. `client`, `provider`: the doorbells of its two ends. Throws as connectLocally()
+/// does.
+std::shared_ptr<Channel> offerLocally(const RequiredBase& required, ProvidedBase& provided,
+                                      const std::string& connection, rt::Doorbell& client,
+                                      rt::Doorbell& provider);
+
 /// The `local` lane: one channel that both ends share. Takes effect at each end's next cycle.
 /// Throws SetupError if the contracts differ.
 std::shared_ptr<Channel> connectLocally(RequiredBase& required, ProvidedBase& provided,

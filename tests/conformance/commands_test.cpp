@@ -155,9 +155,9 @@ TEST_P(Commands, PollingNeverBlocks) {
 
 TEST_P(Commands, TheLaneIsWhatItSaysAndBytesCrossIt) {
   client->with([](Arm& remote) { EXPECT_TRUE(remote.hold.start().within(5s)); });
-  const bool local = std::get<0>(GetParam()) == LaneUnderTest::Local;
-  EXPECT_EQ(channel()->lane, local ? "local" : "rpc");
-  if (local) {
+  const std::string lane = withinOneProcess() ? "local" : "rpc";
+  EXPECT_EQ(channel()->lane, isDelayed() ? lane + "+delay" : lane);
+  if (withinOneProcess()) {
     EXPECT_EQ(channel()->bytesSent, 0u);
   } else {
     EXPECT_TRUE(suture::eventually(

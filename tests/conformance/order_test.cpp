@@ -110,7 +110,8 @@ TEST_P(Order, EndsInTheLastCommandSentHoweverTheyRace) {
 
 INSTANTIATE_TEST_SUITE_P(
     Lanes, Order,
-    testing::Combine(testing::Values(LaneUnderTest::Local, LaneUnderTest::RpcUnix,
+    testing::Combine(testing::Values(LaneUnderTest::Local, LaneUnderTest::DelayedLocal,
+                                     LaneUnderTest::DelayedRpc, LaneUnderTest::RpcUnix,
                                      LaneUnderTest::RpcTcp),
                      testing::Values(ProviderKind::Periodic, ProviderKind::EventDriven),
                      testing::Values(ClientKind::Task, ClientKind::Device)),

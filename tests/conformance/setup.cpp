@@ -45,13 +45,13 @@ Conformance::Conformance()
 // Two managers in one process are two processes to each other: nothing is shared but the sockets.
 void Conformance::SetUp() {
   const LaneUnderTest lane = std::get<0>(GetParam());
-  if (lane == LaneUnderTest::Local) {
+  if (withinOneProcess()) {
     providerManager_ = std::make_unique<suture::Manager>("alone");
     clientManager_ = providerManager_.get();
   } else {
-    names_ = std::make_unique<Names>(lane == LaneUnderTest::RpcUnix
-                                         ? "unix:" + directory_.file("manager.sock")
-                                         : "tcp://127.0.0.1:0");
+    names_ = std::make_unique<Names>(lane == LaneUnderTest::RpcTcp
+                                         ? "tcp://127.0.0.1:0"
+                                         : "unix:" + directory_.file("manager.sock"));
     const std::string& address = names_->global.address();
     providerManager_ = std::make_unique<suture::Manager>("provider", address);
     ownClientManager_ = std::make_unique<suture::Manager>("client", address);
@@ -65,8 +65,10 @@ void Conformance::SetUp() {
 }
 
 void Conformance::connect(const std::string& required, const std::string& provided) {
-  const bool local = std::get<0>(GetParam()) == LaneUnderTest::Local;
-  clientManager_->connect("Console/" + required, (local ? "PSM/" : "provider:PSM/") + provided);
+  const std::chrono::milliseconds each(isDelayed() ? 2 : 0);
+  clientManager_->connect(
+      "Console/" + required, (withinOneProcess() ? "PSM/" : "provider:PSM/") + provided,
+      suture::Lane::Auto, suture::Manager::kDefaultPatience, {.commands = each, .answers = each});
 }
 
 void Conformance::TearDown() {
@@ -79,12 +81,13 @@ Conformance::~Conformance() = default;
 
 void Conformance::stopProvider() {
   // On `local` both live in one manager, and only the provider's task is to end.
-  if (std::get<0>(GetParam()) != LaneUnderTest::Local) return providerManager_->stop();
+  if (!withinOneProcess()) return providerManager_->stop();
   dynamic_cast<suture::Task&>(arm->component()).stop();
 }
 
 std::string nameOf(const testing::TestParamInfo<Combination>& info) {
-  static constexpr const char* kLanes[] = {"Local", "RpcUnix", "RpcTcp"};
+  static constexpr const char* kLanes[] = {"Local", "RpcUnix", "RpcTcp", "DelayedLocal",
+                                           "DelayedRpc"};
   static constexpr const char* kProviders[] = {"Periodic", "EventDriven", "Device"};
   static constexpr const char* kClients[] = {"Task", "Device"};
   const auto [lane, provider, client] = info.param;

@@ -15,7 +15,7 @@
 
 namespace conformance {
 
-enum class LaneUnderTest { Local, RpcUnix, RpcTcp };
+enum class LaneUnderTest { Local, RpcUnix, RpcTcp, DelayedLocal, DelayedRpc };
 enum class ProviderKind { Periodic, EventDriven, Device };
 enum class ClientKind { Task, Device };
 
@@ -34,6 +34,14 @@ class Conformance : public testing::TestWithParam<Combination> {
   void connect(const std::string& required, const std::string& provided);
 
   bool providerIsDevice() const { return std::get<1>(GetParam()) == ProviderKind::Device; }
+  bool withinOneProcess() const {
+    const LaneUnderTest lane = std::get<0>(GetParam());
+    return lane == LaneUnderTest::Local || lane == LaneUnderTest::DelayedLocal;
+  }
+  bool isDelayed() const {
+    const LaneUnderTest lane = std::get<0>(GetParam());
+    return lane == LaneUnderTest::DelayedLocal || lane == LaneUnderTest::DelayedRpc;
+  }
   bool runsInCallersThread() const {
     return providerIsDevice() && std::get<0>(GetParam()) == LaneUnderTest::Local;
   }
@@ -64,7 +72,8 @@ class Conformance : public testing::TestWithParam<Combination> {
 /// Every lane, every kind of provider, every kind of client.
 inline auto allCombinations() {
   return testing::Combine(
-      testing::Values(LaneUnderTest::Local, LaneUnderTest::RpcUnix, LaneUnderTest::RpcTcp),
+      testing::Values(LaneUnderTest::Local, LaneUnderTest::RpcUnix, LaneUnderTest::RpcTcp,
+                      LaneUnderTest::DelayedLocal, LaneUnderTest::DelayedRpc),
       testing::Values(ProviderKind::Periodic, ProviderKind::EventDriven, ProviderKind::Device),
       testing::Values(ClientKind::Task, ClientKind::Device));
 }

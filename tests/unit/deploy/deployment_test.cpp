@@ -5,6 +5,7 @@
 
 namespace {
 
+using namespace std::chrono_literals;
 using suture::Deployment;
 using suture::DocumentError;
 using suture::JsonDocument;
@@ -104,6 +105,40 @@ TEST(Deployment, UnknownLane) {
   expectOnly(with("\"rpc\"", "\"fast\""),
              "d.json:18: error: expected \"auto\": the fastest lane that fits; \"rpc\": Cap'n "
              "Proto RPC, even within a process; found string \"fast\"");
+}
+
+suture::ConnectionDelay delayOf(const std::string& value) {
+  const std::string text = with("\"lane\": \"rpc\"", "\"delay\": " + value);
+  return Deployment(JsonDocument::parse(text, "d.json")).connections()[1].delay;
+}
+
+TEST(Deployment, DelaysOfAConnection) {
+  EXPECT_FALSE(Deployment(JsonDocument::parse(kSound, "d.json")).connections()[1].delay.any());
+  EXPECT_EQ(delayOf("\"5ms\"").commands, 5ms);
+  EXPECT_EQ(delayOf("\"5ms\"").answers, 5ms);
+  EXPECT_EQ(delayOf("\"0.25s\"").answers, 250ms);
+  EXPECT_EQ(delayOf("{\"commands\": \"70us\"}").commands, 70us);
+  EXPECT_EQ(delayOf("{\"commands\": \"70us\"}").answers, 0ns);
+  EXPECT_EQ(delayOf("{\"answers\": \"3ns\"}").answers, 3ns);
+}
+
+TEST(Deployment, DelaysThatAreNone) {
+  const auto problemsWith = [](const char* value) {
+    return problemsOf(with("\"lane\": \"rpc\"", std::string("\"delay\": ") + value));
+  };
+  for (const char* value : {"5", "\"5\"", "\"-5ms\"", "\"5 ms\"", "\"fast\""}) {
+    const auto problems = problemsWith(value);
+    ASSERT_EQ(problems.size(), 1u) << value;
+    EXPECT_TRUE(problems[0].starts_with("d.json:18: error: expected added to what the lane takes"))
+        << problems[0];
+  }
+  EXPECT_EQ(problemsWith("{\"command\": \"5ms\"}"),
+            std::vector<std::string>{
+                "d.json:18: error: unknown key 'command'; did you mean 'commands'?"});
+  EXPECT_EQ(
+      problemsWith("\"61s\""),
+      std::vector<std::string>{"d.json:18: error: a delay of 61s is longer than 60s, which is "
+                               "the longest; shorten it"});
 }
 
 TEST(Deployment, MalformedAddresses) {

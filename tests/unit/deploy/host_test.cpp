@@ -111,6 +111,23 @@ TEST(Host, RunsAndConnectsWhatTheFileSays) {
   EXPECT_TRUE(host.troubles().empty());
 }
 
+TEST(Host, DelaysTheConnectionsOfWhichTheFileSaysSo) {
+  const Deployment deployment = deploymentOf(
+      "{\"name\": \"PSM\", \"class\": \"SimulatedArm\"},\n"
+      "{\"name\": \"Client\", \"class\": \"Client\"}",
+      "{\"from\": \"Client/Arm\", \"to\": \"PSM/Arm\", \"delay\": {\"commands\": \"20ms\"}}");
+  Host host(deployment, "all", kClasses);
+  host.start();
+  const auto channels = host.manager().channels();
+  ASSERT_EQ(channels.size(), 2u);
+  EXPECT_EQ(channels[0]->lane, "local+delay");
+  const auto deadline = suture::now() + 10s;
+  while (channels[1]->commandAge.count() == 0 && suture::now() < deadline) {
+    std::this_thread::yield();
+  }
+  EXPECT_GE(channels[1]->commandAge.max(), 20ms);
+}
+
 TEST(Host, UnknownClass) {
   const auto problems =
       problemsOf(deploymentOf("{\"name\": \"PSM\", \"class\": \"SimulatedArn\"}"));

@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
+#include <suture/component/channel.h>
+#include <suture/manager/global_manager.h>
 #include <suture/manager/manager.h>
 #include <suture/record/state_collector.h>
 #include <suture/rt/state_table.h>
+#include <suture/transport/rpc/control_thread.h>
 
 #include <stdexcept>
 
@@ -120,6 +123,26 @@ TEST(StateCollector, CollectsFromStartToStopAlone) {
   EXPECT_TRUE(eventually([&] { return run.collector.counts().collected >= 20; }));
   run.manager.stop();
   EXPECT_GT(sink.numbers[before], rows);  // what came in between was not kept
+  expectAscending(sink.numbers);
+}
+
+TEST(StateCollector, OverALaneTheRowsThatArrivedAreAccountedFor) {
+  rpc::ControlThread control;
+  GlobalManager names(control, "tcp://127.0.0.1:0");
+  reference::SimulatedArm arm{{}};
+  CountingSink sink;
+  StateCollector collector(interfaceInfo<ArmLike>(), {.reads = {"measured_cp"}}, sink);
+  Manager manager("here", names.address());
+  manager.add("PSM", arm);
+  manager.add("Collector", collector);
+  manager.start();
+  manager.connect("Collector/Source", "PSM/Arm", Lane::Rpc);
+  EXPECT_TRUE(eventually([&] { return collector.counts().collected >= 50; }));
+  arm.stop();
+  const auto mirror = manager.channels().at(0)->state;
+  EXPECT_TRUE(eventually([&] { return collector.counts().produced() == mirror->rows(); }));
+  manager.stop();
+  EXPECT_EQ(sink.numbers.size(), collector.counts().collected);
   expectAscending(sink.numbers);
 }
 

@@ -1,0 +1,60 @@
+#include <suture/transport/delay/delay_thread.h>
+
+#include <algorithm>
+
+namespace suture {
+
+DelayThread::DelayThread() : ThreadTask(rt::Scheduling{}) { start(); }
+
+DelayThread::~DelayThread() {
+  stop();
+  takeOver();
+  for (const auto& one : carried_) one->end();
+}
+
+std::shared_ptr<Channel> DelayThread::interpose(RequiredBase& required,
+                                                std::shared_ptr<Channel> far,
+                                                const ConnectionDelay& delay) {
+  auto state = makeStateTable(required.info());
+  state->resize(static_cast<unsigned>(far->state->capacity()));
+  const Channel::Ends ends{.client = &required.owner().doorbell(), .provider = &doorbell()};
+  auto near = std::make_shared<Channel>(required.info(), far->name, far->lane + "+delay", ends,
+                                        std::move(state), far->subscribed);
+  near->offered = far->offered;
+  auto connection = std::make_unique<DelayedConnection>(near, std::move(far), delay);
+  {
+    const std::lock_guard lock(mutex_);
+    added_.push_back(std::move(connection));
+  }
+  required.attach(near);
+  doorbell().ring();
+  return near;
+}
+
+void DelayThread::takeOver() {
+  const std::lock_guard lock(mutex_);
+  std::move(added_.begin(), added_.end(), std::back_inserter(carried_));
+  added_.clear();
+}
+
+bool DelayThread::awaitCycle() {
+  const Time begin = now();
+  Time due = begin + std::chrono::seconds(1);
+  for (const auto& one : carried_) {
+    due = std::min(due, one->due());
+    if (one->awaitsCredits()) due = std::min<Time>(due, begin + std::chrono::milliseconds(1));
+  }
+  if (!stopping() && now() < due) doorbell().waitUntil(due);
+  return !stopping();
+}
+
+void DelayThread::run() {
+  takeOver();
+  for (const auto& one : carried_) one->pump(now());
+  std::erase_if(carried_, [](const auto& one) {
+    if (one->over()) one->end();
+    return one->over();
+  });
+}
+
+}  // namespace suture

@@ -1,0 +1,297 @@
+#include <suture/transport/delay/delayed_connection.h>
+
+#include <algorithm>
+#include <cstring>
+#include <new>
+
+namespace suture {
+namespace {
+
+// Two seconds of what comes at 1 kHz.
+constexpr std::size_t kUnderWay = 2048;
+
+struct RowRecord {
+  Time stamp;
+  rt::ColumnSet valid, tooLarge;
+};
+
+std::size_t largestCommand(const InterfaceInfo& info) {
+  std::size_t size = 0;
+  for (const CommandInfo& one : info.commands)
+    size = std::max<std::size_t>(size, one.argumentsSize);
+  return sizeof(rt::CommandRecord) + size;
+}
+
+std::size_t largestAnswer(const InterfaceInfo& info) {
+  std::size_t size = 0;
+  for (const CommandInfo& one : info.commands) size = std::max<std::size_t>(size, one.resultSize);
+  return sizeof(ReplyRecord) + size;
+}
+
+std::size_t largestEvent(const InterfaceInfo& info) {
+  std::size_t size = 0;
+  for (const EventInfo& one : info.events) size = std::max<std::size_t>(size, one.payloadSize);
+  return sizeof(rt::EventRecord) + size;
+}
+
+std::size_t wordBytes(std::size_t size) { return (size + 7) & ~std::size_t{7}; }
+
+std::size_t largestRow(const rt::StateTable& state) {
+  std::size_t size = sizeof(RowRecord);
+  for (unsigned i = 0; i < state.columns(); ++i) size += wordBytes(state.columnSize(i));
+  return size;
+}
+
+}  // namespace
+
+DelayedConnection::DelayedConnection(std::shared_ptr<Channel> near, std::shared_ptr<Channel> far,
+                                     const ConnectionDelay& delay)
+    : near_(std::move(near)),
+      far_(std::move(far)),
+      delay_(delay),
+      commands_(largestCommand(near_->info), kUnderWay),
+      // As many answers as there may be calls: there is always room for them.
+      answers_(largestAnswer(near_->info), 2 * Channel::kMaxCalls),
+      events_(largestEvent(near_->info), kUnderWay),
+      rows_(largestRow(*near_->state), kUnderWay),
+      statuses_(sizeof(ChannelStatus), kUnderWay),
+      underWay_(near_->info.commands.size()),
+      lent_(near_->info.commands.size()),
+      nextRow_(std::max<std::uint64_t>(far_->state->rows(), 1)) {
+  for (unsigned i = 0; i < near_->state->columns(); ++i) {
+    slots_.emplace_back(wordBytes(near_->state->columnSize(i)) / 8);
+    slotPointers_.push_back(reinterpret_cast<std::byte*>(slots_.back().data()));
+  }
+  far_->wantsRows = true;
+}
+
+void DelayedConnection::pump(Time now) {
+  passDemandOn();
+  takeCommands();
+  deliverCommands(now);
+  returnCredits();
+  takeAnswers(now);
+  takeEvents();
+  takeRows(now);
+  takeStatus(now);
+  deliverAnswers(now);
+  deliverEvents(now);
+  deliverRows(now);
+  deliverStatus(now);
+  countBytes();
+}
+
+Time DelayedConnection::due() {
+  return std::min(
+      {commands_.next(), answers_.next(), events_.next(), rows_.next(), statuses_.next()});
+}
+
+bool DelayedConnection::awaitsCredits() const {
+  return std::any_of(lent_.begin(), lent_.end(), [](std::uint32_t count) { return count > 0; });
+}
+
+bool DelayedConnection::over() const {
+  return near_->status.load(std::memory_order_acquire) == ChannelStatus::Closed;
+}
+
+void DelayedConnection::end() {
+  ChannelStatus expected = ChannelStatus::Connected;
+  near_->status.compare_exchange_strong(expected, ChannelStatus::Lost);
+  near_->ends.client->ring();
+  far_->status = ChannelStatus::Closed;
+  far_->ends.provider->ring();
+}
+
+// A newest-wins command without an answer travels in its cell.
+bool DelayedConnection::usesCredit(const rt::CommandRecord& record) const {
+  return !near_->info.commands[record.command].latest || record.call != 0;
+}
+
+// Without room they stay with the client, whose credits bound them, or where newer ones replace
+// them.
+void DelayedConnection::takeCommands() {
+  rt::Mailbox& commands = near_->commands;
+  if (!commands.pending()) return;
+  commands.fixCut();
+  for (;;) {
+    std::byte* memory = commands_.claim(Time{}, largestCommand(near_->info));
+    const rt::CommandRecord* record = memory == nullptr ? nullptr : commands.next();
+    if (record == nullptr) return;
+    const std::size_t size = near_->info.commands[record->command].argumentsSize;
+    memory = commands_.claim(record->stamp + delay_.commands, sizeof(*record) + size);
+    std::memcpy(memory, record, sizeof(*record) + size);
+    commands_.commit();
+    if (usesCredit(*record)) {
+      ++underWay_[record->command];
+      ++lent_[record->command];
+    }
+    commands.pop();
+  }
+}
+
+void DelayedConnection::deliverCommands(Time now) {
+  bool any = false;
+  while (const std::byte* memory = commands_.due(now)) {
+    const auto& record = *reinterpret_cast<const rt::CommandRecord*>(memory);
+    deliver(record);
+    if (usesCredit(record)) --underWay_[record.command];
+    commands_.pop();
+    any = true;
+  }
+  if (any) far_->ends.provider->ring();
+}
+
+void DelayedConnection::deliver(const rt::CommandRecord& record) {
+  const auto slot = far_->commands.claim(record.command, record.stamp, record.call);
+  if (!slot) {
+    // Only if the provider's end has given no credit back: nobody serves it any more.
+    auto& failed = near_->commands.counters.failed;
+    failed.store(failed.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+    if (record.call != 0) near_->replyError(record.call, slot.error());
+    return;
+  }
+  std::memcpy(*slot, record.arguments(), near_->info.commands[record.command].argumentsSize);
+  far_->commands.commit();
+}
+
+void DelayedConnection::returnCredits() {
+  for (std::uint16_t command = 0; command < lent_.size(); ++command) {
+    const std::uint32_t kept = underWay_[command] + far_->commands.waiting(command);
+    for (; lent_[command] > kept; --lent_[command]) near_->commands.returnCredit(command);
+  }
+}
+
+void DelayedConnection::passDemandOn() {
+  const rt::ColumnSet demand = near_->state->demand();
+  if (demand == asked_) return;
+  bool first = false;
+  for (unsigned i = 0; i < near_->state->columns(); ++i) {
+    if ((demand & ~asked_) >> i & 1) first = far_->state->ask(i) || first;
+  }
+  asked_ = demand;
+  if (first) far_->ends.provider->ring();
+}
+
+void DelayedConnection::takeAnswers(Time now) {
+  while (const std::byte* answer = far_->replies.front()) {
+    const std::size_t size = far_->replies.frontSize();
+    std::byte* memory = answers_.claim(now + delay_.answers, size);
+    if (memory == nullptr) return;
+    std::memcpy(memory, answer, size);
+    answers_.commit();
+    far_->replies.pop();
+  }
+}
+
+void DelayedConnection::deliverAnswers(Time now) {
+  bool any = false;
+  while (const std::byte* memory = answers_.due(now)) {
+    const auto& answer = *reinterpret_cast<const ReplyRecord*>(memory);
+    const std::size_t size = answers_.size() - sizeof(ReplyRecord);
+    const auto copy = [&](std::byte* result) {
+      std::memcpy(result, answer.result(), size);
+      return answer.error;
+    };
+    near_->reply(answer.call, size, copy, answer.stamp);
+    answers_.pop();
+    any = true;
+  }
+  if (any) near_->ends.client->ring();
+}
+
+// Without room they stay in the provider's queue, which drops and counts as without delay.
+void DelayedConnection::takeEvents() {
+  for (;;) {
+    std::byte* memory = events_.claim(Time{}, largestEvent(near_->info));
+    const rt::EventRecord* record = memory == nullptr ? nullptr : far_->events.next();
+    if (record == nullptr) return;
+    const std::size_t size = near_->info.events[record->event].payloadSize;
+    memory = events_.claim(record->stamp + delay_.answers, sizeof(*record) + size);
+    std::memcpy(memory, record, sizeof(*record) + size);
+    events_.commit();
+    far_->events.pop();
+  }
+}
+
+void DelayedConnection::deliverEvents(Time now) {
+  bool any = false;
+  while (const std::byte* memory = events_.due(now)) {
+    const auto& record = *reinterpret_cast<const rt::EventRecord*>(memory);
+    const std::size_t size = near_->info.events[record.event].payloadSize;
+    near_->events.push(record.event, record.stamp, std::span(record.payload(), size));
+    events_.pop();
+    any = true;
+  }
+  if (any) near_->ends.client->ring();
+}
+
+void DelayedConnection::takeRows(Time now) {
+  for (const std::uint64_t newest = far_->state->rows(); nextRow_ <= newest; ++nextRow_) {
+    const rt::StateTable::Row row = far_->state->readRowNumber(nextRow_, slotPointers_);
+    if (row.sequence != 0) keepRow(row, now + delay_.answers);
+  }
+}
+
+// Without room a row is left out: a state thins out where a queue would overflow.
+void DelayedConnection::keepRow(const rt::StateTable::Row& row, Time due) {
+  const rt::ColumnSet valid = row.valid & asked_, tooLarge = row.tooLarge & asked_;
+  if ((valid | tooLarge) == 0) return;
+  std::byte* memory = rows_.claim(due, largestRow(*near_->state));
+  if (memory == nullptr) return;
+  new (memory) RowRecord{row.stamp, valid, tooLarge};
+  memory += sizeof(RowRecord);
+  for (unsigned i = 0; i < slotPointers_.size(); ++i) {
+    if (valid >> i & 1) std::memcpy(memory, slotPointers_[i], near_->state->columnSize(i));
+    memory += wordBytes(near_->state->columnSize(i));
+  }
+  rows_.commit();
+}
+
+void DelayedConnection::deliverRows(Time now) {
+  bool any = false;
+  while (const std::byte* memory = rows_.due(now)) {
+    const auto& row = *reinterpret_cast<const RowRecord*>(memory);
+    memory += sizeof(RowRecord);
+    for (unsigned i = 0; i < slotPointers_.size(); ++i) {
+      const std::uint32_t size = near_->state->columnSize(i);
+      if (row.valid >> i & 1) std::memcpy(near_->state->draft(i), memory, size);
+      memory += wordBytes(size);
+    }
+    near_->state->publish(row.stamp, row.valid, row.tooLarge);
+    rows_.pop();
+    any = true;
+  }
+  if (any && near_->wantsRows.load(std::memory_order_relaxed)) near_->ends.client->ring();
+}
+
+// Behind the answers that came before it.
+void DelayedConnection::takeStatus(Time now) {
+  const ChannelStatus status = far_->status.load(std::memory_order_acquire);
+  if (status == status_) return;
+  std::byte* memory = statuses_.claim(now + delay_.answers, sizeof(status));
+  if (memory == nullptr) return;
+  new (memory) ChannelStatus(status);
+  statuses_.commit();
+  status_ = status;
+}
+
+void DelayedConnection::deliverStatus(Time now) {
+  while (const std::byte* memory = statuses_.due(now)) {
+    const auto status = *reinterpret_cast<const ChannelStatus*>(memory);
+    statuses_.pop();
+    ChannelStatus known = near_->status.load(std::memory_order_acquire);
+    while (known != ChannelStatus::Closed &&
+           !near_->status.compare_exchange_weak(known, status, std::memory_order_acq_rel)) {
+    }
+    near_->ends.client->ring();
+  }
+}
+
+void DelayedConnection::countBytes() {
+  near_->bytesSent.store(far_->bytesSent.load(std::memory_order_relaxed),
+                         std::memory_order_relaxed);
+  near_->bytesReceived.store(far_->bytesReceived.load(std::memory_order_relaxed),
+                             std::memory_order_relaxed);
+}
+
+}  // namespace suture

@@ -1,0 +1,54 @@
+#pragma once
+// A task whose cycles the test itself runs, with one automatic and one manual state table.
+
+#include <suture/component/own_state.h>
+#include <suture/component/task.h>
+
+#include <functional>
+#include <string>
+
+#include "reference/arm_like.suture.h"
+
+namespace suture {
+
+/// Its pose and its only joint both count evaluations of the pose.
+class CountingArm : public reference::ArmLike {
+ public:
+  void servo_cp(const reference::PoseStamped&) override {}
+  void servo_jp(const reference::JointState&) override {}
+  void hold() override {}
+  void set_mode(reference::Mode) override {}
+  reference::PoseStamped measured_cp() const override {
+    pose_.pose.translation().x() += 1;
+    joints_.position.assign(1, pose_.pose.translation().x());
+    return pose_;
+  }
+  const reference::JointState& measured_js() const override { return joints_; }
+  double distance(const reference::PoseStamped&) const override { return 0; }
+  bool move(const reference::PoseStamped&, double, const std::string&) override { return false; }
+  std::uint32_t reset() override { return 0; }
+  void limit(double, reference::Mode) override {}
+
+ private:
+  mutable reference::PoseStamped pose_;
+  mutable reference::JointState joints_;
+};
+
+/// Driven by the test, which is its thread: cycle after cycle.
+class DrivenArm final : public Task {
+ public:
+  void start() override { enter(); }
+  void stop() override { leave(); }
+  using Task::cycle;
+
+  CountingArm automatic, manual;
+  Provided<reference::ArmLike> automaticPort{*this, "Automatic", automatic};
+  Provided<reference::ArmLike> manualPort{*this, "Manual", manual};
+  OwnState<reference::ArmLike> past{automaticPort};
+  std::function<void()> work = [] {};
+
+ private:
+  void run() override { work(); }
+};
+
+}  // namespace suture
