@@ -164,7 +164,6 @@ void emitUsings(Code& code, std::string_view body) {
                                  "Duration",
                                  "Errc",
                                  "EventInfo",
-                                 "LooseSlot",
                                  "load",
                                  "newSlot",
                                  "rpc::ProxyPort",

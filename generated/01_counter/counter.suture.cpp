@@ -16,7 +16,6 @@ using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Errc;
 using suture::EventInfo;
-using suture::LooseSlot;
 using suture::newSlot;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
@@ -158,11 +157,10 @@ class CounterReceiver final : public wire::CounterEvents::Server {
 
   kj::Promise<void> tenMore(TenMoreContext context) override {
     auto in = context.getParams();
-    LooseSlot<std::int64_t> payload;
-    auto& slot = payload.value();
-    slot = in.getValue();
-    const Errc error = Errc{};
-    return port_->event(numberOf(CounterEvent::ten_more), error, payload);
+    return port_->event<std::int64_t>(numberOf(CounterEvent::ten_more), [&](std::int64_t& slot) {
+      slot = in.getValue();
+      return Errc{};
+    });
   }
 
  private:

@@ -46,7 +46,6 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
-using suture::LooseSlot;
 using suture::newSlot;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
@@ -544,28 +543,25 @@ class ArmReceiver final : public wire::ArmEvents::Server {
 
   kj::Promise<void> operatingState(OperatingStateContext context) override {
     auto in = context.getParams();
-    LooseSlot<OperatingStateSlot> payload;
-    auto& slot = payload.value();
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(ArmEvent::operating_state), error, payload);
+    return port_->event<OperatingStateSlot>(numberOf(ArmEvent::operating_state),
+                                            [&](OperatingStateSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
   kj::Promise<void> goalReached(GoalReachedContext context) override {
     auto in = context.getParams();
-    LooseSlot<std::uint8_t> payload;
-    auto& slot = payload.value();
-    slot = in.getValue();
-    const Errc error = Errc{};
-    return port_->event(numberOf(ArmEvent::goal_reached), error, payload);
+    return port_->event<std::uint8_t>(numberOf(ArmEvent::goal_reached), [&](std::uint8_t& slot) {
+      slot = in.getValue();
+      return Errc{};
+    });
   }
 
   kj::Promise<void> warning(WarningContext context) override {
     auto in = context.getParams();
-    LooseSlot<std::uint8_t> payload;
-    auto& slot = payload.value();
-    const Errc error = fromWire(in.getValue(), slot);
-    return port_->event(numberOf(ArmEvent::warning), error, payload);
+    return port_->event<std::uint8_t>(numberOf(ArmEvent::warning), [&](std::uint8_t& slot) {
+      return fromWire(in.getValue(), slot);
+    });
   }
 
  private:

@@ -98,7 +98,6 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
-using suture::LooseSlot;
 using suture::newSlot;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
@@ -1649,91 +1648,81 @@ class CrtkArmReceiver final : public wire::CrtkArmEvents::Server {
 
   kj::Promise<void> operatingState(OperatingStateContext context) override {
     auto in = context.getParams();
-    LooseSlot<OperatingStateSlot> payload;
-    auto& slot = payload.value();
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(CrtkArmEvent::operating_state), error, payload);
+    return port_->event<OperatingStateSlot>(numberOf(CrtkArmEvent::operating_state),
+                                            [&](OperatingStateSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
   kj::Promise<void> desiredState(DesiredStateContext context) override {
     auto in = context.getParams();
-    LooseSlot<std::uint8_t> payload;
-    auto& slot = payload.value();
-    const Errc error = fromWire(in.getValue(), slot);
-    return port_->event(numberOf(CrtkArmEvent::desired_state), error, payload);
+    return port_->event<std::uint8_t>(numberOf(CrtkArmEvent::desired_state),
+                                      [&](std::uint8_t& slot) {
+      return fromWire(in.getValue(), slot);
+    });
   }
 
   kj::Promise<void> goalReached(GoalReachedContext context) override {
     auto in = context.getParams();
-    LooseSlot<std::uint8_t> payload;
-    auto& slot = payload.value();
-    slot = in.getValue();
-    const Errc error = Errc{};
-    return port_->event(numberOf(CrtkArmEvent::goal_reached), error, payload);
+    return port_->event<std::uint8_t>(numberOf(CrtkArmEvent::goal_reached),
+                                      [&](std::uint8_t& slot) {
+      slot = in.getValue();
+      return Errc{};
+    });
   }
 
   kj::Promise<void> gravityCompensation(GravityCompensationContext context) override {
     auto in = context.getParams();
-    LooseSlot<std::uint8_t> payload;
-    auto& slot = payload.value();
-    slot = in.getValue();
-    const Errc error = Errc{};
-    return port_->event(numberOf(CrtkArmEvent::gravity_compensation), error, payload);
+    return port_->event<std::uint8_t>(numberOf(CrtkArmEvent::gravity_compensation),
+                                      [&](std::uint8_t& slot) {
+      slot = in.getValue();
+      return Errc{};
+    });
   }
 
   kj::Promise<void> trajectoryJRatio(TrajectoryJRatioContext context) override {
     auto in = context.getParams();
-    LooseSlot<double> payload;
-    auto& slot = payload.value();
-    slot = in.getValue();
-    const Errc error = Errc{};
-    return port_->event(numberOf(CrtkArmEvent::trajectory_j_ratio), error, payload);
+    return port_->event<double>(numberOf(CrtkArmEvent::trajectory_j_ratio), [&](double& slot) {
+      slot = in.getValue();
+      return Errc{};
+    });
   }
 
   kj::Promise<void> trajectoryJRatioV(TrajectoryJRatioVContext context) override {
     auto in = context.getParams();
-    LooseSlot<double> payload;
-    auto& slot = payload.value();
-    slot = in.getValue();
-    const Errc error = Errc{};
-    return port_->event(numberOf(CrtkArmEvent::trajectory_j_ratio_v), error, payload);
+    return port_->event<double>(numberOf(CrtkArmEvent::trajectory_j_ratio_v), [&](double& slot) {
+      slot = in.getValue();
+      return Errc{};
+    });
   }
 
   kj::Promise<void> trajectoryJRatioA(TrajectoryJRatioAContext context) override {
     auto in = context.getParams();
-    LooseSlot<double> payload;
-    auto& slot = payload.value();
-    slot = in.getValue();
-    const Errc error = Errc{};
-    return port_->event(numberOf(CrtkArmEvent::trajectory_j_ratio_a), error, payload);
+    return port_->event<double>(numberOf(CrtkArmEvent::trajectory_j_ratio_a), [&](double& slot) {
+      slot = in.getValue();
+      return Errc{};
+    });
   }
 
   kj::Promise<void> status(StatusContext context) override {
     auto in = context.getParams();
-    LooseSlot<MessageSlot> payload;
-    auto& slot = payload.value();
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(CrtkArmEvent::status), error, payload);
+    return port_->event<MessageSlot>(numberOf(CrtkArmEvent::status), [&](MessageSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
   kj::Promise<void> warning(WarningContext context) override {
     auto in = context.getParams();
-    LooseSlot<MessageSlot> payload;
-    auto& slot = payload.value();
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(CrtkArmEvent::warning), error, payload);
+    return port_->event<MessageSlot>(numberOf(CrtkArmEvent::warning), [&](MessageSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
   kj::Promise<void> error(ErrorContext context) override {
     auto in = context.getParams();
-    LooseSlot<MessageSlot> payload;
-    auto& slot = payload.value();
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(CrtkArmEvent::error), error, payload);
+    return port_->event<MessageSlot>(numberOf(CrtkArmEvent::error), [&](MessageSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
  private:

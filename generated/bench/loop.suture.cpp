@@ -23,7 +23,6 @@ using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Errc;
 using suture::EventInfo;
-using suture::LooseSlot;
 using suture::newSlot;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
@@ -206,11 +205,10 @@ class LoopServerReceiver final : public wire::LoopServerEvents::Server {
 
   kj::Promise<void> echo(EchoContext context) override {
     auto in = context.getParams();
-    LooseSlot<robots::PosePrmSlot> payload;
-    auto& slot = payload.value();
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(LoopServerEvent::echo), error, payload);
+    return port_->event<robots::PosePrmSlot>(numberOf(LoopServerEvent::echo),
+                                             [&](robots::PosePrmSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
  private:

@@ -23,7 +23,6 @@ using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Errc;
 using suture::EventInfo;
-using suture::LooseSlot;
 using suture::newSlot;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
@@ -201,11 +200,10 @@ class SampleServerReceiver final : public wire::SampleServerEvents::Server {
 
   kj::Promise<void> echo(EchoContext context) override {
     auto in = context.getParams();
-    LooseSlot<robots::PoseSampleSlot> payload;
-    auto& slot = payload.value();
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(SampleServerEvent::echo), error, payload);
+    return port_->event<robots::PoseSampleSlot>(numberOf(SampleServerEvent::echo),
+                                                [&](robots::PoseSampleSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
  private:

@@ -15,10 +15,13 @@ namespace loadable {
 using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Errc;
+using suture::newSlot;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
+using suture::slotIn;
+using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -26,11 +29,11 @@ namespace {
 constexpr CommandInfo kTurntableCommands[] = {
     {.name = "turn",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(TurntableTurnArguments),
+     .argumentsSize = slotSize<TurntableTurnArguments>,
      .depth = 16},
     {.name = "angle",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(double),
+     .resultSize = slotSize<double>,
      .depth = 16,
      .column = 0},
 };
@@ -66,7 +69,7 @@ class TurntableSink final : public suture::rpc::EventSink {
     out.setEvaluated(row.valid);
     out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
-      const auto& slot = *reinterpret_cast<const double*>(columns[0]);
+      const auto& slot = slotIn<double>(columns[0]);
       out.setAngle(slot);
     }
     return request.send().ignoreResult();
@@ -91,7 +94,7 @@ class TurntableServant final : public wire::Turntable::Server {
   kj::Promise<void> turn(TurnContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<TurntableTurnArguments*>(memory);
+      auto& slot = newSlot<TurntableTurnArguments>(memory);
       slot.angle = in.getAngle();
       return isValid(slot.angle) ? Errc{} : Errc::Invalid;
     };
@@ -101,7 +104,7 @@ class TurntableServant final : public wire::Turntable::Server {
   kj::Promise<void> angle(AngleContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const double*>(result);
+      const auto& slot = slotIn<double>(result);
       auto out = context.getResults();
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
@@ -126,7 +129,7 @@ class TurntableReceiver final : public wire::TurntableEvents::Server {
     auto in = context.getParams().getRow();
     suture::rt::ColumnSet valid = 0;
     if (in.getEvaluated() >> 0 & 1) {
-      auto& slot = *reinterpret_cast<double*>(port_->column(0));
+      auto& slot = port_->column<double>(0);
       slot = in.getAngle();
       valid |= suture::rt::ColumnSet{1} << 0;
     }
@@ -155,7 +158,7 @@ class TurntableProxy final : public suture::rpc::Proxy {
   kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
     switch (static_cast<TurntableCommand>(record.command)) {
       case TurntableCommand::turn: {
-        const auto& slot = *reinterpret_cast<const TurntableTurnArguments*>(record.arguments());
+        const auto& slot = slotIn<TurntableTurnArguments>(record.arguments());
         auto request = provider_.turnRequest();
         request.setAngle(slot.angle);
         suture::rpc::fill(request.initSent(), record);
@@ -222,13 +225,13 @@ Errc Provided<loadable::Turntable>::execute(std::uint16_t command, const std::by
   using ::loadable::TurntableCommand;
   switch (static_cast<TurntableCommand>(command)) {
     case TurntableCommand::turn: {
-      const auto& slot = *reinterpret_cast<const loadable::TurntableTurnArguments*>(arguments);
+      const auto& slot = slotIn<loadable::TurntableTurnArguments>(arguments);
       load(slot.angle, scratch_.turn_angle);
       implementation_.turn(scratch_.turn_angle);
       return Errc{};
     }
     case TurntableCommand::angle: {
-      auto& slot = *reinterpret_cast<double*>(result);
+      auto& slot = newSlot<double>(result);
       return store(implementation_.angle(), slot) ? Errc{} : Errc::TooLarge;
     }
   }

@@ -25,6 +25,8 @@ using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
+using suture::slotIn;
+using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -44,21 +46,24 @@ static_assert(std::is_same_v<decltype(StateChange::stamp), std::chrono::steady_c
 constexpr CommandInfo kLifecycleCommands[] = {
     {.name = "suspend",
      .kind = CommandKind::VoidReturn,
-     .resultSize = sizeof(std::uint8_t),
+     .resultSize = slotSize<std::uint8_t>,
      .depth = 16},
     {.name = "resume",
      .kind = CommandKind::VoidReturn,
-     .resultSize = sizeof(std::uint8_t),
+     .resultSize = slotSize<std::uint8_t>,
      .depth = 16},
     {.name = "component_state",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(std::uint8_t),
+     .resultSize = slotSize<std::uint8_t>,
      .depth = 16,
      .column = 0},
 };
 
 constexpr EventInfo kLifecycleEvents[] = {
-    {.name = "state_changed", .payloadSize = sizeof(StateChangeSlot), .depth = 16, .latched = true},
+    {.name = "state_changed",
+     .payloadSize = slotSize<StateChangeSlot>,
+     .depth = 16,
+     .latched = true},
 };
 
 // The self-description, as in suture/lifecycle.suture.json.
@@ -168,7 +173,7 @@ class LifecycleSink final : public suture::rpc::EventSink {
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
     switch (event) {
       case numberOf(LifecycleEvent::state_changed): {
-        const auto& slot = *reinterpret_cast<const StateChangeSlot*>(payload);
+        const auto& slot = slotIn<StateChangeSlot>(payload);
         auto request = subscriber_.stateChangedRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
@@ -185,7 +190,7 @@ class LifecycleSink final : public suture::rpc::EventSink {
     out.setEvaluated(row.valid);
     out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
-      const auto& slot = *reinterpret_cast<const std::uint8_t*>(columns[0]);
+      const auto& slot = slotIn<std::uint8_t>(columns[0]);
       out.setComponentState(wireComponentState(slot));
     }
     return request.send().ignoreResult();
@@ -210,7 +215,7 @@ class LifecycleServant final : public wire::Lifecycle::Server {
   kj::Promise<void> suspend(SuspendContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
+      const auto& slot = slotIn<std::uint8_t>(result);
       auto out = context.getResults();
       out.setValue(slot != 0);
     };
@@ -221,7 +226,7 @@ class LifecycleServant final : public wire::Lifecycle::Server {
   kj::Promise<void> resume(ResumeContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
+      const auto& slot = slotIn<std::uint8_t>(result);
       auto out = context.getResults();
       out.setValue(slot != 0);
     };
@@ -232,7 +237,7 @@ class LifecycleServant final : public wire::Lifecycle::Server {
   kj::Promise<void> componentState(ComponentStateContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
+      const auto& slot = slotIn<std::uint8_t>(result);
       auto out = context.getResults();
       out.setValue(wireComponentState(slot));
       out.setStamp(suture::toNanoseconds(stamp));
@@ -257,7 +262,7 @@ class LifecycleReceiver final : public wire::LifecycleEvents::Server {
     auto in = context.getParams().getRow();
     suture::rt::ColumnSet valid = 0;
     if (in.getEvaluated() >> 0 & 1) {
-      auto& slot = *reinterpret_cast<std::uint8_t*>(port_->column(0));
+      auto& slot = port_->column<std::uint8_t>(0);
       const Errc error = fromWire(in.getComponentState(), slot);
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
     }
@@ -267,10 +272,10 @@ class LifecycleReceiver final : public wire::LifecycleEvents::Server {
 
   kj::Promise<void> stateChanged(StateChangedContext context) override {
     auto in = context.getParams();
-    StateChangeSlot slot;
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(LifecycleEvent::state_changed), error, slot);
+    return port_->event<StateChangeSlot>(numberOf(LifecycleEvent::state_changed),
+                                         [&](StateChangeSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
  private:
@@ -373,15 +378,15 @@ Errc Provided<suture::Lifecycle>::execute(std::uint16_t command, const std::byte
   using ::suture::LifecycleCommand;
   switch (static_cast<LifecycleCommand>(command)) {
     case LifecycleCommand::suspend: {
-      auto& slot = *reinterpret_cast<std::uint8_t*>(result);
+      auto& slot = newSlot<std::uint8_t>(result);
       return store(implementation_.suspend(), slot) ? Errc{} : Errc::TooLarge;
     }
     case LifecycleCommand::resume: {
-      auto& slot = *reinterpret_cast<std::uint8_t*>(result);
+      auto& slot = newSlot<std::uint8_t>(result);
       return store(implementation_.resume(), slot) ? Errc{} : Errc::TooLarge;
     }
     case LifecycleCommand::component_state: {
-      auto& slot = *reinterpret_cast<std::uint8_t*>(result);
+      auto& slot = newSlot<std::uint8_t>(result);
       return store(implementation_.component_state(), slot) ? Errc{} : Errc::TooLarge;
     }
   }

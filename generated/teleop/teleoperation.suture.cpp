@@ -17,7 +17,6 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
-using suture::LooseSlot;
 using suture::load;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
@@ -290,19 +289,18 @@ class TeleoperationReceiver final : public wire::TeleoperationEvents::Server {
 
   kj::Promise<void> teleopState(TeleopStateContext context) override {
     auto in = context.getParams();
-    LooseSlot<std::uint8_t> payload;
-    auto& slot = payload.value();
-    const Errc error = fromWire(in.getValue(), slot);
-    return port_->event(numberOf(TeleoperationEvent::teleop_state), error, payload);
+    return port_->event<std::uint8_t>(numberOf(TeleoperationEvent::teleop_state),
+                                      [&](std::uint8_t& slot) {
+      return fromWire(in.getValue(), slot);
+    });
   }
 
   kj::Promise<void> followed(FollowedContext context) override {
     auto in = context.getParams();
-    LooseSlot<FollowAnchorsSlot> payload;
-    auto& slot = payload.value();
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(TeleoperationEvent::followed), error, payload);
+    return port_->event<FollowAnchorsSlot>(numberOf(TeleoperationEvent::followed),
+                                           [&](FollowAnchorsSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
  private:

@@ -17,7 +17,6 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
-using suture::LooseSlot;
 using suture::load;
 using suture::newSlot;
 using suture::rpc::ProxyPort;
@@ -441,19 +440,17 @@ class ArmLikeReceiver final : public wire::ArmLikeEvents::Server {
 
   kj::Promise<void> mode(ModeContext context) override {
     auto in = context.getParams();
-    LooseSlot<std::uint8_t> payload;
-    auto& slot = payload.value();
-    const Errc error = fromWire(in.getValue(), slot);
-    return port_->event(numberOf(ArmLikeEvent::mode), error, payload);
+    return port_->event<std::uint8_t>(numberOf(ArmLikeEvent::mode), [&](std::uint8_t& slot) {
+      return fromWire(in.getValue(), slot);
+    });
   }
 
   kj::Promise<void> arrived(ArrivedContext context) override {
     auto in = context.getParams();
-    LooseSlot<PoseStampedSlot> payload;
-    auto& slot = payload.value();
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(ArmLikeEvent::arrived), error, payload);
+    return port_->event<PoseStampedSlot>(numberOf(ArmLikeEvent::arrived),
+                                         [&](PoseStampedSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
   kj::Promise<void> stopped(StoppedContext) override {
@@ -462,12 +459,11 @@ class ArmLikeReceiver final : public wire::ArmLikeEvents::Server {
 
   kj::Promise<void> moved(MovedContext context) override {
     auto in = context.getParams();
-    LooseSlot<ArmLikeMovedPayload> payload;
-    auto& slot = payload.value();
-    slot.value2 = in.getValue2();
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(ArmLikeEvent::moved), error, payload);
+    return port_->event<ArmLikeMovedPayload>(numberOf(ArmLikeEvent::moved),
+                                             [&](ArmLikeMovedPayload& slot) {
+      slot.value2 = in.getValue2();
+      return in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
+    });
   }
 
  private:

@@ -23,12 +23,15 @@ using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Errc;
 using suture::EventInfo;
+using suture::newSlot;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
+using suture::slotIn;
+using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -37,104 +40,104 @@ constexpr CommandInfo kAllKindsCommands[] = {
     {.name = "clear", .kind = CommandKind::Void, .depth = 16},
     {.name = "set_scalar",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(AllKindsSetScalarArguments),
+     .argumentsSize = slotSize<AllKindsSetScalarArguments>,
      .depth = 16},
     {.name = "set_vector",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(AllKindsSetVectorArguments),
+     .argumentsSize = slotSize<AllKindsSetVectorArguments>,
      .depth = 16},
     {.name = "set_record",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(AllKindsSetRecordArguments),
+     .argumentsSize = slotSize<AllKindsSetRecordArguments>,
      .depth = 16},
     {.name = "set_text",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(AllKindsSetTextArguments),
+     .argumentsSize = slotSize<AllKindsSetTextArguments>,
      .depth = 16},
     {.name = "scalar",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(double),
+     .resultSize = slotSize<double>,
      .depth = 16,
      .column = 0},
     {.name = "vector",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(std::array<double, 3>),
+     .resultSize = slotSize<std::array<double, 3>>,
      .depth = 16,
      .column = 1},
     {.name = "record",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(robots::PosePrmSlot),
+     .resultSize = slotSize<robots::PosePrmSlot>,
      .depth = 16,
      .column = 2},
     {.name = "text",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(suture::BoundedText<31>),
+     .resultSize = slotSize<suture::BoundedText<31>>,
      .depth = 16,
      .column = 3},
     {.name = "twice_scalar",
      .kind = CommandKind::QualifiedRead,
-     .argumentsSize = sizeof(AllKindsTwiceScalarArguments),
-     .resultSize = sizeof(double),
+     .argumentsSize = slotSize<AllKindsTwiceScalarArguments>,
+     .resultSize = slotSize<double>,
      .depth = 16},
     {.name = "twice_vector",
      .kind = CommandKind::QualifiedRead,
-     .argumentsSize = sizeof(AllKindsTwiceVectorArguments),
-     .resultSize = sizeof(std::array<double, 3>),
+     .argumentsSize = slotSize<AllKindsTwiceVectorArguments>,
+     .resultSize = slotSize<std::array<double, 3>>,
      .depth = 16},
     {.name = "twice_record",
      .kind = CommandKind::QualifiedRead,
-     .argumentsSize = sizeof(AllKindsTwiceRecordArguments),
-     .resultSize = sizeof(robots::PosePrmSlot),
+     .argumentsSize = slotSize<AllKindsTwiceRecordArguments>,
+     .resultSize = slotSize<robots::PosePrmSlot>,
      .depth = 16},
     {.name = "twice_text",
      .kind = CommandKind::QualifiedRead,
-     .argumentsSize = sizeof(AllKindsTwiceTextArguments),
-     .resultSize = sizeof(suture::BoundedText<31>),
+     .argumentsSize = slotSize<AllKindsTwiceTextArguments>,
+     .resultSize = slotSize<suture::BoundedText<31>>,
      .depth = 16},
     {.name = "take_scalar",
      .kind = CommandKind::VoidReturn,
-     .resultSize = sizeof(double),
+     .resultSize = slotSize<double>,
      .depth = 16},
     {.name = "take_vector",
      .kind = CommandKind::VoidReturn,
-     .resultSize = sizeof(std::array<double, 3>),
+     .resultSize = slotSize<std::array<double, 3>>,
      .depth = 16},
     {.name = "take_record",
      .kind = CommandKind::VoidReturn,
-     .resultSize = sizeof(robots::PosePrmSlot),
+     .resultSize = slotSize<robots::PosePrmSlot>,
      .depth = 16},
     {.name = "take_text",
      .kind = CommandKind::VoidReturn,
-     .resultSize = sizeof(suture::BoundedText<31>),
+     .resultSize = slotSize<suture::BoundedText<31>>,
      .depth = 16},
     {.name = "swap_scalar",
      .kind = CommandKind::WriteReturn,
-     .argumentsSize = sizeof(AllKindsSwapScalarArguments),
-     .resultSize = sizeof(double),
+     .argumentsSize = slotSize<AllKindsSwapScalarArguments>,
+     .resultSize = slotSize<double>,
      .depth = 16},
     {.name = "swap_vector",
      .kind = CommandKind::WriteReturn,
-     .argumentsSize = sizeof(AllKindsSwapVectorArguments),
-     .resultSize = sizeof(std::array<double, 3>),
+     .argumentsSize = slotSize<AllKindsSwapVectorArguments>,
+     .resultSize = slotSize<std::array<double, 3>>,
      .depth = 16},
     {.name = "swap_record",
      .kind = CommandKind::WriteReturn,
-     .argumentsSize = sizeof(AllKindsSwapRecordArguments),
-     .resultSize = sizeof(robots::PosePrmSlot),
+     .argumentsSize = slotSize<AllKindsSwapRecordArguments>,
+     .resultSize = slotSize<robots::PosePrmSlot>,
      .depth = 16},
     {.name = "swap_text",
      .kind = CommandKind::WriteReturn,
-     .argumentsSize = sizeof(AllKindsSwapTextArguments),
-     .resultSize = sizeof(suture::BoundedText<31>),
+     .argumentsSize = slotSize<AllKindsSwapTextArguments>,
+     .resultSize = slotSize<suture::BoundedText<31>>,
      .depth = 16},
 };
 
 constexpr EventInfo kAllKindsEvents[] = {
     {.name = "cleared", .depth = 16},
-    {.name = "scalar_set", .payloadSize = sizeof(double), .depth = 16},
-    {.name = "vector_set", .payloadSize = sizeof(std::array<double, 3>), .depth = 16},
-    {.name = "record_set", .payloadSize = sizeof(robots::PosePrmSlot), .depth = 16},
-    {.name = "text_set", .payloadSize = sizeof(suture::BoundedText<31>), .depth = 16},
+    {.name = "scalar_set", .payloadSize = slotSize<double>, .depth = 16},
+    {.name = "vector_set", .payloadSize = slotSize<std::array<double, 3>>, .depth = 16},
+    {.name = "record_set", .payloadSize = slotSize<robots::PosePrmSlot>, .depth = 16},
+    {.name = "text_set", .payloadSize = slotSize<suture::BoundedText<31>>, .depth = 16},
 };
 
 // The self-description, as in rt/scenarios/all_kinds.suture.json.
@@ -268,25 +271,25 @@ class AllKindsSink final : public suture::rpc::EventSink {
         return subscriber_.clearedRequest().send().ignoreResult();
       }
       case numberOf(AllKindsEvent::scalar_set): {
-        const auto& slot = *reinterpret_cast<const double*>(payload);
+        const auto& slot = slotIn<double>(payload);
         auto request = subscriber_.scalarSetRequest();
         request.setValue(slot);
         return request.send().ignoreResult();
       }
       case numberOf(AllKindsEvent::vector_set): {
-        const auto& slot = *reinterpret_cast<const std::array<double, 3>*>(payload);
+        const auto& slot = slotIn<std::array<double, 3>>(payload);
         auto request = subscriber_.vectorSetRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
       case numberOf(AllKindsEvent::record_set): {
-        const auto& slot = *reinterpret_cast<const robots::PosePrmSlot*>(payload);
+        const auto& slot = slotIn<robots::PosePrmSlot>(payload);
         auto request = subscriber_.recordSetRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
       case numberOf(AllKindsEvent::text_set): {
-        const auto& slot = *reinterpret_cast<const suture::BoundedText<31>*>(payload);
+        const auto& slot = slotIn<suture::BoundedText<31>>(payload);
         auto request = subscriber_.textSetRequest();
         toWire(slot, request.initValue(slot.size));
         return request.send().ignoreResult();
@@ -303,19 +306,19 @@ class AllKindsSink final : public suture::rpc::EventSink {
     out.setEvaluated(row.valid);
     out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
-      const auto& slot = *reinterpret_cast<const double*>(columns[0]);
+      const auto& slot = slotIn<double>(columns[0]);
       out.setScalar(slot);
     }
     if (row.valid >> 1 & 1) {
-      const auto& slot = *reinterpret_cast<const std::array<double, 3>*>(columns[1]);
+      const auto& slot = slotIn<std::array<double, 3>>(columns[1]);
       toWire(slot, out.initVector());
     }
     if (row.valid >> 2 & 1) {
-      const auto& slot = *reinterpret_cast<const robots::PosePrmSlot*>(columns[2]);
+      const auto& slot = slotIn<robots::PosePrmSlot>(columns[2]);
       toWire(slot, out.initRecord());
     }
     if (row.valid >> 3 & 1) {
-      const auto& slot = *reinterpret_cast<const suture::BoundedText<31>*>(columns[3]);
+      const auto& slot = slotIn<suture::BoundedText<31>>(columns[3]);
       toWire(slot, out.initText(slot.size));
     }
     return request.send().ignoreResult();
@@ -346,7 +349,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
   kj::Promise<void> setScalar(SetScalarContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<AllKindsSetScalarArguments*>(memory);
+      auto& slot = newSlot<AllKindsSetScalarArguments>(memory);
       slot.value = in.getValue();
       return isValid(slot.value) ? Errc{} : Errc::Invalid;
     };
@@ -356,7 +359,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
   kj::Promise<void> setVector(SetVectorContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<AllKindsSetVectorArguments*>(memory);
+      auto& slot = newSlot<AllKindsSetVectorArguments>(memory);
       const Errc error = in.hasValue() ? fromWire(in.getValue(), slot.value) : Errc::Invalid;
       if (error != Errc{}) return error;
       return isValid(slot.value) ? Errc{} : Errc::Invalid;
@@ -367,7 +370,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
   kj::Promise<void> setRecord(SetRecordContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<AllKindsSetRecordArguments*>(memory);
+      auto& slot = newSlot<AllKindsSetRecordArguments>(memory);
       const Errc error =
           in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
@@ -379,7 +382,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
   kj::Promise<void> setText(SetTextContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<AllKindsSetTextArguments*>(memory);
+      auto& slot = newSlot<AllKindsSetTextArguments>(memory);
       return fromWire(in.getValue(), slot.value);
     };
     return port_->command(numberOf(AllKindsCommand::set_text), in.getSent(), fill);
@@ -388,7 +391,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
   kj::Promise<void> scalar(ScalarContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const double*>(result);
+      const auto& slot = slotIn<double>(result);
       auto out = context.getResults();
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
@@ -400,7 +403,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
   kj::Promise<void> vector(VectorContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const std::array<double, 3>*>(result);
+      const auto& slot = slotIn<std::array<double, 3>>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -412,7 +415,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
   kj::Promise<void> record(RecordContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const robots::PosePrmSlot*>(result);
+      const auto& slot = slotIn<robots::PosePrmSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -424,7 +427,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
   kj::Promise<void> text(TextContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const suture::BoundedText<31>*>(result);
+      const auto& slot = slotIn<suture::BoundedText<31>>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue(slot.size));
       out.setStamp(suture::toNanoseconds(stamp));
@@ -436,12 +439,12 @@ class AllKindsServant final : public wire::AllKinds::Server {
   kj::Promise<void> twiceScalar(TwiceScalarContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<AllKindsTwiceScalarArguments*>(memory);
+      auto& slot = newSlot<AllKindsTwiceScalarArguments>(memory);
       slot.value = in.getValue();
       return isValid(slot.value) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const double*>(result);
+      const auto& slot = slotIn<double>(result);
       auto out = context.getResults();
       out.setValue(slot);
     };
@@ -451,13 +454,13 @@ class AllKindsServant final : public wire::AllKinds::Server {
   kj::Promise<void> twiceVector(TwiceVectorContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<AllKindsTwiceVectorArguments*>(memory);
+      auto& slot = newSlot<AllKindsTwiceVectorArguments>(memory);
       const Errc error = in.hasValue() ? fromWire(in.getValue(), slot.value) : Errc::Invalid;
       if (error != Errc{}) return error;
       return isValid(slot.value) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const std::array<double, 3>*>(result);
+      const auto& slot = slotIn<std::array<double, 3>>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
     };
@@ -467,14 +470,14 @@ class AllKindsServant final : public wire::AllKinds::Server {
   kj::Promise<void> twiceRecord(TwiceRecordContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<AllKindsTwiceRecordArguments*>(memory);
+      auto& slot = newSlot<AllKindsTwiceRecordArguments>(memory);
       const Errc error =
           in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
       return isValid(slot.value) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const robots::PosePrmSlot*>(result);
+      const auto& slot = slotIn<robots::PosePrmSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
     };
@@ -484,11 +487,11 @@ class AllKindsServant final : public wire::AllKinds::Server {
   kj::Promise<void> twiceText(TwiceTextContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<AllKindsTwiceTextArguments*>(memory);
+      auto& slot = newSlot<AllKindsTwiceTextArguments>(memory);
       return fromWire(in.getValue(), slot.value);
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const suture::BoundedText<31>*>(result);
+      const auto& slot = slotIn<suture::BoundedText<31>>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue(slot.size));
     };
@@ -498,7 +501,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
   kj::Promise<void> takeScalar(TakeScalarContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const double*>(result);
+      const auto& slot = slotIn<double>(result);
       auto out = context.getResults();
       out.setValue(slot);
     };
@@ -509,7 +512,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
   kj::Promise<void> takeVector(TakeVectorContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const std::array<double, 3>*>(result);
+      const auto& slot = slotIn<std::array<double, 3>>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
     };
@@ -520,7 +523,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
   kj::Promise<void> takeRecord(TakeRecordContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const robots::PosePrmSlot*>(result);
+      const auto& slot = slotIn<robots::PosePrmSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
     };
@@ -531,7 +534,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
   kj::Promise<void> takeText(TakeTextContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const suture::BoundedText<31>*>(result);
+      const auto& slot = slotIn<suture::BoundedText<31>>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue(slot.size));
     };
@@ -542,12 +545,12 @@ class AllKindsServant final : public wire::AllKinds::Server {
   kj::Promise<void> swapScalar(SwapScalarContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<AllKindsSwapScalarArguments*>(memory);
+      auto& slot = newSlot<AllKindsSwapScalarArguments>(memory);
       slot.value = in.getValue();
       return isValid(slot.value) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const double*>(result);
+      const auto& slot = slotIn<double>(result);
       auto out = context.getResults();
       out.setValue(slot);
     };
@@ -557,13 +560,13 @@ class AllKindsServant final : public wire::AllKinds::Server {
   kj::Promise<void> swapVector(SwapVectorContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<AllKindsSwapVectorArguments*>(memory);
+      auto& slot = newSlot<AllKindsSwapVectorArguments>(memory);
       const Errc error = in.hasValue() ? fromWire(in.getValue(), slot.value) : Errc::Invalid;
       if (error != Errc{}) return error;
       return isValid(slot.value) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const std::array<double, 3>*>(result);
+      const auto& slot = slotIn<std::array<double, 3>>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
     };
@@ -573,14 +576,14 @@ class AllKindsServant final : public wire::AllKinds::Server {
   kj::Promise<void> swapRecord(SwapRecordContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<AllKindsSwapRecordArguments*>(memory);
+      auto& slot = newSlot<AllKindsSwapRecordArguments>(memory);
       const Errc error =
           in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
       return isValid(slot.value) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const robots::PosePrmSlot*>(result);
+      const auto& slot = slotIn<robots::PosePrmSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
     };
@@ -590,11 +593,11 @@ class AllKindsServant final : public wire::AllKinds::Server {
   kj::Promise<void> swapText(SwapTextContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<AllKindsSwapTextArguments*>(memory);
+      auto& slot = newSlot<AllKindsSwapTextArguments>(memory);
       return fromWire(in.getValue(), slot.value);
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const suture::BoundedText<31>*>(result);
+      const auto& slot = slotIn<suture::BoundedText<31>>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue(slot.size));
     };
@@ -617,23 +620,23 @@ class AllKindsReceiver final : public wire::AllKindsEvents::Server {
     auto in = context.getParams().getRow();
     suture::rt::ColumnSet valid = 0;
     if (in.getEvaluated() >> 0 & 1) {
-      auto& slot = *reinterpret_cast<double*>(port_->column(0));
+      auto& slot = port_->column<double>(0);
       slot = in.getScalar();
       valid |= suture::rt::ColumnSet{1} << 0;
     }
     if (in.getEvaluated() >> 1 & 1) {
-      auto& slot = *reinterpret_cast<std::array<double, 3>*>(port_->column(1));
+      auto& slot = port_->column<std::array<double, 3>>(1);
       const Errc error = in.hasVector() ? fromWire(in.getVector(), slot) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
     }
     if (in.getEvaluated() >> 2 & 1) {
-      auto& slot = *reinterpret_cast<robots::PosePrmSlot*>(port_->column(2));
+      auto& slot = port_->column<robots::PosePrmSlot>(2);
       const Errc error =
           in.hasRecord() ? fromWire(in.getRecord(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 2;
     }
     if (in.getEvaluated() >> 3 & 1) {
-      auto& slot = *reinterpret_cast<suture::BoundedText<31>*>(port_->column(3));
+      auto& slot = port_->column<suture::BoundedText<31>>(3);
       const Errc error = fromWire(in.getText(), slot);
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 3;
     }
@@ -647,32 +650,34 @@ class AllKindsReceiver final : public wire::AllKindsEvents::Server {
 
   kj::Promise<void> scalarSet(ScalarSetContext context) override {
     auto in = context.getParams();
-    double slot;
-    slot = in.getValue();
-    const Errc error = Errc{};
-    return port_->event(numberOf(AllKindsEvent::scalar_set), error, slot);
+    return port_->event<double>(numberOf(AllKindsEvent::scalar_set), [&](double& slot) {
+      slot = in.getValue();
+      return Errc{};
+    });
   }
 
   kj::Promise<void> vectorSet(VectorSetContext context) override {
     auto in = context.getParams();
-    std::array<double, 3> slot;
-    const Errc error = in.hasValue() ? fromWire(in.getValue(), slot) : Errc::Invalid;
-    return port_->event(numberOf(AllKindsEvent::vector_set), error, slot);
+    return port_->event<std::array<double, 3>>(numberOf(AllKindsEvent::vector_set),
+                                               [&](std::array<double, 3>& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot) : Errc::Invalid;
+    });
   }
 
   kj::Promise<void> recordSet(RecordSetContext context) override {
     auto in = context.getParams();
-    robots::PosePrmSlot slot;
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(AllKindsEvent::record_set), error, slot);
+    return port_->event<robots::PosePrmSlot>(numberOf(AllKindsEvent::record_set),
+                                             [&](robots::PosePrmSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
   kj::Promise<void> textSet(TextSetContext context) override {
     auto in = context.getParams();
-    suture::BoundedText<31> slot;
-    const Errc error = fromWire(in.getValue(), slot);
-    return port_->event(numberOf(AllKindsEvent::text_set), error, slot);
+    return port_->event<suture::BoundedText<31>>(numberOf(AllKindsEvent::text_set),
+                                                 [&](suture::BoundedText<31>& slot) {
+      return fromWire(in.getValue(), slot);
+    });
   }
 
  private:
@@ -701,28 +706,28 @@ class AllKindsProxy final : public suture::rpc::Proxy {
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case AllKindsCommand::set_scalar: {
-        const auto& slot = *reinterpret_cast<const AllKindsSetScalarArguments*>(record.arguments());
+        const auto& slot = slotIn<AllKindsSetScalarArguments>(record.arguments());
         auto request = provider_.setScalarRequest();
         request.setValue(slot.value);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case AllKindsCommand::set_vector: {
-        const auto& slot = *reinterpret_cast<const AllKindsSetVectorArguments*>(record.arguments());
+        const auto& slot = slotIn<AllKindsSetVectorArguments>(record.arguments());
         auto request = provider_.setVectorRequest();
         toWire(slot.value, request.initValue());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case AllKindsCommand::set_record: {
-        const auto& slot = *reinterpret_cast<const AllKindsSetRecordArguments*>(record.arguments());
+        const auto& slot = slotIn<AllKindsSetRecordArguments>(record.arguments());
         auto request = provider_.setRecordRequest();
         toWire(slot.value, request.initValue());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case AllKindsCommand::set_text: {
-        const auto& slot = *reinterpret_cast<const AllKindsSetTextArguments*>(record.arguments());
+        const auto& slot = slotIn<AllKindsSetTextArguments>(record.arguments());
         auto request = provider_.setTextRequest();
         toWire(slot.value, request.initValue(slot.value.size));
         suture::rpc::fill(request.initSent(), record);
@@ -770,8 +775,7 @@ class AllKindsProxy final : public suture::rpc::Proxy {
         });
       }
       case AllKindsCommand::twice_scalar: {
-        const auto& slot =
-            *reinterpret_cast<const AllKindsTwiceScalarArguments*>(record.arguments());
+        const auto& slot = slotIn<AllKindsTwiceScalarArguments>(record.arguments());
         auto request = provider_.twiceScalarRequest();
         request.setValue(slot.value);
         suture::rpc::fill(request.initSent(), record);
@@ -783,8 +787,7 @@ class AllKindsProxy final : public suture::rpc::Proxy {
         });
       }
       case AllKindsCommand::twice_vector: {
-        const auto& slot =
-            *reinterpret_cast<const AllKindsTwiceVectorArguments*>(record.arguments());
+        const auto& slot = slotIn<AllKindsTwiceVectorArguments>(record.arguments());
         auto request = provider_.twiceVectorRequest();
         toWire(slot.value, request.initValue());
         suture::rpc::fill(request.initSent(), record);
@@ -795,8 +798,7 @@ class AllKindsProxy final : public suture::rpc::Proxy {
         });
       }
       case AllKindsCommand::twice_record: {
-        const auto& slot =
-            *reinterpret_cast<const AllKindsTwiceRecordArguments*>(record.arguments());
+        const auto& slot = slotIn<AllKindsTwiceRecordArguments>(record.arguments());
         auto request = provider_.twiceRecordRequest();
         toWire(slot.value, request.initValue());
         suture::rpc::fill(request.initSent(), record);
@@ -808,7 +810,7 @@ class AllKindsProxy final : public suture::rpc::Proxy {
         });
       }
       case AllKindsCommand::twice_text: {
-        const auto& slot = *reinterpret_cast<const AllKindsTwiceTextArguments*>(record.arguments());
+        const auto& slot = slotIn<AllKindsTwiceTextArguments>(record.arguments());
         auto request = provider_.twiceTextRequest();
         toWire(slot.value, request.initValue(slot.value.size));
         suture::rpc::fill(request.initSent(), record);
@@ -857,8 +859,7 @@ class AllKindsProxy final : public suture::rpc::Proxy {
         });
       }
       case AllKindsCommand::swap_scalar: {
-        const auto& slot =
-            *reinterpret_cast<const AllKindsSwapScalarArguments*>(record.arguments());
+        const auto& slot = slotIn<AllKindsSwapScalarArguments>(record.arguments());
         auto request = provider_.swapScalarRequest();
         request.setValue(slot.value);
         suture::rpc::fill(request.initSent(), record);
@@ -870,8 +871,7 @@ class AllKindsProxy final : public suture::rpc::Proxy {
         });
       }
       case AllKindsCommand::swap_vector: {
-        const auto& slot =
-            *reinterpret_cast<const AllKindsSwapVectorArguments*>(record.arguments());
+        const auto& slot = slotIn<AllKindsSwapVectorArguments>(record.arguments());
         auto request = provider_.swapVectorRequest();
         toWire(slot.value, request.initValue());
         suture::rpc::fill(request.initSent(), record);
@@ -882,8 +882,7 @@ class AllKindsProxy final : public suture::rpc::Proxy {
         });
       }
       case AllKindsCommand::swap_record: {
-        const auto& slot =
-            *reinterpret_cast<const AllKindsSwapRecordArguments*>(record.arguments());
+        const auto& slot = slotIn<AllKindsSwapRecordArguments>(record.arguments());
         auto request = provider_.swapRecordRequest();
         toWire(slot.value, request.initValue());
         suture::rpc::fill(request.initSent(), record);
@@ -895,7 +894,7 @@ class AllKindsProxy final : public suture::rpc::Proxy {
         });
       }
       case AllKindsCommand::swap_text: {
-        const auto& slot = *reinterpret_cast<const AllKindsSwapTextArguments*>(record.arguments());
+        const auto& slot = slotIn<AllKindsSwapTextArguments>(record.arguments());
         auto request = provider_.swapTextRequest();
         toWire(slot.value, request.initValue(slot.value.size));
         suture::rpc::fill(request.initSent(), record);
@@ -960,120 +959,114 @@ Errc Provided<scenarios::AllKinds>::execute(std::uint16_t command, const std::by
       return Errc{};
     }
     case AllKindsCommand::set_scalar: {
-      const auto& slot = *reinterpret_cast<const scenarios::AllKindsSetScalarArguments*>(arguments);
+      const auto& slot = slotIn<scenarios::AllKindsSetScalarArguments>(arguments);
       load(slot.value, scratch_.set_scalar_value);
       implementation_.set_scalar(scratch_.set_scalar_value);
       return Errc{};
     }
     case AllKindsCommand::set_vector: {
-      const auto& slot = *reinterpret_cast<const scenarios::AllKindsSetVectorArguments*>(arguments);
+      const auto& slot = slotIn<scenarios::AllKindsSetVectorArguments>(arguments);
       load(slot.value, scratch_.set_vector_value);
       implementation_.set_vector(scratch_.set_vector_value);
       return Errc{};
     }
     case AllKindsCommand::set_record: {
-      const auto& slot = *reinterpret_cast<const scenarios::AllKindsSetRecordArguments*>(arguments);
+      const auto& slot = slotIn<scenarios::AllKindsSetRecordArguments>(arguments);
       load(slot.value, scratch_.set_record_value);
       implementation_.set_record(scratch_.set_record_value);
       return Errc{};
     }
     case AllKindsCommand::set_text: {
-      const auto& slot = *reinterpret_cast<const scenarios::AllKindsSetTextArguments*>(arguments);
+      const auto& slot = slotIn<scenarios::AllKindsSetTextArguments>(arguments);
       load(slot.value, scratch_.set_text_value);
       implementation_.set_text(scratch_.set_text_value);
       return Errc{};
     }
     case AllKindsCommand::scalar: {
-      auto& slot = *reinterpret_cast<double*>(result);
+      auto& slot = newSlot<double>(result);
       return store(implementation_.scalar(), slot) ? Errc{} : Errc::TooLarge;
     }
     case AllKindsCommand::vector: {
-      auto& slot = *reinterpret_cast<std::array<double, 3>*>(result);
+      auto& slot = newSlot<std::array<double, 3>>(result);
       return store(implementation_.vector(), slot) ? Errc{} : Errc::TooLarge;
     }
     case AllKindsCommand::record: {
-      auto& slot = *reinterpret_cast<robots::PosePrmSlot*>(result);
+      auto& slot = newSlot<robots::PosePrmSlot>(result);
       return store(implementation_.record(), slot) ? Errc{} : Errc::TooLarge;
     }
     case AllKindsCommand::text: {
-      auto& slot = *reinterpret_cast<suture::BoundedText<31>*>(result);
+      auto& slot = newSlot<suture::BoundedText<31>>(result);
       return store(implementation_.text(), slot) ? Errc{} : Errc::TooLarge;
     }
     case AllKindsCommand::twice_scalar: {
-      const auto& slot =
-          *reinterpret_cast<const scenarios::AllKindsTwiceScalarArguments*>(arguments);
+      const auto& slot = slotIn<scenarios::AllKindsTwiceScalarArguments>(arguments);
       load(slot.value, scratch_.twice_scalar_value);
-      auto& answer = *reinterpret_cast<double*>(result);
+      auto& answer = newSlot<double>(result);
       return store(implementation_.twice_scalar(scratch_.twice_scalar_value), answer)
           ? Errc{} : Errc::TooLarge;
     }
     case AllKindsCommand::twice_vector: {
-      const auto& slot =
-          *reinterpret_cast<const scenarios::AllKindsTwiceVectorArguments*>(arguments);
+      const auto& slot = slotIn<scenarios::AllKindsTwiceVectorArguments>(arguments);
       load(slot.value, scratch_.twice_vector_value);
-      auto& answer = *reinterpret_cast<std::array<double, 3>*>(result);
+      auto& answer = newSlot<std::array<double, 3>>(result);
       return store(implementation_.twice_vector(scratch_.twice_vector_value), answer)
           ? Errc{} : Errc::TooLarge;
     }
     case AllKindsCommand::twice_record: {
-      const auto& slot =
-          *reinterpret_cast<const scenarios::AllKindsTwiceRecordArguments*>(arguments);
+      const auto& slot = slotIn<scenarios::AllKindsTwiceRecordArguments>(arguments);
       load(slot.value, scratch_.twice_record_value);
-      auto& answer = *reinterpret_cast<robots::PosePrmSlot*>(result);
+      auto& answer = newSlot<robots::PosePrmSlot>(result);
       return store(implementation_.twice_record(scratch_.twice_record_value), answer)
           ? Errc{} : Errc::TooLarge;
     }
     case AllKindsCommand::twice_text: {
-      const auto& slot = *reinterpret_cast<const scenarios::AllKindsTwiceTextArguments*>(arguments);
+      const auto& slot = slotIn<scenarios::AllKindsTwiceTextArguments>(arguments);
       load(slot.value, scratch_.twice_text_value);
-      auto& answer = *reinterpret_cast<suture::BoundedText<31>*>(result);
+      auto& answer = newSlot<suture::BoundedText<31>>(result);
       return store(implementation_.twice_text(scratch_.twice_text_value), answer)
           ? Errc{} : Errc::TooLarge;
     }
     case AllKindsCommand::take_scalar: {
-      auto& slot = *reinterpret_cast<double*>(result);
+      auto& slot = newSlot<double>(result);
       return store(implementation_.take_scalar(), slot) ? Errc{} : Errc::TooLarge;
     }
     case AllKindsCommand::take_vector: {
-      auto& slot = *reinterpret_cast<std::array<double, 3>*>(result);
+      auto& slot = newSlot<std::array<double, 3>>(result);
       return store(implementation_.take_vector(), slot) ? Errc{} : Errc::TooLarge;
     }
     case AllKindsCommand::take_record: {
-      auto& slot = *reinterpret_cast<robots::PosePrmSlot*>(result);
+      auto& slot = newSlot<robots::PosePrmSlot>(result);
       return store(implementation_.take_record(), slot) ? Errc{} : Errc::TooLarge;
     }
     case AllKindsCommand::take_text: {
-      auto& slot = *reinterpret_cast<suture::BoundedText<31>*>(result);
+      auto& slot = newSlot<suture::BoundedText<31>>(result);
       return store(implementation_.take_text(), slot) ? Errc{} : Errc::TooLarge;
     }
     case AllKindsCommand::swap_scalar: {
-      const auto& slot =
-          *reinterpret_cast<const scenarios::AllKindsSwapScalarArguments*>(arguments);
+      const auto& slot = slotIn<scenarios::AllKindsSwapScalarArguments>(arguments);
       load(slot.value, scratch_.swap_scalar_value);
-      auto& answer = *reinterpret_cast<double*>(result);
+      auto& answer = newSlot<double>(result);
       return store(implementation_.swap_scalar(scratch_.swap_scalar_value), answer)
           ? Errc{} : Errc::TooLarge;
     }
     case AllKindsCommand::swap_vector: {
-      const auto& slot =
-          *reinterpret_cast<const scenarios::AllKindsSwapVectorArguments*>(arguments);
+      const auto& slot = slotIn<scenarios::AllKindsSwapVectorArguments>(arguments);
       load(slot.value, scratch_.swap_vector_value);
-      auto& answer = *reinterpret_cast<std::array<double, 3>*>(result);
+      auto& answer = newSlot<std::array<double, 3>>(result);
       return store(implementation_.swap_vector(scratch_.swap_vector_value), answer)
           ? Errc{} : Errc::TooLarge;
     }
     case AllKindsCommand::swap_record: {
-      const auto& slot =
-          *reinterpret_cast<const scenarios::AllKindsSwapRecordArguments*>(arguments);
+      const auto& slot = slotIn<scenarios::AllKindsSwapRecordArguments>(arguments);
       load(slot.value, scratch_.swap_record_value);
-      auto& answer = *reinterpret_cast<robots::PosePrmSlot*>(result);
+      auto& answer = newSlot<robots::PosePrmSlot>(result);
       return store(implementation_.swap_record(scratch_.swap_record_value), answer)
           ? Errc{} : Errc::TooLarge;
     }
     case AllKindsCommand::swap_text: {
-      const auto& slot = *reinterpret_cast<const scenarios::AllKindsSwapTextArguments*>(arguments);
+      const auto& slot = slotIn<scenarios::AllKindsSwapTextArguments>(arguments);
       load(slot.value, scratch_.swap_text_value);
-      auto& answer = *reinterpret_cast<suture::BoundedText<31>*>(result);
+      auto& answer = newSlot<suture::BoundedText<31>>(result);
       return store(implementation_.swap_text(scratch_.swap_text_value), answer)
           ? Errc{} : Errc::TooLarge;
     }

@@ -24,7 +24,6 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
-using suture::LooseSlot;
 using suture::load;
 using suture::newSlot;
 using suture::rpc::ProxyPort;
@@ -609,10 +608,9 @@ class ArmReceiver final : public wire::ArmEvents::Server {
 
   kj::Promise<void> modeChanged(ModeChangedContext context) override {
     auto in = context.getParams();
-    LooseSlot<std::int8_t> payload;
-    auto& slot = payload.value();
-    const Errc error = fromWire(in.getValue(), slot);
-    return port_->event(numberOf(ArmEvent::mode_changed), error, payload);
+    return port_->event<std::int8_t>(numberOf(ArmEvent::mode_changed), [&](std::int8_t& slot) {
+      return fromWire(in.getValue(), slot);
+    });
   }
 
   kj::Promise<void> stopped(StoppedContext) override {
@@ -621,23 +619,20 @@ class ArmReceiver final : public wire::ArmEvents::Server {
 
   kj::Promise<void> arrived(ArrivedContext context) override {
     auto in = context.getParams();
-    LooseSlot<PoseStampedSlot> payload;
-    auto& slot = payload.value();
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(ArmEvent::arrived), error, payload);
+    return port_->event<PoseStampedSlot>(numberOf(ArmEvent::arrived), [&](PoseStampedSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
   kj::Promise<void> moved(MovedContext context) override {
     auto in = context.getParams();
-    LooseSlot<ArmMovedPayload> payload;
-    auto& slot = payload.value();
-    slot.value2 = in.getValue2();
-    const Errc error = firstError({
-        in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid,
-        fromWire(in.getValue3(), slot.value3),
+    return port_->event<ArmMovedPayload>(numberOf(ArmEvent::moved), [&](ArmMovedPayload& slot) {
+      slot.value2 = in.getValue2();
+      return firstError({
+          in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid,
+          fromWire(in.getValue3(), slot.value3),
+      });
     });
-    return port_->event(numberOf(ArmEvent::moved), error, payload);
   }
 
  private:

@@ -32,7 +32,6 @@ using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Errc;
 using suture::EventInfo;
-using suture::LooseSlot;
 using suture::load;
 using suture::newSlot;
 using suture::rpc::ProxyPort;
@@ -382,10 +381,9 @@ class GripperReceiver final : public wire::GripperEvents::Server {
 
   kj::Promise<void> modeChanged(ModeChangedContext context) override {
     auto in = context.getParams();
-    LooseSlot<std::int8_t> payload;
-    auto& slot = payload.value();
-    const Errc error = fromWire(in.getValue(), slot);
-    return port_->event(numberOf(ArmEvent::mode_changed), error, payload);
+    return port_->event<std::int8_t>(numberOf(ArmEvent::mode_changed), [&](std::int8_t& slot) {
+      return fromWire(in.getValue(), slot);
+    });
   }
 
   kj::Promise<void> stopped(StoppedContext) override {
@@ -394,33 +392,30 @@ class GripperReceiver final : public wire::GripperEvents::Server {
 
   kj::Promise<void> arrived(ArrivedContext context) override {
     auto in = context.getParams();
-    LooseSlot<PoseStampedSlot> payload;
-    auto& slot = payload.value();
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(ArmEvent::arrived), error, payload);
+    return port_->event<PoseStampedSlot>(numberOf(ArmEvent::arrived), [&](PoseStampedSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
   kj::Promise<void> moved(MovedContext context) override {
     auto in = context.getParams();
-    LooseSlot<ArmMovedPayload> payload;
-    auto& slot = payload.value();
-    slot.value2 = in.getValue2();
-    const Errc error = firstError({
-        in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid,
-        fromWire(in.getValue3(), slot.value3),
+    return port_->event<ArmMovedPayload>(numberOf(ArmEvent::moved), [&](ArmMovedPayload& slot) {
+      slot.value2 = in.getValue2();
+      return firstError({
+          in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid,
+          fromWire(in.getValue3(), slot.value3),
+      });
     });
-    return port_->event(numberOf(ArmEvent::moved), error, payload);
   }
 
   kj::Promise<void> gripped(GrippedContext context) override {
     auto in = context.getParams();
-    LooseSlot<GripperGrippedPayload> payload;
-    auto& slot = payload.value();
-    slot.value = in.getValue();
-    slot.value2 = in.getValue2();
-    const Errc error = Errc{};
-    return port_->event(numberOf(GripperEvent::gripped), error, payload);
+    return port_->event<GripperGrippedPayload>(numberOf(GripperEvent::gripped),
+                                               [&](GripperGrippedPayload& slot) {
+      slot.value = in.getValue();
+      slot.value2 = in.getValue2();
+      return Errc{};
+    });
   }
 
  private:
@@ -618,11 +613,10 @@ class NamesReceiver final : public wire::NamesEvents::Server {
 
   kj::Promise<void> latched(LatchedContext context) override {
     auto in = context.getParams();
-    LooseSlot<double> payload;
-    auto& slot = payload.value();
-    slot = in.getValue();
-    const Errc error = Errc{};
-    return port_->event(numberOf(NamesEvent::latched), error, payload);
+    return port_->event<double>(numberOf(NamesEvent::latched), [&](double& slot) {
+      slot = in.getValue();
+      return Errc{};
+    });
   }
 
  private:

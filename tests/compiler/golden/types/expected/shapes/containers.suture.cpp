@@ -17,7 +17,6 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
-using suture::LooseSlot;
 using suture::load;
 using suture::newSlot;
 using suture::rpc::ProxyPort;
@@ -1031,11 +1030,10 @@ class StoreReceiver final : public wire::StoreEvents::Server {
 
   kj::Promise<void> changed(ChangedContext context) override {
     auto in = context.getParams();
-    LooseSlot<suture::SlotVariant<double, PointSlot>> payload;
-    auto& slot = payload.value();
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(StoreEvent::changed), error, payload);
+    return port_->event<suture::SlotVariant<double, PointSlot>>(numberOf(StoreEvent::changed),
+                                                                [&](suture::SlotVariant<double, PointSlot>& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
  private:

@@ -24,7 +24,6 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
-using suture::LooseSlot;
 using suture::load;
 using suture::newSlot;
 using suture::rpc::ProxyPort;
@@ -676,30 +675,28 @@ class ArchiveReceiver final : public wire::ArchiveEvents::Server {
 
   kj::Promise<void> renamed(RenamedContext context) override {
     auto in = context.getParams();
-    LooseSlot<suture::OpenText> payload;
-    auto& slot = payload.value();
-    const Errc error = fromWire(in.getValue(), slot);
-    return port_->event(numberOf(ArchiveEvent::renamed), error, payload);
+    return port_->event<suture::OpenText>(numberOf(ArchiveEvent::renamed),
+                                          [&](suture::OpenText& slot) {
+      return fromWire(in.getValue(), slot);
+    });
   }
 
   kj::Promise<void> grown(GrownContext context) override {
     auto in = context.getParams();
-    LooseSlot<ArchiveGrownPayload> payload;
-    auto& slot = payload.value();
-    const Errc error = firstError({
-        fromWire(in.getValue(), slot.value),
-        in.hasValue2() ? fromWire(in.getValue2(), slot.value2, port_->shift()) : Errc::Invalid,
+    return port_->event<ArchiveGrownPayload>(numberOf(ArchiveEvent::grown),
+                                             [&](ArchiveGrownPayload& slot) {
+      return firstError({
+          fromWire(in.getValue(), slot.value),
+          in.hasValue2() ? fromWire(in.getValue2(), slot.value2, port_->shift()) : Errc::Invalid,
+      });
     });
-    return port_->event(numberOf(ArchiveEvent::grown), error, payload);
   }
 
   kj::Promise<void> changed(ChangedContext context) override {
     auto in = context.getParams();
-    LooseSlot<OpenSlot> payload;
-    auto& slot = payload.value();
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(ArchiveEvent::changed), error, payload);
+    return port_->event<OpenSlot>(numberOf(ArchiveEvent::changed), [&](OpenSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
  private:
