@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What takes too long for every push: suturec under AddressSanitizer and UBSan on 10,000 mutated headers and on all its
-# tests, ten minutes of each fuzzer, and ten draws of random types.
+# tests, ten minutes of each fuzzer, a minute of stress on each part between threads, and ten draws of random types.
 #   tests/long.sh [MUTANTS] [SECONDS]
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -23,6 +23,7 @@ for name in lock deployment generated golden; do
 done
 
 cmake --build --preset dev -- --quiet
+SUTURE_STRESS_SECONDS=60 "$build/bin/stress_test" --gtest_brief=1
 for _ in {1..10}; do
   python3 tests/integration/random_contract/random_types_test.py --suture "$build"
 done

@@ -1,3 +1,7 @@
+#include <functional>
+#include <optional>
+#include <set>
+
 #include "compiler/check/rules.h"
 #include "compiler/check/type_tree.h"
 #include "compiler/model/naming.h"
@@ -8,58 +12,92 @@ namespace {
 constexpr std::uint64_t kLargestSlot = 16u << 20;
 
 /// One type that a contract carries, and where.
-class Carried {
- public:
-  Carried(std::string subject, const model::Source& source, const model::Lookup& lookup,
-          model::Diagnostics& findings)
-      : subject_(std::move(subject)), source_(source), lookup_(lookup), findings_(findings) {}
+struct Carried {
+  std::string subject;
+  const model::Type& type;
+  const model::Source& source;
+};
 
-  void check(const model::Type& type) {
-    bool bounded = true;
-    walk(type, lookup_, [&](const Place& place) {
-      if (place.recursive) {
-        reportRecursive(place);
-      } else if (isOpen(place.type)) {
-        reportOpen(type, place);
-      } else {
-        return true;
-      }
-      return bounded = false;
-    });
-    if (bounded && flatSize(type, lookup_) > kLargestSlot) {
-      addError(
-          findings_, source_, "slot-size",
-          subject_ + " needs more than " + std::to_string(kLargestSlot) + " bytes at its bounds",
-          "lower its capacity(); every place in a queue has room for the largest value");
+/// Calls `visit` for each type that the contract carries.
+void forEachCarried(const model::Interface& contract,
+                    const std::function<void(const Carried&)>& visit) {
+  for (const model::Command& command : contract.commands) {
+    for (const model::Parameter& parameter : command.parameters) {
+      visit({"parameter '" + parameter.name + "' of command '" + command.name + "'", parameter.type,
+             parameter.source});
     }
+    if (command.result) {
+      visit({"the result of command '" + command.name + "'", *command.result, command.source});
+    }
+  }
+  for (const model::Event& event : contract.events) {
+    for (const model::Type& payload : event.payload) {
+      visit({"the payload of event '" + event.name + "'", payload, event.source});
+    }
+  }
+}
+
+/// The first place in it that has no bound.
+std::optional<Place> firstOpen(const model::Type& type, const model::Lookup& lookup) {
+  std::optional<Place> found;
+  walk(type, lookup, [&](const Place& place) {
+    if (place.recursive || isOpen(place.type)) found.emplace(place);
+    return !found;
+  });
+  return found;
+}
+
+void checkSize(const Carried& carried, const model::Lookup& lookup, model::Diagnostics& findings) {
+  if (firstOpen(carried.type, lookup) || flatSize(carried.type, lookup) <= kLargestSlot) return;
+  addError(
+      findings, carried.source, "slot-size",
+      carried.subject + " needs more than " + std::to_string(kLargestSlot) + " bytes at its bounds",
+      "lower its capacity(); every place in a queue has room for the largest value");
+}
+
+/// What a task connects by one of its interfaces.
+class TaskPort {
+ public:
+  TaskPort(const model::Component& task, const model::Port& port, const model::Lookup& lookup,
+           model::Diagnostics& findings)
+      : beginning_("task '" + model::unqualified(task.name) + "' " +
+                   (port.provided ? "provides" : "requires") + " '" +
+                   model::unqualified(port.interface) + "', where "),
+        port_(port),
+        lookup_(lookup),
+        findings_(findings) {}
+
+  void check(const Carried& carried) {
+    const std::optional<Place> open = firstOpen(carried.type, lookup_);
+    if (!open) return;
+    model::Diagnostic& finding =
+        open->recursive ? reportRecursive(carried, *open) : reportOpen(carried, *open);
+    finding.notes.push_back({carried.source, "the contract has it here"});
+    if (open->field) finding.notes.push_back({open->field->source, "the field is here"});
   }
 
  private:
-  void reportRecursive(const Place& place) {
-    addError(findings_, source_, "recursive-type",
-             subject_ + " has no bound: '" + place.field->name + "' leads back to '" +
-                 model::unqualified(place.type.name) + "'",
-             "in a contract, keep a flat list of nodes that refer to each other by index")
-        .notes.push_back({place.field->source, "the field is here"});
+  model::Diagnostic& reportRecursive(const Carried& carried, const Place& place) {
+    return addError(findings_, port_.source, "recursive-type",
+                    beginning_ + carried.subject + " has no bound: '" + place.field->name +
+                        "' leads back to '" + model::unqualified(place.type.name) + "'",
+                    "for a task, keep a flat list of nodes that refer to each other by index");
   }
 
-  void reportOpen(const model::Type& type, const Place& place) {
+  model::Diagnostic& reportOpen(const Carried& carried, const Place& place) {
+    const model::Type& type = carried.type;
     const std::string name = type.name.empty() ? type.spelling : model::unqualified(type.name);
-    const std::string path = place.path.empty() ? "" : ": " + name + "." + place.path;
-    model::Diagnostic& finding = addError(
-        findings_, source_, "unbounded-contract",
-        subject_ + " has no bound" + path + " is a " + place.type.spelling + " without capacity()",
-        place.field
-            ? "add SUTURE_FIELD(capacity(n)) to the field, one number for each string or list"
-            : "add SUTURE_FIELD(capacity(n)) to it, one number for each string or list");
-    if (path.empty()) {
-      finding.message = subject_ + " has no bound: " + place.type.spelling + " without capacity()";
-    }
-    if (place.field) finding.notes.push_back({place.field->source, "the field is here"});
+    const std::string what = place.path.empty() ? "" : name + "." + place.path + " is a ";
+    return addError(findings_, port_.source, "unbounded-contract",
+                    beginning_ + carried.subject + " has no bound: " + what + place.type.spelling +
+                        " without capacity()",
+                    std::string("add SUTURE_FIELD(capacity(n)) to ") +
+                        (place.field ? "the field" : "it") +
+                        ", one number for each string or list; only devices do without");
   }
 
-  std::string subject_;
-  const model::Source& source_;
+  std::string beginning_;
+  const model::Port& port_;
   const model::Lookup& lookup_;
   model::Diagnostics& findings_;
 };
@@ -68,22 +106,17 @@ class Carried {
 
 void checkBounds(const model::Header& header, const model::Lookup& lookup,
                  model::Diagnostics& findings) {
-  for (const model::Interface& interface : header.interfaces) {
-    for (const model::Command& command : interface.commands) {
-      for (const model::Parameter& parameter : command.parameters) {
-        Carried("parameter '" + parameter.name + "' of command '" + command.name + "'",
-                parameter.source, lookup, findings)
-            .check(parameter.type);
-      }
-      if (!command.result) continue;
-      Carried("the result of command '" + command.name + "'", command.source, lookup, findings)
-          .check(*command.result);
-    }
-    for (const model::Event& event : interface.events) {
-      for (const model::Type& payload : event.payload) {
-        Carried("the payload of event '" + event.name + "'", event.source, lookup, findings)
-            .check(payload);
-      }
+  for (const model::Interface& contract : header.interfaces) {
+    forEachCarried(contract, [&](const Carried& carried) { checkSize(carried, lookup, findings); });
+  }
+  for (const model::Component& component : header.components) {
+    if (component.base != model::ComponentBase::Task) continue;
+    std::set<std::string> judged;
+    for (const model::Port& port : component.ports) {
+      const model::Interface* const contract = lookup.findInterface(port.interface);
+      if (contract == nullptr || !judged.insert(port.interface).second) continue;
+      TaskPort task(component, port, lookup, findings);
+      forEachCarried(*contract, [&](const Carried& carried) { task.check(carried); });
     }
   }
 }

@@ -38,8 +38,8 @@ void checkComponents(const model::Header& header, model::Diagnostics& findings);
 void checkReads(const model::Header& header, const model::Lookup& lookup,
                 model::Diagnostics& findings);
 
-/// What a contract carries fits into a slot: every string and list bounded, nothing that
-/// contains itself, the whole not too large.
+/// What a contract carries is not too large; where a task provides or requires it, every string and
+/// list is bounded, and nothing contains itself.
 void checkBounds(const model::Header& header, const model::Lookup& lookup,
                  model::Diagnostics& findings);
 

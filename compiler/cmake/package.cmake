@@ -4,7 +4,7 @@
 include(CMakePackageConfigHelpers)
 
 set(libraries)
-foreach(name base rt component wiring rpc delay manager observe record deploy suture schemas)
+foreach(name base rt component wiring rpc delay contracts manager observe record deploy suture schemas)
   set_target_properties(suture_${name} PROPERTIES EXPORT_NAME ${name})
   list(APPEND libraries suture_${name})
 endforeach()
@@ -49,7 +49,8 @@ install(FILES
 # Schemas lie beside headers, as Cap'n Proto's own do: whoever finds one finds the other.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/ ${PROJECT_SOURCE_DIR}/schemas/suture/
   ${PROJECT_BINARY_DIR}/schemas/suture/
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/suture FILES_MATCHING PATTERN "*.h" PATTERN "*.capnp")
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/suture FILES_MATCHING PATTERN "*.h" PATTERN "*.capnp"
+  PATTERN contracts EXCLUDE)  # suture_generate() installs those
 if(TARGET suturec)
   # Where suturec looks first: clang's own headers stay with it.
   install(DIRECTORY ${SUTURE_CLANG_RESOURCE_DIR}/include DESTINATION lib/suture/clang)

@@ -1,4 +1,4 @@
-# suture_generate(TARGET t HEADERS h... [BASE_DIR d] [LOCK_DIR d] [LOCK_PATH d...] [INSTALL_DIR d])
+# suture_generate(TARGET t HEADERS h... [BASE_DIR d] [LOCK_DIR d] [LOCK_PATH d...] [INSTALL_DIR d] [LOADABLE])
 #
 # Adds to target t the code that carries what its annotated headers declare. Users of t include
 # "X.suture.h" for each header X.h.
@@ -11,6 +11,9 @@
 #              installed header is found beside it
 #   INSTALL_DIR  include root below the install prefix, say "include": install() then puts there what other
 #              projects need of these headers, and whoever imports t finds it
+#   LOADABLE   deployments may name t, a shared library, and create its components by class name: t gets the
+#              entry point suture_components() of suture/component/component_library.h
+#   RUNTIME    what to link instead of all of the runtime: for contracts that the runtime itself links
 #
 # SUTUREC_EXECUTABLE, set before, is the suturec to run where that of the package is for another machine.
 # With suturec at hand it runs at build time: once per change of anything the headers read, and it
@@ -22,7 +25,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/suture_generate_parts.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/suture_generate_upkeep.cmake)
 
 function(suture_generate)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;BASE_DIR;LOCK_DIR;INSTALL_DIR" "HEADERS;LOCK_PATH")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "LOADABLE" "TARGET;BASE_DIR;LOCK_DIR;INSTALL_DIR;RUNTIME" "HEADERS;LOCK_PATH")
   suture_check_arguments("${arg_UNPARSED_ARGUMENTS}" "${arg_KEYWORDS_MISSING_VALUES}")
   suture_check_target("${arg_TARGET}")
   suture_default(arg_BASE_DIR ${CMAKE_CURRENT_SOURCE_DIR})
@@ -31,18 +34,22 @@ function(suture_generate)
   suture_check_install_dir("${arg_INSTALL_DIR}")
   suture_stems(stems ${arg_TARGET} "${arg_BASE_DIR}" "${arg_HEADERS}")
 
+  set(entry "")
+  if(arg_LOADABLE)
+    set(entry ${arg_TARGET}.components.cpp)
+  endif()
   set(wire ${CMAKE_BINARY_DIR}/generated-wire)
   set(lock_dirs ${arg_LOCK_DIR} ${arg_LOCK_PATH})
   suture_find_compiler(suturec)
   if(suturec)
     set(generated ${CMAKE_BINARY_DIR}/generated)
     set(schemas ${generated})
-    suture_run_compiler("${suturec}" ${arg_TARGET} "${arg_BASE_DIR}" "${generated}" "${lock_dirs}" "${stems}")
-    suture_register_upkeep("${suturec}" ${arg_TARGET} "${stems}")
+    suture_run_compiler("${suturec}" ${arg_TARGET} "${arg_BASE_DIR}" "${generated}" "${lock_dirs}" "${stems}" "${entry}")
+    suture_register_upkeep("${suturec}" ${arg_TARGET} "${stems}" "${entry}")
   else()
     set(generated ${PROJECT_SOURCE_DIR}/generated)
     set(schemas ${arg_LOCK_DIR})
-    suture_check_committed(${arg_TARGET} "${generated}" "${stems}")
+    suture_check_committed(${arg_TARGET} "${generated}" "${stems}" "${entry}")
   endif()
 
   foreach(stem IN LISTS stems)
@@ -55,6 +62,9 @@ function(suture_generate)
       suture_install(${stem} ${arg_INSTALL_DIR} "${arg_BASE_DIR}" "${generated}" "${arg_LOCK_DIR}" "${wire}")
     endif()
   endforeach()
+  if(entry)
+    target_sources(${arg_TARGET} PRIVATE ${generated}/${entry})
+  endif()
   suture_notice_removed(${arg_TARGET} "${generated}" "${wire}" "${stems}")
   target_include_directories(${arg_TARGET} PUBLIC
     "$<BUILD_INTERFACE:${arg_BASE_DIR}>" "$<BUILD_INTERFACE:${generated}>")
@@ -63,5 +73,8 @@ function(suture_generate)
   endif()
   # Capnp's output is nobody's interface: seen by generated code alone.
   target_include_directories(${arg_TARGET} SYSTEM PRIVATE "${wire}")
-  target_link_libraries(${arg_TARGET} PUBLIC suture::suture PRIVATE CapnProto::capnp-rpc)
+  if(NOT arg_RUNTIME)
+    set(arg_RUNTIME suture::suture)
+  endif()
+  target_link_libraries(${arg_TARGET} PUBLIC ${arg_RUNTIME} PRIVATE CapnProto::capnp-rpc)
 endfunction()

@@ -32,12 +32,15 @@ function(suture_target_machine result)
 endfunction()
 
 # One argument a line; lists of the target are complete only when the build files are written.
-function(suture_write_response_file file target base generated lock_dirs stems)
+function(suture_write_response_file file target base generated lock_dirs stems entry)
   set(own --target-name ${target} --project ${PROJECT_NAME} --base-dir ${base} --out ${generated})
   list(APPEND own --lock-command "cmake --build ${CMAKE_BINARY_DIR} --target update-lock")
   foreach(directory IN LISTS lock_dirs)
     list(APPEND own --lock-dir ${directory})
   endforeach()
+  if(entry)
+    list(APPEND own --components-file ${entry})
+  endif()
   foreach(stem IN LISTS stems)
     list(APPEND own ${base}/${stem}.h)
   endforeach()
@@ -58,14 +61,17 @@ function(suture_write_response_file file target base generated lock_dirs stems)
 endfunction()
 
 # A run of suturec: the stamp says when, the generated files change only with their text.
-function(suture_run_compiler suturec target base generated lock_dirs stems)
+function(suture_run_compiler suturec target base generated lock_dirs stems entry)
   set(work ${CMAKE_CURRENT_BINARY_DIR}/${target}.suture)
-  suture_write_response_file(${work}.rsp ${target} ${base} ${generated} "${lock_dirs}" "${stems}")
+  suture_write_response_file(${work}.rsp ${target} ${base} ${generated} "${lock_dirs}" "${stems}" "${entry}")
   foreach(stem IN LISTS stems)
     list(APPEND headers ${base}/${stem}.h)
     list(APPEND outputs ${generated}/${stem}.suture.h ${generated}/${stem}.suture.cpp
       ${generated}/${stem}.suture.json ${generated}/${stem}.suture.md ${generated}/${stem}.capnp)
   endforeach()
+  if(entry)
+    list(APPEND outputs ${generated}/${entry})
+  endif()
   add_custom_command(
     OUTPUT ${work}.stamp
     BYPRODUCTS ${outputs}

@@ -2,11 +2,12 @@
 # test check-generated. Each serves all suture_generate() calls of a project, so they are defined when
 # the project's own list file ends.
 
-function(suture_register_upkeep suturec target stems)
+function(suture_register_upkeep suturec target stems entry)
   set_property(GLOBAL APPEND PROPERTY SUTURE_UPKEEP_TARGETS ${target})
   set_property(GLOBAL PROPERTY SUTURE_UPKEEP_COMPILER ${suturec})
   set_property(GLOBAL PROPERTY SUTURE_UPKEEP_RSP_${target}
     ${CMAKE_CURRENT_BINARY_DIR}/${target}.suture.rsp)
+  set_property(GLOBAL APPEND PROPERTY SUTURE_UPKEEP_FILES ${entry})
   foreach(stem IN LISTS stems)
     set_property(GLOBAL APPEND PROPERTY SUTURE_UPKEEP_FILES
       ${stem}.suture.h ${stem}.suture.cpp ${stem}.suture.json ${stem}.suture.md)

@@ -29,19 +29,32 @@ std::optional<lock::Lock> readLock(const std::string& path) {
   return std::move(locks.files.begin()->second);
 }
 
+const char* label(lock::Effect effect) {
+  switch (effect) {
+    case lock::Effect::None: return "fine:    ";
+    case lock::Effect::Refusals: return "refuses: ";
+    case lock::Effect::Break: return "breaks:  ";
+  }
+  return "";
+}
+
 int tell(const std::vector<lock::Difference>& differences) {
   for (const lock::Difference& one : differences) {
-    std::cout << (one.breaks ? "breaks: " : "fine:   ") << one.text << "\n";
+    std::cout << label(one.effect) << one.text << "\n";
   }
-  const bool broken = std::any_of(differences.begin(), differences.end(),
-                                  [](const lock::Difference& one) { return one.breaks; });
+  const auto any = [&](lock::Effect effect) {
+    return std::any_of(differences.begin(), differences.end(),
+                       [effect](const lock::Difference& one) { return one.effect == effect; });
+  };
+  const bool broken = any(lock::Effect::Break);
   if (differences.empty()) {
     std::cout << "Nothing changed on the wire.\n";
   } else if (broken) {
     std::cout << "Peers and recordings of the old version do not work with the new one.\n";
   } else {
     std::cout << "Messages and recordings of the old version stay readable, and the other way "
-                 "round.\n";
+                 "round"
+              << (any(lock::Effect::Refusals) ? ", but for the values that are refused.\n" : ".\n");
   }
   return broken ? kBroken : kCompatible;
 }

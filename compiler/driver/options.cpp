@@ -50,6 +50,10 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--out", options.outputDirectory, "Folder for what is generated");
   app.add_option("--lock-dir", options.lockDirectories, "Folder of locked schemas; own first")
       ->allow_extra_args(false);
+  app.add_option(
+      "--components-file", options.componentsFile,
+      "Source file below --out for suture_components(), through which a deployment finds "
+      "the components of a shared library");
   app.add_option("--depfile", options.depfile, "Make rule that lists every file read");
   app.add_option("--stamp", options.stamp, "File touched after a run without errors");
   app.add_option("--resource-dir", options.resourceDirectory, "Clang's own headers");

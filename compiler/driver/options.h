@@ -15,6 +15,7 @@ struct Options {
   std::vector<std::string>
       lockDirectories;            ///< the first is the target's own, and written by --update-lock
   std::string depfile, stamp;     ///< "" = none
+  std::string componentsFile;     ///< the entry point's, below outputDirectory; "" = none
   std::string resourceDirectory;  ///< "" = look for it
   std::string project = "suture";
   std::string lockCommand = "suturec --update-lock";

@@ -8,6 +8,7 @@
 #include "compiler/driver/files.h"
 #include "compiler/driver/resource_dir.h"
 #include "compiler/driver/wire_schema.h"
+#include "compiler/emit/component_library.h"
 #include "compiler/emit/emit.h"
 #include "compiler/frontend/frontend.h"
 #include "compiler/lock/lock.h"
@@ -137,6 +138,10 @@ class Run {
     std::vector<model::Artefact> artefacts = emit::emit(model(), locks);
     for (const model::Header& header : model().headers) {
       if (header.own) artefacts.push_back(wireSchema(header, locks));
+    }
+    if (!options_.componentsFile.empty()) {
+      artefacts.push_back(
+          emit::emitComponentLibrary(model(), options_.targetName, options_.componentsFile));
     }
     NewFiles files;
     for (const model::Artefact& artefact : artefacts) {

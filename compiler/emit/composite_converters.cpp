@@ -14,10 +14,10 @@ using model::Type;
 using Shape = Type::Shape;
 
 /// Where the element of that number lies in the slot.
-std::string place(const Type& type, std::size_t index) {
+std::string place(const Type& type, std::size_t index, const model::Lookup& lookup) {
   const std::string number = std::to_string(index);
   switch (type.shape) {
-    case Shape::Optional: return "slot.value";
+    case Shape::Optional: return holdsRecursive(type, lookup) ? "*slot.value" : "slot.value";
     case Shape::Map: return index == 0 ? "slot.key" : "slot.value";
     case Shape::Variant: return "suture::alternative<" + number + ">(slot)";
     default: return "suture::item<" + number + ">(slot)";
@@ -29,7 +29,7 @@ std::vector<WireValue> valuesOf(const Type& type, const Context& context) {
       lock::compositeMembers(type, context.lookup, context.header);
   std::vector<WireValue> values;
   for (std::size_t i = 0; i < type.element.size(); ++i) {
-    values.push_back({type.element[i], names[i], place(type, i), {}});
+    values.push_back({type.element[i], names[i], place(type, i, context.lookup), {}});
   }
   return values;
 }
@@ -65,7 +65,7 @@ void emitDecoder(Code& code, const Type& type, const std::vector<WireValue>& val
   if (type.shape == Shape::Optional) {
     code.line("if (in.isNone()) return slot.present = 0, Errc{};");
     code.line("if (!in.isSome()) return Errc::Invalid;");
-    code.line("slot.present = 1;");
+    code.line(holdsRecursive(type, context.lookup) ? "engage(slot);" : "slot.present = 1;");
   }
   emitDecodeAndReturn(code, values, "in", "shift", context);
 }

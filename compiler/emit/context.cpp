@@ -46,6 +46,11 @@ std::string slotType(const Type& type, const Context& context, const std::string
   const auto array = [](const std::string& element, unsigned length) {
     return "std::array<" + element + ", " + std::to_string(length) + ">";
   };
+  const auto bound = [](std::optional<unsigned> capacity) {
+    return capacity.value_or(0) == 0 ? std::string("suture::kUnbounded")
+                                     : std::to_string(*capacity);
+  };
+  const bool open = type.capacity.value_or(0) == 0;
   const auto all = [&](const char* name) {
     std::string arguments;
     for (const Type& element : type.element) {
@@ -59,25 +64,33 @@ std::string slotType(const Type& type, const Context& context, const std::string
       return type.scalar == Scalar::Bool ? "std::uint8_t" : cxxScalar(type.scalar);
     case Shape::Enum: return cxxScalar(context.lookup.findEnum(type.name)->underlying);
     case Shape::Struct: return relative(slotStruct(type.name, context.lookup), inNamespace);
-    case Shape::Text: return "suture::BoundedText<" + std::to_string(*type.capacity) + ">";
+    case Shape::Text:
+      return open ? "suture::OpenText" : "suture::BoundedText<" + bound(type.capacity) + ">";
     case Shape::Array: return array(slotType(type.element[0], context, inNamespace), type.rows);
     case Shape::List:
-    case Shape::Map:
-      return "suture::BoundedList<" + elementSlot(type, context, inNamespace) + ", " +
-             std::to_string(*type.capacity) + ">";
+    case Shape::Map: {
+      const std::string element = elementSlot(type, context, inNamespace);
+      return open ? "suture::OpenList<" + element + ">"
+                  : "suture::BoundedList<" + element + ", " + bound(type.capacity) + ">";
+    }
     case Shape::Matrix: return array(cxxScalar(type.scalar), type.rows * type.columns);
     case Shape::Quaternion: return array(cxxScalar(type.scalar), 4);
     case Shape::Isometry:
     case Shape::Affine: return array(cxxScalar(type.scalar), 12);
     case Shape::Duration: return cxxScalar(lock::wireScalar(type));
     case Shape::TimePoint: return "std::int64_t";
-    case Shape::Optional: return all("suture::SlotOptional");
+    case Shape::Optional:
+      return all(holdsRecursive(type, context.lookup) ? "suture::OpenOptional"
+                                                      : "suture::SlotOptional");
     case Shape::Tuple: return all("suture::SlotTuple");
     case Shape::Variant: return all("suture::SlotVariant");
     case Shape::Nothing: return "suture::SlotNothing";
     case Shape::AnyMatrix:
-      return "suture::BoundedMatrix<" + cxxScalar(type.scalar) + ", " +
-             std::to_string(*type.capacity) + ", " + std::to_string(*type.columnCapacity) + ">";
+      if (open && type.columnCapacity.value_or(0) == 0) {
+        return "suture::OpenMatrix<" + cxxScalar(type.scalar) + ">";
+      }
+      return "suture::BoundedMatrix<" + cxxScalar(type.scalar) + ", " + bound(type.capacity) +
+             ", " + bound(type.columnCapacity) + ">";
   }
   return "void";
 }
@@ -139,8 +152,41 @@ class Bounds {
 
 bool isBounded(const Type& type, const model::Lookup& lookup) { return Bounds(lookup).all(type); }
 
-bool isBounded(const model::Struct& declaration, const model::Lookup& lookup) {
-  return Bounds(lookup).all(declaration);
+namespace {
+
+/// Finds the structs that a type holds, each once.
+class Held {
+ public:
+  explicit Held(const model::Lookup& lookup) : lookup_(lookup) {}
+
+  void add(const model::Struct& record) {
+    for (const model::Field& field : record.fields) add(field.type);
+  }
+  bool contains(const std::string& name) const { return names_.contains(name); }
+
+ private:
+  void add(const Type& type) {
+    if (type.shape == Shape::Struct && names_.insert(type.name).second) {
+      add(*lookup_.findStruct(type.name));
+    }
+    for (const Type& element : type.element) add(element);
+  }
+
+  const model::Lookup& lookup_;
+  std::set<std::string> names_;
+};
+
+}  // namespace
+
+bool isRecursive(const model::Struct& declaration, const model::Lookup& lookup) {
+  Held held(lookup);
+  held.add(declaration);
+  return held.contains(declaration.name);
+}
+
+bool holdsRecursive(const model::Type& type, const model::Lookup& lookup) {
+  if (type.shape != Shape::Optional || type.element[0].shape != Shape::Struct) return false;
+  return isRecursive(*lookup.findStruct(type.element[0].name), lookup);
 }
 
 std::string pascalCase(const std::string& cxxName) {

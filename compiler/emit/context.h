@@ -45,9 +45,12 @@ std::string elementSlot(const model::Type& type, const Context& context,
 std::string access(const model::Struct& owner, const model::Field& field, const std::string& object,
                    bool isConst, const std::string& inNamespace);
 
-/// False if some level in it has no capacity, or it holds itself: then it has no slot.
+/// False if some level in it has no capacity, or it holds itself: then its slot owns memory.
 bool isBounded(const model::Type& type, const model::Lookup& lookup);
-bool isBounded(const model::Struct& declaration, const model::Lookup& lookup);
+/// Does it hold one of its own kind, however deep?
+bool isRecursive(const model::Struct& declaration, const model::Lookup& lookup);
+/// Is it an optional value of such a type?
+bool holdsRecursive(const model::Type& type, const model::Lookup& lookup);
 
 /// "servo_cp" -> "ServoCp": a part of the name of something generated.
 std::string pascalCase(const std::string& cxxName);

@@ -114,7 +114,6 @@ class DirectlyUsed {
  public:
   explicit DirectlyUsed(const Context& context) {
     for (const model::Struct& type : context.header.structs) {
-      if (!isBounded(type, context.lookup)) continue;
       for (const model::Field& field : type.fields) add(field.type);
     }
     for (const model::Interface& interface : context.header.interfaces) add(interface);
@@ -184,9 +183,15 @@ void emitConverters(Code& code, const Context& context) {
     emitEnumEncoder(converters, context, type);
     emitEnumDecoder(converters, context, type);
   }
+  bool any = false;
+  for (const model::Struct& type : header.structs) {
+    if (!isRecursive(type, context.lookup)) continue;
+    any = true;
+    declare(converters, context, type.name);
+  }
+  if (any) converters.blank();
   CompositeConverters composites(context);
   for (const model::Struct& type : header.structs) {
-    if (!isBounded(type, context.lookup)) continue;
     for (const model::Field& field : type.fields) composites.emit(converters, field.type);
     emitStruct(converters, context, type);
   }

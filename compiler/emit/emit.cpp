@@ -25,13 +25,6 @@ void forEachInterface(Code& code, const Context& context, const Part& part) {
   for (const model::Interface& one : context.header.interfaces) part(code, context, one);
 }
 
-bool hasSlots(const Context& context) {
-  const auto& structs = context.header.structs;
-  return std::any_of(structs.begin(), structs.end(), [&](const model::Struct& declaration) {
-    return isBounded(declaration, context.lookup);
-  });
-}
-
 /// What `emitParts` writes, in namespace `name`; nothing at all when it writes nothing.
 template <class EmitParts>
 void inNamespace(Code& code, const std::string& name, const EmitParts& emitParts) {
@@ -88,7 +81,7 @@ void emitHeaderIncludes(Code& code, const Context& context) {
   const auto& interfaces = context.header.interfaces;
   if (std::any_of(interfaces.begin(), interfaces.end(), instantiatesConversions)) {
     code.line("#include <suture/base/slots.h>");
-  } else if (contracts || hasSlots(context)) {
+  } else if (contracts || !context.header.structs.empty()) {
     code.line("#include <suture/base/slot_forms.h>");
   }
   if (contracts) code.line("#include <suture/component/commands.h>");
@@ -166,11 +159,27 @@ bool mentions(std::string_view text, std::string_view word) {
 /// Those names of the runtime that `body` says.
 void emitUsings(Code& code, std::string_view body) {
   bool any = false;
-  for (const char* const name :
-       {"CommandInfo", "CommandKind", "Duration", "Errc", "EventInfo", "load", "rpc::ProxyPort",
-        "rpc::ServantPort", "rpc::allOf", "rpc::firstError", "rpc::fromWire", "rpc::fromWireList",
-        "rpc::inRange", "rpc::isValid", "rpc::numberOf", "rpc::toWire", "rpc::toWireList",
-        "store"}) {
+  for (const char* const name : {"CommandInfo",
+                                 "CommandKind",
+                                 "Duration",
+                                 "Errc",
+                                 "EventInfo",
+                                 "load",
+                                 "newSlot",
+                                 "rpc::ProxyPort",
+                                 "rpc::ServantPort",
+                                 "rpc::allOf",
+                                 "rpc::firstError",
+                                 "rpc::fromWire",
+                                 "rpc::fromWireList",
+                                 "rpc::inRange",
+                                 "rpc::isValid",
+                                 "rpc::numberOf",
+                                 "rpc::toWire",
+                                 "rpc::toWireList",
+                                 "slotIn",
+                                 "slotSize",
+                                 "store"}) {
     const std::string_view full = name;
     if (!mentions(body, full.substr(full.rfind(':') + 1))) continue;
     any = true;
@@ -182,7 +191,7 @@ void emitUsings(Code& code, std::string_view body) {
 /// Does anything of the header travel? Then its schema has to be there.
 bool converts(const Context& context) {
   const model::Header& header = context.header;
-  return !header.interfaces.empty() || !header.enums.empty() || hasSlots(context);
+  return !header.interfaces.empty() || !header.enums.empty() || !header.structs.empty();
 }
 
 std::string sourceFile(const Context& context) {

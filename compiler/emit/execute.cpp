@@ -18,16 +18,16 @@ void emitCase(Code& code, const Context& context, const model::Interface& interf
               const model::Command& command) {
   code.open("case ", prefixOf(interface), "Command::", command.name, ": {");
   if (!command.parameters.empty()) {
-    code.line("const auto& slot = ", kBreakText, "*reinterpret_cast<const ",
-              argumentsStruct(interface, command), "*>(arguments);");
+    code.line("const auto& slot = ", kBreakText, "slotIn<", argumentsStruct(interface, command),
+              ">(arguments);");
     for (const model::Parameter& parameter : command.parameters) {
       code.line("load(slot.", parameter.name, ", scratch_.", scratchName(command, parameter), ");");
     }
   }
   if (command.result) {
     const std::string answer = command.parameters.empty() ? "slot" : "answer";
-    code.line("auto& ", answer, " = *reinterpret_cast<",
-              slotType(*command.result, context, "suture"), "*>(result);");
+    code.line("auto& ", answer, " = ", kBreakText, "newSlot<",
+              slotType(*command.result, context, "suture"), ">(result);");
     code.line("return store(", call(command), ", ", kBreakText, answer, ") ", kBreakText,
               "? Errc{} : Errc::TooLarge;");
   } else {

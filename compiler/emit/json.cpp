@@ -38,8 +38,9 @@ Json durationOf(const Type& type) {
 
 Json anyMatrixOf(const Type& type) {
   Json json{{"kind", "any matrix"}, {"scalar", scalarName(type.scalar)}};
-  if (type.capacity && type.columnCapacity) {
-    json["capacity"] = {*type.capacity, *type.columnCapacity};
+  const auto bound = [](const std::optional<unsigned>& one) { return one ? Json(*one) : Json(); };
+  if (type.capacity || type.columnCapacity) {
+    json["capacity"] = {bound(type.capacity), bound(type.columnCapacity)};
   }
   return json;
 }

@@ -16,8 +16,8 @@ std::string home(const Context& context) { return context.header.cxxNamespace; }
 void emitColumn(Code& code, const Context& context, const model::Command& read, std::size_t i) {
   const std::string column = std::to_string(i);
   code.open("if (in.getEvaluated() >> ", column, " & 1) {");
-  code.line("auto& slot = *reinterpret_cast<", slotType(*read.result, context, home(context)),
-            "*>(port_->column(", column, "));");
+  code.line("auto& slot = ", kBreakText, "port_->column<",
+            slotType(*read.result, context, home(context)), ">(", column, ");");
   const std::string outcome = emitDecode(code, {{*read.result, read.wireName, "slot", {}}}, "in",
                                          "port_->shift()", context);
   const std::string mark = "valid |= suture::rt::ColumnSet{1} << " + column + ";";
@@ -47,12 +47,11 @@ void emitEvent(Code& code, const Context& context, const model::Interface& inter
   code.blank().open("kj::Promise<void> ", event.wireName, "(", model::titleCase(event.wireName),
                     carries ? "Context context) override {" : "Context) override {");
   if (carries) {
+    const std::string slot = payloadSlot(interface, event, context, home(context));
     code.line("auto in = context.getParams();");
-    code.line(payloadSlot(interface, event, context, home(context)), " slot;");
-    const std::string outcome =
-        emitDecode(code, payloadValues(event), "in", "port_->shift()", context);
-    emitError(code, outcome);
-    code.line("return port_->event(", id, ", error, slot);");
+    code.open("return port_->event<", slot, ">(", id, ", ", kBreakText, "[&](", slot, "& slot) {");
+    emitDecodeAndReturn(code, payloadValues(event), "in", "port_->shift()", context);
+    code.close("});");
   } else {
     code.line("return port_->event(", id, ");");
   }
@@ -91,9 +90,9 @@ void emitCase(Code& code, const Context& context, const model::Interface& interf
               const model::Command& command) {
   code.open("case ", prefixOf(interface), "Command::", command.name, ": {");
   if (!command.parameters.empty()) {
-    code.line("const auto& slot = ", kBreakText, "*reinterpret_cast<const ",
+    code.line("const auto& slot = ", kBreakText, "slotIn<",
               relative(argumentsStruct(interface, command), home(context)),
-              "*>(record.arguments());");
+              ">(record.arguments());");
   }
   code.line("auto request = provider_.", command.wireName, "Request();");
   for (const model::Parameter& one : command.parameters) {

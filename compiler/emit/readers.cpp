@@ -111,6 +111,16 @@ void emitReader(Code& code, const Context& context, const std::string& name) {
   code.close("}").blank();
 }
 
+/// The required interfaces that it can do without: "\"Slave\", \"Camera\"".
+std::string optionalPorts(const model::Component& component) {
+  std::string names;
+  for (const model::Port& port : component.ports) {
+    if (port.provided || !port.optional) continue;
+    names += (names.empty() ? "\"" : ", \"") + port.name + "\"";
+  }
+  return names;
+}
+
 void emitClass(Code& code, const model::Component& component) {
   const std::string name = model::unqualified(component.name);
   code.line("template <>");
@@ -126,8 +136,16 @@ void emitClass(Code& code, const model::Component& component) {
   }
   code.line(indent, "if (parameters.failed()) return nullptr;");
   // Not make_unique(): of a component that lacks a command, a compiler then says so right here.
-  code.line(indent, "return std::unique_ptr<Component>(new ", component.name,
-            component.parameters ? "(values));" : "());");
+  const std::string made =
+      "(new " + component.name + (component.parameters ? "(values));" : "());");
+  const std::string optional = optionalPorts(component);
+  if (optional.empty()) {
+    code.line(indent, "return std::unique_ptr<Component>", made);
+  } else {
+    code.line(indent, "std::unique_ptr<Component> component", made);
+    code.line(indent, "makeOptional(*component, {", optional, "});");
+    code.line(indent, "return component;");
+  }
   code.line("        }};").close("}").blank();
 }
 

@@ -19,8 +19,8 @@ void emitSinkCase(Code& code, const Context& context, const model::Interface& in
     code.line("return subscriber_.", event.wireName, "Request()", kBreakText,
               ".send().ignoreResult();");
   } else {
-    code.line("const auto& slot = ", kBreakText, "*reinterpret_cast<const ",
-              payloadSlot(interface, event, context, home(context)), "*>(payload);");
+    code.line("const auto& slot = ", kBreakText, "slotIn<",
+              payloadSlot(interface, event, context, home(context)), ">(payload);");
     code.line("auto request = subscriber_.", event.wireName, "Request();");
     for (const WireValue& value : payloadValues(event)) {
       code.line(encode(value, "request", context), ";");
@@ -57,8 +57,8 @@ void emitSinkRow(Code& code, const Context& context, const model::Interface& int
     const std::string column = std::to_string(i);
     const model::Type& type = *reads[i]->result;
     code.open("if (row.valid >> ", column, " & 1) {");
-    code.line("const auto& slot = ", kBreakText, "*reinterpret_cast<const ",
-              slotType(type, context, home(context)), "*>(columns[", column, "]);");
+    code.line("const auto& slot = ", kBreakText, "slotIn<", slotType(type, context, home(context)),
+              ">(columns[", column, "]);");
     code.line(encode({type, reads[i]->wireName, "slot", {}}, "out", context), ";").close("}");
   }
   code.line("return request.send().ignoreResult();").close("}");
@@ -114,8 +114,8 @@ void emitFill(Code& code, const Context& context, const model::Interface& interf
     values.push_back({one.type, one.wireName, "slot." + one.name, one.range});
   }
   code.open("const auto fill = [&](std::byte* memory) {");
-  code.line("auto& slot = *reinterpret_cast<",
-            relative(argumentsStruct(interface, command), home(context)), "*>(memory);");
+  code.line("auto& slot = ", kBreakText, "newSlot<",
+            relative(argumentsStruct(interface, command), home(context)), ">(memory);");
   if (!hasConditions(values, context)) {
     emitDecodeAndReturn(code, values, "in", "port_->shift()", context);
   } else {
@@ -135,8 +135,8 @@ void emitTake(Code& code, const Context& context, const model::Command& command)
   const bool stamped = command.kind == model::CommandKind::Read;
   code.open("auto take = [context](const std::byte* result, suture::Time", stamped ? " stamp" : "",
             ") mutable {");
-  code.line("const auto& slot = ", kBreakText, "*reinterpret_cast<const ",
-            slotType(type, context, home(context)), "*>(result);");
+  code.line("const auto& slot = ", kBreakText, "slotIn<", slotType(type, context, home(context)),
+            ">(result);");
   code.line("auto out = context.getResults();");
   code.line(encode({type, "value", "slot", {}}, "out", context), ";");
   if (stamped) code.line("out.setStamp(suture::toNanoseconds(stamp));");

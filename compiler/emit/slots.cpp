@@ -85,11 +85,10 @@ void emitLoad(Code& code, const model::Struct& declaration, const std::string& h
   code.close("}").blank();
 }
 
-/// Each type of the header that has a slot, with the slot's name.
+/// Each type of the header, with its slot's name.
 template <class Emit>
 void forEachSlot(const Context& context, const Emit& emit) {
   for (const model::Struct& declaration : context.header.structs) {
-    if (!isBounded(declaration, context.lookup)) continue;
     emit(declaration,
          relative(slotStruct(declaration.name, context.lookup), context.header.cxxNamespace));
   }
@@ -114,6 +113,13 @@ void emitMembers(Code& code, const Context& context) {
 }
 
 void emitSlots(Code& code, const Context& context) {
+  bool any = false;
+  forEachSlot(context, [&](const model::Struct& declaration, const std::string& slot) {
+    if (!isRecursive(declaration, context.lookup)) return;
+    any = true;
+    code.line("struct ", slot, ";");
+  });
+  if (any) code.blank();
   forEachSlot(context, [&](const model::Struct& declaration, const std::string& slot) {
     const std::string type = relative(declaration.name, context.header.cxxNamespace);
     emitStruct(code, context, declaration, slot);

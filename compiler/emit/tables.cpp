@@ -3,6 +3,7 @@
 #include "compiler/emit/remote.h"
 #include "compiler/model/naming.h"
 
+#include <algorithm>
 #include <sstream>
 #include <vector>
 
@@ -66,10 +67,10 @@ void emitCommand(Code& code, const Context& context, const model::Interface& int
       std::string(".kind = CommandKind::") + kindName(command.kind)};
   if (!command.parameters.empty()) {
     const std::string slot = relative(argumentsStruct(interface, command), home);
-    members.push_back(".argumentsSize = sizeof(" + slot + ")");
+    members.push_back(".argumentsSize = slotSize<" + slot + ">");
   }
   if (command.result) {
-    members.push_back(".resultSize = sizeof(" + slotType(*command.result, context, home) + ")");
+    members.push_back(".resultSize = slotSize<" + slotType(*command.result, context, home) + ">");
   }
   members.push_back(".depth = " + std::to_string(command.queue));
   if (command.latest) members.push_back(".latest = true");
@@ -78,6 +79,13 @@ void emitCommand(Code& code, const Context& context, const model::Interface& int
   if (command.deadlineNanoseconds) {
     members.push_back(duration(".deadline", *command.deadlineNanoseconds));
   }
+  const auto isOpen = [&](const auto& carried) { return !isBounded(carried, context.lookup); };
+  const auto& parameters = command.parameters;
+  if (std::any_of(parameters.begin(), parameters.end(),
+                  [&](const model::Parameter& one) { return isOpen(one.type); })) {
+    members.push_back(".sharedArguments = true");
+  }
+  if (command.result && isOpen(*command.result)) members.push_back(".sharedResult = true");
   emitEntry(code, members);
 }
 
@@ -100,11 +108,16 @@ void emitEvents(Code& code, const Context& context, const model::Interface& inte
     std::vector<std::string> members = {".name = \"" + event->name + "\""};
     if (!event->payload.empty()) {
       const std::string slot = payloadSlot(interface, *event, context, context.header.cxxNamespace);
-      members.push_back(".payloadSize = sizeof(" + slot + ")");
+      members.push_back(".payloadSize = slotSize<" + slot + ">");
     }
     members.push_back(".depth = " + std::to_string(event->queue));
     if (event->latest) members.push_back(".latest = true");
     if (event->latched) members.push_back(".latched = true");
+    const auto& payload = event->payload;
+    if (!std::all_of(payload.begin(), payload.end(),
+                     [&](const model::Type& type) { return isBounded(type, context.lookup); })) {
+      members.push_back(".sharedPayload = true");
+    }
     emitEntry(code, members);
   }
   code.line("};").blank();

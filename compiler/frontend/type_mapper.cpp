@@ -139,7 +139,9 @@ namespace {
 void handOut(model::Type& type, const std::vector<unsigned>& bounds, std::size_t& next) {
   using Shape = model::Type::Shape;
   const auto give = [&](std::optional<unsigned>& capacity) {
-    if (!capacity && next < bounds.size()) capacity = bounds[next++];
+    if (capacity || next == bounds.size()) return;
+    const unsigned bound = bounds[next++];
+    if (bound != 0) capacity = bound;  // zero: this level has none
   };
   const bool matrix = type.shape == Shape::AnyMatrix;
   const bool sized =

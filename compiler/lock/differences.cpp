@@ -57,8 +57,8 @@ class Comparison {
     return found ? found : first([&](const Node& one) { return one.id == node.id; });
   }
 
-  void broken(std::string text) { found_.push_back({true, std::move(text)}); }
-  void harmless(std::string text) { found_.push_back({false, std::move(text)}); }
+  void broken(std::string text) { found_.push_back({Effect::Break, std::move(text)}); }
+  void harmless(std::string text) { found_.push_back({Effect::None, std::move(text)}); }
 
   void compare(const Node& old, const Node* now) {
     const std::string title = titleOf(old);
@@ -68,7 +68,7 @@ class Comparison {
     if (now->name != old.name) harmless(title + " is called " + now->name + " now");
     if (now->removed() && !old.removed()) {
       const bool contract = old.kind == Node::Kind::Interface;
-      found_.push_back({contract, title + " was removed"});
+      found_.push_back({contract ? Effect::Break : Effect::None, title + " was removed"});
     }
     if (majorOf(*now) != majorOf(old)) {
       broken(title + ": major " + std::to_string(majorOf(*now)) + " instead of " +
@@ -88,28 +88,32 @@ class Comparison {
     }
     for (std::size_t i = old.members.size(); i < now.members.size(); ++i) {
       const bool chosen = old.kind == Node::Kind::Enum || old.isUnion;
-      harmless("'" + now.members[i].name + "' of " + title + " is new" +
-               (chosen ? "; peers of before refuse a message that has it" : ""));
+      found_.push_back({chosen ? Effect::Refusals : Effect::None,
+                        "'" + now.members[i].name + "' of " + title + " is new" +
+                            (chosen ? "; peers of before refuse a message that has it" : "")});
     }
   }
 
   void compare(const Member& old, const Member& now, const std::string& subject) {
     if (now.removed() && !old.removed()) {
       return found_.push_back(
-          {old.isMethod, subject + " was removed; " +
-                             (old.isMethod ? "who calls it is told so" : "its place is kept")});
+          {old.isMethod ? Effect::Break : Effect::None,
+           subject + " was removed; " +
+               (old.isMethod ? "who calls it is told so" : "its place is kept")});
     }
     if (now.name != old.name) harmless(subject + " is called '" + now.name + "' now");
     compareMeaning(old, now, subject);
     if (now.defaultValue != old.defaultValue) {
-      broken(subject + ": default " + shown(now.defaultValue) + " instead of " +
-             shown(old.defaultValue));
+      broken(subject + ": default " + shown(now.defaultValue, "zero") + " instead of " +
+             shown(old.defaultValue, "zero"));
     }
     compareLists(old.parameters, now.parameters, "parameter", subject);
     compareLists(old.results, now.results, "result", subject);
   }
 
-  static std::string shown(const std::string& value) { return value.empty() ? "zero" : value; }
+  static std::string shown(const std::string& value, const char* nothing) {
+    return value.empty() ? nothing : value;
+  }
 
   void compareMeaning(const Member& old, const Member& now, const std::string& subject) {
     if (old.isMethod != now.isMethod || renames_.apply(old.type) != now.type) {
@@ -122,9 +126,21 @@ class Comparison {
       const std::string before = valueOf(old.annotations, name);
       const std::string after = valueOf(now.annotations, name);
       if (before == after) continue;
-      found_.push_back(
-          {isMeaningful(name), subject + ": " + name + " " + after + " instead of " + before});
+      found_.push_back({effectOf(name), subject + ": " + name + " " + shown(after, "none") +
+                                            " instead of " + shown(before, "none") +
+                                            consequenceOf(name)});
     }
+  }
+
+  static Effect effectOf(const std::string& annotation) {
+    if (isMeaningful(annotation)) return Effect::Break;
+    return consequenceOf(annotation).empty() ? Effect::None : Effect::Refusals;
+  }
+
+  static std::string consequenceOf(const std::string& annotation) {
+    if (annotation == "range") return "; each side refuses what lies outside its own";
+    if (annotation == "capacity") return "; each side refuses what exceeds its own";
+    return "";
   }
 
   void compareLists(const std::vector<Member>& old, const std::vector<Member>& now,

@@ -8,9 +8,16 @@
 
 namespace suture::compiler::lock {
 
+/// What peers of the two versions meet.
+enum class Effect {
+  None,      ///< nothing: they understand each other
+  Refusals,  ///< they understand each other, and refuse some values
+  Break      ///< they misread or miss something
+};
+
 struct Difference {
-  bool breaks = false;  ///< peers of the old version misread or miss something
-  std::string text;     ///< "field 'x' of struct Pose: unit \"mm\" instead of \"m\""
+  Effect effect = Effect::None;
+  std::string text;  ///< "field 'x' of struct Pose: unit \"mm\" instead of \"m\""
 };
 
 /// In the order of the old version's text, what is new behind it.

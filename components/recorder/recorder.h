@@ -40,7 +40,7 @@ class SUTURE_COMPONENT() Recorder final : public suture::PeriodicTask {
 
   RecordingWriter writer_;
   suture::Required<Arm> arm_{*this, "Arm"};
-  suture::Required<Teleoperation> teleop_{*this, "Teleoperation"};
+  SUTURE_REQUIRED(optional()) suture::Required<Teleoperation> teleop_{*this, "Teleoperation"};
   suture::Time last_;
   std::atomic<std::uint64_t> dropped_{0};
 };

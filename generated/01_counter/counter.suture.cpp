@@ -16,9 +16,12 @@ using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Errc;
 using suture::EventInfo;
+using suture::newSlot;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::numberOf;
+using suture::slotIn;
+using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -26,17 +29,17 @@ namespace {
 constexpr CommandInfo kCounterCommands[] = {
     {.name = "add",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(CounterAddArguments),
+     .argumentsSize = slotSize<CounterAddArguments>,
      .depth = 8},
     {.name = "value",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(std::int64_t),
+     .resultSize = slotSize<std::int64_t>,
      .depth = 16,
      .column = 0},
 };
 
 constexpr EventInfo kCounterEvents[] = {
-    {.name = "ten_more", .payloadSize = sizeof(std::int64_t), .depth = 16},
+    {.name = "ten_more", .payloadSize = slotSize<std::int64_t>, .depth = 16},
 };
 
 // The self-description, as in 01_counter/counter.suture.json.
@@ -67,7 +70,7 @@ class CounterSink final : public suture::rpc::EventSink {
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
     switch (event) {
       case numberOf(CounterEvent::ten_more): {
-        const auto& slot = *reinterpret_cast<const std::int64_t*>(payload);
+        const auto& slot = slotIn<std::int64_t>(payload);
         auto request = subscriber_.tenMoreRequest();
         request.setValue(slot);
         return request.send().ignoreResult();
@@ -84,7 +87,7 @@ class CounterSink final : public suture::rpc::EventSink {
     out.setEvaluated(row.valid);
     out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
-      const auto& slot = *reinterpret_cast<const std::int64_t*>(columns[0]);
+      const auto& slot = slotIn<std::int64_t>(columns[0]);
       out.setValue(slot);
     }
     return request.send().ignoreResult();
@@ -109,7 +112,7 @@ class CounterServant final : public wire::Counter::Server {
   kj::Promise<void> add(AddContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<CounterAddArguments*>(memory);
+      auto& slot = newSlot<CounterAddArguments>(memory);
       slot.amount = in.getAmount();
       return Errc{};
     };
@@ -119,7 +122,7 @@ class CounterServant final : public wire::Counter::Server {
   kj::Promise<void> value(ValueContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const std::int64_t*>(result);
+      const auto& slot = slotIn<std::int64_t>(result);
       auto out = context.getResults();
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
@@ -144,7 +147,7 @@ class CounterReceiver final : public wire::CounterEvents::Server {
     auto in = context.getParams().getRow();
     suture::rt::ColumnSet valid = 0;
     if (in.getEvaluated() >> 0 & 1) {
-      auto& slot = *reinterpret_cast<std::int64_t*>(port_->column(0));
+      auto& slot = port_->column<std::int64_t>(0);
       slot = in.getValue();
       valid |= suture::rt::ColumnSet{1} << 0;
     }
@@ -154,10 +157,10 @@ class CounterReceiver final : public wire::CounterEvents::Server {
 
   kj::Promise<void> tenMore(TenMoreContext context) override {
     auto in = context.getParams();
-    std::int64_t slot;
-    slot = in.getValue();
-    const Errc error = Errc{};
-    return port_->event(numberOf(CounterEvent::ten_more), error, slot);
+    return port_->event<std::int64_t>(numberOf(CounterEvent::ten_more), [&](std::int64_t& slot) {
+      slot = in.getValue();
+      return Errc{};
+    });
   }
 
  private:
@@ -181,7 +184,7 @@ class CounterProxy final : public suture::rpc::Proxy {
   kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
     switch (static_cast<CounterCommand>(record.command)) {
       case CounterCommand::add: {
-        const auto& slot = *reinterpret_cast<const CounterAddArguments*>(record.arguments());
+        const auto& slot = slotIn<CounterAddArguments>(record.arguments());
         auto request = provider_.addRequest();
         request.setAmount(slot.amount);
         suture::rpc::fill(request.initSent(), record);
@@ -248,13 +251,13 @@ Errc Provided<counting::Counter>::execute(std::uint16_t command, const std::byte
   using ::counting::CounterCommand;
   switch (static_cast<CounterCommand>(command)) {
     case CounterCommand::add: {
-      const auto& slot = *reinterpret_cast<const counting::CounterAddArguments*>(arguments);
+      const auto& slot = slotIn<counting::CounterAddArguments>(arguments);
       load(slot.amount, scratch_.add_amount);
       implementation_.add(scratch_.add_amount);
       return Errc{};
     }
     case CounterCommand::value: {
-      auto& slot = *reinterpret_cast<std::int64_t*>(result);
+      auto& slot = newSlot<std::int64_t>(result);
       return store(implementation_.value(), slot) ? Errc{} : Errc::TooLarge;
     }
   }

@@ -46,12 +46,15 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::newSlot;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
+using suture::slotIn;
+using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -69,64 +72,64 @@ constexpr CommandInfo kArmCommands[] = {
     {.name = "hold", .kind = CommandKind::Void, .depth = 16},
     {.name = "servo_cp",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(ArmServoCpArguments),
+     .argumentsSize = slotSize<ArmServoCpArguments>,
      .depth = 16,
      .latest = true,
      .ttl = Duration(20'000'000)},
     {.name = "servo_jp",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(ArmServoJpArguments),
+     .argumentsSize = slotSize<ArmServoJpArguments>,
      .depth = 16,
      .latest = true,
      .ttl = Duration(20'000'000)},
     {.name = "move_jp",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(ArmMoveJpArguments),
+     .argumentsSize = slotSize<ArmMoveJpArguments>,
      .depth = 16},
     {.name = "measured_js",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(JointStateSlot),
+     .resultSize = slotSize<JointStateSlot>,
      .depth = 16,
      .column = 0},
     {.name = "setpoint_js",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(JointStateSlot),
+     .resultSize = slotSize<JointStateSlot>,
      .depth = 16,
      .column = 1},
     {.name = "measured_cp",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(PoseStampedSlot),
+     .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = 2},
     {.name = "setpoint_cp",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(PoseStampedSlot),
+     .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = 3},
     {.name = "operating_state",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(OperatingStateSlot),
+     .resultSize = slotSize<OperatingStateSlot>,
      .depth = 16,
      .column = 4},
     {.name = "forward_kinematics",
      .kind = CommandKind::QualifiedRead,
-     .argumentsSize = sizeof(ArmForwardKinematicsArguments),
-     .resultSize = sizeof(PoseStampedSlot),
+     .argumentsSize = slotSize<ArmForwardKinematicsArguments>,
+     .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16},
     {.name = "inverse_kinematics",
      .kind = CommandKind::QualifiedRead,
-     .argumentsSize = sizeof(ArmInverseKinematicsArguments),
-     .resultSize = sizeof(JointSolutionSlot),
+     .argumentsSize = slotSize<ArmInverseKinematicsArguments>,
+     .resultSize = slotSize<JointSolutionSlot>,
      .depth = 16},
 };
 
 constexpr EventInfo kArmEvents[] = {
     {.name = "operating_state",
-     .payloadSize = sizeof(OperatingStateSlot),
+     .payloadSize = slotSize<OperatingStateSlot>,
      .depth = 16,
      .latched = true},
-    {.name = "goal_reached", .payloadSize = sizeof(std::uint8_t), .depth = 16},
-    {.name = "warning", .payloadSize = sizeof(std::uint8_t), .depth = 16},
+    {.name = "goal_reached", .payloadSize = slotSize<std::uint8_t>, .depth = 16},
+    {.name = "warning", .payloadSize = slotSize<std::uint8_t>, .depth = 16},
 };
 
 // The self-description, as in arm/arm.suture.json.
@@ -269,19 +272,19 @@ class ArmSink final : public suture::rpc::EventSink {
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
     switch (event) {
       case numberOf(ArmEvent::operating_state): {
-        const auto& slot = *reinterpret_cast<const OperatingStateSlot*>(payload);
+        const auto& slot = slotIn<OperatingStateSlot>(payload);
         auto request = subscriber_.operatingStateRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
       case numberOf(ArmEvent::goal_reached): {
-        const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
+        const auto& slot = slotIn<std::uint8_t>(payload);
         auto request = subscriber_.goalReachedRequest();
         request.setValue(slot != 0);
         return request.send().ignoreResult();
       }
       case numberOf(ArmEvent::warning): {
-        const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
+        const auto& slot = slotIn<std::uint8_t>(payload);
         auto request = subscriber_.warningRequest();
         request.setValue(wireArmWarning(slot));
         return request.send().ignoreResult();
@@ -298,23 +301,23 @@ class ArmSink final : public suture::rpc::EventSink {
     out.setEvaluated(row.valid);
     out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
-      const auto& slot = *reinterpret_cast<const JointStateSlot*>(columns[0]);
+      const auto& slot = slotIn<JointStateSlot>(columns[0]);
       toWire(slot, out.initMeasuredJs());
     }
     if (row.valid >> 1 & 1) {
-      const auto& slot = *reinterpret_cast<const JointStateSlot*>(columns[1]);
+      const auto& slot = slotIn<JointStateSlot>(columns[1]);
       toWire(slot, out.initSetpointJs());
     }
     if (row.valid >> 2 & 1) {
-      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(columns[2]);
+      const auto& slot = slotIn<PoseStampedSlot>(columns[2]);
       toWire(slot, out.initMeasuredCp());
     }
     if (row.valid >> 3 & 1) {
-      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(columns[3]);
+      const auto& slot = slotIn<PoseStampedSlot>(columns[3]);
       toWire(slot, out.initSetpointCp());
     }
     if (row.valid >> 4 & 1) {
-      const auto& slot = *reinterpret_cast<const OperatingStateSlot*>(columns[4]);
+      const auto& slot = slotIn<OperatingStateSlot>(columns[4]);
       toWire(slot, out.initOperatingState());
     }
     return request.send().ignoreResult();
@@ -363,7 +366,7 @@ class ArmServant final : public wire::Arm::Server {
   kj::Promise<void> servoCp(ServoCpContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<ArmServoCpArguments*>(memory);
+      auto& slot = newSlot<ArmServoCpArguments>(memory);
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
@@ -375,7 +378,7 @@ class ArmServant final : public wire::Arm::Server {
   kj::Promise<void> servoJp(ServoJpContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<ArmServoJpArguments*>(memory);
+      auto& slot = newSlot<ArmServoJpArguments>(memory);
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
@@ -387,7 +390,7 @@ class ArmServant final : public wire::Arm::Server {
   kj::Promise<void> moveJp(MoveJpContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<ArmMoveJpArguments*>(memory);
+      auto& slot = newSlot<ArmMoveJpArguments>(memory);
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
@@ -399,7 +402,7 @@ class ArmServant final : public wire::Arm::Server {
   kj::Promise<void> measuredJs(MeasuredJsContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
+      const auto& slot = slotIn<JointStateSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -411,7 +414,7 @@ class ArmServant final : public wire::Arm::Server {
   kj::Promise<void> setpointJs(SetpointJsContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
+      const auto& slot = slotIn<JointStateSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -423,7 +426,7 @@ class ArmServant final : public wire::Arm::Server {
   kj::Promise<void> measuredCp(MeasuredCpContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      const auto& slot = slotIn<PoseStampedSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -435,7 +438,7 @@ class ArmServant final : public wire::Arm::Server {
   kj::Promise<void> setpointCp(SetpointCpContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      const auto& slot = slotIn<PoseStampedSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -447,7 +450,7 @@ class ArmServant final : public wire::Arm::Server {
   kj::Promise<void> operatingState(OperatingStateContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const OperatingStateSlot*>(result);
+      const auto& slot = slotIn<OperatingStateSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -459,13 +462,13 @@ class ArmServant final : public wire::Arm::Server {
   kj::Promise<void> forwardKinematics(ForwardKinematicsContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<ArmForwardKinematicsArguments*>(memory);
+      auto& slot = newSlot<ArmForwardKinematicsArguments>(memory);
       const Errc error = in.hasQ() ? fromWire(in.getQ(), slot.q, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
       return isValid(slot.q) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      const auto& slot = slotIn<PoseStampedSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
     };
@@ -475,14 +478,14 @@ class ArmServant final : public wire::Arm::Server {
   kj::Promise<void> inverseKinematics(InverseKinematicsContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<ArmInverseKinematicsArguments*>(memory);
+      auto& slot = newSlot<ArmInverseKinematicsArguments>(memory);
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
       return isValid(slot.goal) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const JointSolutionSlot*>(result);
+      const auto& slot = slotIn<JointSolutionSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
     };
@@ -505,31 +508,31 @@ class ArmReceiver final : public wire::ArmEvents::Server {
     auto in = context.getParams().getRow();
     suture::rt::ColumnSet valid = 0;
     if (in.getEvaluated() >> 0 & 1) {
-      auto& slot = *reinterpret_cast<JointStateSlot*>(port_->column(0));
+      auto& slot = port_->column<JointStateSlot>(0);
       const Errc error =
           in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
     }
     if (in.getEvaluated() >> 1 & 1) {
-      auto& slot = *reinterpret_cast<JointStateSlot*>(port_->column(1));
+      auto& slot = port_->column<JointStateSlot>(1);
       const Errc error =
           in.hasSetpointJs() ? fromWire(in.getSetpointJs(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
     }
     if (in.getEvaluated() >> 2 & 1) {
-      auto& slot = *reinterpret_cast<PoseStampedSlot*>(port_->column(2));
+      auto& slot = port_->column<PoseStampedSlot>(2);
       const Errc error =
           in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 2;
     }
     if (in.getEvaluated() >> 3 & 1) {
-      auto& slot = *reinterpret_cast<PoseStampedSlot*>(port_->column(3));
+      auto& slot = port_->column<PoseStampedSlot>(3);
       const Errc error =
           in.hasSetpointCp() ? fromWire(in.getSetpointCp(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 3;
     }
     if (in.getEvaluated() >> 4 & 1) {
-      auto& slot = *reinterpret_cast<OperatingStateSlot*>(port_->column(4));
+      auto& slot = port_->column<OperatingStateSlot>(4);
       const Errc error =
           in.hasOperatingState() ? fromWire(in.getOperatingState(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 4;
@@ -540,25 +543,25 @@ class ArmReceiver final : public wire::ArmEvents::Server {
 
   kj::Promise<void> operatingState(OperatingStateContext context) override {
     auto in = context.getParams();
-    OperatingStateSlot slot;
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(ArmEvent::operating_state), error, slot);
+    return port_->event<OperatingStateSlot>(numberOf(ArmEvent::operating_state),
+                                            [&](OperatingStateSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
   kj::Promise<void> goalReached(GoalReachedContext context) override {
     auto in = context.getParams();
-    std::uint8_t slot;
-    slot = in.getValue();
-    const Errc error = Errc{};
-    return port_->event(numberOf(ArmEvent::goal_reached), error, slot);
+    return port_->event<std::uint8_t>(numberOf(ArmEvent::goal_reached), [&](std::uint8_t& slot) {
+      slot = in.getValue();
+      return Errc{};
+    });
   }
 
   kj::Promise<void> warning(WarningContext context) override {
     auto in = context.getParams();
-    std::uint8_t slot;
-    const Errc error = fromWire(in.getValue(), slot);
-    return port_->event(numberOf(ArmEvent::warning), error, slot);
+    return port_->event<std::uint8_t>(numberOf(ArmEvent::warning), [&](std::uint8_t& slot) {
+      return fromWire(in.getValue(), slot);
+    });
   }
 
  private:
@@ -602,21 +605,21 @@ class ArmProxy final : public suture::rpc::Proxy {
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmCommand::servo_cp: {
-        const auto& slot = *reinterpret_cast<const ArmServoCpArguments*>(record.arguments());
+        const auto& slot = slotIn<ArmServoCpArguments>(record.arguments());
         auto request = provider_.servoCpRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmCommand::servo_jp: {
-        const auto& slot = *reinterpret_cast<const ArmServoJpArguments*>(record.arguments());
+        const auto& slot = slotIn<ArmServoJpArguments>(record.arguments());
         auto request = provider_.servoJpRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmCommand::move_jp: {
-        const auto& slot = *reinterpret_cast<const ArmMoveJpArguments*>(record.arguments());
+        const auto& slot = slotIn<ArmMoveJpArguments>(record.arguments());
         auto request = provider_.moveJpRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
@@ -674,8 +677,7 @@ class ArmProxy final : public suture::rpc::Proxy {
         });
       }
       case ArmCommand::forward_kinematics: {
-        const auto& slot =
-            *reinterpret_cast<const ArmForwardKinematicsArguments*>(record.arguments());
+        const auto& slot = slotIn<ArmForwardKinematicsArguments>(record.arguments());
         auto request = provider_.forwardKinematicsRequest();
         toWire(slot.q, request.initQ());
         suture::rpc::fill(request.initSent(), record);
@@ -687,8 +689,7 @@ class ArmProxy final : public suture::rpc::Proxy {
         });
       }
       case ArmCommand::inverse_kinematics: {
-        const auto& slot =
-            *reinterpret_cast<const ArmInverseKinematicsArguments*>(record.arguments());
+        const auto& slot = slotIn<ArmInverseKinematicsArguments>(record.arguments());
         auto request = provider_.inverseKinematicsRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
@@ -766,54 +767,54 @@ Errc Provided<robots::Arm>::execute(std::uint16_t command, const std::byte* argu
       return Errc{};
     }
     case ArmCommand::servo_cp: {
-      const auto& slot = *reinterpret_cast<const robots::ArmServoCpArguments*>(arguments);
+      const auto& slot = slotIn<robots::ArmServoCpArguments>(arguments);
       load(slot.goal, scratch_.servo_cp_goal);
       implementation_.servo_cp(scratch_.servo_cp_goal);
       return Errc{};
     }
     case ArmCommand::servo_jp: {
-      const auto& slot = *reinterpret_cast<const robots::ArmServoJpArguments*>(arguments);
+      const auto& slot = slotIn<robots::ArmServoJpArguments>(arguments);
       load(slot.goal, scratch_.servo_jp_goal);
       implementation_.servo_jp(scratch_.servo_jp_goal);
       return Errc{};
     }
     case ArmCommand::move_jp: {
-      const auto& slot = *reinterpret_cast<const robots::ArmMoveJpArguments*>(arguments);
+      const auto& slot = slotIn<robots::ArmMoveJpArguments>(arguments);
       load(slot.goal, scratch_.move_jp_goal);
       implementation_.move_jp(scratch_.move_jp_goal);
       return Errc{};
     }
     case ArmCommand::measured_js: {
-      auto& slot = *reinterpret_cast<robots::JointStateSlot*>(result);
+      auto& slot = newSlot<robots::JointStateSlot>(result);
       return store(implementation_.measured_js(), slot) ? Errc{} : Errc::TooLarge;
     }
     case ArmCommand::setpoint_js: {
-      auto& slot = *reinterpret_cast<robots::JointStateSlot*>(result);
+      auto& slot = newSlot<robots::JointStateSlot>(result);
       return store(implementation_.setpoint_js(), slot) ? Errc{} : Errc::TooLarge;
     }
     case ArmCommand::measured_cp: {
-      auto& slot = *reinterpret_cast<robots::PoseStampedSlot*>(result);
+      auto& slot = newSlot<robots::PoseStampedSlot>(result);
       return store(implementation_.measured_cp(), slot) ? Errc{} : Errc::TooLarge;
     }
     case ArmCommand::setpoint_cp: {
-      auto& slot = *reinterpret_cast<robots::PoseStampedSlot*>(result);
+      auto& slot = newSlot<robots::PoseStampedSlot>(result);
       return store(implementation_.setpoint_cp(), slot) ? Errc{} : Errc::TooLarge;
     }
     case ArmCommand::operating_state: {
-      auto& slot = *reinterpret_cast<robots::OperatingStateSlot*>(result);
+      auto& slot = newSlot<robots::OperatingStateSlot>(result);
       return store(implementation_.operating_state(), slot) ? Errc{} : Errc::TooLarge;
     }
     case ArmCommand::forward_kinematics: {
-      const auto& slot = *reinterpret_cast<const robots::ArmForwardKinematicsArguments*>(arguments);
+      const auto& slot = slotIn<robots::ArmForwardKinematicsArguments>(arguments);
       load(slot.q, scratch_.forward_kinematics_q);
-      auto& answer = *reinterpret_cast<robots::PoseStampedSlot*>(result);
+      auto& answer = newSlot<robots::PoseStampedSlot>(result);
       return store(implementation_.forward_kinematics(scratch_.forward_kinematics_q), answer)
           ? Errc{} : Errc::TooLarge;
     }
     case ArmCommand::inverse_kinematics: {
-      const auto& slot = *reinterpret_cast<const robots::ArmInverseKinematicsArguments*>(arguments);
+      const auto& slot = slotIn<robots::ArmInverseKinematicsArguments>(arguments);
       load(slot.goal, scratch_.inverse_kinematics_goal);
-      auto& answer = *reinterpret_cast<robots::JointSolutionSlot*>(result);
+      auto& answer = newSlot<robots::JointSolutionSlot>(result);
       return store(implementation_.inverse_kinematics(scratch_.inverse_kinematics_goal), answer)
           ? Errc{} : Errc::TooLarge;
     }

@@ -98,6 +98,7 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::newSlot;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::fromWire;
@@ -105,6 +106,8 @@ using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
+using suture::slotIn;
+using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -112,17 +115,17 @@ namespace {
 constexpr CommandInfo kCrtkArmCommands[] = {
     {.name = "configuration_js",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(JointConfigurationSlot),
+     .resultSize = slotSize<JointConfigurationSlot>,
      .depth = 16,
      .column = 0},
     {.name = "operating_state",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(OperatingStateSlot),
+     .resultSize = slotSize<OperatingStateSlot>,
      .depth = 16,
      .column = 1},
     {.name = "period_statistics",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(IntervalStatisticsSlot),
+     .resultSize = slotSize<IntervalStatisticsSlot>,
      .depth = 16,
      .column = 2},
     {.name = "enable", .kind = CommandKind::Void, .depth = 16},
@@ -133,232 +136,232 @@ constexpr CommandInfo kCrtkArmCommands[] = {
     {.name = "unhome", .kind = CommandKind::Void, .depth = 16},
     {.name = "state_command",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(CrtkArmStateCommandArguments),
+     .argumentsSize = slotSize<CrtkArmStateCommandArguments>,
      .depth = 16},
     {.name = "measured_js",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(JointStateSlot),
+     .resultSize = slotSize<JointStateSlot>,
      .depth = 16,
      .column = 3},
     {.name = "setpoint_js",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(JointStateSlot),
+     .resultSize = slotSize<JointStateSlot>,
      .depth = 16,
      .column = 4},
     {.name = "goal_js",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(JointStateSlot),
+     .resultSize = slotSize<JointStateSlot>,
      .depth = 16,
      .column = 5},
     {.name = "measured_cp",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(PoseStampedSlot),
+     .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = 6},
     {.name = "setpoint_cp",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(PoseStampedSlot),
+     .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = 7},
     {.name = "goal_cp",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(PoseStampedSlot),
+     .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = 8},
     {.name = "local_measured_cp",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(PoseStampedSlot),
+     .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = 9},
     {.name = "local_setpoint_cp",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(PoseStampedSlot),
+     .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = 10},
     {.name = "measured_cv",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(TwistSlot),
+     .resultSize = slotSize<TwistSlot>,
      .depth = 16,
      .column = 11},
     {.name = "setpoint_cv",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(TwistSlot),
+     .resultSize = slotSize<TwistSlot>,
      .depth = 16,
      .column = 12},
     {.name = "body_measured_cf",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(WrenchSlot),
+     .resultSize = slotSize<WrenchSlot>,
      .depth = 16,
      .column = 13},
     {.name = "spatial_measured_cf",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(WrenchSlot),
+     .resultSize = slotSize<WrenchSlot>,
      .depth = 16,
      .column = 14},
     {.name = "measured_cs",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(CartesianStateSlot),
+     .resultSize = slotSize<CartesianStateSlot>,
      .depth = 16,
      .column = 15},
     {.name = "body_jacobian",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(JacobianSlot),
+     .resultSize = slotSize<JacobianSlot>,
      .depth = 16,
      .column = 16},
     {.name = "spatial_jacobian",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(JacobianSlot),
+     .resultSize = slotSize<JacobianSlot>,
      .depth = 16,
      .column = 17},
     {.name = "base_frame",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(PoseStampedSlot),
+     .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = 18},
     {.name = "set_base_frame",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(CrtkArmSetBaseFrameArguments),
+     .argumentsSize = slotSize<CrtkArmSetBaseFrameArguments>,
      .depth = 16},
     {.name = "hold", .kind = CommandKind::Void, .depth = 16},
     {.name = "free", .kind = CommandKind::Void, .depth = 16},
     {.name = "use_gravity_compensation",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(CrtkArmUseGravityCompensationArguments),
+     .argumentsSize = slotSize<CrtkArmUseGravityCompensationArguments>,
      .depth = 16},
     {.name = "servo_jp",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(CrtkArmServoJpArguments),
+     .argumentsSize = slotSize<CrtkArmServoJpArguments>,
      .depth = 16,
      .latest = true,
      .ttl = Duration(20'000'000)},
     {.name = "servo_jr",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(CrtkArmServoJrArguments),
+     .argumentsSize = slotSize<CrtkArmServoJrArguments>,
      .depth = 16,
      .ttl = Duration(20'000'000)},
     {.name = "servo_jv",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(CrtkArmServoJvArguments),
+     .argumentsSize = slotSize<CrtkArmServoJvArguments>,
      .depth = 16,
      .latest = true,
      .ttl = Duration(20'000'000)},
     {.name = "servo_jf",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(CrtkArmServoJfArguments),
+     .argumentsSize = slotSize<CrtkArmServoJfArguments>,
      .depth = 16,
      .latest = true,
      .ttl = Duration(20'000'000)},
     {.name = "servo_cp",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(CrtkArmServoCpArguments),
+     .argumentsSize = slotSize<CrtkArmServoCpArguments>,
      .depth = 16,
      .latest = true,
      .ttl = Duration(20'000'000)},
     {.name = "servo_cr",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(CrtkArmServoCrArguments),
+     .argumentsSize = slotSize<CrtkArmServoCrArguments>,
      .depth = 16,
      .ttl = Duration(20'000'000)},
     {.name = "servo_cv",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(CrtkArmServoCvArguments),
+     .argumentsSize = slotSize<CrtkArmServoCvArguments>,
      .depth = 16,
      .latest = true,
      .ttl = Duration(20'000'000)},
     {.name = "body_servo_cf",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(CrtkArmBodyServoCfArguments),
+     .argumentsSize = slotSize<CrtkArmBodyServoCfArguments>,
      .depth = 16,
      .latest = true,
      .ttl = Duration(20'000'000)},
     {.name = "spatial_servo_cf",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(CrtkArmSpatialServoCfArguments),
+     .argumentsSize = slotSize<CrtkArmSpatialServoCfArguments>,
      .depth = 16,
      .latest = true,
      .ttl = Duration(20'000'000)},
     {.name = "move_jp",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(CrtkArmMoveJpArguments),
+     .argumentsSize = slotSize<CrtkArmMoveJpArguments>,
      .depth = 16},
     {.name = "move_jr",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(CrtkArmMoveJrArguments),
+     .argumentsSize = slotSize<CrtkArmMoveJrArguments>,
      .depth = 16},
     {.name = "move_cp",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(CrtkArmMoveCpArguments),
+     .argumentsSize = slotSize<CrtkArmMoveCpArguments>,
      .depth = 16},
     {.name = "move_cr",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(CrtkArmMoveCrArguments),
+     .argumentsSize = slotSize<CrtkArmMoveCrArguments>,
      .depth = 16},
     {.name = "trajectory_j_set_ratio",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(CrtkArmTrajectoryJSetRatioArguments),
+     .argumentsSize = slotSize<CrtkArmTrajectoryJSetRatioArguments>,
      .depth = 16},
     {.name = "trajectory_j_set_ratio_v",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(CrtkArmTrajectoryJSetRatioVArguments),
+     .argumentsSize = slotSize<CrtkArmTrajectoryJSetRatioVArguments>,
      .depth = 16},
     {.name = "trajectory_j_set_ratio_a",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(CrtkArmTrajectoryJSetRatioAArguments),
+     .argumentsSize = slotSize<CrtkArmTrajectoryJSetRatioAArguments>,
      .depth = 16},
     {.name = "trajectory_j_ratio",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(double),
+     .resultSize = slotSize<double>,
      .depth = 16,
      .column = 19},
     {.name = "trajectory_j_ratio_v",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(double),
+     .resultSize = slotSize<double>,
      .depth = 16,
      .column = 20},
     {.name = "trajectory_j_ratio_a",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(double),
+     .resultSize = slotSize<double>,
      .depth = 16,
      .column = 21},
     {.name = "forward_kinematics",
      .kind = CommandKind::QualifiedRead,
-     .argumentsSize = sizeof(CrtkArmForwardKinematicsArguments),
-     .resultSize = sizeof(PoseStampedSlot),
+     .argumentsSize = slotSize<CrtkArmForwardKinematicsArguments>,
+     .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16},
     {.name = "inverse_kinematics",
      .kind = CommandKind::QualifiedRead,
-     .argumentsSize = sizeof(CrtkArmInverseKinematicsArguments),
-     .resultSize = sizeof(JointSolutionSlot),
+     .argumentsSize = slotSize<CrtkArmInverseKinematicsArguments>,
+     .resultSize = slotSize<JointSolutionSlot>,
      .depth = 16},
     {.name = "query_cp",
      .kind = CommandKind::QualifiedRead,
-     .argumentsSize = sizeof(CrtkArmQueryCpArguments),
-     .resultSize = sizeof(PoseStampedSlot),
+     .argumentsSize = slotSize<CrtkArmQueryCpArguments>,
+     .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16},
     {.name = "local_query_cp",
      .kind = CommandKind::QualifiedRead,
-     .argumentsSize = sizeof(CrtkArmLocalQueryCpArguments),
-     .resultSize = sizeof(PoseStampedSlot),
+     .argumentsSize = slotSize<CrtkArmLocalQueryCpArguments>,
+     .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16},
 };
 
 constexpr EventInfo kCrtkArmEvents[] = {
     {.name = "operating_state",
-     .payloadSize = sizeof(OperatingStateSlot),
+     .payloadSize = slotSize<OperatingStateSlot>,
      .depth = 16,
      .latched = true},
-    {.name = "desired_state", .payloadSize = sizeof(std::uint8_t), .depth = 16, .latched = true},
-    {.name = "goal_reached", .payloadSize = sizeof(std::uint8_t), .depth = 16},
+    {.name = "desired_state", .payloadSize = slotSize<std::uint8_t>, .depth = 16, .latched = true},
+    {.name = "goal_reached", .payloadSize = slotSize<std::uint8_t>, .depth = 16},
     {.name = "gravity_compensation",
-     .payloadSize = sizeof(std::uint8_t),
+     .payloadSize = slotSize<std::uint8_t>,
      .depth = 16,
      .latched = true},
-    {.name = "trajectory_j_ratio", .payloadSize = sizeof(double), .depth = 16, .latched = true},
-    {.name = "trajectory_j_ratio_v", .payloadSize = sizeof(double), .depth = 16, .latched = true},
-    {.name = "trajectory_j_ratio_a", .payloadSize = sizeof(double), .depth = 16, .latched = true},
-    {.name = "status", .payloadSize = sizeof(MessageSlot), .depth = 16},
-    {.name = "warning", .payloadSize = sizeof(MessageSlot), .depth = 16},
-    {.name = "error", .payloadSize = sizeof(MessageSlot), .depth = 16},
+    {.name = "trajectory_j_ratio", .payloadSize = slotSize<double>, .depth = 16, .latched = true},
+    {.name = "trajectory_j_ratio_v", .payloadSize = slotSize<double>, .depth = 16, .latched = true},
+    {.name = "trajectory_j_ratio_a", .payloadSize = slotSize<double>, .depth = 16, .latched = true},
+    {.name = "status", .payloadSize = slotSize<MessageSlot>, .depth = 16},
+    {.name = "warning", .payloadSize = slotSize<MessageSlot>, .depth = 16},
+    {.name = "error", .payloadSize = slotSize<MessageSlot>, .depth = 16},
 };
 
 // The self-description, as in arm/crtk_arm.suture.json.
@@ -722,61 +725,61 @@ class CrtkArmSink final : public suture::rpc::EventSink {
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
     switch (event) {
       case numberOf(CrtkArmEvent::operating_state): {
-        const auto& slot = *reinterpret_cast<const OperatingStateSlot*>(payload);
+        const auto& slot = slotIn<OperatingStateSlot>(payload);
         auto request = subscriber_.operatingStateRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
       case numberOf(CrtkArmEvent::desired_state): {
-        const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
+        const auto& slot = slotIn<std::uint8_t>(payload);
         auto request = subscriber_.desiredStateRequest();
         request.setValue(wireArmState(slot));
         return request.send().ignoreResult();
       }
       case numberOf(CrtkArmEvent::goal_reached): {
-        const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
+        const auto& slot = slotIn<std::uint8_t>(payload);
         auto request = subscriber_.goalReachedRequest();
         request.setValue(slot != 0);
         return request.send().ignoreResult();
       }
       case numberOf(CrtkArmEvent::gravity_compensation): {
-        const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
+        const auto& slot = slotIn<std::uint8_t>(payload);
         auto request = subscriber_.gravityCompensationRequest();
         request.setValue(slot != 0);
         return request.send().ignoreResult();
       }
       case numberOf(CrtkArmEvent::trajectory_j_ratio): {
-        const auto& slot = *reinterpret_cast<const double*>(payload);
+        const auto& slot = slotIn<double>(payload);
         auto request = subscriber_.trajectoryJRatioRequest();
         request.setValue(slot);
         return request.send().ignoreResult();
       }
       case numberOf(CrtkArmEvent::trajectory_j_ratio_v): {
-        const auto& slot = *reinterpret_cast<const double*>(payload);
+        const auto& slot = slotIn<double>(payload);
         auto request = subscriber_.trajectoryJRatioVRequest();
         request.setValue(slot);
         return request.send().ignoreResult();
       }
       case numberOf(CrtkArmEvent::trajectory_j_ratio_a): {
-        const auto& slot = *reinterpret_cast<const double*>(payload);
+        const auto& slot = slotIn<double>(payload);
         auto request = subscriber_.trajectoryJRatioARequest();
         request.setValue(slot);
         return request.send().ignoreResult();
       }
       case numberOf(CrtkArmEvent::status): {
-        const auto& slot = *reinterpret_cast<const MessageSlot*>(payload);
+        const auto& slot = slotIn<MessageSlot>(payload);
         auto request = subscriber_.statusRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
       case numberOf(CrtkArmEvent::warning): {
-        const auto& slot = *reinterpret_cast<const MessageSlot*>(payload);
+        const auto& slot = slotIn<MessageSlot>(payload);
         auto request = subscriber_.warningRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
       case numberOf(CrtkArmEvent::error): {
-        const auto& slot = *reinterpret_cast<const MessageSlot*>(payload);
+        const auto& slot = slotIn<MessageSlot>(payload);
         auto request = subscriber_.errorRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
@@ -793,91 +796,91 @@ class CrtkArmSink final : public suture::rpc::EventSink {
     out.setEvaluated(row.valid);
     out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
-      const auto& slot = *reinterpret_cast<const JointConfigurationSlot*>(columns[0]);
+      const auto& slot = slotIn<JointConfigurationSlot>(columns[0]);
       toWire(slot, out.initConfigurationJs());
     }
     if (row.valid >> 1 & 1) {
-      const auto& slot = *reinterpret_cast<const OperatingStateSlot*>(columns[1]);
+      const auto& slot = slotIn<OperatingStateSlot>(columns[1]);
       toWire(slot, out.initOperatingState());
     }
     if (row.valid >> 2 & 1) {
-      const auto& slot = *reinterpret_cast<const IntervalStatisticsSlot*>(columns[2]);
+      const auto& slot = slotIn<IntervalStatisticsSlot>(columns[2]);
       toWire(slot, out.initPeriodStatistics());
     }
     if (row.valid >> 3 & 1) {
-      const auto& slot = *reinterpret_cast<const JointStateSlot*>(columns[3]);
+      const auto& slot = slotIn<JointStateSlot>(columns[3]);
       toWire(slot, out.initMeasuredJs());
     }
     if (row.valid >> 4 & 1) {
-      const auto& slot = *reinterpret_cast<const JointStateSlot*>(columns[4]);
+      const auto& slot = slotIn<JointStateSlot>(columns[4]);
       toWire(slot, out.initSetpointJs());
     }
     if (row.valid >> 5 & 1) {
-      const auto& slot = *reinterpret_cast<const JointStateSlot*>(columns[5]);
+      const auto& slot = slotIn<JointStateSlot>(columns[5]);
       toWire(slot, out.initGoalJs());
     }
     if (row.valid >> 6 & 1) {
-      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(columns[6]);
+      const auto& slot = slotIn<PoseStampedSlot>(columns[6]);
       toWire(slot, out.initMeasuredCp());
     }
     if (row.valid >> 7 & 1) {
-      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(columns[7]);
+      const auto& slot = slotIn<PoseStampedSlot>(columns[7]);
       toWire(slot, out.initSetpointCp());
     }
     if (row.valid >> 8 & 1) {
-      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(columns[8]);
+      const auto& slot = slotIn<PoseStampedSlot>(columns[8]);
       toWire(slot, out.initGoalCp());
     }
     if (row.valid >> 9 & 1) {
-      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(columns[9]);
+      const auto& slot = slotIn<PoseStampedSlot>(columns[9]);
       toWire(slot, out.initLocalMeasuredCp());
     }
     if (row.valid >> 10 & 1) {
-      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(columns[10]);
+      const auto& slot = slotIn<PoseStampedSlot>(columns[10]);
       toWire(slot, out.initLocalSetpointCp());
     }
     if (row.valid >> 11 & 1) {
-      const auto& slot = *reinterpret_cast<const TwistSlot*>(columns[11]);
+      const auto& slot = slotIn<TwistSlot>(columns[11]);
       toWire(slot, out.initMeasuredCv());
     }
     if (row.valid >> 12 & 1) {
-      const auto& slot = *reinterpret_cast<const TwistSlot*>(columns[12]);
+      const auto& slot = slotIn<TwistSlot>(columns[12]);
       toWire(slot, out.initSetpointCv());
     }
     if (row.valid >> 13 & 1) {
-      const auto& slot = *reinterpret_cast<const WrenchSlot*>(columns[13]);
+      const auto& slot = slotIn<WrenchSlot>(columns[13]);
       toWire(slot, out.initBodyMeasuredCf());
     }
     if (row.valid >> 14 & 1) {
-      const auto& slot = *reinterpret_cast<const WrenchSlot*>(columns[14]);
+      const auto& slot = slotIn<WrenchSlot>(columns[14]);
       toWire(slot, out.initSpatialMeasuredCf());
     }
     if (row.valid >> 15 & 1) {
-      const auto& slot = *reinterpret_cast<const CartesianStateSlot*>(columns[15]);
+      const auto& slot = slotIn<CartesianStateSlot>(columns[15]);
       toWire(slot, out.initMeasuredCs());
     }
     if (row.valid >> 16 & 1) {
-      const auto& slot = *reinterpret_cast<const JacobianSlot*>(columns[16]);
+      const auto& slot = slotIn<JacobianSlot>(columns[16]);
       toWire(slot, out.initBodyJacobian());
     }
     if (row.valid >> 17 & 1) {
-      const auto& slot = *reinterpret_cast<const JacobianSlot*>(columns[17]);
+      const auto& slot = slotIn<JacobianSlot>(columns[17]);
       toWire(slot, out.initSpatialJacobian());
     }
     if (row.valid >> 18 & 1) {
-      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(columns[18]);
+      const auto& slot = slotIn<PoseStampedSlot>(columns[18]);
       toWire(slot, out.initBaseFrame());
     }
     if (row.valid >> 19 & 1) {
-      const auto& slot = *reinterpret_cast<const double*>(columns[19]);
+      const auto& slot = slotIn<double>(columns[19]);
       out.setTrajectoryJRatio(slot);
     }
     if (row.valid >> 20 & 1) {
-      const auto& slot = *reinterpret_cast<const double*>(columns[20]);
+      const auto& slot = slotIn<double>(columns[20]);
       out.setTrajectoryJRatioV(slot);
     }
     if (row.valid >> 21 & 1) {
-      const auto& slot = *reinterpret_cast<const double*>(columns[21]);
+      const auto& slot = slotIn<double>(columns[21]);
       out.setTrajectoryJRatioA(slot);
     }
     return request.send().ignoreResult();
@@ -902,7 +905,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> configurationJs(ConfigurationJsContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const JointConfigurationSlot*>(result);
+      const auto& slot = slotIn<JointConfigurationSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -914,7 +917,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> operatingState(OperatingStateContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const OperatingStateSlot*>(result);
+      const auto& slot = slotIn<OperatingStateSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -926,7 +929,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> periodStatistics(PeriodStatisticsContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const IntervalStatisticsSlot*>(result);
+      const auto& slot = slotIn<IntervalStatisticsSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -974,7 +977,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> stateCommand(StateCommandContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<CrtkArmStateCommandArguments*>(memory);
+      auto& slot = newSlot<CrtkArmStateCommandArguments>(memory);
       return fromWire(in.getName(), slot.name);
     };
     return port_->command(numberOf(CrtkArmCommand::state_command), in.getSent(), fill);
@@ -983,7 +986,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> measuredJs(MeasuredJsContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
+      const auto& slot = slotIn<JointStateSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -995,7 +998,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> setpointJs(SetpointJsContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
+      const auto& slot = slotIn<JointStateSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -1007,7 +1010,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> goalJs(GoalJsContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
+      const auto& slot = slotIn<JointStateSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -1019,7 +1022,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> measuredCp(MeasuredCpContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      const auto& slot = slotIn<PoseStampedSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -1031,7 +1034,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> setpointCp(SetpointCpContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      const auto& slot = slotIn<PoseStampedSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -1043,7 +1046,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> goalCp(GoalCpContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      const auto& slot = slotIn<PoseStampedSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -1055,7 +1058,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> localMeasuredCp(LocalMeasuredCpContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      const auto& slot = slotIn<PoseStampedSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -1067,7 +1070,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> localSetpointCp(LocalSetpointCpContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      const auto& slot = slotIn<PoseStampedSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -1079,7 +1082,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> measuredCv(MeasuredCvContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const TwistSlot*>(result);
+      const auto& slot = slotIn<TwistSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -1091,7 +1094,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> setpointCv(SetpointCvContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const TwistSlot*>(result);
+      const auto& slot = slotIn<TwistSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -1103,7 +1106,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> bodyMeasuredCf(BodyMeasuredCfContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const WrenchSlot*>(result);
+      const auto& slot = slotIn<WrenchSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -1115,7 +1118,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> spatialMeasuredCf(SpatialMeasuredCfContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const WrenchSlot*>(result);
+      const auto& slot = slotIn<WrenchSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -1127,7 +1130,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> measuredCs(MeasuredCsContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const CartesianStateSlot*>(result);
+      const auto& slot = slotIn<CartesianStateSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -1139,7 +1142,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> bodyJacobian(BodyJacobianContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const JacobianSlot*>(result);
+      const auto& slot = slotIn<JacobianSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -1151,7 +1154,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> spatialJacobian(SpatialJacobianContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const JacobianSlot*>(result);
+      const auto& slot = slotIn<JacobianSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -1163,7 +1166,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> baseFrame(BaseFrameContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      const auto& slot = slotIn<PoseStampedSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -1175,7 +1178,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> setBaseFrame(SetBaseFrameContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<CrtkArmSetBaseFrameArguments*>(memory);
+      auto& slot = newSlot<CrtkArmSetBaseFrameArguments>(memory);
       const Errc error =
           in.hasFrame() ? fromWire(in.getFrame(), slot.frame, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
@@ -1199,7 +1202,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> useGravityCompensation(UseGravityCompensationContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<CrtkArmUseGravityCompensationArguments*>(memory);
+      auto& slot = newSlot<CrtkArmUseGravityCompensationArguments>(memory);
       slot.use = in.getUse();
       return Errc{};
     };
@@ -1209,7 +1212,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> servoJp(ServoJpContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<CrtkArmServoJpArguments*>(memory);
+      auto& slot = newSlot<CrtkArmServoJpArguments>(memory);
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
@@ -1221,7 +1224,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> servoJr(ServoJrContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<CrtkArmServoJrArguments*>(memory);
+      auto& slot = newSlot<CrtkArmServoJrArguments>(memory);
       const Errc error =
           in.hasStep() ? fromWire(in.getStep(), slot.step, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
@@ -1233,7 +1236,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> servoJv(ServoJvContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<CrtkArmServoJvArguments*>(memory);
+      auto& slot = newSlot<CrtkArmServoJvArguments>(memory);
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
@@ -1245,7 +1248,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> servoJf(ServoJfContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<CrtkArmServoJfArguments*>(memory);
+      auto& slot = newSlot<CrtkArmServoJfArguments>(memory);
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
@@ -1257,7 +1260,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> servoCp(ServoCpContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<CrtkArmServoCpArguments*>(memory);
+      auto& slot = newSlot<CrtkArmServoCpArguments>(memory);
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
@@ -1269,7 +1272,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> servoCr(ServoCrContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<CrtkArmServoCrArguments*>(memory);
+      auto& slot = newSlot<CrtkArmServoCrArguments>(memory);
       const Errc error =
           in.hasStep() ? fromWire(in.getStep(), slot.step, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
@@ -1281,7 +1284,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> servoCv(ServoCvContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<CrtkArmServoCvArguments*>(memory);
+      auto& slot = newSlot<CrtkArmServoCvArguments>(memory);
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
@@ -1293,7 +1296,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> bodyServoCf(BodyServoCfContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<CrtkArmBodyServoCfArguments*>(memory);
+      auto& slot = newSlot<CrtkArmBodyServoCfArguments>(memory);
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
@@ -1305,7 +1308,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> spatialServoCf(SpatialServoCfContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<CrtkArmSpatialServoCfArguments*>(memory);
+      auto& slot = newSlot<CrtkArmSpatialServoCfArguments>(memory);
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
@@ -1317,7 +1320,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> moveJp(MoveJpContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<CrtkArmMoveJpArguments*>(memory);
+      auto& slot = newSlot<CrtkArmMoveJpArguments>(memory);
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
@@ -1329,7 +1332,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> moveJr(MoveJrContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<CrtkArmMoveJrArguments*>(memory);
+      auto& slot = newSlot<CrtkArmMoveJrArguments>(memory);
       const Errc error =
           in.hasStep() ? fromWire(in.getStep(), slot.step, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
@@ -1341,7 +1344,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> moveCp(MoveCpContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<CrtkArmMoveCpArguments*>(memory);
+      auto& slot = newSlot<CrtkArmMoveCpArguments>(memory);
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
@@ -1353,7 +1356,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> moveCr(MoveCrContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<CrtkArmMoveCrArguments*>(memory);
+      auto& slot = newSlot<CrtkArmMoveCrArguments>(memory);
       const Errc error =
           in.hasStep() ? fromWire(in.getStep(), slot.step, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
@@ -1365,7 +1368,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> trajectoryJSetRatio(TrajectoryJSetRatioContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<CrtkArmTrajectoryJSetRatioArguments*>(memory);
+      auto& slot = newSlot<CrtkArmTrajectoryJSetRatioArguments>(memory);
       slot.ratio = in.getRatio();
       return inRange(slot.ratio, 0.01, 1) ? Errc{} : Errc::Invalid;
     };
@@ -1375,7 +1378,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> trajectoryJSetRatioV(TrajectoryJSetRatioVContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<CrtkArmTrajectoryJSetRatioVArguments*>(memory);
+      auto& slot = newSlot<CrtkArmTrajectoryJSetRatioVArguments>(memory);
       slot.ratio = in.getRatio();
       return inRange(slot.ratio, 0.01, 1) ? Errc{} : Errc::Invalid;
     };
@@ -1385,7 +1388,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> trajectoryJSetRatioA(TrajectoryJSetRatioAContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<CrtkArmTrajectoryJSetRatioAArguments*>(memory);
+      auto& slot = newSlot<CrtkArmTrajectoryJSetRatioAArguments>(memory);
       slot.ratio = in.getRatio();
       return inRange(slot.ratio, 0.01, 1) ? Errc{} : Errc::Invalid;
     };
@@ -1395,7 +1398,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> trajectoryJRatio(TrajectoryJRatioContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const double*>(result);
+      const auto& slot = slotIn<double>(result);
       auto out = context.getResults();
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
@@ -1407,7 +1410,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> trajectoryJRatioV(TrajectoryJRatioVContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const double*>(result);
+      const auto& slot = slotIn<double>(result);
       auto out = context.getResults();
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
@@ -1419,7 +1422,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> trajectoryJRatioA(TrajectoryJRatioAContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const double*>(result);
+      const auto& slot = slotIn<double>(result);
       auto out = context.getResults();
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
@@ -1431,13 +1434,13 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> forwardKinematics(ForwardKinematicsContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<CrtkArmForwardKinematicsArguments*>(memory);
+      auto& slot = newSlot<CrtkArmForwardKinematicsArguments>(memory);
       const Errc error = in.hasQ() ? fromWire(in.getQ(), slot.q, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
       return isValid(slot.q) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      const auto& slot = slotIn<PoseStampedSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
     };
@@ -1448,14 +1451,14 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> inverseKinematics(InverseKinematicsContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<CrtkArmInverseKinematicsArguments*>(memory);
+      auto& slot = newSlot<CrtkArmInverseKinematicsArguments>(memory);
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
       return isValid(slot.goal) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const JointSolutionSlot*>(result);
+      const auto& slot = slotIn<JointSolutionSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
     };
@@ -1466,13 +1469,13 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> queryCp(QueryCpContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<CrtkArmQueryCpArguments*>(memory);
+      auto& slot = newSlot<CrtkArmQueryCpArguments>(memory);
       const Errc error = in.hasQ() ? fromWire(in.getQ(), slot.q, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
       return isValid(slot.q) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      const auto& slot = slotIn<PoseStampedSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
     };
@@ -1482,13 +1485,13 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   kj::Promise<void> localQueryCp(LocalQueryCpContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<CrtkArmLocalQueryCpArguments*>(memory);
+      auto& slot = newSlot<CrtkArmLocalQueryCpArguments>(memory);
       const Errc error = in.hasQ() ? fromWire(in.getQ(), slot.q, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
       return isValid(slot.q) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      const auto& slot = slotIn<PoseStampedSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
     };
@@ -1511,131 +1514,131 @@ class CrtkArmReceiver final : public wire::CrtkArmEvents::Server {
     auto in = context.getParams().getRow();
     suture::rt::ColumnSet valid = 0;
     if (in.getEvaluated() >> 0 & 1) {
-      auto& slot = *reinterpret_cast<JointConfigurationSlot*>(port_->column(0));
+      auto& slot = port_->column<JointConfigurationSlot>(0);
       const Errc error =
           in.hasConfigurationJs() ? fromWire(in.getConfigurationJs(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
     }
     if (in.getEvaluated() >> 1 & 1) {
-      auto& slot = *reinterpret_cast<OperatingStateSlot*>(port_->column(1));
+      auto& slot = port_->column<OperatingStateSlot>(1);
       const Errc error =
           in.hasOperatingState() ? fromWire(in.getOperatingState(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
     }
     if (in.getEvaluated() >> 2 & 1) {
-      auto& slot = *reinterpret_cast<IntervalStatisticsSlot*>(port_->column(2));
+      auto& slot = port_->column<IntervalStatisticsSlot>(2);
       const Errc error =
           in.hasPeriodStatistics() ? fromWire(in.getPeriodStatistics(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 2;
     }
     if (in.getEvaluated() >> 3 & 1) {
-      auto& slot = *reinterpret_cast<JointStateSlot*>(port_->column(3));
+      auto& slot = port_->column<JointStateSlot>(3);
       const Errc error =
           in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 3;
     }
     if (in.getEvaluated() >> 4 & 1) {
-      auto& slot = *reinterpret_cast<JointStateSlot*>(port_->column(4));
+      auto& slot = port_->column<JointStateSlot>(4);
       const Errc error =
           in.hasSetpointJs() ? fromWire(in.getSetpointJs(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 4;
     }
     if (in.getEvaluated() >> 5 & 1) {
-      auto& slot = *reinterpret_cast<JointStateSlot*>(port_->column(5));
+      auto& slot = port_->column<JointStateSlot>(5);
       const Errc error =
           in.hasGoalJs() ? fromWire(in.getGoalJs(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 5;
     }
     if (in.getEvaluated() >> 6 & 1) {
-      auto& slot = *reinterpret_cast<PoseStampedSlot*>(port_->column(6));
+      auto& slot = port_->column<PoseStampedSlot>(6);
       const Errc error =
           in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 6;
     }
     if (in.getEvaluated() >> 7 & 1) {
-      auto& slot = *reinterpret_cast<PoseStampedSlot*>(port_->column(7));
+      auto& slot = port_->column<PoseStampedSlot>(7);
       const Errc error =
           in.hasSetpointCp() ? fromWire(in.getSetpointCp(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 7;
     }
     if (in.getEvaluated() >> 8 & 1) {
-      auto& slot = *reinterpret_cast<PoseStampedSlot*>(port_->column(8));
+      auto& slot = port_->column<PoseStampedSlot>(8);
       const Errc error =
           in.hasGoalCp() ? fromWire(in.getGoalCp(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 8;
     }
     if (in.getEvaluated() >> 9 & 1) {
-      auto& slot = *reinterpret_cast<PoseStampedSlot*>(port_->column(9));
+      auto& slot = port_->column<PoseStampedSlot>(9);
       const Errc error =
           in.hasLocalMeasuredCp() ? fromWire(in.getLocalMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 9;
     }
     if (in.getEvaluated() >> 10 & 1) {
-      auto& slot = *reinterpret_cast<PoseStampedSlot*>(port_->column(10));
+      auto& slot = port_->column<PoseStampedSlot>(10);
       const Errc error =
           in.hasLocalSetpointCp() ? fromWire(in.getLocalSetpointCp(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 10;
     }
     if (in.getEvaluated() >> 11 & 1) {
-      auto& slot = *reinterpret_cast<TwistSlot*>(port_->column(11));
+      auto& slot = port_->column<TwistSlot>(11);
       const Errc error =
           in.hasMeasuredCv() ? fromWire(in.getMeasuredCv(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 11;
     }
     if (in.getEvaluated() >> 12 & 1) {
-      auto& slot = *reinterpret_cast<TwistSlot*>(port_->column(12));
+      auto& slot = port_->column<TwistSlot>(12);
       const Errc error =
           in.hasSetpointCv() ? fromWire(in.getSetpointCv(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 12;
     }
     if (in.getEvaluated() >> 13 & 1) {
-      auto& slot = *reinterpret_cast<WrenchSlot*>(port_->column(13));
+      auto& slot = port_->column<WrenchSlot>(13);
       const Errc error =
           in.hasBodyMeasuredCf() ? fromWire(in.getBodyMeasuredCf(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 13;
     }
     if (in.getEvaluated() >> 14 & 1) {
-      auto& slot = *reinterpret_cast<WrenchSlot*>(port_->column(14));
+      auto& slot = port_->column<WrenchSlot>(14);
       const Errc error =
           in.hasSpatialMeasuredCf() ? fromWire(in.getSpatialMeasuredCf(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 14;
     }
     if (in.getEvaluated() >> 15 & 1) {
-      auto& slot = *reinterpret_cast<CartesianStateSlot*>(port_->column(15));
+      auto& slot = port_->column<CartesianStateSlot>(15);
       const Errc error =
           in.hasMeasuredCs() ? fromWire(in.getMeasuredCs(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 15;
     }
     if (in.getEvaluated() >> 16 & 1) {
-      auto& slot = *reinterpret_cast<JacobianSlot*>(port_->column(16));
+      auto& slot = port_->column<JacobianSlot>(16);
       const Errc error =
           in.hasBodyJacobian() ? fromWire(in.getBodyJacobian(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 16;
     }
     if (in.getEvaluated() >> 17 & 1) {
-      auto& slot = *reinterpret_cast<JacobianSlot*>(port_->column(17));
+      auto& slot = port_->column<JacobianSlot>(17);
       const Errc error =
           in.hasSpatialJacobian() ? fromWire(in.getSpatialJacobian(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 17;
     }
     if (in.getEvaluated() >> 18 & 1) {
-      auto& slot = *reinterpret_cast<PoseStampedSlot*>(port_->column(18));
+      auto& slot = port_->column<PoseStampedSlot>(18);
       const Errc error =
           in.hasBaseFrame() ? fromWire(in.getBaseFrame(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 18;
     }
     if (in.getEvaluated() >> 19 & 1) {
-      auto& slot = *reinterpret_cast<double*>(port_->column(19));
+      auto& slot = port_->column<double>(19);
       slot = in.getTrajectoryJRatio();
       valid |= suture::rt::ColumnSet{1} << 19;
     }
     if (in.getEvaluated() >> 20 & 1) {
-      auto& slot = *reinterpret_cast<double*>(port_->column(20));
+      auto& slot = port_->column<double>(20);
       slot = in.getTrajectoryJRatioV();
       valid |= suture::rt::ColumnSet{1} << 20;
     }
     if (in.getEvaluated() >> 21 & 1) {
-      auto& slot = *reinterpret_cast<double*>(port_->column(21));
+      auto& slot = port_->column<double>(21);
       slot = in.getTrajectoryJRatioA();
       valid |= suture::rt::ColumnSet{1} << 21;
     }
@@ -1645,81 +1648,81 @@ class CrtkArmReceiver final : public wire::CrtkArmEvents::Server {
 
   kj::Promise<void> operatingState(OperatingStateContext context) override {
     auto in = context.getParams();
-    OperatingStateSlot slot;
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(CrtkArmEvent::operating_state), error, slot);
+    return port_->event<OperatingStateSlot>(numberOf(CrtkArmEvent::operating_state),
+                                            [&](OperatingStateSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
   kj::Promise<void> desiredState(DesiredStateContext context) override {
     auto in = context.getParams();
-    std::uint8_t slot;
-    const Errc error = fromWire(in.getValue(), slot);
-    return port_->event(numberOf(CrtkArmEvent::desired_state), error, slot);
+    return port_->event<std::uint8_t>(numberOf(CrtkArmEvent::desired_state),
+                                      [&](std::uint8_t& slot) {
+      return fromWire(in.getValue(), slot);
+    });
   }
 
   kj::Promise<void> goalReached(GoalReachedContext context) override {
     auto in = context.getParams();
-    std::uint8_t slot;
-    slot = in.getValue();
-    const Errc error = Errc{};
-    return port_->event(numberOf(CrtkArmEvent::goal_reached), error, slot);
+    return port_->event<std::uint8_t>(numberOf(CrtkArmEvent::goal_reached),
+                                      [&](std::uint8_t& slot) {
+      slot = in.getValue();
+      return Errc{};
+    });
   }
 
   kj::Promise<void> gravityCompensation(GravityCompensationContext context) override {
     auto in = context.getParams();
-    std::uint8_t slot;
-    slot = in.getValue();
-    const Errc error = Errc{};
-    return port_->event(numberOf(CrtkArmEvent::gravity_compensation), error, slot);
+    return port_->event<std::uint8_t>(numberOf(CrtkArmEvent::gravity_compensation),
+                                      [&](std::uint8_t& slot) {
+      slot = in.getValue();
+      return Errc{};
+    });
   }
 
   kj::Promise<void> trajectoryJRatio(TrajectoryJRatioContext context) override {
     auto in = context.getParams();
-    double slot;
-    slot = in.getValue();
-    const Errc error = Errc{};
-    return port_->event(numberOf(CrtkArmEvent::trajectory_j_ratio), error, slot);
+    return port_->event<double>(numberOf(CrtkArmEvent::trajectory_j_ratio), [&](double& slot) {
+      slot = in.getValue();
+      return Errc{};
+    });
   }
 
   kj::Promise<void> trajectoryJRatioV(TrajectoryJRatioVContext context) override {
     auto in = context.getParams();
-    double slot;
-    slot = in.getValue();
-    const Errc error = Errc{};
-    return port_->event(numberOf(CrtkArmEvent::trajectory_j_ratio_v), error, slot);
+    return port_->event<double>(numberOf(CrtkArmEvent::trajectory_j_ratio_v), [&](double& slot) {
+      slot = in.getValue();
+      return Errc{};
+    });
   }
 
   kj::Promise<void> trajectoryJRatioA(TrajectoryJRatioAContext context) override {
     auto in = context.getParams();
-    double slot;
-    slot = in.getValue();
-    const Errc error = Errc{};
-    return port_->event(numberOf(CrtkArmEvent::trajectory_j_ratio_a), error, slot);
+    return port_->event<double>(numberOf(CrtkArmEvent::trajectory_j_ratio_a), [&](double& slot) {
+      slot = in.getValue();
+      return Errc{};
+    });
   }
 
   kj::Promise<void> status(StatusContext context) override {
     auto in = context.getParams();
-    MessageSlot slot;
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(CrtkArmEvent::status), error, slot);
+    return port_->event<MessageSlot>(numberOf(CrtkArmEvent::status), [&](MessageSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
   kj::Promise<void> warning(WarningContext context) override {
     auto in = context.getParams();
-    MessageSlot slot;
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(CrtkArmEvent::warning), error, slot);
+    return port_->event<MessageSlot>(numberOf(CrtkArmEvent::warning), [&](MessageSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
   kj::Promise<void> error(ErrorContext context) override {
     auto in = context.getParams();
-    MessageSlot slot;
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(CrtkArmEvent::error), error, slot);
+    return port_->event<MessageSlot>(numberOf(CrtkArmEvent::error), [&](MessageSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
  private:
@@ -1806,8 +1809,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::state_command: {
-        const auto& slot =
-            *reinterpret_cast<const CrtkArmStateCommandArguments*>(record.arguments());
+        const auto& slot = slotIn<CrtkArmStateCommandArguments>(record.arguments());
         auto request = provider_.stateCommandRequest();
         toWire(slot.name, request.initName(slot.name.size));
         suture::rpc::fill(request.initSent(), record);
@@ -1975,8 +1977,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::set_base_frame: {
-        const auto& slot =
-            *reinterpret_cast<const CrtkArmSetBaseFrameArguments*>(record.arguments());
+        const auto& slot = slotIn<CrtkArmSetBaseFrameArguments>(record.arguments());
         auto request = provider_.setBaseFrameRequest();
         toWire(slot.frame, request.initFrame());
         suture::rpc::fill(request.initSent(), record);
@@ -1993,125 +1994,119 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::use_gravity_compensation: {
-        const auto& slot =
-            *reinterpret_cast<const CrtkArmUseGravityCompensationArguments*>(record.arguments());
+        const auto& slot = slotIn<CrtkArmUseGravityCompensationArguments>(record.arguments());
         auto request = provider_.useGravityCompensationRequest();
         request.setUse(slot.use != 0);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::servo_jp: {
-        const auto& slot = *reinterpret_cast<const CrtkArmServoJpArguments*>(record.arguments());
+        const auto& slot = slotIn<CrtkArmServoJpArguments>(record.arguments());
         auto request = provider_.servoJpRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::servo_jr: {
-        const auto& slot = *reinterpret_cast<const CrtkArmServoJrArguments*>(record.arguments());
+        const auto& slot = slotIn<CrtkArmServoJrArguments>(record.arguments());
         auto request = provider_.servoJrRequest();
         toWire(slot.step, request.initStep());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::servo_jv: {
-        const auto& slot = *reinterpret_cast<const CrtkArmServoJvArguments*>(record.arguments());
+        const auto& slot = slotIn<CrtkArmServoJvArguments>(record.arguments());
         auto request = provider_.servoJvRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::servo_jf: {
-        const auto& slot = *reinterpret_cast<const CrtkArmServoJfArguments*>(record.arguments());
+        const auto& slot = slotIn<CrtkArmServoJfArguments>(record.arguments());
         auto request = provider_.servoJfRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::servo_cp: {
-        const auto& slot = *reinterpret_cast<const CrtkArmServoCpArguments*>(record.arguments());
+        const auto& slot = slotIn<CrtkArmServoCpArguments>(record.arguments());
         auto request = provider_.servoCpRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::servo_cr: {
-        const auto& slot = *reinterpret_cast<const CrtkArmServoCrArguments*>(record.arguments());
+        const auto& slot = slotIn<CrtkArmServoCrArguments>(record.arguments());
         auto request = provider_.servoCrRequest();
         toWire(slot.step, request.initStep());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::servo_cv: {
-        const auto& slot = *reinterpret_cast<const CrtkArmServoCvArguments*>(record.arguments());
+        const auto& slot = slotIn<CrtkArmServoCvArguments>(record.arguments());
         auto request = provider_.servoCvRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::body_servo_cf: {
-        const auto& slot =
-            *reinterpret_cast<const CrtkArmBodyServoCfArguments*>(record.arguments());
+        const auto& slot = slotIn<CrtkArmBodyServoCfArguments>(record.arguments());
         auto request = provider_.bodyServoCfRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::spatial_servo_cf: {
-        const auto& slot =
-            *reinterpret_cast<const CrtkArmSpatialServoCfArguments*>(record.arguments());
+        const auto& slot = slotIn<CrtkArmSpatialServoCfArguments>(record.arguments());
         auto request = provider_.spatialServoCfRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::move_jp: {
-        const auto& slot = *reinterpret_cast<const CrtkArmMoveJpArguments*>(record.arguments());
+        const auto& slot = slotIn<CrtkArmMoveJpArguments>(record.arguments());
         auto request = provider_.moveJpRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::move_jr: {
-        const auto& slot = *reinterpret_cast<const CrtkArmMoveJrArguments*>(record.arguments());
+        const auto& slot = slotIn<CrtkArmMoveJrArguments>(record.arguments());
         auto request = provider_.moveJrRequest();
         toWire(slot.step, request.initStep());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::move_cp: {
-        const auto& slot = *reinterpret_cast<const CrtkArmMoveCpArguments*>(record.arguments());
+        const auto& slot = slotIn<CrtkArmMoveCpArguments>(record.arguments());
         auto request = provider_.moveCpRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::move_cr: {
-        const auto& slot = *reinterpret_cast<const CrtkArmMoveCrArguments*>(record.arguments());
+        const auto& slot = slotIn<CrtkArmMoveCrArguments>(record.arguments());
         auto request = provider_.moveCrRequest();
         toWire(slot.step, request.initStep());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::trajectory_j_set_ratio: {
-        const auto& slot =
-            *reinterpret_cast<const CrtkArmTrajectoryJSetRatioArguments*>(record.arguments());
+        const auto& slot = slotIn<CrtkArmTrajectoryJSetRatioArguments>(record.arguments());
         auto request = provider_.trajectoryJSetRatioRequest();
         request.setRatio(slot.ratio);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::trajectory_j_set_ratio_v: {
-        const auto& slot =
-            *reinterpret_cast<const CrtkArmTrajectoryJSetRatioVArguments*>(record.arguments());
+        const auto& slot = slotIn<CrtkArmTrajectoryJSetRatioVArguments>(record.arguments());
         auto request = provider_.trajectoryJSetRatioVRequest();
         request.setRatio(slot.ratio);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case CrtkArmCommand::trajectory_j_set_ratio_a: {
-        const auto& slot =
-            *reinterpret_cast<const CrtkArmTrajectoryJSetRatioAArguments*>(record.arguments());
+        const auto& slot = slotIn<CrtkArmTrajectoryJSetRatioAArguments>(record.arguments());
         auto request = provider_.trajectoryJSetRatioARequest();
         request.setRatio(slot.ratio);
         suture::rpc::fill(request.initSent(), record);
@@ -2148,8 +2143,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::forward_kinematics: {
-        const auto& slot =
-            *reinterpret_cast<const CrtkArmForwardKinematicsArguments*>(record.arguments());
+        const auto& slot = slotIn<CrtkArmForwardKinematicsArguments>(record.arguments());
         auto request = provider_.forwardKinematicsRequest();
         toWire(slot.q, request.initQ());
         suture::rpc::fill(request.initSent(), record);
@@ -2161,8 +2155,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::inverse_kinematics: {
-        const auto& slot =
-            *reinterpret_cast<const CrtkArmInverseKinematicsArguments*>(record.arguments());
+        const auto& slot = slotIn<CrtkArmInverseKinematicsArguments>(record.arguments());
         auto request = provider_.inverseKinematicsRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
@@ -2174,7 +2167,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::query_cp: {
-        const auto& slot = *reinterpret_cast<const CrtkArmQueryCpArguments*>(record.arguments());
+        const auto& slot = slotIn<CrtkArmQueryCpArguments>(record.arguments());
         auto request = provider_.queryCpRequest();
         toWire(slot.q, request.initQ());
         suture::rpc::fill(request.initSent(), record);
@@ -2186,8 +2179,7 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
       case CrtkArmCommand::local_query_cp: {
-        const auto& slot =
-            *reinterpret_cast<const CrtkArmLocalQueryCpArguments*>(record.arguments());
+        const auto& slot = slotIn<CrtkArmLocalQueryCpArguments>(record.arguments());
         auto request = provider_.localQueryCpRequest();
         toWire(slot.q, request.initQ());
         suture::rpc::fill(request.initSent(), record);
@@ -2249,15 +2241,15 @@ Errc Provided<robots::CrtkArm>::execute(std::uint16_t command, const std::byte* 
   using ::robots::CrtkArmCommand;
   switch (static_cast<CrtkArmCommand>(command)) {
     case CrtkArmCommand::configuration_js: {
-      auto& slot = *reinterpret_cast<robots::JointConfigurationSlot*>(result);
+      auto& slot = newSlot<robots::JointConfigurationSlot>(result);
       return store(implementation_.configuration_js(), slot) ? Errc{} : Errc::TooLarge;
     }
     case CrtkArmCommand::operating_state: {
-      auto& slot = *reinterpret_cast<robots::OperatingStateSlot*>(result);
+      auto& slot = newSlot<robots::OperatingStateSlot>(result);
       return store(implementation_.operating_state(), slot) ? Errc{} : Errc::TooLarge;
     }
     case CrtkArmCommand::period_statistics: {
-      auto& slot = *reinterpret_cast<robots::IntervalStatisticsSlot*>(result);
+      auto& slot = newSlot<robots::IntervalStatisticsSlot>(result);
       return store(implementation_.period_statistics(), slot) ? Errc{} : Errc::TooLarge;
     }
     case CrtkArmCommand::enable: {
@@ -2285,77 +2277,77 @@ Errc Provided<robots::CrtkArm>::execute(std::uint16_t command, const std::byte* 
       return Errc{};
     }
     case CrtkArmCommand::state_command: {
-      const auto& slot = *reinterpret_cast<const robots::CrtkArmStateCommandArguments*>(arguments);
+      const auto& slot = slotIn<robots::CrtkArmStateCommandArguments>(arguments);
       load(slot.name, scratch_.state_command_name);
       implementation_.state_command(scratch_.state_command_name);
       return Errc{};
     }
     case CrtkArmCommand::measured_js: {
-      auto& slot = *reinterpret_cast<robots::JointStateSlot*>(result);
+      auto& slot = newSlot<robots::JointStateSlot>(result);
       return store(implementation_.measured_js(), slot) ? Errc{} : Errc::TooLarge;
     }
     case CrtkArmCommand::setpoint_js: {
-      auto& slot = *reinterpret_cast<robots::JointStateSlot*>(result);
+      auto& slot = newSlot<robots::JointStateSlot>(result);
       return store(implementation_.setpoint_js(), slot) ? Errc{} : Errc::TooLarge;
     }
     case CrtkArmCommand::goal_js: {
-      auto& slot = *reinterpret_cast<robots::JointStateSlot*>(result);
+      auto& slot = newSlot<robots::JointStateSlot>(result);
       return store(implementation_.goal_js(), slot) ? Errc{} : Errc::TooLarge;
     }
     case CrtkArmCommand::measured_cp: {
-      auto& slot = *reinterpret_cast<robots::PoseStampedSlot*>(result);
+      auto& slot = newSlot<robots::PoseStampedSlot>(result);
       return store(implementation_.measured_cp(), slot) ? Errc{} : Errc::TooLarge;
     }
     case CrtkArmCommand::setpoint_cp: {
-      auto& slot = *reinterpret_cast<robots::PoseStampedSlot*>(result);
+      auto& slot = newSlot<robots::PoseStampedSlot>(result);
       return store(implementation_.setpoint_cp(), slot) ? Errc{} : Errc::TooLarge;
     }
     case CrtkArmCommand::goal_cp: {
-      auto& slot = *reinterpret_cast<robots::PoseStampedSlot*>(result);
+      auto& slot = newSlot<robots::PoseStampedSlot>(result);
       return store(implementation_.goal_cp(), slot) ? Errc{} : Errc::TooLarge;
     }
     case CrtkArmCommand::local_measured_cp: {
-      auto& slot = *reinterpret_cast<robots::PoseStampedSlot*>(result);
+      auto& slot = newSlot<robots::PoseStampedSlot>(result);
       return store(implementation_.local_measured_cp(), slot) ? Errc{} : Errc::TooLarge;
     }
     case CrtkArmCommand::local_setpoint_cp: {
-      auto& slot = *reinterpret_cast<robots::PoseStampedSlot*>(result);
+      auto& slot = newSlot<robots::PoseStampedSlot>(result);
       return store(implementation_.local_setpoint_cp(), slot) ? Errc{} : Errc::TooLarge;
     }
     case CrtkArmCommand::measured_cv: {
-      auto& slot = *reinterpret_cast<robots::TwistSlot*>(result);
+      auto& slot = newSlot<robots::TwistSlot>(result);
       return store(implementation_.measured_cv(), slot) ? Errc{} : Errc::TooLarge;
     }
     case CrtkArmCommand::setpoint_cv: {
-      auto& slot = *reinterpret_cast<robots::TwistSlot*>(result);
+      auto& slot = newSlot<robots::TwistSlot>(result);
       return store(implementation_.setpoint_cv(), slot) ? Errc{} : Errc::TooLarge;
     }
     case CrtkArmCommand::body_measured_cf: {
-      auto& slot = *reinterpret_cast<robots::WrenchSlot*>(result);
+      auto& slot = newSlot<robots::WrenchSlot>(result);
       return store(implementation_.body_measured_cf(), slot) ? Errc{} : Errc::TooLarge;
     }
     case CrtkArmCommand::spatial_measured_cf: {
-      auto& slot = *reinterpret_cast<robots::WrenchSlot*>(result);
+      auto& slot = newSlot<robots::WrenchSlot>(result);
       return store(implementation_.spatial_measured_cf(), slot) ? Errc{} : Errc::TooLarge;
     }
     case CrtkArmCommand::measured_cs: {
-      auto& slot = *reinterpret_cast<robots::CartesianStateSlot*>(result);
+      auto& slot = newSlot<robots::CartesianStateSlot>(result);
       return store(implementation_.measured_cs(), slot) ? Errc{} : Errc::TooLarge;
     }
     case CrtkArmCommand::body_jacobian: {
-      auto& slot = *reinterpret_cast<robots::JacobianSlot*>(result);
+      auto& slot = newSlot<robots::JacobianSlot>(result);
       return store(implementation_.body_jacobian(), slot) ? Errc{} : Errc::TooLarge;
     }
     case CrtkArmCommand::spatial_jacobian: {
-      auto& slot = *reinterpret_cast<robots::JacobianSlot*>(result);
+      auto& slot = newSlot<robots::JacobianSlot>(result);
       return store(implementation_.spatial_jacobian(), slot) ? Errc{} : Errc::TooLarge;
     }
     case CrtkArmCommand::base_frame: {
-      auto& slot = *reinterpret_cast<robots::PoseStampedSlot*>(result);
+      auto& slot = newSlot<robots::PoseStampedSlot>(result);
       return store(implementation_.base_frame(), slot) ? Errc{} : Errc::TooLarge;
     }
     case CrtkArmCommand::set_base_frame: {
-      const auto& slot = *reinterpret_cast<const robots::CrtkArmSetBaseFrameArguments*>(arguments);
+      const auto& slot = slotIn<robots::CrtkArmSetBaseFrameArguments>(arguments);
       load(slot.frame, scratch_.set_base_frame_frame);
       implementation_.set_base_frame(scratch_.set_base_frame_frame);
       return Errc{};
@@ -2369,150 +2361,143 @@ Errc Provided<robots::CrtkArm>::execute(std::uint16_t command, const std::byte* 
       return Errc{};
     }
     case CrtkArmCommand::use_gravity_compensation: {
-      const auto& slot =
-          *reinterpret_cast<const robots::CrtkArmUseGravityCompensationArguments*>(arguments);
+      const auto& slot = slotIn<robots::CrtkArmUseGravityCompensationArguments>(arguments);
       load(slot.use, scratch_.use_gravity_compensation_use);
       implementation_.use_gravity_compensation(scratch_.use_gravity_compensation_use);
       return Errc{};
     }
     case CrtkArmCommand::servo_jp: {
-      const auto& slot = *reinterpret_cast<const robots::CrtkArmServoJpArguments*>(arguments);
+      const auto& slot = slotIn<robots::CrtkArmServoJpArguments>(arguments);
       load(slot.goal, scratch_.servo_jp_goal);
       implementation_.servo_jp(scratch_.servo_jp_goal);
       return Errc{};
     }
     case CrtkArmCommand::servo_jr: {
-      const auto& slot = *reinterpret_cast<const robots::CrtkArmServoJrArguments*>(arguments);
+      const auto& slot = slotIn<robots::CrtkArmServoJrArguments>(arguments);
       load(slot.step, scratch_.servo_jr_step);
       implementation_.servo_jr(scratch_.servo_jr_step);
       return Errc{};
     }
     case CrtkArmCommand::servo_jv: {
-      const auto& slot = *reinterpret_cast<const robots::CrtkArmServoJvArguments*>(arguments);
+      const auto& slot = slotIn<robots::CrtkArmServoJvArguments>(arguments);
       load(slot.goal, scratch_.servo_jv_goal);
       implementation_.servo_jv(scratch_.servo_jv_goal);
       return Errc{};
     }
     case CrtkArmCommand::servo_jf: {
-      const auto& slot = *reinterpret_cast<const robots::CrtkArmServoJfArguments*>(arguments);
+      const auto& slot = slotIn<robots::CrtkArmServoJfArguments>(arguments);
       load(slot.goal, scratch_.servo_jf_goal);
       implementation_.servo_jf(scratch_.servo_jf_goal);
       return Errc{};
     }
     case CrtkArmCommand::servo_cp: {
-      const auto& slot = *reinterpret_cast<const robots::CrtkArmServoCpArguments*>(arguments);
+      const auto& slot = slotIn<robots::CrtkArmServoCpArguments>(arguments);
       load(slot.goal, scratch_.servo_cp_goal);
       implementation_.servo_cp(scratch_.servo_cp_goal);
       return Errc{};
     }
     case CrtkArmCommand::servo_cr: {
-      const auto& slot = *reinterpret_cast<const robots::CrtkArmServoCrArguments*>(arguments);
+      const auto& slot = slotIn<robots::CrtkArmServoCrArguments>(arguments);
       load(slot.step, scratch_.servo_cr_step);
       implementation_.servo_cr(scratch_.servo_cr_step);
       return Errc{};
     }
     case CrtkArmCommand::servo_cv: {
-      const auto& slot = *reinterpret_cast<const robots::CrtkArmServoCvArguments*>(arguments);
+      const auto& slot = slotIn<robots::CrtkArmServoCvArguments>(arguments);
       load(slot.goal, scratch_.servo_cv_goal);
       implementation_.servo_cv(scratch_.servo_cv_goal);
       return Errc{};
     }
     case CrtkArmCommand::body_servo_cf: {
-      const auto& slot = *reinterpret_cast<const robots::CrtkArmBodyServoCfArguments*>(arguments);
+      const auto& slot = slotIn<robots::CrtkArmBodyServoCfArguments>(arguments);
       load(slot.goal, scratch_.body_servo_cf_goal);
       implementation_.body_servo_cf(scratch_.body_servo_cf_goal);
       return Errc{};
     }
     case CrtkArmCommand::spatial_servo_cf: {
-      const auto& slot =
-          *reinterpret_cast<const robots::CrtkArmSpatialServoCfArguments*>(arguments);
+      const auto& slot = slotIn<robots::CrtkArmSpatialServoCfArguments>(arguments);
       load(slot.goal, scratch_.spatial_servo_cf_goal);
       implementation_.spatial_servo_cf(scratch_.spatial_servo_cf_goal);
       return Errc{};
     }
     case CrtkArmCommand::move_jp: {
-      const auto& slot = *reinterpret_cast<const robots::CrtkArmMoveJpArguments*>(arguments);
+      const auto& slot = slotIn<robots::CrtkArmMoveJpArguments>(arguments);
       load(slot.goal, scratch_.move_jp_goal);
       implementation_.move_jp(scratch_.move_jp_goal);
       return Errc{};
     }
     case CrtkArmCommand::move_jr: {
-      const auto& slot = *reinterpret_cast<const robots::CrtkArmMoveJrArguments*>(arguments);
+      const auto& slot = slotIn<robots::CrtkArmMoveJrArguments>(arguments);
       load(slot.step, scratch_.move_jr_step);
       implementation_.move_jr(scratch_.move_jr_step);
       return Errc{};
     }
     case CrtkArmCommand::move_cp: {
-      const auto& slot = *reinterpret_cast<const robots::CrtkArmMoveCpArguments*>(arguments);
+      const auto& slot = slotIn<robots::CrtkArmMoveCpArguments>(arguments);
       load(slot.goal, scratch_.move_cp_goal);
       implementation_.move_cp(scratch_.move_cp_goal);
       return Errc{};
     }
     case CrtkArmCommand::move_cr: {
-      const auto& slot = *reinterpret_cast<const robots::CrtkArmMoveCrArguments*>(arguments);
+      const auto& slot = slotIn<robots::CrtkArmMoveCrArguments>(arguments);
       load(slot.step, scratch_.move_cr_step);
       implementation_.move_cr(scratch_.move_cr_step);
       return Errc{};
     }
     case CrtkArmCommand::trajectory_j_set_ratio: {
-      const auto& slot =
-          *reinterpret_cast<const robots::CrtkArmTrajectoryJSetRatioArguments*>(arguments);
+      const auto& slot = slotIn<robots::CrtkArmTrajectoryJSetRatioArguments>(arguments);
       load(slot.ratio, scratch_.trajectory_j_set_ratio_ratio);
       implementation_.trajectory_j_set_ratio(scratch_.trajectory_j_set_ratio_ratio);
       return Errc{};
     }
     case CrtkArmCommand::trajectory_j_set_ratio_v: {
-      const auto& slot =
-          *reinterpret_cast<const robots::CrtkArmTrajectoryJSetRatioVArguments*>(arguments);
+      const auto& slot = slotIn<robots::CrtkArmTrajectoryJSetRatioVArguments>(arguments);
       load(slot.ratio, scratch_.trajectory_j_set_ratio_v_ratio);
       implementation_.trajectory_j_set_ratio_v(scratch_.trajectory_j_set_ratio_v_ratio);
       return Errc{};
     }
     case CrtkArmCommand::trajectory_j_set_ratio_a: {
-      const auto& slot =
-          *reinterpret_cast<const robots::CrtkArmTrajectoryJSetRatioAArguments*>(arguments);
+      const auto& slot = slotIn<robots::CrtkArmTrajectoryJSetRatioAArguments>(arguments);
       load(slot.ratio, scratch_.trajectory_j_set_ratio_a_ratio);
       implementation_.trajectory_j_set_ratio_a(scratch_.trajectory_j_set_ratio_a_ratio);
       return Errc{};
     }
     case CrtkArmCommand::trajectory_j_ratio: {
-      auto& slot = *reinterpret_cast<double*>(result);
+      auto& slot = newSlot<double>(result);
       return store(implementation_.trajectory_j_ratio(), slot) ? Errc{} : Errc::TooLarge;
     }
     case CrtkArmCommand::trajectory_j_ratio_v: {
-      auto& slot = *reinterpret_cast<double*>(result);
+      auto& slot = newSlot<double>(result);
       return store(implementation_.trajectory_j_ratio_v(), slot) ? Errc{} : Errc::TooLarge;
     }
     case CrtkArmCommand::trajectory_j_ratio_a: {
-      auto& slot = *reinterpret_cast<double*>(result);
+      auto& slot = newSlot<double>(result);
       return store(implementation_.trajectory_j_ratio_a(), slot) ? Errc{} : Errc::TooLarge;
     }
     case CrtkArmCommand::forward_kinematics: {
-      const auto& slot =
-          *reinterpret_cast<const robots::CrtkArmForwardKinematicsArguments*>(arguments);
+      const auto& slot = slotIn<robots::CrtkArmForwardKinematicsArguments>(arguments);
       load(slot.q, scratch_.forward_kinematics_q);
-      auto& answer = *reinterpret_cast<robots::PoseStampedSlot*>(result);
+      auto& answer = newSlot<robots::PoseStampedSlot>(result);
       return store(implementation_.forward_kinematics(scratch_.forward_kinematics_q), answer)
           ? Errc{} : Errc::TooLarge;
     }
     case CrtkArmCommand::inverse_kinematics: {
-      const auto& slot =
-          *reinterpret_cast<const robots::CrtkArmInverseKinematicsArguments*>(arguments);
+      const auto& slot = slotIn<robots::CrtkArmInverseKinematicsArguments>(arguments);
       load(slot.goal, scratch_.inverse_kinematics_goal);
-      auto& answer = *reinterpret_cast<robots::JointSolutionSlot*>(result);
+      auto& answer = newSlot<robots::JointSolutionSlot>(result);
       return store(implementation_.inverse_kinematics(scratch_.inverse_kinematics_goal), answer)
           ? Errc{} : Errc::TooLarge;
     }
     case CrtkArmCommand::query_cp: {
-      const auto& slot = *reinterpret_cast<const robots::CrtkArmQueryCpArguments*>(arguments);
+      const auto& slot = slotIn<robots::CrtkArmQueryCpArguments>(arguments);
       load(slot.q, scratch_.query_cp_q);
-      auto& answer = *reinterpret_cast<robots::PoseStampedSlot*>(result);
+      auto& answer = newSlot<robots::PoseStampedSlot>(result);
       return store(implementation_.query_cp(scratch_.query_cp_q), answer) ? Errc{} : Errc::TooLarge;
     }
     case CrtkArmCommand::local_query_cp: {
-      const auto& slot = *reinterpret_cast<const robots::CrtkArmLocalQueryCpArguments*>(arguments);
+      const auto& slot = slotIn<robots::CrtkArmLocalQueryCpArguments>(arguments);
       load(slot.q, scratch_.local_query_cp_q);
-      auto& answer = *reinterpret_cast<robots::PoseStampedSlot*>(result);
+      auto& answer = newSlot<robots::PoseStampedSlot>(result);
       return store(implementation_.local_query_cp(scratch_.local_query_cp_q), answer)
           ? Errc{} : Errc::TooLarge;
     }

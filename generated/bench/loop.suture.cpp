@@ -23,12 +23,15 @@ using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Errc;
 using suture::EventInfo;
+using suture::newSlot;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
+using suture::slotIn;
+using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -36,21 +39,21 @@ namespace {
 constexpr CommandInfo kLoopServerCommands[] = {
     {.name = "put",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(LoopServerPutArguments),
+     .argumentsSize = slotSize<LoopServerPutArguments>,
      .depth = 16},
     {.name = "bounce",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(LoopServerBounceArguments),
+     .argumentsSize = slotSize<LoopServerBounceArguments>,
      .depth = 16},
     {.name = "value",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(robots::PosePrmSlot),
+     .resultSize = slotSize<robots::PosePrmSlot>,
      .depth = 16,
      .column = 0},
 };
 
 constexpr EventInfo kLoopServerEvents[] = {
-    {.name = "echo", .payloadSize = sizeof(robots::PosePrmSlot), .depth = 16},
+    {.name = "echo", .payloadSize = slotSize<robots::PosePrmSlot>, .depth = 16},
 };
 
 // The self-description, as in bench/loop.suture.json.
@@ -99,7 +102,7 @@ class LoopServerSink final : public suture::rpc::EventSink {
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
     switch (event) {
       case numberOf(LoopServerEvent::echo): {
-        const auto& slot = *reinterpret_cast<const robots::PosePrmSlot*>(payload);
+        const auto& slot = slotIn<robots::PosePrmSlot>(payload);
         auto request = subscriber_.echoRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
@@ -116,7 +119,7 @@ class LoopServerSink final : public suture::rpc::EventSink {
     out.setEvaluated(row.valid);
     out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
-      const auto& slot = *reinterpret_cast<const robots::PosePrmSlot*>(columns[0]);
+      const auto& slot = slotIn<robots::PosePrmSlot>(columns[0]);
       toWire(slot, out.initValue());
     }
     return request.send().ignoreResult();
@@ -142,7 +145,7 @@ class LoopServerServant final : public wire::LoopServer::Server {
   kj::Promise<void> put(PutContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<LoopServerPutArguments*>(memory);
+      auto& slot = newSlot<LoopServerPutArguments>(memory);
       const Errc error =
           in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
@@ -154,7 +157,7 @@ class LoopServerServant final : public wire::LoopServer::Server {
   kj::Promise<void> bounce(BounceContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<LoopServerBounceArguments*>(memory);
+      auto& slot = newSlot<LoopServerBounceArguments>(memory);
       const Errc error =
           in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
@@ -166,7 +169,7 @@ class LoopServerServant final : public wire::LoopServer::Server {
   kj::Promise<void> value(ValueContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const robots::PosePrmSlot*>(result);
+      const auto& slot = slotIn<robots::PosePrmSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -191,7 +194,7 @@ class LoopServerReceiver final : public wire::LoopServerEvents::Server {
     auto in = context.getParams().getRow();
     suture::rt::ColumnSet valid = 0;
     if (in.getEvaluated() >> 0 & 1) {
-      auto& slot = *reinterpret_cast<robots::PosePrmSlot*>(port_->column(0));
+      auto& slot = port_->column<robots::PosePrmSlot>(0);
       const Errc error =
           in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
@@ -202,10 +205,10 @@ class LoopServerReceiver final : public wire::LoopServerEvents::Server {
 
   kj::Promise<void> echo(EchoContext context) override {
     auto in = context.getParams();
-    robots::PosePrmSlot slot;
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(LoopServerEvent::echo), error, slot);
+    return port_->event<robots::PosePrmSlot>(numberOf(LoopServerEvent::echo),
+                                             [&](robots::PosePrmSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
  private:
@@ -229,14 +232,14 @@ class LoopServerProxy final : public suture::rpc::Proxy {
   kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
     switch (static_cast<LoopServerCommand>(record.command)) {
       case LoopServerCommand::put: {
-        const auto& slot = *reinterpret_cast<const LoopServerPutArguments*>(record.arguments());
+        const auto& slot = slotIn<LoopServerPutArguments>(record.arguments());
         auto request = provider_.putRequest();
         toWire(slot.value, request.initValue());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case LoopServerCommand::bounce: {
-        const auto& slot = *reinterpret_cast<const LoopServerBounceArguments*>(record.arguments());
+        const auto& slot = slotIn<LoopServerBounceArguments>(record.arguments());
         auto request = provider_.bounceRequest();
         toWire(slot.value, request.initValue());
         suture::rpc::fill(request.initSent(), record);
@@ -304,19 +307,19 @@ Errc Provided<bench::LoopServer>::execute(std::uint16_t command, const std::byte
   using ::bench::LoopServerCommand;
   switch (static_cast<LoopServerCommand>(command)) {
     case LoopServerCommand::put: {
-      const auto& slot = *reinterpret_cast<const bench::LoopServerPutArguments*>(arguments);
+      const auto& slot = slotIn<bench::LoopServerPutArguments>(arguments);
       load(slot.value, scratch_.put_value);
       implementation_.put(scratch_.put_value);
       return Errc{};
     }
     case LoopServerCommand::bounce: {
-      const auto& slot = *reinterpret_cast<const bench::LoopServerBounceArguments*>(arguments);
+      const auto& slot = slotIn<bench::LoopServerBounceArguments>(arguments);
       load(slot.value, scratch_.bounce_value);
       implementation_.bounce(scratch_.bounce_value);
       return Errc{};
     }
     case LoopServerCommand::value: {
-      auto& slot = *reinterpret_cast<robots::PosePrmSlot*>(result);
+      auto& slot = newSlot<robots::PosePrmSlot>(result);
       return store(implementation_.value(), slot) ? Errc{} : Errc::TooLarge;
     }
   }

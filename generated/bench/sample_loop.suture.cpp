@@ -23,12 +23,15 @@ using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Errc;
 using suture::EventInfo;
+using suture::newSlot;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
+using suture::slotIn;
+using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -36,21 +39,21 @@ namespace {
 constexpr CommandInfo kSampleServerCommands[] = {
     {.name = "put",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(SampleServerPutArguments),
+     .argumentsSize = slotSize<SampleServerPutArguments>,
      .depth = 4096},
     {.name = "bounce",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(SampleServerBounceArguments),
+     .argumentsSize = slotSize<SampleServerBounceArguments>,
      .depth = 16},
     {.name = "value",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(robots::PoseSampleSlot),
+     .resultSize = slotSize<robots::PoseSampleSlot>,
      .depth = 16,
      .column = 0},
 };
 
 constexpr EventInfo kSampleServerEvents[] = {
-    {.name = "echo", .payloadSize = sizeof(robots::PoseSampleSlot), .depth = 16},
+    {.name = "echo", .payloadSize = slotSize<robots::PoseSampleSlot>, .depth = 16},
 };
 
 // The self-description, as in bench/sample_loop.suture.json.
@@ -94,7 +97,7 @@ class SampleServerSink final : public suture::rpc::EventSink {
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
     switch (event) {
       case numberOf(SampleServerEvent::echo): {
-        const auto& slot = *reinterpret_cast<const robots::PoseSampleSlot*>(payload);
+        const auto& slot = slotIn<robots::PoseSampleSlot>(payload);
         auto request = subscriber_.echoRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
@@ -111,7 +114,7 @@ class SampleServerSink final : public suture::rpc::EventSink {
     out.setEvaluated(row.valid);
     out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
-      const auto& slot = *reinterpret_cast<const robots::PoseSampleSlot*>(columns[0]);
+      const auto& slot = slotIn<robots::PoseSampleSlot>(columns[0]);
       toWire(slot, out.initValue());
     }
     return request.send().ignoreResult();
@@ -137,7 +140,7 @@ class SampleServerServant final : public wire::SampleServer::Server {
   kj::Promise<void> put(PutContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<SampleServerPutArguments*>(memory);
+      auto& slot = newSlot<SampleServerPutArguments>(memory);
       const Errc error =
           in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
@@ -149,7 +152,7 @@ class SampleServerServant final : public wire::SampleServer::Server {
   kj::Promise<void> bounce(BounceContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<SampleServerBounceArguments*>(memory);
+      auto& slot = newSlot<SampleServerBounceArguments>(memory);
       const Errc error =
           in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
@@ -161,7 +164,7 @@ class SampleServerServant final : public wire::SampleServer::Server {
   kj::Promise<void> value(ValueContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const robots::PoseSampleSlot*>(result);
+      const auto& slot = slotIn<robots::PoseSampleSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -186,7 +189,7 @@ class SampleServerReceiver final : public wire::SampleServerEvents::Server {
     auto in = context.getParams().getRow();
     suture::rt::ColumnSet valid = 0;
     if (in.getEvaluated() >> 0 & 1) {
-      auto& slot = *reinterpret_cast<robots::PoseSampleSlot*>(port_->column(0));
+      auto& slot = port_->column<robots::PoseSampleSlot>(0);
       const Errc error =
           in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
@@ -197,10 +200,10 @@ class SampleServerReceiver final : public wire::SampleServerEvents::Server {
 
   kj::Promise<void> echo(EchoContext context) override {
     auto in = context.getParams();
-    robots::PoseSampleSlot slot;
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(SampleServerEvent::echo), error, slot);
+    return port_->event<robots::PoseSampleSlot>(numberOf(SampleServerEvent::echo),
+                                                [&](robots::PoseSampleSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
  private:
@@ -224,15 +227,14 @@ class SampleServerProxy final : public suture::rpc::Proxy {
   kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
     switch (static_cast<SampleServerCommand>(record.command)) {
       case SampleServerCommand::put: {
-        const auto& slot = *reinterpret_cast<const SampleServerPutArguments*>(record.arguments());
+        const auto& slot = slotIn<SampleServerPutArguments>(record.arguments());
         auto request = provider_.putRequest();
         toWire(slot.value, request.initValue());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case SampleServerCommand::bounce: {
-        const auto& slot =
-            *reinterpret_cast<const SampleServerBounceArguments*>(record.arguments());
+        const auto& slot = slotIn<SampleServerBounceArguments>(record.arguments());
         auto request = provider_.bounceRequest();
         toWire(slot.value, request.initValue());
         suture::rpc::fill(request.initSent(), record);
@@ -300,19 +302,19 @@ Errc Provided<bench::SampleServer>::execute(std::uint16_t command, const std::by
   using ::bench::SampleServerCommand;
   switch (static_cast<SampleServerCommand>(command)) {
     case SampleServerCommand::put: {
-      const auto& slot = *reinterpret_cast<const bench::SampleServerPutArguments*>(arguments);
+      const auto& slot = slotIn<bench::SampleServerPutArguments>(arguments);
       load(slot.value, scratch_.put_value);
       implementation_.put(scratch_.put_value);
       return Errc{};
     }
     case SampleServerCommand::bounce: {
-      const auto& slot = *reinterpret_cast<const bench::SampleServerBounceArguments*>(arguments);
+      const auto& slot = slotIn<bench::SampleServerBounceArguments>(arguments);
       load(slot.value, scratch_.bounce_value);
       implementation_.bounce(scratch_.bounce_value);
       return Errc{};
     }
     case SampleServerCommand::value: {
-      auto& slot = *reinterpret_cast<robots::PoseSampleSlot*>(result);
+      auto& slot = newSlot<robots::PoseSampleSlot>(result);
       return store(implementation_.value(), slot) ? Errc{} : Errc::TooLarge;
     }
   }

@@ -75,7 +75,9 @@ ComponentClass componentClass<robots::Recorder>() {
             robots::RecorderParameters values;
             fromJson(parameters, values);
             if (parameters.failed()) return nullptr;
-            return std::unique_ptr<Component>(new robots::Recorder(values));
+            std::unique_ptr<Component> component(new robots::Recorder(values));
+            makeOptional(*component, {"Teleoperation"});
+            return component;
           }};
 }
 

@@ -24,6 +24,8 @@ using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
+using suture::slotIn;
+using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -47,17 +49,17 @@ static_assert(std::is_same_v<decltype(suture::TaskWindow::compute), suture::Dura
 constexpr CommandInfo kTaskTimingCommands[] = {
     {.name = "window",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(sutureTaskWindowSlot),
+     .resultSize = slotSize<sutureTaskWindowSlot>,
      .depth = 16,
      .column = 0},
     {.name = "cycles",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(std::uint64_t),
+     .resultSize = slotSize<std::uint64_t>,
      .depth = 16,
      .column = 1},
     {.name = "skipped",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(std::uint64_t),
+     .resultSize = slotSize<std::uint64_t>,
      .depth = 16,
      .column = 2},
 };
@@ -196,15 +198,15 @@ class TaskTimingSink final : public suture::rpc::EventSink {
     out.setEvaluated(row.valid);
     out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
-      const auto& slot = *reinterpret_cast<const sutureTaskWindowSlot*>(columns[0]);
+      const auto& slot = slotIn<sutureTaskWindowSlot>(columns[0]);
       toWire(slot, out.initWindow());
     }
     if (row.valid >> 1 & 1) {
-      const auto& slot = *reinterpret_cast<const std::uint64_t*>(columns[1]);
+      const auto& slot = slotIn<std::uint64_t>(columns[1]);
       out.setCycles(slot);
     }
     if (row.valid >> 2 & 1) {
-      const auto& slot = *reinterpret_cast<const std::uint64_t*>(columns[2]);
+      const auto& slot = slotIn<std::uint64_t>(columns[2]);
       out.setSkipped(slot);
     }
     return request.send().ignoreResult();
@@ -230,7 +232,7 @@ class TaskTimingServant final : public wire::TaskTiming::Server {
   kj::Promise<void> window(WindowContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const sutureTaskWindowSlot*>(result);
+      const auto& slot = slotIn<sutureTaskWindowSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -242,7 +244,7 @@ class TaskTimingServant final : public wire::TaskTiming::Server {
   kj::Promise<void> cycles(CyclesContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const std::uint64_t*>(result);
+      const auto& slot = slotIn<std::uint64_t>(result);
       auto out = context.getResults();
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
@@ -254,7 +256,7 @@ class TaskTimingServant final : public wire::TaskTiming::Server {
   kj::Promise<void> skipped(SkippedContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const std::uint64_t*>(result);
+      const auto& slot = slotIn<std::uint64_t>(result);
       auto out = context.getResults();
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
@@ -279,18 +281,18 @@ class TaskTimingReceiver final : public wire::TaskTimingEvents::Server {
     auto in = context.getParams().getRow();
     suture::rt::ColumnSet valid = 0;
     if (in.getEvaluated() >> 0 & 1) {
-      auto& slot = *reinterpret_cast<sutureTaskWindowSlot*>(port_->column(0));
+      auto& slot = port_->column<sutureTaskWindowSlot>(0);
       const Errc error =
           in.hasWindow() ? fromWire(in.getWindow(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
     }
     if (in.getEvaluated() >> 1 & 1) {
-      auto& slot = *reinterpret_cast<std::uint64_t*>(port_->column(1));
+      auto& slot = port_->column<std::uint64_t>(1);
       slot = in.getCycles();
       valid |= suture::rt::ColumnSet{1} << 1;
     }
     if (in.getEvaluated() >> 2 & 1) {
-      auto& slot = *reinterpret_cast<std::uint64_t*>(port_->column(2));
+      auto& slot = port_->column<std::uint64_t>(2);
       slot = in.getSkipped();
       valid |= suture::rt::ColumnSet{1} << 2;
     }
@@ -400,15 +402,15 @@ Errc Provided<standard::TaskTiming>::execute(std::uint16_t command, const std::b
   using ::standard::TaskTimingCommand;
   switch (static_cast<TaskTimingCommand>(command)) {
     case TaskTimingCommand::window: {
-      auto& slot = *reinterpret_cast<standard::sutureTaskWindowSlot*>(result);
+      auto& slot = newSlot<standard::sutureTaskWindowSlot>(result);
       return store(implementation_.window(), slot) ? Errc{} : Errc::TooLarge;
     }
     case TaskTimingCommand::cycles: {
-      auto& slot = *reinterpret_cast<std::uint64_t*>(result);
+      auto& slot = newSlot<std::uint64_t>(result);
       return store(implementation_.cycles(), slot) ? Errc{} : Errc::TooLarge;
     }
     case TaskTimingCommand::skipped: {
-      auto& slot = *reinterpret_cast<std::uint64_t*>(result);
+      auto& slot = newSlot<std::uint64_t>(result);
       return store(implementation_.skipped(), slot) ? Errc{} : Errc::TooLarge;
     }
   }

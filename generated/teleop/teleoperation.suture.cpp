@@ -25,6 +25,8 @@ using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
+using suture::slotIn;
+using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -46,19 +48,19 @@ constexpr CommandInfo kTeleoperationCommands[] = {
     {.name = "disable", .kind = CommandKind::Void, .depth = 16},
     {.name = "teleop_state",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(std::uint8_t),
+     .resultSize = slotSize<std::uint8_t>,
      .depth = 16,
      .column = 0},
     {.name = "anchors",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(FollowAnchorsSlot),
+     .resultSize = slotSize<FollowAnchorsSlot>,
      .depth = 16,
      .column = 1},
 };
 
 constexpr EventInfo kTeleoperationEvents[] = {
-    {.name = "teleop_state", .payloadSize = sizeof(std::uint8_t), .depth = 16, .latched = true},
-    {.name = "followed", .payloadSize = sizeof(FollowAnchorsSlot), .depth = 16, .latched = true},
+    {.name = "teleop_state", .payloadSize = slotSize<std::uint8_t>, .depth = 16, .latched = true},
+    {.name = "followed", .payloadSize = slotSize<FollowAnchorsSlot>, .depth = 16, .latched = true},
 };
 
 // The self-description, as in teleop/teleoperation.suture.json.
@@ -169,13 +171,13 @@ class TeleoperationSink final : public suture::rpc::EventSink {
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
     switch (event) {
       case numberOf(TeleoperationEvent::teleop_state): {
-        const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
+        const auto& slot = slotIn<std::uint8_t>(payload);
         auto request = subscriber_.teleopStateRequest();
         request.setValue(wireTeleopState(slot));
         return request.send().ignoreResult();
       }
       case numberOf(TeleoperationEvent::followed): {
-        const auto& slot = *reinterpret_cast<const FollowAnchorsSlot*>(payload);
+        const auto& slot = slotIn<FollowAnchorsSlot>(payload);
         auto request = subscriber_.followedRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
@@ -192,11 +194,11 @@ class TeleoperationSink final : public suture::rpc::EventSink {
     out.setEvaluated(row.valid);
     out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
-      const auto& slot = *reinterpret_cast<const std::uint8_t*>(columns[0]);
+      const auto& slot = slotIn<std::uint8_t>(columns[0]);
       out.setTeleopState(wireTeleopState(slot));
     }
     if (row.valid >> 1 & 1) {
-      const auto& slot = *reinterpret_cast<const FollowAnchorsSlot*>(columns[1]);
+      const auto& slot = slotIn<FollowAnchorsSlot>(columns[1]);
       toWire(slot, out.initAnchors());
     }
     return request.send().ignoreResult();
@@ -234,7 +236,7 @@ class TeleoperationServant final : public wire::Teleoperation::Server {
   kj::Promise<void> teleopState(TeleopStateContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
+      const auto& slot = slotIn<std::uint8_t>(result);
       auto out = context.getResults();
       out.setValue(wireTeleopState(slot));
       out.setStamp(suture::toNanoseconds(stamp));
@@ -246,7 +248,7 @@ class TeleoperationServant final : public wire::Teleoperation::Server {
   kj::Promise<void> anchors(AnchorsContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const FollowAnchorsSlot*>(result);
+      const auto& slot = slotIn<FollowAnchorsSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -271,12 +273,12 @@ class TeleoperationReceiver final : public wire::TeleoperationEvents::Server {
     auto in = context.getParams().getRow();
     suture::rt::ColumnSet valid = 0;
     if (in.getEvaluated() >> 0 & 1) {
-      auto& slot = *reinterpret_cast<std::uint8_t*>(port_->column(0));
+      auto& slot = port_->column<std::uint8_t>(0);
       const Errc error = fromWire(in.getTeleopState(), slot);
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
     }
     if (in.getEvaluated() >> 1 & 1) {
-      auto& slot = *reinterpret_cast<FollowAnchorsSlot*>(port_->column(1));
+      auto& slot = port_->column<FollowAnchorsSlot>(1);
       const Errc error =
           in.hasAnchors() ? fromWire(in.getAnchors(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
@@ -287,17 +289,18 @@ class TeleoperationReceiver final : public wire::TeleoperationEvents::Server {
 
   kj::Promise<void> teleopState(TeleopStateContext context) override {
     auto in = context.getParams();
-    std::uint8_t slot;
-    const Errc error = fromWire(in.getValue(), slot);
-    return port_->event(numberOf(TeleoperationEvent::teleop_state), error, slot);
+    return port_->event<std::uint8_t>(numberOf(TeleoperationEvent::teleop_state),
+                                      [&](std::uint8_t& slot) {
+      return fromWire(in.getValue(), slot);
+    });
   }
 
   kj::Promise<void> followed(FollowedContext context) override {
     auto in = context.getParams();
-    FollowAnchorsSlot slot;
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(TeleoperationEvent::followed), error, slot);
+    return port_->event<FollowAnchorsSlot>(numberOf(TeleoperationEvent::followed),
+                                           [&](FollowAnchorsSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
  private:
@@ -409,11 +412,11 @@ Errc Provided<robots::Teleoperation>::execute(std::uint16_t command, const std::
       return Errc{};
     }
     case TeleoperationCommand::teleop_state: {
-      auto& slot = *reinterpret_cast<std::uint8_t*>(result);
+      auto& slot = newSlot<std::uint8_t>(result);
       return store(implementation_.teleop_state(), slot) ? Errc{} : Errc::TooLarge;
     }
     case TeleoperationCommand::anchors: {
-      auto& slot = *reinterpret_cast<robots::FollowAnchorsSlot*>(result);
+      auto& slot = newSlot<robots::FollowAnchorsSlot>(result);
       return store(implementation_.anchors(), slot) ? Errc{} : Errc::TooLarge;
     }
   }

@@ -17,6 +17,14 @@ namespace suture {
 inline bool store(std::monostate, SlotNothing&) { return true; }
 inline void load(SlotNothing, std::monostate&) {}
 
+/// From now on it has a value: which one, is up to the caller.
+template <class S>
+S& engage(OpenOptional<S>& slot) {
+  slot.present = 1;
+  if (!slot.value) slot.value = std::make_unique<S>();
+  return *slot.value;
+}
+
 template <class T, class S>
 bool store(const std::optional<T>& value, SlotOptional<S>& slot) {
   slot.present = value ? 1 : 0;
@@ -39,6 +47,28 @@ void load(const SlotOptional<S>& slot, std::unique_ptr<T>& value) {
   if (slot.present == 0) return value.reset();
   if (!value) value = std::make_unique<T>();
   load(slot.value, *value);
+}
+
+template <class T, class S>
+bool store(const std::unique_ptr<T>& value, OpenOptional<S>& slot) {
+  return !value ? (slot.present = 0, true) : store(*value, engage(slot));
+}
+template <class T, class S>
+void load(const OpenOptional<S>& slot, std::unique_ptr<T>& value) {
+  if (slot.present == 0) return value.reset();
+  if (!value) value = std::make_unique<T>();
+  load(*slot.value, *value);
+}
+
+template <class T, class S>
+bool store(const std::optional<T>& value, OpenOptional<S>& slot) {
+  return !value ? (slot.present = 0, true) : store(*value, engage(slot));
+}
+template <class T, class S>
+void load(const OpenOptional<S>& slot, std::optional<T>& value) {
+  if (slot.present == 0) return value.reset();
+  if (!value) value.emplace();
+  load(*slot.value, *value);
 }
 
 template <std::size_t I, class Tuple>
@@ -81,12 +111,15 @@ void load(const SlotTuple<S...>& slot, std::pair<A, B>& value) {
 
 template <std::size_t I, class... S>
 auto& alternative(SlotVariant<S...>& slot) {
-  return *std::launder(reinterpret_cast<std::tuple_element_t<I, std::tuple<S...>>*>(slot.data));
+  if constexpr ((std::is_trivially_copyable_v<S> && ...)) {
+    return *std::launder(reinterpret_cast<std::tuple_element_t<I, std::tuple<S...>>*>(slot.data));
+  } else {
+    return item<I>(slot.all);
+  }
 }
 template <std::size_t I, class... S>
 const auto& alternative(const SlotVariant<S...>& slot) {
-  using Alternative = const std::tuple_element_t<I, std::tuple<S...>>;
-  return *std::launder(reinterpret_cast<Alternative*>(slot.data));
+  return alternative<I>(const_cast<SlotVariant<S...>&>(slot));
 }
 
 template <class Variant, class Slot, std::size_t... I>

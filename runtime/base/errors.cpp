@@ -19,6 +19,7 @@ const char* toString(Errc error) {
     case Errc::WrongThread: return "called from a thread that does not own the required interface";
     case Errc::NotImplemented: return "the provider does not have this optional command";
     case Errc::TooOld: return "older than the state table's oldest row";
+    case Errc::Suspended: return "the provider is suspended";
   }
   return "unknown error";
 }

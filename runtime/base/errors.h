@@ -16,7 +16,8 @@ enum class Errc : std::uint8_t {
   NotConnected = 1,  ///< the required interface was never connected
   Lost,              ///< the connection broke; nothing reaches the provider until it is back
   Full,              ///< the provider still has as many of this command waiting as it accepts
-  TooLarge,          ///< a string or list exceeds the capacity its header declares
+  TooLarge,          ///< a string or list exceeds the capacity its header declares, or all of it
+                     ///< what a link carries in one message
   NotYet,            ///< nobody has produced this value so far; asking started its production
   Timeout,           ///< the deadline passed; whether the provider ran the call is not known
   OutcomeUnknown,    ///< the connection broke after the call was sent; it may have run
@@ -28,6 +29,7 @@ enum class Errc : std::uint8_t {
   WrongThread,       ///< a required interface belongs to one thread, and this is another
   NotImplemented,    ///< an optional command that this provider does not have
   TooOld,            ///< the state table does not reach back that far; configure more rows
+  Suspended,         ///< the provider is suspended; the command was not executed
 };
 
 /// The error in words, for people. Any thread; static storage.

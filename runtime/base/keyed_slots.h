@@ -19,7 +19,7 @@ bool comesBefore(T a, T b) {
 }
 template <std::uint32_t N>
 bool comesBefore(const BoundedText<N>& a, const BoundedText<N>& b) {
-  return std::string_view(a.data, a.size) < std::string_view(b.data, b.size);
+  return std::string_view(elements(a), a.size) < std::string_view(elements(b), b.size);
 }
 template <class Key, class Value>
 bool comesBefore(const SlotEntry<Key, Value>& a, const SlotEntry<Key, Value>& b) {
@@ -29,11 +29,12 @@ bool comesBefore(const SlotEntry<Key, Value>& a, const SlotEntry<Key, Value>& b)
 /// Puts the elements in order. False if one of them, or its key, is there twice.
 template <class S, std::uint32_t N>
 bool arrange(BoundedList<S, N>& slot) {
-  S* const end = slot.data + slot.size;
+  S* const begin = elements(slot);
+  S* const end = begin + slot.size;
   const auto before = [](const S& a, const S& b) { return comesBefore(a, b); };
-  if (!std::is_sorted(slot.data, end, before)) std::sort(slot.data, end, before);
-  return std::adjacent_find(slot.data, end,
-                            [&](const S& a, const S& b) { return !before(a, b); }) == end;
+  if (!std::is_sorted(begin, end, before)) std::sort(begin, end, before);
+  return std::adjacent_find(begin, end, [&](const S& a, const S& b) { return !before(a, b); }) ==
+         end;
 }
 
 template <class Key, class Value, class K, class V>
@@ -45,10 +46,10 @@ bool store(const std::pair<const Key, Value>& value, SlotEntry<K, V>& slot) {
 /// Of any set or map.
 template <class Container, class S, std::uint32_t N>
 bool storeKeyed(const Container& value, BoundedList<S, N>& slot) {
-  if (value.size() > N) return false;
-  slot.size = 0;
+  if (!resize(slot, value.size())) return false;
+  S* next = elements(slot);
   bool fits = true;
-  for (const auto& element : value) fits = store(element, slot.data[slot.size++]) && fits;
+  for (const auto& element : value) fits = store(element, *next++) && fits;
   return fits && arrange(slot);
 }
 
@@ -58,7 +59,7 @@ void loadKeyed(const BoundedList<S, N>& slot, Container& value, const Reuse& reu
                const Add& add) {
   Container old;
   old.swap(value);
-  for (std::uint32_t i = 0; i < std::min(slot.size, N); ++i) {
+  for (std::uint32_t i = 0; i < sizeOf(slot); ++i) {
     if (old.empty()) {
       add(slot.data[i]);
     } else {

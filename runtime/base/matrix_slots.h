@@ -4,6 +4,8 @@
 
 #include <suture/base/slots.h>
 
+#include <utility>
+
 namespace suture {
 
 template <class Matrix>
@@ -16,18 +18,17 @@ template <Number S, int Rows, int Columns, int O, int MaxRows, int MaxColumns, s
 requires isOpenVector<Eigen::Matrix<S, Rows, Columns>>
 bool store(const Eigen::Matrix<S, Rows, Columns, O, MaxRows, MaxColumns>& value,
            BoundedList<S, N>& slot) {
-  if (value.size() > Eigen::Index{N}) return false;
-  slot.size = static_cast<std::uint32_t>(value.size());
-  std::copy_n(value.data(), slot.size, slot.data);
+  if (!resize(slot, static_cast<std::size_t>(value.size()))) return false;
+  std::copy_n(value.data(), slot.size, elements(slot));
   return true;
 }
 template <Number S, int Rows, int Columns, int O, int MaxRows, int MaxColumns, std::uint32_t N>
 requires isOpenVector<Eigen::Matrix<S, Rows, Columns>>
 void load(const BoundedList<S, N>& slot,
           Eigen::Matrix<S, Rows, Columns, O, MaxRows, MaxColumns>& value) {
-  const std::uint32_t size = std::min(slot.size, N);
+  const std::uint32_t size = sizeOf(slot);
   value.resize(Eigen::Index{size});
-  std::copy_n(slot.data, size, value.data());
+  std::copy_n(elements(slot), size, value.data());
 }
 
 /// Of so many rows: a list of columns.
@@ -35,8 +36,7 @@ template <Number S, int Rows, int O, int MaxColumns, std::size_t R, std::uint32_
 bool store(const Eigen::Matrix<S, Rows, Eigen::Dynamic, O, Rows, MaxColumns>& value,
            BoundedList<std::array<S, R>, N>& slot) {
   static_assert(R == std::size_t{Rows});
-  if (value.cols() > Eigen::Index{N}) return false;
-  slot.size = static_cast<std::uint32_t>(value.cols());
+  if (!resize(slot, static_cast<std::size_t>(value.cols()))) return false;
   for (std::uint32_t i = 0; i < slot.size; ++i) {
     std::copy_n(value.data() + R * i, R, slot.data[i].data());
   }
@@ -46,27 +46,70 @@ template <Number S, int Rows, int O, int MaxColumns, std::size_t R, std::uint32_
 void load(const BoundedList<std::array<S, R>, N>& slot,
           Eigen::Matrix<S, Rows, Eigen::Dynamic, O, Rows, MaxColumns>& value) {
   static_assert(R == std::size_t{Rows});
-  const std::uint32_t size = std::min(slot.size, N);
+  const std::uint32_t size = sizeOf(slot);
   value.resize(Rows, Eigen::Index{size});
   for (std::uint32_t i = 0; i < size; ++i) {
     std::copy_n(slot.data[i].data(), R, value.data() + R * i);
   }
 }
 
+template <std::uint32_t R, std::uint32_t C>
+bool withinBounds(std::uint32_t rows, std::uint32_t columns) {
+  return (R == kUnbounded || rows <= R) && (C == kUnbounded || columns <= C);
+}
+
+/// Makes room for so many coefficients, whose values are whatever they are; false if it cannot be.
+template <class S, std::uint32_t R, std::uint32_t C>
+bool resize(BoundedMatrix<S, R, C>& slot, std::uint32_t rows, std::uint32_t columns) {
+  if (!withinBounds<R, C>(rows, columns)) return false;
+  if constexpr (R == kUnbounded || C == kUnbounded) {
+    if (!resize(slot.data, std::size_t{rows} * columns)) return false;
+  }
+  slot.rows = rows;
+  slot.columns = columns;
+  return true;
+}
+
+/// Rows and columns, however wrong the bytes of a slot may be.
+template <class S, std::uint32_t R, std::uint32_t C>
+std::pair<std::uint32_t, std::uint32_t> extentOf(const BoundedMatrix<S, R, C>& slot) {
+  if constexpr (R == kUnbounded || C == kUnbounded) {
+    return {slot.rows, slot.columns};  // it is never copied as bytes
+  } else {
+    return {std::min(slot.rows, R), std::min(slot.columns, C)};
+  }
+}
+
+/// Where the coefficients begin.
+template <class S, std::uint32_t R, std::uint32_t C>
+S* elements(BoundedMatrix<S, R, C>& slot) {
+  if constexpr (R == kUnbounded || C == kUnbounded) {
+    return elements(slot.data);
+  } else {
+    return slot.data;
+  }
+}
+template <class S, std::uint32_t R, std::uint32_t C>
+const S* elements(const BoundedMatrix<S, R, C>& slot) {
+  return elements(const_cast<BoundedMatrix<S, R, C>&>(slot));
+}
+
 template <Number S, int O, int MaxRows, int MaxColumns, std::uint32_t R, std::uint32_t C>
 bool store(const Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic, O, MaxRows, MaxColumns>& value,
            BoundedMatrix<S, R, C>& slot) {
-  if (value.rows() > Eigen::Index{R} || value.cols() > Eigen::Index{C}) return false;
-  slot.rows = static_cast<std::uint32_t>(value.rows());
-  slot.columns = static_cast<std::uint32_t>(value.cols());
-  std::copy_n(value.data(), value.size(), slot.data);
+  if (!resize(slot, static_cast<std::uint32_t>(value.rows()),
+              static_cast<std::uint32_t>(value.cols()))) {
+    return false;
+  }
+  std::copy_n(value.data(), value.size(), elements(slot));
   return true;
 }
 template <Number S, int O, int MaxRows, int MaxColumns, std::uint32_t R, std::uint32_t C>
 void load(const BoundedMatrix<S, R, C>& slot,
           Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic, O, MaxRows, MaxColumns>& value) {
-  value.resize(Eigen::Index{std::min(slot.rows, R)}, Eigen::Index{std::min(slot.columns, C)});
-  std::copy_n(slot.data, value.size(), value.data());
+  const auto [rows, columns] = extentOf(slot);
+  value.resize(Eigen::Index{rows}, Eigen::Index{columns});
+  std::copy_n(elements(slot), value.size(), value.data());
 }
 
 }  // namespace suture

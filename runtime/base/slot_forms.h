@@ -1,7 +1,9 @@
 #pragma once
 // The forms of slots, and the conversions that need no more than those: all that the generated
-// header of a contract needs. Slots are the flat, bounded, trivially copyable twins of the types in
-// a contract; they travel in mailboxes, state rows and shared memory.
+// header of a contract needs. Slots are the twins of the types in a contract that travel in
+// mailboxes, state rows and shared memory: flat and trivially copyable where every level has a
+// capacity. A level without one owns memory; such a slot lies outside the records that stand for
+// it, see shared_slot.h.
 //
 //   store(value, slot): C++ -> slot; false if the value exceeds the capacity of the slot
 //   load(slot, value):  slot -> C++; reuses what the value already owns
@@ -14,17 +16,11 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <type_traits>
 
 namespace suture {
-
-/// A string of at most N bytes.
-template <std::uint32_t N>
-struct BoundedText {
-  std::uint32_t size;
-  char data[N];
-};
 
 /// A list of at most N elements.
 template <class Element, std::uint32_t N>
@@ -33,12 +29,39 @@ struct BoundedList {
   Element data[N];
 };
 
+/// In the place of a capacity: there is none.
+inline constexpr std::uint32_t kUnbounded = 0;
+
+/// A list of any number of elements, of which resize() has made room for `room`.
+template <class Element>
+struct BoundedList<Element, kUnbounded> {
+  std::uint32_t size = 0;
+  std::uint32_t room = 0;
+  std::unique_ptr<Element[]> data;
+};
+template <class Element>
+using OpenList = BoundedList<Element, kUnbounded>;
+
+/// A string of at most N bytes.
+template <std::uint32_t N>
+using BoundedText = BoundedList<char, N>;
+using OpenText = BoundedText<kUnbounded>;
+
 /// A matrix of at most R x C, column after column without gaps.
 template <class S, std::uint32_t R, std::uint32_t C>
 struct BoundedMatrix {
   std::uint32_t rows, columns;
   S data[std::size_t{R} * C];
 };
+
+/// One that lacks a bound, or both.
+template <class S, std::uint32_t R, std::uint32_t C>
+requires(R == kUnbounded || C == kUnbounded) struct BoundedMatrix<S, R, C> {
+  std::uint32_t rows = 0, columns = 0;
+  OpenList<S> data;
+};
+template <class S>
+using OpenMatrix = BoundedMatrix<S, kUnbounded, kUnbounded>;
 
 /// One entry of a map.
 template <class Key, class Value>
@@ -57,6 +80,13 @@ struct SlotOptional {
   S value;
 };
 
+/// The same of what cannot lie in itself: a type that holds one of its own kind.
+template <class S>
+struct OpenOptional {
+  std::uint8_t present = 0;
+  std::unique_ptr<S> value;
+};
+
 /// Unlike std::tuple, it may be copied as bytes.
 template <class Head, class... Tail>
 struct SlotTuple {
@@ -73,6 +103,13 @@ template <class... S>
 struct SlotVariant {
   std::uint32_t index;
   alignas(S...) std::byte data[std::max({sizeof(S)...})];
+};
+
+/// Of alternatives that own memory, each has a place of its own.
+template <class... S>
+requires(!(std::is_trivially_copyable_v<S> && ...)) struct SlotVariant<S...> {
+  std::uint32_t index = 0;
+  SlotTuple<S...> all;
 };
 
 template <class T>
@@ -136,16 +173,58 @@ void load(std::int64_t slot, std::chrono::time_point<Clock, D>& value) {
   value = std::chrono::time_point<Clock, D>(sinceEpoch);
 }
 
+/// What one level without a capacity may take up: more than any message may.
+inline constexpr std::size_t kLargestOpenLevel = std::size_t{64} << 20;
+
+/// Makes room for `size` elements, whose values are whatever they are; false if it cannot be.
+template <class Element, std::uint32_t N>
+bool resize(BoundedList<Element, N>& slot, std::size_t size) {
+  if constexpr (N == kUnbounded) {
+    if (size > kLargestOpenLevel / sizeof(Element)) return false;
+    if (size > slot.room) {
+      slot.data = std::make_unique<Element[]>(size);
+      slot.room = static_cast<std::uint32_t>(size);
+    }
+  } else if (size > N) {
+    return false;
+  }
+  slot.size = static_cast<std::uint32_t>(size);
+  return true;
+}
+
+/// How many elements there are, however wrong the bytes of a slot may be.
+template <class Element, std::uint32_t N>
+std::uint32_t sizeOf(const BoundedList<Element, N>& slot) {
+  if constexpr (N == kUnbounded) {
+    return slot.size;  // it is never copied as bytes
+  } else {
+    return std::min(slot.size, N);
+  }
+}
+
+/// Where they begin.
+template <class Element, std::uint32_t N>
+Element* elements(BoundedList<Element, N>& slot) {
+  if constexpr (N == kUnbounded) {
+    return slot.data.get();
+  } else {
+    return slot.data;
+  }
+}
+template <class Element, std::uint32_t N>
+const Element* elements(const BoundedList<Element, N>& slot) {
+  return elements(const_cast<BoundedList<Element, N>&>(slot));
+}
+
 template <std::uint32_t N>
 bool store(const std::string& value, BoundedText<N>& slot) {
-  if (value.size() > N) return false;
-  slot.size = static_cast<std::uint32_t>(value.size());
-  std::copy_n(value.data(), value.size(), slot.data);
+  if (!resize(slot, value.size())) return false;
+  std::copy_n(value.data(), value.size(), elements(slot));
   return true;
 }
 template <std::uint32_t N>
 void load(const BoundedText<N>& slot, std::string& value) {
-  value.assign(slot.data, std::min(slot.size, N));
+  value.assign(elements(slot), sizeOf(slot));
 }
 
 /// What has a suture::Wire travels as that says.

@@ -72,9 +72,8 @@ struct ArraySlot<T[N]> : ElementByElement {};
 
 template <class T, class S, std::uint32_t N>
 bool store(const std::vector<T>& value, BoundedList<S, N>& slot) {
-  if (value.size() > N) return false;
+  if (!resize(slot, value.size())) return false;
   const auto size = static_cast<std::uint32_t>(value.size());
-  slot.size = size;
   bool fits = true;
   for (std::uint32_t i = 0; i < size; ++i) {
     const T& element = value[i];  // binds a vector<bool> proxy to a bool
@@ -84,7 +83,7 @@ bool store(const std::vector<T>& value, BoundedList<S, N>& slot) {
 }
 template <class T, class S, std::uint32_t N>
 void load(const BoundedList<S, N>& slot, std::vector<T>& value) {
-  value.resize(std::min(slot.size, N));
+  value.resize(sizeOf(slot));
   for (std::size_t i = 0; i < value.size(); ++i) {
     if constexpr (std::is_same_v<T, bool>) {
       value[i] = slot.data[i] != 0;
@@ -96,16 +95,15 @@ void load(const BoundedList<S, N>& slot, std::vector<T>& value) {
 
 template <class T, class S, std::uint32_t N>
 bool store(const std::deque<T>& value, BoundedList<S, N>& slot) {
-  if (value.size() > N) return false;
+  if (!resize(slot, value.size())) return false;
   const auto size = static_cast<std::uint32_t>(value.size());
-  slot.size = size;
   bool fits = true;
   for (std::uint32_t i = 0; i < size; ++i) fits = store(value[i], slot.data[i]) && fits;
   return fits;
 }
 template <class T, class S, std::uint32_t N>
 void load(const BoundedList<S, N>& slot, std::deque<T>& value) {
-  value.resize(std::min(slot.size, N));
+  value.resize(sizeOf(slot));
   for (std::uint32_t i = 0; i < value.size(); ++i) load(slot.data[i], value[i]);
 }
 

@@ -2,6 +2,7 @@
 // A call whose answer comes later.
 
 #include <suture/base/sample.h>
+#include <suture/base/shared_slot.h>
 #include <suture/component/required.h>
 
 #include <optional>
@@ -49,7 +50,7 @@ class [[nodiscard]] Call {
       : required_(&required), pending_(&pending), limit_(limit) {
     if (sent != Errc{}) {
       answer_ = Traits::error(sent);
-      pending.number = 0;
+      required.discard(pending);
       pending_ = nullptr;
     }
   }
@@ -97,7 +98,7 @@ class [[nodiscard]] Call {
       answer_ = Answer{};
     } else {
       typename Traits::Value value{};
-      load(*reinterpret_cast<const Slot*>(pending_->result.data()), value);
+      load(slotIn<Slot>(pending_->result.data()), value);
       answer_ = Traits::success(std::move(value), pending_->stamp);
     }
     required_->closeCall(*pending_);

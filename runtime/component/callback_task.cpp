@@ -5,7 +5,9 @@
 namespace suture {
 
 void CallbackTask::start() {
-  if (running_) return;
+  if (running_ && state() == ComponentState::Faulted) return;
+  if (running_) requireLegal(name(), state(), Transition::Start);
+  prepare();
   enter();
   releaseThread();
   running_ = true;
@@ -16,6 +18,7 @@ void CallbackTask::stop() {
   while (cycling_.test_and_set(std::memory_order_acquire)) {
     std::this_thread::sleep_for(std::chrono::microseconds(100));
   }
+  claimThread();
   leave();
   cycling_.clear(std::memory_order_release);
 }
@@ -25,8 +28,9 @@ bool CallbackTask::trigger() {
     mutableStatistics().skipped.fetch_add(1, std::memory_order_relaxed);
     return false;
   }
-  const bool runs = running_.load(std::memory_order_acquire);
-  if (runs) {
+  const bool started = running_.load(std::memory_order_acquire);
+  const bool runs = started && state() == ComponentState::Running;
+  if (started) {
     claimThread();
     cycle();
   }

@@ -7,7 +7,7 @@
 namespace suture {
 
 /// Has no thread: somebody else's, say that of a driver or a window system, calls trigger() and
-/// runs the cycle. Commands and events wait for the next call.
+/// runs the cycle. Commands, events, and requests to suspend or resume wait for the next call.
 class CallbackTask : public Task {
  public:
   void start() final;
@@ -16,8 +16,8 @@ class CallbackTask : public Task {
   void stop() final;
 
   /// Any thread: one cycle, here and now. False, and counted as skipped, if one is under way,
-  /// whether in another thread or further up in this one; false also before start() and after
-  /// stop().
+  /// whether in another thread or further up in this one; false also if run() was not called, since
+  /// it is not started, suspended or parked.
   bool trigger();
 
  private:

@@ -9,7 +9,8 @@ namespace {
 std::vector<rt::CommandLimits> commandLimits(const InterfaceInfo& info) {
   std::vector<rt::CommandLimits> limits;
   for (const CommandInfo& command : info.commands) {
-    limits.push_back({command.argumentsSize, command.depth, command.latest});
+    limits.push_back(
+        {command.argumentsSize, command.depth, command.latest, command.sharedArguments});
   }
   return limits;
 }
@@ -17,7 +18,7 @@ std::vector<rt::CommandLimits> commandLimits(const InterfaceInfo& info) {
 std::vector<rt::EventLimits> eventLimits(const InterfaceInfo& info) {
   std::vector<rt::EventLimits> limits;
   for (const EventInfo& event : info.events) {
-    limits.push_back({event.payloadSize, event.depth, event.latest});
+    limits.push_back({event.payloadSize, event.depth, event.latest, event.sharedPayload});
   }
   return limits;
 }
@@ -43,8 +44,31 @@ Channel::Channel(const InterfaceInfo& contract, std::string channelName, std::st
       replies(replyBytes(contract)),
       events(eventLimits(contract)) {}
 
+void Channel::tell(ChannelStatus news) {
+  ChannelStatus present = status.load(std::memory_order_acquire);
+  do {
+    const bool open = present == ChannelStatus::Connected || present == ChannelStatus::Suspended;
+    if (!open || present == news) return;
+  } while (!status.compare_exchange_weak(present, news));
+  ends.client->ring();
+}
+
 void Channel::replyError(std::uint32_t call, Errc error) {
-  reply(call, 0, [error](std::byte*) { return error; });
+  reply(call, {}, [error](std::byte*) { return error; });
+}
+
+Channel::~Channel() {
+  while (nextReply() != nullptr) popReply();
+}
+
+ReplyRecord* Channel::nextReply() {
+  return reinterpret_cast<ReplyRecord*>(const_cast<std::byte*>(replies.front()));
+}
+
+void Channel::popReply() {
+  ReplyRecord* const reply = nextReply();
+  if (reply->shared) releaseSharedSlot(reply->result());
+  replies.pop();
 }
 
 Errc errorOf(ChannelStatus status) {
@@ -53,16 +77,28 @@ Errc errorOf(ChannelStatus status) {
     case ChannelStatus::Lost: return Errc::Lost;
     case ChannelStatus::Faulted: return Errc::Faulted;
     case ChannelStatus::Closed: return Errc::NotConnected;
+    case ChannelStatus::Suspended: return Errc::Suspended;
   }
   return Errc::NotConnected;
 }
 
+ChannelStatus statusIn(ComponentState state) {
+  switch (state) {
+    case ComponentState::Suspended: return ChannelStatus::Suspended;
+    case ComponentState::Faulted: return ChannelStatus::Faulted;
+    default: return ChannelStatus::Connected;
+  }
+}
+
 std::shared_ptr<rt::StateTable> makeStateTable(const InterfaceInfo& info) {
   std::vector<std::uint32_t> sizes;
+  rt::ColumnSet shared = 0;
   for (const CommandInfo& command : info.commands) {
-    if (command.kind == CommandKind::Read) sizes.push_back(command.resultSize);
+    if (command.kind != CommandKind::Read) continue;
+    shared |= rt::ColumnSet{command.sharedResult} << sizes.size();
+    sizes.push_back(command.resultSize);
   }
-  return std::make_shared<rt::StateTable>(sizes);
+  return std::make_shared<rt::StateTable>(sizes, rt::StateTable::kDefaultRows, shared);
 }
 
 }  // namespace suture

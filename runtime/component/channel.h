@@ -3,7 +3,9 @@
 // is one channel shared by two tasks; every other lane carries what it finds in one channel to
 // another.
 
+#include <suture/base/shared_slot.h>
 #include <suture/component/interface_info.h>
+#include <suture/component/lifecycle.h>
 #include <suture/rt/doorbell.h>
 #include <suture/rt/event_queue.h>
 #include <suture/rt/histogram.h>
@@ -22,9 +24,10 @@ class ProvidedBase;
 
 enum class ChannelStatus : std::uint8_t {
   Connected,
-  Lost,     ///< the far end went away
-  Faulted,  ///< the provider's handler threw
-  Closed,   ///< this connection was taken down; both ends let go of it
+  Lost,       ///< the far end went away
+  Faulted,    ///< the provider's handler threw
+  Closed,     ///< this connection was taken down; both ends let go of it
+  Suspended,  ///< the provider executes nothing until it is resumed
 };
 
 /// Precedes the result of every answered call.
@@ -32,8 +35,16 @@ struct ReplyRecord {
   Time stamp;          ///< when the result was produced, on this process's clock
   std::uint32_t call;  ///< the number of the call
   Errc error;          ///< 0: success, and the result follows
+  bool shared;         ///< the result is a counted pointer, see base/shared_slot.h
 
+  std::byte* result() { return reinterpret_cast<std::byte*>(this + 1); }
   const std::byte* result() const { return reinterpret_cast<const std::byte*>(this + 1); }
+};
+
+/// What the result of a call is in its record.
+struct ResultForm {
+  std::uint32_t size = 0;
+  bool shared = false;
 };
 
 /// The client endpoint produces into `commands` and consumes `replies`, `events` and `state`; the
@@ -54,6 +65,9 @@ class Channel {
   /// events the client has handlers for. `lane`: its name, for people.
   Channel(const InterfaceInfo& info, std::string name, std::string lane, Ends ends,
           std::shared_ptr<rt::StateTable> state, EventSet subscribed);
+  ~Channel();
+  Channel(const Channel&) = delete;
+  Channel& operator=(const Channel&) = delete;
 
   const InterfaceInfo& info;
   const std::string name;  ///< "Teleop/Slave -> psm-host:PSM/Arm"
@@ -87,13 +101,21 @@ class Channel {
     readAge.record(now() - stamp);
   }
 
+  /// Any thread: how it stands with the provider, unless the connection is past that; the client
+  /// is rung if that is news.
+  void tell(ChannelStatus news);
+
   /// Provider endpoint: answers call `call` with an error.
   void replyError(std::uint32_t call, Errc error);
   /// Provider endpoint: answers call `call`; `produce(std::byte* result)` fills the result in place
   /// and returns an Errc, 0 for success. `stamp`: when the result was produced.
   template <class Produce>
-  void reply(std::uint32_t call, std::size_t resultSize, const Produce& produce,
-             Time stamp = now());
+  void reply(std::uint32_t call, ResultForm form, const Produce& produce, Time stamp = now());
+
+  /// Client endpoint: the oldest answer, or nullptr; and lets go of it, unless its result has been
+  /// moved elsewhere and is null now.
+  ReplyRecord* nextReply();
+  void popReply();
 
  private:
   Time lastRead_{};
@@ -101,18 +123,26 @@ class Channel {
 };
 
 template <class Produce>
-void Channel::reply(std::uint32_t call, std::size_t resultSize, const Produce& produce,
-                    Time stamp) {
+void Channel::reply(std::uint32_t call, ResultForm form, const Produce& produce, Time stamp) {
   // Never full: it holds an answer to every call that may be unfinished.
-  std::byte* memory = replies.claim(sizeof(ReplyRecord) + resultSize);
+  std::byte* memory = replies.claim(sizeof(ReplyRecord) + form.size);
   if (memory == nullptr) return;
-  auto* record = new (memory) ReplyRecord{stamp, call, Errc{}};
-  record->error = produce(memory + sizeof(ReplyRecord));
+  auto* record = new (memory) ReplyRecord{stamp, call, Errc{}, form.shared};
+  if (form.shared) putSharedSlot(record->result(), nullptr);
+  try {
+    record->error = produce(record->result());
+  } catch (...) {
+    if (form.shared) releaseSharedSlot(record->result());
+    throw;
+  }
   replies.commit();
 }
 
 /// The error that a call through a channel of this status meets; 0 if it is connected.
 Errc errorOf(ChannelStatus status);
+
+/// What a connection to a component in this state is; Connected also before its first cycle.
+ChannelStatus statusIn(ComponentState state);
 
 /// Column sizes of a contract's state table: one column a read.
 std::shared_ptr<rt::StateTable> makeStateTable(const InterfaceInfo& info);

@@ -22,7 +22,7 @@ ChannelList::~ChannelList() {
 void ChannelList::add(std::shared_ptr<Channel> channel) {
   auto* node = new Node{std::move(channel)};
   node->next = head_.load(std::memory_order_relaxed);
-  while (!head_.compare_exchange_weak(node->next, node, std::memory_order_release,
+  while (!head_.compare_exchange_weak(node->next, node, std::memory_order_seq_cst,
                                       std::memory_order_relaxed)) {
   }
 }

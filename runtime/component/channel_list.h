@@ -27,7 +27,8 @@ class ChannelList {
 
   template <class Visit>
   void forEach(const Visit& visit) const {
-    for (Node* node = head_.load(std::memory_order_acquire); node != nullptr; node = node->next) {
+    // In one order with add(): see Component::setState().
+    for (Node* node = head_.load(std::memory_order_seq_cst); node != nullptr; node = node->next) {
       visit(*node);
     }
   }

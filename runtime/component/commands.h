@@ -3,6 +3,7 @@
 // thread of the component that owns the required interface.
 
 #include <suture/base/sample.h>
+#include <suture/base/shared_slot.h>
 #include <suture/base/slot_forms.h>
 #include <suture/component/call.h>
 #include <suture/component/required.h>
@@ -60,7 +61,7 @@ class Command<Method, ArgumentsSlot> {
       if constexpr (sizeof...(Arguments) == 0) {
         return true;
       } else {
-        return store(arguments..., *reinterpret_cast<ArgumentsSlot*>(memory));
+        return store(arguments..., newSlot<ArgumentsSlot>(memory));
       }
     });
   }
@@ -98,11 +99,11 @@ class ReadCommand<Method, ResultSlot> {
 
   /// The same into `value`, which keeps its memory and is left alone if there is no value.
   Sample<void> operator()(Value& value) {
-    ResultSlot slot;
+    LooseSlot<ResultSlot> slot;
     bool device = false;
-    const Sample<void> read = required_.read(id_, reinterpret_cast<std::byte*>(&slot), device);
+    const Sample<void> read = required_.read(id_, slot.memory(), device);
     if (device) return readDevice(value);
-    if (read) load(slot, value);
+    if (read) load(slot.value(), value);
     return read;
   }
 
@@ -118,12 +119,11 @@ class ReadCommand<Method, ResultSlot> {
   }
   /// The same into `value`, which keeps its memory and is left alone if there is no value.
   Sample<void> at(Time time, Value& value) {
-    ResultSlot slot;
+    LooseSlot<ResultSlot> slot;
     bool device = false;
-    const Sample<void> read =
-        required_.readAt(time, id_, reinterpret_cast<std::byte*>(&slot), device);
+    const Sample<void> read = required_.readAt(time, id_, slot.memory(), device);
     if (device) return time < now() ? Sample<void>(Errc::TooOld) : readDevice(value);
-    if (read) load(slot, value);
+    if (read) load(slot.value(), value);
     return read;
   }
 
@@ -147,9 +147,19 @@ class ReadCommand<Method, ResultSlot> {
 
   Sample<void> readDevice(Value& value) {
     const Errc error = required_.template callDevice<const Contract>(
-        [&](const Contract& contract) { value = (contract.*Method)(); });
+        [&](const Contract& contract) { copy((contract.*Method)(), value); });
     if (error != Errc{}) return error;
     return Sample<void>(now());
+  }
+
+  static void copy(ReturnType result, Value& value) {
+    if constexpr (std::is_assignable_v<Value&, ReturnType>) {
+      value = std::forward<ReturnType>(result);
+    } else {  // it has a std::unique_ptr in it; its slot has not
+      LooseSlot<ResultSlot> slot;
+      store(result, slot.value());
+      load(slot.value(), value);
+    }
   }
 
   RequiredBase& required_;
@@ -178,7 +188,7 @@ class AnsweredCommand {
               if constexpr (sizeof...(Arguments) == 0) {
                 return true;
               } else {
-                return store(arguments..., *reinterpret_cast<ArgumentsSlot*>(memory));
+                return store(arguments..., newSlot<ArgumentsSlot>(memory));
               }
             })};
   }

@@ -1,3 +1,4 @@
+#include <suture/base/errors.h>
 #include <suture/component/channel.h>
 #include <suture/component/component.h>
 #include <suture/component/provided.h>
@@ -34,6 +35,53 @@ bool Component::ownedByThisThread() {
 }
 
 void Component::claimForThisThread() { owner_.store(thisThread(), std::memory_order_release); }
+
+void Component::configure() {
+  requireLegal(name_, state(), Transition::Configure);
+  makeTransition(Transition::Configure);
+  ringNow();
+}
+
+void Component::request(Transition transition) {
+  if (transition != Transition::Suspend && transition != Transition::Resume) {
+    throw SetupError(
+        "component '" + name_ + "' was asked to " + toString(transition),
+        "that is for whoever gave it its thread",
+        "Call configure(), start() or stop(); only suspend and resume can be asked for");
+  }
+  requireLegal(name_, state(), transition);
+  take(transition);
+}
+
+void Component::makeTransition(Transition transition) {
+  if (!parkOnThrow([&] { callHook(transition); })) return;
+  setState(*after(state(), transition));
+  if (transition != Transition::Suspend && transition != Transition::Resume) return;
+  for (ProvidedBase* provided : provided_) provided->announce(statusIn(state()));
+}
+
+void Component::callHook(Transition transition) {
+  switch (transition) {
+    case Transition::Configure: onConfigure(); break;
+    case Transition::Start: onStart(); break;
+    case Transition::Suspend: onSuspend(); break;
+    case Transition::Resume: onResume(); break;
+    case Transition::Stop: onStop(); break;
+  }
+}
+
+void Component::endLife() {
+  if (after(state(), Transition::Stop)) makeTransition(Transition::Stop);
+  ringNow();
+  for (ProvidedBase* provided : provided_) provided->announce(ChannelStatus::Lost);
+}
+
+// In one order with attach(), which looks at the state after adding its channel: one of the two
+// tells the client.
+void Component::setState(ComponentState state) {
+  state_.store(state, std::memory_order_seq_cst);
+  if (listener_ != nullptr) listener_->stateChanged(state);
+}
 
 void Component::park(std::string reason) {
   if (parked_.test_and_set()) return;

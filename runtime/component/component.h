@@ -3,10 +3,13 @@
 // thread.
 
 #include <suture/base/time.h>
+#include <suture/component/lifecycle.h>
 #include <suture/rt/doorbell.h>
 #include <suture/rt/due_bells.h>
 
 #include <atomic>
+#include <exception>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,10 +18,8 @@ namespace suture {
 class ProvidedBase;
 class RequiredBase;
 
-enum class ComponentState : std::uint8_t { Constructed, Running, Faulted, Stopped };
-
 /// Base of Device and Task. Its interfaces are members of the derived class that register here on
-/// construction; so a component neither moves nor copies.
+/// construction; so a component neither moves nor copies. Its life: lifecycle.h.
 class Component {
  public:
   virtual ~Component();
@@ -40,9 +41,19 @@ class Component {
   /// How often a remote client's reads of a device are evaluated. Meaningless for a task.
   virtual Duration remoteReadPeriod() const { return Duration{0}; }
 
+  /// The manager's thread, once, before anything else: calls onConfigure(). Throws SetupError if it
+  /// has been done. What the hook throws parks the component instead.
+  void configure();
+  /// Any thread but in a hook: asks for Suspend or Resume. A task makes the change between two
+  /// cycles, in its own thread; a device at once. Throws SetupError if that is not legal now.
+  void request(Transition transition);
+
   /// Any thread: the component has failed; its clients are told Errc::Faulted from now on. The
   /// first reason stays.
   void park(std::string reason);
+  /// Runs `work` of this component; what it throws parks the component. False if it did.
+  template <class Work>
+  bool parkOnThrow(const Work& work);
 
   /// What a sleeping owner of this component waits on.
   rt::Doorbell& doorbell() { return lender_ == nullptr ? doorbell_ : lender_->doorbell(); }
@@ -60,11 +71,34 @@ class Component {
  protected:
   Component() = default;
 
+  // What a component does when its state changes. A hook that throws parks its component. A task's
+  // run in its thread (those of a callback's task to start and stop in the manager's), but
+  // onConfigure(); a device's in the thread that asks for the change.
+
+  /// Before there is a thread: the place to open devices and to allocate. The manager's thread.
+  virtual void onConfigure() {}
+  /// Before the first cycle.
+  virtual void onStart() {}
+  /// After the last cycle for the time being: the place to hold still what moves.
+  virtual void onSuspend() {}
+  /// Before the cycles go on.
+  virtual void onResume() {}
+  /// After the last cycle; not if the component is faulted.
+  virtual void onStop() {}
+
+  // --- for Device and the kinds of task ---
+
+  /// Makes a legal transition to Suspended or Running happen, now or soon.
+  virtual void take(Transition transition) = 0;
+  /// Makes the legal `transition` here and now: the hook, the state, and what clients are told.
+  void makeTransition(Transition transition);
+  /// Stops what runs or is suspended, and tells all clients that they are lost.
+  void endLife();
+
   void claimForThisThread();
   /// This component's work is done by the thread of `lender`, which must be woken for it.
   void borrowThread(Component& lender) { lender_ = &lender; }
   void releaseThread() { owner_.store(nullptr, std::memory_order_release); }
-  void setState(ComponentState state) { state_.store(state, std::memory_order_release); }
 
   /// Runs the event handlers of all required interfaces on what has arrived.
   void handleEvents();
@@ -73,6 +107,9 @@ class Component {
   friend class ProvidedBase;
   friend class RequiredBase;
   friend class Manager;
+
+  void setState(ComponentState state);
+  void callHook(Transition transition);
 
   std::string name_ = "(unnamed)";
   std::string fault_;
@@ -84,6 +121,20 @@ class Component {
   rt::DueBells dueBells_;
   Component* lender_ = nullptr;
   std::atomic<const void*> owner_{nullptr};
+  std::unique_ptr<StateListener> listener_;
 };
+
+template <class Work>
+bool Component::parkOnThrow(const Work& work) {
+  try {
+    work();
+    return true;
+  } catch (const std::exception& error) {
+    park(error.what());
+  } catch (...) {
+    park("an exception that is not a std::exception");
+  }
+  return false;
+}
 
 }  // namespace suture

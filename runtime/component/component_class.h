@@ -4,7 +4,9 @@
 
 #include <suture/component/component.h>
 
+#include <initializer_list>
 #include <memory>
+#include <string_view>
 
 namespace suture {
 
@@ -16,6 +18,9 @@ struct ComponentClass {
   /// what the constructor throws passes through.
   std::unique_ptr<Component> (*create)(const JsonReader& parameters);
 };
+
+/// Those required interfaces of `component` need no provider: for generated code.
+void makeOptional(Component& component, std::initializer_list<std::string_view> required);
 
 /// The class `T`. Each component's generated header "X.suture.h" declares its own.
 template <class T>

@@ -5,6 +5,25 @@
 
 namespace suture {
 
+void Device::start() {
+  const std::lock_guard lock(changing_);
+  if (after(state(), Transition::Configure)) configure();
+  if (state() == ComponentState::Faulted) return;
+  requireLegal(name(), state(), Transition::Start);
+  makeTransition(Transition::Start);
+}
+
+void Device::stop() {
+  const std::lock_guard lock(changing_);
+  endLife();
+}
+
+void Device::take(Transition transition) {
+  const std::lock_guard lock(changing_);
+  requireLegal(name(), state(), transition);
+  makeTransition(transition);
+}
+
 bool Device::waitForEvents(Time deadline) {
   const auto arrived = [this] {
     return std::any_of(required().begin(), required().end(),

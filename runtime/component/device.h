@@ -3,16 +3,25 @@
 
 #include <suture/component/component.h>
 
+#include <mutex>
+
 namespace suture {
 
 /// Has no thread: its commands run at once in the thread of a local caller, and in one executor
 /// thread of the process for remote ones. If it serves both, its methods must be safe to call from
-/// several threads. Its required interfaces belong to the first thread that uses one.
+/// several threads. Its required interfaces belong to the first thread that uses one. While it is
+/// suspended, commands are answered Errc::Suspended, and who handles its events decides about that.
 class Device : public Component {
  public:
   /// `remoteReadPeriod`: how often the reads that remote clients ask for are evaluated.
   explicit Device(Duration remoteReadPeriod = std::chrono::milliseconds(10))
       : remoteReadPeriod_(remoteReadPeriod) {}
+
+  /// The manager's: configures it if that has not been done; then it runs. Throws SetupError if it
+  /// runs already.
+  void start();
+  /// The manager's: clients are told that they have lost it. Calls under way are not waited for.
+  void stop();
 
   bool ownsThread() const final { return false; }
   Duration remoteReadPeriod() const final { return remoteReadPeriod_; }
@@ -25,7 +34,10 @@ class Device : public Component {
   bool waitForEvents(Time deadline);
 
  private:
-  Duration remoteReadPeriod_;
+  void take(Transition transition) final;
+
+  const Duration remoteReadPeriod_;
+  std::mutex changing_;  // no control loop waits here: changes are rare, and asked for by people
 };
 
 }  // namespace suture

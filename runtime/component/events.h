@@ -2,6 +2,7 @@
 // The members of a generated Provided<Contract>::emit() and Required<Contract>::on(): one object an
 // event.
 
+#include <suture/base/shared_slot.h>
 #include <suture/base/slot_forms.h>
 #include <suture/component/provided.h>
 #include <suture/component/required.h>
@@ -37,9 +38,9 @@ class Emitter {
   /// Never blocks, never allocates. Errc::TooLarge if the payload exceeds its declared capacity;
   /// nobody gets it then.
   Result<void> operator()(const Payload&... payload) {
-    Slot slot;
-    if (!store(payload..., slot)) return tl::unexpected(Errc::TooLarge);
-    provided_.emit(event_, std::as_bytes(std::span(&slot, 1)));
+    LooseSlot<Slot> slot;
+    if (!store(payload..., slot.value())) return tl::unexpected(Errc::TooLarge);
+    provided_.emit(event_, slot.bytes());
     return {};
   }
 
@@ -74,7 +75,7 @@ class Subscription {
     required_.handlers_[event_] =
         [handler = std::move(handler),
          scratch = std::make_shared<std::tuple<Payload...>>()](const std::byte* memory) {
-          const auto& slot = *reinterpret_cast<const Slot*>(memory);
+          const Slot& slot = slotIn<Slot>(memory);
           std::apply(
               [&](Payload&... payload) {
                 load(slot, payload...);

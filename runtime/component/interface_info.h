@@ -29,6 +29,8 @@ struct CommandInfo {
   Duration ttl{0};                       ///< discarded when older; 0: never
   int column = -1;                       ///< of a read: its column in the state table; else -1
   Duration deadline = kDefaultDeadline;  ///< how long within() waits by itself
+  // What owns memory has a counted pointer in its record, see base/shared_slot.h.
+  bool sharedArguments = false, sharedResult = false;
 };
 
 /// A set of a contract's events, one bit each.
@@ -40,6 +42,7 @@ struct EventInfo {
   std::uint32_t depth;
   bool latest = false;
   bool latched = false;
+  bool sharedPayload = false;  ///< as of a command
 };
 
 /// The table of a contract that derives from another, of N rows: the base's, then its own.
@@ -63,6 +66,10 @@ struct InterfaceInfo {
   const InterfaceInfo& (*base)() = nullptr;
   void* (*toBase)(void* implementation) = nullptr;  ///< from this contract to its base
 };
+
+/// Throws SetupError if a task would provide or require such a contract: its thread never
+/// allocates.
+void refuseUnbounded(const InterfaceInfo& info, bool isTask);
 
 /// InterfaceInfo::toBase of a contract and its base.
 template <class Contract, class Base>

@@ -10,19 +10,50 @@ namespace {
 
 std::unique_ptr<rt::StateTable> makeLatchedTable(const InterfaceInfo& info) {
   std::vector<std::uint32_t> sizes;
+  rt::ColumnSet shared = 0;
   bool any = false;
   for (const EventInfo& event : info.events) {
+    shared |= rt::ColumnSet{event.latched && event.sharedPayload} << sizes.size();
     sizes.push_back(event.latched ? event.payloadSize : 0);
     any = any || event.latched;
   }
   constexpr unsigned kRows = 4;
-  return any ? std::make_unique<rt::StateTable>(sizes, kRows) : nullptr;
+  return any ? std::make_unique<rt::StateTable>(sizes, kRows, shared) : nullptr;
 }
 
 // The counters have one writer each.
 void increment(std::atomic<std::uint64_t>& counter) {
   counter.store(counter.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
 }
+
+/// The turn of one command, which ends on every way out, also when the handler throws: its room is
+/// free again, and whoever waits for an answer has one.
+class Turn {
+ public:
+  Turn(Channel& channel, Component& owner, const rt::CommandRecord& record)
+      : channel_(channel), owner_(owner), command_(record.command), call_(record.call) {}
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+  ~Turn() {
+    // A newest-wins command without an answer travels in its cell, not in the ring.
+    const bool usesCredit = !channel_.info.commands[command_].latest || call_ != 0;
+    channel_.commands.pop();
+    if (usesCredit) channel_.commands.returnCredit(command_);
+    if (call_ != 0 && !answered) channel_.replyError(call_, error);
+    if (call_ != 0 || channel_.wantsRows.load(std::memory_order_relaxed)) {
+      owner_.ringLater(*channel_.ends.client);
+    }
+  }
+
+  bool answered = false;
+  Errc error = Errc::Faulted;  ///< the answer, unless there has been one
+
+ private:
+  Channel& channel_;
+  Component& owner_;
+  const std::uint16_t command_;
+  const std::uint32_t call_;
+};
 
 }  // namespace
 
@@ -34,6 +65,7 @@ ProvidedBase::ProvidedBase(Component& owner, std::string_view name, const Interf
       implementation_(implementation),
       state_(makeStateTable(info)),
       latched_(makeLatchedTable(info)) {
+  refuseUnbounded(info, owner.ownsThread());
   owner.provided_.push_back(this);
 }
 
@@ -69,17 +101,30 @@ void ProvidedBase::keepState(const StateOptions& options) {
 
 void ProvidedBase::attach(std::shared_ptr<Channel> channel) {
   if (!owner_.ownsThread()) replayLatched(*channel);
-  if (owner_.state() == ComponentState::Faulted) channel->status = ChannelStatus::Faulted;
-  rt::Doorbell& provider = *channel->ends.provider;
-  channels_.add(std::move(channel));
-  provider.ring();
+  channels_.add(channel);
+  if (!everyState_) tellState(*channel);
+  channel->ends.provider->ring();
+}
+
+// The state may change at any time, and what announces that may not have seen the channel yet.
+void ProvidedBase::tellState(Channel& channel) const {
+  ComponentState told;
+  do {
+    told = owner_.state();
+    channel.tell(statusIn(told));
+  } while (owner_.state() != told);
+}
+
+bool ProvidedBase::inService() const {
+  return everyState_ || statusIn(owner_.state()) == ChannelStatus::Connected;
 }
 
 void ProvidedBase::drain() {
   if (owner_.ownsThread()) channels_.sweep();  // a device may be walking the list in another thread
-  channels_.forEach([this](ChannelList::Node& node) {
+  const Errc refusal = inService() ? Errc{} : errorOf(statusIn(owner_.state()));
+  channels_.forEach([this, refusal](ChannelList::Node& node) {
     greet(node);
-    drain(*node.channel);
+    drain(*node.channel, refusal);
   });
 }
 
@@ -90,40 +135,32 @@ void ProvidedBase::greet(ChannelList::Node& node) {
   replayLatched(*node.channel);
 }
 
-void ProvidedBase::drain(Channel& channel) {
+void ProvidedBase::drain(Channel& channel, Errc refusal) {
   if (!channel.commands.pending()) return;
   channel.commands.fixCut();
   const Time drainStart = now();
   while (const rt::CommandRecord* record = channel.commands.next()) {
-    run(channel, *record, drainStart);
+    if (refusal == Errc{}) {
+      run(channel, *record, drainStart);
+    } else {
+      turnAway(channel, *record, refusal);
+    }
   }
+}
+
+// What was sent to a suspended component must not move anything when it is resumed later.
+void ProvidedBase::turnAway(Channel& channel, const rt::CommandRecord& record, Errc refusal) {
+  Turn turn(channel, owner_, record);
+  turn.error = refusal;
+  increment(channel.commands.counters.refused);
 }
 
 void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time drainStart) {
   const CommandInfo& command = info_.commands[record.command];
-  // Released on every way out, also when the handler throws.
-  struct Release {
-    Channel& channel;
-    Component& owner;
-    std::uint16_t command;
-    std::uint32_t call;
-    bool
-        usesCredit;  // a newest-wins command without an answer travels in its cell, not in the ring
-    bool answered = false;
-    ~Release() {
-      channel.commands.pop();
-      if (usesCredit) channel.commands.returnCredit(command);
-      if (call != 0 && !answered) channel.replyError(call, Errc::Faulted);
-      if (call != 0 || channel.wantsRows.load(std::memory_order_relaxed)) {
-        owner.ringLater(*channel.ends.client);
-      }
-    }
-  } release{channel, owner_, record.command, record.call, !command.latest || record.call != 0};
-
+  Turn turn(channel, owner_, record);
   if (command.ttl > Duration{0} && drainStart - record.stamp > command.ttl) {
     increment(channel.commands.counters.late);
-    if (record.call != 0) channel.replyError(record.call, Errc::Late);
-    release.answered = true;
+    turn.error = Errc::Late;
     return;
   }
   channel.commandAge.record(drainStart - record.stamp);
@@ -131,10 +168,11 @@ void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time d
   if (record.call == 0) {
     execute(record.command, record.arguments(), nullptr);
   } else {
-    channel.reply(record.call, command.resultSize, [&](std::byte* result) {
+    const ResultForm form{command.resultSize, command.sharedResult};
+    channel.reply(record.call, form, [&](std::byte* result) {
       return execute(record.command, record.arguments(), result);
     });
-    release.answered = true;
+    turn.answered = true;
   }
 }
 
@@ -170,11 +208,8 @@ bool ProvidedBase::pending() const {
 }
 
 void ProvidedBase::announce(ChannelStatus status) {
-  channels_.forEach([status](ChannelList::Node& node) {
-    ChannelStatus expected = ChannelStatus::Connected;
-    node.channel->status.compare_exchange_strong(expected, status);
-    node.channel->ends.client->ring();
-  });
+  if (everyState_ && status != ChannelStatus::Lost) return;
+  channels_.forEach([status](ChannelList::Node& node) { node.channel->tell(status); });
 }
 
 void ProvidedBase::emit(std::uint16_t event, std::span<const std::byte> payload) {
@@ -195,6 +230,7 @@ void ProvidedBase::keepLatched(std::uint16_t event, std::span<const std::byte> p
   // last.
   if (keeping_.test_and_set(std::memory_order_acquire)) return;
   std::copy(payload.begin(), payload.end(), latched_->draft(event));
+  if (info_.events[event].sharedPayload) sharedSlotIn(payload.data())->retain();
   latchedSoFar_ |= EventSet{1} << event;
   latched_->publish(now(), latchedSoFar_, 0);
   keeping_.clear(std::memory_order_release);
@@ -208,6 +244,7 @@ void ProvidedBase::replayLatched(Channel& channel) {
     const auto stamp = latched_->read(i, payload.data());
     if (!stamp) continue;
     channel.events.push(i, *stamp, std::span(payload).first(info_.events[i].payloadSize));
+    if (info_.events[i].sharedPayload) releaseSharedSlot(payload.data());
     owner_.ringLater(*channel.ends.client);
   }
 }

@@ -55,10 +55,16 @@ class ProvidedBase {
   /// Any thread: one more client. It is served from the next cycle on.
   void attach(std::shared_ptr<Channel> channel);
 
+  /// Before anybody is connected: this interface is served in every state of its component, also
+  /// when it is suspended or faulted.
+  void serveInEveryState() { everyState_ = true; }
+  /// False if what arrives is turned away, since the component is suspended or faulted.
+  bool inService() const;
+
   // --- the thread that serves this interface ---
 
-  /// Executes what is waiting. A handler's exception passes through, after its caller got
-  /// Errc::Faulted.
+  /// Executes what is waiting, or turns it away. A handler's exception passes through, after its
+  /// caller got Errc::Faulted.
   void drain();
   /// The end of a cycle: advance(), unless that is the component's own business.
   void publishRow();
@@ -69,7 +75,7 @@ class ProvidedBase {
   void advance();
   /// True if commands are waiting.
   bool pending() const;
-  /// Tells all clients that nothing is executed any more, and why.
+  /// Tells all clients how it stands with the component.
   void announce(ChannelStatus status);
 
  protected:
@@ -87,8 +93,10 @@ class ProvidedBase {
 
   void emit(std::uint16_t event, std::span<const std::byte> payload);
   void greet(ChannelList::Node& node);
-  void drain(Channel& channel);
+  void drain(Channel& channel, Errc refusal);
   void run(Channel& channel, const rt::CommandRecord& record, Time drainStart);
+  void turnAway(Channel& channel, const rt::CommandRecord& record, Errc refusal);
+  void tellState(Channel& channel) const;
   void replayLatched(Channel& channel);
   void keepLatched(std::uint16_t event, std::span<const std::byte> payload);
 
@@ -99,6 +107,7 @@ class ProvidedBase {
   std::shared_ptr<rt::StateTable> state_;
   bool manual_ = false;
   ChannelList channels_;
+  bool everyState_ = false;
   // The last value of each latched event: a column an event. Written by whoever emits.
   std::unique_ptr<rt::StateTable> latched_;
   std::atomic_flag keeping_ = ATOMIC_FLAG_INIT;

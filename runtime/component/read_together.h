@@ -34,15 +34,14 @@ class RowReader {
                                Others&... others) {
     RequiredBase& required = first.required_;
     if (((&others.required_ != &required) || ...)) return Errc::Invalid;
-    std::tuple<typename First::Slot, typename Others::Slot...> slots;
+    std::tuple<LooseSlot<typename First::Slot>, LooseSlot<typename Others::Slot>...> slots;
     const std::array<std::uint16_t, sizeof...(I)> commands{first.id_, others.id_...};
-    const std::array<std::byte*, sizeof...(I)> memory{
-        reinterpret_cast<std::byte*>(&std::get<I>(slots))...};
+    const std::array<std::byte*, sizeof...(I)> memory{std::get<I>(slots).memory()...};
     bool device = false;
     Sample<void> row = required.readRow(at, commands, memory, device);
     if (device)
       return readDevice(at, into, std::tie(first, others...), std::index_sequence<I...>{});
-    if (row) (load(std::get<I>(slots), std::get<I>(into)), ...);
+    if (row) (load(std::get<I>(slots).value(), std::get<I>(into)), ...);
     return row;
   }
 

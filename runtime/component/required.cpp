@@ -13,6 +13,7 @@ RequiredBase::RequiredBase(Component& owner, std::string_view name, const Interf
       info_(info),
       calls_(Channel::kMaxCalls),
       handlers_(info.events.size()) {
+  refuseUnbounded(info, owner.ownsThread());
   std::uint32_t largest = 0;
   for (const CommandInfo& command : info.commands) largest = std::max(largest, command.resultSize);
   for (PendingCall& call : calls_) call.result.resize(largest);
@@ -21,6 +22,7 @@ RequiredBase::RequiredBase(Component& owner, std::string_view name, const Interf
 
 RequiredBase::~RequiredBase() {
   delete incoming_.load(std::memory_order_acquire);
+  for (PendingCall& call : calls_) discard(call);
   if (channel_ != nullptr) channel_->status = ChannelStatus::Closed;
 }
 
@@ -31,7 +33,7 @@ void RequiredBase::attach(std::shared_ptr<Channel> channel) {
 }
 
 void RequiredBase::adopt() {
-  if (incoming_.load(std::memory_order_relaxed) == nullptr) return;
+  if (!rewired()) return;
   const std::unique_ptr<std::shared_ptr<Channel>> arrived(
       incoming_.exchange(nullptr, std::memory_order_acq_rel));
   // What was under way went to the old connection; nobody will answer it here.
@@ -39,7 +41,7 @@ void RequiredBase::adopt() {
     if (call.number == 0) continue;
     call.error = Errc::OutcomeUnknown;
     call.done = true;
-    if (call.abandoned) call.number = 0;
+    if (call.abandoned) discard(call);
   }
   if (channel_ != nullptr) channel_->status = ChannelStatus::Closed;
   channel_ = std::move(*arrived);
@@ -69,6 +71,7 @@ Errc RequiredBase::claim(std::uint16_t command, std::uint32_t call, std::byte*& 
 
 Errc RequiredBase::commit(bool fits) {
   if (!fits) {
+    channel_->commands.abandon();
     channel_->commands.counters.tooLarge.fetch_add(1, std::memory_order_relaxed);
     return Errc::TooLarge;
   }
@@ -152,8 +155,7 @@ void RequiredBase::handleEvents() {
 }
 
 bool RequiredBase::pending() const {
-  return incoming_.load(std::memory_order_relaxed) != nullptr ||
-         (channel_ != nullptr && channel_->events.pending());
+  return rewired() || (channel_ != nullptr && channel_->events.pending());
 }
 
 RequiredBase::PendingCall* RequiredBase::openCall() {
@@ -172,7 +174,7 @@ RequiredBase::PendingCall* RequiredBase::openCall() {
 void RequiredBase::closeCall(PendingCall& call) {
   // The answer may still come; until then the place is taken.
   if (call.done || channel_ == nullptr) {
-    call.number = 0;
+    discard(call);
   } else {
     call.abandoned = true;
   }
@@ -180,19 +182,28 @@ void RequiredBase::closeCall(PendingCall& call) {
 
 void RequiredBase::collectReplies() {
   if (channel_ == nullptr) return;
-  while (const std::byte* memory = channel_->replies.front()) {
-    const auto* reply = reinterpret_cast<const ReplyRecord*>(memory);
-    PendingCall& call = calls_[reply->call % Channel::kMaxCalls];
-    if (call.number == reply->call) {
-      call.done = true;
-      call.error = reply->error;
-      call.stamp = reply->stamp;
-      const std::size_t size = channel_->replies.frontSize() - sizeof(ReplyRecord);
-      std::memcpy(call.result.data(), reply->result(), std::min(size, call.result.size()));
-      if (call.abandoned) call.number = 0;
-    }
-    channel_->replies.pop();
+  while (ReplyRecord* const reply = channel_->nextReply()) {
+    collect(*reply, channel_->replies.frontSize() - sizeof(ReplyRecord));
+    channel_->popReply();
   }
+}
+
+void RequiredBase::collect(ReplyRecord& reply, std::size_t size) {
+  PendingCall& call = calls_[reply.call % Channel::kMaxCalls];
+  if (call.number != reply.call) return;
+  call.done = true;
+  call.error = reply.error;
+  call.stamp = reply.stamp;
+  std::memcpy(call.result.data(), reply.result(), std::min(size, call.result.size()));
+  call.shared = reply.shared;
+  if (reply.shared) putSharedSlot(reply.result(), nullptr);  // it is the call's now
+  if (call.abandoned) discard(call);
+}
+
+void RequiredBase::discard(PendingCall& call) {
+  if (call.shared) releaseSharedSlot(call.result.data());
+  call.shared = false;
+  call.number = 0;
 }
 
 bool RequiredBase::isDone(PendingCall& call) {
@@ -201,7 +212,8 @@ bool RequiredBase::isDone(PendingCall& call) {
   const ChannelStatus status = channel_ == nullptr
                                    ? ChannelStatus::Closed
                                    : channel_->status.load(std::memory_order_acquire);
-  if (status == ChannelStatus::Connected) return false;
+  // A suspended provider answers what has been sent: with Errc::Suspended.
+  if (errorOf(status) == Errc{} || status == ChannelStatus::Suspended) return false;
   collectReplies();  // an answer may have come just before the end
   if (call.done) return true;
   call.done = true;

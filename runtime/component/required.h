@@ -8,7 +8,6 @@
 #include <suture/component/provided.h>
 
 #include <atomic>
-#include <exception>
 #include <functional>
 #include <memory>
 #include <span>
@@ -20,6 +19,7 @@
 namespace suture {
 
 class Channel;
+struct ReplyRecord;
 
 /// The part of Required<Contract> that does not depend on the contract. It belongs to the thread of
 /// its component; calls from another thread answer Errc::WrongThread.
@@ -31,6 +31,11 @@ class RequiredBase {
   const std::string& name() const { return name_; }
   const InterfaceInfo& info() const { return info_; }
   Component& owner() const { return owner_; }
+
+  /// In the component's constructor: it does without a provider, so no start waits for one. What
+  /// SUTURE_REQUIRED(optional()) says of a component that is created by its class.
+  void makeOptional() { optional_ = true; }
+  bool isOptional() const { return optional_; }
 
   /// True if calls can reach the provider now.
   bool connected() { return unusable() == Errc{}; }
@@ -50,6 +55,8 @@ class RequiredBase {
   void adopt();
   /// Owner's thread: runs the handlers of what has arrived.
   void handleEvents();
+  /// Owner's thread: true if adopt() has something to do.
+  bool rewired() const { return incoming_.load(std::memory_order_relaxed) != nullptr; }
   /// Owner's thread: true if adopt() or handleEvents() has something to do.
   bool pending() const;
 
@@ -88,6 +95,7 @@ class RequiredBase {
     bool abandoned = false;
     Errc error{};
     Time stamp{};
+    bool shared = false;  // result holds a counted pointer
     std::vector<std::byte> result;
   };
 
@@ -118,6 +126,9 @@ class RequiredBase {
   PendingCall* openCall();
   void closeCall(PendingCall& call);
   void collectReplies();
+  void collect(ReplyRecord& reply, std::size_t size);
+  /// Of a call that is over: its place is free.
+  static void discard(PendingCall& call);
   bool isDone(PendingCall& call);
   void waitFor(PendingCall& call, Time deadline);
 
@@ -130,20 +141,16 @@ class RequiredBase {
   std::uint32_t callsOpened_ = 0;
   std::vector<std::function<void(const std::byte*)>> handlers_;
   EventSet subscribed_ = 0;
+  bool optional_ = false;
 };
 
 template <class Contract, class Body>
 Errc RequiredBase::callDevice(const Body& body) {
-  try {
+  const bool returned = device()->owner().parkOnThrow([&] {
     const InterfaceInfo& contract = interfaceInfo<std::remove_const_t<Contract>>();
     body(*static_cast<Contract*>(device()->implementation(contract)));
-    return Errc{};
-  } catch (const std::exception& error) {
-    device()->owner().park(error.what());
-  } catch (...) {
-    device()->owner().park("an exception that is not a std::exception");
-  }
-  return Errc::Faulted;
+  });
+  return returned ? Errc{} : Errc::Faulted;
 }
 
 template <class Fill>

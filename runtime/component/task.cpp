@@ -6,7 +6,6 @@
 #include <suture/component/task.h>
 
 #include <algorithm>
-#include <exception>
 
 namespace suture {
 
@@ -29,27 +28,41 @@ void Task::claimThread() {
   for (GuestTask* guest : guests_) guest->claimThread();
 }
 
+void Task::prepare() {
+  if (after(state(), Transition::Configure)) configure();
+  for (GuestTask* guest : guests_) guest->prepare();
+}
+
 void Task::enter() {
   claimForThisThread();
-  setState(ComponentState::Running);
+  if (after(state(), Transition::Start)) makeTransition(Transition::Start);
+  ringNow();
   for (GuestTask* guest : guests_) guest->enter();
 }
 
+void Task::take(Transition transition) {
+  requested_.store(transition, std::memory_order_release);
+  doorbell().ring();
+}
+
+void Task::makeRequestedTransition() {
+  if (!requested_.load(std::memory_order_relaxed)) return;
+  const auto requested = requested_.exchange(std::nullopt, std::memory_order_acquire);
+  if (!after(state(), *requested)) return;         // it has been parked since it was asked
+  if (state() != ComponentState::Running) rest();  // what arrived before the change
+  makeTransition(*requested);
+  if (state() != ComponentState::Running) rest();
+}
+
 void Task::cycle() {
-  if (state() != ComponentState::Faulted) {
-    try {
-      cycleAlone();
-    } catch (const std::exception& error) {
-      park(error.what());
-    } catch (...) {
-      park("an exception that is not a std::exception");
-    }
-    ringNow();
-  }
+  const bool worked = state() == ComponentState::Running && parkOnThrow([this] { work(); });
+  if (!worked) rest();
+  makeRequestedTransition();
+  ringNow();
   for (GuestTask* guest : guests_) guest->cycle();
 }
 
-void Task::cycleAlone() {
+void Task::work() {
   const Time begin = now();
   handleEvents();
   for (ProvidedBase* interface : provided()) interface->drain();
@@ -63,26 +76,41 @@ void Task::cycleAlone() {
                            std::memory_order_relaxed);
 }
 
+// Nothing of the user's.
+void Task::rest() {
+  for (RequiredBase* interface : required()) interface->adopt();
+  for (ProvidedBase* interface : provided()) {
+    interface->drain();
+    if (interface->inService()) interface->publishRow();
+  }
+}
+
 void Task::leave() {
   for (GuestTask* guest : guests_) guest->leave();
-  for (ProvidedBase* interface : provided()) interface->announce(ChannelStatus::Lost);
-  if (state() == ComponentState::Running) setState(ComponentState::Stopped);
+  endLife();
   releaseThread();
 }
 
-bool Task::workPending() const {
-  const auto pending = [](const auto* one) { return one->pending(); };
-  const bool own = state() != ComponentState::Faulted &&
-                   (std::any_of(provided().begin(), provided().end(), pending) ||
-                    std::any_of(required().begin(), required().end(), pending));
-  return own || std::any_of(guests_.begin(), guests_.end(),
-                            [](const GuestTask* guest) { return guest->workPending(); });
+bool Task::ownWorkPending() const {
+  const bool running = state() == ComponentState::Running;
+  return requested_.load(std::memory_order_relaxed).has_value() ||
+         std::any_of(provided().begin(), provided().end(),
+                     [](const ProvidedBase* one) { return one->pending(); }) ||
+         std::any_of(required().begin(), required().end(), [running](const RequiredBase* one) {
+           return running ? one->pending() : one->rewired();
+         });
 }
 
-bool Task::allParked() const {
-  return state() == ComponentState::Faulted &&
+bool Task::workPending() const {
+  return ownWorkPending() ||
+         std::any_of(guests_.begin(), guests_.end(),
+                     [](const GuestTask* guest) { return guest->workPending(); });
+}
+
+bool Task::allRest() const {
+  return state() != ComponentState::Running &&
          std::all_of(guests_.begin(), guests_.end(),
-                     [](const GuestTask* guest) { return guest->allParked(); });
+                     [](const GuestTask* guest) { return guest->allRest(); });
 }
 
 }  // namespace suture

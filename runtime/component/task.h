@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace suture {
@@ -27,11 +28,16 @@ struct TaskStatistics {
 /// execute waiting commands, run(), publish the reads that somebody asked for, ring those who
 /// sleep; then the guests have theirs. In steady state a cycle neither allocates nor locks nor
 /// touches the network. A handler that throws parks this component and nothing else.
+///
+/// While it is suspended its cycles consist of turning away commands, which are answered
+/// Errc::Suspended and never executed; events wait in their queues. Its thread sleeps unless
+/// something arrives.
 class Task : public Component {
  public:
   bool ownsThread() const final { return true; }
 
-  /// The manager's: cycles run from now on. Throws SetupError if they cannot.
+  /// The manager's: configures what has not been, then cycles run. Of a faulted task they only
+  /// tell so. Throws SetupError if they cannot, or if it runs already.
   virtual void start() = 0;
   /// The manager's: returns after the cycle under way; no other follows. The derived class must
   /// still exist.
@@ -54,28 +60,37 @@ class Task : public Component {
 
   // --- for the kinds of task ---
 
+  /// Before enter(), in the manager's thread: configures this task and its guests if that has not
+  /// been done.
+  void prepare();
   /// Before the first cycle: it and its guests run from here on, in the calling thread.
   void enter();
   /// The next cycle is the calling thread's, for guests too.
   void claimThread();
   /// One cycle, and one of each guest.
   void cycle();
-  /// After the last cycle: clients of this task and its guests are told that they are lost.
+  /// After the last cycle, in its thread: clients of this task and its guests are told that they
+  /// are lost.
   void leave();
 
   /// True if commands, events or connections wait to be handled, here or by a guest.
   bool workPending() const;
-  /// True if nothing here can run any more, since what should threw.
-  bool allParked() const;
+  /// True if neither this task nor any guest has a run() to call: suspended, or its code threw.
+  bool allRest() const;
   TaskStatistics& mutableStatistics() { return statistics_; }
 
  private:
   friend class GuestTask;
 
-  void cycleAlone();
+  void take(Transition transition) final;
+  void makeRequestedTransition();
+  void work();
+  void rest();
+  bool ownWorkPending() const;
   bool isConnected() const;
 
   std::vector<GuestTask*> guests_;
+  std::atomic<std::optional<Transition>> requested_{std::nullopt};
   TaskStatistics statistics_;
 };
 

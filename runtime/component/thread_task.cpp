@@ -12,7 +12,9 @@ ThreadTask::~ThreadTask() {
 }
 
 void ThreadTask::start() {
-  if (thread_.joinable()) return;
+  if (thread_.joinable() && state() == ComponentState::Faulted) return;
+  if (thread_.joinable()) requireLegal(name(), state(), Transition::Start);
+  prepare();
   stopping_ = false;
   std::promise<void> configured;
   auto outcome = configured.get_future();
@@ -41,13 +43,24 @@ void ThreadTask::stop() {
   stopBell_.ring();
   doorbell().ring();
   thread_.join();
-  leave();
 }
 
 void ThreadTask::loop() {
   beginCycles();
-  while (!allParked() && awaitCycle()) cycle();
-  while (!stopping()) stopBell_.waitUntil(now() + std::chrono::seconds(1));
+  while (!stopping()) {
+    if (allRest()) {
+      awaitWork();
+      cycle();
+      if (!allRest()) beginCycles();
+    } else if (awaitCycle()) {
+      cycle();
+    }
+  }
+  leave();
+}
+
+void ThreadTask::awaitWork() {
+  while (!stopping() && !workPending()) doorbell().waitUntil(now() + std::chrono::seconds(1));
 }
 
 }  // namespace suture

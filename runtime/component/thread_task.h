@@ -23,7 +23,7 @@ class ThreadTask : public Task {
 
   /// Waits for the next cycle; false when the task is to end.
   virtual bool awaitCycle() = 0;
-  /// Called once in the thread before the first awaitCycle().
+  /// Called in the thread before the first awaitCycle(), and before the first after a rest.
   virtual void beginCycles() {}
 
   bool stopping() const { return stopping_.load(std::memory_order_acquire); }
@@ -32,6 +32,7 @@ class ThreadTask : public Task {
 
  private:
   void loop();
+  void awaitWork();
 
   const rt::Scheduling scheduling_;
   std::thread thread_;

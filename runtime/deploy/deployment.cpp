@@ -54,12 +54,18 @@ void Deployment::readProcesses() {
     ProcessEntry process{processes[i].at("name"), {}};
     const json& components = processes[i].at("components");
     for (std::size_t j = 0; j < components.size(); ++j) {
-      process.components.push_back({components[j].at("name"), components[j].at("class"),
-                                    components[j].value("parameters", json::object()),
-                                    pointer + std::to_string(j)});
+      process.components.push_back(
+          {components[j].at("name"), components[j].at("class"), libraryOf(components[j]),
+           components[j].value("parameters", json::object()), pointer + std::to_string(j)});
     }
     processes_.push_back(std::move(process));
   }
+}
+
+std::filesystem::path Deployment::libraryOf(const json& component) const {
+  const std::string library = component.value("library", "");
+  if (library.empty()) return {};
+  return std::filesystem::path(document_.name()).parent_path() / library;
 }
 
 void Deployment::readConnections() {

@@ -15,6 +15,7 @@ namespace suture {
 struct ComponentEntry {
   std::string name;
   std::string className;
+  std::filesystem::path library;  ///< the shared library that has the class; "": the program
   nlohmann::json parameters;
   std::string pointer;  ///< where it stands in the document
 };
@@ -50,6 +51,7 @@ class Deployment {
 
  private:
   void readProcesses();
+  std::filesystem::path libraryOf(const nlohmann::json& component) const;
   void readConnections();
   Endpoint readEndpoint(const nlohmann::json& connection, const std::string& pointer,
                         const char* end);

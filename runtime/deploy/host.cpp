@@ -1,5 +1,6 @@
 #include <suture/base/nearest.h>
 #include <suture/component/channel.h>
+#include <suture/component/required.h>
 #include <suture/deploy/host.h>
 
 #include <algorithm>
@@ -7,12 +8,14 @@
 namespace suture {
 namespace {
 
-std::string unknownClass(const std::string& name, std::span<const ComponentClass> classes) {
+std::string unknownClass(const ComponentEntry& entry, std::span<const ComponentClass> classes) {
   std::vector<std::string> offered;
   for (const ComponentClass& one : classes) offered.emplace_back(one.name);
-  const std::string nearest = nearestName(name, offered);
-  return "no component class '" + name + "' in this program; it offers " + listNames(offered) +
-         (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
+  const std::string nearest = nearestName(entry.className, offered);
+  const std::string where =
+      entry.library.empty() ? "this program" : "library '" + entry.library.string() + "'";
+  return "no component class '" + entry.className + "' in " + where + "; it offers " +
+         listNames(offered) + (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
 }
 
 }  // namespace
@@ -21,6 +24,7 @@ Host::Host(const Deployment& deployment, std::string_view process,
            std::span<const ComponentClass> classes, Duration patience)
     : deployment_(deployment), process_(deployment.process(process)), patience_(patience) {
   createComponents(classes);
+  checkRequired();
   createManager();
 }
 
@@ -32,18 +36,33 @@ void Host::createComponents(std::span<const ComponentClass> classes) {
   if (!problems.empty()) throw DocumentError(problems);
 }
 
+const SharedLibrary& Host::library(const std::filesystem::path& file) {
+  return libraries_.try_emplace(file, file).first->second;
+}
+
+const ComponentClass* Host::classOf(const ComponentEntry& entry,
+                                    std::span<const ComponentClass> ofProgram,
+                                    std::vector<std::string>& problems) {
+  const JsonDocument& document = deployment_.document();
+  try {
+    const auto classes = entry.library.empty() ? ofProgram : library(entry.library).classes();
+    const auto found = std::find_if(classes.begin(), classes.end(), [&](const ComponentClass& one) {
+      return entry.className == one.name;
+    });
+    if (found != classes.end()) return &*found;
+    problems.push_back(document.locate(entry.pointer + "/class", unknownClass(entry, classes)));
+  } catch (const SetupError& error) {
+    problems.push_back(document.locate(entry.pointer + "/library", error.what()));
+  }
+  return nullptr;
+}
+
 std::unique_ptr<Component> Host::create(const ComponentEntry& entry,
                                         std::span<const ComponentClass> classes,
-                                        std::vector<std::string>& problems) const {
+                                        std::vector<std::string>& problems) {
   const JsonDocument& document = deployment_.document();
-  const auto found = std::find_if(classes.begin(), classes.end(), [&](const ComponentClass& one) {
-    return entry.className == one.name;
-  });
-  if (found == classes.end()) {
-    problems.push_back(
-        document.locate(entry.pointer + "/class", unknownClass(entry.className, classes)));
-    return nullptr;
-  }
+  const ComponentClass* const found = classOf(entry, classes, problems);
+  if (found == nullptr) return nullptr;
   std::vector<JsonProblem> parameterProblems;
   const JsonReader parameters(entry.parameters, entry.pointer + "/parameters", parameterProblems);
   std::unique_ptr<Component> component;
@@ -75,7 +94,43 @@ void Host::createManager() {
   }
 }
 
+// Nothing would ever connect it: better said now than found out from a task that does nothing.
+void Host::checkRequired() const {
+  std::vector<std::string> problems;
+  for (std::size_t i = 0; i < components_.size(); ++i) {
+    const ComponentEntry& entry = process_.components[i];
+    for (const RequiredBase* required : components_[i]->required()) {
+      const Endpoint from{process_.name, entry.name, required->name()};
+      const auto& all = deployment_.connections();
+      const bool connected =
+          std::any_of(all.begin(), all.end(), [&](const ConnectionEntry& connection) {
+            return connection.from.toString() == from.toString();
+          });
+      if (connected || required->isOptional()) continue;
+      problems.push_back(deployment_.document().locate(
+          entry.pointer, "required interface '" + from.toString() + "' (" + required->info().name +
+                             ") has no provider; add a connection {\"from\": \"" + from.toString() +
+                             "\", \"to\": ...}"));
+    }
+  }
+  if (!problems.empty()) throw DocumentError(problems);
+}
+
+void Host::configure() {
+  std::vector<std::string> problems;
+  manager_->configure();
+  for (std::size_t i = 0; i < components_.size(); ++i) {
+    if (components_[i]->state() != ComponentState::Faulted) continue;
+    const ComponentEntry& entry = process_.components[i];
+    problems.push_back(deployment_.document().locate(
+        entry.pointer, "component '" + entry.name + "' of class '" + entry.className +
+                           "' cannot be configured: " + components_[i]->fault()));
+  }
+  if (!problems.empty()) throw DocumentError(problems);
+}
+
 void Host::start() {
+  configure();
   try {
     manager_->start();
   } catch (const SetupError& error) {
@@ -113,6 +168,7 @@ std::vector<Trouble> Host::troubles() const {
         found.push_back({subject, "is useless: its provider's code threw"});
         break;
       case ChannelStatus::Connected:
+      case ChannelStatus::Suspended:
       case ChannelStatus::Closed: break;
     }
   }

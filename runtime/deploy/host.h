@@ -3,8 +3,10 @@
 
 #include <suture/component/component_class.h>
 #include <suture/deploy/deployment.h>
+#include <suture/deploy/shared_library.h>
 #include <suture/manager/manager.h>
 
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -24,16 +26,19 @@ struct Trouble {
 /// none of the tasks'.
 class Host {
  public:
-  /// Creates the components of `process` from `classes`, and its manager. Throws DocumentError:
-  /// unknown class, wrong parameters, a component that refuses its parameters, a global manager
-  /// that does not answer within `patience`. `deployment` outlives the host.
+  /// Creates the components of `process` from `classes` and from the libraries that it names, and
+  /// its manager. Throws DocumentError: library that cannot be loaded, unknown class, wrong
+  /// parameters, a component that refuses its parameters, a required interface that no connection
+  /// begins at, a global manager that does not answer within `patience`. `deployment` outlives the
+  /// host.
   Host(const Deployment& deployment, std::string_view process,
        std::span<const ComponentClass> classes, Duration patience = Manager::kDefaultPatience);
   Host(const Host&) = delete;
   Host& operator=(const Host&) = delete;
 
-  /// Starts the tasks, then makes every connection that begins in this process, waiting at most
-  /// `patience` for each other process. Throws DocumentError that names the connection.
+  /// Configures and starts the components, then makes every connection that begins in this process,
+  /// waiting at most `patience` for each other process. Throws DocumentError that names the
+  /// component or the connection.
   void start();
 
   const Manager& manager() const { return *manager_; }
@@ -46,14 +51,21 @@ class Host {
   void createComponents(std::span<const ComponentClass> classes);
   std::unique_ptr<Component> create(const ComponentEntry& entry,
                                     std::span<const ComponentClass> classes,
-                                    std::vector<std::string>& problems) const;
+                                    std::vector<std::string>& problems);
+  const ComponentClass* classOf(const ComponentEntry& entry,
+                                std::span<const ComponentClass> ofProgram,
+                                std::vector<std::string>& problems);
+  const SharedLibrary& library(const std::filesystem::path& file);
   void createManager();
+  void checkRequired() const;
+  void configure();
 
   const Deployment& deployment_;
   const ProcessEntry& process_;
   const Duration patience_;
-  std::vector<std::unique_ptr<Component>> components_;  // in the order of the file
-  std::unique_ptr<Manager> manager_;                    // stops before the components go
+  std::map<std::filesystem::path, SharedLibrary> libraries_;  // outlive what they contain
+  std::vector<std::unique_ptr<Component>> components_;        // in the order of the file
+  std::unique_ptr<Manager> manager_;                          // stops before the components go
 };
 
 }  // namespace suture

@@ -34,8 +34,7 @@ bool DeviceExecutor::awaitCycle() {
     if (served.interface->state()->demand() != 0) due = std::min(due, served.rowDue);
   }
   const bool waiting = std::any_of(served_.begin(), served_.end(), [](const Served& served) {
-    return served.interface->owner().state() != ComponentState::Faulted &&
-           served.interface->pending();
+    return served.interface->pending();
   });
   if (!stopping() && !waiting) doorbell().waitUntil(due);
   return !stopping();
@@ -43,17 +42,12 @@ bool DeviceExecutor::awaitCycle() {
 
 void DeviceExecutor::serveOnce(Served& served) {
   Component& device = served.interface->owner();
-  if (device.state() == ComponentState::Faulted) return;
-  try {
+  device.parkOnThrow([&] {
     served.interface->drain();
     if (now() < served.rowDue) return;
-    served.interface->publishRow();
     served.rowDue = now() + device.remoteReadPeriod();
-  } catch (const std::exception& error) {
-    device.park(error.what());
-  } catch (...) {
-    device.park("an exception that is not a std::exception");
-  }
+    if (served.interface->inService()) served.interface->publishRow();
+  });
 }
 
 void DeviceExecutor::run() {

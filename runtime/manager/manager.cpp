@@ -1,13 +1,36 @@
 #include <suture/base/errors.h>
 #include <suture/component/channel.h>
+#include <suture/component/device.h>
 #include <suture/component/task.h>
 #include <suture/manager/device_executor.h>
+#include <suture/manager/lifecycle_face.h>
 #include <suture/manager/manager.h>
 #include <suture/manager/network.h>
 #include <suture/transport/delay/delay_thread.h>
 #include <suture/wiring/connect.h>
 
+#include <algorithm>
+#include <thread>
+
 namespace suture {
+namespace {
+
+// How often what another thread does is looked at.
+constexpr Duration kPoll = std::chrono::milliseconds(1);
+
+Task* taskOf(Component& component) {
+  return component.ownsThread() ? static_cast<Task*>(&component) : nullptr;
+}
+
+void startOne(Component& component) {
+  if (Task* const task = taskOf(component); task != nullptr) {
+    task->start();
+  } else {
+    static_cast<Device&>(component).start();
+  }
+}
+
+}  // namespace
 
 Manager::Manager(std::string process) : directory_(std::move(process)) {}
 
@@ -38,23 +61,106 @@ Manager::~Manager() { stop(); }
 void Manager::add(const std::string& name, Component& component) {
   directory_.add(name, component);
   component.name_ = name;
+  if (component.listener_ == nullptr) {
+    component.listener_ = std::make_unique<LifecycleFace>(component);
+  }
 }
 
-std::vector<Task*> Manager::tasks() const {
-  std::vector<Task*> all;
+void Manager::configure() {
   for (Component* component : directory_.components()) {
-    if (auto* task = dynamic_cast<Task*>(component); task != nullptr) all.push_back(task);
+    if (after(component->state(), Transition::Configure)) component->configure();
   }
-  return all;
 }
 
 void Manager::start() {
-  for (Task* task : tasks()) task->start();
+  configure();
+  for (Component* component : directory_.components()) {
+    const ComponentState state = component->state();
+    const bool started = state == ComponentState::Running || state == ComponentState::Suspended;
+    if (!started) startOne(*component);
+  }
   if (network_ != nullptr) network_->publish();
 }
 
+void Manager::awaitStart(Duration patience) const {
+  const Time begin = now();
+  const auto faulted = [this] {
+    const std::vector<Component*> all = directory_.components();
+    return std::any_of(all.begin(), all.end(), [](const Component* component) {
+      return component->state() == ComponentState::Faulted;
+    });
+  };
+  while (!missing().empty() && now() < begin + patience && !faulted()) {
+    std::this_thread::sleep_for(kPoll);
+  }
+  const std::vector<std::string> lines = missing();
+  if (lines.empty()) return;
+  const auto waited = std::chrono::duration_cast<std::chrono::milliseconds>(now() - begin);
+  std::string found = "after " + std::to_string(waited.count()) + " ms this is missing:";
+  for (const std::string& line : lines) found += "\n    " + line;
+  throw SetupError("waiting until process '" + process() + "' has started", found + "\n  ",
+                   "Mend that, or call makeOptional() of what a component can do without");
+}
+
+std::vector<std::string> Manager::missing() const {
+  std::vector<std::string> lines;
+  for (const Component* component : directory_.components()) {
+    const ComponentState state = component->state();
+    if (state != ComponentState::Running) {
+      lines.push_back(
+          "component '" + component->name() + "' is " + toString(state) +
+          (state == ComponentState::Faulted ? ", its code threw: " + component->fault() : ""));
+    }
+    for (const RequiredBase* required : component->required()) {
+      if (required->isOptional()) continue;
+      if (std::string line = missingFor(*required); !line.empty()) lines.push_back(std::move(line));
+    }
+  }
+  return lines;
+}
+
+std::string Manager::missingFor(const RequiredBase& required) const {
+  const std::string name = required.owner().name() + "/" + required.name();
+  const std::string what =
+      "required interface '" + name + "' (" + required.info().name + ") is not connected: ";
+  const auto channel = connectionOf(name);
+  if (channel == nullptr) return what + "nobody has called connect() for it";
+  const Errc error = errorOf(channel->status.load(std::memory_order_acquire));
+  return error == Errc{} ? "" : what + channel->name + ": " + toString(error);
+}
+
+void Manager::suspend(const std::string& component, Duration patience) {
+  change(component, Transition::Suspend, patience);
+}
+
+void Manager::resume(const std::string& component, Duration patience) {
+  change(component, Transition::Resume, patience);
+}
+
+void Manager::change(const std::string& name, Transition transition, Duration patience) {
+  Component& component = directory_.component(name);
+  const ComponentState before = component.state();
+  component.request(transition);
+  const Time deadline = now() + patience;
+  while (component.state() == before && now() < deadline) std::this_thread::sleep_for(kPoll);
+  const ComponentState reached = component.state();
+  if (reached == after(before, transition)) return;
+  const std::string asked = "component '" + name + "' was asked to " + toString(transition);
+  if (reached == ComponentState::Faulted) {
+    throw SetupError(asked, "its code threw: " + component.fault(), "Correct the cause");
+  }
+  throw SetupError(asked, std::string("it is still ") + toString(reached),
+                   "Its run() has to return, and the callback of a CallbackTask has to come");
+}
+
 void Manager::stop() {
-  for (Task* task : tasks()) task->stop();
+  // Tasks use devices, not the other way round.
+  for (Component* component : directory_.components()) {
+    if (Task* const task = taskOf(*component); task != nullptr) task->stop();
+  }
+  for (Component* component : directory_.components()) {
+    if (taskOf(*component) == nullptr) static_cast<Device*>(component)->stop();
+  }
   // The executor rings the doorbells of the network and of delays, and those ring each other's; and
   // the network may yet ask for an executor. So all stop before any of them goes.
   if (network_ != nullptr) network_->leave();

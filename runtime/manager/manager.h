@@ -18,7 +18,6 @@ namespace suture {
 class DelayThread;
 class DeviceExecutor;
 class Network;
-class Task;
 
 /// How a connection may travel.
 enum class Lane : std::uint8_t {
@@ -26,8 +25,9 @@ enum class Lane : std::uint8_t {
   Rpc,   ///< Cap'n Proto RPC, even within the process
 };
 
-/// Adds components, connects their interfaces and runs their tasks. Used by one thread, which is
-/// none of the tasks'. Does not own the components; they outlive it or stop() comes first.
+/// Adds components, connects their interfaces and leads them through their lives. Used by one
+/// thread, which is none of the tasks'. Does not own the components; they outlive it or stop()
+/// comes first.
 ///
 ///   suture::Manager manager{"console", "unix:/tmp/suture.sock"};
 ///   manager.add("Teleop", teleop);
@@ -50,13 +50,25 @@ class Manager {
 
   const std::string& process() const { return directory_.process(); }
 
-  /// `name` is unique in this process. Throws SetupError.
+  /// `name` is unique in this process. Gives the component its provided interface "component"
+  /// (suture/lifecycle.h). Throws SetupError.
   void add(const std::string& name, Component& component);
 
-  /// Starts the tasks and makes the provided interfaces known. Throws SetupError if a thread cannot
-  /// have the scheduling it asks for.
+  /// Configures the components that have not been. One whose onConfigure() throws is parked.
+  void configure();
+  /// Configures, starts all components that do not run, and makes the provided interfaces known.
+  /// Throws SetupError if a thread cannot have the scheduling it asks for.
   void start();
-  /// Ends all connections and tasks. Also done by the destructor.
+  /// Waits until every component runs and every required interface that is not optional can reach
+  /// its provider. Throws SetupError that names each that does not, and why, after `patience`, or
+  /// as soon as a component has faulted.
+  void awaitStart(Duration patience = kDefaultPatience) const;
+  /// Waits until that component is suspended or running again. `component`: its name. Throws
+  /// SetupError if there is none, if it is not running or not suspended, or if it has not got there
+  /// within `patience`: its run() does not return, or nobody calls trigger().
+  void suspend(const std::string& component, Duration patience = kDefaultPatience);
+  void resume(const std::string& component, Duration patience = kDefaultPatience);
+  /// Ends all connections and components. Also done by the destructor.
   void stop();
 
   /// Connects a required interface of this process ("Teleop/Slave") to a provided one ("PSM/Arm",
@@ -75,8 +87,10 @@ class Manager {
   std::vector<std::shared_ptr<Channel>> channels() const;
 
  private:
-  std::vector<Task*> tasks() const;
+  void change(const std::string& component, Transition transition, Duration patience);
   std::shared_ptr<Channel> connectionOf(const std::string& required) const;
+  std::string missingFor(const RequiredBase& required) const;
+  std::vector<std::string> missing() const;
   rt::Doorbell& serverOf(ProvidedBase& provided);
   DelayThread* delaysFor(const ConnectionDelay& delay);
   std::shared_ptr<Channel> connectHere(RequiredBase& required, ProvidedBase& provided,

@@ -27,8 +27,15 @@ class NoticesSender final : public rpc::ServantPort::Listener {
   NoticesSender(rpc::ControlThread& control, wire::Notices::Client client)
       : control_(control), client_(kj::mv(client)) {}
 
-  void faulted() override { send(client_.faultedRequest()); }
-  void closed() override { send(client_.closedRequest()); }
+  void told(ChannelStatus status) override {
+    switch (status) {
+      case ChannelStatus::Connected: return send(client_.resumedRequest());
+      case ChannelStatus::Suspended: return send(client_.suspendedRequest());
+      case ChannelStatus::Faulted: return send(client_.faultedRequest());
+      case ChannelStatus::Lost:
+      case ChannelStatus::Closed: return send(client_.closedRequest());
+    }
+  }
 
  private:
   template <class Request>

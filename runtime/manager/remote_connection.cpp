@@ -36,7 +36,15 @@ class RemoteConnection::NoticesReceiver final : public wire::Notices::Server {
 
  protected:
   kj::Promise<void> faulted(FaultedContext) override {
-    port_->faulted();
+    port_->tell(ChannelStatus::Faulted);
+    return kj::READY_NOW;
+  }
+  kj::Promise<void> suspended(SuspendedContext) override {
+    port_->tell(ChannelStatus::Suspended);
+    return kj::READY_NOW;
+  }
+  kj::Promise<void> resumed(ResumedContext) override {
+    port_->tell(ChannelStatus::Connected);
     return kj::READY_NOW;
   }
   kj::Promise<void> closed(ClosedContext) override {

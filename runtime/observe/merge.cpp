@@ -21,6 +21,7 @@ void complete(ConnectionReport& whole, const ConnectionReport& other) {
   whole.full += provider.full;
   whole.tooLarge += provider.tooLarge;
   whole.failed += provider.failed;
+  whole.refused += provider.refused;
   whole.eventsDropped += provider.eventsDropped;
   whole.commandAge = provider.commandAge;
 }

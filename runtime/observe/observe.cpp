@@ -40,6 +40,7 @@ ConnectionReport reportOf(const Channel& channel, ConnectionEnd end) {
           .superseded = count(counters.superseded),
           .late = count(counters.late),
           .failed = count(counters.failed),
+          .refused = count(counters.refused),
           .eventsDelivered = channel.events.delivered(),
           .eventsDropped = channel.events.dropped(),
           .readAge = distribution(channel.readAge),

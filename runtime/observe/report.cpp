@@ -8,9 +8,12 @@ NLOHMANN_JSON_SERIALIZE_ENUM(ConnectionEnd, {{ConnectionEnd::Client, "client"},
 NLOHMANN_JSON_SERIALIZE_ENUM(ChannelStatus, {{ChannelStatus::Connected, "connected"},
                                              {ChannelStatus::Lost, "lost"},
                                              {ChannelStatus::Faulted, "faulted"},
-                                             {ChannelStatus::Closed, "closed"}})
+                                             {ChannelStatus::Closed, "closed"},
+                                             {ChannelStatus::Suspended, "suspended"}})
 NLOHMANN_JSON_SERIALIZE_ENUM(ComponentState, {{ComponentState::Constructed, "constructed"},
+                                              {ComponentState::Configured, "configured"},
                                               {ComponentState::Running, "running"},
+                                              {ComponentState::Suspended, "suspended"},
                                               {ComponentState::Faulted, "faulted"},
                                               {ComponentState::Stopped, "stopped"}})
 
@@ -65,6 +68,7 @@ void eachField(Connection& value, const Visit& visit) requires
   visit("superseded", value.superseded);
   visit("late", value.late);
   visit("failed", value.failed);
+  visit("refused", value.refused);
   visit("events_delivered", value.eventsDelivered);
   visit("events_dropped", value.eventsDropped);
   visit("read_age", value.readAge);

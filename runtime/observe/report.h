@@ -38,13 +38,14 @@ struct ConnectionReport {
   std::uint64_t superseded = 0;  ///< a later command had run already
   std::uint64_t late = 0;        ///< older than its ttl
   std::uint64_t failed = 0;      ///< the handler threw
+  std::uint64_t refused = 0;     ///< they reached a provider that was suspended or parked
   std::uint64_t eventsDelivered = 0, eventsDropped = 0;
 
   Distribution readAge;     ///< of values when the client read them
   Distribution commandAge;  ///< of commands when the provider executed them
 
   /// Commands that were neither executed, nor late, nor gave way to a newer one of the same kind.
-  std::uint64_t dropped() const { return full + tooLarge + superseded; }
+  std::uint64_t dropped() const { return full + tooLarge + superseded + refused; }
 };
 
 /// A window of a task's cycles, as TaskWindow has it; all zero before the first.

@@ -1,3 +1,4 @@
+#include <suture/base/shared_slot.h>
 #include <suture/rt/event_queue.h>
 
 #include <algorithm>
@@ -29,15 +30,26 @@ void write(std::byte* memory, const EventRecord& record, std::span<const std::by
 EventQueue::EventQueue(std::span<const EventLimits> events)
     : ring_(totalDepth(events), largestRecord(events)) {
   for (const auto& event : events) {
-    cells_.push_back(event.latest ? std::make_unique<Cell>(sizeof(EventRecord) + event.payloadSize)
-                                  : nullptr);
+    cells_.push_back(event.latest ? std::make_unique<Cell>(event) : nullptr);
+    shared_ |= std::uint64_t{event.shared} << (cells_.size() - 1);
+  }
+}
+
+EventQueue::~EventQueue() {
+  while (next() != nullptr) pop();
+  for (const auto& cell : cells_) {
+    if (cell == nullptr || !cell->shared) continue;
+    cell->values.forEachBuffer(
+        [](std::byte* memory) { releaseSharedSlot(memory + sizeof(EventRecord)); });
   }
 }
 
 bool EventQueue::pushLatest(Cell& cell, const EventRecord& record,
                             std::span<const std::byte> payload) {
   if (cell.writing.test_and_set(std::memory_order_acquire)) return false;
-  write(cell.values.claim(), record, payload);
+  std::byte* const memory = cell.values.claim();
+  if (cell.shared) releaseSharedSlot(memory + sizeof(EventRecord));  // of one that was replaced
+  write(memory, record, payload);
   cell.values.commit();
   cell.writing.clear(std::memory_order_release);
   return true;
@@ -45,6 +57,8 @@ bool EventQueue::pushLatest(Cell& cell, const EventRecord& record,
 
 bool EventQueue::push(std::uint16_t event, Time stamp, std::span<const std::byte> payload) {
   const EventRecord record{stamp, event, {}};
+  SharedSlot* const shared = isShared(event) ? sharedSlotIn(payload.data()) : nullptr;
+  if (shared != nullptr) shared->retain();
   if (cells_[event] != nullptr) {
     if (pushLatest(*cells_[event], record, payload)) return true;
   } else if (std::byte* memory = ring_.claim(); memory != nullptr) {
@@ -52,7 +66,8 @@ bool EventQueue::push(std::uint16_t event, Time stamp, std::span<const std::byte
     ring_.commit(memory);
     return true;
   }
-  dropped_.fetch_add(1, std::memory_order_relaxed);
+  if (shared != nullptr) shared->release();
+  countDropped();
   return false;
 }
 
@@ -62,10 +77,12 @@ const EventRecord* EventQueue::next() {
   for (std::size_t i = 0; memory == nullptr && i < cells_.size(); ++i) {
     if (cells_[i] != nullptr && cells_[i]->values.take()) memory = cells_[i]->values.front();
   }
-  return reinterpret_cast<const EventRecord*>(memory);
+  next_ = reinterpret_cast<EventRecord*>(const_cast<std::byte*>(memory));
+  return next_;
 }
 
 void EventQueue::pop() {
+  if (isShared(next_->event)) releaseSharedSlot(next_->payload());
   if (fromRing_) ring_.pop();
   delivered_.store(delivered_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
 }

@@ -19,6 +19,7 @@ struct EventLimits {
   std::uint32_t payloadSize;  ///< bytes of its payload's slot
   std::uint32_t depth;        ///< how many may wait
   bool latest;                ///< newest wins
+  bool shared = false;        ///< the payload is a counted pointer, see base/shared_slot.h
 };
 
 /// Precedes the payload of every event.
@@ -27,6 +28,7 @@ struct EventRecord {
   std::uint16_t event;
   std::uint16_t reserved[3];
 
+  std::byte* payload() { return reinterpret_cast<std::byte*>(this + 1); }
   const std::byte* payload() const { return reinterpret_cast<const std::byte*>(this + 1); }
   /// The record that `payload` belongs to.
   static const EventRecord& of(const std::byte* payload) {
@@ -40,8 +42,11 @@ struct EventRecord {
 class EventQueue {
  public:
   explicit EventQueue(std::span<const EventLimits> events);
+  ~EventQueue();
+  EventQueue(const EventQueue&) = delete;
+  EventQueue& operator=(const EventQueue&) = delete;
 
-  /// False if the event was dropped.
+  /// False if the event was dropped. A counted pointer in `payload` is copied, and counted.
   bool push(std::uint16_t event, Time stamp, std::span<const std::byte> payload);
 
   /// Consumer: the oldest queued event, then the newest of each latest() event; nullptr: none left.
@@ -51,6 +56,9 @@ class EventQueue {
   /// Consumer: true if next() would return something.
   bool pending() const;
 
+  /// Any thread: one more event has been lost, behind this queue.
+  void countDropped() { dropped_.fetch_add(1, std::memory_order_relaxed); }
+
   std::uint64_t delivered() const { return delivered_.load(std::memory_order_relaxed); }
   std::uint64_t dropped() const { return dropped_.load(std::memory_order_relaxed); }
 
@@ -58,15 +66,20 @@ class EventQueue {
   // A newest-wins event. Two threads that emit it at the same moment have no order: one of them
   // gives way.
   struct Cell {
-    explicit Cell(std::size_t size) : values(size) {}
+    explicit Cell(const EventLimits& event)
+        : values(sizeof(EventRecord) + event.payloadSize), shared(event.shared) {}
     LatestCell values;
+    const bool shared;
     std::atomic_flag writing = ATOMIC_FLAG_INIT;
   };
 
+  bool isShared(std::uint16_t event) const { return (shared_ >> event & 1) != 0; }
   bool pushLatest(Cell& cell, const EventRecord& record, std::span<const std::byte> payload);
 
   std::vector<std::unique_ptr<Cell>> cells_;  // by event; null: queued
+  std::uint64_t shared_ = 0;                  // a bit an event: at most 64 in a contract
   MpscRing ring_;
+  EventRecord* next_ = nullptr;  // what the last next() returned
   bool fromRing_ = false;
   std::atomic<std::uint64_t> delivered_{0}, dropped_{0};
 };

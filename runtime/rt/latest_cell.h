@@ -14,7 +14,7 @@ class LatestCell {
  public:
   explicit LatestCell(std::size_t size);
 
-  /// Producer: the buffer to fill.
+  /// Producer: the buffer to fill. It still has what it was filled with before; at first, zeros.
   std::byte* claim() { return bufferAt(writing_); }
   /// Producer: makes the filled buffer the newest. Returns true if it replaced a value not yet
   /// taken.
@@ -26,6 +26,12 @@ class LatestCell {
   bool fresh() const { return (shared_.load(std::memory_order_relaxed) & kFresh) != 0; }
   /// Consumer: what the last successful take() got.
   const std::byte* front() const { return bufferAt(reading_); }
+
+  /// When both sides have ended: each buffer, whatever lies in it.
+  template <class Visit>
+  void forEachBuffer(const Visit& visit) const {
+    for (std::uint32_t i = 0; i < 3; ++i) visit(bufferAt(i));
+  }
 
  private:
   static constexpr std::uint32_t kFresh = 4;  // marks the shared index: published and not yet taken

@@ -1,3 +1,4 @@
+#include <suture/base/shared_slot.h>
 #include <suture/rt/mailbox.h>
 
 #include <algorithm>
@@ -9,6 +10,11 @@ namespace {
 void increment(std::atomic<std::uint64_t>& counter) {
   // Single writer: no read-modify-write needed.
   counter.store(counter.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+}
+
+/// What the consumer has not popped yet is its own.
+CommandRecord* ownRecord(const std::byte* memory) {
+  return reinterpret_cast<CommandRecord*>(const_cast<std::byte*>(memory));
 }
 
 std::size_t recordBytes(const CommandLimits& limits) {
@@ -37,6 +43,22 @@ Mailbox::Mailbox(std::span<const CommandLimits> commands)
   }
 }
 
+Mailbox::~Mailbox() {
+  while (const std::byte* memory = ring_.front()) {
+    releaseArguments(*ownRecord(memory));
+    ring_.pop();
+  }
+  for (std::size_t i = 0; i < limits_.size(); ++i) {
+    if (!limits_[i].latest || !limits_[i].shared) continue;
+    cells_[static_cast<std::size_t>(cellOf_[i])].values.forEachBuffer(
+        [](std::byte* memory) { releaseSharedSlot(memory + sizeof(CommandRecord)); });
+  }
+}
+
+void Mailbox::releaseArguments(CommandRecord& record) const {
+  if (limits_[record.command].shared) releaseSharedSlot(record.arguments());
+}
+
 Result<std::byte*> Mailbox::claim(std::uint16_t command, Time stamp, std::uint32_t call) {
   const CommandLimits& limits = limits_[command];
   claimedCommand_ = command;
@@ -44,6 +66,8 @@ Result<std::byte*> Mailbox::claim(std::uint16_t command, Time stamp, std::uint32
   if (limits.latest && call == 0) {
     claimedCell_ = &cells_[static_cast<std::size_t>(cellOf_[command])];
     memory = claimedCell_->values.claim();
+    // Of a command that has been replaced.
+    if (limits.shared) releaseSharedSlot(memory + sizeof(CommandRecord));
   } else {
     claimedCell_ = nullptr;
     const std::uint32_t waiting =
@@ -55,10 +79,13 @@ Result<std::byte*> Mailbox::claim(std::uint16_t command, Time stamp, std::uint32
       increment(counters.full);
       return tl::unexpected(Errc::Full);
     }
+    if (limits.shared) putSharedSlot(memory + sizeof(CommandRecord), nullptr);
   }
-  auto* record = new (memory) CommandRecord{nextSequence_, stamp, call, command, 0};
-  return reinterpret_cast<std::byte*>(record + 1);
+  claimed_ = new (memory) CommandRecord{nextSequence_, stamp, call, command, 0};
+  return claimed_->arguments();
 }
+
+void Mailbox::abandon() { releaseArguments(*claimed_); }
 
 void Mailbox::commit() {
   if (claimedCell_ != nullptr) {
@@ -80,17 +107,18 @@ void Mailbox::fixCut() {
 
 const CommandRecord* Mailbox::next() {
   while (true) {
-    const CommandRecord* earliest = reinterpret_cast<const CommandRecord*>(ring_.front());
+    CommandRecord* earliest = ownRecord(ring_.front());
     nextCell_ = nullptr;
     for (Cell& cell : cells_) {
       if (!cell.held) continue;
-      const auto* record = reinterpret_cast<const CommandRecord*>(cell.values.front());
+      CommandRecord* const record = ownRecord(cell.values.front());
       if (earliest == nullptr || record->sequence < earliest->sequence) {
         earliest = record;
         nextCell_ = &cell;
       }
     }
     if (earliest == nullptr || earliest->sequence > cut_) return nullptr;
+    next_ = earliest;
     if (earliest->sequence > lastReturned_.load(std::memory_order_relaxed)) {
       lastReturned_.store(earliest->sequence, std::memory_order_relaxed);
       return earliest;
@@ -104,6 +132,7 @@ const CommandRecord* Mailbox::next() {
 }
 
 void Mailbox::pop() {
+  releaseArguments(*next_);
   if (nextCell_ != nullptr) {
     nextCell_->held = false;
   } else {

@@ -21,6 +21,7 @@ struct CommandLimits {
   std::uint32_t argumentsSize;  ///< bytes of its arguments' slot
   std::uint32_t depth;  ///< how many may wait; for latest(): how many calls with an answer may
   bool latest;          ///< newest wins, unless an answer was asked for
+  bool shared = false;  ///< the arguments are a counted pointer, see base/shared_slot.h
 };
 
 /// Precedes the arguments of every command.
@@ -31,6 +32,7 @@ struct CommandRecord {
   std::uint16_t command;
   std::uint16_t reserved;
 
+  std::byte* arguments() { return reinterpret_cast<std::byte*>(this + 1); }
   const std::byte* arguments() const { return reinterpret_cast<const std::byte*>(this + 1); }
 };
 
@@ -38,6 +40,7 @@ struct CommandRecord {
 struct MailboxCounters {
   std::atomic<std::uint64_t> sent{0}, full{0}, tooLarge{0}, replaced{0};      // producer
   std::atomic<std::uint64_t> executed{0}, late{0}, superseded{0}, failed{0};  // consumer
+  std::atomic<std::uint64_t> refused{0};                                      // consumer
 };
 
 /// One producer thread, one consumer thread. No allocation after construction, no locks.
@@ -48,14 +51,18 @@ struct MailboxCounters {
 class Mailbox {
  public:
   explicit Mailbox(std::span<const CommandLimits> commands);
+  ~Mailbox();
+  Mailbox(const Mailbox&) = delete;
+  Mailbox& operator=(const Mailbox&) = delete;
 
   // --- producer ---
 
   /// Memory for the arguments of `command`, to be filled before commit(). `call` other than 0 asks
   /// for an answer. Errc::Full if as many of this command wait as its depth allows.
   Result<std::byte*> claim(std::uint16_t command, Time stamp, std::uint32_t call);
-  /// Publishes the command of the last successful claim(). Not calling it abandons the claim.
+  /// Publishes the command of the last successful claim(), or gives it up.
   void commit();
+  void abandon();
   /// How many of `command` use a credit that the consumer has not returned yet.
   std::uint32_t waiting(std::uint16_t command) const {
     return taken_[command] - returned_[command].load(std::memory_order_acquire);
@@ -67,7 +74,7 @@ class Mailbox {
   void fixCut();
   /// The next command up to the cut, in sequence order, or nullptr. Must be followed by pop().
   const CommandRecord* next();
-  /// Releases the command that next() returned.
+  /// Lets go of the command that next() returned.
   void pop();
   /// Tells the producer that one more of `command` may wait. After pop(), at once or when a far end
   /// has taken the command.
@@ -86,6 +93,8 @@ class Mailbox {
   };
 
   static std::size_t ringBytes(std::span<const CommandLimits> commands);
+  /// Of a counted pointer in a record: releases it.
+  void releaseArguments(CommandRecord& record) const;
 
   std::vector<CommandLimits> limits_;
   std::vector<int> cellOf_;  // by command; -1: none
@@ -96,6 +105,7 @@ class Mailbox {
   std::vector<std::uint32_t> taken_;  // credits used so far, by command
   std::uint64_t nextSequence_ = 1;
   std::uint16_t claimedCommand_ = 0;
+  CommandRecord* claimed_ = nullptr;
   Cell* claimedCell_ = nullptr;
   std::atomic<std::uint64_t> published_{0};
 
@@ -103,7 +113,8 @@ class Mailbox {
   std::vector<std::atomic<std::uint32_t>> returned_;  // credits given back so far, by command
   std::uint64_t cut_ = 0;
   std::atomic<std::uint64_t> lastReturned_{0};  // written by the consumer only
-  Cell* nextCell_ = nullptr;  // where the record of the last next() lies; nullptr: in the ring
+  CommandRecord* next_ = nullptr;               // what the last next() returned
+  Cell* nextCell_ = nullptr;                    // where it lies; nullptr: in the ring
 };
 
 }  // namespace suture::rt

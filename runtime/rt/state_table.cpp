@@ -1,3 +1,4 @@
+#include <suture/base/shared_slot.h>
 #include <suture/rt/state_table.h>
 
 #include <algorithm>
@@ -43,9 +44,10 @@ std::size_t payloadBytes(std::span<const std::uint32_t> columnSizes) {
 
 }  // namespace
 
-StateTable::StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows)
+StateTable::StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows, ColumnSet shared)
     : rowBytes_((sizeof(RowHeader) + payloadBytes(columnSizes) + 63) & ~std::size_t{63}),
-      draft_(payloadBytes(columnSizes)) {
+      draft_(payloadBytes(columnSizes)),
+      shared_(shared, columnSizes.size()) {
   std::uint32_t offset = 0;
   for (const std::uint32_t size : columnSizes) {
     columns_.push_back({offset, size});
@@ -61,11 +63,41 @@ void StateTable::resize(unsigned rows) {
   for (std::size_t i = 0; i <= rowMask_; ++i) new (rows_ + i * rowBytes_) RowHeader{};
 }
 
+StateTable::~StateTable() {
+  for (unsigned i = 0; i < columns_.size(); ++i) draft(i);
+}
+
+std::byte* StateTable::draft(unsigned column) {
+  std::byte* const memory = draft_.data() + columns_[column].offset;
+  if (isShared(column)) releaseSharedSlot(memory);  // of a row that was not published
+  return memory;
+}
+
+void StateTable::storeColumn(unsigned column, RowHeader& header) {
+  const auto [offset, size] = columns_[column];
+  std::byte* const draft = draft_.data() + offset;
+  if (isShared(column)) {
+    shared_.take(column, draft);
+  } else {
+    storeWords(payloadOf(header) + offset / 8, draft, size);
+  }
+}
+
+void StateTable::loadColumn(unsigned column, RowHeader& header, std::byte* slot) const {
+  const auto [offset, size] = columns_[column];
+  if (isShared(column)) {
+    shared_.copy(column, slot);
+  } else {
+    loadWords(slot, payloadOf(header) + offset / 8, size);
+  }
+}
+
 StateTable::RowHeader& StateTable::headerAt(std::uint64_t sequence) const {
   return *reinterpret_cast<RowHeader*>(rows_ + (sequence & rowMask_) * rowBytes_);
 }
 
 void StateTable::publish(Time stamp, ColumnSet valid, ColumnSet tooLarge) {
+  const auto lock = shared_.lock();
   const std::uint64_t sequence = newest_.load(std::memory_order_relaxed) + 1;
   lastStamp_ = std::max(lastStamp_, stamp);
   RowHeader& header = headerAt(sequence);
@@ -74,10 +106,8 @@ void StateTable::publish(Time stamp, ColumnSet valid, ColumnSet tooLarge) {
                      std::memory_order_release);
   header.valid.store(valid, std::memory_order_release);
   header.tooLarge.store(tooLarge, std::memory_order_release);
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    if ((valid >> i & 1) == 0) continue;
-    storeWords(payloadOf(header) + columns_[i].offset / 8, draft_.data() + columns_[i].offset,
-               columns_[i].size);
+  for (unsigned i = 0; i < columns_.size(); ++i) {
+    if (valid >> i & 1) storeColumn(i, header);
   }
   header.sequence.store(sequence, std::memory_order_release);
   newest_.store(sequence, std::memory_order_release);
@@ -106,6 +136,10 @@ bool StateTable::tryRead(Row& row, const Copy& copy) const {
       fromNanoseconds(static_cast<std::int64_t>(header.stamp.load(std::memory_order_acquire)));
   row.valid = header.valid.load(std::memory_order_acquire);
   row.tooLarge = header.tooLarge.load(std::memory_order_acquire);
+  if (shared_.which() != 0 && sequence != newest_.load(std::memory_order_relaxed)) {
+    row.tooOld = (row.valid & shared_.which()) != 0;
+    row.valid &= ~shared_.which();
+  }
   copy(header, row);
   return header.sequence.load(std::memory_order_relaxed) == sequence;
 }
@@ -168,10 +202,8 @@ StateTable::Row StateTable::readAt(Time at, const Copy& copy) const {
 }
 
 auto StateTable::copying(unsigned column, std::byte* slot) const {
-  return [this, column, slot, wanted = columns_[column]](RowHeader& header, const Row& row) {
-    if (row.valid >> column & 1) {
-      loadWords(slot, payloadOf(header) + wanted.offset / 8, wanted.size);
-    }
+  return [this, column, slot](RowHeader& header, const Row& row) {
+    if (row.valid >> column & 1) loadColumn(column, header, slot);
   };
 }
 
@@ -179,21 +211,24 @@ auto StateTable::copying(std::span<std::byte* const> slots) const {
   return [this, slots](RowHeader& header, const Row& row) {
     for (std::size_t i = 0; i < slots.size(); ++i) {
       if (slots[i] == nullptr || (row.valid >> i & 1) == 0) continue;
-      loadWords(slots[i], payloadOf(header) + columns_[i].offset / 8, columns_[i].size);
+      loadColumn(static_cast<unsigned>(i), header, slots[i]);
     }
   };
 }
 
 StateTable::Row StateTable::readRow(std::span<std::byte* const> slots) const {
+  const auto lock = shared_.lock();
   return readNewest(copying(slots));
 }
 
 StateTable::Row StateTable::readRowAt(Time at, std::span<std::byte* const> slots) const {
+  const auto lock = shared_.lock();
   return readAt(at, copying(slots));
 }
 
 StateTable::Row StateTable::readRowNumber(std::uint64_t sequence,
                                           std::span<std::byte* const> slots) const {
+  const auto lock = shared_.lock();
   const std::uint64_t newest = newest_.load(std::memory_order_acquire);
   Row row{.sequence = sequence};
   if (sequence > newest) return Row{};
@@ -202,12 +237,14 @@ StateTable::Row StateTable::readRowNumber(std::uint64_t sequence,
 }
 
 Result<Time> StateTable::read(unsigned column, std::byte* slot) const {
+  const auto lock = shared_.lock();
   const Row row = readNewest(copying(column, slot));
   if (row.valid >> column & 1) return row.stamp;
   return tl::unexpected(row.missing(column));
 }
 
 Result<Time> StateTable::readAt(Time at, unsigned column, std::byte* slot) const {
+  const auto lock = shared_.lock();
   const Row row = readAt(at, copying(column, slot));
   if (row.valid >> column & 1) return row.stamp;
   return tl::unexpected(row.missing(column));

@@ -4,6 +4,7 @@
 #include <suture/base/errors.h>
 #include <suture/base/memory_block.h>
 #include <suture/base/time.h>
+#include <suture/rt/shared_columns.h>
 
 #include <atomic>
 #include <cstddef>
@@ -28,7 +29,13 @@ class StateTable {
 
   /// A column for each read of the contract: `columnSizes[i]` is the size of the slot of read i. At
   /// least `rows` rows: a power of two.
-  explicit StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows = kDefaultRows);
+  /// Columns in `shared` hold counted pointers (base/shared_slot.h): of those only the newest value
+  /// is kept, and the table is used under a lock.
+  explicit StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows = kDefaultRows,
+                      ColumnSet shared = 0);
+  ~StateTable();
+  StateTable(const StateTable&) = delete;
+  StateTable& operator=(const StateTable&) = delete;
 
   /// Before the first row and the first reader: keeps at least `rows` rows instead.
   void resize(unsigned rows);
@@ -36,7 +43,7 @@ class StateTable {
   // --- writer ---
 
   /// Where to prepare column `column` of the next row. Private to the writer.
-  std::byte* draft(unsigned column) { return draft_.data() + columns_[column].offset; }
+  std::byte* draft(unsigned column);
   /// Publishes the draft as a new row: of the columns in `valid` the values, of those in `tooLarge`
   /// the fact that they did not fit. All others say "not yet". Stamps never go back: an earlier one
   /// counts as that of the row before.
@@ -78,6 +85,8 @@ class StateTable {
   std::size_t rowBytes() const { return rowBytes_; }
   std::size_t columns() const { return columns_.size(); }
   std::uint32_t columnSize(unsigned column) const { return columns_[column].size; }
+  /// Does a copy of the column have to be released?
+  bool isShared(unsigned column) const { return shared_.contains(column); }
 
  private:
   using Word = std::atomic<std::uint64_t>;
@@ -89,6 +98,8 @@ class StateTable {
     Word stamp, valid, tooLarge;
   };
 
+  void storeColumn(unsigned column, RowHeader& header);
+  void loadColumn(unsigned column, RowHeader& header, std::byte* slot) const;
   RowHeader& headerAt(std::uint64_t sequence) const;
   Word* payloadOf(RowHeader& header) const { return reinterpret_cast<Word*>(&header + 1); }
   std::uint64_t oldest(std::uint64_t newest) const;
@@ -107,6 +118,7 @@ class StateTable {
   std::size_t rowBytes_;
   std::size_t rowMask_ = 0;
   std::vector<std::byte> draft_;
+  SharedColumns shared_;
   std::unique_ptr<MemoryBlock> memory_;
   std::byte* rows_ = nullptr;  // in memory_
   Time lastStamp_{};           // the writer's

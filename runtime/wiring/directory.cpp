@@ -13,8 +13,8 @@ std::string remedyFor(const std::string& name, const std::vector<std::string>& e
 }
 
 template <class Interface>
-Interface& find(const std::vector<Interface*>& interfaces, const Endpoint& endpoint,
-                const char* kind) {
+Interface& findIn(const std::vector<Interface*>& interfaces, const Endpoint& endpoint,
+                  const char* kind) {
   const auto found = std::find_if(interfaces.begin(), interfaces.end(), [&](const Interface* one) {
     return one->name() == endpoint.interface;
   });
@@ -44,23 +44,25 @@ std::vector<Component*> Directory::components() const {
   return all;
 }
 
-Component& Directory::component(const Endpoint& endpoint) const {
+Component& Directory::find(const std::string& component, const std::string& asked) const {
   const std::lock_guard lock(mutex_);
-  const auto found = components_.find(endpoint.component);
+  const auto found = components_.find(component);
   if (found != components_.end()) return *found->second;
   std::vector<std::string> names;
   for (const auto& [name, unused] : components_) names.push_back(name);
-  throw SetupError("asked for '" + endpoint.toString() + "'",
+  throw SetupError("asked for '" + asked + "'",
                    "process '" + process_ + "' has components " + listNames(names),
-                   remedyFor(endpoint.component, names));
+                   remedyFor(component, names));
 }
 
 ProvidedBase& Directory::provided(const Endpoint& endpoint) const {
-  return find(component(endpoint).provided(), endpoint, "provided");
+  Component& component = find(endpoint.component, endpoint.toString());
+  return findIn(component.provided(), endpoint, "provided");
 }
 
 RequiredBase& Directory::required(const Endpoint& endpoint) const {
-  return find(component(endpoint).required(), endpoint, "required");
+  Component& component = find(endpoint.component, endpoint.toString());
+  return findIn(component.required(), endpoint, "required");
 }
 
 }  // namespace suture

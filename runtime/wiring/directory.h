@@ -23,11 +23,12 @@ class Directory {
   void add(const std::string& name, Component& component);
   std::vector<Component*> components() const;
 
+  Component& component(const std::string& name) const { return find(name, name); }
   ProvidedBase& provided(const Endpoint& endpoint) const;
   RequiredBase& required(const Endpoint& endpoint) const;
 
  private:
-  Component& component(const Endpoint& endpoint) const;
+  Component& find(const std::string& name, const std::string& asked) const;
 
   const std::string process_;
   mutable std::mutex mutex_;

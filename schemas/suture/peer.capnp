@@ -74,6 +74,9 @@ interface Notices {
   # The provider's handler threw: its component is parked, the connection stands.
   closed @1 () -> ();
   # The provider has taken the connection down.
+  suspended @2 () -> ();
+  # The provider's component executes nothing until resumed() says so: its commands are refused.
+  resumed @3 () -> ();
 }
 
 interface Connection {

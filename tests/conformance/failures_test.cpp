@@ -30,6 +30,37 @@ TEST_P(Failures, AHandlerThatThrowsParksItsComponentOnly) {
   EXPECT_NE(client->component().state(), suture::ComponentState::Faulted);
 }
 
+TEST_P(Failures, ASuspendedProviderSaysSoUntilItIsResumed) {
+  const auto answer = [&] {
+    Errc error{};
+    client->with([&](Arm& remote) {
+      const auto held = remote.hold.start().within(5s);
+      error = held ? Errc{} : held.error();
+    });
+    return error;
+  };
+  EXPECT_EQ(answer(), Errc{});
+  const std::vector<std::string> taken = arm->taken();
+  arm->component().request(suture::Transition::Suspend);
+  EXPECT_TRUE(suture::eventually(
+      [&] { return arm->component().state() == suture::ComponentState::Suspended; }));
+  EXPECT_EQ(answer(), Errc::Suspended) << "whether or not the client has been told";
+  EXPECT_TRUE(suture::eventually([&] {
+    Errc error{};
+    client->with([&](Arm& remote) {
+      const auto held = remote.hold();
+      error = held ? Errc{} : held.error();
+    });
+    return error == Errc::Suspended;
+  }));
+  client->with([](Arm& remote) { EXPECT_EQ(remote.measured_cp().error(), Errc::Suspended); });
+
+  arm->component().request(suture::Transition::Resume);
+  EXPECT_TRUE(suture::eventually([&] { return answer() == Errc{}; }));
+  EXPECT_EQ(arm->taken().front(), taken.front());
+  EXPECT_EQ(arm->taken().size(), taken.size() + 1) << "what was refused was executed later";
+}
+
 TEST_P(Failures, AnotherThreadIsTurnedAway) {
   client->with([](Arm& remote) {
     EXPECT_TRUE(remote.hold());

@@ -18,6 +18,7 @@ using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
 using suture::load;
+using suture::newSlot;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::firstError;
@@ -26,6 +27,8 @@ using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
+using suture::slotIn;
+using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -43,57 +46,57 @@ static_assert(std::is_same_v<decltype(JointState::position), std::vector<double>
 constexpr CommandInfo kArmLikeCommands[] = {
     {.name = "servo_cp",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(ArmLikeServoCpArguments),
+     .argumentsSize = slotSize<ArmLikeServoCpArguments>,
      .depth = 16,
      .latest = true,
      .ttl = Duration(500'000'000)},
     {.name = "servo_jp",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(ArmLikeServoJpArguments),
+     .argumentsSize = slotSize<ArmLikeServoJpArguments>,
      .depth = 16,
      .latest = true},
     {.name = "hold", .kind = CommandKind::Void, .depth = 4},
     {.name = "set_mode",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(ArmLikeSetModeArguments),
+     .argumentsSize = slotSize<ArmLikeSetModeArguments>,
      .depth = 16},
     {.name = "measured_cp",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(PoseStampedSlot),
+     .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = 0},
     {.name = "measured_js",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(JointStateSlot),
+     .resultSize = slotSize<JointStateSlot>,
      .depth = 16,
      .column = 1},
     {.name = "distance",
      .kind = CommandKind::QualifiedRead,
-     .argumentsSize = sizeof(ArmLikeDistanceArguments),
-     .resultSize = sizeof(double),
+     .argumentsSize = slotSize<ArmLikeDistanceArguments>,
+     .resultSize = slotSize<double>,
      .depth = 16},
     {.name = "move",
      .kind = CommandKind::WriteReturn,
-     .argumentsSize = sizeof(ArmLikeMoveArguments),
-     .resultSize = sizeof(std::uint8_t),
+     .argumentsSize = slotSize<ArmLikeMoveArguments>,
+     .resultSize = slotSize<std::uint8_t>,
      .depth = 16,
      .deadline = Duration(200'000'000)},
     {.name = "reset",
      .kind = CommandKind::VoidReturn,
-     .resultSize = sizeof(std::uint32_t),
+     .resultSize = slotSize<std::uint32_t>,
      .depth = 16},
     {.name = "limit",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(ArmLikeLimitArguments),
+     .argumentsSize = slotSize<ArmLikeLimitArguments>,
      .depth = 2},
     {.name = "park", .kind = CommandKind::Void, .depth = 16},
 };
 
 constexpr EventInfo kArmLikeEvents[] = {
-    {.name = "mode", .payloadSize = sizeof(std::uint8_t), .depth = 16, .latched = true},
-    {.name = "arrived", .payloadSize = sizeof(PoseStampedSlot), .depth = 4},
+    {.name = "mode", .payloadSize = slotSize<std::uint8_t>, .depth = 16, .latched = true},
+    {.name = "arrived", .payloadSize = slotSize<PoseStampedSlot>, .depth = 4},
     {.name = "stopped", .depth = 16},
-    {.name = "moved", .payloadSize = sizeof(ArmLikeMovedPayload), .depth = 16},
+    {.name = "moved", .payloadSize = slotSize<ArmLikeMovedPayload>, .depth = 16},
 };
 
 // The self-description, as in reference/arm_like.suture.json.
@@ -217,13 +220,13 @@ class ArmLikeSink final : public suture::rpc::EventSink {
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
     switch (event) {
       case numberOf(ArmLikeEvent::mode): {
-        const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
+        const auto& slot = slotIn<std::uint8_t>(payload);
         auto request = subscriber_.modeRequest();
         request.setValue(wireMode(slot));
         return request.send().ignoreResult();
       }
       case numberOf(ArmLikeEvent::arrived): {
-        const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(payload);
+        const auto& slot = slotIn<PoseStampedSlot>(payload);
         auto request = subscriber_.arrivedRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
@@ -232,7 +235,7 @@ class ArmLikeSink final : public suture::rpc::EventSink {
         return subscriber_.stoppedRequest().send().ignoreResult();
       }
       case numberOf(ArmLikeEvent::moved): {
-        const auto& slot = *reinterpret_cast<const ArmLikeMovedPayload*>(payload);
+        const auto& slot = slotIn<ArmLikeMovedPayload>(payload);
         auto request = subscriber_.movedRequest();
         toWire(slot.value, request.initValue());
         request.setValue2(slot.value2);
@@ -250,11 +253,11 @@ class ArmLikeSink final : public suture::rpc::EventSink {
     out.setEvaluated(row.valid);
     out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
-      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(columns[0]);
+      const auto& slot = slotIn<PoseStampedSlot>(columns[0]);
       toWire(slot, out.initMeasuredCp());
     }
     if (row.valid >> 1 & 1) {
-      const auto& slot = *reinterpret_cast<const JointStateSlot*>(columns[1]);
+      const auto& slot = slotIn<JointStateSlot>(columns[1]);
       toWire(slot, out.initMeasuredJs());
     }
     return request.send().ignoreResult();
@@ -279,7 +282,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
   kj::Promise<void> servoCp(ServoCpContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<ArmLikeServoCpArguments*>(memory);
+      auto& slot = newSlot<ArmLikeServoCpArguments>(memory);
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
@@ -291,7 +294,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
   kj::Promise<void> servoJp(ServoJpContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<ArmLikeServoJpArguments*>(memory);
+      auto& slot = newSlot<ArmLikeServoJpArguments>(memory);
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
@@ -309,7 +312,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
   kj::Promise<void> setMode(SetModeContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<ArmLikeSetModeArguments*>(memory);
+      auto& slot = newSlot<ArmLikeSetModeArguments>(memory);
       return fromWire(in.getMode(), slot.mode);
     };
     return port_->command(numberOf(ArmLikeCommand::set_mode), in.getSent(), fill);
@@ -318,7 +321,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
   kj::Promise<void> measuredCp(MeasuredCpContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      const auto& slot = slotIn<PoseStampedSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -330,7 +333,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
   kj::Promise<void> measuredJs(MeasuredJsContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const JointStateSlot*>(result);
+      const auto& slot = slotIn<JointStateSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -342,13 +345,13 @@ class ArmLikeServant final : public wire::ArmLike::Server {
   kj::Promise<void> distance(DistanceContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<ArmLikeDistanceArguments*>(memory);
+      auto& slot = newSlot<ArmLikeDistanceArguments>(memory);
       const Errc error = in.hasTo() ? fromWire(in.getTo(), slot.to, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
       return isValid(slot.to) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const double*>(result);
+      const auto& slot = slotIn<double>(result);
       auto out = context.getResults();
       out.setValue(slot);
     };
@@ -358,7 +361,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
   kj::Promise<void> move(MoveContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<ArmLikeMoveArguments*>(memory);
+      auto& slot = newSlot<ArmLikeMoveArguments>(memory);
       slot.speed = in.getSpeed();
       const Errc error = firstError({
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid,
@@ -368,7 +371,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
       return isValid(slot.goal) && inRange(slot.speed, 0, 1) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
+      const auto& slot = slotIn<std::uint8_t>(result);
       auto out = context.getResults();
       out.setValue(slot != 0);
     };
@@ -378,7 +381,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
   kj::Promise<void> reset(ResetContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const std::uint32_t*>(result);
+      const auto& slot = slotIn<std::uint32_t>(result);
       auto out = context.getResults();
       out.setValue(slot);
     };
@@ -389,7 +392,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
   kj::Promise<void> limit(LimitContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<ArmLikeLimitArguments*>(memory);
+      auto& slot = newSlot<ArmLikeLimitArguments>(memory);
       slot.speed = in.getSpeed();
       const Errc error = fromWire(in.getMode(), slot.mode);
       if (error != Errc{}) return error;
@@ -420,13 +423,13 @@ class ArmLikeReceiver final : public wire::ArmLikeEvents::Server {
     auto in = context.getParams().getRow();
     suture::rt::ColumnSet valid = 0;
     if (in.getEvaluated() >> 0 & 1) {
-      auto& slot = *reinterpret_cast<PoseStampedSlot*>(port_->column(0));
+      auto& slot = port_->column<PoseStampedSlot>(0);
       const Errc error =
           in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
     }
     if (in.getEvaluated() >> 1 & 1) {
-      auto& slot = *reinterpret_cast<JointStateSlot*>(port_->column(1));
+      auto& slot = port_->column<JointStateSlot>(1);
       const Errc error =
           in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
@@ -437,17 +440,17 @@ class ArmLikeReceiver final : public wire::ArmLikeEvents::Server {
 
   kj::Promise<void> mode(ModeContext context) override {
     auto in = context.getParams();
-    std::uint8_t slot;
-    const Errc error = fromWire(in.getValue(), slot);
-    return port_->event(numberOf(ArmLikeEvent::mode), error, slot);
+    return port_->event<std::uint8_t>(numberOf(ArmLikeEvent::mode), [&](std::uint8_t& slot) {
+      return fromWire(in.getValue(), slot);
+    });
   }
 
   kj::Promise<void> arrived(ArrivedContext context) override {
     auto in = context.getParams();
-    PoseStampedSlot slot;
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(ArmLikeEvent::arrived), error, slot);
+    return port_->event<PoseStampedSlot>(numberOf(ArmLikeEvent::arrived),
+                                         [&](PoseStampedSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
   kj::Promise<void> stopped(StoppedContext) override {
@@ -456,11 +459,11 @@ class ArmLikeReceiver final : public wire::ArmLikeEvents::Server {
 
   kj::Promise<void> moved(MovedContext context) override {
     auto in = context.getParams();
-    ArmLikeMovedPayload slot;
-    slot.value2 = in.getValue2();
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(ArmLikeEvent::moved), error, slot);
+    return port_->event<ArmLikeMovedPayload>(numberOf(ArmLikeEvent::moved),
+                                             [&](ArmLikeMovedPayload& slot) {
+      slot.value2 = in.getValue2();
+      return in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
+    });
   }
 
  private:
@@ -484,14 +487,14 @@ class ArmLikeProxy final : public suture::rpc::Proxy {
   kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
     switch (static_cast<ArmLikeCommand>(record.command)) {
       case ArmLikeCommand::servo_cp: {
-        const auto& slot = *reinterpret_cast<const ArmLikeServoCpArguments*>(record.arguments());
+        const auto& slot = slotIn<ArmLikeServoCpArguments>(record.arguments());
         auto request = provider_.servoCpRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmLikeCommand::servo_jp: {
-        const auto& slot = *reinterpret_cast<const ArmLikeServoJpArguments*>(record.arguments());
+        const auto& slot = slotIn<ArmLikeServoJpArguments>(record.arguments());
         auto request = provider_.servoJpRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
@@ -503,7 +506,7 @@ class ArmLikeProxy final : public suture::rpc::Proxy {
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmLikeCommand::set_mode: {
-        const auto& slot = *reinterpret_cast<const ArmLikeSetModeArguments*>(record.arguments());
+        const auto& slot = slotIn<ArmLikeSetModeArguments>(record.arguments());
         auto request = provider_.setModeRequest();
         request.setMode(wireMode(slot.mode));
         suture::rpc::fill(request.initSent(), record);
@@ -530,7 +533,7 @@ class ArmLikeProxy final : public suture::rpc::Proxy {
         });
       }
       case ArmLikeCommand::distance: {
-        const auto& slot = *reinterpret_cast<const ArmLikeDistanceArguments*>(record.arguments());
+        const auto& slot = slotIn<ArmLikeDistanceArguments>(record.arguments());
         auto request = provider_.distanceRequest();
         toWire(slot.to, request.initTo());
         suture::rpc::fill(request.initSent(), record);
@@ -542,7 +545,7 @@ class ArmLikeProxy final : public suture::rpc::Proxy {
         });
       }
       case ArmLikeCommand::move: {
-        const auto& slot = *reinterpret_cast<const ArmLikeMoveArguments*>(record.arguments());
+        const auto& slot = slotIn<ArmLikeMoveArguments>(record.arguments());
         auto request = provider_.moveRequest();
         toWire(slot.goal, request.initGoal());
         request.setSpeed(slot.speed);
@@ -566,7 +569,7 @@ class ArmLikeProxy final : public suture::rpc::Proxy {
         });
       }
       case ArmLikeCommand::limit: {
-        const auto& slot = *reinterpret_cast<const ArmLikeLimitArguments*>(record.arguments());
+        const auto& slot = slotIn<ArmLikeLimitArguments>(record.arguments());
         auto request = provider_.limitRequest();
         request.setSpeed(slot.speed);
         request.setMode(wireMode(slot.mode));
@@ -629,13 +632,13 @@ Errc Provided<reference::ArmLike>::execute(std::uint16_t command, const std::byt
   using ::reference::ArmLikeCommand;
   switch (static_cast<ArmLikeCommand>(command)) {
     case ArmLikeCommand::servo_cp: {
-      const auto& slot = *reinterpret_cast<const reference::ArmLikeServoCpArguments*>(arguments);
+      const auto& slot = slotIn<reference::ArmLikeServoCpArguments>(arguments);
       load(slot.goal, scratch_.servo_cp_goal);
       implementation_.servo_cp(scratch_.servo_cp_goal);
       return Errc{};
     }
     case ArmLikeCommand::servo_jp: {
-      const auto& slot = *reinterpret_cast<const reference::ArmLikeServoJpArguments*>(arguments);
+      const auto& slot = slotIn<reference::ArmLikeServoJpArguments>(arguments);
       load(slot.goal, scratch_.servo_jp_goal);
       implementation_.servo_jp(scratch_.servo_jp_goal);
       return Errc{};
@@ -645,41 +648,41 @@ Errc Provided<reference::ArmLike>::execute(std::uint16_t command, const std::byt
       return Errc{};
     }
     case ArmLikeCommand::set_mode: {
-      const auto& slot = *reinterpret_cast<const reference::ArmLikeSetModeArguments*>(arguments);
+      const auto& slot = slotIn<reference::ArmLikeSetModeArguments>(arguments);
       load(slot.mode, scratch_.set_mode_mode);
       implementation_.set_mode(scratch_.set_mode_mode);
       return Errc{};
     }
     case ArmLikeCommand::measured_cp: {
-      auto& slot = *reinterpret_cast<reference::PoseStampedSlot*>(result);
+      auto& slot = newSlot<reference::PoseStampedSlot>(result);
       return store(implementation_.measured_cp(), slot) ? Errc{} : Errc::TooLarge;
     }
     case ArmLikeCommand::measured_js: {
-      auto& slot = *reinterpret_cast<reference::JointStateSlot*>(result);
+      auto& slot = newSlot<reference::JointStateSlot>(result);
       return store(implementation_.measured_js(), slot) ? Errc{} : Errc::TooLarge;
     }
     case ArmLikeCommand::distance: {
-      const auto& slot = *reinterpret_cast<const reference::ArmLikeDistanceArguments*>(arguments);
+      const auto& slot = slotIn<reference::ArmLikeDistanceArguments>(arguments);
       load(slot.to, scratch_.distance_to);
-      auto& answer = *reinterpret_cast<double*>(result);
+      auto& answer = newSlot<double>(result);
       return store(implementation_.distance(scratch_.distance_to), answer)
           ? Errc{} : Errc::TooLarge;
     }
     case ArmLikeCommand::move: {
-      const auto& slot = *reinterpret_cast<const reference::ArmLikeMoveArguments*>(arguments);
+      const auto& slot = slotIn<reference::ArmLikeMoveArguments>(arguments);
       load(slot.goal, scratch_.move_goal);
       load(slot.speed, scratch_.move_speed);
       load(slot.reason, scratch_.move_reason);
-      auto& answer = *reinterpret_cast<std::uint8_t*>(result);
+      auto& answer = newSlot<std::uint8_t>(result);
       return store(implementation_.move(scratch_.move_goal, scratch_.move_speed,
                                         scratch_.move_reason), answer) ? Errc{} : Errc::TooLarge;
     }
     case ArmLikeCommand::reset: {
-      auto& slot = *reinterpret_cast<std::uint32_t*>(result);
+      auto& slot = newSlot<std::uint32_t>(result);
       return store(implementation_.reset(), slot) ? Errc{} : Errc::TooLarge;
     }
     case ArmLikeCommand::limit: {
-      const auto& slot = *reinterpret_cast<const reference::ArmLikeLimitArguments*>(arguments);
+      const auto& slot = slotIn<reference::ArmLikeLimitArguments>(arguments);
       load(slot.speed, scratch_.limit_speed);
       load(slot.mode, scratch_.limit_mode);
       implementation_.limit(scratch_.limit_speed, scratch_.limit_mode);

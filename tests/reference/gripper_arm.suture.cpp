@@ -28,12 +28,15 @@ using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Errc;
 using suture::EventInfo;
+using suture::newSlot;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
+using suture::slotIn;
+using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -41,18 +44,18 @@ namespace {
 constexpr CommandInfo kGripperArmCommands[] = {
     {.name = "close",
      .kind = CommandKind::WriteReturn,
-     .argumentsSize = sizeof(GripperArmCloseArguments),
-     .resultSize = sizeof(double),
+     .argumentsSize = slotSize<GripperArmCloseArguments>,
+     .resultSize = slotSize<double>,
      .depth = 16},
     {.name = "opening",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(double),
+     .resultSize = slotSize<double>,
      .depth = 16,
      .column = 2},
 };
 
 constexpr EventInfo kGripperArmEvents[] = {
-    {.name = "gripped", .payloadSize = sizeof(double), .depth = 16},
+    {.name = "gripped", .payloadSize = slotSize<double>, .depth = 16},
 };
 
 // The self-description, as in reference/gripper_arm.suture.json.
@@ -75,13 +78,13 @@ class GripperArmSink final : public suture::rpc::EventSink {
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
     switch (event) {
       case numberOf(ArmLikeEvent::mode): {
-        const auto& slot = *reinterpret_cast<const std::uint8_t*>(payload);
+        const auto& slot = slotIn<std::uint8_t>(payload);
         auto request = subscriber_.modeRequest();
         request.setValue(wireMode(slot));
         return request.send().ignoreResult();
       }
       case numberOf(ArmLikeEvent::arrived): {
-        const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(payload);
+        const auto& slot = slotIn<PoseStampedSlot>(payload);
         auto request = subscriber_.arrivedRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
@@ -90,14 +93,14 @@ class GripperArmSink final : public suture::rpc::EventSink {
         return subscriber_.stoppedRequest().send().ignoreResult();
       }
       case numberOf(ArmLikeEvent::moved): {
-        const auto& slot = *reinterpret_cast<const ArmLikeMovedPayload*>(payload);
+        const auto& slot = slotIn<ArmLikeMovedPayload>(payload);
         auto request = subscriber_.movedRequest();
         toWire(slot.value, request.initValue());
         request.setValue2(slot.value2);
         return request.send().ignoreResult();
       }
       case numberOf(GripperArmEvent::gripped): {
-        const auto& slot = *reinterpret_cast<const double*>(payload);
+        const auto& slot = slotIn<double>(payload);
         auto request = subscriber_.grippedRequest();
         request.setValue(slot);
         return request.send().ignoreResult();
@@ -114,15 +117,15 @@ class GripperArmSink final : public suture::rpc::EventSink {
     out.setEvaluated(row.valid);
     out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
-      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(columns[0]);
+      const auto& slot = slotIn<PoseStampedSlot>(columns[0]);
       toWire(slot, out.initMeasuredCp());
     }
     if (row.valid >> 1 & 1) {
-      const auto& slot = *reinterpret_cast<const JointStateSlot*>(columns[1]);
+      const auto& slot = slotIn<JointStateSlot>(columns[1]);
       toWire(slot, out.initMeasuredJs());
     }
     if (row.valid >> 2 & 1) {
-      const auto& slot = *reinterpret_cast<const double*>(columns[2]);
+      const auto& slot = slotIn<double>(columns[2]);
       out.setOpening(slot);
     }
     return request.send().ignoreResult();
@@ -158,12 +161,12 @@ class GripperArmServant final : public wire::GripperArm::Server {
   kj::Promise<void> close(CloseContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<GripperArmCloseArguments*>(memory);
+      auto& slot = newSlot<GripperArmCloseArguments>(memory);
       slot.width = in.getWidth();
       return isValid(slot.width) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const double*>(result);
+      const auto& slot = slotIn<double>(result);
       auto out = context.getResults();
       out.setValue(slot);
     };
@@ -173,7 +176,7 @@ class GripperArmServant final : public wire::GripperArm::Server {
   kj::Promise<void> opening(OpeningContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const double*>(result);
+      const auto& slot = slotIn<double>(result);
       auto out = context.getResults();
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
@@ -199,19 +202,19 @@ class GripperArmReceiver final : public wire::GripperArmEvents::Server {
     auto in = context.getParams().getRow();
     suture::rt::ColumnSet valid = 0;
     if (in.getEvaluated() >> 0 & 1) {
-      auto& slot = *reinterpret_cast<PoseStampedSlot*>(port_->column(0));
+      auto& slot = port_->column<PoseStampedSlot>(0);
       const Errc error =
           in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
     }
     if (in.getEvaluated() >> 1 & 1) {
-      auto& slot = *reinterpret_cast<JointStateSlot*>(port_->column(1));
+      auto& slot = port_->column<JointStateSlot>(1);
       const Errc error =
           in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
     }
     if (in.getEvaluated() >> 2 & 1) {
-      auto& slot = *reinterpret_cast<double*>(port_->column(2));
+      auto& slot = port_->column<double>(2);
       slot = in.getOpening();
       valid |= suture::rt::ColumnSet{1} << 2;
     }
@@ -221,17 +224,17 @@ class GripperArmReceiver final : public wire::GripperArmEvents::Server {
 
   kj::Promise<void> mode(ModeContext context) override {
     auto in = context.getParams();
-    std::uint8_t slot;
-    const Errc error = fromWire(in.getValue(), slot);
-    return port_->event(numberOf(ArmLikeEvent::mode), error, slot);
+    return port_->event<std::uint8_t>(numberOf(ArmLikeEvent::mode), [&](std::uint8_t& slot) {
+      return fromWire(in.getValue(), slot);
+    });
   }
 
   kj::Promise<void> arrived(ArrivedContext context) override {
     auto in = context.getParams();
-    PoseStampedSlot slot;
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(ArmLikeEvent::arrived), error, slot);
+    return port_->event<PoseStampedSlot>(numberOf(ArmLikeEvent::arrived),
+                                         [&](PoseStampedSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
   kj::Promise<void> stopped(StoppedContext) override {
@@ -240,19 +243,19 @@ class GripperArmReceiver final : public wire::GripperArmEvents::Server {
 
   kj::Promise<void> moved(MovedContext context) override {
     auto in = context.getParams();
-    ArmLikeMovedPayload slot;
-    slot.value2 = in.getValue2();
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(ArmLikeEvent::moved), error, slot);
+    return port_->event<ArmLikeMovedPayload>(numberOf(ArmLikeEvent::moved),
+                                             [&](ArmLikeMovedPayload& slot) {
+      slot.value2 = in.getValue2();
+      return in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
+    });
   }
 
   kj::Promise<void> gripped(GrippedContext context) override {
     auto in = context.getParams();
-    double slot;
-    slot = in.getValue();
-    const Errc error = Errc{};
-    return port_->event(numberOf(GripperArmEvent::gripped), error, slot);
+    return port_->event<double>(numberOf(GripperArmEvent::gripped), [&](double& slot) {
+      slot = in.getValue();
+      return Errc{};
+    });
   }
 
  private:
@@ -278,7 +281,7 @@ class GripperArmProxy final : public suture::rpc::Proxy {
   kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
     switch (static_cast<GripperArmCommand>(record.command)) {
       case GripperArmCommand::close: {
-        const auto& slot = *reinterpret_cast<const GripperArmCloseArguments*>(record.arguments());
+        const auto& slot = slotIn<GripperArmCloseArguments>(record.arguments());
         auto request = provider_.closeRequest();
         request.setWidth(slot.width);
         suture::rpc::fill(request.initSent(), record);
@@ -357,13 +360,13 @@ Errc Provided<reference::GripperArm>::execute(std::uint16_t command, const std::
   using ::reference::GripperArmCommand;
   switch (static_cast<GripperArmCommand>(command)) {
     case GripperArmCommand::close: {
-      const auto& slot = *reinterpret_cast<const reference::GripperArmCloseArguments*>(arguments);
+      const auto& slot = slotIn<reference::GripperArmCloseArguments>(arguments);
       load(slot.width, scratch_.close_width);
-      auto& answer = *reinterpret_cast<double*>(result);
+      auto& answer = newSlot<double>(result);
       return store(implementation_.close(scratch_.close_width), answer) ? Errc{} : Errc::TooLarge;
     }
     case GripperArmCommand::opening: {
-      auto& slot = *reinterpret_cast<double*>(result);
+      auto& slot = newSlot<double>(result);
       return store(implementation_.opening(), slot) ? Errc{} : Errc::TooLarge;
     }
   }

@@ -2,10 +2,24 @@
 #include "reference/simulated_arm.suture.h"
 
 #include <suture/component/json_reader.h>
+#include <suture/transport/rpc/wire.h>
 
 #include <type_traits>
 
+#include "reference/simulated_arm.capnp.h"
+
 namespace reference {
+
+using suture::Duration;
+using suture::Errc;
+using suture::load;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::store;
+
 namespace {
 
 // What this compiler sees must be what suturec read.
@@ -14,6 +28,41 @@ static_assert(std::is_same_v<decltype(SimulatedArmParameters::home), std::array<
 static_assert(std::is_same_v<decltype(SimulatedArmParameters::model), std::string>);
 
 }  // namespace
+
+bool store(const SimulatedArmParameters& value, SimulatedArmParametersSlot& slot) {
+  bool fits = true;
+  fits &= store(value.period, slot.period);
+  fits &= store(value.home, slot.home);
+  fits &= store(value.model, slot.model);
+  return fits;
+}
+
+void load(const SimulatedArmParametersSlot& slot, SimulatedArmParameters& value) {
+  load(slot.period, value.period);
+  load(slot.home, value.home);
+  load(slot.model, value.model);
+}
+
+// --- between slots and Cap'n Proto
+
+void toWire(const SimulatedArmParametersSlot& slot, wire::SimulatedArmParameters::Builder out) {
+  out.setPeriod(slot.period);
+  toWire(slot.home, out.initHome(3));
+  toWire(slot.model, out.initModel(slot.model.size));
+}
+
+Errc fromWire(wire::SimulatedArmParameters::Reader in, SimulatedArmParametersSlot& slot, Duration) {
+  slot.period = in.getPeriod();
+  return firstError({
+      fromWire(in.getHome(), slot.home),
+      fromWire(in.getModel(), slot.model),
+  });
+}
+
+bool isValid(const SimulatedArmParametersSlot& slot) {
+  return inRange(slot.period, 0.0001, 1) && isValid(slot.home);
+}
+
 }  // namespace reference
 
 namespace reference {

@@ -1,6 +1,7 @@
 // Written by suturec from reference/simulated_arm.h. Do not edit.
 #pragma once
 
+#include <suture/base/slot_forms.h>
 #include <suture/component/component_class.h>
 
 #include "reference/simulated_arm.h"
@@ -11,6 +12,16 @@ class JsonReader;
 }
 
 namespace reference {
+
+/// Parameters of SimulatedArm.
+struct SimulatedArmParametersSlot {
+  double period;               // s
+  std::array<double, 3> home;  // m
+  suture::OpenText model;
+};
+
+bool store(const SimulatedArmParameters& value, SimulatedArmParametersSlot& slot);
+void load(const SimulatedArmParametersSlot& slot, SimulatedArmParameters& value);
 
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, SimulatedArmParameters& value);

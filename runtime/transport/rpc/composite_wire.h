@@ -26,8 +26,7 @@ void toWireFlat(const BoundedList<std::array<S, R>, N>& slot, List out) {
 template <class List, Number S, std::size_t R, std::uint32_t N>
 Errc fromWireFlat(const List& in, BoundedList<std::array<S, R>, N>& slot) {
   if (in.size() % R != 0) return Errc::Invalid;
-  if (in.size() / R > N) return Errc::TooLarge;
-  slot.size = static_cast<std::uint32_t>(in.size() / R);
+  if (!resize(slot, in.size() / R)) return Errc::TooLarge;
   std::uint32_t next = 0;
   for (std::uint32_t i = 0; i < slot.size; ++i) {
     for (S& coefficient : slot.data[i]) coefficient = in[next++];
@@ -44,25 +43,24 @@ void toWire(const BoundedMatrix<S, R, C>& slot, Builder out) {
   const std::uint32_t count = slot.rows * slot.columns;
   if constexpr (std::is_same_v<decltype(out.initData(0)), capnp::Data::Builder>) {  // bulk()
     auto data = out.initData(count * sizeof(S));
-    std::copy_n(reinterpret_cast<const kj::byte*>(slot.data), data.size(), data.begin());
+    std::copy_n(reinterpret_cast<const kj::byte*>(elements(slot)), data.size(), data.begin());
   } else {
     auto data = out.initData(count);
-    for (std::uint32_t i = 0; i < count; ++i) data.set(i, slot.data[i]);
+    for (std::uint32_t i = 0; i < count; ++i) data.set(i, elements(slot)[i]);
   }
 }
 template <class Reader, Number S, std::uint32_t R, std::uint32_t C>
 Errc fromWire(Reader in, BoundedMatrix<S, R, C>& slot) {
-  if (in.getRows() > R || in.getColumns() > C) return Errc::TooLarge;
-  slot.rows = in.getRows();
-  slot.columns = in.getColumns();
+  if (!withinBounds<R, C>(in.getRows(), in.getColumns())) return Errc::TooLarge;
   const auto data = in.getData();
-  const std::uint64_t count = std::uint64_t{slot.rows} * slot.columns;
-  if constexpr (std::is_same_v<decltype(in.getData()), capnp::Data::Reader>) {  // bulk()
-    if (data.size() != count * sizeof(S)) return Errc::Invalid;
-    std::copy_n(data.begin(), data.size(), reinterpret_cast<kj::byte*>(slot.data));
+  const std::uint64_t count = std::uint64_t{in.getRows()} * in.getColumns();
+  constexpr bool bulk = std::is_same_v<decltype(in.getData()), capnp::Data::Reader>;
+  if (data.size() != count * (bulk ? sizeof(S) : 1)) return Errc::Invalid;
+  if (!resize(slot, in.getRows(), in.getColumns())) return Errc::TooLarge;
+  if constexpr (bulk) {
+    std::copy_n(data.begin(), data.size(), reinterpret_cast<kj::byte*>(elements(slot)));
   } else {
-    if (data.size() != count) return Errc::Invalid;
-    for (std::uint32_t i = 0; i < data.size(); ++i) slot.data[i] = data[i];
+    for (std::uint32_t i = 0; i < data.size(); ++i) elements(slot)[i] = data[i];
   }
   return Errc{};
 }
@@ -79,6 +77,8 @@ template <class Key, class Value>
 bool isValid(const SlotEntry<Key, Value>& slot);
 template <class S>
 bool isValid(const SlotOptional<S>& slot);
+template <class S>
+bool isValid(const OpenOptional<S>& slot);
 template <class... S>
 bool isValid(const SlotTuple<S...>& slot);
 template <class... S>
@@ -91,9 +91,14 @@ template <class S, class Check>
 bool allOf(const SlotOptional<S>& slot, const Check& check) {
   return slot.present == 0 || check(slot.value);
 }
+template <class S, class Check>
+bool allOf(const OpenOptional<S>& slot, const Check& check) {
+  return slot.present == 0 || check(*slot.value);
+}
 template <Number S, std::uint32_t R, std::uint32_t C, class Check>
 bool allOf(const BoundedMatrix<S, R, C>& slot, const Check& check) {
-  return std::all_of(slot.data, slot.data + std::size_t{slot.rows} * slot.columns, check);
+  const S* const begin = elements(slot);
+  return std::all_of(begin, begin + std::size_t{slot.rows} * slot.columns, check);
 }
 
 template <std::uint32_t N>
@@ -114,6 +119,10 @@ bool isValid(const SlotEntry<Key, Value>& slot) {
 }
 template <class S>
 bool isValid(const SlotOptional<S>& slot) {
+  return allOf(slot, [](const S& value) { return isValid(value); });
+}
+template <class S>
+bool isValid(const OpenOptional<S>& slot) {
   return allOf(slot, [](const S& value) { return isValid(value); });
 }
 template <class... S>

@@ -2,6 +2,7 @@
 
 #include <capnp/rpc.capnp.h>
 #include <kj/refcount.h>
+#include <suture/transport/rpc/remote_error.h>
 
 namespace suture::rpc {
 
@@ -18,6 +19,11 @@ class LinkNetwork::Outgoing final : public capnp::OutgoingRpcMessage {
   capnp::AnyPointer::Builder getBody() override { return message_.getRoot<capnp::AnyPointer>(); }
 
   void send() override {
+    // A peer that is shown more than it allows ends the link; the call alone is to fail. What
+    // throws here becomes the outcome of the call.
+    if (sizeInWords() * sizeof(capnp::word) > stream_.limits().messageBytes) {
+      kj::throwFatalException(remoteError(Errc::TooLarge));
+    }
     // The caller's last word on a call that has returned only frees memory at the peer.
     const bool finish = message_.getRoot<capnp::rpc::Message>().isFinish();
     stream_.write(message_.getSegmentsForOutput(),

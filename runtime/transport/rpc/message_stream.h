@@ -34,6 +34,8 @@ class MessageStream final : private EventPort::Output {
   MessageStream(EventPort& port, kj::AutoCloseFd socket, StreamLimits limits = {});
   ~MessageStream() noexcept(false);
 
+  const StreamLimits& limits() const { return limits_; }
+
   using Reading = kj::Promise<kj::Maybe<kj::Own<capnp::IncomingRpcMessage>>>;
   using Segments = kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>>;
 

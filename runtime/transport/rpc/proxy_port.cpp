@@ -40,12 +40,6 @@ void ProxyPort::close(ChannelStatus why) {
   channel_->ends.client->ring();
 }
 
-void ProxyPort::faulted() {
-  ChannelStatus expected = ChannelStatus::Connected;
-  channel_->status.compare_exchange_strong(expected, ChannelStatus::Faulted);
-  channel_->ends.client->ring();
-}
-
 // What has not happened yet would have a negative age.
 Time ProxyPort::here(std::int64_t stamp) const {
   const Time received = now();
@@ -116,7 +110,7 @@ void ProxyPort::transmit(const rt::CommandRecord& record) {
 void ProxyPort::returned(std::uint16_t command, std::uint32_t call, Errc error) {
   auto& counters = channel_->commands.counters;
   increment(error == Errc{} ? counters.executed : counters.failed);
-  if (error != Errc{} && call != 0) reply(call, 0, [error](std::byte*) { return error; });
+  if (error != Errc{} && call != 0) reply(call, {}, [error](std::byte*) { return error; });
   if (channel_->info.commands[command].latest && call == 0) {
     if (latestInFlight_-- == kWindow) pumpCommands();
   } else {

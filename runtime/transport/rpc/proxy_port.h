@@ -4,6 +4,7 @@
 
 #include <kj/async.h>
 #include <kj/refcount.h>
+#include <suture/base/shared_slot.h>
 #include <suture/component/channel.h>
 #include <suture/transport/rpc/binding.h>
 #include <suture/transport/rpc/control_thread.h>
@@ -36,8 +37,8 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
   /// The connection is over: the client is told `why`, calls under way end with their outcome
   /// unknown. May be called again.
   void close(ChannelStatus why);
-  /// The provider's component was parked.
-  void faulted();
+  /// How it stands with the provider's component.
+  void tell(ChannelStatus status) { channel_->tell(status); }
 
   // --- for generated code
 
@@ -48,8 +49,8 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
   template <class Slot, class Produce>
   void answer(std::uint32_t call, std::int64_t stamp, const Produce& produce) {
     reply(
-        call, sizeof(Slot),
-        [&](std::byte* slot) { return produce(*reinterpret_cast<Slot*>(slot)); }, here(stamp));
+        call, {slotSize<Slot>, ownsMemory<Slot>},
+        [&](std::byte* slot) { return produce(newSlot<Slot>(slot)); }, here(stamp));
   }
   template <class Slot, class Produce>
   void answer(std::uint32_t call, const Produce& produce) {
@@ -57,21 +58,25 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
   }
   /// Answers a call without a result; 0: nobody asked for an answer.
   void answer(std::uint32_t call) {
-    if (call != 0) reply(call, 0, [](std::byte*) { return Errc{}; });
+    if (call != 0) reply(call, {}, [](std::byte*) { return Errc{}; });
   }
 
   /// The slot of column `column` in the next row.
-  std::byte* column(unsigned column) { return channel_->state->draft(column); }
+  template <class Slot>
+  Slot& column(unsigned column) {
+    return newSlot<Slot>(channel_->state->draft(column));
+  }
   /// Publishes the columns in `valid`, and that those in `tooLarge` did not fit; `stamp` is on the
   /// provider's clock, ns.
   void publish(std::int64_t stamp, rt::ColumnSet valid, rt::ColumnSet tooLarge);
 
-  /// Hands an event to the client, unless its payload could not be converted. The promise is the
-  /// answer to the provider; see acknowledge().
-  template <class Slot>
-  kj::Promise<void> event(std::uint16_t event, Errc error, const Slot& payload) {
-    if (error != Errc{}) return remoteError(error);
-    push(event, std::as_bytes(std::span(&payload, 1)));
+  /// Hands an event to the client: `decode(Slot&)` converts the payload and returns an Errc. The
+  /// promise is the answer to the provider; see acknowledge().
+  template <class Slot, class Decode>
+  kj::Promise<void> event(std::uint16_t event, const Decode& decode) {
+    LooseSlot<Slot> payload;
+    if (const Errc error = decode(payload.value()); error != Errc{}) return remoteError(error);
+    push(event, payload.bytes());
     return acknowledge();
   }
   kj::Promise<void> event(std::uint16_t event) {
@@ -81,10 +86,9 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
 
  private:
   template <class Produce>
-  void reply(std::uint32_t call, std::size_t resultSize, const Produce& produce,
-             Time stamp = now()) {
+  void reply(std::uint32_t call, ResultForm form, const Produce& produce, Time stamp = now()) {
     if (closed_) return;
-    channel_->reply(call, resultSize, produce, stamp);
+    channel_->reply(call, form, produce, stamp);
     channel_->ends.client->ring();
   }
 

@@ -4,6 +4,14 @@
 #include <algorithm>
 
 namespace suture::rpc {
+namespace {
+
+/// What exceeds a message is lost alone; any other failure ends the subscription.
+void throwUnlessTooLarge(kj::Exception&& failure) {
+  if (errcOf(failure) != Errc::TooLarge) kj::throwFatalException(kj::mv(failure));
+}
+
+}  // namespace
 
 ServantPort::ServantPort(ControlThread& control, std::shared_ptr<Channel> channel, Duration shift,
                          std::shared_ptr<const LinkCounters> counters)
@@ -92,8 +100,7 @@ void ServantPort::pump() {
 }
 
 void ServantPort::pumpReplies() {
-  while (const std::byte* memory = channel_->replies.front()) {
-    const auto* reply = reinterpret_cast<const ReplyRecord*>(memory);
+  while (const ReplyRecord* const reply = channel_->nextReply()) {
     for (PendingCall& call : calls_) {
       if (call.number != reply->call || call.done.get() == nullptr) continue;
       if (reply->error == Errc{}) {
@@ -104,7 +111,7 @@ void ServantPort::pumpReplies() {
       }
       call = PendingCall{};
     }
-    channel_->replies.pop();
+    channel_->popReply();
   }
 }
 
@@ -124,16 +131,26 @@ void ServantPort::pumpEvents() {
     while (eventsInFlight_ < kWindow) {
       const rt::EventRecord* record = channel_->events.next();
       if (record == nullptr) return;
-      if ((events_ >> record->event & 1) != 0) {
-        ++eventsInFlight_;
-        sending_.add((*sink)->event(record->event, record->payload()).then([this] {
-          --eventsInFlight_;
-          pumpEvents();
-        }));
-      }
+      if ((events_ >> record->event & 1) != 0) sendEvent(**sink, *record);
       channel_->events.pop();
     }
   }
+}
+
+void ServantPort::sendEvent(EventSink& sink, const rt::EventRecord& record) {
+  ++eventsInFlight_;
+  sending_.add(sink.event(record.event, record.payload())
+                   .then([this] { eventSent(); },
+                         [this](kj::Exception&& failure) {
+                           throwUnlessTooLarge(kj::mv(failure));
+                           channel_->events.countDropped();
+                           eventSent();
+                         }));
+}
+
+void ServantPort::eventSent() {
+  --eventsInFlight_;
+  pumpEvents();
 }
 
 void ServantPort::pumpRow() {
@@ -143,31 +160,57 @@ void ServantPort::pumpRow() {
     lastRow_ = row.sequence;
     row.valid &= columns_;
     row.tooLarge &= columns_;
-    if ((row.valid | row.tooLarge) == 0) return;
-    ++rowsInFlight_;
-    sending_.add((*sink)->row(row, rowPointers_).then([this] {
-      --rowsInFlight_;
-      pumpRow();
-    }));
+    if ((row.valid | row.tooLarge) != 0) sendRow(**sink, row);
+    releaseRow();
+  }
+}
+
+void ServantPort::sendRow(EventSink& sink, const rt::StateTable::Row& row) {
+  ++rowsInFlight_;
+  sending_.add(sink.row(row, rowPointers_)
+                   .then(
+                       [this] {
+                         --rowsInFlight_;
+                         pumpRow();
+                       },
+                       [this, row](kj::Exception&& failure) {
+                         --rowsInFlight_;
+                         if (errcOf(failure) != Errc::TooLarge)
+                           kj::throwFatalException(kj::mv(failure));
+                         rt::StateTable::Row told = row;  // the client learns that much
+                         told.tooLarge |= std::exchange(told.valid, 0);
+                         KJ_IF_MAYBE (subscriber, sink_) sendRow(**subscriber, told);
+                       }));
+}
+
+void ServantPort::releaseRow() {
+  for (unsigned i = 0; i < rowPointers_.size(); ++i) {
+    if (rowPointers_[i] != nullptr && channel_->state->isShared(i)) {
+      releaseSharedSlot(rowPointers_[i]);
+    }
   }
 }
 
 void ServantPort::pumpStatus() {
   const ChannelStatus status = channel_->status.load(std::memory_order_acquire);
-  if (status == ChannelStatus::Connected || faultTold_) return;
-  faultTold_ = true;
+  if (status == told_) return;
+  told_ = status;
+  // A suspended provider answers what it was sent.
+  const Errc error = errorOf(status);
+  if (error != Errc{} && error != Errc::Suspended) failAll(error);
+  KJ_IF_MAYBE (listener, listener_) (*listener)->told(status);
+}
+
+void ServantPort::failAll(Errc error) {
   for (PendingCall& call : calls_) {
-    if (call.done.get() != nullptr) call.done->reject(remoteError(errorOf(status)));
+    if (call.done.get() != nullptr) call.done->reject(remoteError(error));
     call = PendingCall{};
   }
   for (auto& calls : taken_) {
     for (auto& call : calls) {
-      if (call.get() != nullptr) call->reject(remoteError(errorOf(status)));
+      if (call.get() != nullptr) call->reject(remoteError(error));
     }
     calls.clear();
-  }
-  KJ_IF_MAYBE (listener, listener_) {
-    status == ChannelStatus::Faulted ? (*listener)->faulted() : (*listener)->closed();
   }
 }
 

@@ -28,11 +28,10 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
  public:
   static constexpr unsigned kWindow = 4;
 
-  /// Told once each, when the provider's component is parked or has taken the connection down.
+  /// Told each change of how it stands with the provider's component.
   struct Listener {
     virtual ~Listener() noexcept(false) = default;
-    virtual void faulted() = 0;
-    virtual void closed() = 0;
+    virtual void told(ChannelStatus status) = 0;
   };
 
   /// `channel` has been, or is about to be, attached to the provider; its client doorbell is the
@@ -93,7 +92,10 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
     }
     const auto slot = channel_->commands.claim(command, stampOf(sent), call);
     if (!slot) return slot.error();
-    if (const Errc error = fill(*slot); error != Errc{}) return error;
+    if (const Errc error = fill(*slot); error != Errc{}) {
+      channel_->commands.abandon();
+      return error;
+    }
     channel_->commands.commit();
     channel_->ends.provider->ring();
     return Errc{};
@@ -109,7 +111,12 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
   void pumpReplies();
   void pumpEvents();
   void pumpRow();
+  void sendEvent(EventSink& sink, const rt::EventRecord& record);
+  void eventSent();
+  void sendRow(EventSink& sink, const rt::StateTable::Row& row);
+  void releaseRow();
   void pumpStatus();
+  void failAll(Errc error);
   void taskFailed(kj::Exception&& exception) override;
 
   ControlThread& control_;
@@ -118,7 +125,7 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
   const std::shared_ptr<const LinkCounters> counters_;
   kj::Maybe<kj::Own<Listener>> listener_;
   bool closed_ = false;
-  bool faultTold_ = false;
+  ChannelStatus told_ = ChannelStatus::Connected;
 
   std::vector<std::deque<Taken>>
       taken_;  // by command: calls that wait for their credit, oldest first

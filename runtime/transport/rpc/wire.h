@@ -43,13 +43,12 @@ inline void fill(wire::Sent::Builder sent, const rt::CommandRecord& record) {
 
 template <std::uint32_t N>
 void toWire(const BoundedText<N>& slot, capnp::Text::Builder out) {
-  std::copy_n(slot.data, out.size(), out.begin());
+  std::copy_n(elements(slot), out.size(), out.begin());
 }
 template <std::uint32_t N>
 Errc fromWire(capnp::Text::Reader in, BoundedText<N>& slot) {
-  if (in.size() > N) return Errc::TooLarge;
-  slot.size = static_cast<std::uint32_t>(in.size());
-  std::copy_n(in.begin(), in.size(), slot.data);
+  if (!resize(slot, in.size())) return Errc::TooLarge;
+  std::copy_n(in.begin(), in.size(), elements(slot));
   return Errc{};
 }
 
@@ -61,8 +60,7 @@ void toWireList(const BoundedList<Element, N>& slot, List out, const Convert& co
 }
 template <class List, class Element, std::uint32_t N, class Convert>
 Errc fromWireList(const List& in, BoundedList<Element, N>& slot, const Convert& convert) {
-  if (in.size() > N) return Errc::TooLarge;
-  slot.size = in.size();
+  if (!resize(slot, in.size())) return Errc::TooLarge;
   for (std::uint32_t i = 0; i < slot.size; ++i) {
     if (const Errc error = convert(in[i], slot.data[i]); error != Errc{}) return error;
   }
@@ -75,8 +73,7 @@ void toWire(const BoundedList<Element, N>& slot, List out) {
 }
 template <class List, Number Element, std::uint32_t N>
 Errc fromWire(const List& in, BoundedList<Element, N>& slot) {
-  if (in.size() > N) return Errc::TooLarge;
-  slot.size = in.size();
+  if (!resize(slot, in.size())) return Errc::TooLarge;
   for (std::uint32_t i = 0; i < slot.size; ++i) slot.data[i] = in[i];
   return Errc{};
 }
@@ -86,14 +83,13 @@ static_assert(std::endian::native == std::endian::little);
 
 template <Number Element, std::uint32_t N>
 void toWire(const BoundedList<Element, N>& slot, capnp::Data::Builder out) {
-  std::copy_n(reinterpret_cast<const kj::byte*>(slot.data), out.size(), out.begin());
+  std::copy_n(reinterpret_cast<const kj::byte*>(elements(slot)), out.size(), out.begin());
 }
 template <Number Element, std::uint32_t N>
 Errc fromWire(capnp::Data::Reader in, BoundedList<Element, N>& slot) {
   if (in.size() % sizeof(Element) != 0) return Errc::Invalid;
-  if (in.size() / sizeof(Element) > N) return Errc::TooLarge;
-  slot.size = static_cast<std::uint32_t>(in.size() / sizeof(Element));
-  std::copy_n(in.begin(), in.size(), reinterpret_cast<kj::byte*>(slot.data));
+  if (!resize(slot, in.size() / sizeof(Element))) return Errc::TooLarge;
+  std::copy_n(in.begin(), in.size(), reinterpret_cast<kj::byte*>(elements(slot)));
   return Errc{};
 }
 
@@ -169,7 +165,7 @@ bool allOf(const std::array<T, N>& slot, const Check& check) {
 }
 template <class T, std::uint32_t N, class Check>
 bool allOf(const BoundedList<T, N>& slot, const Check& check) {
-  return std::all_of(slot.data, slot.data + slot.size, check);
+  return std::all_of(elements(slot), elements(slot) + slot.size, check);
 }
 template <Number T, std::size_t N>
 bool isValid(const std::array<T, N>& slot) {

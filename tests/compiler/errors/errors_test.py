@@ -94,7 +94,7 @@ DIFFS = [
      r"lock_syntax.capnp:10: error: .*\[suture-lock-syntax\]"),
     ("schemas/lock_new/lock_new.capnp schemas/lock_new/lock_new.capnp", 0, "Nothing changed on the wire"),
     ("schemas/lock_new/lock_new.capnp schemas/warnings/warnings.capnp", 1,
-     "breaks: struct Sample is gone without a trace\n(?s:.*)recordings of the old version do not work"),
+     "breaks:  struct Sample is gone without a trace\n(?s:.*)recordings of the old version do not work"),
 ]
 
 

@@ -60,14 +60,20 @@ class Workstation(unittest.TestCase):
         self.assertIn("unknown key 'time_constnt'; did you mean 'time_constant'?", error)
 
     def test_unknown_interface(self):
-        error = self.error_of(system([ARM, TELEOP], [("p:Teleop/Slave", "p:PSM1/Amr")]))
+        error = self.error_of(system([ARM, TELEOP], [("p:Teleop/Slave", "p:PSM1/Amr"),
+                                                     ("p:Teleop/Master", "p:PSM1/Arm")]))
         self.assertIn("component 'PSM1' has provided interfaces 'Arm'", error)
         self.assertIn("Did you mean 'Arm'?", error)
+
+    def test_required_interface_without_a_connection(self):
+        error = self.error_of(system([ARM, TELEOP], [("p:Teleop/Slave", "p:PSM1/Arm")]))
+        self.assertIn("required interface 'p:Teleop/Master' (robots::Arm) has no provider", error)
 
     def test_contracts_that_differ(self):
         recorder = {"name": "R", "class": "Recorder",
                     "parameters": {"file": str(self.folder / "r.jsonl")}}
-        error = self.error_of(system([ARM, recorder], [("p:R/Teleoperation", "p:PSM1/Arm")]))
+        error = self.error_of(system([ARM, recorder], [("p:R/Teleoperation", "p:PSM1/Arm"),
+                                                       ("p:R/Arm", "p:PSM1/Arm")]))
         self.assertIn("it requires robots::Teleoperation and is offered robots::Arm", error)
 
     def test_process_that_must_be_named(self):

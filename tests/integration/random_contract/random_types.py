@@ -16,14 +16,18 @@ CHRONO = ["std::chrono::nanoseconds", "std::chrono::milliseconds", "std::chrono:
           "std::chrono::system_clock::time_point"]
 
 
-class Field:
-    """One member: its declaration and the capacity bounds that its annotation must state."""
+OPEN = 1 << 16  # of a level: its values have so many elements, but no capacity() says so
 
-    def __init__(self, name, type_, capacity=(), owns_heap=False):
-        self.name, self.type, self.capacity, self.owns_heap = name, type_, capacity, owns_heap
+
+class Field:
+    """One member: its declaration, and the bounds of its levels, which its annotation states unless they are OPEN."""
+
+    def __init__(self, name, type_, bounds=(), owns_heap=False):
+        self.name, self.type, self.bounds, self.owns_heap = name, type_, bounds, owns_heap
 
     def declaration(self):
-        annotation = f"SUTURE_FIELD(capacity({', '.join(map(str, self.capacity))})) " if self.capacity else ""
+        stated = [0 if bound & OPEN else bound for bound in self.bounds]
+        annotation = f"SUTURE_FIELD(capacity({', '.join(map(str, stated))})) " if any(stated) else ""
         return f"  {annotation}{self.type} {self.name}{{}};"
 
 
@@ -34,6 +38,7 @@ class Types:
         """`data_only`: also what a contract cannot carry by value, and base classes."""
         self.random = random.Random(seed)
         self.data_only = data_only
+        self.open = data_only or seed % 2 == 1  # some levels have no bounds, and only devices provide them
         self.bases = {}
         self.enums = [f"Choice{i}" for i in range(2)]
         self.optional = False
@@ -96,16 +101,19 @@ class Types:
         bounds = [] if element == "std::byte" else inner
         return f"{container}<{element}>", [self.random.randint(1, 3), *bounds], True
 
+    def some_open(self, bounds):
+        return [bound | OPEN if self.open and self.random.randrange(4) == 0 else bound for bound in bounds]
+
     def field(self, index):
         name = f"member_{index}"
         if self.random.randrange(2):
             while True:
                 type_, bounds, owns = self.nested(3)
                 if len(bounds) <= 8:
-                    return Field(name, type_, tuple(bounds), owns)
+                    return Field(name, type_, tuple(self.some_open(bounds)), owns)
         kind = self.random.randrange(6)
         if kind == 0:
-            return Field(name, "std::string", (self.random.randint(1, 40),), True)
+            return Field(name, "std::string", tuple(self.some_open([self.random.randint(1, 40)])), True)
         if kind == 1:
             return Field(name, f"std::array<{self.random.choice(NUMBERS)}, {self.random.randint(1, 9)}>")
         if kind == 2:
@@ -164,7 +172,7 @@ class Types:
             base = self.bases.get(name)
             lines += [f"  fill(static_cast<{base}&>(value), random);"] if base else []
             for field in fields:
-                lines.append(f"  constexpr unsigned {field.name}[] = {{{', '.join(map(str, [*field.capacity, 0]))}}};")
+                lines.append(f"  constexpr unsigned {field.name}[] = {{{', '.join(map(str, [*field.bounds, 0]))}}};")
                 lines.append(f"  Bounds bounds_{field.name} = {field.name};")
                 lines.append(f"  fill(value.{field.name}, random, bounds_{field.name});")
             lines += ["}", f"inline bool same(const {name}& a, const {name}& b) {{", "  return true"]
@@ -174,7 +182,9 @@ class Types:
         return "\n".join(lines + ["", "}  // namespace invented", ""])
 
     def program(self):
-        return PROGRAM.replace("@OVERRIDES@", "\n".join(self.override(name) for name in self.structs)) \
+        server = "public suture::Device" if self.open else "public suture::EventTask"
+        return PROGRAM.replace("@SERVER@", server).replace("@RUN@", "" if self.open else "  void run() override {}") \
+                      .replace("@OVERRIDES@", "\n".join(self.override(name) for name in self.structs)) \
                       .replace("@STORED@", "\n".join(f"  {name} {name}_;" for name in self.structs)) \
                       .replace("@SUBSCRIBE@", "\n".join(
                           f"    arm.on().got_{name}([this](const {name}& value) {{ {name}_ = value; ++events; }});\n"
@@ -232,14 +242,14 @@ namespace invented {
 
 using namespace std::chrono_literals;
 
-class Server final : public suture::EventTask, public Invented {
+class Server final : @SERVER@, public Invented {
  public:
 @OVERRIDES@
   std::uint32_t swaps() override { return swaps_; }
   void finish() override { port_.emit().finished(); }
 
  private:
-  void run() override {}
+@RUN@
 @STORED@
   std::uint32_t swaps_ = 0;
   suture::Provided<Invented> port_{*this, "Invented", *this};

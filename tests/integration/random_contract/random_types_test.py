@@ -25,8 +25,8 @@ def check(types, name):
     lines = ["  {", f'    RoundTrip<{name}, {name}Slot, wire::{name}> trip("{name}");',
              f"    checkAll(trip, random, {name}());"]
     for field in types.structs[name]:
-        if field.capacity:
-            bounds = ", ".join(map(str, field.capacity))
+        if field.bounds:
+            bounds = ", ".join(map(str, field.bounds))
             lines += [f"    trip.checkBeyond(random, []({name}& value, Random& source) {{",
                       f"      constexpr unsigned all[] = {{{bounds}}};", "      Bounds bounds = all;",
                       f"      fill(value.{field.name}, source, bounds);", "    });"]

@@ -1,6 +1,7 @@
 #pragma once
 // Random values of a type through its slot and its message, and back.
 
+#include <suture/base/shared_slot.h>
 #include <suture/transport/rpc/wire.h>
 
 #include <capnp/message.h>
@@ -26,7 +27,9 @@ inline void require(bool condition, const char* type, const char* what) {
 template <class Slot>
 std::unique_ptr<Slot> slotFullOf(int garbage) {
   auto slot = std::make_unique<Slot>();
-  std::memset(static_cast<void*>(slot.get()), garbage, sizeof(Slot));
+  if constexpr (!suture::ownsMemory<Slot>) {
+    std::memset(static_cast<void*>(slot.get()), garbage, sizeof(Slot));
+  }
   return slot;
 }
 

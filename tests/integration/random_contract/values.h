@@ -34,11 +34,18 @@ struct Random : std::mt19937_64 {
 
   explicit Random(std::uint64_t seed) : std::mt19937_64(seed) {}
 
-  std::size_t count(unsigned bound) {
+  /// Marks a bound that no capacity() states: what is there fits, however much it is.
+  static constexpr unsigned kOpen = 1u << 16;
+
+  std::size_t count(unsigned stated) {
+    const unsigned bound = stated % kOpen;
     switch (length) {
       case Length::Empty: return 0;
       case Length::Full: return bound;
-      case Length::Beyond: length = Length::Full; return bound + 1;
+      case Length::Beyond:
+        if (stated != bound) return 2 * bound;
+        length = Length::Full;
+        return bound + 1;
       case Length::Any: break;
     }
     return (*this)() % (bound + 1);

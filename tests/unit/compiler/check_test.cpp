@@ -128,6 +128,24 @@ TEST(Check, RecursionThroughAnotherType) {
   EXPECT_EQ(slugs(bad), Slugs{"recursive-type"});
 }
 
+TEST(Check, DevicesDoWithoutBounds) {
+  model::Header open = header();
+  open.structs[0].fields.push_back(field("name", text(std::nullopt)));
+  open.structs[0].fields.push_back(field("children", list(named("demo::Sample"), std::nullopt)));
+  open.components[0].base = model::ComponentBase::Device;
+  EXPECT_EQ(slugs(open), Slugs{});
+  open.components[0].base = model::ComponentBase::Task;
+  EXPECT_EQ(slugs(open), Slugs{"unbounded-contract"});
+}
+
+TEST(Check, TwoInterfacesOfOneContractAreJudgedOnce) {
+  model::Header open = header();
+  open.structs[0].fields.push_back(field("name", text(std::nullopt)));
+  open.components[0].ports.push_back(open.components[0].ports[0]);
+  open.components[0].ports[1].name = "Other";
+  EXPECT_EQ(slugs(open), Slugs{"unbounded-contract"});
+}
+
 TEST(Check, RecursionOutsideContractsIsFine) {
   model::Header fine = header();
   model::Struct tree;
@@ -147,7 +165,7 @@ TEST(Check, OneFallbackIsEnough) {
   EXPECT_EQ(slugs(bad), Slugs{"second-fallback"});
 }
 
-TEST(Check, MapsAndMatricesNeedBoundsInAContract) {
+TEST(Check, MapsAndMatricesNeedBoundsInATask) {
   using Shape = model::Type::Shape;
   model::Type map = list(number(), 3);
   map.shape = Shape::Map;

@@ -82,7 +82,15 @@ inline model::Event event(const std::string& name, model::Type type) {
   return result;
 }
 
-/// demo::Sample {double x} and demo::Contract {write move, read measured, event moved}.
+/// A task that requires the contract of header().
+inline model::Component task() {
+  model::Component result;
+  result.name = "demo::Task";
+  result.ports = {{"contract_", "Contract", "demo::Contract", false, false, {}, {}}};
+  return result;
+}
+
+/// demo::Sample {double x}, demo::Contract {write move, read measured, event moved}, and task().
 inline model::Header header() {
   model::Header result;
   result.path = "demo.h";
@@ -98,6 +106,7 @@ inline model::Header header() {
   contract.commands = {write("move", named("demo::Sample")), read("measured", number())};
   contract.events = {event("moved", number())};
   result.interfaces.push_back(contract);
+  result.components = {task()};
   return result;
 }
 

@@ -92,7 +92,7 @@ TEST(Deployment, EveryUnknownKeyIsTold) {
 TEST(Deployment, MissingKeySaysWhatItIs) {
   expectOnly(with(", \"class\": \"Mtm\"", ""),
              "d.json:7: error: key 'class' is missing; it is the name of a C++ class that the "
-             "program offers, without its namespace");
+             "program or the library offers, without its namespace");
 }
 
 TEST(Deployment, WrongTypeSaysWhatWasFound) {

@@ -162,6 +162,51 @@ TEST(Host, ComponentThatRefusesToExist) {
             "d.json:2: error: component 'R' of class 'Refusing' cannot be created: no such device");
 }
 
+/// A gripper that is not there.
+class Unplugged final : public suture::PeriodicTask {
+ public:
+  Unplugged() : PeriodicTask({.period = 1ms}) {}
+
+ private:
+  void onConfigure() override { throw std::runtime_error("no answer on /dev/ttyUSB7"); }
+  void run() override {}
+};
+
+TEST(Host, ComponentThatCannotBeConfigured) {
+  const std::array classes{ComponentClass{"Unplugged", createWithoutParameters<Unplugged>}};
+  const Deployment deployment = deploymentOf("{\"name\": \"U\", \"class\": \"Unplugged\"}");
+  Host host(deployment, "all", classes);
+  try {
+    host.start();
+    FAIL();
+  } catch (const DocumentError& error) {
+    EXPECT_STREQ(error.what(),
+                 "d.json:2: error: component 'U' of class 'Unplugged' cannot be configured: no "
+                 "answer on /dev/ttyUSB7");
+  }
+}
+
+TEST(Host, RequiredInterfaceWithoutAConnection) {
+  const auto problems = problemsOf(deploymentOf("{\"name\": \"C\", \"class\": \"Client\"}"));
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0],
+            "d.json:2: error: required interface 'all:C/Arm' (reference::ArmLike) has no provider; "
+            "add a connection {\"from\": \"all:C/Arm\", \"to\": ...}");
+}
+
+TEST(Host, OptionalInterfaceWithoutAConnection) {
+  const auto create = [](const JsonReader& in) {
+    std::unique_ptr<Component> client = createWithoutParameters<Client>(in);
+    suture::makeOptional(*client, {"Arm"});
+    return client;
+  };
+  const std::array classes{ComponentClass{"Client", create}};
+  const Deployment deployment = deploymentOf("{\"name\": \"C\", \"class\": \"Client\"}");
+  Host host(deployment, "all", classes);
+  host.start();
+  EXPECT_TRUE(host.troubles().empty());
+}
+
 TEST(Host, UnknownInterfaceNamesTheConnection) {
   const auto problems =
       problemsOf(deploymentOf("{\"name\": \"PSM\", \"class\": \"SimulatedArm\"},\n"

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "compiler/emit/component_library.h"
 #include "tests/unit/emit/sample_model.h"
 
 namespace suture::compiler::emit {
@@ -107,8 +108,8 @@ TEST_F(EmitTest, AContractOfNothingIsStillWellFormed) {
   EXPECT_FALSE(contains(text("robots/arm.suture.h"), "struct Events"));
 }
 
-TEST_F(EmitTest, UnboundedTypesHaveNoSlot) {
-  EXPECT_FALSE(contains(text("robots/simulated_arm.suture.h"), "ArmParametersSlot"));
+TEST_F(EmitTest, UnboundedTypesHaveASlotThatOwnsMemory) {
+  EXPECT_TRUE(contains(text("robots/simulated_arm.suture.h"), "  suture::OpenText "));
 }
 
 TEST_F(EmitTest, NumbersFollowTheLock) {
@@ -153,6 +154,58 @@ TEST_F(EmitTest, DescriptionSaysWhatTheTypesAre) {
   EXPECT_EQ(fields[10]["type"]["element"]["length"], 2);
   EXPECT_EQ(json["interfaces"][0]["commands"][1]["ttl"], 0.02);
   EXPECT_EQ(json["interfaces"][0]["events"][0]["latched"], true);
+}
+
+TEST_F(EmitTest, TheEntryPointListsTheComponentsOfAllOwnHeaders) {
+  model::Header other = model_.headers.back();
+  other.path = "robots/other_arm.h";
+  other.components[0].name = "robots::OtherArm";
+  model::Header foreign = other;
+  foreign.own = false;
+  foreign.components[0].name = "robots::ForeignArm";
+  model_.headers.push_back(other);
+  model_.headers.push_back(foreign);
+  const Artefact file = emitComponentLibrary(model_, "robots", "robots.components.cpp");
+  EXPECT_EQ(file.path, "robots.components.cpp");
+  EXPECT_EQ(file.text, R"(// Written by suturec for target robots. Do not edit.
+#include <suture/component/component_library.h>
+
+#include "robots/simulated_arm.suture.h"
+#include "robots/other_arm.suture.h"
+
+/// What a deployment finds when it names this library.
+extern "C" const suture::ComponentLibrary& suture_components() {
+  static const suture::ComponentClass kClasses[] = {
+      suture::componentClass<robots::SimulatedArm>(),
+      suture::componentClass<robots::OtherArm>(),
+  };
+  static const suture::ComponentLibrary kLibrary{.version = suture::kVersion, .classes = kClasses};
+  return kLibrary;
+}
+)");
+}
+
+TEST_F(EmitTest, TheEntryPointOfNoComponentsIsEmpty) {
+  const std::string text = emitComponentLibrary(model::Model{}, "none", "none.cpp").text;
+  EXPECT_FALSE(contains(text, "kClasses"));
+  EXPECT_TRUE(contains(text, ".classes = {}}"));
+}
+
+TEST_F(EmitTest, RequiredInterfacesMayBeOptional) {
+  model::Component& component = model_.headers.back().components[0];
+  const auto required = [](const std::string& name, bool optional) {
+    return model::Port{.member = name,
+                       .name = name,
+                       .interface = "robots::Arm",
+                       .optional = optional,
+                       .source = {}};
+  };
+  component.ports = {required("First", true), required("Second", false), required("Third", true)};
+  EXPECT_TRUE(contains(text("robots/simulated_arm.suture.cpp"),
+                       "            std::unique_ptr<Component> component(new "
+                       "robots::SimulatedArm(values));\n"
+                       "            makeOptional(*component, {\"First\", \"Third\"});\n"
+                       "            return component;\n"));
 }
 
 }  // namespace

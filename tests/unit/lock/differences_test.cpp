@@ -23,7 +23,7 @@ constexpr char kOld[] =
 struct Change {
   const char* from;  ///< in kOld, what becomes
   const char* to;
-  bool breaks;
+  Effect effect;
   const char* text;
 };
 
@@ -38,35 +38,41 @@ TEST_P(Differences, AreToldInWords) {
       differences(parse("old", std::string(kHead) + kOld), parse("new", std::string(kHead) + now));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].text, GetParam().text);
-  EXPECT_EQ(found[0].breaks, GetParam().breaks);
+  EXPECT_EQ(found[0].effect, GetParam().effect);
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Lock, Differences,
     testing::Values(
-        Change{"on @1;", "on @1; fast @2;", false,
+        Change{"on @1;", "on @1; fast @2;", Effect::Refusals,
                "'fast' of enum Mode is new; peers of before refuse a message that has it"},
-        Change{"x @0 ", "east @0 ", false, "'x' of struct Pose is called 'east' now"},
-        Change{"y @1 :Float64 = 2;", "removed1 @1 :Float64 = 2 $Meta.removed(\"y\");", false,
+        Change{"x @0 ", "east @0 ", Effect::None, "'x' of struct Pose is called 'east' now"},
+        Change{"y @1 :Float64 = 2;", "removed1 @1 :Float64 = 2 $Meta.removed(\"y\");", Effect::None,
                "'y' of struct Pose was removed; its place is kept"},
-        Change{"y @1 :Float64 = 2;\n", "y @1 :Float64 = 2; z @2 :Float64;\n", false,
+        Change{"y @1 :Float64 = 2;\n", "y @1 :Float64 = 2; z @2 :Float64;\n", Effect::None,
                "'z' of struct Pose is new"},
-        Change{"queue(4)", "queue(8)", false, "'move' of interface Arm: queue 8 instead of 4"},
-        Change{"goal :Pose)", "goal :Pose, speed :Float64)", false,
+        Change{"unit(\"m\")", "unit(\"m\") $Meta.range(lowest = 0, highest = 1)", Effect::Refusals,
+               "'x' of struct Pose: range (lowest = 0, highest = 1) instead of none; each side "
+               "refuses what lies outside its own"},
+        Change{"queue(4)", "queue(8)", Effect::None,
+               "'move' of interface Arm: queue 8 instead of 4"},
+        Change{"goal :Pose)", "goal :Pose, speed :Float64)", Effect::None,
                "parameter 'speed' of 'move' of interface Arm is new"},
-        Change{"unit(\"m\")", "unit(\"mm\")", true,
+        Change{"unit(\"m\")", "unit(\"mm\")", Effect::Break,
                "'x' of struct Pose: unit \"mm\" instead of \"m\""},
-        Change{"x @0 :Float64", "x @0 :Float32", true,
+        Change{"x @0 :Float64", "x @0 :Float32", Effect::Break,
                "'x' of struct Pose: type Float32 instead of Float64"},
-        Change{" = 2", " = 3", true, "'y' of struct Pose: default 3 instead of 2"},
-        Change{"  y @1 :Float64 = 2;\n", "", true, "'y' of struct Pose is gone without a trace"},
-        Change{"(goal :Pose)", "()", true, "parameter 'goal' of 'move' of interface Arm is gone"},
-        Change{"kind(\"write\")", "kind(\"void\")", true,
+        Change{" = 2", " = 3", Effect::Break, "'y' of struct Pose: default 3 instead of 2"},
+        Change{"  y @1 :Float64 = 2;\n", "", Effect::Break,
+               "'y' of struct Pose is gone without a trace"},
+        Change{"(goal :Pose)", "()", Effect::Break,
+               "parameter 'goal' of 'move' of interface Arm is gone"},
+        Change{"kind(\"write\")", "kind(\"void\")", Effect::Break,
                "'move' of interface Arm: kind \"void\" instead of \"write\""},
-        Change{"000004 {", "000004 $Meta.major(2) {", true,
+        Change{"000004 {", "000004 $Meta.major(2) {", Effect::Break,
                "interface Arm: major 2 instead of 1; peers of the two refuse each other"},
         Change{"move @0 (goal :Pose) -> () $Meta.kind(\"write\") $Meta.queue(4);",
-               "removed0 @0 (goal :Pose) -> () $Meta.removed(\"move\");", true,
+               "removed0 @0 (goal :Pose) -> () $Meta.removed(\"move\");", Effect::Break,
                "'move' of interface Arm was removed; who calls it is told so"}));
 
 TEST(Differences, ARenamedTypeIsTheSameWhereItIsUsed) {
@@ -76,7 +82,7 @@ TEST(Differences, ARenamedTypeIsTheSameWhereItIsUsed) {
       differences(parse("old", std::string(kHead) + kOld), parse("new", std::string(kHead) + now));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].text, "struct Pose is called Place now");
-  EXPECT_FALSE(found[0].breaks);
+  EXPECT_EQ(found[0].effect, Effect::None);
 }
 
 TEST(Differences, EqualFilesHaveNone) {

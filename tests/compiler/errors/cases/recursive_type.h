@@ -1,23 +1,14 @@
 #pragma once
+#include <demo/open.h>
 #include <suture/annotate.h>
-#include <map>
-#include <memory>
-#include <string>
-#include <vector>
+#include <suture/component/component.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
 namespace demo {
-struct SUTURE_TYPE() Node {
-  std::unique_ptr<Node> next;
+class SUTURE_COMPONENT() Registry : public suture::Device {
+  suture::Required<Forest> fine_{*this, "Fine"};
 };
-struct SUTURE_TYPE() Tree {
-  SUTURE_FIELD(capacity(2)) std::vector<Tree> children;
-};
-struct SUTURE_TYPE() Fine {
-  std::map<std::string, Fine> children;
-};
-class SUTURE_INTERFACE() Contract {
- public:
-  virtual ~Contract() = default;
-  SUTURE_COMMAND() virtual void put(const Node& node) = 0;
-  SUTURE_COMMAND() virtual const Tree& tree() const = 0;
+class SUTURE_COMPONENT() Planner : public suture::EventTask {
+  suture::Required<Forest> trees_{*this, "Trees"};
 };
 }  // namespace demo

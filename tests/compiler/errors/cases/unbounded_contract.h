@@ -1,16 +1,24 @@
 #pragma once
+#include <demo/open.h>
 #include <suture/annotate.h>
-#include <string>
-#include <vector>
+#include <suture/component/component.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
 namespace demo {
-struct SUTURE_TYPE() Joints {
-  SUTURE_FIELD(capacity(8)) std::vector<std::string> name;
+class SUTURE_COMPONENT() Speaker : public suture::Device {
+  suture::Required<Speech> fine_{*this, "Fine"};
 };
-class SUTURE_INTERFACE() Contract {
+class SUTURE_COMPONENT() Listener : public suture::EventTask {
+  suture::Required<Speech> first_{*this, "First"};
+  suture::Required<Speech> second_{*this, "Second"};
+};
+class SUTURE_COMPONENT() Robot : public suture::EventTask, public Speech {
  public:
-  SUTURE_COMMAND() virtual void move(const std::vector<Joints>& path) = 0;
-  SUTURE_COMMAND() virtual void say(SUTURE_FIELD(capacity(9)) const std::string& text) = 0;
-  SUTURE_COMMAND() virtual const Joints& measured() const = 0;
-  SUTURE_EVENT() suture::EventOf<std::string> said;
+  void move(const std::vector<Joints>& path) override;
+  void say(const std::string& text) override;
+  const Joints& measured() const override;
+
+ private:
+  suture::Provided<Speech> speech_{*this, "Speech", *this};
 };
 }  // namespace demo

@@ -57,13 +57,5 @@ TEST(Classes, WhatIsHiddenIsJudgedToo) {
   EXPECT_FALSE(Trip().accepts(value)) << "in a base";
 }
 
-TEST(Classes, WhatHoldsItselfHasASchemaAndNoSlot) {
-  capnp::MallocMessageBuilder message;
-  auto tree = message.initRoot<wire::Tree>();
-  tree.initChildren(2)[1].setValue(7);
-  tree.initShadow().initSome().setValue(8);
-  EXPECT_EQ(tree.asReader().getShadow().getSome().getValue(), 8);
-}
-
 }  // namespace
 }  // namespace shapes

@@ -36,6 +36,12 @@ struct SUTURE_TYPE() Message {
 struct SUTURE_TYPE() PsmParameters {
   double rate = 1000;
 };
+struct SUTURE_TYPE() Entry {
+  std::string text;
+};
+struct SUTURE_TYPE() Tree {
+  SUTURE_FIELD(capacity(4)) std::vector<Tree> branches;
+};
 struct SUTURE_TYPE() State {
   bool on = false;
 };
@@ -53,6 +59,16 @@ class SUTURE_INTERFACE() Arm {
  public:
   virtual ~Arm() = default;
   SUTURE_COMMAND() virtual void enable() = 0;
+};
+class SUTURE_INTERFACE() Archive {
+ public:
+  virtual ~Archive() = default;
+  SUTURE_COMMAND() virtual const Entry& newest() const = 0;
+};
+class SUTURE_INTERFACE() Forest {
+ public:
+  virtual ~Forest() = default;
+  SUTURE_COMMAND() virtual void plant(const Tree& tree) = 0;
 };
 class SUTURE_INTERFACE() Device {
  public:

@@ -25,6 +25,7 @@ using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
 using suture::load;
+using suture::newSlot;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::allOf;
@@ -36,6 +37,8 @@ using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
+using suture::slotIn;
+using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -71,57 +74,57 @@ constexpr CommandInfo kArmCommands[] = {
     {.name = "enable", .kind = CommandKind::Void, .depth = 4},
     {.name = "servo_cp",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(ArmServoCpArguments),
+     .argumentsSize = slotSize<ArmServoCpArguments>,
      .depth = 16,
      .latest = true,
      .ttl = Duration(20'000'000)},
     {.name = "set_speed",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(ArmSetSpeedArguments),
+     .argumentsSize = slotSize<ArmSetSpeedArguments>,
      .depth = 16},
     {.name = "measured_cp",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(PoseStampedSlot),
+     .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = 0},
     {.name = "mode",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(std::int8_t),
+     .resultSize = slotSize<std::int8_t>,
      .depth = 16,
      .column = 1},
     {.name = "everything",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(EverythingSlot),
+     .resultSize = slotSize<EverythingSlot>,
      .depth = 16,
      .column = 2},
     {.name = "inverse_kinematics",
      .kind = CommandKind::QualifiedRead,
-     .argumentsSize = sizeof(ArmInverseKinematicsArguments),
-     .resultSize = sizeof(EverythingSlot),
+     .argumentsSize = slotSize<ArmInverseKinematicsArguments>,
+     .resultSize = slotSize<EverythingSlot>,
      .depth = 16},
     {.name = "grasp",
      .kind = CommandKind::WriteReturn,
-     .argumentsSize = sizeof(ArmGraspArguments),
-     .resultSize = sizeof(std::uint8_t),
+     .argumentsSize = slotSize<ArmGraspArguments>,
+     .resultSize = slotSize<std::uint8_t>,
      .depth = 2,
      .deadline = Duration(50'000'000)},
     {.name = "next_token",
      .kind = CommandKind::VoidReturn,
-     .resultSize = sizeof(std::uint32_t),
+     .resultSize = slotSize<std::uint32_t>,
      .depth = 16},
     {.name = "park", .kind = CommandKind::Void, .depth = 16},
     {.name = "load",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(double),
+     .resultSize = slotSize<double>,
      .depth = 16,
      .column = 3},
 };
 
 constexpr EventInfo kArmEvents[] = {
-    {.name = "mode_changed", .payloadSize = sizeof(std::int8_t), .depth = 8, .latched = true},
+    {.name = "mode_changed", .payloadSize = slotSize<std::int8_t>, .depth = 8, .latched = true},
     {.name = "stopped", .depth = 16},
-    {.name = "arrived", .payloadSize = sizeof(PoseStampedSlot), .depth = 16},
-    {.name = "moved", .payloadSize = sizeof(ArmMovedPayload), .depth = 16, .latched = true},
+    {.name = "arrived", .payloadSize = slotSize<PoseStampedSlot>, .depth = 16},
+    {.name = "moved", .payloadSize = slotSize<ArmMovedPayload>, .depth = 16, .latched = true},
 };
 
 // The self-description, as in robots/arm.suture.json.
@@ -367,7 +370,7 @@ class ArmSink final : public suture::rpc::EventSink {
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
     switch (event) {
       case numberOf(ArmEvent::mode_changed): {
-        const auto& slot = *reinterpret_cast<const std::int8_t*>(payload);
+        const auto& slot = slotIn<std::int8_t>(payload);
         auto request = subscriber_.modeChangedRequest();
         request.setValue(wireMode(slot));
         return request.send().ignoreResult();
@@ -376,13 +379,13 @@ class ArmSink final : public suture::rpc::EventSink {
         return subscriber_.stoppedRequest().send().ignoreResult();
       }
       case numberOf(ArmEvent::arrived): {
-        const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(payload);
+        const auto& slot = slotIn<PoseStampedSlot>(payload);
         auto request = subscriber_.arrivedRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
       case numberOf(ArmEvent::moved): {
-        const auto& slot = *reinterpret_cast<const ArmMovedPayload*>(payload);
+        const auto& slot = slotIn<ArmMovedPayload>(payload);
         auto request = subscriber_.movedRequest();
         toWire(slot.value, request.initValue());
         request.setValue2(slot.value2);
@@ -401,19 +404,19 @@ class ArmSink final : public suture::rpc::EventSink {
     out.setEvaluated(row.valid);
     out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
-      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(columns[0]);
+      const auto& slot = slotIn<PoseStampedSlot>(columns[0]);
       toWire(slot, out.initMeasuredCp());
     }
     if (row.valid >> 1 & 1) {
-      const auto& slot = *reinterpret_cast<const std::int8_t*>(columns[1]);
+      const auto& slot = slotIn<std::int8_t>(columns[1]);
       out.setMode(wireMode(slot));
     }
     if (row.valid >> 2 & 1) {
-      const auto& slot = *reinterpret_cast<const EverythingSlot*>(columns[2]);
+      const auto& slot = slotIn<EverythingSlot>(columns[2]);
       toWire(slot, out.initEverything());
     }
     if (row.valid >> 3 & 1) {
-      const auto& slot = *reinterpret_cast<const double*>(columns[3]);
+      const auto& slot = slotIn<double>(columns[3]);
       out.setLoad(slot);
     }
     return request.send().ignoreResult();
@@ -444,7 +447,7 @@ class ArmServant final : public wire::Arm::Server {
   kj::Promise<void> servoCp(ServoCpContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<ArmServoCpArguments*>(memory);
+      auto& slot = newSlot<ArmServoCpArguments>(memory);
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
@@ -456,7 +459,7 @@ class ArmServant final : public wire::Arm::Server {
   kj::Promise<void> setSpeed(SetSpeedContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<ArmSetSpeedArguments*>(memory);
+      auto& slot = newSlot<ArmSetSpeedArguments>(memory);
       slot.speed = in.getSpeed();
       return isValid(slot.speed) ? Errc{} : Errc::Invalid;
     };
@@ -466,7 +469,7 @@ class ArmServant final : public wire::Arm::Server {
   kj::Promise<void> measuredCp(MeasuredCpContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(result);
+      const auto& slot = slotIn<PoseStampedSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -478,7 +481,7 @@ class ArmServant final : public wire::Arm::Server {
   kj::Promise<void> mode(ModeContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const std::int8_t*>(result);
+      const auto& slot = slotIn<std::int8_t>(result);
       auto out = context.getResults();
       out.setValue(wireMode(slot));
       out.setStamp(suture::toNanoseconds(stamp));
@@ -490,7 +493,7 @@ class ArmServant final : public wire::Arm::Server {
   kj::Promise<void> everything(EverythingContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const EverythingSlot*>(result);
+      const auto& slot = slotIn<EverythingSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -502,14 +505,14 @@ class ArmServant final : public wire::Arm::Server {
   kj::Promise<void> inverseKinematics(InverseKinematicsContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<ArmInverseKinematicsArguments*>(memory);
+      auto& slot = newSlot<ArmInverseKinematicsArguments>(memory);
       slot.tolerance = in.getTolerance();
       const Errc error = in.hasX() ? fromWire(in.getX(), slot.x, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
       return isValid(slot.x) && inRange(slot.tolerance, 0, 1) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const EverythingSlot*>(result);
+      const auto& slot = slotIn<EverythingSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
     };
@@ -519,14 +522,14 @@ class ArmServant final : public wire::Arm::Server {
   kj::Promise<void> grasp(GraspContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<ArmGraspArguments*>(memory);
+      auto& slot = newSlot<ArmGraspArguments>(memory);
       slot.width = in.getWidth();
       const Errc error = fromWire(in.getMode(), slot.mode);
       if (error != Errc{}) return error;
       return isValid(slot.width) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
+      const auto& slot = slotIn<std::uint8_t>(result);
       auto out = context.getResults();
       out.setValue(slot != 0);
     };
@@ -536,7 +539,7 @@ class ArmServant final : public wire::Arm::Server {
   kj::Promise<void> nextToken(NextTokenContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const std::uint32_t*>(result);
+      const auto& slot = slotIn<std::uint32_t>(result);
       auto out = context.getResults();
       out.setValue(slot);
     };
@@ -553,7 +556,7 @@ class ArmServant final : public wire::Arm::Server {
   kj::Promise<void> load(LoadContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const double*>(result);
+      const auto& slot = slotIn<double>(result);
       auto out = context.getResults();
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
@@ -578,24 +581,24 @@ class ArmReceiver final : public wire::ArmEvents::Server {
     auto in = context.getParams().getRow();
     suture::rt::ColumnSet valid = 0;
     if (in.getEvaluated() >> 0 & 1) {
-      auto& slot = *reinterpret_cast<PoseStampedSlot*>(port_->column(0));
+      auto& slot = port_->column<PoseStampedSlot>(0);
       const Errc error =
           in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
     }
     if (in.getEvaluated() >> 1 & 1) {
-      auto& slot = *reinterpret_cast<std::int8_t*>(port_->column(1));
+      auto& slot = port_->column<std::int8_t>(1);
       const Errc error = fromWire(in.getMode(), slot);
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
     }
     if (in.getEvaluated() >> 2 & 1) {
-      auto& slot = *reinterpret_cast<EverythingSlot*>(port_->column(2));
+      auto& slot = port_->column<EverythingSlot>(2);
       const Errc error =
           in.hasEverything() ? fromWire(in.getEverything(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 2;
     }
     if (in.getEvaluated() >> 3 & 1) {
-      auto& slot = *reinterpret_cast<double*>(port_->column(3));
+      auto& slot = port_->column<double>(3);
       slot = in.getLoad();
       valid |= suture::rt::ColumnSet{1} << 3;
     }
@@ -605,9 +608,9 @@ class ArmReceiver final : public wire::ArmEvents::Server {
 
   kj::Promise<void> modeChanged(ModeChangedContext context) override {
     auto in = context.getParams();
-    std::int8_t slot;
-    const Errc error = fromWire(in.getValue(), slot);
-    return port_->event(numberOf(ArmEvent::mode_changed), error, slot);
+    return port_->event<std::int8_t>(numberOf(ArmEvent::mode_changed), [&](std::int8_t& slot) {
+      return fromWire(in.getValue(), slot);
+    });
   }
 
   kj::Promise<void> stopped(StoppedContext) override {
@@ -616,21 +619,20 @@ class ArmReceiver final : public wire::ArmEvents::Server {
 
   kj::Promise<void> arrived(ArrivedContext context) override {
     auto in = context.getParams();
-    PoseStampedSlot slot;
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(ArmEvent::arrived), error, slot);
+    return port_->event<PoseStampedSlot>(numberOf(ArmEvent::arrived), [&](PoseStampedSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
   kj::Promise<void> moved(MovedContext context) override {
     auto in = context.getParams();
-    ArmMovedPayload slot;
-    slot.value2 = in.getValue2();
-    const Errc error = firstError({
-        in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid,
-        fromWire(in.getValue3(), slot.value3),
+    return port_->event<ArmMovedPayload>(numberOf(ArmEvent::moved), [&](ArmMovedPayload& slot) {
+      slot.value2 = in.getValue2();
+      return firstError({
+          in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid,
+          fromWire(in.getValue3(), slot.value3),
+      });
     });
-    return port_->event(numberOf(ArmEvent::moved), error, slot);
   }
 
  private:
@@ -659,14 +661,14 @@ class ArmProxy final : public suture::rpc::Proxy {
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmCommand::servo_cp: {
-        const auto& slot = *reinterpret_cast<const ArmServoCpArguments*>(record.arguments());
+        const auto& slot = slotIn<ArmServoCpArguments>(record.arguments());
         auto request = provider_.servoCpRequest();
         toWire(slot.goal, request.initGoal());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case ArmCommand::set_speed: {
-        const auto& slot = *reinterpret_cast<const ArmSetSpeedArguments*>(record.arguments());
+        const auto& slot = slotIn<ArmSetSpeedArguments>(record.arguments());
         auto request = provider_.setSpeedRequest();
         request.setSpeed(slot.speed);
         suture::rpc::fill(request.initSent(), record);
@@ -702,8 +704,7 @@ class ArmProxy final : public suture::rpc::Proxy {
         });
       }
       case ArmCommand::inverse_kinematics: {
-        const auto& slot =
-            *reinterpret_cast<const ArmInverseKinematicsArguments*>(record.arguments());
+        const auto& slot = slotIn<ArmInverseKinematicsArguments>(record.arguments());
         auto request = provider_.inverseKinematicsRequest();
         toWire(slot.x, request.initX());
         request.setTolerance(slot.tolerance);
@@ -716,7 +717,7 @@ class ArmProxy final : public suture::rpc::Proxy {
         });
       }
       case ArmCommand::grasp: {
-        const auto& slot = *reinterpret_cast<const ArmGraspArguments*>(record.arguments());
+        const auto& slot = slotIn<ArmGraspArguments>(record.arguments());
         auto request = provider_.graspRequest();
         request.setWidth(slot.width);
         request.setMode(wireMode(slot.mode));
@@ -808,48 +809,48 @@ Errc Provided<robots::Arm>::execute(std::uint16_t command, const std::byte* argu
       return Errc{};
     }
     case ArmCommand::servo_cp: {
-      const auto& slot = *reinterpret_cast<const robots::ArmServoCpArguments*>(arguments);
+      const auto& slot = slotIn<robots::ArmServoCpArguments>(arguments);
       load(slot.goal, scratch_.servo_cp_goal);
       implementation_.servo_cp(scratch_.servo_cp_goal);
       return Errc{};
     }
     case ArmCommand::set_speed: {
-      const auto& slot = *reinterpret_cast<const robots::ArmSetSpeedArguments*>(arguments);
+      const auto& slot = slotIn<robots::ArmSetSpeedArguments>(arguments);
       load(slot.speed, scratch_.set_speed_speed);
       implementation_.set_speed(scratch_.set_speed_speed);
       return Errc{};
     }
     case ArmCommand::measured_cp: {
-      auto& slot = *reinterpret_cast<robots::PoseStampedSlot*>(result);
+      auto& slot = newSlot<robots::PoseStampedSlot>(result);
       return store(implementation_.measured_cp(), slot) ? Errc{} : Errc::TooLarge;
     }
     case ArmCommand::mode: {
-      auto& slot = *reinterpret_cast<std::int8_t*>(result);
+      auto& slot = newSlot<std::int8_t>(result);
       return store(implementation_.mode(), slot) ? Errc{} : Errc::TooLarge;
     }
     case ArmCommand::everything: {
-      auto& slot = *reinterpret_cast<robots::EverythingSlot*>(result);
+      auto& slot = newSlot<robots::EverythingSlot>(result);
       return store(implementation_.everything(), slot) ? Errc{} : Errc::TooLarge;
     }
     case ArmCommand::inverse_kinematics: {
-      const auto& slot = *reinterpret_cast<const robots::ArmInverseKinematicsArguments*>(arguments);
+      const auto& slot = slotIn<robots::ArmInverseKinematicsArguments>(arguments);
       load(slot.x, scratch_.inverse_kinematics_x);
       load(slot.tolerance, scratch_.inverse_kinematics_tolerance);
-      auto& answer = *reinterpret_cast<robots::EverythingSlot*>(result);
+      auto& answer = newSlot<robots::EverythingSlot>(result);
       return store(implementation_.inverse_kinematics(scratch_.inverse_kinematics_x,
                                                       scratch_.inverse_kinematics_tolerance),
                    answer) ? Errc{} : Errc::TooLarge;
     }
     case ArmCommand::grasp: {
-      const auto& slot = *reinterpret_cast<const robots::ArmGraspArguments*>(arguments);
+      const auto& slot = slotIn<robots::ArmGraspArguments>(arguments);
       load(slot.width, scratch_.grasp_width);
       load(slot.mode, scratch_.grasp_mode);
-      auto& answer = *reinterpret_cast<std::uint8_t*>(result);
+      auto& answer = newSlot<std::uint8_t>(result);
       return store(implementation_.grasp(scratch_.grasp_width, scratch_.grasp_mode), answer)
           ? Errc{} : Errc::TooLarge;
     }
     case ArmCommand::next_token: {
-      auto& slot = *reinterpret_cast<std::uint32_t*>(result);
+      auto& slot = newSlot<std::uint32_t>(result);
       return store(implementation_.next_token(), slot) ? Errc{} : Errc::TooLarge;
     }
     case ArmCommand::park: {
@@ -857,7 +858,7 @@ Errc Provided<robots::Arm>::execute(std::uint16_t command, const std::byte* argu
       return Errc{};
     }
     case ArmCommand::load: {
-      auto& slot = *reinterpret_cast<double*>(result);
+      auto& slot = newSlot<double>(result);
       return store(implementation_.load(), slot) ? Errc{} : Errc::TooLarge;
     }
   }

@@ -33,6 +33,7 @@ using suture::CommandKind;
 using suture::Errc;
 using suture::EventInfo;
 using suture::load;
+using suture::newSlot;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::firstError;
@@ -40,6 +41,8 @@ using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
+using suture::slotIn;
+using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -47,22 +50,22 @@ namespace {
 constexpr CommandInfo kGripperCommands[] = {
     {.name = "open",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(GripperOpenArguments),
+     .argumentsSize = slotSize<GripperOpenArguments>,
      .depth = 16},
     {.name = "opening",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(double),
+     .resultSize = slotSize<double>,
      .depth = 16,
      .column = 4},
     {.name = "fits",
      .kind = CommandKind::QualifiedRead,
-     .argumentsSize = sizeof(GripperFitsArguments),
-     .resultSize = sizeof(std::uint8_t),
+     .argumentsSize = slotSize<GripperFitsArguments>,
+     .resultSize = slotSize<std::uint8_t>,
      .depth = 16},
 };
 
 constexpr EventInfo kGripperEvents[] = {
-    {.name = "gripped", .payloadSize = sizeof(GripperGrippedPayload), .depth = 16},
+    {.name = "gripped", .payloadSize = slotSize<GripperGrippedPayload>, .depth = 16},
 };
 
 // The self-description, as in robots/gripper.suture.json.
@@ -138,22 +141,22 @@ constexpr char kGripperDescription[] = R"json(
 constexpr CommandInfo kNamesCommands[] = {
     {.name = "queue",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(NamesQueueArguments),
+     .argumentsSize = slotSize<NamesQueueArguments>,
      .depth = 4},
     {.name = "name",
      .kind = CommandKind::WriteReturn,
-     .argumentsSize = sizeof(NamesNameArguments),
-     .resultSize = sizeof(std::uint8_t),
+     .argumentsSize = slotSize<NamesNameArguments>,
+     .resultSize = slotSize<std::uint8_t>,
      .depth = 16},
     {.name = "range",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(double),
+     .resultSize = slotSize<double>,
      .depth = 16,
      .column = 0},
 };
 
 constexpr EventInfo kNamesEvents[] = {
-    {.name = "latched", .payloadSize = sizeof(double), .depth = 16, .latched = true},
+    {.name = "latched", .payloadSize = slotSize<double>, .depth = 16, .latched = true},
 };
 
 // The self-description, as in robots/gripper.suture.json.
@@ -203,7 +206,7 @@ class GripperSink final : public suture::rpc::EventSink {
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
     switch (event) {
       case numberOf(ArmEvent::mode_changed): {
-        const auto& slot = *reinterpret_cast<const std::int8_t*>(payload);
+        const auto& slot = slotIn<std::int8_t>(payload);
         auto request = subscriber_.modeChangedRequest();
         request.setValue(wireMode(slot));
         return request.send().ignoreResult();
@@ -212,13 +215,13 @@ class GripperSink final : public suture::rpc::EventSink {
         return subscriber_.stoppedRequest().send().ignoreResult();
       }
       case numberOf(ArmEvent::arrived): {
-        const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(payload);
+        const auto& slot = slotIn<PoseStampedSlot>(payload);
         auto request = subscriber_.arrivedRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
       case numberOf(ArmEvent::moved): {
-        const auto& slot = *reinterpret_cast<const ArmMovedPayload*>(payload);
+        const auto& slot = slotIn<ArmMovedPayload>(payload);
         auto request = subscriber_.movedRequest();
         toWire(slot.value, request.initValue());
         request.setValue2(slot.value2);
@@ -226,7 +229,7 @@ class GripperSink final : public suture::rpc::EventSink {
         return request.send().ignoreResult();
       }
       case numberOf(GripperEvent::gripped): {
-        const auto& slot = *reinterpret_cast<const GripperGrippedPayload*>(payload);
+        const auto& slot = slotIn<GripperGrippedPayload>(payload);
         auto request = subscriber_.grippedRequest();
         request.setValue(slot.value);
         request.setValue2(slot.value2 != 0);
@@ -244,23 +247,23 @@ class GripperSink final : public suture::rpc::EventSink {
     out.setEvaluated(row.valid);
     out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
-      const auto& slot = *reinterpret_cast<const PoseStampedSlot*>(columns[0]);
+      const auto& slot = slotIn<PoseStampedSlot>(columns[0]);
       toWire(slot, out.initMeasuredCp());
     }
     if (row.valid >> 1 & 1) {
-      const auto& slot = *reinterpret_cast<const std::int8_t*>(columns[1]);
+      const auto& slot = slotIn<std::int8_t>(columns[1]);
       out.setMode(wireMode(slot));
     }
     if (row.valid >> 2 & 1) {
-      const auto& slot = *reinterpret_cast<const EverythingSlot*>(columns[2]);
+      const auto& slot = slotIn<EverythingSlot>(columns[2]);
       toWire(slot, out.initEverything());
     }
     if (row.valid >> 3 & 1) {
-      const auto& slot = *reinterpret_cast<const double*>(columns[3]);
+      const auto& slot = slotIn<double>(columns[3]);
       out.setLoad(slot);
     }
     if (row.valid >> 4 & 1) {
-      const auto& slot = *reinterpret_cast<const double*>(columns[4]);
+      const auto& slot = slotIn<double>(columns[4]);
       out.setOpening(slot);
     }
     return request.send().ignoreResult();
@@ -295,7 +298,7 @@ class GripperServant final : public wire::Gripper::Server {
   kj::Promise<void> open(OpenContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<GripperOpenArguments*>(memory);
+      auto& slot = newSlot<GripperOpenArguments>(memory);
       slot.width = in.getWidth();
       return isValid(slot.width) ? Errc{} : Errc::Invalid;
     };
@@ -305,7 +308,7 @@ class GripperServant final : public wire::Gripper::Server {
   kj::Promise<void> opening(OpeningContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const double*>(result);
+      const auto& slot = slotIn<double>(result);
       auto out = context.getResults();
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
@@ -317,12 +320,12 @@ class GripperServant final : public wire::Gripper::Server {
   kj::Promise<void> fits(FitsContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<GripperFitsArguments*>(memory);
+      auto& slot = newSlot<GripperFitsArguments>(memory);
       slot.width = in.getWidth();
       return isValid(slot.width) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
+      const auto& slot = slotIn<std::uint8_t>(result);
       auto out = context.getResults();
       out.setValue(slot != 0);
     };
@@ -346,29 +349,29 @@ class GripperReceiver final : public wire::GripperEvents::Server {
     auto in = context.getParams().getRow();
     suture::rt::ColumnSet valid = 0;
     if (in.getEvaluated() >> 0 & 1) {
-      auto& slot = *reinterpret_cast<PoseStampedSlot*>(port_->column(0));
+      auto& slot = port_->column<PoseStampedSlot>(0);
       const Errc error =
           in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
     }
     if (in.getEvaluated() >> 1 & 1) {
-      auto& slot = *reinterpret_cast<std::int8_t*>(port_->column(1));
+      auto& slot = port_->column<std::int8_t>(1);
       const Errc error = fromWire(in.getMode(), slot);
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
     }
     if (in.getEvaluated() >> 2 & 1) {
-      auto& slot = *reinterpret_cast<EverythingSlot*>(port_->column(2));
+      auto& slot = port_->column<EverythingSlot>(2);
       const Errc error =
           in.hasEverything() ? fromWire(in.getEverything(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 2;
     }
     if (in.getEvaluated() >> 3 & 1) {
-      auto& slot = *reinterpret_cast<double*>(port_->column(3));
+      auto& slot = port_->column<double>(3);
       slot = in.getLoad();
       valid |= suture::rt::ColumnSet{1} << 3;
     }
     if (in.getEvaluated() >> 4 & 1) {
-      auto& slot = *reinterpret_cast<double*>(port_->column(4));
+      auto& slot = port_->column<double>(4);
       slot = in.getOpening();
       valid |= suture::rt::ColumnSet{1} << 4;
     }
@@ -378,9 +381,9 @@ class GripperReceiver final : public wire::GripperEvents::Server {
 
   kj::Promise<void> modeChanged(ModeChangedContext context) override {
     auto in = context.getParams();
-    std::int8_t slot;
-    const Errc error = fromWire(in.getValue(), slot);
-    return port_->event(numberOf(ArmEvent::mode_changed), error, slot);
+    return port_->event<std::int8_t>(numberOf(ArmEvent::mode_changed), [&](std::int8_t& slot) {
+      return fromWire(in.getValue(), slot);
+    });
   }
 
   kj::Promise<void> stopped(StoppedContext) override {
@@ -389,30 +392,30 @@ class GripperReceiver final : public wire::GripperEvents::Server {
 
   kj::Promise<void> arrived(ArrivedContext context) override {
     auto in = context.getParams();
-    PoseStampedSlot slot;
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(ArmEvent::arrived), error, slot);
+    return port_->event<PoseStampedSlot>(numberOf(ArmEvent::arrived), [&](PoseStampedSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
   kj::Promise<void> moved(MovedContext context) override {
     auto in = context.getParams();
-    ArmMovedPayload slot;
-    slot.value2 = in.getValue2();
-    const Errc error = firstError({
-        in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid,
-        fromWire(in.getValue3(), slot.value3),
+    return port_->event<ArmMovedPayload>(numberOf(ArmEvent::moved), [&](ArmMovedPayload& slot) {
+      slot.value2 = in.getValue2();
+      return firstError({
+          in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid,
+          fromWire(in.getValue3(), slot.value3),
+      });
     });
-    return port_->event(numberOf(ArmEvent::moved), error, slot);
   }
 
   kj::Promise<void> gripped(GrippedContext context) override {
     auto in = context.getParams();
-    GripperGrippedPayload slot;
-    slot.value = in.getValue();
-    slot.value2 = in.getValue2();
-    const Errc error = Errc{};
-    return port_->event(numberOf(GripperEvent::gripped), error, slot);
+    return port_->event<GripperGrippedPayload>(numberOf(GripperEvent::gripped),
+                                               [&](GripperGrippedPayload& slot) {
+      slot.value = in.getValue();
+      slot.value2 = in.getValue2();
+      return Errc{};
+    });
   }
 
  private:
@@ -438,7 +441,7 @@ class GripperProxy final : public suture::rpc::Proxy {
   kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
     switch (static_cast<GripperCommand>(record.command)) {
       case GripperCommand::open: {
-        const auto& slot = *reinterpret_cast<const GripperOpenArguments*>(record.arguments());
+        const auto& slot = slotIn<GripperOpenArguments>(record.arguments());
         auto request = provider_.openRequest();
         request.setWidth(slot.width);
         suture::rpc::fill(request.initSent(), record);
@@ -455,7 +458,7 @@ class GripperProxy final : public suture::rpc::Proxy {
         });
       }
       case GripperCommand::fits: {
-        const auto& slot = *reinterpret_cast<const GripperFitsArguments*>(record.arguments());
+        const auto& slot = slotIn<GripperFitsArguments>(record.arguments());
         auto request = provider_.fitsRequest();
         request.setWidth(slot.width);
         suture::rpc::fill(request.initSent(), record);
@@ -505,7 +508,7 @@ class NamesSink final : public suture::rpc::EventSink {
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
     switch (event) {
       case numberOf(NamesEvent::latched): {
-        const auto& slot = *reinterpret_cast<const double*>(payload);
+        const auto& slot = slotIn<double>(payload);
         auto request = subscriber_.latchedRequest();
         request.setValue(slot);
         return request.send().ignoreResult();
@@ -522,7 +525,7 @@ class NamesSink final : public suture::rpc::EventSink {
     out.setEvaluated(row.valid);
     out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
-      const auto& slot = *reinterpret_cast<const double*>(columns[0]);
+      const auto& slot = slotIn<double>(columns[0]);
       out.setRange(slot);
     }
     return request.send().ignoreResult();
@@ -547,7 +550,7 @@ class NamesServant final : public wire::Names::Server {
   kj::Promise<void> queue(QueueContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<NamesQueueArguments*>(memory);
+      auto& slot = newSlot<NamesQueueArguments>(memory);
       slot.name = in.getName();
       return Errc{};
     };
@@ -557,7 +560,7 @@ class NamesServant final : public wire::Names::Server {
   kj::Promise<void> title(TitleContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<NamesNameArguments*>(memory);
+      auto& slot = newSlot<NamesNameArguments>(memory);
       slot.range = in.getRange();
       slot.slot = in.getSlot();
       slot.store = in.getStore();
@@ -565,7 +568,7 @@ class NamesServant final : public wire::Names::Server {
           Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = *reinterpret_cast<const std::uint8_t*>(result);
+      const auto& slot = slotIn<std::uint8_t>(result);
       auto out = context.getResults();
       out.setValue(slot != 0);
     };
@@ -575,7 +578,7 @@ class NamesServant final : public wire::Names::Server {
   kj::Promise<void> range(RangeContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const double*>(result);
+      const auto& slot = slotIn<double>(result);
       auto out = context.getResults();
       out.setValue(slot);
       out.setStamp(suture::toNanoseconds(stamp));
@@ -600,7 +603,7 @@ class NamesReceiver final : public wire::NamesEvents::Server {
     auto in = context.getParams().getRow();
     suture::rt::ColumnSet valid = 0;
     if (in.getEvaluated() >> 0 & 1) {
-      auto& slot = *reinterpret_cast<double*>(port_->column(0));
+      auto& slot = port_->column<double>(0);
       slot = in.getRange();
       valid |= suture::rt::ColumnSet{1} << 0;
     }
@@ -610,10 +613,10 @@ class NamesReceiver final : public wire::NamesEvents::Server {
 
   kj::Promise<void> latched(LatchedContext context) override {
     auto in = context.getParams();
-    double slot;
-    slot = in.getValue();
-    const Errc error = Errc{};
-    return port_->event(numberOf(NamesEvent::latched), error, slot);
+    return port_->event<double>(numberOf(NamesEvent::latched), [&](double& slot) {
+      slot = in.getValue();
+      return Errc{};
+    });
   }
 
  private:
@@ -637,14 +640,14 @@ class NamesProxy final : public suture::rpc::Proxy {
   kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
     switch (static_cast<NamesCommand>(record.command)) {
       case NamesCommand::queue: {
-        const auto& slot = *reinterpret_cast<const NamesQueueArguments*>(record.arguments());
+        const auto& slot = slotIn<NamesQueueArguments>(record.arguments());
         auto request = provider_.queueRequest();
         request.setName(slot.name);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case NamesCommand::name: {
-        const auto& slot = *reinterpret_cast<const NamesNameArguments*>(record.arguments());
+        const auto& slot = slotIn<NamesNameArguments>(record.arguments());
         auto request = provider_.titleRequest();
         request.setRange(slot.range);
         request.setSlot(slot.slot);
@@ -737,19 +740,19 @@ Errc Provided<robots::Gripper>::execute(std::uint16_t command, const std::byte* 
   using ::robots::GripperCommand;
   switch (static_cast<GripperCommand>(command)) {
     case GripperCommand::open: {
-      const auto& slot = *reinterpret_cast<const robots::GripperOpenArguments*>(arguments);
+      const auto& slot = slotIn<robots::GripperOpenArguments>(arguments);
       load(slot.width, scratch_.open_width);
       implementation_.open(scratch_.open_width);
       return Errc{};
     }
     case GripperCommand::opening: {
-      auto& slot = *reinterpret_cast<double*>(result);
+      auto& slot = newSlot<double>(result);
       return store(implementation_.opening(), slot) ? Errc{} : Errc::TooLarge;
     }
     case GripperCommand::fits: {
-      const auto& slot = *reinterpret_cast<const robots::GripperFitsArguments*>(arguments);
+      const auto& slot = slotIn<robots::GripperFitsArguments>(arguments);
       load(slot.width, scratch_.fits_width);
-      auto& answer = *reinterpret_cast<std::uint8_t*>(result);
+      auto& answer = newSlot<std::uint8_t>(result);
       return store(implementation_.fits(scratch_.fits_width), answer) ? Errc{} : Errc::TooLarge;
     }
   }
@@ -761,22 +764,22 @@ Errc Provided<robots::Names>::execute(std::uint16_t command, const std::byte* ar
   using ::robots::NamesCommand;
   switch (static_cast<NamesCommand>(command)) {
     case NamesCommand::queue: {
-      const auto& slot = *reinterpret_cast<const robots::NamesQueueArguments*>(arguments);
+      const auto& slot = slotIn<robots::NamesQueueArguments>(arguments);
       load(slot.name, scratch_.queue_name);
       implementation_.queue(scratch_.queue_name);
       return Errc{};
     }
     case NamesCommand::name: {
-      const auto& slot = *reinterpret_cast<const robots::NamesNameArguments*>(arguments);
+      const auto& slot = slotIn<robots::NamesNameArguments>(arguments);
       load(slot.range, scratch_.name_range);
       load(slot.slot, scratch_.name_slot);
       load(slot.store, scratch_.name_store);
-      auto& answer = *reinterpret_cast<std::uint8_t*>(result);
+      auto& answer = newSlot<std::uint8_t>(result);
       return store(implementation_.name(scratch_.name_range, scratch_.name_slot,
                                         scratch_.name_store), answer) ? Errc{} : Errc::TooLarge;
     }
     case NamesCommand::range: {
-      auto& slot = *reinterpret_cast<double*>(result);
+      auto& slot = newSlot<double>(result);
       return store(implementation_.range(), slot) ? Errc{} : Errc::TooLarge;
     }
   }

@@ -2,10 +2,30 @@
 #include "robots/simulated_arm.suture.h"
 
 #include <suture/component/json_reader.h>
+#include <suture/transport/rpc/wire.h>
 
 #include <type_traits>
 
+#include "robots/simulated_arm.capnp.h"
+
+// Defined in robots/arm.suture.cpp.
 namespace robots {
+wire::Mode wireMode(std::int8_t slot);
+suture::Errc fromWire(wire::Mode in, std::int8_t& slot);
+}  // namespace robots
+
+namespace robots {
+
+using suture::Duration;
+using suture::Errc;
+using suture::load;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::store;
+
 namespace {
 
 // What this compiler sees must be what suturec read.
@@ -14,6 +34,41 @@ static_assert(std::is_same_v<decltype(ArmParameters::name), std::string>);
 static_assert(std::is_same_v<decltype(ArmParameters::start), Mode>);
 
 }  // namespace
+
+bool store(const ArmParameters& value, ArmParametersSlot& slot) {
+  bool fits = true;
+  fits &= store(value.rate, slot.rate);
+  fits &= store(value.name, slot.name);
+  fits &= store(value.start, slot.start);
+  return fits;
+}
+
+void load(const ArmParametersSlot& slot, ArmParameters& value) {
+  load(slot.rate, value.rate);
+  load(slot.name, value.name);
+  load(slot.start, value.start);
+}
+
+// --- between slots and Cap'n Proto
+
+void toWire(const ArmParametersSlot& slot, wire::ArmParameters::Builder out) {
+  out.setRate(slot.rate);
+  toWire(slot.name, out.initName(slot.name.size));
+  out.setStart(wireMode(slot.start));
+}
+
+Errc fromWire(wire::ArmParameters::Reader in, ArmParametersSlot& slot, Duration) {
+  slot.rate = in.getRate();
+  return firstError({
+      fromWire(in.getName(), slot.name),
+      fromWire(in.getStart(), slot.start),
+  });
+}
+
+bool isValid(const ArmParametersSlot& slot) {
+  return inRange(slot.rate, 1, 4000);
+}
+
 }  // namespace robots
 
 namespace robots {

@@ -1,6 +1,7 @@
 // Written by suturec from robots/simulated_arm.h. Do not edit.
 #pragma once
 
+#include <suture/base/slot_forms.h>
 #include <suture/component/component_class.h>
 
 #include "robots/simulated_arm.h"
@@ -11,6 +12,16 @@ class JsonReader;
 }
 
 namespace robots {
+
+/// How a simulated arm behaves.
+struct ArmParametersSlot {
+  double rate;  // Hz
+  suture::OpenText name;
+  std::int8_t start;  // Mode
+};
+
+bool store(const ArmParameters& value, ArmParametersSlot& slot);
+void load(const ArmParametersSlot& slot, ArmParameters& value);
 
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, ArmParameters& value);

@@ -17,6 +17,7 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::load;
+using suture::newSlot;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::allOf;
@@ -27,6 +28,8 @@ using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
+using suture::slotIn;
+using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -42,11 +45,11 @@ static_assert(std::is_same_v<decltype(View::points), std::vector<cv::Point3d>>);
 constexpr CommandInfo kCameraCommands[] = {
     {.name = "aim",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(CameraAimArguments),
+     .argumentsSize = slotSize<CameraAimArguments>,
      .depth = 16},
     {.name = "view",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(ViewSlot),
+     .resultSize = slotSize<ViewSlot>,
      .depth = 16,
      .column = 0},
 };
@@ -179,7 +182,7 @@ class CameraSink final : public suture::rpc::EventSink {
     out.setEvaluated(row.valid);
     out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
-      const auto& slot = *reinterpret_cast<const ViewSlot*>(columns[0]);
+      const auto& slot = slotIn<ViewSlot>(columns[0]);
       toWire(slot, out.initView());
     }
     return request.send().ignoreResult();
@@ -204,7 +207,7 @@ class CameraServant final : public wire::Camera::Server {
   kj::Promise<void> aim(AimContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<CameraAimArguments*>(memory);
+      auto& slot = newSlot<CameraAimArguments>(memory);
       const Errc error = in.hasAt() ? fromWire(in.getAt(), slot.at, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
       return isValid(slot.at) ? Errc{} : Errc::Invalid;
@@ -215,7 +218,7 @@ class CameraServant final : public wire::Camera::Server {
   kj::Promise<void> view(ViewContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const ViewSlot*>(result);
+      const auto& slot = slotIn<ViewSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -240,7 +243,7 @@ class CameraReceiver final : public wire::CameraEvents::Server {
     auto in = context.getParams().getRow();
     suture::rt::ColumnSet valid = 0;
     if (in.getEvaluated() >> 0 & 1) {
-      auto& slot = *reinterpret_cast<ViewSlot*>(port_->column(0));
+      auto& slot = port_->column<ViewSlot>(0);
       const Errc error =
           in.hasView() ? fromWire(in.getView(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
@@ -270,7 +273,7 @@ class CameraProxy final : public suture::rpc::Proxy {
   kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
     switch (static_cast<CameraCommand>(record.command)) {
       case CameraCommand::aim: {
-        const auto& slot = *reinterpret_cast<const CameraAimArguments*>(record.arguments());
+        const auto& slot = slotIn<CameraAimArguments>(record.arguments());
         auto request = provider_.aimRequest();
         toWire(slot.at, request.initAt());
         suture::rpc::fill(request.initSent(), record);
@@ -337,13 +340,13 @@ Errc Provided<foreign::Camera>::execute(std::uint16_t command, const std::byte* 
   using ::foreign::CameraCommand;
   switch (static_cast<CameraCommand>(command)) {
     case CameraCommand::aim: {
-      const auto& slot = *reinterpret_cast<const foreign::CameraAimArguments*>(arguments);
+      const auto& slot = slotIn<foreign::CameraAimArguments>(arguments);
       load(slot.at, scratch_.aim_at);
       implementation_.aim(scratch_.aim_at);
       return Errc{};
     }
     case CameraCommand::view: {
-      auto& slot = *reinterpret_cast<foreign::ViewSlot*>(result);
+      auto& slot = newSlot<foreign::ViewSlot>(result);
       return store(implementation_.view(), slot) ? Errc{} : Errc::TooLarge;
     }
   }

@@ -113,6 +113,20 @@ void load(const CounterSlot& slot, Counter& value) {
   load(slot.count_, suture::Members<Counter>::count_(value));
 }
 
+bool store(const Tree& value, TreeSlot& slot) {
+  bool fits = true;
+  fits &= store(value.value, slot.value);
+  fits &= store(value.children, slot.children);
+  fits &= store(value.shadow, slot.shadow);
+  return fits;
+}
+
+void load(const TreeSlot& slot, Tree& value) {
+  load(slot.value, value.value);
+  load(slot.children, value.children);
+  load(slot.shadow, value.shadow);
+}
+
 bool store(const Classes& value, ClassesSlot& slot) {
   bool fits = true;
   fits &= store(value.tool, slot.tool);
@@ -132,6 +146,10 @@ void load(const ClassesSlot& slot, Classes& value) {
 }
 
 // --- between slots and Cap'n Proto
+
+void toWire(const TreeSlot& slot, wire::Tree::Builder out);
+suture::Errc fromWire(wire::Tree::Reader in, TreeSlot& slot, suture::Duration shift);
+bool isValid(const TreeSlot& slot);
 
 void toWire(const NamedSlot& slot, wire::Named::Builder out) {
   toWire(slot.name, out.initName(slot.name.size));
@@ -202,6 +220,46 @@ Errc fromWire(wire::Counter::Reader in, CounterSlot& slot, Duration) {
 
 bool isValid(const CounterSlot& slot) {
   return inRange(slot.count_, 0, 100);
+}
+
+void toWire(const suture::OpenOptional<TreeSlot>& slot,
+            wire::ShapesClassesOptionalTree::Builder out) {
+  if (slot.present == 0) return out.setNone();
+  toWire(*slot.value, out.initSome());
+}
+
+Errc fromWire(wire::ShapesClassesOptionalTree::Reader in, suture::OpenOptional<TreeSlot>& slot,
+              Duration shift) {
+  if (in.isNone()) return slot.present = 0, Errc{};
+  if (!in.isSome()) return Errc::Invalid;
+  engage(slot);
+  return in.hasSome() ? fromWire(in.getSome(), *slot.value, shift) : Errc::Invalid;
+}
+
+void toWire(const TreeSlot& slot, wire::Tree::Builder out) {
+  out.setValue(slot.value);
+  toWireList(slot.children, out.initChildren(slot.children.size),
+             [](const TreeSlot& element, auto list, std::uint32_t i) {
+               toWire(element, list[i]);
+             });
+  toWire(slot.shadow, out.initShadow());
+}
+
+Errc fromWire(wire::Tree::Reader in, TreeSlot& slot, Duration shift) {
+  slot.value = in.getValue();
+  return firstError({
+      fromWireList(in.getChildren(), slot.children, [&](auto item, TreeSlot& target) {
+        return fromWire(item, target, shift);
+      }),
+      fromWire(in.getShadow(), slot.shadow, shift),
+  });
+}
+
+bool isValid(const TreeSlot& slot) {
+  if (!allOf(slot.children, [](const TreeSlot& element) { return isValid(element); })) {
+    return false;
+  }
+  return isValid(slot.shadow);
 }
 
 void toWire(const ClassesSlot& slot, wire::Classes::Builder out) {

@@ -18,6 +18,8 @@ struct Members<shapes::Counter> {
 
 namespace shapes {
 
+struct TreeSlot;
+
 /// A base.
 struct NamedSlot {
   suture::BoundedText<8> name;
@@ -60,6 +62,16 @@ struct CounterSlot {
 
 bool store(const Counter& value, CounterSlot& slot);
 void load(const CounterSlot& slot, Counter& value);
+
+/// Holds itself: legal where no slot is needed.
+struct TreeSlot {
+  std::int32_t value;
+  suture::OpenList<TreeSlot> children;
+  suture::OpenOptional<TreeSlot> shadow;
+};
+
+bool store(const Tree& value, TreeSlot& slot);
+void load(const TreeSlot& slot, Tree& value);
 
 /// Everything above that has bounds.
 struct ClassesSlot {

@@ -18,6 +18,7 @@ using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
 using suture::load;
+using suture::newSlot;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::allOf;
@@ -29,6 +30,8 @@ using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
+using suture::slotIn;
+using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -93,36 +96,38 @@ static_assert(std::is_same_v<decltype(Matrices::wait),
 constexpr CommandInfo kStoreCommands[] = {
     {.name = "put",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(StorePutArguments),
+     .argumentsSize = slotSize<StorePutArguments>,
      .depth = 16},
     {.name = "choose",
      .kind = CommandKind::Write,
-     .argumentsSize = sizeof(StoreChooseArguments),
+     .argumentsSize = slotSize<StoreChooseArguments>,
      .depth = 16},
     {.name = "sequences",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(SequencesSlot),
+     .resultSize = slotSize<SequencesSlot>,
      .depth = 16,
      .column = 0},
     {.name = "choices",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(ChoicesSlot),
+     .resultSize = slotSize<ChoicesSlot>,
      .depth = 16,
      .column = 1},
     {.name = "matrices",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(MatricesSlot),
+     .resultSize = slotSize<MatricesSlot>,
      .depth = 16,
      .column = 2},
     {.name = "reading",
      .kind = CommandKind::Read,
-     .resultSize = sizeof(suture::SlotTuple<double, std::int16_t>),
+     .resultSize = slotSize<suture::SlotTuple<double, std::int16_t>>,
      .depth = 16,
      .column = 3},
 };
 
 constexpr EventInfo kStoreEvents[] = {
-    {.name = "changed", .payloadSize = sizeof(suture::SlotVariant<double, PointSlot>), .depth = 16},
+    {.name = "changed",
+     .payloadSize = slotSize<suture::SlotVariant<double, PointSlot>>,
+     .depth = 16},
 };
 
 // The self-description, as in shapes/containers.suture.json.
@@ -858,8 +863,7 @@ class StoreSink final : public suture::rpc::EventSink {
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
     switch (event) {
       case numberOf(StoreEvent::changed): {
-        const auto& slot =
-            *reinterpret_cast<const suture::SlotVariant<double, PointSlot>*>(payload);
+        const auto& slot = slotIn<suture::SlotVariant<double, PointSlot>>(payload);
         auto request = subscriber_.changedRequest();
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
@@ -876,20 +880,19 @@ class StoreSink final : public suture::rpc::EventSink {
     out.setEvaluated(row.valid);
     out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
-      const auto& slot = *reinterpret_cast<const SequencesSlot*>(columns[0]);
+      const auto& slot = slotIn<SequencesSlot>(columns[0]);
       toWire(slot, out.initSequences());
     }
     if (row.valid >> 1 & 1) {
-      const auto& slot = *reinterpret_cast<const ChoicesSlot*>(columns[1]);
+      const auto& slot = slotIn<ChoicesSlot>(columns[1]);
       toWire(slot, out.initChoices());
     }
     if (row.valid >> 2 & 1) {
-      const auto& slot = *reinterpret_cast<const MatricesSlot*>(columns[2]);
+      const auto& slot = slotIn<MatricesSlot>(columns[2]);
       toWire(slot, out.initMatrices());
     }
     if (row.valid >> 3 & 1) {
-      const auto& slot =
-          *reinterpret_cast<const suture::SlotTuple<double, std::int16_t>*>(columns[3]);
+      const auto& slot = slotIn<suture::SlotTuple<double, std::int16_t>>(columns[3]);
       toWire(slot, out.initReading());
     }
     return request.send().ignoreResult();
@@ -914,7 +917,7 @@ class StoreServant final : public wire::Store::Server {
   kj::Promise<void> put(PutContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<StorePutArguments*>(memory);
+      auto& slot = newSlot<StorePutArguments>(memory);
       const Errc error =
           in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
@@ -926,7 +929,7 @@ class StoreServant final : public wire::Store::Server {
   kj::Promise<void> choose(ChooseContext context) override {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
-      auto& slot = *reinterpret_cast<StoreChooseArguments*>(memory);
+      auto& slot = newSlot<StoreChooseArguments>(memory);
       const Errc error = fromWire(in.getGain(), slot.gain, port_->shift());
       if (error != Errc{}) return error;
       return isValid(slot.gain) ? Errc{} : Errc::Invalid;
@@ -937,7 +940,7 @@ class StoreServant final : public wire::Store::Server {
   kj::Promise<void> sequences(SequencesContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const SequencesSlot*>(result);
+      const auto& slot = slotIn<SequencesSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -949,7 +952,7 @@ class StoreServant final : public wire::Store::Server {
   kj::Promise<void> choices(ChoicesContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const ChoicesSlot*>(result);
+      const auto& slot = slotIn<ChoicesSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -961,7 +964,7 @@ class StoreServant final : public wire::Store::Server {
   kj::Promise<void> matrices(MatricesContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const MatricesSlot*>(result);
+      const auto& slot = slotIn<MatricesSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -973,7 +976,7 @@ class StoreServant final : public wire::Store::Server {
   kj::Promise<void> reading(ReadingContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = *reinterpret_cast<const suture::SlotTuple<double, std::int16_t>*>(result);
+      const auto& slot = slotIn<suture::SlotTuple<double, std::int16_t>>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -998,25 +1001,25 @@ class StoreReceiver final : public wire::StoreEvents::Server {
     auto in = context.getParams().getRow();
     suture::rt::ColumnSet valid = 0;
     if (in.getEvaluated() >> 0 & 1) {
-      auto& slot = *reinterpret_cast<SequencesSlot*>(port_->column(0));
+      auto& slot = port_->column<SequencesSlot>(0);
       const Errc error =
           in.hasSequences() ? fromWire(in.getSequences(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
     }
     if (in.getEvaluated() >> 1 & 1) {
-      auto& slot = *reinterpret_cast<ChoicesSlot*>(port_->column(1));
+      auto& slot = port_->column<ChoicesSlot>(1);
       const Errc error =
           in.hasChoices() ? fromWire(in.getChoices(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
     }
     if (in.getEvaluated() >> 2 & 1) {
-      auto& slot = *reinterpret_cast<MatricesSlot*>(port_->column(2));
+      auto& slot = port_->column<MatricesSlot>(2);
       const Errc error =
           in.hasMatrices() ? fromWire(in.getMatrices(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 2;
     }
     if (in.getEvaluated() >> 3 & 1) {
-      auto& slot = *reinterpret_cast<suture::SlotTuple<double, std::int16_t>*>(port_->column(3));
+      auto& slot = port_->column<suture::SlotTuple<double, std::int16_t>>(3);
       const Errc error =
           in.hasReading() ? fromWire(in.getReading(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 3;
@@ -1027,10 +1030,10 @@ class StoreReceiver final : public wire::StoreEvents::Server {
 
   kj::Promise<void> changed(ChangedContext context) override {
     auto in = context.getParams();
-    suture::SlotVariant<double, PointSlot> slot;
-    const Errc error =
-        in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    return port_->event(numberOf(StoreEvent::changed), error, slot);
+    return port_->event<suture::SlotVariant<double, PointSlot>>(numberOf(StoreEvent::changed),
+                                                                [&](suture::SlotVariant<double, PointSlot>& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
   }
 
  private:
@@ -1054,14 +1057,14 @@ class StoreProxy final : public suture::rpc::Proxy {
   kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
     switch (static_cast<StoreCommand>(record.command)) {
       case StoreCommand::put: {
-        const auto& slot = *reinterpret_cast<const StorePutArguments*>(record.arguments());
+        const auto& slot = slotIn<StorePutArguments>(record.arguments());
         auto request = provider_.putRequest();
         toWire(slot.value, request.initValue());
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
       case StoreCommand::choose: {
-        const auto& slot = *reinterpret_cast<const StoreChooseArguments*>(record.arguments());
+        const auto& slot = slotIn<StoreChooseArguments>(record.arguments());
         auto request = provider_.chooseRequest();
         toWire(slot.gain, request.initGain());
         suture::rpc::fill(request.initSent(), record);
@@ -1159,31 +1162,31 @@ Errc Provided<shapes::Store>::execute(std::uint16_t command, const std::byte* ar
   using ::shapes::StoreCommand;
   switch (static_cast<StoreCommand>(command)) {
     case StoreCommand::put: {
-      const auto& slot = *reinterpret_cast<const shapes::StorePutArguments*>(arguments);
+      const auto& slot = slotIn<shapes::StorePutArguments>(arguments);
       load(slot.value, scratch_.put_value);
       implementation_.put(scratch_.put_value);
       return Errc{};
     }
     case StoreCommand::choose: {
-      const auto& slot = *reinterpret_cast<const shapes::StoreChooseArguments*>(arguments);
+      const auto& slot = slotIn<shapes::StoreChooseArguments>(arguments);
       load(slot.gain, scratch_.choose_gain);
       implementation_.choose(scratch_.choose_gain);
       return Errc{};
     }
     case StoreCommand::sequences: {
-      auto& slot = *reinterpret_cast<shapes::SequencesSlot*>(result);
+      auto& slot = newSlot<shapes::SequencesSlot>(result);
       return store(implementation_.sequences(), slot) ? Errc{} : Errc::TooLarge;
     }
     case StoreCommand::choices: {
-      auto& slot = *reinterpret_cast<shapes::ChoicesSlot*>(result);
+      auto& slot = newSlot<shapes::ChoicesSlot>(result);
       return store(implementation_.choices(), slot) ? Errc{} : Errc::TooLarge;
     }
     case StoreCommand::matrices: {
-      auto& slot = *reinterpret_cast<shapes::MatricesSlot*>(result);
+      auto& slot = newSlot<shapes::MatricesSlot>(result);
       return store(implementation_.matrices(), slot) ? Errc{} : Errc::TooLarge;
     }
     case StoreCommand::reading: {
-      auto& slot = *reinterpret_cast<suture::SlotTuple<double, std::int16_t>*>(result);
+      auto& slot = newSlot<suture::SlotTuple<double, std::int16_t>>(result);
       return store(implementation_.reading(), slot) ? Errc{} : Errc::TooLarge;
     }
   }

@@ -1,0 +1,14 @@
+// Written by suturec for target loadable. Do not edit.
+#include <suture/component/component_library.h>
+
+#include "loadable/parts.suture.h"
+
+/// What a deployment finds when it names this library.
+extern "C" const suture::ComponentLibrary& suture_components() {
+  static const suture::ComponentClass kClasses[] = {
+      suture::componentClass<loadable::Platter>(),
+      suture::componentClass<loadable::Hand>(),
+  };
+  static const suture::ComponentLibrary kLibrary{.version = suture::kVersion, .classes = kClasses};
+  return kLibrary;
+}

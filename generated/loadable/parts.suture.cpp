@@ -1,0 +1,89 @@
+// Written by suturec from loadable/parts.h. Do not edit.
+#include "loadable/parts.suture.h"
+
+#include <suture/component/json_reader.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "loadable/parts.capnp.h"
+
+namespace loadable {
+
+using suture::Duration;
+using suture::Errc;
+using suture::load;
+using suture::rpc::fromWire;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::store;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<decltype(PlatterParameters::angle), double>);
+
+}  // namespace
+
+bool store(const PlatterParameters& value, PlatterParametersSlot& slot) {
+  bool fits = true;
+  fits &= store(value.angle, slot.angle);
+  return fits;
+}
+
+void load(const PlatterParametersSlot& slot, PlatterParameters& value) {
+  load(slot.angle, value.angle);
+}
+
+// --- between slots and Cap'n Proto
+
+void toWire(const PlatterParametersSlot& slot, wire::PlatterParameters::Builder out) {
+  out.setAngle(slot.angle);
+}
+
+Errc fromWire(wire::PlatterParameters::Reader in, PlatterParametersSlot& slot, Duration) {
+  slot.angle = in.getAngle();
+  return Errc{};
+}
+
+bool isValid(const PlatterParametersSlot& slot) {
+  return isValid(slot.angle);
+}
+
+}  // namespace loadable
+
+namespace loadable {
+
+void fromJson(const suture::JsonReader& in, PlatterParameters& value) {
+  suture::JsonReader reader = in;
+  reader.field("angle", value.angle);
+  reader.finish();
+}
+
+}  // namespace loadable
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<loadable::Platter>() {
+  return {"Platter", [](const JsonReader& parameters) -> std::unique_ptr<Component> {
+            loadable::PlatterParameters values;
+            fromJson(parameters, values);
+            if (parameters.failed()) return nullptr;
+            return std::unique_ptr<Component>(new loadable::Platter(values));
+          }};
+}
+
+template <>
+ComponentClass componentClass<loadable::Hand>() {
+  return {"Hand", [](const JsonReader& parameters) -> std::unique_ptr<Component> {
+            JsonReader none = parameters;
+            none.finish();
+            if (parameters.failed()) return nullptr;
+            std::unique_ptr<Component> component(new loadable::Hand());
+            makeOptional(*component, {"Other"});
+            return component;
+          }};
+}
+
+}  // namespace suture

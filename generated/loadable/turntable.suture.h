@@ -1,0 +1,83 @@
+// Written by suturec from loadable/turntable.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "loadable/turntable.h"
+
+namespace loadable {
+
+// --- Turntable: the arguments of its commands ---
+
+struct TurntableTurnArguments {
+  double angle;  // rad
+};
+
+bool store(const double& angle, TurntableTurnArguments& slot);
+
+/// The numbers of Turntable's commands in every table and record.
+enum class TurntableCommand : std::uint16_t {
+  turn,
+  angle,
+};
+
+}  // namespace loadable
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<loadable::Turntable>();
+
+/// What a client of loadable::Turntable calls.
+template <>
+class Required<loadable::Turntable> : public RequiredBase {
+  using Contract = loadable::Turntable;
+  using Id = loadable::TurntableCommand;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+  Command<&Contract::turn, loadable::TurntableTurnArguments> turn{
+      *this, static_cast<std::uint16_t>(Id::turn)};
+  ReadCommand<&Contract::angle, double> angle{*this, static_cast<std::uint16_t>(Id::angle)};
+
+ protected:
+  // Of a contract that derives from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+};
+
+/// What serves loadable::Turntable from a component.
+template <>
+class Provided<loadable::Turntable> : public ProvidedBase {
+  using Contract = loadable::Turntable;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+ protected:
+  // Of a contract that derives from this one: `whole` points to its implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  // Reused by every command, so that what they own is allocated once.
+  struct Scratch {
+    double turn_angle;
+  };
+
+  Contract& implementation_;
+  Scratch scratch_{};
+};
+
+}  // namespace suture

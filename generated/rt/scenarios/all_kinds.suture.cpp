@@ -1,0 +1,1077 @@
+// Written by suturec from rt/scenarios/all_kinds.h. Do not edit.
+#include "rt/scenarios/all_kinds.suture.h"
+
+#include <suture/transport/rpc/binding.h>
+#include <suture/transport/rpc/proxy_port.h>
+#include <suture/transport/rpc/servant_port.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "rt/scenarios/all_kinds.capnp.h"
+
+// Defined in robot_types/pose.suture.cpp.
+namespace robots {
+void toWire(const PosePrmSlot& slot, wire::PosePrm::Builder out);
+suture::Errc fromWire(wire::PosePrm::Reader in, PosePrmSlot& slot, suture::Duration shift);
+bool isValid(const PosePrmSlot& slot);
+}  // namespace robots
+
+namespace scenarios {
+
+using suture::CommandInfo;
+using suture::CommandKind;
+using suture::Errc;
+using suture::EventInfo;
+using suture::newSlot;
+using suture::rpc::ProxyPort;
+using suture::rpc::ServantPort;
+using suture::rpc::fromWire;
+using suture::rpc::isValid;
+using suture::rpc::numberOf;
+using suture::rpc::toWire;
+using suture::slotIn;
+using suture::slotSize;
+using suture::store;
+
+namespace {
+
+constexpr CommandInfo kAllKindsCommands[] = {
+    {.name = "clear", .kind = CommandKind::Void, .depth = 16},
+    {.name = "set_scalar",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<AllKindsSetScalarArguments>,
+     .depth = 16},
+    {.name = "set_vector",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<AllKindsSetVectorArguments>,
+     .depth = 16},
+    {.name = "set_record",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<AllKindsSetRecordArguments>,
+     .depth = 16},
+    {.name = "set_text",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<AllKindsSetTextArguments>,
+     .depth = 16},
+    {.name = "scalar",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<double>,
+     .depth = 16,
+     .column = 0},
+    {.name = "vector",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<std::array<double, 3>>,
+     .depth = 16,
+     .column = 1},
+    {.name = "record",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<robots::PosePrmSlot>,
+     .depth = 16,
+     .column = 2},
+    {.name = "text",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<suture::BoundedText<31>>,
+     .depth = 16,
+     .column = 3},
+    {.name = "twice_scalar",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = slotSize<AllKindsTwiceScalarArguments>,
+     .resultSize = slotSize<double>,
+     .depth = 16},
+    {.name = "twice_vector",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = slotSize<AllKindsTwiceVectorArguments>,
+     .resultSize = slotSize<std::array<double, 3>>,
+     .depth = 16},
+    {.name = "twice_record",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = slotSize<AllKindsTwiceRecordArguments>,
+     .resultSize = slotSize<robots::PosePrmSlot>,
+     .depth = 16},
+    {.name = "twice_text",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = slotSize<AllKindsTwiceTextArguments>,
+     .resultSize = slotSize<suture::BoundedText<31>>,
+     .depth = 16},
+    {.name = "take_scalar",
+     .kind = CommandKind::VoidReturn,
+     .resultSize = slotSize<double>,
+     .depth = 16},
+    {.name = "take_vector",
+     .kind = CommandKind::VoidReturn,
+     .resultSize = slotSize<std::array<double, 3>>,
+     .depth = 16},
+    {.name = "take_record",
+     .kind = CommandKind::VoidReturn,
+     .resultSize = slotSize<robots::PosePrmSlot>,
+     .depth = 16},
+    {.name = "take_text",
+     .kind = CommandKind::VoidReturn,
+     .resultSize = slotSize<suture::BoundedText<31>>,
+     .depth = 16},
+    {.name = "swap_scalar",
+     .kind = CommandKind::WriteReturn,
+     .argumentsSize = slotSize<AllKindsSwapScalarArguments>,
+     .resultSize = slotSize<double>,
+     .depth = 16},
+    {.name = "swap_vector",
+     .kind = CommandKind::WriteReturn,
+     .argumentsSize = slotSize<AllKindsSwapVectorArguments>,
+     .resultSize = slotSize<std::array<double, 3>>,
+     .depth = 16},
+    {.name = "swap_record",
+     .kind = CommandKind::WriteReturn,
+     .argumentsSize = slotSize<AllKindsSwapRecordArguments>,
+     .resultSize = slotSize<robots::PosePrmSlot>,
+     .depth = 16},
+    {.name = "swap_text",
+     .kind = CommandKind::WriteReturn,
+     .argumentsSize = slotSize<AllKindsSwapTextArguments>,
+     .resultSize = slotSize<suture::BoundedText<31>>,
+     .depth = 16},
+};
+
+constexpr EventInfo kAllKindsEvents[] = {
+    {.name = "cleared", .depth = 16},
+    {.name = "scalar_set", .payloadSize = slotSize<double>, .depth = 16},
+    {.name = "vector_set", .payloadSize = slotSize<std::array<double, 3>>, .depth = 16},
+    {.name = "record_set", .payloadSize = slotSize<robots::PosePrmSlot>, .depth = 16},
+    {.name = "text_set", .payloadSize = slotSize<suture::BoundedText<31>>, .depth = 16},
+};
+
+// The self-description, as in rt/scenarios/all_kinds.suture.json.
+constexpr char kAllKindsDescription[] = R"json(
+{"name": "scenarios::AllKinds", "hash": "6c3eb0727bcc74c29cb02c916019eb6c", "commands": [{
+"name": "clear", "kind": "void", "doc": "Forgets all values. void", "queue": 16}, {
+"name": "set_scalar", "kind": "write", "wire": "setScalar",
+"doc": "Write: keep a value and tell it.", "parameters": [{"name": "value", "type": {
+"kind": "Float64"}}], "queue": 16}, {"name": "set_vector", "kind": "write", "wire": "setVector",
+"parameters": [{"name": "value", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
+"columns": 1}}], "queue": 16}, {"name": "set_record", "kind": "write", "wire": "setRecord",
+"parameters": [{"name": "value", "type": {"kind": "struct", "name": "robots::PosePrm"}}],
+"queue": 16}, {"name": "set_text", "kind": "write", "wire": "setText", "parameters": [{
+"name": "value", "type": {"kind": "text", "capacity": 31}}], "queue": 16}, {"name": "scalar",
+"kind": "read", "doc": "Read: the value kept.", "result": {"type": {"kind": "Float64"}}, "queue": 16
+}, {"name": "vector", "kind": "read", "result": {"type": {"kind": "matrix", "scalar": "Float64",
+"rows": 3, "columns": 1}}, "queue": 16}, {"name": "record", "kind": "read", "result": {"type": {
+"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}, {"name": "text", "kind": "read",
+"result": {"type": {"kind": "text", "capacity": 31}}, "queue": 16}, {"name": "twice_scalar",
+"kind": "qualified read", "wire": "twiceScalar", "doc": "Qualified read: twice the value given.",
+"parameters": [{"name": "value", "type": {"kind": "Float64"}}], "result": {"type": {
+"kind": "Float64"}}, "queue": 16}, {"name": "twice_vector", "kind": "qualified read",
+"wire": "twiceVector", "parameters": [{"name": "value", "type": {"kind": "matrix",
+"scalar": "Float64", "rows": 3, "columns": 1}}], "result": {"type": {"kind": "matrix",
+"scalar": "Float64", "rows": 3, "columns": 1}}, "queue": 16}, {"name": "twice_record",
+"kind": "qualified read", "wire": "twiceRecord", "parameters": [{"name": "value", "type": {
+"kind": "struct", "name": "robots::PosePrm"}}], "result": {"type": {"kind": "struct",
+"name": "robots::PosePrm"}}, "queue": 16}, {"name": "twice_text", "kind": "qualified read",
+"wire": "twiceText", "parameters": [{"name": "value", "type": {"kind": "text", "capacity": 15}}],
+"result": {"type": {"kind": "text", "capacity": 31}}, "queue": 16}, {"name": "take_scalar",
+"kind": "void with return", "wire": "takeScalar",
+"doc": "Void with return: the value kept, and forgets it.", "result": {"type": {"kind": "Float64"}
+}, "queue": 16}, {"name": "take_vector", "kind": "void with return", "wire": "takeVector",
+"result": {"type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}}, "queue": 16},
+{"name": "take_record", "kind": "void with return", "wire": "takeRecord", "result": {"type": {
+"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}, {"name": "take_text",
+"kind": "void with return", "wire": "takeText", "result": {"type": {"kind": "text", "capacity": 31}
+}, "queue": 16}, {"name": "swap_scalar", "kind": "write with return", "wire": "swapScalar",
+"doc": "Write with return: keep a value, answer the one before.", "parameters": [{"name": "value",
+"type": {"kind": "Float64"}}], "result": {"type": {"kind": "Float64"}}, "queue": 16}, {
+"name": "swap_vector", "kind": "write with return", "wire": "swapVector", "parameters": [{
+"name": "value", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}}],
+"result": {"type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}}, "queue": 16},
+{"name": "swap_record", "kind": "write with return", "wire": "swapRecord", "parameters": [{
+"name": "value", "type": {"kind": "struct", "name": "robots::PosePrm"}}], "result": {"type": {
+"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}, {"name": "swap_text",
+"kind": "write with return", "wire": "swapText", "parameters": [{"name": "value", "type": {
+"kind": "text", "capacity": 31}}], "result": {"type": {"kind": "text", "capacity": 31}}, "queue": 16
+}], "events": [{"name": "cleared", "kind": "void", "doc": "All values are forgotten. void",
+"queue": 16}, {"name": "scalar_set", "kind": "write", "wire": "scalarSet",
+"doc": "Write: a value has been set.", "payload": {"type": {"kind": "Float64"}}, "queue": 16}, {
+"name": "vector_set", "kind": "write", "wire": "vectorSet", "payload": {"type": {"kind": "matrix",
+"scalar": "Float64", "rows": 3, "columns": 1}}, "queue": 16}, {"name": "record_set",
+"kind": "write", "wire": "recordSet", "payload": {"type": {"kind": "struct",
+"name": "robots::PosePrm"}}, "queue": 16}, {"name": "text_set", "kind": "write", "wire": "textSet",
+"payload": {"type": {"kind": "text", "capacity": 31}}, "queue": 16}], "enums": [], "structs": [{
+"name": "robots::PosePrm",
+"doc": "The fields of the cisst libraries' prmPositionCartesianGet, the type of the paper's\nmeasurements.",
+"fields": [{"name": "timestamp", "type": {"kind": "time", "clock": "steady"}}, {
+"name": "automatic_timestamp", "wire": "automaticTimestamp",
+"doc": "Whether the provider stamps the data itself.", "type": {"kind": "Bool"}, "default": true}, {
+"name": "valid", "type": {"kind": "Bool"}, "default": false}, {"name": "moving_frame",
+"wire": "movingFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "reference_frame",
+"wire": "referenceFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "position",
+"doc": "The moving frame in the reference frame.", "type": {"kind": "isometry", "scalar": "Float64"
+}, "unit": "m"}]}]})json";
+
+}  // namespace
+
+bool store(const double& value, AllKindsSetScalarArguments& slot) {
+  return store(value, slot.value);
+}
+
+bool store(const Eigen::Vector3d& value, AllKindsSetVectorArguments& slot) {
+  return store(value, slot.value);
+}
+
+bool store(const robots::PosePrm& value, AllKindsSetRecordArguments& slot) {
+  return store(value, slot.value);
+}
+
+bool store(const std::string& value, AllKindsSetTextArguments& slot) {
+  return store(value, slot.value);
+}
+
+bool store(const double& value, AllKindsTwiceScalarArguments& slot) {
+  return store(value, slot.value);
+}
+
+bool store(const Eigen::Vector3d& value, AllKindsTwiceVectorArguments& slot) {
+  return store(value, slot.value);
+}
+
+bool store(const robots::PosePrm& value, AllKindsTwiceRecordArguments& slot) {
+  return store(value, slot.value);
+}
+
+bool store(const std::string& value, AllKindsTwiceTextArguments& slot) {
+  return store(value, slot.value);
+}
+
+bool store(const double& value, AllKindsSwapScalarArguments& slot) {
+  return store(value, slot.value);
+}
+
+bool store(const Eigen::Vector3d& value, AllKindsSwapVectorArguments& slot) {
+  return store(value, slot.value);
+}
+
+bool store(const robots::PosePrm& value, AllKindsSwapRecordArguments& slot) {
+  return store(value, slot.value);
+}
+
+bool store(const std::string& value, AllKindsSwapTextArguments& slot) {
+  return store(value, slot.value);
+}
+
+namespace {
+
+// --- AllKinds over Cap'n Proto RPC: the provider's side
+
+/// Makes remote calls of a subscriber's events and rows.
+class AllKindsSink final : public suture::rpc::EventSink {
+ public:
+  explicit AllKindsSink(wire::AllKindsEvents::Client subscriber) :
+      subscriber_(kj::mv(subscriber)) {}
+
+  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
+    switch (event) {
+      case numberOf(AllKindsEvent::cleared): {
+        return subscriber_.clearedRequest().send().ignoreResult();
+      }
+      case numberOf(AllKindsEvent::scalar_set): {
+        const auto& slot = slotIn<double>(payload);
+        auto request = subscriber_.scalarSetRequest();
+        request.setValue(slot);
+        return request.send().ignoreResult();
+      }
+      case numberOf(AllKindsEvent::vector_set): {
+        const auto& slot = slotIn<std::array<double, 3>>(payload);
+        auto request = subscriber_.vectorSetRequest();
+        toWire(slot, request.initValue());
+        return request.send().ignoreResult();
+      }
+      case numberOf(AllKindsEvent::record_set): {
+        const auto& slot = slotIn<robots::PosePrmSlot>(payload);
+        auto request = subscriber_.recordSetRequest();
+        toWire(slot, request.initValue());
+        return request.send().ignoreResult();
+      }
+      case numberOf(AllKindsEvent::text_set): {
+        const auto& slot = slotIn<suture::BoundedText<31>>(payload);
+        auto request = subscriber_.textSetRequest();
+        toWire(slot, request.initValue(slot.size));
+        return request.send().ignoreResult();
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
+                        std::span<const std::byte* const> columns) override {
+    auto request = subscriber_.stateRequest();
+    auto out = request.initRow();
+    out.setStamp(suture::toNanoseconds(row.stamp));
+    out.setEvaluated(row.valid);
+    out.setTooLarge(row.tooLarge);
+    if (row.valid >> 0 & 1) {
+      const auto& slot = slotIn<double>(columns[0]);
+      out.setScalar(slot);
+    }
+    if (row.valid >> 1 & 1) {
+      const auto& slot = slotIn<std::array<double, 3>>(columns[1]);
+      toWire(slot, out.initVector());
+    }
+    if (row.valid >> 2 & 1) {
+      const auto& slot = slotIn<robots::PosePrmSlot>(columns[2]);
+      toWire(slot, out.initRecord());
+    }
+    if (row.valid >> 3 & 1) {
+      const auto& slot = slotIn<suture::BoundedText<31>>(columns[3]);
+      toWire(slot, out.initText(slot.size));
+    }
+    return request.send().ignoreResult();
+  }
+
+ private:
+  wire::AllKindsEvents::Client subscriber_;
+};
+
+/// Puts remote calls into the provider's mailbox.
+class AllKindsServant final : public wire::AllKinds::Server {
+ public:
+  explicit AllKindsServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> subscribe(SubscribeContext context) override {
+    auto in = context.getParams();
+    port_->subscribe(kj::heap<AllKindsSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> clear(ClearContext context) override {
+    auto in = context.getParams();
+    return port_->command(numberOf(AllKindsCommand::clear), in.getSent(),
+                          [](std::byte*) { return Errc{}; });
+  }
+
+  kj::Promise<void> setScalar(SetScalarContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<AllKindsSetScalarArguments>(memory);
+      slot.value = in.getValue();
+      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(numberOf(AllKindsCommand::set_scalar), in.getSent(), fill);
+  }
+
+  kj::Promise<void> setVector(SetVectorContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<AllKindsSetVectorArguments>(memory);
+      const Errc error = in.hasValue() ? fromWire(in.getValue(), slot.value) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(numberOf(AllKindsCommand::set_vector), in.getSent(), fill);
+  }
+
+  kj::Promise<void> setRecord(SetRecordContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<AllKindsSetRecordArguments>(memory);
+      const Errc error =
+          in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(numberOf(AllKindsCommand::set_record), in.getSent(), fill);
+  }
+
+  kj::Promise<void> setText(SetTextContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<AllKindsSetTextArguments>(memory);
+      return fromWire(in.getValue(), slot.value);
+    };
+    return port_->command(numberOf(AllKindsCommand::set_text), in.getSent(), fill);
+  }
+
+  kj::Promise<void> scalar(ScalarContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
+      const auto& slot = slotIn<double>(result);
+      auto out = context.getResults();
+      out.setValue(slot);
+      out.setStamp(suture::toNanoseconds(stamp));
+    };
+    return port_->call(numberOf(AllKindsCommand::scalar), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> vector(VectorContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
+      const auto& slot = slotIn<std::array<double, 3>>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
+    };
+    return port_->call(numberOf(AllKindsCommand::vector), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> record(RecordContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
+      const auto& slot = slotIn<robots::PosePrmSlot>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
+    };
+    return port_->call(numberOf(AllKindsCommand::record), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> text(TextContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
+      const auto& slot = slotIn<suture::BoundedText<31>>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue(slot.size));
+      out.setStamp(suture::toNanoseconds(stamp));
+    };
+    return port_->call(numberOf(AllKindsCommand::text), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> twiceScalar(TwiceScalarContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<AllKindsTwiceScalarArguments>(memory);
+      slot.value = in.getValue();
+      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+    };
+    auto take = [context](const std::byte* result, suture::Time) mutable {
+      const auto& slot = slotIn<double>(result);
+      auto out = context.getResults();
+      out.setValue(slot);
+    };
+    return port_->call(numberOf(AllKindsCommand::twice_scalar), in.getSent(), fill, kj::mv(take));
+  }
+
+  kj::Promise<void> twiceVector(TwiceVectorContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<AllKindsTwiceVectorArguments>(memory);
+      const Errc error = in.hasValue() ? fromWire(in.getValue(), slot.value) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+    };
+    auto take = [context](const std::byte* result, suture::Time) mutable {
+      const auto& slot = slotIn<std::array<double, 3>>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(numberOf(AllKindsCommand::twice_vector), in.getSent(), fill, kj::mv(take));
+  }
+
+  kj::Promise<void> twiceRecord(TwiceRecordContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<AllKindsTwiceRecordArguments>(memory);
+      const Errc error =
+          in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+    };
+    auto take = [context](const std::byte* result, suture::Time) mutable {
+      const auto& slot = slotIn<robots::PosePrmSlot>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(numberOf(AllKindsCommand::twice_record), in.getSent(), fill, kj::mv(take));
+  }
+
+  kj::Promise<void> twiceText(TwiceTextContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<AllKindsTwiceTextArguments>(memory);
+      return fromWire(in.getValue(), slot.value);
+    };
+    auto take = [context](const std::byte* result, suture::Time) mutable {
+      const auto& slot = slotIn<suture::BoundedText<31>>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue(slot.size));
+    };
+    return port_->call(numberOf(AllKindsCommand::twice_text), in.getSent(), fill, kj::mv(take));
+  }
+
+  kj::Promise<void> takeScalar(TakeScalarContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result, suture::Time) mutable {
+      const auto& slot = slotIn<double>(result);
+      auto out = context.getResults();
+      out.setValue(slot);
+    };
+    return port_->call(numberOf(AllKindsCommand::take_scalar), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> takeVector(TakeVectorContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result, suture::Time) mutable {
+      const auto& slot = slotIn<std::array<double, 3>>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(numberOf(AllKindsCommand::take_vector), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> takeRecord(TakeRecordContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result, suture::Time) mutable {
+      const auto& slot = slotIn<robots::PosePrmSlot>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(numberOf(AllKindsCommand::take_record), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> takeText(TakeTextContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result, suture::Time) mutable {
+      const auto& slot = slotIn<suture::BoundedText<31>>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue(slot.size));
+    };
+    return port_->call(numberOf(AllKindsCommand::take_text), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> swapScalar(SwapScalarContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<AllKindsSwapScalarArguments>(memory);
+      slot.value = in.getValue();
+      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+    };
+    auto take = [context](const std::byte* result, suture::Time) mutable {
+      const auto& slot = slotIn<double>(result);
+      auto out = context.getResults();
+      out.setValue(slot);
+    };
+    return port_->call(numberOf(AllKindsCommand::swap_scalar), in.getSent(), fill, kj::mv(take));
+  }
+
+  kj::Promise<void> swapVector(SwapVectorContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<AllKindsSwapVectorArguments>(memory);
+      const Errc error = in.hasValue() ? fromWire(in.getValue(), slot.value) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+    };
+    auto take = [context](const std::byte* result, suture::Time) mutable {
+      const auto& slot = slotIn<std::array<double, 3>>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(numberOf(AllKindsCommand::swap_vector), in.getSent(), fill, kj::mv(take));
+  }
+
+  kj::Promise<void> swapRecord(SwapRecordContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<AllKindsSwapRecordArguments>(memory);
+      const Errc error =
+          in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+    };
+    auto take = [context](const std::byte* result, suture::Time) mutable {
+      const auto& slot = slotIn<robots::PosePrmSlot>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(numberOf(AllKindsCommand::swap_record), in.getSent(), fill, kj::mv(take));
+  }
+
+  kj::Promise<void> swapText(SwapTextContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<AllKindsSwapTextArguments>(memory);
+      return fromWire(in.getValue(), slot.value);
+    };
+    auto take = [context](const std::byte* result, suture::Time) mutable {
+      const auto& slot = slotIn<suture::BoundedText<31>>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue(slot.size));
+    };
+    return port_->call(numberOf(AllKindsCommand::swap_text), in.getSent(), fill, kj::mv(take));
+  }
+
+ private:
+  kj::Own<ServantPort> port_;
+};
+
+// --- AllKinds over Cap'n Proto RPC: the client's side
+
+/// Receives events and rows.
+class AllKindsReceiver final : public wire::AllKindsEvents::Server {
+ public:
+  explicit AllKindsReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> state(StateContext context) override {
+    auto in = context.getParams().getRow();
+    suture::rt::ColumnSet valid = 0;
+    if (in.getEvaluated() >> 0 & 1) {
+      auto& slot = port_->column<double>(0);
+      slot = in.getScalar();
+      valid |= suture::rt::ColumnSet{1} << 0;
+    }
+    if (in.getEvaluated() >> 1 & 1) {
+      auto& slot = port_->column<std::array<double, 3>>(1);
+      const Errc error = in.hasVector() ? fromWire(in.getVector(), slot) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
+    }
+    if (in.getEvaluated() >> 2 & 1) {
+      auto& slot = port_->column<robots::PosePrmSlot>(2);
+      const Errc error =
+          in.hasRecord() ? fromWire(in.getRecord(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 2;
+    }
+    if (in.getEvaluated() >> 3 & 1) {
+      auto& slot = port_->column<suture::BoundedText<31>>(3);
+      const Errc error = fromWire(in.getText(), slot);
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 3;
+    }
+    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> cleared(ClearedContext) override {
+    return port_->event(numberOf(AllKindsEvent::cleared));
+  }
+
+  kj::Promise<void> scalarSet(ScalarSetContext context) override {
+    auto in = context.getParams();
+    return port_->event<double>(numberOf(AllKindsEvent::scalar_set), [&](double& slot) {
+      slot = in.getValue();
+      return Errc{};
+    });
+  }
+
+  kj::Promise<void> vectorSet(VectorSetContext context) override {
+    auto in = context.getParams();
+    return port_->event<std::array<double, 3>>(numberOf(AllKindsEvent::vector_set),
+                                               [&](std::array<double, 3>& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot) : Errc::Invalid;
+    });
+  }
+
+  kj::Promise<void> recordSet(RecordSetContext context) override {
+    auto in = context.getParams();
+    return port_->event<robots::PosePrmSlot>(numberOf(AllKindsEvent::record_set),
+                                             [&](robots::PosePrmSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
+  }
+
+  kj::Promise<void> textSet(TextSetContext context) override {
+    auto in = context.getParams();
+    return port_->event<suture::BoundedText<31>>(numberOf(AllKindsEvent::text_set),
+                                                 [&](suture::BoundedText<31>& slot) {
+      return fromWire(in.getValue(), slot);
+    });
+  }
+
+ private:
+  kj::Own<ProxyPort> port_;
+};
+
+/// Makes remote calls of commands.
+class AllKindsProxy final : public suture::rpc::Proxy {
+ public:
+  AllKindsProxy(wire::AllKinds::Client provider, ProxyPort& port)
+      : provider_(kj::mv(provider)), port_(port) {}
+
+  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
+    auto request = provider_.subscribeRequest();
+    request.setEvents(kj::heap<AllKindsReceiver>(kj::addRef(port_)));
+    request.setEventMask(events);
+    request.setStateMask(columns);
+    return request.send().ignoreResult();
+  }
+
+  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
+    switch (static_cast<AllKindsCommand>(record.command)) {
+      case AllKindsCommand::clear: {
+        auto request = provider_.clearRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case AllKindsCommand::set_scalar: {
+        const auto& slot = slotIn<AllKindsSetScalarArguments>(record.arguments());
+        auto request = provider_.setScalarRequest();
+        request.setValue(slot.value);
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case AllKindsCommand::set_vector: {
+        const auto& slot = slotIn<AllKindsSetVectorArguments>(record.arguments());
+        auto request = provider_.setVectorRequest();
+        toWire(slot.value, request.initValue());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case AllKindsCommand::set_record: {
+        const auto& slot = slotIn<AllKindsSetRecordArguments>(record.arguments());
+        auto request = provider_.setRecordRequest();
+        toWire(slot.value, request.initValue());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case AllKindsCommand::set_text: {
+        const auto& slot = slotIn<AllKindsSetTextArguments>(record.arguments());
+        auto request = provider_.setTextRequest();
+        toWire(slot.value, request.initValue(slot.value.size));
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case AllKindsCommand::scalar: {
+        auto request = provider_.scalarRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<double>(call, response.getStamp(), [&](double& answer) {
+            answer = response.getValue();
+            return Errc{};
+          });
+        });
+      }
+      case AllKindsCommand::vector: {
+        auto request = provider_.vectorRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<std::array<double, 3>>(call, response.getStamp(),
+                                              [&](std::array<double, 3>& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer) : Errc::Invalid;
+          });
+        });
+      }
+      case AllKindsCommand::record: {
+        auto request = provider_.recordRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<robots::PosePrmSlot>(call, response.getStamp(),
+                                            [&](robots::PosePrmSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case AllKindsCommand::text: {
+        auto request = provider_.textRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<suture::BoundedText<31>>(call, response.getStamp(),
+                                                [&](suture::BoundedText<31>& answer) {
+            return fromWire(response.getValue(), answer);
+          });
+        });
+      }
+      case AllKindsCommand::twice_scalar: {
+        const auto& slot = slotIn<AllKindsTwiceScalarArguments>(record.arguments());
+        auto request = provider_.twiceScalarRequest();
+        request.setValue(slot.value);
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<double>(call, [&](double& answer) {
+            answer = response.getValue();
+            return Errc{};
+          });
+        });
+      }
+      case AllKindsCommand::twice_vector: {
+        const auto& slot = slotIn<AllKindsTwiceVectorArguments>(record.arguments());
+        auto request = provider_.twiceVectorRequest();
+        toWire(slot.value, request.initValue());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<std::array<double, 3>>(call, [&](std::array<double, 3>& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer) : Errc::Invalid;
+          });
+        });
+      }
+      case AllKindsCommand::twice_record: {
+        const auto& slot = slotIn<AllKindsTwiceRecordArguments>(record.arguments());
+        auto request = provider_.twiceRecordRequest();
+        toWire(slot.value, request.initValue());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<robots::PosePrmSlot>(call, [&](robots::PosePrmSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case AllKindsCommand::twice_text: {
+        const auto& slot = slotIn<AllKindsTwiceTextArguments>(record.arguments());
+        auto request = provider_.twiceTextRequest();
+        toWire(slot.value, request.initValue(slot.value.size));
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<suture::BoundedText<31>>(call, [&](suture::BoundedText<31>& answer) {
+            return fromWire(response.getValue(), answer);
+          });
+        });
+      }
+      case AllKindsCommand::take_scalar: {
+        auto request = provider_.takeScalarRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<double>(call, [&](double& answer) {
+            answer = response.getValue();
+            return Errc{};
+          });
+        });
+      }
+      case AllKindsCommand::take_vector: {
+        auto request = provider_.takeVectorRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<std::array<double, 3>>(call, [&](std::array<double, 3>& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer) : Errc::Invalid;
+          });
+        });
+      }
+      case AllKindsCommand::take_record: {
+        auto request = provider_.takeRecordRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<robots::PosePrmSlot>(call, [&](robots::PosePrmSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case AllKindsCommand::take_text: {
+        auto request = provider_.takeTextRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<suture::BoundedText<31>>(call, [&](suture::BoundedText<31>& answer) {
+            return fromWire(response.getValue(), answer);
+          });
+        });
+      }
+      case AllKindsCommand::swap_scalar: {
+        const auto& slot = slotIn<AllKindsSwapScalarArguments>(record.arguments());
+        auto request = provider_.swapScalarRequest();
+        request.setValue(slot.value);
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<double>(call, [&](double& answer) {
+            answer = response.getValue();
+            return Errc{};
+          });
+        });
+      }
+      case AllKindsCommand::swap_vector: {
+        const auto& slot = slotIn<AllKindsSwapVectorArguments>(record.arguments());
+        auto request = provider_.swapVectorRequest();
+        toWire(slot.value, request.initValue());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<std::array<double, 3>>(call, [&](std::array<double, 3>& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer) : Errc::Invalid;
+          });
+        });
+      }
+      case AllKindsCommand::swap_record: {
+        const auto& slot = slotIn<AllKindsSwapRecordArguments>(record.arguments());
+        auto request = provider_.swapRecordRequest();
+        toWire(slot.value, request.initValue());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<robots::PosePrmSlot>(call, [&](robots::PosePrmSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case AllKindsCommand::swap_text: {
+        const auto& slot = slotIn<AllKindsSwapTextArguments>(record.arguments());
+        auto request = provider_.swapTextRequest();
+        toWire(slot.value, request.initValue(slot.value.size));
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<suture::BoundedText<31>>(call, [&](suture::BoundedText<31>& answer) {
+            return fromWire(response.getValue(), answer);
+          });
+        });
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+ private:
+  wire::AllKinds::Client provider_;
+  ProxyPort& port_;
+};
+
+class AllKindsBinding final : public suture::rpc::Binding {
+ public:
+  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
+    return kj::heap<AllKindsServant>(kj::mv(port));
+  }
+  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
+                                        ProxyPort& port) const override {
+    return kj::heap<AllKindsProxy>(contract.castAs<wire::AllKinds>(), port);
+  }
+  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
+    return kj::heap<AllKindsSink>(subscriber.castAs<wire::AllKindsEvents>());
+  }
+};
+
+const suture::rpc::Binding& allKindsBinding() {
+  static const AllKindsBinding kBinding;
+  return kBinding;
+}
+
+}  // namespace
+}  // namespace scenarios
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<scenarios::AllKinds>() {
+  static constexpr InterfaceInfo kInfo{
+      .name = "scenarios::AllKinds",
+      .hash = "6c3eb0727bcc74c29cb02c916019eb6c",
+      .description = scenarios::kAllKindsDescription,
+      .commands = scenarios::kAllKindsCommands,
+      .events = scenarios::kAllKindsEvents,
+      .binding = &scenarios::allKindsBinding,
+  };
+  return kInfo;
+}
+
+Errc Provided<scenarios::AllKinds>::execute(std::uint16_t command, const std::byte* arguments,
+                                            std::byte* result) {
+  using ::scenarios::AllKindsCommand;
+  switch (static_cast<AllKindsCommand>(command)) {
+    case AllKindsCommand::clear: {
+      implementation_.clear();
+      return Errc{};
+    }
+    case AllKindsCommand::set_scalar: {
+      const auto& slot = slotIn<scenarios::AllKindsSetScalarArguments>(arguments);
+      load(slot.value, scratch_.set_scalar_value);
+      implementation_.set_scalar(scratch_.set_scalar_value);
+      return Errc{};
+    }
+    case AllKindsCommand::set_vector: {
+      const auto& slot = slotIn<scenarios::AllKindsSetVectorArguments>(arguments);
+      load(slot.value, scratch_.set_vector_value);
+      implementation_.set_vector(scratch_.set_vector_value);
+      return Errc{};
+    }
+    case AllKindsCommand::set_record: {
+      const auto& slot = slotIn<scenarios::AllKindsSetRecordArguments>(arguments);
+      load(slot.value, scratch_.set_record_value);
+      implementation_.set_record(scratch_.set_record_value);
+      return Errc{};
+    }
+    case AllKindsCommand::set_text: {
+      const auto& slot = slotIn<scenarios::AllKindsSetTextArguments>(arguments);
+      load(slot.value, scratch_.set_text_value);
+      implementation_.set_text(scratch_.set_text_value);
+      return Errc{};
+    }
+    case AllKindsCommand::scalar: {
+      auto& slot = newSlot<double>(result);
+      return store(implementation_.scalar(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case AllKindsCommand::vector: {
+      auto& slot = newSlot<std::array<double, 3>>(result);
+      return store(implementation_.vector(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case AllKindsCommand::record: {
+      auto& slot = newSlot<robots::PosePrmSlot>(result);
+      return store(implementation_.record(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case AllKindsCommand::text: {
+      auto& slot = newSlot<suture::BoundedText<31>>(result);
+      return store(implementation_.text(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case AllKindsCommand::twice_scalar: {
+      const auto& slot = slotIn<scenarios::AllKindsTwiceScalarArguments>(arguments);
+      load(slot.value, scratch_.twice_scalar_value);
+      auto& answer = newSlot<double>(result);
+      return store(implementation_.twice_scalar(scratch_.twice_scalar_value), answer)
+          ? Errc{} : Errc::TooLarge;
+    }
+    case AllKindsCommand::twice_vector: {
+      const auto& slot = slotIn<scenarios::AllKindsTwiceVectorArguments>(arguments);
+      load(slot.value, scratch_.twice_vector_value);
+      auto& answer = newSlot<std::array<double, 3>>(result);
+      return store(implementation_.twice_vector(scratch_.twice_vector_value), answer)
+          ? Errc{} : Errc::TooLarge;
+    }
+    case AllKindsCommand::twice_record: {
+      const auto& slot = slotIn<scenarios::AllKindsTwiceRecordArguments>(arguments);
+      load(slot.value, scratch_.twice_record_value);
+      auto& answer = newSlot<robots::PosePrmSlot>(result);
+      return store(implementation_.twice_record(scratch_.twice_record_value), answer)
+          ? Errc{} : Errc::TooLarge;
+    }
+    case AllKindsCommand::twice_text: {
+      const auto& slot = slotIn<scenarios::AllKindsTwiceTextArguments>(arguments);
+      load(slot.value, scratch_.twice_text_value);
+      auto& answer = newSlot<suture::BoundedText<31>>(result);
+      return store(implementation_.twice_text(scratch_.twice_text_value), answer)
+          ? Errc{} : Errc::TooLarge;
+    }
+    case AllKindsCommand::take_scalar: {
+      auto& slot = newSlot<double>(result);
+      return store(implementation_.take_scalar(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case AllKindsCommand::take_vector: {
+      auto& slot = newSlot<std::array<double, 3>>(result);
+      return store(implementation_.take_vector(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case AllKindsCommand::take_record: {
+      auto& slot = newSlot<robots::PosePrmSlot>(result);
+      return store(implementation_.take_record(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case AllKindsCommand::take_text: {
+      auto& slot = newSlot<suture::BoundedText<31>>(result);
+      return store(implementation_.take_text(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case AllKindsCommand::swap_scalar: {
+      const auto& slot = slotIn<scenarios::AllKindsSwapScalarArguments>(arguments);
+      load(slot.value, scratch_.swap_scalar_value);
+      auto& answer = newSlot<double>(result);
+      return store(implementation_.swap_scalar(scratch_.swap_scalar_value), answer)
+          ? Errc{} : Errc::TooLarge;
+    }
+    case AllKindsCommand::swap_vector: {
+      const auto& slot = slotIn<scenarios::AllKindsSwapVectorArguments>(arguments);
+      load(slot.value, scratch_.swap_vector_value);
+      auto& answer = newSlot<std::array<double, 3>>(result);
+      return store(implementation_.swap_vector(scratch_.swap_vector_value), answer)
+          ? Errc{} : Errc::TooLarge;
+    }
+    case AllKindsCommand::swap_record: {
+      const auto& slot = slotIn<scenarios::AllKindsSwapRecordArguments>(arguments);
+      load(slot.value, scratch_.swap_record_value);
+      auto& answer = newSlot<robots::PosePrmSlot>(result);
+      return store(implementation_.swap_record(scratch_.swap_record_value), answer)
+          ? Errc{} : Errc::TooLarge;
+    }
+    case AllKindsCommand::swap_text: {
+      const auto& slot = slotIn<scenarios::AllKindsSwapTextArguments>(arguments);
+      load(slot.value, scratch_.swap_text_value);
+      auto& answer = newSlot<suture::BoundedText<31>>(result);
+      return store(implementation_.swap_text(scratch_.swap_text_value), answer)
+          ? Errc{} : Errc::TooLarge;
+    }
+  }
+  return Errc::Invalid;
+}
+
+}  // namespace suture

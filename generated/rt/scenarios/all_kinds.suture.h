@@ -1,0 +1,282 @@
+// Written by suturec from rt/scenarios/all_kinds.h. Do not edit.
+#pragma once
+
+#include <suture/base/slots.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "rt/scenarios/all_kinds.h"
+#include "robot_types/pose.suture.h"
+
+namespace scenarios {
+
+// --- AllKinds: the arguments of its commands ---
+
+struct AllKindsSetScalarArguments {
+  double value;
+};
+
+bool store(const double& value, AllKindsSetScalarArguments& slot);
+
+struct AllKindsSetVectorArguments {
+  std::array<double, 3> value;
+};
+
+bool store(const Eigen::Vector3d& value, AllKindsSetVectorArguments& slot);
+
+struct AllKindsSetRecordArguments {
+  robots::PosePrmSlot value;
+};
+
+bool store(const robots::PosePrm& value, AllKindsSetRecordArguments& slot);
+
+struct AllKindsSetTextArguments {
+  suture::BoundedText<31> value;
+};
+
+bool store(const std::string& value, AllKindsSetTextArguments& slot);
+
+struct AllKindsTwiceScalarArguments {
+  double value;
+};
+
+bool store(const double& value, AllKindsTwiceScalarArguments& slot);
+
+struct AllKindsTwiceVectorArguments {
+  std::array<double, 3> value;
+};
+
+bool store(const Eigen::Vector3d& value, AllKindsTwiceVectorArguments& slot);
+
+struct AllKindsTwiceRecordArguments {
+  robots::PosePrmSlot value;
+};
+
+bool store(const robots::PosePrm& value, AllKindsTwiceRecordArguments& slot);
+
+struct AllKindsTwiceTextArguments {
+  suture::BoundedText<15> value;
+};
+
+bool store(const std::string& value, AllKindsTwiceTextArguments& slot);
+
+struct AllKindsSwapScalarArguments {
+  double value;
+};
+
+bool store(const double& value, AllKindsSwapScalarArguments& slot);
+
+struct AllKindsSwapVectorArguments {
+  std::array<double, 3> value;
+};
+
+bool store(const Eigen::Vector3d& value, AllKindsSwapVectorArguments& slot);
+
+struct AllKindsSwapRecordArguments {
+  robots::PosePrmSlot value;
+};
+
+bool store(const robots::PosePrm& value, AllKindsSwapRecordArguments& slot);
+
+struct AllKindsSwapTextArguments {
+  suture::BoundedText<31> value;
+};
+
+bool store(const std::string& value, AllKindsSwapTextArguments& slot);
+
+/// The numbers of AllKinds's commands in every table and record.
+enum class AllKindsCommand : std::uint16_t {
+  clear,
+  set_scalar,
+  set_vector,
+  set_record,
+  set_text,
+  scalar,
+  vector,
+  record,
+  text,
+  twice_scalar,
+  twice_vector,
+  twice_record,
+  twice_text,
+  take_scalar,
+  take_vector,
+  take_record,
+  take_text,
+  swap_scalar,
+  swap_vector,
+  swap_record,
+  swap_text,
+};
+
+/// The numbers of AllKinds's events.
+enum class AllKindsEvent : std::uint16_t {
+  cleared,
+  scalar_set,
+  vector_set,
+  record_set,
+  text_set,
+};
+
+}  // namespace scenarios
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<scenarios::AllKinds>();
+
+/// What a client of scenarios::AllKinds calls.
+template <>
+class Required<scenarios::AllKinds> : public RequiredBase {
+  using Contract = scenarios::AllKinds;
+  using Id = scenarios::AllKindsCommand;
+  using EventId = scenarios::AllKindsEvent;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+  /// Forgets all values. void
+  Command<&Contract::clear, NoSlot> clear{*this, static_cast<std::uint16_t>(Id::clear)};
+  /// Write: keep a value and tell it.
+  Command<&Contract::set_scalar, scenarios::AllKindsSetScalarArguments> set_scalar{
+      *this, static_cast<std::uint16_t>(Id::set_scalar)};
+  Command<&Contract::set_vector, scenarios::AllKindsSetVectorArguments> set_vector{
+      *this, static_cast<std::uint16_t>(Id::set_vector)};
+  Command<&Contract::set_record, scenarios::AllKindsSetRecordArguments> set_record{
+      *this, static_cast<std::uint16_t>(Id::set_record)};
+  Command<&Contract::set_text, scenarios::AllKindsSetTextArguments> set_text{
+      *this, static_cast<std::uint16_t>(Id::set_text)};
+  /// Read: the value kept.
+  ReadCommand<&Contract::scalar, double> scalar{*this, static_cast<std::uint16_t>(Id::scalar)};
+  ReadCommand<&Contract::vector, std::array<double, 3>> vector{
+      *this, static_cast<std::uint16_t>(Id::vector)};
+  ReadCommand<&Contract::record, robots::PosePrmSlot> record{
+      *this, static_cast<std::uint16_t>(Id::record)};
+  ReadCommand<&Contract::text, suture::BoundedText<31>> text{
+      *this, static_cast<std::uint16_t>(Id::text)};
+  /// Qualified read: twice the value given.
+  QualifiedReadCommand<&Contract::twice_scalar, scenarios::AllKindsTwiceScalarArguments,
+                       double> twice_scalar{*this, static_cast<std::uint16_t>(Id::twice_scalar)};
+  QualifiedReadCommand<&Contract::twice_vector, scenarios::AllKindsTwiceVectorArguments,
+                       std::array<double, 3>> twice_vector{
+      *this, static_cast<std::uint16_t>(Id::twice_vector)};
+  QualifiedReadCommand<&Contract::twice_record, scenarios::AllKindsTwiceRecordArguments,
+                       robots::PosePrmSlot> twice_record{
+      *this, static_cast<std::uint16_t>(Id::twice_record)};
+  QualifiedReadCommand<&Contract::twice_text, scenarios::AllKindsTwiceTextArguments,
+                       suture::BoundedText<31>> twice_text{
+      *this, static_cast<std::uint16_t>(Id::twice_text)};
+  /// Void with return: the value kept, and forgets it.
+  ReturningCommand<&Contract::take_scalar, NoSlot, double> take_scalar{
+      *this, static_cast<std::uint16_t>(Id::take_scalar)};
+  ReturningCommand<&Contract::take_vector, NoSlot, std::array<double, 3>> take_vector{
+      *this, static_cast<std::uint16_t>(Id::take_vector)};
+  ReturningCommand<&Contract::take_record, NoSlot, robots::PosePrmSlot> take_record{
+      *this, static_cast<std::uint16_t>(Id::take_record)};
+  ReturningCommand<&Contract::take_text, NoSlot, suture::BoundedText<31>> take_text{
+      *this, static_cast<std::uint16_t>(Id::take_text)};
+  /// Write with return: keep a value, answer the one before.
+  ReturningCommand<&Contract::swap_scalar, scenarios::AllKindsSwapScalarArguments,
+                   double> swap_scalar{*this, static_cast<std::uint16_t>(Id::swap_scalar)};
+  ReturningCommand<&Contract::swap_vector, scenarios::AllKindsSwapVectorArguments,
+                   std::array<double, 3>> swap_vector{
+      *this, static_cast<std::uint16_t>(Id::swap_vector)};
+  ReturningCommand<&Contract::swap_record, scenarios::AllKindsSwapRecordArguments,
+                   robots::PosePrmSlot> swap_record{
+      *this, static_cast<std::uint16_t>(Id::swap_record)};
+  ReturningCommand<&Contract::swap_text, scenarios::AllKindsSwapTextArguments,
+                   suture::BoundedText<31>> swap_text{
+      *this, static_cast<std::uint16_t>(Id::swap_text)};
+
+  /// The events of scenarios::AllKinds, to subscribe to.
+  struct Events {
+    explicit Events(RequiredBase& required)
+        : cleared{required, static_cast<std::uint16_t>(EventId::cleared)},
+          scalar_set{required, static_cast<std::uint16_t>(EventId::scalar_set)},
+          vector_set{required, static_cast<std::uint16_t>(EventId::vector_set)},
+          record_set{required, static_cast<std::uint16_t>(EventId::record_set)},
+          text_set{required, static_cast<std::uint16_t>(EventId::text_set)} {}
+
+    /// All values are forgotten. void
+    Subscription<void> cleared;
+    /// Write: a value has been set.
+    Subscription<double, double> scalar_set;
+    Subscription<std::array<double, 3>, Eigen::Vector3d> vector_set;
+    Subscription<robots::PosePrmSlot, robots::PosePrm> record_set;
+    Subscription<suture::BoundedText<31>, std::string> text_set;
+  };
+  Events& on() { return events_; }
+
+ protected:
+  // Of a contract that derives from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+
+ private:
+  Events events_{*this};
+};
+
+/// What serves scenarios::AllKinds from a component.
+template <>
+class Provided<scenarios::AllKinds> : public ProvidedBase {
+  using Contract = scenarios::AllKinds;
+  using EventId = scenarios::AllKindsEvent;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+  /// The events of scenarios::AllKinds, to emit.
+  struct Events {
+    explicit Events(ProvidedBase& provided)
+        : cleared{provided, static_cast<std::uint16_t>(EventId::cleared)},
+          scalar_set{provided, static_cast<std::uint16_t>(EventId::scalar_set)},
+          vector_set{provided, static_cast<std::uint16_t>(EventId::vector_set)},
+          record_set{provided, static_cast<std::uint16_t>(EventId::record_set)},
+          text_set{provided, static_cast<std::uint16_t>(EventId::text_set)} {}
+
+    /// All values are forgotten. void
+    Emitter<void> cleared;
+    /// Write: a value has been set.
+    Emitter<double, double> scalar_set;
+    Emitter<std::array<double, 3>, Eigen::Vector3d> vector_set;
+    Emitter<robots::PosePrmSlot, robots::PosePrm> record_set;
+    Emitter<suture::BoundedText<31>, std::string> text_set;
+  };
+  Events& emit() { return events_; }
+
+ protected:
+  // Of a contract that derives from this one: `whole` points to its implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  // Reused by every command, so that what they own is allocated once.
+  struct Scratch {
+    double set_scalar_value;
+    Eigen::Vector3d set_vector_value;
+    robots::PosePrm set_record_value;
+    std::string set_text_value;
+    double twice_scalar_value;
+    Eigen::Vector3d twice_vector_value;
+    robots::PosePrm twice_record_value;
+    std::string twice_text_value;
+    double swap_scalar_value;
+    Eigen::Vector3d swap_vector_value;
+    robots::PosePrm swap_record_value;
+    std::string swap_text_value;
+  };
+
+  Contract& implementation_;
+  Events events_{*this};
+  Scratch scratch_{};
+};
+
+}  // namespace suture

@@ -1,0 +1,130 @@
+#pragma once
+// Where the slot of a record lies. One that is trivially copyable is part of the record. One that
+// owns memory lies on the heap, and the record holds a counted pointer to it, which whoever lets go
+// of the record releases. Only devices have such: no real-time thread touches them.
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+namespace suture {
+
+/// A slot on the heap, without its type. Any thread may retain and release.
+class SharedSlot {
+ public:
+  virtual ~SharedSlot() = default;
+  SharedSlot(const SharedSlot&) = delete;
+  SharedSlot& operator=(const SharedSlot&) = delete;
+
+  void retain() { references_.fetch_add(1, std::memory_order_relaxed); }
+  void release() {
+    if (references_.fetch_sub(1, std::memory_order_acq_rel) == 1) delete this;
+  }
+
+ protected:
+  SharedSlot() = default;
+
+ private:
+  std::atomic<std::uint32_t> references_{1};
+};
+
+template <class Slot>
+class HeapSlot final : public SharedSlot {
+ public:
+  HeapSlot() = default;
+  explicit HeapSlot(Slot&& from) : value(std::move(from)) {}
+
+  Slot value{};
+};
+
+template <class Slot>
+inline constexpr bool ownsMemory = !std::is_trivially_copyable_v<Slot>;
+
+/// What it takes up in a record.
+template <class Slot>
+inline constexpr std::uint32_t slotSize = ownsMemory<Slot> ? sizeof(SharedSlot*) : sizeof(Slot);
+
+// --- a record's memory that holds a counted pointer
+
+inline SharedSlot* sharedSlotIn(const std::byte* memory) {
+  SharedSlot* slot;
+  std::memcpy(&slot, memory, sizeof(slot));
+  return slot;
+}
+inline void putSharedSlot(std::byte* memory, SharedSlot* slot) {
+  std::memcpy(memory, &slot, sizeof(slot));
+}
+/// Lets go of what `memory` holds, if it holds anything.
+inline void releaseSharedSlot(std::byte* memory) {
+  if (SharedSlot* const slot = sharedSlotIn(memory)) slot->release();
+  putSharedSlot(memory, nullptr);
+}
+
+// --- a record's memory that holds a slot of either kind
+
+/// The slot to fill, in memory that holds none.
+template <class Slot>
+Slot& newSlot(std::byte* memory) {
+  if constexpr (ownsMemory<Slot>) {
+    auto* const slot = new HeapSlot<Slot>;
+    putSharedSlot(memory, slot);
+    return slot->value;
+  } else {
+    return *reinterpret_cast<Slot*>(memory);
+  }
+}
+
+/// The slot that `memory` holds.
+template <class Slot>
+const Slot& slotIn(const std::byte* memory) {
+  if constexpr (ownsMemory<Slot>) {
+    return static_cast<const HeapSlot<Slot>*>(sharedSlotIn(memory))->value;
+  } else {
+    return *reinterpret_cast<const Slot*>(memory);
+  }
+}
+
+/// A slot outside any record, with what a record of it holds.
+template <class Slot>
+class LooseSlot {
+ public:
+  LooseSlot() = default;
+  LooseSlot(const LooseSlot&) = delete;
+  LooseSlot& operator=(const LooseSlot&) = delete;
+
+  Slot& value() { return slot_; }
+  /// Of a record that gets a copy.
+  std::span<const std::byte> bytes() const { return std::as_bytes(std::span(&slot_, 1)); }
+  /// To copy a record's into.
+  std::byte* memory() { return reinterpret_cast<std::byte*>(&slot_); }
+
+ private:
+  Slot slot_;
+};
+
+template <class Slot>
+requires ownsMemory<Slot>
+class LooseSlot<Slot> {
+ public:
+  LooseSlot() = default;
+  LooseSlot(const LooseSlot&) = delete;
+  LooseSlot& operator=(const LooseSlot&) = delete;
+  ~LooseSlot() { releaseSharedSlot(memory()); }
+
+  /// A new one at the first call, unless memory() has been given one.
+  Slot& value() {
+    if (slot_ == nullptr) slot_ = new HeapSlot<Slot>;
+    return static_cast<HeapSlot<Slot>*>(slot_)->value;
+  }
+  std::span<const std::byte> bytes() const { return std::as_bytes(std::span(&slot_, 1)); }
+  std::byte* memory() { return reinterpret_cast<std::byte*>(&slot_); }
+
+ private:
+  SharedSlot* slot_ = nullptr;
+};
+
+}  // namespace suture

@@ -1,0 +1,25 @@
+#pragma once
+// What a shared library of components offers to deployments. suturec writes its one entry point for
+// a target that is LOADABLE:
+//   extern "C" const suture::ComponentLibrary& suture_components();
+
+#include <suture/component/component_class.h>
+
+#include <span>
+
+namespace suture {
+
+/// This release of Suture. What has been built with another one does not fit.
+inline constexpr const char kVersion[] = "0.1.0";
+
+/// The name of the entry point.
+inline constexpr const char kComponentsEntry[] = "suture_components";
+
+struct ComponentLibrary {
+  const char* version;  ///< of the Suture it was built with; first, so that any other can read it
+  std::span<const ComponentClass> classes;
+};
+
+using ComponentsEntry = const ComponentLibrary& (*)();
+
+}  // namespace suture

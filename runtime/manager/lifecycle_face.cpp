@@ -1,0 +1,48 @@
+#include <suture/base/errors.h>
+#include <suture/manager/lifecycle_face.h>
+
+#include <algorithm>
+
+namespace suture {
+namespace {
+
+/// `component`, if it has no such interface yet.
+Component& withoutFace(Component& component) {
+  const auto& all = component.provided();
+  const bool taken = std::any_of(all.begin(), all.end(), [](const ProvidedBase* one) {
+    return one->name() == LifecycleFace::kName;
+  });
+  if (!taken) return component;
+  throw SetupError(
+      "adding component '" + component.name() + "'",
+      "it provides an interface '" + std::string(LifecycleFace::kName) + "' of its own",
+      "Rename it: every component has one of that name, which tells of its life");
+}
+
+constexpr std::size_t kLongestFault = 255;  // as StateChange declares
+
+}  // namespace
+
+LifecycleFace::LifecycleFace(Component& component)
+    : component_(withoutFace(component)), provided_(component, kName, *this) {
+  provided_.serveInEveryState();
+  stateChanged(component.state());
+}
+
+void LifecycleFace::stateChanged(ComponentState state) {
+  StateChange change{.state = state, .fault = {}, .stamp = now()};
+  if (state == ComponentState::Faulted) change.fault = component_.fault().substr(0, kLongestFault);
+  (void)provided_.emit().state_changed(change);  // it fits
+}
+
+bool LifecycleFace::request(Transition transition) {
+  if (!after(component_.state(), transition)) return false;
+  try {
+    component_.request(transition);
+    return true;
+  } catch (const SetupError&) {  // a device that another thread has changed meanwhile
+    return false;
+  }
+}
+
+}  // namespace suture

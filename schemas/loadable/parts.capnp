@@ -1,0 +1,11 @@
+@0x89805522d1f349b0;
+# The wire contract of loadable/parts.h, written by suturec --update-lock: commit it, never edit it.
+
+using Cxx = import "/capnp/c++.capnp";
+using Meta = import "/suture/meta.capnp";
+$Cxx.namespace("loadable::wire");
+$Meta.header("loadable/parts.h");
+
+struct PlatterParameters @0xf347ff700279ba69 $Meta.cxx("loadable::PlatterParameters") {
+  angle @0 :Float64;
+}

@@ -1,0 +1,855 @@
+// Written by suturec from shapes/open.h. Do not edit.
+#include "shapes/open.suture.h"
+
+#include <suture/transport/rpc/binding.h>
+#include <suture/transport/rpc/proxy_port.h>
+#include <suture/transport/rpc/servant_port.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "shapes/open.capnp.h"
+
+// Defined in shapes/containers.suture.cpp.
+namespace shapes {
+void toWire(const PointSlot& slot, wire::Point::Builder out);
+suture::Errc fromWire(wire::Point::Reader in, PointSlot& slot, suture::Duration shift);
+bool isValid(const PointSlot& slot);
+}  // namespace shapes
+
+namespace shapes {
+
+using suture::CommandInfo;
+using suture::CommandKind;
+using suture::Duration;
+using suture::Errc;
+using suture::EventInfo;
+using suture::load;
+using suture::newSlot;
+using suture::rpc::ProxyPort;
+using suture::rpc::ServantPort;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::numberOf;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+using suture::slotIn;
+using suture::slotSize;
+using suture::store;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<decltype(Branch::length), double>);
+static_assert(std::is_same_v<decltype(Branch::roots), std::map<std::string, shapes::Root>>);
+static_assert(std::is_same_v<decltype(Root::value), std::int32_t>);
+static_assert(std::is_same_v<decltype(Root::children), std::vector<shapes::Root>>);
+static_assert(std::is_same_v<decltype(Root::shadow), std::unique_ptr<shapes::Root>>);
+static_assert(std::is_same_v<decltype(Root::branches), std::vector<shapes::Branch>>);
+static_assert(std::is_same_v<decltype(Open::name), std::string>);
+static_assert(std::is_same_v<decltype(Open::samples), std::vector<double>>);
+static_assert(std::is_same_v<decltype(Open::bytes), std::vector<std::uint8_t>>);
+static_assert(std::is_same_v<decltype(Open::block), std::vector<float>>);
+static_assert(std::is_same_v<decltype(Open::flags), std::vector<bool>>);
+static_assert(std::is_same_v<decltype(Open::path), std::deque<shapes::Point>>);
+static_assert(std::is_same_v<decltype(Open::pair), std::array<std::string, 2>>);
+static_assert(std::is_same_v<decltype(Open::words), std::vector<std::string>>);
+static_assert(std::is_same_v<decltype(Open::shorts), std::vector<std::string>>);
+static_assert(std::is_same_v<decltype(Open::keys), std::set<std::string>>);
+static_assert(std::is_same_v<decltype(Open::series),
+                             std::map<std::string, std::vector<shapes::Point>>>);
+static_assert(std::is_same_v<decltype(Open::note), std::optional<std::string>>);
+static_assert(std::is_same_v<decltype(Open::either),
+                             std::variant<std::monostate, std::string, shapes::Point>>);
+static_assert(std::is_same_v<decltype(Open::entry), std::tuple<std::int32_t, std::string>>);
+static_assert(std::is_same_v<decltype(Open::joints), Eigen::VectorXd>);
+static_assert(std::is_same_v<decltype(Open::any), Eigen::MatrixXd>);
+static_assert(std::is_same_v<decltype(Open::wide), Eigen::MatrixXd>);
+static_assert(std::is_same_v<decltype(Open::cloud), std::vector<Eigen::Vector3d>>);
+static_assert(std::is_same_v<decltype(Open::image), Eigen::MatrixXd>);
+static_assert(std::is_same_v<decltype(Open::root), Root>);
+
+constexpr CommandInfo kArchiveCommands[] = {
+    {.name = "put",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<ArchivePutArguments>,
+     .depth = 16,
+     .sharedArguments = true},
+    {.name = "remark",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<ArchiveRemarkArguments>,
+     .depth = 16,
+     .latest = true,
+     .sharedArguments = true},
+    {.name = "newest",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<OpenSlot>,
+     .depth = 16,
+     .column = 0,
+     .sharedResult = true},
+    {.name = "find",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = slotSize<ArchiveFindArguments>,
+     .resultSize = slotSize<suture::OpenList<suture::OpenText>>,
+     .depth = 16,
+     .sharedArguments = true,
+     .sharedResult = true},
+    {.name = "replace",
+     .kind = CommandKind::WriteReturn,
+     .argumentsSize = slotSize<ArchiveReplaceArguments>,
+     .resultSize = slotSize<OpenSlot>,
+     .depth = 16,
+     .sharedArguments = true,
+     .sharedResult = true},
+};
+
+constexpr EventInfo kArchiveEvents[] = {
+    {.name = "renamed",
+     .payloadSize = slotSize<suture::OpenText>,
+     .depth = 16,
+     .latched = true,
+     .sharedPayload = true},
+    {.name = "grown",
+     .payloadSize = slotSize<ArchiveGrownPayload>,
+     .depth = 16,
+     .sharedPayload = true},
+    {.name = "changed",
+     .payloadSize = slotSize<OpenSlot>,
+     .depth = 16,
+     .latest = true,
+     .sharedPayload = true},
+};
+
+// The self-description, as in shapes/open.suture.json.
+constexpr char kArchiveDescription[] = R"json(
+{"name": "shapes::Archive", "doc": "What a device may offer.",
+"hash": "17b8a5413fbf942b85ef9b6f9f932fdd", "commands": [{"name": "put", "kind": "write",
+"doc": "Keeps `value` under `key`.", "parameters": [{"name": "key", "type": {"kind": "text"}}, {
+"name": "value", "type": {"kind": "struct", "name": "shapes::Open"}}], "queue": 16}, {
+"name": "remark", "kind": "write", "parameters": [{"name": "text", "type": {"kind": "text"}}],
+"queue": 16, "latest": true}, {"name": "newest", "kind": "read", "result": {"type": {
+"kind": "struct", "name": "shapes::Open"}}, "queue": 16}, {"name": "find", "kind": "qualified read",
+"parameters": [{"name": "pattern", "type": {"kind": "text"}}], "result": {"type": {"kind": "list",
+"element": {"kind": "text"}}}, "queue": 16}, {"name": "replace", "kind": "write with return",
+"parameters": [{"name": "value", "type": {"kind": "struct", "name": "shapes::Open"}}], "result": {
+"type": {"kind": "struct", "name": "shapes::Open"}}, "queue": 16}], "events": [{"name": "renamed",
+"kind": "write", "payload": {"type": {"kind": "text"}}, "queue": 16, "latched": true}, {
+"name": "grown", "kind": "write", "payload": [{"name": "value", "type": {"kind": "text"}}, {
+"name": "value2", "type": {"kind": "struct", "name": "shapes::Root"}}], "queue": 16}, {
+"name": "changed", "kind": "write", "payload": {"type": {"kind": "struct", "name": "shapes::Open"}
+}, "queue": 16, "latest": true}], "enums": [], "structs": [{"name": "shapes::Point",
+"doc": "Parts of other types.", "fields": [{"name": "x", "type": {"kind": "Float64"}, "unit": "m",
+"range": [-10.0, 10.0], "default": 0.0}, {"name": "y", "type": {"kind": "Float64"}, "default": 0.0}
+]}, {"name": "shapes::Branch", "fields": [{"name": "length", "type": {"kind": "Float64"},
+"unit": "m", "range": [0.0, 10.0], "default": 0.0}, {"name": "roots", "type": {"kind": "map",
+"key": {"kind": "text"}, "value": {"kind": "struct", "name": "shapes::Root"}}}]}, {
+"name": "shapes::Root", "doc": "Holds itself, and another that holds it.", "fields": [{
+"name": "value", "type": {"kind": "Int32"}, "default": 0}, {"name": "children", "type": {
+"kind": "list", "element": {"kind": "struct", "name": "shapes::Root"}}}, {"name": "shadow",
+"type": {"kind": "optional", "element": {"kind": "struct", "name": "shapes::Root"}}}, {
+"name": "branches", "type": {"kind": "list", "element": {"kind": "struct", "name": "shapes::Branch"
+}}}]}, {"name": "shapes::Open", "doc": "Each level that may lack its bound, all of it or a part.",
+"fields": [{"name": "name", "type": {"kind": "text"}}, {"name": "samples", "type": {"kind": "list",
+"element": {"kind": "Float64"}}}, {"name": "bytes", "type": {"kind": "list", "element": {
+"kind": "UInt8"}}}, {"name": "block", "type": {"kind": "list", "element": {"kind": "Float32"},
+"bulk": true}}, {"name": "flags", "type": {"kind": "list", "element": {"kind": "Bool"}}}, {
+"name": "path", "type": {"kind": "list", "element": {"kind": "struct", "name": "shapes::Point"}}}, {
+"name": "pair", "type": {"kind": "array", "element": {"kind": "text"}, "length": 2}}, {
+"name": "words", "type": {"kind": "list", "element": {"kind": "text"}, "capacity": 2}}, {
+"name": "shorts", "type": {"kind": "list", "element": {"kind": "text", "capacity": 3}}}, {
+"name": "keys", "type": {"kind": "set", "element": {"kind": "text"}}}, {"name": "series", "type": {
+"kind": "map", "key": {"kind": "text"}, "value": {"kind": "list", "element": {"kind": "struct",
+"name": "shapes::Point"}}}}, {"name": "note", "type": {"kind": "optional", "element": {
+"kind": "text"}}}, {"name": "either", "type": {"kind": "variant", "alternatives": [{
+"kind": "nothing"}, {"kind": "text"}, {"kind": "struct", "name": "shapes::Point"}]}}, {
+"name": "entry", "type": {"kind": "tuple", "elements": [{"kind": "Int32"}, {"kind": "text"}]}}, {
+"name": "joints", "type": {"kind": "list", "element": {"kind": "Float64"}}}, {"name": "any",
+"type": {"kind": "any matrix", "scalar": "Float64"}, "range": [-1.0, 1.0]}, {"name": "wide",
+"type": {"kind": "any matrix", "scalar": "Float64", "capacity": [2, null]}}, {"name": "cloud",
+"type": {"kind": "list", "element": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1
+}}}, {"name": "image", "type": {"kind": "any matrix", "scalar": "Float64", "bulk": true}}, {
+"name": "root", "type": {"kind": "struct", "name": "shapes::Root"}}]}]})json";
+
+}  // namespace
+
+bool store(const Branch& value, BranchSlot& slot) {
+  bool fits = true;
+  fits &= store(value.length, slot.length);
+  fits &= store(value.roots, slot.roots);
+  return fits;
+}
+
+void load(const BranchSlot& slot, Branch& value) {
+  load(slot.length, value.length);
+  load(slot.roots, value.roots);
+}
+
+bool store(const Root& value, RootSlot& slot) {
+  bool fits = true;
+  fits &= store(value.value, slot.value);
+  fits &= store(value.children, slot.children);
+  fits &= store(value.shadow, slot.shadow);
+  fits &= store(value.branches, slot.branches);
+  return fits;
+}
+
+void load(const RootSlot& slot, Root& value) {
+  load(slot.value, value.value);
+  load(slot.children, value.children);
+  load(slot.shadow, value.shadow);
+  load(slot.branches, value.branches);
+}
+
+bool store(const Open& value, OpenSlot& slot) {
+  bool fits = true;
+  fits &= store(value.name, slot.name);
+  fits &= store(value.samples, slot.samples);
+  fits &= store(value.bytes, slot.bytes);
+  fits &= store(value.block, slot.block);
+  fits &= store(value.flags, slot.flags);
+  fits &= store(value.path, slot.path);
+  fits &= store(value.pair, slot.pair);
+  fits &= store(value.words, slot.words);
+  fits &= store(value.shorts, slot.shorts);
+  fits &= store(value.keys, slot.keys);
+  fits &= store(value.series, slot.series);
+  fits &= store(value.note, slot.note);
+  fits &= store(value.either, slot.either);
+  fits &= store(value.entry, slot.entry);
+  fits &= store(value.joints, slot.joints);
+  fits &= store(value.any, slot.any);
+  fits &= store(value.wide, slot.wide);
+  fits &= store(value.cloud, slot.cloud);
+  fits &= store(value.image, slot.image);
+  fits &= store(value.root, slot.root);
+  return fits;
+}
+
+void load(const OpenSlot& slot, Open& value) {
+  load(slot.name, value.name);
+  load(slot.samples, value.samples);
+  load(slot.bytes, value.bytes);
+  load(slot.block, value.block);
+  load(slot.flags, value.flags);
+  load(slot.path, value.path);
+  load(slot.pair, value.pair);
+  load(slot.words, value.words);
+  load(slot.shorts, value.shorts);
+  load(slot.keys, value.keys);
+  load(slot.series, value.series);
+  load(slot.note, value.note);
+  load(slot.either, value.either);
+  load(slot.entry, value.entry);
+  load(slot.joints, value.joints);
+  load(slot.any, value.any);
+  load(slot.wide, value.wide);
+  load(slot.cloud, value.cloud);
+  load(slot.image, value.image);
+  load(slot.root, value.root);
+}
+
+bool store(const std::string& key, const Open& value, ArchivePutArguments& slot) {
+  return store(key, slot.key) && store(value, slot.value);
+}
+
+bool store(const std::string& text, ArchiveRemarkArguments& slot) { return store(text, slot.text); }
+
+bool store(const std::string& pattern, ArchiveFindArguments& slot) {
+  return store(pattern, slot.pattern);
+}
+
+bool store(const Open& value, ArchiveReplaceArguments& slot) { return store(value, slot.value); }
+
+bool store(const std::string& value, const Root& value2, ArchiveGrownPayload& slot) {
+  return store(value, slot.value) && store(value2, slot.value2);
+}
+
+void load(const ArchiveGrownPayload& slot, std::string& value, Root& value2) {
+  load(slot.value, value);
+  load(slot.value2, value2);
+}
+
+// --- between slots and Cap'n Proto
+
+void toWire(const BranchSlot& slot, wire::Branch::Builder out);
+suture::Errc fromWire(wire::Branch::Reader in, BranchSlot& slot, suture::Duration shift);
+bool isValid(const BranchSlot& slot);
+void toWire(const RootSlot& slot, wire::Root::Builder out);
+suture::Errc fromWire(wire::Root::Reader in, RootSlot& slot, suture::Duration shift);
+bool isValid(const RootSlot& slot);
+
+void toWire(const suture::SlotEntry<suture::OpenText, RootSlot>& slot,
+            wire::ShapesOpenEntryOfTextToRoot::Builder out) {
+  toWire(slot.key, out.initKey(slot.key.size));
+  toWire(slot.value, out.initValue());
+}
+
+Errc fromWire(wire::ShapesOpenEntryOfTextToRoot::Reader in,
+              suture::SlotEntry<suture::OpenText, RootSlot>& slot, Duration shift) {
+  return firstError({
+      fromWire(in.getKey(), slot.key),
+      in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid,
+  });
+}
+
+void toWire(const BranchSlot& slot, wire::Branch::Builder out) {
+  out.setLength(slot.length);
+  toWireList(slot.roots, out.initRoots(slot.roots.size),
+             [](const auto& element, auto list, std::uint32_t i) {
+               toWire(element, list[i]);
+             });
+}
+
+Errc fromWire(wire::Branch::Reader in, BranchSlot& slot, Duration shift) {
+  slot.length = in.getLength();
+  return suture::rpc::fromWireDistinct(in.getRoots(), slot.roots, [&](auto item, auto& target) {
+    return fromWire(item, target, shift);
+  });
+}
+
+bool isValid(const BranchSlot& slot) {
+  return inRange(slot.length, 0, 10) && isValid(slot.roots);
+}
+
+void toWire(const suture::OpenOptional<RootSlot>& slot, wire::ShapesOpenOptionalRoot::Builder out) {
+  if (slot.present == 0) return out.setNone();
+  toWire(*slot.value, out.initSome());
+}
+
+Errc fromWire(wire::ShapesOpenOptionalRoot::Reader in, suture::OpenOptional<RootSlot>& slot,
+              Duration shift) {
+  if (in.isNone()) return slot.present = 0, Errc{};
+  if (!in.isSome()) return Errc::Invalid;
+  engage(slot);
+  return in.hasSome() ? fromWire(in.getSome(), *slot.value, shift) : Errc::Invalid;
+}
+
+void toWire(const RootSlot& slot, wire::Root::Builder out) {
+  out.setValue(slot.value);
+  toWireList(slot.children, out.initChildren(slot.children.size),
+             [](const RootSlot& element, auto list, std::uint32_t i) {
+               toWire(element, list[i]);
+             });
+  toWire(slot.shadow, out.initShadow());
+  toWireList(slot.branches, out.initBranches(slot.branches.size),
+             [](const BranchSlot& element, auto list, std::uint32_t i) {
+               toWire(element, list[i]);
+             });
+}
+
+Errc fromWire(wire::Root::Reader in, RootSlot& slot, Duration shift) {
+  slot.value = in.getValue();
+  return firstError({
+      fromWireList(in.getChildren(), slot.children, [&](auto item, RootSlot& target) {
+        return fromWire(item, target, shift);
+      }),
+      fromWire(in.getShadow(), slot.shadow, shift),
+      fromWireList(in.getBranches(), slot.branches, [&](auto item, BranchSlot& target) {
+        return fromWire(item, target, shift);
+      }),
+  });
+}
+
+bool isValid(const RootSlot& slot) {
+  if (!allOf(slot.children, [](const RootSlot& element) { return isValid(element); })) {
+    return false;
+  }
+  if (!allOf(slot.branches, [](const BranchSlot& element) { return isValid(element); })) {
+    return false;
+  }
+  return isValid(slot.shadow);
+}
+
+void toWire(const suture::SlotEntry<suture::OpenText, suture::OpenList<PointSlot>>& slot,
+            wire::ShapesOpenEntryOfTextToListOfPoint::Builder out) {
+  toWire(slot.key, out.initKey(slot.key.size));
+  toWireList(slot.value, out.initValue(slot.value.size),
+             [](const PointSlot& element, auto list, std::uint32_t i) {
+               toWire(element, list[i]);
+             });
+}
+
+Errc fromWire(wire::ShapesOpenEntryOfTextToListOfPoint::Reader in,
+              suture::SlotEntry<suture::OpenText, suture::OpenList<PointSlot>>& slot,
+              Duration shift) {
+  return firstError({
+      fromWire(in.getKey(), slot.key),
+      fromWireList(in.getValue(), slot.value, [&](auto item, PointSlot& target) {
+        return fromWire(item, target, shift);
+      }),
+  });
+}
+
+void toWire(const suture::SlotOptional<suture::OpenText>& slot,
+            wire::ShapesOpenOptionalText::Builder out) {
+  if (slot.present == 0) return out.setNone();
+  toWire(slot.value, out.initSome(slot.value.size));
+}
+
+Errc fromWire(wire::ShapesOpenOptionalText::Reader in, suture::SlotOptional<suture::OpenText>& slot,
+              Duration) {
+  if (in.isNone()) return slot.present = 0, Errc{};
+  if (!in.isSome()) return Errc::Invalid;
+  slot.present = 1;
+  return fromWire(in.getSome(), slot.value);
+}
+
+void toWire(const suture::SlotVariant<suture::SlotNothing, suture::OpenText, PointSlot>& slot,
+            wire::ShapesOpenEitherOfNothingOrTextOrPoint::Builder out) {
+  if (slot.index == 0) return out.setNothing();
+  if (slot.index == 1) return toWire(suture::alternative<1>(slot),
+                                     out.initText(suture::alternative<1>(slot).size));
+  if (slot.index == 2) return toWire(suture::alternative<2>(slot), out.initPoint());
+}
+
+Errc fromWire(wire::ShapesOpenEitherOfNothingOrTextOrPoint::Reader in,
+              suture::SlotVariant<suture::SlotNothing, suture::OpenText, PointSlot>& slot,
+              Duration shift) {
+  if (in.isNothing()) {
+    slot.index = 0;
+    return Errc{};
+  }
+  if (in.isText()) {
+    slot.index = 1;
+    return fromWire(in.getText(), suture::alternative<1>(slot));
+  }
+  if (in.isPoint()) {
+    slot.index = 2;
+    return in.hasPoint() ? fromWire(in.getPoint(), suture::alternative<2>(slot), shift)
+        : Errc::Invalid;
+  }
+  return Errc::Invalid;
+}
+
+void toWire(const suture::SlotTuple<std::int32_t, suture::OpenText>& slot,
+            wire::ShapesOpenTupleOfInt32AndText::Builder out) {
+  out.setItem0(suture::item<0>(slot));
+  toWire(suture::item<1>(slot), out.initItem1(suture::item<1>(slot).size));
+}
+
+Errc fromWire(wire::ShapesOpenTupleOfInt32AndText::Reader in,
+              suture::SlotTuple<std::int32_t, suture::OpenText>& slot, Duration) {
+  suture::item<0>(slot) = in.getItem0();
+  return fromWire(in.getItem1(), suture::item<1>(slot));
+}
+
+void toWire(const OpenSlot& slot, wire::Open::Builder out) {
+  toWire(slot.name, out.initName(slot.name.size));
+  toWire(slot.samples, out.initSamples(slot.samples.size));
+  toWire(slot.bytes, out.initBytes(slot.bytes.size));
+  toWire(slot.block, out.initBlock(slot.block.size * sizeof(float)));
+  toWire(slot.flags, out.initFlags(slot.flags.size));
+  toWireList(slot.path, out.initPath(slot.path.size),
+             [](const PointSlot& element, auto list, std::uint32_t i) {
+               toWire(element, list[i]);
+             });
+  toWireList(slot.pair, out.initPair(2),
+             [](const suture::OpenText& element, auto list, std::uint32_t i) {
+               toWire(element, list.init(i, element.size));
+             });
+  toWire(slot.words, out.initWords(slot.words.size));
+  toWire(slot.shorts, out.initShorts(slot.shorts.size));
+  toWire(slot.keys, out.initKeys(slot.keys.size));
+  toWireList(slot.series, out.initSeries(slot.series.size),
+             [](const auto& element, auto list, std::uint32_t i) {
+               toWire(element, list[i]);
+             });
+  toWire(slot.note, out.initNote());
+  toWire(slot.either, out.initEither());
+  toWire(slot.entry, out.initEntry());
+  toWire(slot.joints, out.initJoints(slot.joints.size));
+  toWire(slot.any, out.initAny());
+  toWire(slot.wide, out.initWide());
+  suture::rpc::toWireFlat(slot.cloud, out.initCloud(slot.cloud.size * 3));
+  toWire(slot.image, out.initImage());
+  toWire(slot.root, out.initRoot());
+}
+
+Errc fromWire(wire::Open::Reader in, OpenSlot& slot, Duration shift) {
+  return firstError({
+      fromWire(in.getName(), slot.name),
+      fromWire(in.getSamples(), slot.samples),
+      fromWire(in.getBytes(), slot.bytes),
+      fromWire(in.getBlock(), slot.block),
+      fromWire(in.getFlags(), slot.flags),
+      fromWireList(in.getPath(), slot.path, [&](auto item, PointSlot& target) {
+        return fromWire(item, target, shift);
+      }),
+      fromWireList(in.getPair(), slot.pair, [](auto item, suture::OpenText& target) {
+        return fromWire(item, target);
+      }),
+      fromWire(in.getWords(), slot.words),
+      fromWire(in.getShorts(), slot.shorts),
+      suture::rpc::fromWireDistinct(in.getKeys(), slot.keys,
+                                    [](auto item, suture::OpenText& target) {
+                                      return fromWire(item, target);
+                                    }),
+      suture::rpc::fromWireDistinct(in.getSeries(), slot.series, [&](auto item, auto& target) {
+        return fromWire(item, target, shift);
+      }),
+      fromWire(in.getNote(), slot.note, shift),
+      in.hasEither() ? fromWire(in.getEither(), slot.either, shift) : Errc::Invalid,
+      in.hasEntry() ? fromWire(in.getEntry(), slot.entry, shift) : Errc::Invalid,
+      fromWire(in.getJoints(), slot.joints),
+      fromWire(in.getAny(), slot.any),
+      fromWire(in.getWide(), slot.wide),
+      suture::rpc::fromWireFlat(in.getCloud(), slot.cloud),
+      fromWire(in.getImage(), slot.image),
+      in.hasRoot() ? fromWire(in.getRoot(), slot.root, shift) : Errc::Invalid,
+  });
+}
+
+bool isValid(const OpenSlot& slot) {
+  if (!allOf(slot.path, [](const PointSlot& element) { return isValid(element); })) {
+    return false;
+  }
+  if (!allOf(slot.any, [](double element) { return inRange(element, -1, 1); })) {
+    return false;
+  }
+  if (!allOf(slot.cloud, [](const std::array<double, 3>& element) { return isValid(element); })) {
+    return false;
+  }
+  return isValid(slot.samples) && isValid(slot.block) && isValid(slot.series) &&
+      isValid(slot.either) && isValid(slot.joints) && isValid(slot.wide) && isValid(slot.image) &&
+      isValid(slot.root);
+}
+
+namespace {
+
+// --- Archive over Cap'n Proto RPC: the provider's side
+
+/// Makes remote calls of a subscriber's events and rows.
+class ArchiveSink final : public suture::rpc::EventSink {
+ public:
+  explicit ArchiveSink(wire::ArchiveEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+
+  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
+    switch (event) {
+      case numberOf(ArchiveEvent::renamed): {
+        const auto& slot = slotIn<suture::OpenText>(payload);
+        auto request = subscriber_.renamedRequest();
+        toWire(slot, request.initValue(slot.size));
+        return request.send().ignoreResult();
+      }
+      case numberOf(ArchiveEvent::grown): {
+        const auto& slot = slotIn<ArchiveGrownPayload>(payload);
+        auto request = subscriber_.grownRequest();
+        toWire(slot.value, request.initValue(slot.value.size));
+        toWire(slot.value2, request.initValue2());
+        return request.send().ignoreResult();
+      }
+      case numberOf(ArchiveEvent::changed): {
+        const auto& slot = slotIn<OpenSlot>(payload);
+        auto request = subscriber_.changedRequest();
+        toWire(slot, request.initValue());
+        return request.send().ignoreResult();
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
+                        std::span<const std::byte* const> columns) override {
+    auto request = subscriber_.stateRequest();
+    auto out = request.initRow();
+    out.setStamp(suture::toNanoseconds(row.stamp));
+    out.setEvaluated(row.valid);
+    out.setTooLarge(row.tooLarge);
+    if (row.valid >> 0 & 1) {
+      const auto& slot = slotIn<OpenSlot>(columns[0]);
+      toWire(slot, out.initNewest());
+    }
+    return request.send().ignoreResult();
+  }
+
+ private:
+  wire::ArchiveEvents::Client subscriber_;
+};
+
+/// Puts remote calls into the provider's mailbox.
+class ArchiveServant final : public wire::Archive::Server {
+ public:
+  explicit ArchiveServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> subscribe(SubscribeContext context) override {
+    auto in = context.getParams();
+    port_->subscribe(kj::heap<ArchiveSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> put(PutContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<ArchivePutArguments>(memory);
+      const Errc error = firstError({
+          fromWire(in.getKey(), slot.key),
+          in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid,
+      });
+      if (error != Errc{}) return error;
+      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+    };
+    return port_->command(numberOf(ArchiveCommand::put), in.getSent(), fill);
+  }
+
+  kj::Promise<void> remark(RemarkContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<ArchiveRemarkArguments>(memory);
+      return fromWire(in.getText(), slot.text);
+    };
+    return port_->command(numberOf(ArchiveCommand::remark), in.getSent(), fill);
+  }
+
+  kj::Promise<void> newest(NewestContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
+      const auto& slot = slotIn<OpenSlot>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
+    };
+    return port_->call(numberOf(ArchiveCommand::newest), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> find(FindContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<ArchiveFindArguments>(memory);
+      return fromWire(in.getPattern(), slot.pattern);
+    };
+    auto take = [context](const std::byte* result, suture::Time) mutable {
+      const auto& slot = slotIn<suture::OpenList<suture::OpenText>>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue(slot.size));
+    };
+    return port_->call(numberOf(ArchiveCommand::find), in.getSent(), fill, kj::mv(take));
+  }
+
+  kj::Promise<void> replace(ReplaceContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<ArchiveReplaceArguments>(memory);
+      const Errc error =
+          in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
+      if (error != Errc{}) return error;
+      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+    };
+    auto take = [context](const std::byte* result, suture::Time) mutable {
+      const auto& slot = slotIn<OpenSlot>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(numberOf(ArchiveCommand::replace), in.getSent(), fill, kj::mv(take));
+  }
+
+ private:
+  kj::Own<ServantPort> port_;
+};
+
+// --- Archive over Cap'n Proto RPC: the client's side
+
+/// Receives events and rows.
+class ArchiveReceiver final : public wire::ArchiveEvents::Server {
+ public:
+  explicit ArchiveReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> state(StateContext context) override {
+    auto in = context.getParams().getRow();
+    suture::rt::ColumnSet valid = 0;
+    if (in.getEvaluated() >> 0 & 1) {
+      auto& slot = port_->column<OpenSlot>(0);
+      const Errc error =
+          in.hasNewest() ? fromWire(in.getNewest(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
+    }
+    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> renamed(RenamedContext context) override {
+    auto in = context.getParams();
+    return port_->event<suture::OpenText>(numberOf(ArchiveEvent::renamed),
+                                          [&](suture::OpenText& slot) {
+      return fromWire(in.getValue(), slot);
+    });
+  }
+
+  kj::Promise<void> grown(GrownContext context) override {
+    auto in = context.getParams();
+    return port_->event<ArchiveGrownPayload>(numberOf(ArchiveEvent::grown),
+                                             [&](ArchiveGrownPayload& slot) {
+      return firstError({
+          fromWire(in.getValue(), slot.value),
+          in.hasValue2() ? fromWire(in.getValue2(), slot.value2, port_->shift()) : Errc::Invalid,
+      });
+    });
+  }
+
+  kj::Promise<void> changed(ChangedContext context) override {
+    auto in = context.getParams();
+    return port_->event<OpenSlot>(numberOf(ArchiveEvent::changed), [&](OpenSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
+  }
+
+ private:
+  kj::Own<ProxyPort> port_;
+};
+
+/// Makes remote calls of commands.
+class ArchiveProxy final : public suture::rpc::Proxy {
+ public:
+  ArchiveProxy(wire::Archive::Client provider, ProxyPort& port)
+      : provider_(kj::mv(provider)), port_(port) {}
+
+  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
+    auto request = provider_.subscribeRequest();
+    request.setEvents(kj::heap<ArchiveReceiver>(kj::addRef(port_)));
+    request.setEventMask(events);
+    request.setStateMask(columns);
+    return request.send().ignoreResult();
+  }
+
+  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
+    switch (static_cast<ArchiveCommand>(record.command)) {
+      case ArchiveCommand::put: {
+        const auto& slot = slotIn<ArchivePutArguments>(record.arguments());
+        auto request = provider_.putRequest();
+        toWire(slot.key, request.initKey(slot.key.size));
+        toWire(slot.value, request.initValue());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case ArchiveCommand::remark: {
+        const auto& slot = slotIn<ArchiveRemarkArguments>(record.arguments());
+        auto request = provider_.remarkRequest();
+        toWire(slot.text, request.initText(slot.text.size));
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case ArchiveCommand::newest: {
+        auto request = provider_.newestRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<OpenSlot>(call, response.getStamp(), [&](OpenSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case ArchiveCommand::find: {
+        const auto& slot = slotIn<ArchiveFindArguments>(record.arguments());
+        auto request = provider_.findRequest();
+        toWire(slot.pattern, request.initPattern(slot.pattern.size));
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<suture::OpenList<suture::OpenText>>(call,
+                                                           [&](suture::OpenList<suture::OpenText>& answer) {
+            return fromWire(response.getValue(), answer);
+          });
+        });
+      }
+      case ArchiveCommand::replace: {
+        const auto& slot = slotIn<ArchiveReplaceArguments>(record.arguments());
+        auto request = provider_.replaceRequest();
+        toWire(slot.value, request.initValue());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<OpenSlot>(call, [&](OpenSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+ private:
+  wire::Archive::Client provider_;
+  ProxyPort& port_;
+};
+
+class ArchiveBinding final : public suture::rpc::Binding {
+ public:
+  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
+    return kj::heap<ArchiveServant>(kj::mv(port));
+  }
+  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
+                                        ProxyPort& port) const override {
+    return kj::heap<ArchiveProxy>(contract.castAs<wire::Archive>(), port);
+  }
+  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
+    return kj::heap<ArchiveSink>(subscriber.castAs<wire::ArchiveEvents>());
+  }
+};
+
+const suture::rpc::Binding& archiveBinding() {
+  static const ArchiveBinding kBinding;
+  return kBinding;
+}
+
+}  // namespace
+}  // namespace shapes
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<shapes::Archive>() {
+  static constexpr InterfaceInfo kInfo{
+      .name = "shapes::Archive",
+      .hash = "17b8a5413fbf942b85ef9b6f9f932fdd",
+      .description = shapes::kArchiveDescription,
+      .commands = shapes::kArchiveCommands,
+      .events = shapes::kArchiveEvents,
+      .binding = &shapes::archiveBinding,
+  };
+  return kInfo;
+}
+
+Errc Provided<shapes::Archive>::execute(std::uint16_t command, const std::byte* arguments,
+                                        std::byte* result) {
+  using ::shapes::ArchiveCommand;
+  switch (static_cast<ArchiveCommand>(command)) {
+    case ArchiveCommand::put: {
+      const auto& slot = slotIn<shapes::ArchivePutArguments>(arguments);
+      load(slot.key, scratch_.put_key);
+      load(slot.value, scratch_.put_value);
+      implementation_.put(scratch_.put_key, scratch_.put_value);
+      return Errc{};
+    }
+    case ArchiveCommand::remark: {
+      const auto& slot = slotIn<shapes::ArchiveRemarkArguments>(arguments);
+      load(slot.text, scratch_.remark_text);
+      implementation_.remark(scratch_.remark_text);
+      return Errc{};
+    }
+    case ArchiveCommand::newest: {
+      auto& slot = newSlot<shapes::OpenSlot>(result);
+      return store(implementation_.newest(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case ArchiveCommand::find: {
+      const auto& slot = slotIn<shapes::ArchiveFindArguments>(arguments);
+      load(slot.pattern, scratch_.find_pattern);
+      auto& answer = newSlot<suture::OpenList<suture::OpenText>>(result);
+      return store(implementation_.find(scratch_.find_pattern), answer) ? Errc{} : Errc::TooLarge;
+    }
+    case ArchiveCommand::replace: {
+      const auto& slot = slotIn<shapes::ArchiveReplaceArguments>(arguments);
+      load(slot.value, scratch_.replace_value);
+      auto& answer = newSlot<shapes::OpenSlot>(result);
+      return store(implementation_.replace(scratch_.replace_value), answer)
+          ? Errc{} : Errc::TooLarge;
+    }
+  }
+  return Errc::Invalid;
+}
+
+}  // namespace suture

@@ -1,0 +1,104 @@
+// The event queue, with several senders, and the doorbell.
+#include <suture/rt/doorbell.h>
+#include <suture/rt/event_queue.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include "rt/model/scenarios.h"
+
+namespace model {
+namespace {
+
+namespace rt = suture::rt;
+
+constexpr std::uint16_t kQueued = 0, kLatest = 1;
+constexpr rt::EventLimits kEvents[] = {{8, 1, false}, {8, 1, true}};
+
+struct Events {
+  rt::EventQueue queue{kEvents};
+  std::uint64_t accepted = 0, taken = 0, newest = 0;
+
+  void push(std::uint16_t event, std::uint64_t serial) {
+    if (queue.push(event, suture::Time{}, std::as_bytes(std::span(&serial, 1)))) {
+      accepted += event == kQueued ? 1 : 0;
+    }
+  }
+  void receive() {
+    const rt::EventRecord* record = queue.next();
+    if (record == nullptr) return;
+    const std::uint16_t event = record->event;
+    const std::uint64_t serial = read(record->payload());
+    require(read(record->payload()) == serial, "an event is overwritten while it is read");
+    taken += event == kQueued ? 1 : 0;
+    if (event == kLatest) newest = serial;
+    queue.pop();
+  }
+};
+
+}  // namespace
+
+Run eventQueue() {
+  const auto it = std::make_shared<Events>();
+  return {.threads = {[it] {
+                        it->push(kQueued, 1);
+                        it->push(kLatest, 2);
+                        it->push(kQueued, 3);
+                      },
+                      [it] {
+                        it->push(kLatest, 4);
+                        it->push(kLatest, 5);
+                      },
+                      [it] {
+                        for (int i = 0; i < 3; ++i) it->receive();
+                      }},
+          .atEnd = [it] {
+            for (int i = 0; i < 4; ++i) it->receive();
+            require(it->taken == it->accepted, "a queued event is lost");
+            require(it->newest != 0, "no newest-wins event ever came");
+            require(!it->queue.pending(), "the queue does not empty");
+          }};
+}
+
+namespace {
+
+/// A sleeper that lies down only if there is nothing to do, and somebody who brings work and rings.
+struct Sleeper {
+  Sleeper() : descriptor(eventfd(0, EFD_NONBLOCK)), bell(descriptor) {}
+  ~Sleeper() { close(descriptor); }
+
+  bool woken() const {
+    std::uint64_t count = 0;
+    return ::read(descriptor, &count, sizeof(count)) == sizeof(count);
+  }
+
+  int descriptor;
+  rt::Doorbell bell;
+  std::atomic<int> work{0};
+  int done = 0;
+  bool asleep = false;
+};
+
+}  // namespace
+
+Run doorbell() {
+  const auto it = std::make_shared<Sleeper>();
+  return {.threads = {[it] {
+                        for (int i = 0; i < 3; ++i) {
+                          it->work.fetch_add(1);
+                          it->bell.ring();
+                        }
+                      },
+                      [it] {
+                        for (int i = 0; i < 5 && !it->asleep; ++i) {
+                          it->done += it->work.exchange(0);
+                          it->asleep = it->bell.lieDown();
+                          if (!it->asleep) it->bell.takeRing();
+                        }
+                      }},
+          .atEnd = [it] {
+            require(it->done == 3 || !it->asleep || it->woken(),
+                    "it sleeps, there is work, and nobody will ring");
+          }};
+}
+
+}  // namespace model

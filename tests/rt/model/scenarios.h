@@ -1,0 +1,20 @@
+#pragma once
+// What is explored: small uses of each part between threads, in which every order can be tried.
+
+#include <functional>
+
+#include "rt/model/explorer.h"
+
+namespace model {
+
+Run spscRing();
+Run mpscRing();
+Run latestCell();
+Run mailboxOrder();
+Run mailboxCredits();
+Run stateRow();
+Run stateOrder();
+Run eventQueue();
+Run doorbell();
+
+}  // namespace model

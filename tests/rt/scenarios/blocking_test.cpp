@@ -1,0 +1,57 @@
+// Every kind of command with every prototype, waited for.
+#include <chrono>
+
+#include "rt/scenarios/setup.h"
+
+namespace scenarios {
+namespace {
+
+using namespace std::chrono_literals;
+
+class Blocking : public Scenario {};
+
+TEST_P(Blocking, VoidAndWriteHaveBeenExecutedWhenTheyAreAnswered) {
+  client->with([](Used& used) {
+    forEachPrototype(used, [](auto prototype) {
+      ASSERT_TRUE(prototype.set.start(prototype.value).within(10s));
+      const auto kept = prototype.read.fresh().within(10s);
+      ASSERT_TRUE(kept);
+      EXPECT_TRUE(same(*kept, prototype.value));
+    });
+    ASSERT_TRUE(used.clear.start().within(10s));
+    const auto text = used.text.fresh().within(10s);
+    ASSERT_TRUE(text);
+    EXPECT_EQ(*text, "");
+  });
+}
+
+TEST_P(Blocking, AQualifiedReadAnswersItsQuestion) {
+  client->with([](Used& used) {
+    forEachPrototype(used, [](auto prototype) {
+      const auto twice = prototype.twice.start(prototype.value).within(10s);
+      ASSERT_TRUE(twice);
+      EXPECT_TRUE(same(*twice, doubled(prototype.value)));
+    });
+  });
+}
+
+TEST_P(Blocking, VoidAndWriteWithReturnAnswerWhatWasKept) {
+  client->with([](Used& used) {
+    forEachPrototype(used, [](auto prototype) {
+      const auto before = prototype.swap.start(prototype.value).within(10s);
+      ASSERT_TRUE(before);
+      EXPECT_FALSE(same(*before, prototype.value));
+      const auto taken = prototype.take.start().within(10s);
+      ASSERT_TRUE(taken);
+      EXPECT_TRUE(same(*taken, prototype.value));
+      const auto nothing = prototype.take.start().within(10s);
+      ASSERT_TRUE(nothing);
+      EXPECT_TRUE(same(*nothing, *before));
+    });
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(Matrix, Blocking, allCombinations(), nameOf);
+
+}  // namespace
+}  // namespace scenarios

@@ -1,0 +1,55 @@
+#pragma once
+// One end of a scenario: a component of any kind that serves the contract and uses that of the
+// other end.
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "rt/scenarios/store.h"
+
+namespace suture {
+class Manager;
+}
+
+namespace scenarios {
+
+/// Where a component's code runs: the original's kinds, and the task that borrows a thread.
+enum class Kind { Device, Periodic, Continuous, FromSignal, FromCallback, Guest };
+
+/// What arrived as events.
+struct Received {
+  std::vector<double> scalars;
+  std::vector<Vector> vectors;
+  std::vector<PosePrm> records;
+  std::vector<std::string> texts;
+  int cleared = 0;
+
+  void listen(Used& used);
+};
+
+class End {
+ public:
+  virtual ~End() = default;
+
+  /// Adds the component, and what it needs to run, to `manager`.
+  virtual void addTo(suture::Manager& manager, const std::string& name) = 0;
+  /// After the manager's start() and before its stop().
+  virtual void begin() {}
+  virtual void end() {}
+
+  /// Runs `work` in the component's thread, which is the caller's for a device, and returns when it
+  /// has ended.
+  virtual void with(const std::function<void(Used&)>& work) = 0;
+  /// Has it look at what has been received until `enough` says so, at most 10 s.
+  bool await(const std::function<bool(const Received&)>& enough);
+
+ protected:
+  /// In the component's thread: what has arrived until now.
+  virtual const Received& received() = 0;
+};
+
+std::unique_ptr<End> makeEnd(Kind kind);
+
+}  // namespace scenarios

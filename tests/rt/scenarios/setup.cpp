@@ -1,0 +1,71 @@
+#include "rt/scenarios/setup.h"
+
+#include <suture/component/channel.h>
+#include <suture/manager/global_manager.h>
+#include <suture/manager/manager.h>
+#include <suture/transport/rpc/control_thread.h>
+
+#include <optional>
+
+namespace scenarios {
+namespace {
+
+constexpr const char* kKinds[] = {"Device",     "Periodic",     "Continuous",
+                                  "FromSignal", "FromCallback", "Guest"};
+
+}  // namespace
+
+/// One process, or two and their global manager: two managers in one process share nothing but the
+/// sockets.
+struct Scenario::Processes {
+  explicit Processes(const std::string& socket)
+      : control(std::in_place),
+        names(std::in_place, *control, "unix:" + socket),
+        servers(std::in_place, "servers", names->address()),
+        clients(std::in_place, "clients", names->address()) {}
+  Processes() : servers(std::in_place, "alone") {}
+
+  std::optional<suture::rpc::ControlThread> control;
+  std::optional<suture::GlobalManager> names;
+  std::optional<suture::Manager> servers, clients;
+
+  suture::Manager& ofClient() { return clients ? *clients : *servers; }
+};
+
+Scenario::Scenario()
+    : server(makeEnd(std::get<1>(GetParam()))), client(makeEnd(std::get<2>(GetParam()))) {}
+
+Scenario::~Scenario() = default;
+
+void Scenario::SetUp() {
+  const bool local = std::get<0>(GetParam()) == LaneUnderTest::Local;
+  processes_ = local ? std::make_unique<Processes>()
+                     : std::make_unique<Processes>(directory_.file("manager.sock"));
+  suture::Manager& servers = *processes_->servers;
+  suture::Manager& clients = processes_->ofClient();
+  server->addTo(servers, "Server");
+  client->addTo(clients, "Client");
+  servers.start();
+  if (!local) clients.start();
+  server->begin();
+  client->begin();
+  clients.connect("Client/Used", local ? "Server/Served" : "servers:Server/Served");
+  servers.connect("Server/Used", local ? "Client/Served" : "clients:Client/Served");
+  for (const auto& channel : clients.channels()) EXPECT_EQ(channel->lane, local ? "local" : "rpc");
+}
+
+void Scenario::TearDown() {
+  if (processes_ == nullptr) return;
+  client->end();
+  server->end();
+  processes_->ofClient().stop();
+  processes_->servers->stop();
+}
+
+std::string nameOf(const testing::TestParamInfo<Combination>& info) {
+  const auto [lane, server, client] = info.param;
+  return std::string(lane == LaneUnderTest::Local ? "Local" : "Rpc") + "To" +
+         kKinds[static_cast<int>(server)] + "From" + kKinds[static_cast<int>(client)];
+}
+
+}  // namespace scenarios

@@ -1,0 +1,132 @@
+// A million cycles of the full Arm contract on the `local` lane, and what they cost beside time:
+// nothing.
+
+#include <gtest/gtest.h>
+#include <sched.h>
+#include <suture/component/callback_task.h>
+#include <suture/component/channel.h>
+#include <suture/component/continuous_task.h>
+#include <suture/component/event_task.h>
+#include <suture/wiring/connect.h>
+
+#include <atomic>
+#include <thread>
+
+#include "rt/task_thread/arm_tasks.h"
+#include "rt/task_thread/watch.h"
+
+namespace proof {
+namespace {
+
+using Findings = std::vector<std::string>;
+
+#ifdef SUTURE_UNWATCHED
+constexpr std::uint64_t kCycles = 5'000, kSleepingCycles = 2'000;
+#else
+constexpr std::uint64_t kCycles = 1'000'000, kSleepingCycles = 100'000;
+#endif
+constexpr std::uint64_t kWarmUp = 2'000;
+
+bool eventuallyDone(const Watch& watch) {
+  const suture::Time deadline = suture::now() + std::chrono::minutes(5);
+  while (!watch.done() && suture::now() < deadline) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return watch.done();
+}
+
+/// A processor that this process may use: threads that wake each other are best off on one.
+int someProcessor() {
+  cpu_set_t set;
+  sched_getaffinity(0, sizeof(set), &set);
+  int last = 0;
+  for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu) last = CPU_ISSET(cpu, &set) ? cpu : last;
+  return last;
+}
+
+// Both tasks take turns in one thread, so every command is executed and every event arrives.
+TEST(TaskThread, CyclesInOneThreadCostNothing) {
+  ArmTask<suture::CallbackTask> arm;
+  UserTask<suture::CallbackTask> client;
+  const auto channel = suture::connectLocally(client.arm, arm.crtk, "test");
+  arm.start();
+  client.start();
+  Watch watch("the thread of both", kWarmUp, kCycles);
+  std::thread([&] {
+    while (!watch.done()) {
+      client.trigger();
+      arm.trigger();
+      watch.cycle();
+    }
+  }).join();
+  EXPECT_EQ(watch.findings(), Findings{});
+
+  const ArmUser& user = client.user;
+  EXPECT_EQ(user.refused, 0u);
+  EXPECT_GE(user.commands, kCycles);
+  EXPECT_GE(user.reads, 22 * kCycles);
+  EXPECT_GE(user.answers, kCycles);
+  EXPECT_GE(user.events, kCycles / 2);
+  EXPECT_GE(channel->state->rows(), kCycles);
+  EXPECT_EQ(channel->events.dropped(), 0u);
+  const suture::rt::MailboxCounters& counters = channel->commands.counters;
+  EXPECT_EQ(counters.executed + counters.late, counters.sent);
+}
+
+// Both run as fast as they can, on two processors if there are two; nobody ever sleeps.
+TEST(TaskThread, CyclesOfTwoThreadsCostNothing) {
+  ArmTask<suture::ContinuousTask> arm;
+  UserTask<suture::ContinuousTask> client;
+  Watch armWatch("PSM", kWarmUp, kCycles), clientWatch("Console", kWarmUp, kCycles);
+  std::atomic<bool> warm{false};
+  arm.also = [&] {
+    if (warm) armWatch.cycle();
+  };
+  client.also = [&] {
+    if (client.user.isWarm()) warm = true;
+    if (warm) clientWatch.cycle();
+  };
+  const auto channel = suture::connectLocally(client.arm, arm.crtk, "test");
+  arm.start();
+  client.start();
+  EXPECT_TRUE(eventuallyDone(armWatch) && eventuallyDone(clientWatch));
+  client.stop();
+  arm.stop();
+  EXPECT_EQ(armWatch.findings(), Findings{});
+  EXPECT_EQ(clientWatch.findings(), Findings{});
+
+  EXPECT_GT(channel->commands.counters.executed, 1000u);
+  EXPECT_GT(client.user.events, 1000u);
+  EXPECT_GT(client.user.answers, 1000u);
+}
+
+// An arm and two clients that sleep whenever they have nothing to do, and wake each other: in a
+// cycle one sleep, and a ring for each peer that sleeps.
+TEST(TaskThread, CyclesThatSleepCostASleepAndARingForEachSleepingPeer) {
+  const suture::EventOptions options{.scheduling = {.cpu = someProcessor()}};
+  ArmTask<suture::EventTask> arm(options);
+  UserTask<suture::EventTask> first(options), second(options);
+  Watch armWatch("PSM", kWarmUp, kSleepingCycles, {.sleeps = 1, .wakes = 2});
+  Watch firstWatch("Console 1", kWarmUp, kSleepingCycles, {.sleeps = 1, .wakes = 1});
+  Watch secondWatch("Console 2", kWarmUp, kSleepingCycles, {.sleeps = 1, .wakes = 1});
+  arm.also = [&] { armWatch.cycle(); };
+  first.also = [&] { firstWatch.cycle(); };
+  second.also = [&] { secondWatch.cycle(); };
+  suture::connectLocally(first.arm, arm.crtk, "first");
+  suture::connectLocally(second.arm, arm.crtk, "second");
+  arm.start();
+  first.start();
+  second.start();
+  for (const Watch* watch : {&armWatch, &firstWatch, &secondWatch}) {
+    EXPECT_TRUE(eventuallyDone(*watch));
+  }
+  first.stop();
+  second.stop();
+  arm.stop();
+  for (const Watch* watch : {&armWatch, &firstWatch, &secondWatch}) {
+    EXPECT_EQ(watch->findings(), Findings{});
+  }
+}
+
+}  // namespace
+}  // namespace proof

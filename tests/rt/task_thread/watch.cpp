@@ -1,0 +1,133 @@
+#include "rt/task_thread/watch.h"
+
+#include <cxxabi.h>
+#include <dlfcn.h>
+#include <execinfo.h>
+#include <linux/futex.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <utility>
+
+#include "rt/task_thread/system_calls.h"
+
+namespace proof {
+namespace {
+
+// Whose watch looks at this thread. None while a finding is written down: that may do what is
+// watched for.
+constinit thread_local Watch* current = nullptr;
+
+std::uint64_t pageFaults() {
+  rusage usage{};
+  getrusage(RUSAGE_THREAD, &usage);
+  return static_cast<std::uint64_t>(usage.ru_minflt + usage.ru_majflt);
+}
+
+/// The function at `address`; "" if it has no name that other files can see.
+std::string functionAt(void* address) {
+  Dl_info info{};
+  if (dladdr(address, &info) == 0 || info.dli_sname == nullptr) return "";
+  int status = 0;
+  const std::unique_ptr<char, decltype(&std::free)> readable(
+      abi::__cxa_demangle(info.dli_sname, nullptr, nullptr, &status), &std::free);
+  return status == 0 ? readable.get() : info.dli_sname;
+}
+
+}  // namespace
+
+Watch::Watch(std::string thread, std::uint64_t warmUp, std::uint64_t cycles, Allowance allowance)
+    : thread_(std::move(thread)), warmUp_(warmUp), cycles_(cycles), allowance_(allowance) {}
+
+void Watch::cycle() {
+  ++cycle_;
+  sleeps_ = wakes_ = 0;
+  if (cycle_ == warmUp_) begin();
+  if (cycle_ == warmUp_ + cycles_) end();
+}
+
+void Watch::begin() {
+  void* frames[kMaxFrames];
+  backtrace(frames, kMaxFrames);  // the first one loads a library
+  trapSystemCallsOfThisThread();
+  faultsBefore_ = pageFaults();
+  current = this;
+}
+
+void Watch::end() {
+  current = nullptr;
+  const std::uint64_t faults = pageFaults() - faultsBefore_;
+  if (faults > 0) {
+    record("page fault");
+    findings_.back().count = faults;
+    findings_.back().frameCount = 0;  // nobody saw where
+  }
+  done_.store(true, std::memory_order_release);
+}
+
+void Watch::noteCall(const char* function) {
+  Watch* watch = std::exchange(current, nullptr);
+  if (watch == nullptr) return;
+  watch->record(function);
+  current = watch;
+}
+
+void Watch::noteSystemCall(long number, long first, long second) {
+  Watch* watch = std::exchange(current, nullptr);
+  if (watch == nullptr) return;
+  if (!watch->allowed(number, first, second)) watch->record("system call ", number);
+  current = watch;
+}
+
+bool Watch::allowed(long number, long address, long operation) {
+  if (number != SYS_futex) return false;
+  switch (operation & FUTEX_CMD_MASK) {
+    case FUTEX_WAIT:
+    case FUTEX_WAIT_BITSET: return ++sleeps_ <= allowance_.sleeps;
+    case FUTEX_WAKE: return allowedWake(address);
+    default: return false;
+  }
+}
+
+bool Watch::allowedWake(long address) {
+  if (wakes_ >= std::min<std::size_t>(allowance_.wakes, kMaxWoken)) return false;
+  if (std::find(woken_, woken_ + wakes_, address) != woken_ + wakes_) return false;
+  woken_[wakes_++] = address;
+  return true;
+}
+
+void Watch::record(const char* what, long number) {
+  const std::uint64_t faults = pageFaults();
+  std::string name = number < 0 ? what : what + std::to_string(number);
+  auto found = std::find_if(findings_.begin(), findings_.end(),
+                            [&](const Finding& finding) { return finding.what == name; });
+  if (found == findings_.end()) {
+    Finding& finding = findings_.emplace_back();
+    finding.what = std::move(name);
+    finding.frameCount = backtrace(finding.frames, kMaxFrames);
+    found = findings_.end() - 1;
+  }
+  ++found->count;
+  faultsBefore_ += pageFaults() - faults;  // those are the watch's own
+}
+
+std::vector<std::string> Watch::findings() const {
+  std::vector<std::string> lines;
+  for (const Finding& finding : findings_) lines.push_back(describe(finding));
+  return lines;
+}
+
+std::string Watch::describe(const Finding& finding) const {
+  std::string line = thread_ + ": " + finding.what + ", " + std::to_string(finding.count) +
+                     " times in " + std::to_string(cycles_) + " cycles";
+  for (int i = 0; i < finding.frameCount; ++i) {
+    const std::string function = functionAt(finding.frames[i]);
+    if (!function.empty() && !function.starts_with("proof::Watch::")) line += "\n    " + function;
+  }
+  return line;
+}
+
+}  // namespace proof

@@ -1,0 +1,301 @@
+// What a manager does with the lives of its components, and what the interface "component" tells.
+
+#include <gtest/gtest.h>
+#include <suture/component/callback_task.h>
+#include <suture/component/device.h>
+#include <suture/component/periodic_task.h>
+#include <suture/lifecycle.suture.h>
+#include <suture/manager/global_manager.h>
+#include <suture/manager/manager.h>
+#include <suture/transport/rpc/control_thread.h>
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "support/eventually.h"
+#include "support/temporary_directory.h"
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+using State = ComponentState;
+
+std::string refusal(const std::function<void()>& attempt) {
+  try {
+    attempt();
+  } catch (const SetupError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+struct Worker final : PeriodicTask {
+  Worker() : PeriodicTask({.period = 1ms}) {}
+  ~Worker() override { stop(); }
+  void run() override {
+    if (broken) throw std::runtime_error("the encoder says nonsense");
+  }
+  std::atomic<bool> broken{false};
+};
+
+struct Idle final : Device {};
+
+/// Watches the life of another component.
+struct Watcher final : Device {
+  Watcher() {
+    component.on().state_changed([this](const StateChange& change) { changes.push_back(change); });
+  }
+  std::vector<std::string> states() {
+    std::vector<std::string> names;
+    for (const StateChange& change : changes) names.emplace_back(toString(change.state));
+    return names;
+  }
+  /// True once `states()` is that.
+  bool hears(const std::vector<std::string>& expected) {
+    return eventually([&] {
+      (void)component.connected();  // takes over the connection
+      processEvents();
+      return states() == expected;
+    });
+  }
+  Required<Lifecycle> component{*this, "Watched"};
+  std::vector<StateChange> changes;
+};
+
+/// Two managers that are two processes to each other.
+struct Processes {
+  TemporaryDirectory directory;
+  rpc::ControlThread control;
+  GlobalManager global{control, "unix:" + directory.file("manager.sock")};
+  Manager there{"there", global.address()}, here{"here", global.address()};
+};
+
+TEST(ManagerLifecycle, LeadsTasksAndDevicesThroughTheirStates) {
+  Worker worker;
+  Idle idle;
+  Manager manager("here");
+  manager.add("Worker", worker);
+  manager.add("Idle", idle);
+  manager.configure();
+  EXPECT_EQ(worker.state(), State::Configured);
+  EXPECT_EQ(idle.state(), State::Configured);
+  manager.start();
+  EXPECT_EQ(worker.state(), State::Running);
+  EXPECT_EQ(idle.state(), State::Running);
+  manager.suspend("Worker");
+  manager.suspend("Idle");
+  EXPECT_EQ(worker.state(), State::Suspended);
+  EXPECT_EQ(idle.state(), State::Suspended);
+  manager.start();
+  EXPECT_EQ(worker.state(), State::Suspended) << "only what has not been started";
+  manager.resume("Worker");
+  manager.resume("Idle");
+  EXPECT_EQ(worker.state(), State::Running);
+  manager.stop();
+  EXPECT_EQ(worker.state(), State::Stopped);
+  EXPECT_EQ(idle.state(), State::Stopped);
+}
+
+TEST(ManagerLifecycle, SaysWhyItCannotBe) {
+  struct Callback final : CallbackTask {
+    ~Callback() override { stop(); }
+    void run() override {}
+  } callback;
+  struct Stubborn final : PeriodicTask {
+    Stubborn() : PeriodicTask({.period = 1ms}) {}
+    ~Stubborn() override { stop(); }
+    void onSuspend() override { throw std::runtime_error("the arm would fall"); }
+    void run() override {}
+  } stubborn;
+  Manager manager("here");
+  manager.add("Callback", callback);
+  manager.add("Stubborn", stubborn);
+  EXPECT_EQ(refusal([&] { manager.suspend("Calback"); }),
+            "asked for 'Calback': process 'here' has components 'Callback' and 'Stubborn'. Did you "
+            "mean 'Callback'?");
+  EXPECT_NE(refusal([&] { manager.suspend("Callback"); }).find("it is constructed"),
+            std::string::npos);
+  manager.start();
+  EXPECT_EQ(refusal([&] { manager.suspend("Callback", 10ms); }),
+            "component 'Callback' was asked to suspend: it is still running. Its run() has to "
+            "return, and the callback of a CallbackTask has to come");
+  EXPECT_EQ(refusal([&] { manager.suspend("Stubborn"); }),
+            "component 'Stubborn' was asked to suspend: its code threw: the arm would fall. "
+            "Correct the cause");
+}
+
+TEST(AwaitStart, NamesEveryComponentAndInterfaceThatIsMissing) {
+  Worker worker;
+  Idle idle;
+  Watcher connected, unconnected, optional;
+  optional.component.makeOptional();
+  Manager manager("here");
+  manager.add("Worker", worker);
+  manager.add("Connected", connected);
+  manager.add("Unconnected", unconnected);
+  manager.add("Optional", optional);
+  manager.start();
+  manager.add("Idle", idle);
+  manager.connect("Connected/Watched", "Worker/component");
+  const std::string text = refusal([&] { manager.awaitStart(20ms); });
+  EXPECT_NE(text.find("waiting until process 'here' has started: after 2"), std::string::npos);
+  EXPECT_NE(text.find("\n    component 'Idle' is constructed\n"
+                      "    required interface 'Unconnected/Watched' (suture::Lifecycle) is not "
+                      "connected: nobody has called connect() for it\n"),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("'Connected/"), std::string::npos) << text;
+  EXPECT_EQ(text.find("'Optional/"), std::string::npos) << text;
+
+  manager.start();
+  manager.connect("Unconnected/Watched", "Worker/component");
+  EXPECT_EQ(refusal([&] { manager.awaitStart(); }), "");
+}
+
+TEST(AwaitStart, WaitsForWhatComesLater) {
+  Worker worker;
+  Idle idle;
+  Manager manager("here");
+  manager.add("Worker", worker);
+  manager.start();
+  manager.add("Idle", idle);
+  std::thread later([&] {
+    std::this_thread::sleep_for(20ms);
+    idle.start();
+  });
+  EXPECT_EQ(refusal([&] { manager.awaitStart(); }), "");
+  EXPECT_EQ(idle.state(), State::Running);
+  later.join();
+}
+
+TEST(AwaitStart, AFaultIsToldAtOnce) {
+  Worker worker;
+  Manager manager("here");
+  manager.add("Worker", worker);
+  worker.broken = true;
+  manager.start();
+  EXPECT_TRUE(eventually([&] { return worker.state() == State::Faulted; }));
+  const Time begin = now();
+  const std::string text = refusal([&] { manager.awaitStart(1h); });
+  EXPECT_NE(text.find("'Worker' is faulted, its code threw: the encoder says nonsense"),
+            std::string::npos)
+      << text;
+  EXPECT_LT(now() - begin, 1min);
+}
+
+TEST(AwaitStart, AProviderThatIsSuspendedOrGoneIsNamed) {
+  Worker worker;
+  Watcher watcher;
+  Processes processes;
+  processes.there.add("Worker", worker);
+  processes.here.add("Watcher", watcher);
+  processes.there.start();
+  processes.here.start();
+  processes.here.connect("Watcher/Watched", "there:Worker/component");
+  EXPECT_EQ(refusal([&] { processes.here.awaitStart(); }), "");
+  processes.there.stop();
+  EXPECT_TRUE(eventually([&] {
+    const std::string text = refusal([&] { processes.here.awaitStart(1ms); });
+    return text.find("there:Worker/component: connection lost") != std::string::npos;
+  }));
+}
+
+TEST(ManagerLifecycle, RefusesAnInterfaceOfTheReservedName) {
+  struct Own final : Device, Lifecycle {
+    bool suspend() override { return false; }
+    bool resume() override { return false; }
+    ComponentState component_state() const override { return state(); }
+    Provided<Lifecycle> provided{*this, "component", *this};
+  } own;
+  Manager manager("here");
+  EXPECT_NE(refusal([&] { manager.add("Own", own); }).find("Rename it"), std::string::npos);
+}
+
+void watchesAndLeads(Watcher& watcher, Worker& worker) {
+  EXPECT_TRUE(watcher.hears({"running"})) << "the last before it was connected";
+  EXPECT_TRUE(eventually([&] {
+    const auto state = watcher.component.component_state();
+    return state && *state == State::Running;
+  }));
+  EXPECT_FALSE(*watcher.component.resume.start().within(5s));
+  EXPECT_TRUE(*watcher.component.suspend.start().within(5s));
+  EXPECT_TRUE(watcher.hears({"running", "suspended"}));
+  EXPECT_EQ(*watcher.component.component_state.fresh().within(5s), State::Suspended);
+  EXPECT_FALSE(*watcher.component.suspend.start().within(5s));
+  EXPECT_TRUE(*watcher.component.resume.start().within(5s));
+  EXPECT_TRUE(watcher.hears({"running", "suspended", "running"}));
+  worker.broken = true;
+  EXPECT_TRUE(watcher.hears({"running", "suspended", "running", "faulted"}));
+  EXPECT_EQ(watcher.changes.back().fault, "the encoder says nonsense");
+  EXPECT_EQ(*watcher.component.component_state.fresh().within(5s), State::Faulted);
+}
+
+TEST(LifecycleInterface, TellsAndLeadsWithinAProcess) {
+  Worker worker;
+  Watcher watcher;
+  Manager manager("here");
+  manager.add("Worker", worker);
+  manager.add("Watcher", watcher);
+  manager.start();
+  manager.connect("Watcher/Watched", "Worker/component");
+  watchesAndLeads(watcher, worker);
+}
+
+TEST(LifecycleInterface, TellsAndLeadsAcrossProcesses) {
+  Worker worker;
+  Watcher watcher;
+  Processes processes;
+  processes.there.add("Worker", worker);
+  processes.here.add("Watcher", watcher);
+  processes.there.start();
+  processes.here.start();
+  processes.here.connect("Watcher/Watched", "there:Worker/component");
+  watchesAndLeads(watcher, worker);
+}
+
+TEST(LifecycleInterface, TellsTheEnd) {
+  Worker worker;
+  Watcher watcher;
+  Manager manager("here");
+  manager.add("Worker", worker);
+  manager.add("Watcher", watcher);
+  manager.start();
+  manager.connect("Watcher/Watched", "Worker/component");
+  EXPECT_TRUE(watcher.hears({"running"}));
+  worker.stop();
+  EXPECT_TRUE(watcher.hears({"running", "stopped"}));
+  EXPECT_EQ(watcher.component.component_state().error(), Errc::Lost);
+}
+
+TEST(LifecycleInterface, ADeviceHasOneToo) {
+  Idle idle;
+  Watcher watcher;
+  Manager manager("here");
+  manager.add("Idle", idle);
+  manager.add("Watcher", watcher);
+  manager.start();
+  manager.connect("Watcher/Watched", "Idle/component");
+  EXPECT_TRUE(watcher.hears({"running"}));
+  EXPECT_TRUE(*watcher.component.suspend.start().within(5s));
+  EXPECT_TRUE(*watcher.component.resume.start().within(5s));
+  EXPECT_TRUE(watcher.hears({"running", "suspended", "running"}));
+}
+
+TEST(LifecycleInterface, AComponentKeepsItUnderItsNextManager) {
+  Worker worker;
+  Watcher watcher;
+  { Manager("first").add("Worker", worker); }
+  Manager manager("second");
+  manager.add("Worker", worker);
+  manager.add("Watcher", watcher);
+  manager.connect("Watcher/Watched", "Worker/component");
+  manager.start();
+  EXPECT_TRUE(watcher.hears({"running"}));
+}
+
+}  // namespace
+}  // namespace suture
