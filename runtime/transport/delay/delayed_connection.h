@@ -48,7 +48,6 @@ class DelayedConnection {
   void deliverRows(Time now);
   void takeStatus(Time now);
   void deliverStatus(Time now);
-  void tellClient(ChannelStatus status);
   void countBytes();
 
   bool usesCredit(const rt::CommandRecord& record) const;
