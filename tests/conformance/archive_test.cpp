@@ -169,15 +169,17 @@ TEST_P(Archives, TheLastValueAwaitsLateJoiners) {
 
 TEST_P(Archives, WhatExceedsAMessageIsRefusedAlone) {
   if (!GetParam()) return;  // nothing is sent
-  const auto huge = reader.archive.put.start("huge", sized(3u << 20)).within(20s);
-  ASSERT_FALSE(huge);
-  EXPECT_EQ(huge.error(), Errc::TooLarge);
-  device.put("huge", sized(3u << 20));
+  shapes::Open huge;
+  huge.name = std::string(17u << 20, 'x');
+  const auto refused = reader.archive.put.start(huge.name, {}).within(20s);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error(), Errc::TooLarge);
+  device.put(huge.name, {});
   EXPECT_TRUE(eventually([&] {
     const auto newest = reader.archive.newest();
     return !newest && newest.error() == Errc::TooLarge;
   }));
-  EXPECT_TRUE(device.emit().changed(sized(3u << 20)));
+  EXPECT_TRUE(device.emit().changed(huge));
   EXPECT_TRUE(device.emit().grown("after", {}));
   EXPECT_TRUE(await([&] { return !reader.grown.empty(); }));
   EXPECT_TRUE(reader.archive.put.start("small", sized(3)).within(5s));
