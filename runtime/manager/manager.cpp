@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <thread>
+#include <utility>
 
 namespace suture {
 namespace {
@@ -73,6 +74,7 @@ void Manager::configure() {
 }
 
 void Manager::start() {
+  started_ = true;
   configure();
   for (Component* component : directory_.components()) {
     const ComponentState state = component->state();
@@ -154,13 +156,8 @@ void Manager::change(const std::string& name, Transition transition, Duration pa
 }
 
 void Manager::stop() {
-  // Tasks use devices, not the other way round.
-  for (Component* component : directory_.components()) {
-    if (Task* const task = taskOf(*component); task != nullptr) task->stop();
-  }
-  for (Component* component : directory_.components()) {
-    if (taskOf(*component) == nullptr) static_cast<Device*>(component)->stop();
-  }
+  // Once stopped, components may be gone before the manager is.
+  if (std::exchange(started_, false)) stopComponents();
   // The executor rings the doorbells of the network and of delays, and those ring each other's; and
   // the network may yet ask for an executor. So all stop before any of them goes.
   if (network_ != nullptr) network_->leave();
@@ -168,6 +165,16 @@ void Manager::stop() {
   delays_.reset();
   executor_.reset();
   network_.reset();
+}
+
+// Tasks use devices, not the other way round.
+void Manager::stopComponents() {
+  for (Component* component : directory_.components()) {
+    if (Task* const task = taskOf(*component); task != nullptr) task->stop();
+  }
+  for (Component* component : directory_.components()) {
+    if (taskOf(*component) == nullptr) static_cast<Device*>(component)->stop();
+  }
 }
 
 void Manager::connect(std::string_view requiredName, std::string_view providedName, Lane lane,

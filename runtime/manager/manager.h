@@ -96,7 +96,10 @@ class Manager {
   std::shared_ptr<Channel> connectHere(RequiredBase& required, ProvidedBase& provided,
                                        const std::string& connection, const ConnectionDelay& delay);
 
+  void stopComponents();
+
   Directory directory_;
+  bool started_ = false;
   std::mutex executorMutex_;  // never taken by a task thread
   std::unique_ptr<DeviceExecutor> executor_;
   std::unique_ptr<DelayThread> delays_;
