@@ -47,8 +47,8 @@ Channel::Channel(const InterfaceInfo& contract, std::string channelName, std::st
 void Channel::tell(ChannelStatus news) {
   ChannelStatus present = status.load(std::memory_order_acquire);
   do {
-    const bool open = present == ChannelStatus::Connected || present == ChannelStatus::Suspended;
-    if (!open || present == news) return;
+    const bool over = present == ChannelStatus::Lost || present == ChannelStatus::Closed;
+    if (over || present == news) return;
   } while (!status.compare_exchange_weak(present, news));
   ends.client->ring();
 }

@@ -4,6 +4,7 @@
 // another.
 
 #include <suture/base/shared_slot.h>
+#include <suture/component/connection_contract.h>
 #include <suture/component/interface_info.h>
 #include <suture/component/lifecycle.h>
 #include <suture/rt/doorbell.h>
@@ -78,6 +79,9 @@ class Channel {
   /// How many commands of `info`, from the first, the provider has: fewer than all where it lacks
   /// optional ones. Set before either end is attached.
   std::size_t offered;
+  /// Of the connection that this is a channel of; nullptr: it has no contract. Set before the
+  /// client is attached.
+  std::shared_ptr<ConnectionWatch> watch;
 
   rt::Mailbox commands;
   rt::SpscRing replies;

@@ -187,12 +187,12 @@ void DelayedConnection::deliverAnswers(Time now) {
   bool any = false;
   while (const std::byte* memory = answers_.due(now)) {
     const auto& answer = *reinterpret_cast<const ReplyRecord*>(memory);
-    const std::size_t size = answers_.size() - sizeof(ReplyRecord);
+    const auto size = static_cast<std::uint32_t>(answers_.size() - sizeof(ReplyRecord));
     const auto copy = [&](std::byte* result) {
       std::memcpy(result, answer.result(), size);
       return answer.error;
     };
-    near_->reply(answer.call, size, copy, answer.stamp);
+    near_->reply(answer.call, {.size = size}, copy, answer.stamp);
     answers_.pop();
     any = true;
   }

@@ -135,10 +135,9 @@ TEST(Deployment, DelaysThatAreNone) {
   EXPECT_EQ(problemsWith("{\"command\": \"5ms\"}"),
             std::vector<std::string>{
                 "d.json:18: error: unknown key 'command'; did you mean 'commands'?"});
-  EXPECT_EQ(
-      problemsWith("\"61s\""),
-      std::vector<std::string>{"d.json:18: error: a delay of 61s is longer than 60s, which is "
-                               "the longest; shorten it"});
+  EXPECT_EQ(problemsWith("\"61s\""),
+            std::vector<std::string>{"d.json:18: error: a time of 61s is longer than 60s, which is "
+                                     "the longest; shorten it"});
 }
 
 TEST(Deployment, MalformedAddresses) {
