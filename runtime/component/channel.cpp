@@ -48,7 +48,8 @@ void Channel::tell(ChannelStatus news) {
   ChannelStatus present = status.load(std::memory_order_acquire);
   do {
     const bool over = present == ChannelStatus::Lost || present == ChannelStatus::Closed;
-    if (over || present == news) return;
+    const bool restarted = news == ChannelStatus::Connected;  // the only way out of a fault
+    if (over || present == news || (present == ChannelStatus::Faulted && !restarted)) return;
   } while (!status.compare_exchange_weak(present, news));
   ends.client->ring();
 }

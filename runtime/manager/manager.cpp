@@ -210,8 +210,8 @@ void Manager::disconnect(std::string_view requiredName) {
     throw SetupError("disconnecting '" + name + "'", "it is not connected",
                      "Connect it with connect() first");
   }
-  required.attach(nullptr);
   if (local_.erase(name) == 0) network_->disconnect(name);
+  required.attach(nullptr);
 }
 
 void Manager::resumeConnection(std::string_view requiredName) {

@@ -87,6 +87,7 @@ class Network::Impl {
 
   void disconnect(const std::string& required) {
     run(control_, kLocalWork, [this, &required] {
+      connections_.at(required)->end();
       connections_.erase(required);
       const std::lock_guard lock(mutex_);
       connected_.erase(required);

@@ -44,8 +44,8 @@ class Network {
   /// Connects over Cap'n Proto RPC, also to this process itself. Throws SetupError.
   void connect(RequiredBase& required, const Endpoint& from, const Endpoint& to, Duration patience,
                const Interposer& interposer, std::shared_ptr<ConnectionWatch> watch);
-  /// Gives up a connection made by connect(), which the required interface has been told already.
-  /// `required`: "Teleop/Slave".
+  /// Takes down a connection made by connect(); from then on nobody attaches to the required
+  /// interface any more. `required`: "Teleop/Slave".
   void disconnect(const std::string& required);
 
   /// Ends all connections and gives the name back. What rings the network's doorbell may still do

@@ -78,6 +78,11 @@ kj::Promise<void> RemoteConnection::open(Duration patience) {
   return connect(patience).then([this] { keeping_ = keep().eagerlyEvaluate(nullptr); });
 }
 
+void RemoteConnection::end() {
+  keeping_ = kj::READY_NOW;
+  KJ_IF_MAYBE (port, port_) (*port)->close(ChannelStatus::Closed);
+}
+
 kj::Promise<void> RemoteConnection::connect(Duration patience) {
   auto connected = manager_.resolve(to_.process, patience)
                        .then([this](ProcessRecord process) { return dial(process); })

@@ -31,6 +31,8 @@ class RemoteConnection {
   /// Connects, waiting at most `patience` for the other process and its component. Rejects with the
   /// reason.
   kj::Promise<void> open(Duration patience);
+  /// Takes the connection down for good: that is no loss to the client.
+  void end();
 
  private:
   class NoticesReceiver;

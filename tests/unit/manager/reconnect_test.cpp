@@ -192,7 +192,7 @@ TEST(Reconnect, OverRpcShowsTheNewChannelAndKeepsNoOldOne) {
   here.start();
   Census census;
   for (int i = 0; i < 100; ++i) {
-    here.connect("Teleop/Slave", "there:PSM/Arm");
+    here.connect("Teleop/Slave", "there:PSM/Arm", Lane::Auto, 10s, {}, {.onLoss = Fallback::Fault});
     const auto channels = here.channels();
     ASSERT_EQ(channels.size(), 1u);
     EXPECT_EQ(channels.front()->status, ChannelStatus::Connected);
@@ -203,10 +203,12 @@ TEST(Reconnect, OverRpcShowsTheNewChannelAndKeepsNoOldOne) {
     census.note(there);
     here.disconnect("Teleop/Slave");
     EXPECT_TRUE(here.channels().empty());
+    EXPECT_TRUE(eventually([&] { return client.error == Errc::NotConnected; }));
   }
   here.connect("Teleop/Slave", "there:PSM/Arm");
   EXPECT_TRUE(eventually([&] { return census.alive() == 0; })) << census.alive();
   EXPECT_TRUE(eventually([&] { return there.channels().size() == 1; }));
+  EXPECT_EQ(client.state(), ComponentState::Running) << "what is taken down is not lost";
 }
 
 TEST(Reconnect, AfterALossOverRpcTheNewChannelIsShown) {
