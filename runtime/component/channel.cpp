@@ -51,6 +51,7 @@ void Channel::tell(ChannelStatus news) {
     const bool restarted = news == ChannelStatus::Connected;  // the only way out of a fault
     if (over || present == news || (present == ChannelStatus::Faulted && !restarted)) return;
   } while (!status.compare_exchange_weak(present, news));
+  if (news == ChannelStatus::Faulted) faults.fetch_add(1, std::memory_order_release);
   ends.client->ring();
 }
 

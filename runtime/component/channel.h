@@ -87,6 +87,8 @@ class Channel {
   rt::SpscRing replies;
   rt::EventQueue events;
   std::atomic<ChannelStatus> status{ChannelStatus::Connected};
+  /// How often the status has become Faulted: a provider may be restarted before anybody looks.
+  std::atomic<std::uint32_t> faults{0};
   /// Set by a client endpoint that must be rung whenever a row has been published: the far side of
   /// a lane.
   std::atomic<bool> wantsRows{false};

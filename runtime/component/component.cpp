@@ -55,6 +55,9 @@ void Component::request(Transition transition) {
 
 void Component::makeTransition(Transition transition) {
   if (!parkOnThrow([&] { callHook(transition); })) return;
+  if (transition == Transition::Resume || transition == Transition::Restart) {
+    resumed_.store(now(), std::memory_order_release);
+  }
   setState(*after(state(), transition));
   if (transition == Transition::Suspend || transition == Transition::Resume ||
       transition == Transition::Restart) {

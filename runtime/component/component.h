@@ -35,6 +35,9 @@ class Component {
   std::string fault() const;
   /// How often it has been faulted. Any thread.
   std::uint64_t faults() const { return faults_.load(std::memory_order_acquire); }
+  /// When it was last resumed or restarted. A command sent before is not executed, however late it
+  /// arrives: it was meant for what the component did before.
+  Time resumed() const { return resumed_.load(std::memory_order_acquire); }
 
   const std::vector<ProvidedBase*>& provided() const { return provided_; }
   const std::vector<RequiredBase*>& required() const { return required_; }
@@ -126,6 +129,7 @@ class Component {
   std::atomic<std::uint64_t> faults_{0};
   std::atomic_flag parked_ = ATOMIC_FLAG_INIT;
   std::atomic<ComponentState> state_{ComponentState::Constructed};
+  std::atomic<Time> resumed_{Time{}};
   std::vector<ProvidedBase*> provided_;
   std::vector<RequiredBase*> required_;
   rt::Doorbell doorbell_;

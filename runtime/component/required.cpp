@@ -59,13 +59,18 @@ void RequiredBase::adopt() {
   close(channel_);
   channel_ = std::move(*arrived);
   lossNoticed_ = false;
+  faultsNoticed_ = 0;
 }
 
 void RequiredBase::noticeLoss() {
-  if (channel_ == nullptr || channel_->watch == nullptr || lossNoticed_) return;
+  if (channel_ == nullptr || channel_->watch == nullptr) return;
   const ChannelStatus status = channel_->status.load(std::memory_order_acquire);
-  if (status != ChannelStatus::Lost && status != ChannelStatus::Faulted) return;
-  lossNoticed_ = true;
+  const std::uint32_t faults = channel_->faults.load(std::memory_order_acquire);
+  const bool lost = status == ChannelStatus::Lost || status == ChannelStatus::Faulted;
+  const bool news = (lost && !lossNoticed_) || faults != faultsNoticed_;
+  lossNoticed_ = lost;
+  faultsNoticed_ = faults;
+  if (!news) return;
   ConnectionWatch& watch = *channel_->watch;
   watch.losses.fetch_add(1, std::memory_order_relaxed);
   if (watch.contract.resume == Resume::Operator) watch.awaitsOperator = true;

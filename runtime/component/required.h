@@ -145,7 +145,7 @@ class RequiredBase {
   Sample<void> fallBack(Fallback fallback, Errc error, Time stamp);
   /// True if `answer` stands for a value that is zero by contract.
   bool zeroes(const Sample<void>& answer) const;
-  /// Acts on the loss of the provider, once.
+  /// Acts on each loss of the provider, once.
   void noticeLoss();
   bool awaitsOperator(std::uint16_t command) const;
   void close(const std::shared_ptr<Channel>& channel);
@@ -165,7 +165,9 @@ class RequiredBase {
   EventSet subscribed_ = 0;
   bool optional_ = false;
   Duration maxAge_{0};
-  bool lossNoticed_ = false;  // of channel_
+  // Of channel_, by noticeLoss().
+  bool lossNoticed_ = false;
+  std::uint32_t faultsNoticed_ = 0;
 };
 
 template <class Contract, class Body>

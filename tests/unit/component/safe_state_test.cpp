@@ -137,14 +137,22 @@ TEST(Restart, ClientsReachTheComponentAgain) {
   arm.start();
   Surgeon surgeon;
   surgeon.start();
-  const auto channel = connectLocally(surgeon.slave, arm.port, "Surgeon/Slave -> PSM/Arm");
+  const auto watch = std::make_shared<ConnectionWatch>(ConnectionContract{.maxAge = 24h});
+  const auto channel = connectLocally(surgeon.slave, arm.port, "Surgeon/Slave -> PSM/Arm", watch);
   surgeon.cycle();
+  EXPECT_TRUE(surgeon.slave.hold());
   EXPECT_TRUE(surgeon.slave.hold());
   arm.cycle();
   EXPECT_EQ(channel->status, ChannelStatus::Connected);
+  arm.cycle();
+  surgeon.cycle();
+  EXPECT_EQ(watch->losses, 1u) << "restarted before the client looked";
+  EXPECT_EQ(arm.faults(), 1u) << "what was sent before the fault has been executed after it";
   EXPECT_TRUE(surgeon.slave.hold());
   arm.cycle();
   EXPECT_EQ(surgeon.slave.hold().error(), Errc::Faulted);
+  surgeon.cycle();
+  EXPECT_EQ(watch->losses, 2u);
 }
 
 TEST(Restart, ABudgetBeyondReasonIsRefused) {
