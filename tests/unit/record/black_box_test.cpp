@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <suture/component/periodic_task.h>
 #include <suture/component/provided.h>
+#include <suture/lifecycle.suture.h>
 #include <suture/manager/manager.h>
 #include <suture/record/black_box.h>
 #include <suture/rt/state_table.h>
@@ -12,11 +13,11 @@
 #include <fstream>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "reference/arm_like.suture.h"
 #include "support/eventually.h"
 #include "support/temporary_directory.h"
 
@@ -25,29 +26,19 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Counts its cycles in its pose, and throws when it is told to.
-struct Arm final : PeriodicTask, reference::ArmLike {
+/// Throws when it is told to. Provides the one contract of the runtime's own.
+struct Arm final : PeriodicTask, Lifecycle {
   Arm() : PeriodicTask({.period = 1ms}) { port.keepState({.rows = 256}); }
   ~Arm() override { stop(); }
   void run() override {
     if (broken.exchange(false)) throw std::runtime_error("the drive did not answer");
-    pose.pose.translation().x() += 1;
   }
-  void servo_cp(const reference::PoseStamped&) override {}
-  void servo_jp(const reference::JointState&) override {}
-  void hold() override {}
-  void set_mode(reference::Mode) override {}
-  reference::PoseStamped measured_cp() const override { return pose; }
-  const reference::JointState& measured_js() const override { return joints; }
-  double distance(const reference::PoseStamped&) const override { return 0; }
-  bool move(const reference::PoseStamped&, double, const std::string&) override { return false; }
-  std::uint32_t reset() override { return 0; }
-  void limit(double, reference::Mode) override {}
+  bool suspend() override { return false; }
+  bool resume() override { return false; }
+  ComponentState component_state() const override { return state(); }
 
   std::atomic<bool> broken{false};
-  reference::PoseStamped pose;
-  reference::JointState joints;
-  Provided<reference::ArmLike> port{*this, "Arm", *this};
+  Provided<Lifecycle> port{*this, "Arm", *this};
 };
 
 class Boxed : public testing::Test {
@@ -100,13 +91,13 @@ TEST_F(Boxed, AFaultLeavesTheLastRowsBehind) {
             "component 'PSM' faulted: the drive did not answer. Its last state "
             "is in " +
                 file);
-  const auto rows = lines(file);
+  auto rows = lines(file);
+  std::erase_if(rows, [](const auto& row) { return row.at("from") != "PSM/Arm"; });
   ASSERT_GT(rows.size(), 200u);
-  EXPECT_EQ(rows.front().at("from"), "PSM/Arm");
   for (std::size_t i = 1; i < rows.size(); ++i) {
     EXPECT_EQ(rows[i].at("row"), rows[i - 1].at("row").get<int>() + 1);
   }
-  EXPECT_TRUE(rows.back().at("measured_cp").is_object()) << rows.back();
+  EXPECT_EQ(rows.front().at("component_state"), "Running");
 }
 
 TEST_F(Boxed, NoFurtherBackThanAsked) {
