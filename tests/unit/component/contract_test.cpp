@@ -177,7 +177,9 @@ TEST_F(Contract, AnotherConnectionBeginsAnew) {
 TEST_F(Contract, ItsDeadlineIsThatOfCalls) {
   connect({.deadline = 1ns});
   auto call = reader_.slave.reset.start();
+  const Time begin = now();
   EXPECT_EQ(call.within().error(), Errc::Timeout);
+  EXPECT_LT(now() - begin, kDefaultDeadline);
 }
 
 }  // namespace
