@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "compiler/emit/contract.h"
@@ -121,6 +122,20 @@ std::string optionalPorts(const model::Component& component) {
   return names;
 }
 
+/// What the component's annotations say of its required interfaces, as calls.
+std::vector<std::string> portCalls(const model::Component& component) {
+  std::vector<std::string> calls;
+  if (const std::string optional = optionalPorts(component); !optional.empty()) {
+    calls.push_back("makeOptional(*component, {" + optional + "});");
+  }
+  for (const model::Port& port : component.ports) {
+    if (port.provided || !port.maxAgeNanoseconds) continue;
+    calls.push_back("limitAge(*component, \"" + port.name + "\", Duration(" +
+                    grouped(*port.maxAgeNanoseconds) + "));");
+  }
+  return calls;
+}
+
 void emitClass(Code& code, const model::Component& component) {
   const std::string name = model::unqualified(component.name);
   code.line("template <>");
@@ -138,12 +153,12 @@ void emitClass(Code& code, const model::Component& component) {
   // Not make_unique(): of a component that lacks a command, a compiler then says so right here.
   const std::string made =
       "(new " + component.name + (component.parameters ? "(values));" : "());");
-  const std::string optional = optionalPorts(component);
-  if (optional.empty()) {
+  const std::vector<std::string> calls = portCalls(component);
+  if (calls.empty()) {
     code.line(indent, "return std::unique_ptr<Component>", made);
   } else {
     code.line(indent, "std::unique_ptr<Component> component", made);
-    code.line(indent, "makeOptional(*component, {", optional, "});");
+    for (const std::string& call : calls) code.line(indent, call);
     code.line(indent, "return component;");
   }
   code.line("        }};").close("}").blank();

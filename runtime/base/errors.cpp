@@ -20,6 +20,8 @@ const char* toString(Errc error) {
     case Errc::NotImplemented: return "the provider does not have this optional command";
     case Errc::TooOld: return "older than the state table's oldest row";
     case Errc::Suspended: return "the provider is suspended";
+    case Errc::Stale: return "older than the connection's max_age";
+    case Errc::AwaitingOperator: return "the connection waits for an operator to resume it";
   }
   return "unknown error";
 }

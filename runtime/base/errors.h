@@ -30,6 +30,8 @@ enum class Errc : std::uint8_t {
   NotImplemented,    ///< an optional command that this provider does not have
   TooOld,            ///< the state table does not reach back that far; configure more rows
   Suspended,         ///< the provider is suspended; the command was not executed
+  Stale,             ///< older than the connection's max_age
+  AwaitingOperator,  ///< after a loss, until Manager::resumeConnection(); nothing was sent
 };
 
 /// The error in words, for people. Any thread; static storage.

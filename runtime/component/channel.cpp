@@ -47,9 +47,11 @@ Channel::Channel(const InterfaceInfo& contract, std::string channelName, std::st
 void Channel::tell(ChannelStatus news) {
   ChannelStatus present = status.load(std::memory_order_acquire);
   do {
-    const bool open = present == ChannelStatus::Connected || present == ChannelStatus::Suspended;
-    if (!open || present == news) return;
+    const bool over = present == ChannelStatus::Lost || present == ChannelStatus::Closed;
+    const bool restarted = news == ChannelStatus::Connected;  // the only way out of a fault
+    if (over || present == news || (present == ChannelStatus::Faulted && !restarted)) return;
   } while (!status.compare_exchange_weak(present, news));
+  if (news == ChannelStatus::Faulted) faults.fetch_add(1, std::memory_order_release);
   ends.client->ring();
 }
 

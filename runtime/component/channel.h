@@ -4,6 +4,7 @@
 // another.
 
 #include <suture/base/shared_slot.h>
+#include <suture/component/connection_contract.h>
 #include <suture/component/interface_info.h>
 #include <suture/component/lifecycle.h>
 #include <suture/rt/doorbell.h>
@@ -78,11 +79,16 @@ class Channel {
   /// How many commands of `info`, from the first, the provider has: fewer than all where it lacks
   /// optional ones. Set before either end is attached.
   std::size_t offered;
+  /// Of the connection that this is a channel of; nullptr: it has no contract. Set before the
+  /// client is attached.
+  std::shared_ptr<ConnectionWatch> watch;
 
   rt::Mailbox commands;
   rt::SpscRing replies;
   rt::EventQueue events;
   std::atomic<ChannelStatus> status{ChannelStatus::Connected};
+  /// How often the status has become Faulted: a provider may be restarted before anybody looks.
+  std::atomic<std::uint32_t> faults{0};
   /// Set by a client endpoint that must be rung whenever a row has been published: the far side of
   /// a lane.
   std::atomic<bool> wantsRows{false};

@@ -21,26 +21,43 @@ ChannelList::~ChannelList() {
 
 void ChannelList::add(std::shared_ptr<Channel> channel) {
   auto* node = new Node{std::move(channel)};
-  node->next = head_.load(std::memory_order_relaxed);
-  while (!head_.compare_exchange_weak(node->next, node, std::memory_order_seq_cst,
-                                      std::memory_order_relaxed)) {
-  }
+  Node* next = head_.load(std::memory_order_relaxed);
+  do {
+    node->next.store(next, std::memory_order_relaxed);
+  } while (!head_.compare_exchange_weak(next, node, std::memory_order_seq_cst,
+                                        std::memory_order_relaxed));
 }
 
 void ChannelList::sweep() {
-  // Nodes behind the head are the owner's alone; the head may be joined by a new one at any time.
+  if (walkers_ == Walkers::Owner) {
+    unlinkClosed();
+    unlinked_.clear();
+    return;
+  }
+  const std::lock_guard lock(sweeping_);
+  unlinkClosed();
+  deleteUnlinked();
+}
+
+// Nodes behind the head are the sweeper's alone; the head may be joined by a new one at any time.
+void ChannelList::unlinkClosed() {
   Node* head = head_.load(std::memory_order_acquire);
   if (head == nullptr) return;
-  for (Node* node = head; node->next != nullptr;) {
-    Node* next = node->next;
+  for (Node* node = head; Node* next = node->next.load(std::memory_order_relaxed);) {
     if (isClosed(*next)) {
-      node->next = next->next;
-      delete next;
+      node->next.store(next->next.load(std::memory_order_relaxed), std::memory_order_release);
+      unlinked_.emplace_back(next);
     } else {
       node = next;
     }
   }
-  if (isClosed(*head) && head_.compare_exchange_strong(head, head->next)) delete head;
+  Node* const second = head->next.load(std::memory_order_relaxed);
+  if (isClosed(*head) && head_.compare_exchange_strong(head, second)) unlinked_.emplace_back(head);
+}
+
+// Whoever starts to walk after this has found nobody walking sees the list without these nodes.
+void ChannelList::deleteUnlinked() {
+  if (walking_.fetch_add(0, std::memory_order_acq_rel) == 0) unlinked_.clear();
 }
 
 }  // namespace suture

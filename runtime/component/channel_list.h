@@ -2,23 +2,32 @@
 // The channels of one provided interface.
 
 #include <atomic>
+#include <cstdint>
 #include <memory>
+#include <mutex>
+#include <vector>
 
 namespace suture {
 
 class Channel;
 
-/// Any thread may add; one owner thread walks and sweeps. What is added during a walk is seen by
-/// the next one. Walking takes no lock and allocates nothing.
+/// Any thread may add. What is added during a walk is seen by the next one. Walking takes no lock
+/// and allocates nothing.
 class ChannelList {
  public:
+  /// Who walks and sweeps.
+  enum class Walkers : std::uint8_t {
+    Owner,  ///< one thread does both, as that of a task
+    Any,    ///< any thread walks, also several at a time; any thread that may lock sweeps
+  };
+
   struct Node {
     std::shared_ptr<Channel> channel;
-    Node* next = nullptr;
+    std::atomic<Node*> next{nullptr};
     bool greeted = false;  ///< the owner has seen it
   };
 
-  ChannelList() = default;
+  explicit ChannelList(Walkers walkers) : walkers_(walkers) {}
   ~ChannelList();
   ChannelList(const ChannelList&) = delete;
   ChannelList& operator=(const ChannelList&) = delete;
@@ -27,19 +36,45 @@ class ChannelList {
 
   template <class Visit>
   void forEach(const Visit& visit) const {
+    const Walk walk(*this);
     // In one order with add(): see Component::setState().
-    for (Node* node = head_.load(std::memory_order_seq_cst); node != nullptr; node = node->next) {
+    for (Node* node = head_.load(std::memory_order_seq_cst); node != nullptr;
+         node = node->next.load(std::memory_order_acquire)) {
       visit(*node);
     }
   }
 
   bool empty() const { return head_.load(std::memory_order_acquire) == nullptr; }
 
-  /// Owner: lets go of closed channels.
+  /// Lets go of closed channels; with walkers under way, of those found by an earlier sweep at the
+  /// latest when a later one meets none.
   void sweep();
 
  private:
+  /// While one exists, no node is deleted that it may stand on.
+  class Walk {
+   public:
+    explicit Walk(const ChannelList& list) : list_(list) {
+      if (list_.walkers_ == Walkers::Any) list_.walking_.fetch_add(1, std::memory_order_acq_rel);
+    }
+    ~Walk() {
+      if (list_.walkers_ == Walkers::Any) list_.walking_.fetch_sub(1, std::memory_order_acq_rel);
+    }
+    Walk(const Walk&) = delete;
+    Walk& operator=(const Walk&) = delete;
+
+   private:
+    const ChannelList& list_;
+  };
+
+  void unlinkClosed();
+  void deleteUnlinked();
+
+  const Walkers walkers_;
   std::atomic<Node*> head_{nullptr};
+  mutable std::atomic<unsigned> walking_{0};  // of Walkers::Any
+  std::mutex sweeping_;                       // of Walkers::Any: no task takes it
+  std::vector<std::unique_ptr<Node>> unlinked_;
 };
 
 }  // namespace suture

@@ -44,8 +44,7 @@ class Command<Method, ArgumentsSlot> {
     }
     auto* pending = required_.openCall();
     if (pending == nullptr) return Errc::TooManyCalls;
-    return {required_, *pending, required_.info_.commands[id_].deadline,
-            send(pending->number, arguments...)};
+    return {required_, *pending, required_.deadlineOf(id_), send(pending->number, arguments...)};
   }
 
  private:
@@ -93,17 +92,20 @@ class ReadCommand<Method, ResultSlot> {
   Sample<Value> operator()() {
     Value value{};
     const Sample<void> read = (*this)(value);
-    if (!read) return read.error();
-    return {std::move(value), read.stamp()};
+    return {read, std::move(value)};
   }
 
-  /// The same into `value`, which keeps its memory and is left alone if there is no value.
+  /// The same into `value`, which keeps its memory and is left alone if the sample carries none.
   Sample<void> operator()(Value& value) {
     LooseSlot<ResultSlot> slot;
     bool device = false;
     const Sample<void> read = required_.read(id_, slot.memory(), device);
     if (device) return readDevice(value);
-    if (read) load(slot.value(), value);
+    if (required_.zeroes(read)) {
+      copy(Value{}, value);
+    } else if (read.carriesValue()) {
+      load(slot.value(), value);
+    }
     return read;
   }
 
@@ -137,7 +139,7 @@ class ReadCommand<Method, ResultSlot> {
     if (required_.device() != nullptr) return (*this)();
     auto* pending = required_.openCall();
     if (pending == nullptr) return Errc::TooManyCalls;
-    return {required_, *pending, kDefaultDeadline,
+    return {required_, *pending, required_.deadlineOf(id_),
             required_.send(id_, pending->number, [](std::byte*) { return true; })};
   }
 
@@ -183,7 +185,7 @@ class AnsweredCommand {
     if (required_.device() != nullptr) return askDevice(arguments...);
     auto* pending = required_.openCall();
     if (pending == nullptr) return Errc::TooManyCalls;
-    return {required_, *pending, required_.info_.commands[id_].deadline,
+    return {required_, *pending, required_.deadlineOf(id_),
             required_.send(id_, pending->number, [&]([[maybe_unused]] std::byte* memory) {
               if constexpr (sizeof...(Arguments) == 0) {
                 return true;

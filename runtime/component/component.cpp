@@ -55,10 +55,14 @@ void Component::request(Transition transition) {
 
 void Component::makeTransition(Transition transition) {
   if (!parkOnThrow([&] { callHook(transition); })) return;
-  if (transition == Transition::Resume) resumed_.store(now(), std::memory_order_release);
+  if (transition == Transition::Resume || transition == Transition::Restart) {
+    resumed_.store(now(), std::memory_order_release);
+  }
   setState(*after(state(), transition));
-  if (transition != Transition::Suspend && transition != Transition::Resume) return;
-  for (ProvidedBase* provided : provided_) provided->announce(statusIn(state()));
+  if (transition == Transition::Suspend || transition == Transition::Resume ||
+      transition == Transition::Restart) {
+    for (ProvidedBase* provided : provided_) provided->announce(statusIn(state()));
+  }
 }
 
 void Component::callHook(Transition transition) {
@@ -68,6 +72,7 @@ void Component::callHook(Transition transition) {
     case Transition::Suspend: onSuspend(); break;
     case Transition::Resume: onResume(); break;
     case Transition::Stop: onStop(); break;
+    case Transition::Restart: onRestart(); break;
   }
 }
 
@@ -86,9 +91,23 @@ void Component::setState(ComponentState state) {
 
 void Component::park(std::string reason) {
   if (parked_.test_and_set()) return;
-  fault_ = std::move(reason);
+  {
+    const std::lock_guard lock(faultMutex_);
+    fault_ = std::move(reason);
+  }
+  faults_.fetch_add(1, std::memory_order_release);
   setState(ComponentState::Faulted);
   for (ProvidedBase* provided : provided_) provided->announce(ChannelStatus::Faulted);
+}
+
+std::string Component::fault() const {
+  const std::lock_guard lock(faultMutex_);
+  return fault_;
+}
+
+void Component::restart() {
+  parked_.clear();
+  makeTransition(Transition::Restart);
 }
 
 void Component::handleEvents() {

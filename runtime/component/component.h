@@ -8,8 +8,10 @@
 #include <suture/rt/due_bells.h>
 
 #include <atomic>
+#include <cstdint>
 #include <exception>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -29,11 +31,12 @@ class Component {
   /// The instance name, given by the manager: unique in its process.
   const std::string& name() const { return name_; }
   ComponentState state() const { return state_.load(std::memory_order_acquire); }
-  /// What the handler threw that faulted this component; "" otherwise. Stable once state() says
-  /// Faulted.
-  const std::string& fault() const { return fault_; }
-  /// When it was last resumed. A command sent before is not executed, however late it arrives: it
-  /// was meant for what the component did before.
+  /// What the handler threw that faulted this component last; "" if none did. Any thread.
+  std::string fault() const;
+  /// How often it has been faulted. Any thread.
+  std::uint64_t faults() const { return faults_.load(std::memory_order_acquire); }
+  /// When it was last resumed or restarted. A command sent before is not executed, however late it
+  /// arrives: it was meant for what the component did before.
   Time resumed() const { return resumed_.load(std::memory_order_acquire); }
 
   const std::vector<ProvidedBase*>& provided() const { return provided_; }
@@ -52,7 +55,7 @@ class Component {
   void request(Transition transition);
 
   /// Any thread: the component has failed; its clients are told Errc::Faulted from now on. The
-  /// first reason stays.
+  /// first reason stays, until the component is restarted.
   void park(std::string reason);
   /// Runs `work` of this component; what it throws parks the component. False if it did.
   template <class Work>
@@ -88,6 +91,8 @@ class Component {
   virtual void onResume() {}
   /// After the last cycle; not if the component is faulted.
   virtual void onStop() {}
+  /// Before the cycles of a task go on after a fault: the place to make its members sound again.
+  virtual void onRestart() {}
 
   // --- for Device and the kinds of task ---
 
@@ -110,12 +115,18 @@ class Component {
   friend class ProvidedBase;
   friend class RequiredBase;
   friend class Manager;
+  friend class Task;
+
+  /// Of a faulted component: it runs again, unless the hook throws.
+  void restart();
 
   void setState(ComponentState state);
   void callHook(Transition transition);
 
   std::string name_ = "(unnamed)";
+  mutable std::mutex faultMutex_;  // taken by who parks, and by who asks why
   std::string fault_;
+  std::atomic<std::uint64_t> faults_{0};
   std::atomic_flag parked_ = ATOMIC_FLAG_INIT;
   std::atomic<ComponentState> state_{ComponentState::Constructed};
   std::atomic<Time> resumed_{Time{}};

@@ -13,4 +13,10 @@ void makeOptional(Component& component, std::initializer_list<std::string_view> 
   }
 }
 
+void limitAge(Component& component, std::string_view required, Duration maxAge) {
+  for (RequiredBase* one : component.required()) {
+    if (one->name() == required) one->limitAge(maxAge);
+  }
+}
+
 }  // namespace suture

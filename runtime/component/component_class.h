@@ -22,6 +22,10 @@ struct ComponentClass {
 /// Those required interfaces of `component` need no provider: for generated code.
 void makeOptional(Component& component, std::initializer_list<std::string_view> required);
 
+/// Values that the required interface `required` of `component` reads are stale when they are older
+/// than that, unless a connection says otherwise: for generated code.
+void limitAge(Component& component, std::string_view required, Duration maxAge);
+
 /// The class `T`. Each component's generated header "X.suture.h" declares its own.
 template <class T>
 ComponentClass componentClass() = delete;

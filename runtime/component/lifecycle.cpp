@@ -19,6 +19,7 @@ constexpr Step kSteps[] = {
     {Transition::Resume, State::Suspended, State::Running},
     {Transition::Stop, State::Running, State::Stopped},
     {Transition::Stop, State::Suspended, State::Stopped},
+    {Transition::Restart, State::Faulted, State::Running},
 };
 
 // "only when it is configured or stopped"
@@ -52,6 +53,7 @@ const char* toString(Transition transition) {
     case Transition::Suspend: return "suspend";
     case Transition::Resume: return "resume";
     case Transition::Stop: return "stop";
+    case Transition::Restart: return "restart";
   }
   return "unknown";
 }

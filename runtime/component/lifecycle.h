@@ -9,7 +9,7 @@
 
 namespace suture {
 
-enum class Transition : std::uint8_t { Configure, Start, Suspend, Resume, Stop };
+enum class Transition : std::uint8_t { Configure, Start, Suspend, Resume, Stop, Restart };
 
 /// In words, for people. Any thread; static storage.
 const char* toString(ComponentState state);

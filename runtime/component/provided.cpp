@@ -64,6 +64,7 @@ ProvidedBase::ProvidedBase(Component& owner, std::string_view name, const Interf
       info_(info),
       implementation_(implementation),
       state_(makeStateTable(info)),
+      channels_(owner.ownsThread() ? ChannelList::Walkers::Owner : ChannelList::Walkers::Any),
       latched_(makeLatchedTable(info)) {
   refuseUnbounded(info, owner.ownsThread());
   owner.provided_.push_back(this);
@@ -100,7 +101,10 @@ void ProvidedBase::keepState(const StateOptions& options) {
 }
 
 void ProvidedBase::attach(std::shared_ptr<Channel> channel) {
-  if (!owner_.ownsThread()) replayLatched(*channel);
+  if (!owner_.ownsThread()) {
+    channels_.sweep();  // no thread of a device's own ever will
+    replayLatched(*channel);
+  }
   channels_.add(channel);
   if (!everyState_) tellState(*channel);
   channel->ends.provider->ring();
@@ -120,7 +124,7 @@ bool ProvidedBase::inService() const {
 }
 
 void ProvidedBase::drain() {
-  if (owner_.ownsThread()) channels_.sweep();  // a device may be walking the list in another thread
+  if (owner_.ownsThread()) channels_.sweep();
   const Errc refusal = inService() ? Errc{} : errorOf(statusIn(owner_.state()));
   channels_.forEach([this, refusal](ChannelList::Node& node) {
     greet(node);

@@ -41,7 +41,11 @@ class RowReader {
     Sample<void> row = required.readRow(at, commands, memory, device);
     if (device)
       return readDevice(at, into, std::tie(first, others...), std::index_sequence<I...>{});
-    if (row) (load(std::get<I>(slots).value(), std::get<I>(into)), ...);
+    if (required.zeroes(row)) {
+      ((std::get<I>(into) = std::remove_cvref_t<decltype(std::get<I>(into))>{}), ...);
+    } else if (row.carriesValue()) {
+      (load(std::get<I>(slots).value(), std::get<I>(into)), ...);
+    }
     return row;
   }
 
@@ -78,8 +82,7 @@ auto readTogether(ReadCommand<Methods, Slots>&... reads)
   std::tuple<typename ReadCommand<Methods, Slots>::Value...> values;
   const Sample<void> row =
       std::apply([&](auto&... value) { return readInto(std::tie(value...), reads...); }, values);
-  if (!row) return row.error();
-  return {std::move(values), row.stamp()};
+  return {row, std::move(values)};
 }
 
 /// The last row at or before `time`; see ReadCommand::at().

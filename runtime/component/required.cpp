@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <string>
 
 namespace suture {
 
@@ -21,14 +22,23 @@ RequiredBase::RequiredBase(Component& owner, std::string_view name, const Interf
 }
 
 RequiredBase::~RequiredBase() {
-  delete incoming_.load(std::memory_order_acquire);
+  const std::unique_ptr<std::shared_ptr<Channel>> unadopted(
+      incoming_.load(std::memory_order_acquire));
+  if (unadopted != nullptr) close(*unadopted);
   for (PendingCall& call : calls_) discard(call);
-  if (channel_ != nullptr) channel_->status = ChannelStatus::Closed;
+  close(channel_);
+}
+
+// The provider lets go of it in its own time.
+void RequiredBase::close(const std::shared_ptr<Channel>& channel) {
+  if (channel != nullptr) channel->status = ChannelStatus::Closed;
 }
 
 void RequiredBase::attach(std::shared_ptr<Channel> channel) {
   auto* arriving = new std::shared_ptr<Channel>(std::move(channel));
-  delete incoming_.exchange(arriving, std::memory_order_acq_rel);
+  const std::unique_ptr<std::shared_ptr<Channel>> unadopted(
+      incoming_.exchange(arriving, std::memory_order_acq_rel));
+  if (unadopted != nullptr && *unadopted != *arriving) close(*unadopted);
   owner_.doorbell().ring();
 }
 
@@ -43,21 +53,93 @@ void RequiredBase::adopt() {
     call.done = true;
     if (call.abandoned) discard(call);
   }
-  if (channel_ != nullptr) channel_->status = ChannelStatus::Closed;
+  const bool madeAnew =
+      channel_ != nullptr && *arrived != nullptr && channel_->watch == (*arrived)->watch;
+  if (madeAnew) noticeLoss();
+  close(channel_);
   channel_ = std::move(*arrived);
+  lossNoticed_ = false;
+  faultsNoticed_ = 0;
+}
+
+void RequiredBase::noticeLoss() {
+  if (channel_ == nullptr || channel_->watch == nullptr) return;
+  const ChannelStatus status = channel_->status.load(std::memory_order_acquire);
+  const std::uint32_t faults = channel_->faults.load(std::memory_order_acquire);
+  const bool lost = status == ChannelStatus::Lost || status == ChannelStatus::Faulted;
+  const bool news = (lost && !lossNoticed_) || faults != faultsNoticed_;
+  lossNoticed_ = lost;
+  faultsNoticed_ = faults;
+  if (!news) return;
+  ConnectionWatch& watch = *channel_->watch;
+  watch.losses.fetch_add(1, std::memory_order_relaxed);
+  if (watch.contract.resume == Resume::Operator) watch.awaitsOperator = true;
+  if (watch.contract.onLoss == Fallback::Fault) {
+    owner_.park("connection '" + channel_->name + "' is lost, and its on_loss is fault");
+  }
 }
 
 Errc RequiredBase::unusable() {
   if (!owner_.ownedByThisThread()) return Errc::WrongThread;
-  if (!owner_.ownsThread()) adopt();  // a device has no cycle in which to do it
+  if (!owner_.ownsThread()) {  // a device has no cycle in which to do it
+    adopt();
+    noticeLoss();
+  }
   if (channel_ == nullptr) return Errc::NotConnected;
   return errorOf(channel_->status.load(std::memory_order_acquire));
 }
 
 Errc RequiredBase::unusable(std::uint16_t command) {
   const Errc error = unusable();
-  if (error != Errc{} || command < channel_->offered) return error;
-  return Errc::NotImplemented;
+  if (error != Errc{}) return error;
+  if (command >= channel_->offered) return Errc::NotImplemented;
+  return awaitsOperator(command) ? Errc::AwaitingOperator : Errc{};
+}
+
+// Questions move nothing.
+bool RequiredBase::awaitsOperator(std::uint16_t command) const {
+  if (channel_->watch == nullptr || !channel_->watch->awaitsOperator) return false;
+  const CommandKind kind = info_.commands[command].kind;
+  return kind != CommandKind::Read && kind != CommandKind::QualifiedRead;
+}
+
+Duration RequiredBase::deadlineOf(std::uint16_t command) const {
+  const ConnectionWatch* const watch = channel_->watch.get();
+  const bool agreed = watch != nullptr && watch->contract.deadline > Duration{0};
+  return agreed ? watch->contract.deadline : info_.commands[command].deadline;
+}
+
+Sample<void> RequiredBase::judgeAge(Time stamp) {
+  ConnectionWatch* const watch = channel_->watch.get();
+  if (watch == nullptr || watch->contract.maxAge == Duration{0}) return Sample<void>(stamp);
+  if (now() - stamp <= watch->contract.maxAge) return Sample<void>(stamp);
+  watch->staleReads.fetch_add(1, std::memory_order_relaxed);
+  if (watch->contract.resume == Resume::Operator) watch->awaitsOperator = true;
+  return fallBack(watch->contract.onStale, Errc::Stale, stamp);
+}
+
+Sample<void> RequiredBase::judgeLoss(Errc error, std::uint16_t command, std::byte* slot) {
+  if ((error != Errc::Lost && error != Errc::Faulted) || channel_->watch == nullptr) return error;
+  const auto column = static_cast<unsigned>(info_.commands[command].column);
+  const Result<Time> stamp = channel_->state->read(column, slot);
+  if (!stamp) return error;
+  return fallBack(channel_->watch->contract.onLoss, error, *stamp);
+}
+
+Sample<void> RequiredBase::fallBack(Fallback fallback, Errc error, Time stamp) {
+  if (fallback == Fallback::Fault && error == Errc::Stale) {
+    owner_.park("connection '" + channel_->name + "': a value was " +
+                std::to_string((now() - stamp) / std::chrono::milliseconds(1)) +
+                " ms old, beyond its max_age, and its on_stale is fault");
+  }
+  const bool usable = fallback == Fallback::Zero || fallback == Fallback::Last;
+  return {error, stamp, usable};
+}
+
+bool RequiredBase::zeroes(const Sample<void>& answer) const {
+  if (!answer || answer.error() == Errc{}) return false;
+  const ConnectionContract& contract = channel_->watch->contract;
+  return (answer.error() == Errc::Stale ? contract.onStale : contract.onLoss) == Fallback::Zero;
 }
 
 ProvidedBase* RequiredBase::device() const { return channel_->ends.device; }
@@ -90,12 +172,14 @@ Errc RequiredBase::ask(std::uint16_t command, bool& device) {
 }
 
 Sample<void> RequiredBase::read(std::uint16_t command, std::byte* slot, bool& device) {
-  if (const Errc error = ask(command, device); error != Errc{} || device) return error;
+  const Errc error = ask(command, device);
+  if (device) return error;
+  if (error != Errc{}) return judgeLoss(error, command, slot);
   const auto column = static_cast<unsigned>(info_.commands[command].column);
   const Result<Time> stamp = channel_->state->read(column, slot);
   if (!stamp) return stamp.error();
   channel_->noteRead(*stamp);
-  return Sample<void>(*stamp);
+  return judgeAge(*stamp);
 }
 
 Sample<void> RequiredBase::readAt(Time at, std::uint16_t command, std::byte* slot, bool& device) {
@@ -121,8 +205,9 @@ Sample<void> RequiredBase::readRow(const Time* at, std::span<const std::uint16_t
     const auto column = static_cast<unsigned>(info_.commands[command].column);
     if (const Errc error = row.missing(column); error != Errc{}) return error;
   }
-  if (at == nullptr) channel_->noteRead(row.stamp);
-  return Sample<void>(row.stamp);
+  if (at != nullptr) return Sample<void>(row.stamp);
+  channel_->noteRead(row.stamp);
+  return judgeAge(row.stamp);
 }
 
 void RequiredBase::handle(std::uint16_t event,
@@ -143,6 +228,7 @@ void RequiredBase::watch(ProvidedBase& own) {
 
 void RequiredBase::handleEvents() {
   adopt();
+  noticeLoss();
   if (channel_ == nullptr) return;
   while (const rt::EventRecord* record = channel_->events.next()) {
     // Released even if the handler throws: it must not meet the same event again.

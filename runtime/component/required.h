@@ -4,6 +4,7 @@
 #include <suture/base/errors.h>
 #include <suture/base/sample.h>
 #include <suture/component/component.h>
+#include <suture/component/connection_contract.h>
 #include <suture/component/interface_info.h>
 #include <suture/component/provided.h>
 
@@ -37,18 +38,26 @@ class RequiredBase {
   void makeOptional() { optional_ = true; }
   bool isOptional() const { return optional_; }
 
+  /// In the component's constructor: values older than that are stale, unless the connection's own
+  /// contract says otherwise. What SUTURE_REQUIRED(max_age(t)) says of a component that is created
+  /// by its class.
+  void limitAge(Duration maxAge) { maxAge_ = maxAge; }
+  Duration maxAge() const { return maxAge_; }
+
   /// True if calls can reach the provider now.
   bool connected() { return unusable() == Errc{}; }
   /// Why they cannot; 0 if they can.
   Errc unusable();
-  /// The same for one command, which the provider may lack.
+  /// The same for one command, which the provider may lack, or which may have to wait for an
+  /// operator.
   Errc unusable(std::uint16_t command);
 
   /// The events that have a handler.
   EventSet subscribed() const { return subscribed_; }
 
   /// Any thread: the connection, or nullptr to take it away. Takes effect at the owner's next
-  /// cycle.
+  /// cycle; what it replaces is closed then, and calls under way on it end with
+  /// Errc::OutcomeUnknown.
   void attach(std::shared_ptr<Channel> channel);
 
   /// Owner's thread: takes over what attach() left.
@@ -127,6 +136,19 @@ class RequiredBase {
   void closeCall(PendingCall& call);
   void collectReplies();
   void collect(ReplyRecord& reply, std::size_t size);
+  /// How long within() waits for the answer of `command`.
+  Duration deadlineOf(std::uint16_t command) const;
+  /// The answer of a read whose newest value is of `stamp`, under the connection's contract.
+  Sample<void> judgeAge(Time stamp);
+  /// The same where `error` stands in the way: of a lost provider, what the contract says.
+  Sample<void> judgeLoss(Errc error, std::uint16_t command, std::byte* slot);
+  Sample<void> fallBack(Fallback fallback, Errc error, Time stamp);
+  /// True if `answer` stands for a value that is zero by contract.
+  bool zeroes(const Sample<void>& answer) const;
+  /// Acts on each loss of the provider, once.
+  void noticeLoss();
+  bool awaitsOperator(std::uint16_t command) const;
+  void close(const std::shared_ptr<Channel>& channel);
   /// Of a call that is over: its place is free.
   static void discard(PendingCall& call);
   bool isDone(PendingCall& call);
@@ -142,6 +164,10 @@ class RequiredBase {
   std::vector<std::function<void(const std::byte*)>> handlers_;
   EventSet subscribed_ = 0;
   bool optional_ = false;
+  Duration maxAge_{0};
+  // Of channel_, by noticeLoss().
+  bool lossNoticed_ = false;
+  std::uint32_t faultsNoticed_ = 0;
 };
 
 template <class Contract, class Body>

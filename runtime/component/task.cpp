@@ -6,6 +6,7 @@
 #include <suture/component/task.h>
 
 #include <algorithm>
+#include <string>
 
 namespace suture {
 
@@ -36,6 +37,7 @@ void Task::prepare() {
 void Task::enter() {
   claimForThisThread();
   if (after(state(), Transition::Start)) makeTransition(Transition::Start);
+  makeSafe();
   ringNow();
   for (GuestTask* guest : guests_) guest->enter();
 }
@@ -57,8 +59,42 @@ void Task::cycle() {
   const bool worked = state() == ComponentState::Running && parkOnThrow([this] { work(); });
   if (!worked) rest();
   makeRequestedTransition();
+  makeSafe();
   ringNow();
   for (GuestTask* guest : guests_) guest->cycle();
+}
+
+void Task::restartAfterFaults(const RestartBudget& budget) {
+  if (budget.most > RestartBudget::kMost) {
+    throw SetupError("restarting '" + name() + "' after faults",
+                     std::to_string(budget.most) + " restarts",
+                     "Allow at most " + std::to_string(RestartBudget::kMost));
+  }
+  restarts_ = budget;
+}
+
+// A restart may fail and be a fault again; the budget bounds that too.
+void Task::makeSafe() {
+  while (state() == ComponentState::Faulted && safeAfter_ != faults()) {
+    safeAfter_ = faults();
+    try {
+      onFault();
+    } catch (...) {  // the reason for the fault says more than what its aftermath met
+      return;
+    }
+    if (mayRestart()) restart();
+  }
+}
+
+// The restart that was `most` restarts ago must be longer ago than `per`.
+bool Task::mayRestart() {
+  if (restarts_.most == 0) return false;
+  Time& oldest = restartedAt_[restartTurn_ % restarts_.most];
+  const Time present = now();
+  if (oldest != Time{} && present - oldest < restarts_.per) return false;
+  oldest = present;
+  ++restartTurn_;
+  return true;
 }
 
 void Task::work() {

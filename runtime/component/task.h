@@ -5,6 +5,7 @@
 #include <suture/component/task_window.h>
 #include <suture/rt/histogram.h>
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <optional>
@@ -13,6 +14,14 @@
 namespace suture {
 
 class GuestTask;
+
+/// How often a faulted task is restarted: `most` times in any time of length `per`.
+struct RestartBudget {
+  static constexpr unsigned kMost = 16;
+
+  unsigned most = 0;
+  Duration per{};
+};
 
 /// Measurements of a task's loop: since it exists, and over its last window. Written by its thread,
 /// readable by any.
@@ -49,6 +58,10 @@ class Task : public Component {
   void lend(GuestTask& guest);
 
   const TaskStatistics& statistics() const { return statistics_; }
+  /// Before start(): a fault is followed by onFault() and then by a restart, as long as the budget
+  /// lasts; then the task stays faulted. Without, it stays so at once. Throws SetupError for more
+  /// than RestartBudget::kMost.
+  void restartAfterFaults(const RestartBudget& budget);
   /// Before start(): the length of the windows of statistics(), 1 s without. Throws SetupError.
   void measureOver(Duration window) { statistics_.windows.setLength(window); }
 
@@ -57,6 +70,11 @@ class Task : public Component {
 
   /// The component's own work of one cycle.
   virtual void run() = 0;
+  /// Its safe state: called in its thread once it has been faulted, by what a hook or handler threw
+  /// or by the contract of a connection (docs/safety.md), after its clients have been told. Its
+  /// required interfaces still work: the place to tell arms to hold, brakes to close. If it throws,
+  /// the task is not restarted.
+  virtual void onFault() {}
 
   // --- for the kinds of task ---
 
@@ -84,6 +102,8 @@ class Task : public Component {
 
   void take(Transition transition) final;
   void makeRequestedTransition();
+  void makeSafe();
+  bool mayRestart();
   void work();
   void rest();
   bool ownWorkPending() const;
@@ -92,6 +112,10 @@ class Task : public Component {
   std::vector<GuestTask*> guests_;
   std::atomic<std::optional<Transition>> requested_{std::nullopt};
   TaskStatistics statistics_;
+  std::uint64_t safeAfter_ = 0;  // the fault that onFault() was called for
+  RestartBudget restarts_;
+  std::array<Time, RestartBudget::kMost> restartedAt_{};  // by turns
+  unsigned restartTurn_ = 0;
 };
 
 }  // namespace suture

@@ -73,9 +73,9 @@ void Deployment::readConnections() {
   for (std::size_t i = 0; i < connections.size(); ++i) {
     const std::string pointer = "/connections/" + std::to_string(i);
     const Lane lane = connections[i].value("lane", "auto") == "rpc" ? Lane::Rpc : Lane::Auto;
-    connections_.push_back({readEndpoint(connections[i], pointer, "from"),
-                            readEndpoint(connections[i], pointer, "to"), lane,
-                            readDelay(connections[i], pointer), pointer});
+    connections_.push_back(
+        {readEndpoint(connections[i], pointer, "from"), readEndpoint(connections[i], pointer, "to"),
+         lane, readDelay(connections[i], pointer), readContract(connections[i], pointer), pointer});
   }
 }
 
@@ -91,6 +91,22 @@ ConnectionDelay Deployment::readDelay(const json& connection, const std::string&
           .answers = readDuration(given->value("answers", "0s"), where + "/answers")};
 }
 
+ConnectionContract Deployment::readContract(const json& connection, const std::string& pointer) {
+  const auto given = connection.find("contract");
+  if (given == connection.end()) return {};
+  const std::string where = pointer + "/contract";
+  static const std::map<std::string, Fallback> kFallbacks{{"hold", Fallback::Hold},
+                                                          {"zero", Fallback::Zero},
+                                                          {"last", Fallback::Last},
+                                                          {"fault", Fallback::Fault}};
+  return {.maxAge = readDuration(given->value("max_age", "0s"), where + "/max_age"),
+          .deadline = readDuration(given->value("deadline", "0s"), where + "/deadline"),
+          .onStale = kFallbacks.at(given->value("on_stale", "hold")),
+          .onLoss = kFallbacks.at(given->value("on_loss", "hold")),
+          .resume = given->value("resume", "automatic") == "operator" ? Resume::Operator
+                                                                      : Resume::Automatic};
+}
+
 // A number and its unit, as the schema has checked.
 Duration Deployment::readDuration(const std::string& text, const std::string& pointer) {
   static const std::map<std::string, double> kUnits{
@@ -100,7 +116,7 @@ Duration Deployment::readDuration(const std::string& text, const std::string& po
   const double nanoseconds = count * kUnits.at(text.substr(digits));
   constexpr double kLongest = 60e9;
   if (nanoseconds > kLongest) {
-    report(pointer, "a delay of " + text + " is longer than 60s, which is the longest; shorten it");
+    report(pointer, "a time of " + text + " is longer than 60s, which is the longest; shorten it");
     return {};
   }
   return Duration(std::llround(nanoseconds));

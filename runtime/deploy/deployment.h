@@ -30,6 +30,7 @@ struct ConnectionEntry {
   Endpoint to;    ///< a provided interface; its process is always named
   Lane lane = Lane::Auto;
   ConnectionDelay delay;
+  ConnectionContract contract;
   std::string pointer;
 };
 
@@ -56,6 +57,7 @@ class Deployment {
   Endpoint readEndpoint(const nlohmann::json& connection, const std::string& pointer,
                         const char* end);
   ConnectionDelay readDelay(const nlohmann::json& connection, const std::string& pointer);
+  ConnectionContract readContract(const nlohmann::json& connection, const std::string& pointer);
   Duration readDuration(const std::string& text, const std::string& pointer);
   void checkNames();
   void checkSingleProviders();

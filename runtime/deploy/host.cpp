@@ -141,7 +141,7 @@ void Host::start() {
     const Endpoint from{"", connection.from.component, connection.from.interface};
     try {
       manager_->connect(from.toString(), connection.to.toString(), connection.lane, patience_,
-                        connection.delay);
+                        connection.delay, connection.contract);
     } catch (const SetupError& error) {
       throw DocumentError({deployment_.document().locate(connection.pointer, error.what())});
     }

@@ -23,6 +23,13 @@ Task* taskOf(Component& component) {
   return component.ownsThread() ? static_cast<Task*>(&component) : nullptr;
 }
 
+std::shared_ptr<ConnectionWatch> watchOf(ConnectionContract contract,
+                                         const RequiredBase& required) {
+  if (contract.maxAge == Duration{0}) contract.maxAge = required.maxAge();
+  if (contract == ConnectionContract{}) return nullptr;
+  return std::make_shared<ConnectionWatch>(contract);
+}
+
 void startOne(Component& component) {
   if (Task* const task = taskOf(component); task != nullptr) {
     task->start();
@@ -178,7 +185,8 @@ void Manager::stopComponents() {
 }
 
 void Manager::connect(std::string_view requiredName, std::string_view providedName, Lane lane,
-                      Duration patience, const ConnectionDelay& delay) {
+                      Duration patience, const ConnectionDelay& delay,
+                      const ConnectionContract& contract) {
   const Endpoint from = Endpoint::parse(requiredName), to = Endpoint::parse(providedName);
   RequiredBase& required = directory_.required(from);
   const std::string connection = process() + ":" + from.component + "/" + from.interface + " -> " +
@@ -188,26 +196,56 @@ void Manager::connect(std::string_view requiredName, std::string_view providedNa
                      "A required interface has one provider; add another required interface");
   }
   if (delay.any()) DelayThread::requireBounded(required.info());
+  const auto watch = watchOf(contract, required);
   const bool sameProcess = to.process.empty() || to.process == process();
   if (sameProcess && lane == Lane::Auto) {
-    local_[from.toString()] = connectHere(required, directory_.provided(to), connection, delay);
+    local_[from.toString()] =
+        connectHere(required, directory_.provided(to), connection, delay, watch);
     return;
   }
   if (network_ == nullptr) {
     throw SetupError("connecting " + connection, "this process has no global manager",
                      "Give the manager's address when constructing suture::Manager");
   }
-  network_->connect(required, from, to, patience, {delaysFor(delay), delay});
+  network_->connect(required, from, to, patience, {delaysFor(delay), delay}, watch);
+}
+
+void Manager::disconnect(std::string_view requiredName) {
+  const Endpoint from = Endpoint::parse(requiredName);
+  RequiredBase& required = directory_.required(from);
+  const std::string name = from.toString();
+  if (connectionOf(name) == nullptr) {
+    throw SetupError("disconnecting '" + name + "'", "it is not connected",
+                     "Connect it with connect() first");
+  }
+  if (local_.erase(name) == 0) network_->disconnect(name);
+  required.attach(nullptr);
+}
+
+void Manager::resumeConnection(std::string_view requiredName) {
+  const std::string asked = "resuming connection '" + std::string(requiredName) + "'";
+  const auto channel = connectionOf(Endpoint::parse(requiredName).toString());
+  if (channel == nullptr) throw SetupError(asked, "it is not connected", "Connect it first");
+  if (channel->watch == nullptr || !channel->watch->awaitsOperator) {
+    throw SetupError(asked, "it does not await an operator", "Nothing has to be done");
+  }
+  const Errc error = errorOf(channel->status.load(std::memory_order_acquire));
+  if (error != Errc{}) {
+    throw SetupError(asked, toString(error), "Have its provider run again, and look at it, first");
+  }
+  channel->watch->awaitsOperator = false;
 }
 
 std::shared_ptr<Channel> Manager::connectHere(RequiredBase& required, ProvidedBase& provided,
                                               const std::string& connection,
-                                              const ConnectionDelay& delay) {
+                                              const ConnectionDelay& delay,
+                                              std::shared_ptr<ConnectionWatch> watch) {
   DelayThread* const delays = delaysFor(delay);
-  if (delays == nullptr) return connectLocally(required, provided, connection);
+  if (delays == nullptr) return connectLocally(required, provided, connection, std::move(watch));
   auto far = offerLocally(required, provided, connection, delays->doorbell(), serverOf(provided));
   std::erase_if(offered_, [](const auto& one) { return one->status == ChannelStatus::Closed; });
   offered_.push_back(far);
+  far->watch = std::move(watch);
   return delays->interpose(required, std::move(far), delay);
 }
 

@@ -2,6 +2,7 @@
 // The local manager: the components of one process and their connections.
 
 #include <suture/component/component.h>
+#include <suture/component/connection_contract.h>
 #include <suture/transport/delay/connection_delay.h>
 #include <suture/wiring/directory.h>
 
@@ -74,9 +75,19 @@ class Manager {
   /// Connects a required interface of this process ("Teleop/Slave") to a provided one ("PSM/Arm",
   /// or "psm-host:PSM/Arm" of another process, for which it waits at most `patience`). Before or
   /// after start(). Works or throws a SetupError that says why not. `delay` is added to whatever
-  /// the lane takes, by a thread of its own.
+  /// the lane takes, by a thread of its own. `contract`: docs/safety.md; without a max_age, that of
+  /// the required interface holds.
   void connect(std::string_view required, std::string_view provided, Lane lane = Lane::Auto,
-               Duration patience = kDefaultPatience, const ConnectionDelay& delay = {});
+               Duration patience = kDefaultPatience, const ConnectionDelay& delay = {},
+               const ConnectionContract& contract = {});
+  /// Takes down the connection of a required interface of this process ("Teleop/Slave"), which may
+  /// then be connected anew, while tasks run. Takes effect between two cycles of the client: calls
+  /// under way end with Errc::OutcomeUnknown, and commands that the provider has not executed yet
+  /// are dropped. Throws SetupError if it is not connected.
+  void disconnect(std::string_view required);
+  /// Lets commands of a connection that awaits its operator through again. Throws SetupError if it
+  /// is not connected, still lost, or awaits nobody.
+  void resumeConnection(std::string_view required);
 
   const Directory& directory() const { return directory_; }
   /// The address of the global manager while it does not answer, else "". Connections live on
@@ -94,7 +105,8 @@ class Manager {
   rt::Doorbell& serverOf(ProvidedBase& provided);
   DelayThread* delaysFor(const ConnectionDelay& delay);
   std::shared_ptr<Channel> connectHere(RequiredBase& required, ProvidedBase& provided,
-                                       const std::string& connection, const ConnectionDelay& delay);
+                                       const std::string& connection, const ConnectionDelay& delay,
+                                       std::shared_ptr<ConnectionWatch> watch);
 
   void stopComponents();
 

@@ -69,19 +69,28 @@ class Network::Impl {
   }
 
   void connect(RequiredBase& required, Endpoint from, Endpoint to, Duration patience,
-               const Interposer& interposer) {
+               const Interposer& interposer, std::shared_ptr<ConnectionWatch> watch) {
     const std::string name = from.toString();
     if (from.process.empty()) from.process = directory_.process();
     if (to.process.empty()) to.process = directory_.process();
-    run(control_, patience + kLocalWork, [this, &required, name, from, to, patience, interposer] {
+    run(control_, patience + kLocalWork, [=, this, &required] {
       const auto made = [this, name](std::shared_ptr<Channel> channel) {
         std::lock_guard lock(mutex_);
         connected_[name] = std::move(channel);
       };
       auto& connection = connections_[name];
       connection = std::make_unique<RemoteConnection>(control_, *link_, required, from, to, made,
-                                                      interposer);
+                                                      interposer, watch);
       return connection->open(patience);
+    });
+  }
+
+  void disconnect(const std::string& required) {
+    run(control_, kLocalWork, [this, &required] {
+      connections_.at(required)->end();
+      connections_.erase(required);
+      const std::lock_guard lock(mutex_);
+      connected_.erase(required);
     });
   }
 
@@ -141,9 +150,12 @@ void Network::leave() { impl_->leave(); }
 void Network::publish() { impl_->publish(); }
 
 void Network::connect(RequiredBase& required, const Endpoint& from, const Endpoint& to,
-                      Duration patience, const Interposer& interposer) {
-  impl_->connect(required, from, to, patience, interposer);
+                      Duration patience, const Interposer& interposer,
+                      std::shared_ptr<ConnectionWatch> watch) {
+  impl_->connect(required, from, to, patience, interposer, std::move(watch));
 }
+
+void Network::disconnect(const std::string& required) { impl_->disconnect(required); }
 
 std::string Network::missingManager() const { return impl_->missingManager(); }
 

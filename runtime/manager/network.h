@@ -43,7 +43,10 @@ class Network {
 
   /// Connects over Cap'n Proto RPC, also to this process itself. Throws SetupError.
   void connect(RequiredBase& required, const Endpoint& from, const Endpoint& to, Duration patience,
-               const Interposer& interposer);
+               const Interposer& interposer, std::shared_ptr<ConnectionWatch> watch);
+  /// Takes down a connection made by connect(); from then on nobody attaches to the required
+  /// interface any more. `required`: "Teleop/Slave".
+  void disconnect(const std::string& required);
 
   /// Ends all connections and gives the name back. What rings the network's doorbell may still do
   /// so, until this is destroyed.

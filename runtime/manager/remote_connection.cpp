@@ -58,14 +58,16 @@ class RemoteConnection::NoticesReceiver final : public wire::Notices::Server {
 
 RemoteConnection::RemoteConnection(rpc::ControlThread& control, ManagerLink& manager,
                                    RequiredBase& required, Endpoint from, Endpoint to, Made made,
-                                   const Interposer& interposer)
+                                   const Interposer& interposer,
+                                   std::shared_ptr<ConnectionWatch> watch)
     : control_(control),
       manager_(manager),
       required_(required),
       from_(std::move(from)),
       to_(std::move(to)),
       made_(std::move(made)),
-      interposer_(interposer) {}
+      interposer_(interposer),
+      watch_(std::move(watch)) {}
 
 RemoteConnection::~RemoteConnection() noexcept(false) {
   keeping_ = kj::READY_NOW;
@@ -74,6 +76,11 @@ RemoteConnection::~RemoteConnection() noexcept(false) {
 
 kj::Promise<void> RemoteConnection::open(Duration patience) {
   return connect(patience).then([this] { keeping_ = keep().eagerlyEvaluate(nullptr); });
+}
+
+void RemoteConnection::end() {
+  keeping_ = kj::READY_NOW;
+  KJ_IF_MAYBE (port, port_) (*port)->close(ChannelStatus::Closed);
 }
 
 kj::Promise<void> RemoteConnection::connect(Duration patience) {
@@ -123,6 +130,7 @@ kj::Promise<void> RemoteConnection::ask() {
   channel_ =
       std::make_shared<Channel>(required_.info(), from_.toString() + " -> " + to_.toString(), "rpc",
                                 ends, makeStateTable(required_.info()), required_.subscribed());
+  channel_->watch = watch_;
   auto port = kj::refcounted<rpc::ProxyPort>(control_, channel_, -clockOffset_,
                                              KJ_ASSERT_NONNULL(link_)->counters());
   auto request = KJ_ASSERT_NONNULL(peer_).connectRequest();

@@ -24,12 +24,15 @@ class RemoteConnection {
 
   /// `from` and `to` with their processes.
   RemoteConnection(rpc::ControlThread& control, ManagerLink& manager, RequiredBase& required,
-                   Endpoint from, Endpoint to, Made made, const Interposer& interposer);
+                   Endpoint from, Endpoint to, Made made, const Interposer& interposer,
+                   std::shared_ptr<ConnectionWatch> watch);
   ~RemoteConnection() noexcept(false);
 
   /// Connects, waiting at most `patience` for the other process and its component. Rejects with the
   /// reason.
   kj::Promise<void> open(Duration patience);
+  /// Takes the connection down for good: that is no loss to the client.
+  void end();
 
  private:
   class NoticesReceiver;
@@ -50,6 +53,7 @@ class RemoteConnection {
   const Endpoint from_, to_;
   const Made made_;
   const Interposer interposer_;
+  const std::shared_ptr<ConnectionWatch> watch_;  // of all its channels
   std::shared_ptr<Channel> channel_;
   kj::Maybe<kj::Own<rpc::Link>> link_;
   kj::Maybe<wire::Peer::Client> peer_;

@@ -47,12 +47,14 @@ std::shared_ptr<Channel> offerLocally(const RequiredBase& required, ProvidedBase
 }
 
 std::shared_ptr<Channel> connectLocally(RequiredBase& required, ProvidedBase& provided,
-                                        const std::string& connection) {
+                                        const std::string& connection,
+                                        std::shared_ptr<ConnectionWatch> watch) {
   Component& provider = provided.owner();
   auto channel = makeChannel(required, provided, connection,
                              {.client = &required.owner().doorbell(),
                               .provider = &provider.doorbell(),
                               .device = provider.ownsThread() ? nullptr : &provided});
+  channel->watch = std::move(watch);
   required.attach(channel);
   return channel;
 }

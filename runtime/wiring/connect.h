@@ -23,8 +23,10 @@ std::shared_ptr<Channel> offerLocally(const RequiredBase& required, ProvidedBase
                                       rt::Doorbell& provider);
 
 /// The `local` lane: one channel that both ends share. Takes effect at each end's next cycle.
-/// Throws SetupError if the contracts differ.
+/// `watch`: what the connection is to keep to, if anything. Throws SetupError if the contracts
+/// differ.
 std::shared_ptr<Channel> connectLocally(RequiredBase& required, ProvidedBase& provided,
-                                        const std::string& connection);
+                                        const std::string& connection,
+                                        std::shared_ptr<ConnectionWatch> watch = nullptr);
 
 }  // namespace suture

@@ -35,6 +35,7 @@ std::shared_ptr<Channel> DelayThread::interpose(RequiredBase& required,
   auto near = std::make_shared<Channel>(required.info(), far->name, far->lane + "+delay", ends,
                                         std::move(state), far->subscribed);
   near->offered = far->offered;
+  near->watch = far->watch;
   auto connection = std::make_unique<DelayedConnection>(near, std::move(far), delay);
   {
     const std::lock_guard lock(mutex_);

@@ -27,7 +27,7 @@ Errc errcOf(const kj::Exception& exception) {
     std::from_chars(text.data() + kPrefix.size(), text.data() + text.size(), number);
   }
   const bool known = number >= static_cast<unsigned>(Errc::NotConnected) &&
-                     number <= static_cast<unsigned>(Errc::Suspended);
+                     number <= static_cast<unsigned>(Errc::AwaitingOperator);
   return known ? static_cast<Errc>(number) : Errc::Invalid;
 }
 

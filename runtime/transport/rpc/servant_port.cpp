@@ -192,8 +192,15 @@ void ServantPort::releaseRow() {
 }
 
 void ServantPort::pumpStatus() {
+  const std::uint32_t faults = channel_->faults.load(std::memory_order_acquire);
   const ChannelStatus status = channel_->status.load(std::memory_order_acquire);
-  if (status == told_) return;
+  // Restarted before anybody looked: the client is to know all the same.
+  if (faults != faultsTold_ && told_ != ChannelStatus::Faulted) passOn(ChannelStatus::Faulted);
+  faultsTold_ = faults;
+  if (status != told_) passOn(status);
+}
+
+void ServantPort::passOn(ChannelStatus status) {
   told_ = status;
   // A suspended provider answers what it was sent.
   const Errc error = errorOf(status);

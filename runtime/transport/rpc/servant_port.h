@@ -116,6 +116,7 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
   void sendRow(EventSink& sink, const rt::StateTable::Row& row);
   void releaseRow();
   void pumpStatus();
+  void passOn(ChannelStatus status);
   void failAll(Errc error);
   void taskFailed(kj::Exception&& exception) override;
 
@@ -126,6 +127,7 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
   kj::Maybe<kj::Own<Listener>> listener_;
   bool closed_ = false;
   ChannelStatus told_ = ChannelStatus::Connected;
+  std::uint32_t faultsTold_ = 0;
 
   std::vector<std::deque<Taken>>
       taken_;  // by command: calls that wait for their credit, oldest first

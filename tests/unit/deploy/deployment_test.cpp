@@ -122,6 +122,39 @@ TEST(Deployment, DelaysOfAConnection) {
   EXPECT_EQ(delayOf("{\"answers\": \"3ns\"}").answers, 3ns);
 }
 
+suture::ConnectionContract contractOf(const std::string& value) {
+  const std::string text = with("\"lane\": \"rpc\"", "\"contract\": " + value);
+  return Deployment(JsonDocument::parse(text, "d.json")).connections()[1].contract;
+}
+
+TEST(Deployment, Contracts) {
+  using suture::ConnectionContract, suture::Fallback, suture::Resume;
+  EXPECT_EQ(Deployment(JsonDocument::parse(kSound, "d.json")).connections()[1].contract,
+            ConnectionContract{});
+  EXPECT_EQ(contractOf("{}"), ConnectionContract{});
+  const ConnectionContract expected{.maxAge = 10ms,
+                                    .deadline = 50ms,
+                                    .onStale = Fallback::Zero,
+                                    .onLoss = Fallback::Fault,
+                                    .resume = Resume::Operator};
+  EXPECT_EQ(contractOf(R"({"max_age": "10ms", "deadline": "50ms", "on_stale": "zero",
+                           "on_loss": "fault", "resume": "operator"})"),
+            expected);
+  EXPECT_EQ(contractOf(R"({"on_stale": "last"})").onStale, Fallback::Last);
+}
+
+TEST(Deployment, ContractsThatAreNone) {
+  const auto problemsWith = [](const char* value) {
+    return problemsOf(with("\"lane\": \"rpc\"", std::string("\"contract\": ") + value));
+  };
+  EXPECT_EQ(problemsWith(R"({"max_age": "61s"})"),
+            std::vector<std::string>{"d.json:18: error: a time of 61s is longer than 60s, which is "
+                                     "the longest; shorten it"});
+  for (const char* value : {R"({"on_stale": "hope"})", R"({"resume": "never"})", R"({"age": 1})"}) {
+    EXPECT_EQ(problemsWith(value).size(), 1u) << value;
+  }
+}
+
 TEST(Deployment, DelaysThatAreNone) {
   const auto problemsWith = [](const char* value) {
     return problemsOf(with("\"lane\": \"rpc\"", std::string("\"delay\": ") + value));
@@ -135,10 +168,9 @@ TEST(Deployment, DelaysThatAreNone) {
   EXPECT_EQ(problemsWith("{\"command\": \"5ms\"}"),
             std::vector<std::string>{
                 "d.json:18: error: unknown key 'command'; did you mean 'commands'?"});
-  EXPECT_EQ(
-      problemsWith("\"61s\""),
-      std::vector<std::string>{"d.json:18: error: a delay of 61s is longer than 60s, which is "
-                               "the longest; shorten it"});
+  EXPECT_EQ(problemsWith("\"61s\""),
+            std::vector<std::string>{"d.json:18: error: a time of 61s is longer than 60s, which is "
+                                     "the longest; shorten it"});
 }
 
 TEST(Deployment, MalformedAddresses) {

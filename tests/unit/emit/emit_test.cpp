@@ -208,5 +208,17 @@ TEST_F(EmitTest, RequiredInterfacesMayBeOptional) {
                        "            return component;\n"));
 }
 
+TEST_F(EmitTest, RequiredInterfacesMayLimitTheAgeOfValues) {
+  model::Component& component = model_.headers.back().components[0];
+  component.ports = {model::Port{.member = "slave_",
+                                 .name = "Slave",
+                                 .interface = "robots::Arm",
+                                 .maxAgeNanoseconds = 10'000'000,
+                                 .source = {}}};
+  EXPECT_TRUE(contains(text("robots/simulated_arm.suture.cpp"),
+                       "            limitAge(*component, \"Slave\", Duration(10'000'000));\n"
+                       "            return component;\n"));
+}
+
 }  // namespace
 }  // namespace suture::compiler::emit

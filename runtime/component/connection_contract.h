@@ -1,0 +1,45 @@
+#pragma once
+// What a connection is expected to keep to, and what happens when it does not: docs/safety.md.
+
+#include <suture/base/time.h>
+
+#include <atomic>
+#include <cstdint>
+
+namespace suture {
+
+/// What a read answers when its value is too old, or its provider lost. Its sample carries the
+/// Errc in any case.
+enum class Fallback : std::uint8_t {
+  Hold,   ///< no value to act on; the last one comes along to be looked at
+  Zero,   ///< Value{}, to be acted on
+  Last,   ///< the last value, to be acted on
+  Fault,  ///< as Hold, and the reading component is parked
+};
+
+/// Who lets commands through again after a loss or a read that was too old.
+enum class Resume : std::uint8_t { Automatic, Operator };
+
+/// A value; 0 in a duration: no such limit.
+struct ConnectionContract {
+  Duration maxAge{0};    ///< of what reads answer
+  Duration deadline{0};  ///< of calls: what within() waits, in place of what the commands state
+  Fallback onStale = Fallback::Hold;
+  Fallback onLoss = Fallback::Hold;
+  Resume resume = Resume::Automatic;
+
+  bool operator==(const ConnectionContract&) const = default;
+};
+
+/// The contract of one connection and how it has been kept: what lives on when a lost connection
+/// gets a new channel.
+struct ConnectionWatch {
+  explicit ConnectionWatch(const ConnectionContract& agreed) : contract(agreed) {}
+
+  const ConnectionContract contract;
+  /// Set by the client's thread, cleared by the operator's: commands are refused meanwhile.
+  std::atomic<bool> awaitsOperator{false};
+  std::atomic<std::uint64_t> staleReads{0}, losses{0};  ///< written by the client's thread
+};
+
+}  // namespace suture

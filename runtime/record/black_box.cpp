@@ -1,0 +1,111 @@
+#include <suture/component/provided.h>
+#include <suture/record/black_box.h>
+#include <suture/record/json_lines.h>
+#include <suture/rt/state_table.h>
+
+#include <exception>
+
+namespace suture {
+namespace {
+
+/// The reads of one provided interface, with memory for a row of them. Values that live on the heap
+/// have no history, and are left out.
+class Rows {
+ public:
+  explicit Rows(const ProvidedBase& provided)
+      : table_(*provided.state()),
+        from_{provided.owner().name() + "/" + provided.name(), provided.info()},
+        slots_(table_.columns()) {
+    for (std::uint16_t read = 0; read < provided.info().commands.size(); ++read) {
+      const int column = provided.info().commands[read].column;
+      if (column < 0 || table_.isShared(static_cast<unsigned>(column))) continue;
+      memory_.emplace_back((table_.columnSize(static_cast<unsigned>(column)) + 7) / 8);
+      slots_[static_cast<std::size_t>(column)] =
+          reinterpret_cast<std::byte*>(memory_.back().data());
+      values_.push_back({read, nullptr});
+    }
+  }
+
+  void write(Time since, Sink& sink) {
+    const std::uint64_t newest = table_.rows(), capacity = table_.capacity();
+    for (std::uint64_t number = newest > capacity ? newest - capacity + 1 : 1; number <= newest;
+         ++number) {
+      const rt::StateTable::Row row = table_.readRowNumber(number, slots_);
+      if (row.sequence == 0 || row.stamp < since) continue;
+      for (CollectedValue& value : values_) {
+        const auto column = static_cast<unsigned>(from_.contract.commands[value.read].column);
+        value.slot = row.missing(column) == Errc{} ? slots_[column] : nullptr;
+      }
+      sink.row(from_, number, row.stamp, values_);
+    }
+  }
+
+ private:
+  const rt::StateTable& table_;
+  const CollectedInterface from_;
+  std::vector<std::byte*> slots_;  // by column; nullptr: left out
+  std::vector<std::vector<std::uint64_t>> memory_;
+  std::vector<CollectedValue> values_;
+};
+
+void askForAll(const Component& component) {
+  for (const ProvidedBase* provided : component.provided()) {
+    for (unsigned column = 0; column < provided->state()->columns(); ++column) {
+      provided->state()->ask(column);
+    }
+  }
+}
+
+}  // namespace
+
+BlackBox::BlackBox(std::vector<Component*> components, BlackBoxOptions options)
+    : options_(std::move(options)) {
+  for (Component* component : components) {
+    askForAll(*component);
+    watched_.push_back({component, component->faults()});
+  }
+  thread_ = std::thread([this] { watch(); });
+}
+
+BlackBox::~BlackBox() {
+  {
+    const std::lock_guard lock(mutex_);
+    end_ = true;
+  }
+  ending_.notify_one();
+  thread_.join();
+}
+
+void BlackBox::watch() {
+  std::unique_lock lock(mutex_);
+  do {
+    for (Watched& watched : watched_) look(watched);
+  } while (!ending_.wait_for(lock, options_.period, [this] { return end_; }));
+}
+
+void BlackBox::look(Watched& watched) {
+  const std::uint64_t faults = watched.component->faults();
+  if (faults == watched.faults) return;
+  watched.faults = faults;
+  const Component& component = *watched.component;
+  const auto file = options_.folder / (component.name() + "." + std::to_string(faults) + ".jsonl");
+  const std::string what = "component '" + component.name() + "' faulted: " + component.fault();
+  try {
+    write(component, file);
+    options_.tell(what + ". Its last state is in " + file.string());
+  } catch (const std::exception& error) {
+    options_.tell(what + ". Its last state is not kept: " + error.what());
+  }
+}
+
+void BlackBox::write(const Component& component, const std::filesystem::path& file) const {
+  JsonLines lines(file);
+  const Time since = now() - options_.last;
+  for (const ProvidedBase* provided : component.provided()) Rows(*provided).write(since, lines);
+  if (!lines.flush()) {
+    throw SetupError("writing " + file.string(), "the file system did not take all of it",
+                     "Make room there");
+  }
+}
+
+}  // namespace suture

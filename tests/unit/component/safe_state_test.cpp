@@ -1,0 +1,164 @@
+// What a task does once it has been faulted: its safe state, and restarts.
+
+#include <gtest/gtest.h>
+#include <suture/component/channel.h>
+#include <suture/wiring/connect.h>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "unit/component/driven_arm.h"
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Throws when it is told to, and tells its arm to hold when that has happened.
+struct Surgeon final : Task {
+  void start() override {
+    prepare();
+    enter();
+  }
+  void stop() override { leave(); }
+  using Task::cycle;
+
+  void run() override {
+    ++runs;
+    if (broken) throw std::runtime_error("lost the needle");
+  }
+  void onFault() override {
+    ++safeStates;
+    held = slave.hold().has_value();
+    if (safeStateBroken) throw std::runtime_error("no brake");
+  }
+  void onRestart() override {
+    if (restartBroken) throw std::runtime_error("no second needle");
+    broken = false;
+  }
+
+  Required<reference::ArmLike> slave{*this, "Slave"};
+  bool broken = false, restartBroken = false, safeStateBroken = false, held = false;
+  int runs = 0, safeStates = 0;
+};
+
+class SafeState : public testing::Test {
+ protected:
+  SafeState() {
+    arm_.configure();
+    arm_.start();
+  }
+
+  void begin(const RestartBudget& budget) {
+    surgeon_.restartAfterFaults(budget);
+    surgeon_.start();
+    connectLocally(surgeon_.slave, arm_.automaticPort, "Surgeon/Slave -> PSM/Arm");
+    surgeon_.cycle();
+  }
+  void breakDown() {
+    surgeon_.broken = true;
+    surgeon_.cycle();
+  }
+  bool faulted() const { return surgeon_.state() == ComponentState::Faulted; }
+
+  DrivenArm arm_;
+  Surgeon surgeon_;
+};
+
+TEST_F(SafeState, IsEnteredOnceAndStillReachesTheArm) {
+  begin({});
+  breakDown();
+  surgeon_.cycle();
+  EXPECT_TRUE(faulted());
+  EXPECT_EQ(surgeon_.safeStates, 1);
+  EXPECT_TRUE(surgeon_.held);
+  EXPECT_EQ(surgeon_.runs, 2) << "it ran on";
+}
+
+TEST_F(SafeState, IsFollowedByRestartsWithinTheBudget) {
+  begin({.most = 2, .per = 24h});
+  for (int restart = 0; restart < 2; ++restart) {
+    breakDown();
+    EXPECT_FALSE(faulted());
+    EXPECT_EQ(surgeon_.fault(), "lost the needle");
+  }
+  breakDown();
+  EXPECT_TRUE(faulted());
+  EXPECT_EQ(surgeon_.faults(), 3u);
+  EXPECT_EQ(surgeon_.safeStates, 3);
+}
+
+TEST_F(SafeState, TheBudgetFillsUpAgain) {
+  begin({.most = 1, .per = 1ns});
+  for (int restart = 0; restart < 5; ++restart) {
+    breakDown();
+    EXPECT_FALSE(faulted());
+  }
+}
+
+TEST_F(SafeState, ARestartThatFailsIsAFaultToo) {
+  begin({.most = 3, .per = 24h});
+  surgeon_.restartBroken = true;
+  breakDown();
+  EXPECT_TRUE(faulted());
+  EXPECT_EQ(surgeon_.faults(), 4u);
+  EXPECT_EQ(surgeon_.fault(), "no second needle");
+}
+
+TEST_F(SafeState, OneThatThrowsEndsTheRestarts) {
+  begin({.most = 3, .per = 24h});
+  surgeon_.safeStateBroken = true;
+  breakDown();
+  EXPECT_TRUE(faulted());
+  EXPECT_EQ(surgeon_.fault(), "lost the needle");
+}
+
+/// Faults when it is asked to hold.
+struct FragileArm final : CountingArm {
+  void hold() override { throw std::runtime_error("the drive did not answer"); }
+};
+
+struct RestartedArm final : Task {
+  void start() override {
+    prepare();
+    enter();
+  }
+  void stop() override { leave(); }
+  using Task::cycle;
+  void run() override {}
+  FragileArm arm;
+  Provided<reference::ArmLike> port{*this, "Arm", arm};
+};
+
+TEST(Restart, ClientsReachTheComponentAgain) {
+  RestartedArm arm;
+  arm.restartAfterFaults({.most = 1, .per = 24h});
+  arm.start();
+  Surgeon surgeon;
+  surgeon.start();
+  const auto watch = std::make_shared<ConnectionWatch>(ConnectionContract{.maxAge = 24h});
+  const auto channel = connectLocally(surgeon.slave, arm.port, "Surgeon/Slave -> PSM/Arm", watch);
+  surgeon.cycle();
+  EXPECT_TRUE(surgeon.slave.hold());
+  EXPECT_TRUE(surgeon.slave.hold());
+  arm.cycle();
+  EXPECT_EQ(channel->status, ChannelStatus::Connected);
+  arm.cycle();
+  surgeon.cycle();
+  EXPECT_EQ(watch->losses, 1u) << "restarted before the client looked";
+  EXPECT_EQ(arm.faults(), 1u) << "what was sent before the fault has been executed after it";
+  EXPECT_TRUE(surgeon.slave.hold());
+  arm.cycle();
+  EXPECT_EQ(surgeon.slave.hold().error(), Errc::Faulted);
+  surgeon.cycle();
+  EXPECT_EQ(watch->losses, 2u);
+}
+
+TEST(Restart, ABudgetBeyondReasonIsRefused) {
+  Surgeon surgeon;
+  EXPECT_THROW(surgeon.restartAfterFaults({.most = 17, .per = 1s}), SetupError);
+}
+
+}  // namespace
+}  // namespace suture

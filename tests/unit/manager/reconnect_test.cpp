@@ -1,0 +1,267 @@
+// Connections that are taken down and made anew while tasks run.
+
+#include <gtest/gtest.h>
+#include <suture/component/channel.h>
+#include <suture/component/device.h>
+#include <suture/component/event_task.h>
+#include <suture/component/periodic_task.h>
+#include <suture/manager/global_manager.h>
+#include <suture/manager/manager.h>
+#include <suture/transport/rpc/control_thread.h>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "support/eventually.h"
+#include "support/temporary_directory.h"
+#include "unit/manager/still_arm.h"
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// A task that provides an arm; its mode is latched.
+struct ArmTask final : PeriodicTask, StillArm {
+  ArmTask() : PeriodicTask({.period = 1ms}) {}
+  ~ArmTask() override { stop(); }
+  void run() override {}
+  void set_mode(reference::Mode mode) override { port.emit().mode(mode); }
+  Provided<reference::ArmLike> port{*this, "Arm", *this};
+};
+
+struct ArmDevice final : Device, StillArm {
+  void set_mode(reference::Mode mode) override { port.emit().mode(mode); }
+  Provided<reference::ArmLike> port{*this, "Arm", *this};
+};
+
+struct Client final : PeriodicTask {
+  Client() : PeriodicTask({.period = 1ms}) {
+    slave.on().mode([this](reference::Mode) { ++modes; });
+  }
+  ~Client() override { stop(); }
+  void run() override {
+    if (read) (void)slave.measured_cp();
+    const auto held = slave.hold();
+    error = held ? Errc{} : held.error();
+    if (ask && !call) call.emplace(slave.set_mode.start(reference::Mode::Enabled));
+    if (call && call->poll()) answer = *call->poll() ? Errc{} : call->poll()->error();
+  }
+  Required<reference::ArmLike> slave{*this, "Slave"};
+  std::atomic<Errc> error{Errc::NotYet}, answer{Errc::NotYet};
+  std::atomic<bool> ask{false}, read{false};
+  std::atomic<int> modes{0};
+  std::optional<Call<Result<void>, NoSlot>> call;
+};
+
+/// Its run() ends when the test says so, so that a call stays under way.
+struct Busy final : PeriodicTask, StillArm {
+  Busy() : PeriodicTask({.period = 1ms}) {}
+  ~Busy() override { stop(); }
+  void run() override {
+    while (busy) std::this_thread::sleep_for(1ms);
+  }
+  std::atomic<bool> busy{false};
+  Provided<reference::ArmLike> port{*this, "Arm", *this};
+};
+
+/// How many of the channels that it has been shown still exist.
+struct Census {
+  void note(const Manager& manager) {
+    for (const auto& channel : manager.channels()) seen.push_back(channel);
+  }
+  std::size_t alive() const {
+    return static_cast<std::size_t>(
+        std::count_if(seen.begin(), seen.end(), [](const auto& one) { return !one.expired(); }));
+  }
+  std::vector<std::weak_ptr<Channel>> seen;
+};
+
+std::string refusal(const std::function<void()>& attempt) {
+  try {
+    attempt();
+  } catch (const SetupError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Reconnect, WhileTasksRunToAnotherProvider) {
+  ArmTask one, two;
+  Client client;
+  Manager manager("here");
+  manager.add("One", one);
+  manager.add("Two", two);
+  manager.add("Teleop", client);
+  manager.start();
+  manager.connect("Teleop/Slave", "One/Arm");
+  EXPECT_TRUE(eventually([&] { return one.holds > 0; }));
+  manager.disconnect("Teleop/Slave");
+  EXPECT_TRUE(eventually([&] { return client.error == Errc::NotConnected; }));
+  EXPECT_EQ(two.holds, 0);
+  manager.connect("Teleop/Slave", "Two/Arm");
+  EXPECT_TRUE(eventually([&] { return two.holds > 0; }));
+  EXPECT_EQ(manager.channels().size(), 1u);
+}
+
+TEST(Reconnect, ReplaysLatchedEvents) {
+  ArmTask arm;
+  Client client;
+  Manager manager("here");
+  manager.add("PSM", arm);
+  manager.add("Teleop", client);
+  manager.start();
+  manager.connect("Teleop/Slave", "PSM/Arm");
+  client.ask = true;
+  EXPECT_TRUE(eventually([&] { return client.modes == 1; }));
+  manager.disconnect("Teleop/Slave");
+  manager.connect("Teleop/Slave", "PSM/Arm");
+  EXPECT_TRUE(eventually([&] { return client.modes == 2; }));
+}
+
+TEST(Reconnect, CallsUnderWayEnd) {
+  Busy arm;
+  Client client;
+  Manager manager("here");
+  manager.add("PSM", arm);
+  manager.add("Teleop", client);
+  manager.start();
+  manager.connect("Teleop/Slave", "PSM/Arm");
+  EXPECT_TRUE(eventually([&] { return arm.holds > 0; }));
+  arm.busy = true;
+  std::this_thread::sleep_for(5ms);
+  client.ask = true;
+  std::this_thread::sleep_for(20ms);
+  EXPECT_EQ(client.answer, Errc::NotYet);
+  manager.disconnect("Teleop/Slave");
+  EXPECT_TRUE(eventually([&] { return client.answer == Errc::OutcomeUnknown; }));
+  arm.busy = false;
+}
+
+TEST(Reconnect, WhatIsNotConnectedCannotBeDisconnected) {
+  Client client;
+  Manager manager("here");
+  manager.add("Teleop", client);
+  EXPECT_EQ(refusal([&] { manager.disconnect("Teleop/Slave"); }),
+            "disconnecting 'Teleop/Slave': it is not connected. Connect it with connect() first");
+}
+
+template <class Provider>
+void reconnectOften() {
+  Provider arm;
+  Client client;
+  Manager manager("here");
+  manager.add("PSM", arm);
+  manager.add("Teleop", client);
+  manager.start();
+  Census census;
+  for (int i = 0; i < 10'000; ++i) {
+    manager.connect("Teleop/Slave", "PSM/Arm");
+    census.note(manager);
+    if (i % 100 == 99) {
+      ASSERT_TRUE(eventually([&] { return client.error == Errc{}; }));
+      // The present one, and what nobody has looked at since it was closed.
+      ASSERT_TRUE(eventually([&] { return census.alive() <= 3; })) << census.alive();
+    }
+    manager.disconnect("Teleop/Slave");
+    if (i % 100 == 99) {
+      ASSERT_TRUE(eventually([&] { return client.error == Errc::NotConnected; }));
+    }
+  }
+  EXPECT_EQ(census.seen.size(), 10'000u);
+}
+
+TEST(Reconnect, TenThousandTimesKeepsNothingOfATask) { reconnectOften<ArmTask>(); }
+
+TEST(Reconnect, TenThousandTimesKeepsNothingOfADevice) { reconnectOften<ArmDevice>(); }
+
+TEST(Reconnect, OverRpcShowsTheNewChannelAndKeepsNoOldOne) {
+  TemporaryDirectory directory;
+  rpc::ControlThread control;
+  GlobalManager global{control, "unix:" + directory.file("manager.sock")};
+  ArmTask arm;
+  Client client;
+  Manager there{"there", global.address()}, here{"here", global.address()};
+  there.add("PSM", arm);
+  here.add("Teleop", client);
+  there.start();
+  here.start();
+  Census census;
+  for (int i = 0; i < 100; ++i) {
+    here.connect("Teleop/Slave", "there:PSM/Arm", Lane::Auto, 10s, {}, {.onLoss = Fallback::Fault});
+    const auto channels = here.channels();
+    ASSERT_EQ(channels.size(), 1u);
+    EXPECT_EQ(channels.front()->status, ChannelStatus::Connected);
+    for (const auto& old : census.seen) EXPECT_NE(old.lock(), channels.front());
+    const int before = arm.holds;
+    ASSERT_TRUE(eventually([&] { return arm.holds > before; }));
+    census.note(here);
+    census.note(there);
+    here.disconnect("Teleop/Slave");
+    EXPECT_TRUE(here.channels().empty());
+    EXPECT_TRUE(eventually([&] { return client.error == Errc::NotConnected; }));
+  }
+  here.connect("Teleop/Slave", "there:PSM/Arm");
+  EXPECT_TRUE(eventually([&] { return census.alive() == 0; })) << census.alive();
+  EXPECT_TRUE(eventually([&] { return there.channels().size() == 1; }));
+  EXPECT_EQ(client.state(), ComponentState::Running) << "what is taken down is not lost";
+}
+
+TEST(Reconnect, AfterALossOverRpcTheNewChannelIsShown) {
+  TemporaryDirectory directory;
+  rpc::ControlThread control;
+  GlobalManager global{control, "unix:" + directory.file("manager.sock")};
+  Client client;
+  Manager here{"here", global.address()};
+  here.add("Teleop", client);
+  here.start();
+  std::shared_ptr<Channel> lost;
+  {
+    ArmTask arm;
+    Manager there{"there", global.address()};
+    there.add("PSM", arm);
+    there.start();
+    here.connect("Teleop/Slave", "there:PSM/Arm");
+    lost = here.channels().at(0);
+  }
+  EXPECT_TRUE(eventually([&] { return client.error == Errc::Lost; }));
+  ArmTask arm;
+  Manager there{"there", global.address()};
+  there.add("PSM", arm);
+  there.start();
+  EXPECT_TRUE(eventually([&] { return arm.holds > 0; }));
+  const auto channels = here.channels();
+  ASSERT_EQ(channels.size(), 1u);
+  EXPECT_NE(channels.front(), lost);
+  EXPECT_EQ(channels.front()->status, ChannelStatus::Connected);
+  EXPECT_TRUE(eventually([&] { return channels.front()->commands.counters.executed > 0; }));
+}
+
+TEST(Reconnect, AStaleReadAwaitsTheOperator) {
+  ArmTask arm;
+  Client client;
+  Manager manager("here");
+  manager.add("PSM", arm);
+  manager.add("Teleop", client);
+  manager.start();
+  manager.connect("Teleop/Slave", "PSM/Arm", Lane::Auto, 1s, {},
+                  {.maxAge = 1ns, .resume = Resume::Operator});
+  EXPECT_TRUE(eventually([&] { return client.error == Errc{}; }));
+  EXPECT_EQ(refusal([&] { manager.resumeConnection("Teleop/Slave"); }),
+            "resuming connection 'Teleop/Slave': it does not await an operator. Nothing has to be "
+            "done");
+  client.read = true;
+  EXPECT_TRUE(eventually([&] { return client.error == Errc::AwaitingOperator; }));
+  client.read = false;
+  std::this_thread::sleep_for(5ms);
+  EXPECT_EQ(client.error, Errc::AwaitingOperator);
+  manager.resumeConnection("Teleop/Slave");
+  EXPECT_TRUE(eventually([&] { return client.error == Errc{}; }));
+}
+
+}  // namespace
+}  // namespace suture

@@ -1,0 +1,131 @@
+// What is left of a component's last seconds when it has been faulted.
+
+#include <gtest/gtest.h>
+#include <suture/component/periodic_task.h>
+#include <suture/component/provided.h>
+#include <suture/lifecycle.suture.h>
+#include <suture/manager/manager.h>
+#include <suture/record/black_box.h>
+#include <suture/rt/state_table.h>
+
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "support/eventually.h"
+#include "support/temporary_directory.h"
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Throws when it is told to. Provides the one contract of the runtime's own.
+struct Arm final : PeriodicTask, Lifecycle {
+  Arm() : PeriodicTask({.period = 1ms}) { port.keepState({.rows = 256}); }
+  ~Arm() override { stop(); }
+  void run() override {
+    if (broken.exchange(false)) throw std::runtime_error("the drive did not answer");
+  }
+  bool suspend() override { return false; }
+  bool resume() override { return false; }
+  ComponentState component_state() const override { return state(); }
+
+  std::atomic<bool> broken{false};
+  Provided<Lifecycle> port{*this, "Arm", *this};
+};
+
+class Boxed : public testing::Test {
+ protected:
+  void begin(const std::filesystem::path& folder, Duration last = 10s) {
+    manager_.add("PSM", arm_);
+    box_.emplace(manager_.directory().components(),
+                 BlackBoxOptions{.folder = folder, .last = last, .tell = [this](const auto& text) {
+                                   const std::lock_guard lock(mutex_);
+                                   told_.push_back(text);
+                                 }});
+    manager_.start();
+    EXPECT_TRUE(eventually([this] { return arm_.port.state()->rows() > 300; }));
+  }
+  std::string toldAfterFault() {
+    const std::size_t before = count();
+    arm_.broken = true;
+    EXPECT_TRUE(eventually([&] { return count() > before; }));
+    const std::lock_guard lock(mutex_);
+    return told_.empty() ? "" : told_.back();
+  }
+  static std::vector<nlohmann::json> lines(const std::filesystem::path& file) {
+    std::ifstream in(file);
+    std::vector<nlohmann::json> all;
+    for (std::string line; std::getline(in, line);) all.push_back(nlohmann::json::parse(line));
+    return all;
+  }
+
+  TemporaryDirectory directory_;
+  Arm arm_;
+  Manager manager_{"here"};
+
+ private:
+  std::size_t count() {
+    const std::lock_guard lock(mutex_);
+    return told_.size();
+  }
+
+  std::mutex mutex_;
+  std::vector<std::string> told_;
+
+ protected:
+  std::optional<BlackBox> box_;
+};
+
+TEST_F(Boxed, AFaultLeavesTheLastRowsBehind) {
+  begin(directory_.file(""));
+  const std::string file = directory_.file("PSM.1.jsonl");
+  EXPECT_EQ(toldAfterFault(),
+            "component 'PSM' faulted: the drive did not answer. Its last state "
+            "is in " +
+                file);
+  auto rows = lines(file);
+  std::erase_if(rows, [](const auto& row) { return row.at("from") != "PSM/Arm"; });
+  ASSERT_GT(rows.size(), 200u);
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    EXPECT_EQ(rows[i].at("row"), rows[i - 1].at("row").get<int>() + 1);
+  }
+  EXPECT_EQ(rows.front().at("component_state"), "Running");
+}
+
+TEST_F(Boxed, NoFurtherBackThanAsked) {
+  begin(directory_.file(""), 0ns);
+  toldAfterFault();
+  EXPECT_TRUE(lines(directory_.file("PSM.1.jsonl")).empty());
+}
+
+TEST_F(Boxed, EveryFaultHasAFileOfItsOwn) {
+  arm_.restartAfterFaults({.most = 1, .per = 24h});
+  begin(directory_.file(""));
+  toldAfterFault();
+  EXPECT_TRUE(eventually([&] { return arm_.state() == ComponentState::Running; }));
+  toldAfterFault();
+  EXPECT_TRUE(std::filesystem::exists(directory_.file("PSM.1.jsonl")));
+  EXPECT_TRUE(std::filesystem::exists(directory_.file("PSM.2.jsonl")));
+}
+
+TEST_F(Boxed, AMissingFolderIsTold) {
+  begin(directory_.file("nowhere"));
+  EXPECT_NE(toldAfterFault().find("Its last state is not kept: recording to "), std::string::npos);
+}
+
+TEST_F(Boxed, AFullDiskIsTold) {
+  std::filesystem::create_symlink("/dev/full", directory_.file("PSM.1.jsonl"));
+  begin(directory_.file(""));
+  EXPECT_NE(toldAfterFault().find("the file system did not take all of it"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace suture
