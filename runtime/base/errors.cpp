@@ -20,6 +20,7 @@ const char* toString(Errc error) {
     case Errc::NotImplemented: return "the provider does not have this optional command";
     case Errc::TooOld: return "older than the state table's oldest row";
     case Errc::Suspended: return "the provider is suspended";
+    case Errc::Cancelled: return "cancelled before it was executed";
   }
   return "unknown error";
 }

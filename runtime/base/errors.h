@@ -30,6 +30,7 @@ enum class Errc : std::uint8_t {
   NotImplemented,    ///< an optional command that this provider does not have
   TooOld,            ///< the state table does not reach back that far; configure more rows
   Suspended,         ///< the provider is suspended; the command was not executed
+  Cancelled,         ///< its sender cancelled it in time; not executed
 };
 
 /// The error in words, for people. Any thread; static storage.

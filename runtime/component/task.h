@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace suture {
@@ -83,6 +84,8 @@ class Task : public Component {
   friend class GuestTask;
 
   void take(Transition transition) final;
+  void parkSoon(std::string reason) final;
+  void parkIfAsked();
   void makeRequestedTransition();
   void work();
   void rest();
@@ -91,6 +94,10 @@ class Task : public Component {
 
   std::vector<GuestTask*> guests_;
   std::atomic<std::optional<Transition>> requested_{std::nullopt};
+  // What the first call in another thread threw.
+  std::atomic_flag failing_ = ATOMIC_FLAG_INIT;
+  std::string failure_;
+  std::atomic<bool> failed_{false};  // failure_ says why
   TaskStatistics statistics_;
 };
 

@@ -142,6 +142,11 @@ void DelayedConnection::deliverCommands(Time now) {
 }
 
 void DelayedConnection::deliver(const rt::CommandRecord& record) {
+  if (record.call != 0 && !near_->claimCall(record.call)) {
+    near_->replyError(record.call, Errc::Cancelled);
+    near_->ends.client->ring();
+    return;
+  }
   const auto slot = far_->commands.claim(record.command, record.stamp, record.call);
   if (!slot) {
     // Only if the provider's end has given no credit back: nobody serves it any more.
@@ -187,12 +192,12 @@ void DelayedConnection::deliverAnswers(Time now) {
   bool any = false;
   while (const std::byte* memory = answers_.due(now)) {
     const auto& answer = *reinterpret_cast<const ReplyRecord*>(memory);
-    const std::size_t size = answers_.size() - sizeof(ReplyRecord);
+    const auto size = static_cast<std::uint32_t>(answers_.size() - sizeof(ReplyRecord));
     const auto copy = [&](std::byte* result) {
       std::memcpy(result, answer.result(), size);
       return answer.error;
     };
-    near_->reply(answer.call, size, copy, answer.stamp);
+    near_->reply(answer.call, {.size = size}, copy, answer.stamp);
     answers_.pop();
     any = true;
   }
