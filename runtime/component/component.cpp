@@ -55,6 +55,7 @@ void Component::request(Transition transition) {
 
 void Component::makeTransition(Transition transition) {
   if (!parkOnThrow([&] { callHook(transition); })) return;
+  if (transition == Transition::Resume) resumed_.store(now(), std::memory_order_release);
   setState(*after(state(), transition));
   if (transition != Transition::Suspend && transition != Transition::Resume) return;
   for (ProvidedBase* provided : provided_) provided->announce(statusIn(state()));

@@ -33,6 +33,9 @@ class Component {
   /// What the handler threw that faulted this component; "" otherwise. Stable once state() says
   /// Faulted.
   const std::string& fault() const { return fault_; }
+  /// When it was last resumed. A command sent before is not executed, however late it arrives: it
+  /// was meant for what the component did before.
+  Time resumed() const { return resumed_.load(std::memory_order_acquire); }
 
   const std::vector<ProvidedBase*>& provided() const { return provided_; }
   const std::vector<RequiredBase*>& required() const { return required_; }
@@ -123,6 +126,7 @@ class Component {
   std::string fault_;
   std::atomic_flag parked_ = ATOMIC_FLAG_INIT;
   std::atomic<ComponentState> state_{ComponentState::Constructed};
+  std::atomic<Time> resumed_{Time{}};
   std::vector<ProvidedBase*> provided_;
   std::vector<RequiredBase*> required_;
   rt::Doorbell doorbell_;

@@ -15,7 +15,7 @@ void GuestTask::accept(Task& host) {
     throw SetupError(asked, "it already has that of '" + host_->name() + "'",
                      "A task runs in one thread");
   }
-  if (host.state() != ComponentState::Constructed) {
+  if (host.state() != ComponentState::Constructed && host.state() != ComponentState::Configured) {
     throw SetupError(asked, "'" + host.name() + "' has been started", "Lend before starting");
   }
   if (isConnected()) {

@@ -139,11 +139,14 @@ void ProvidedBase::drain(Channel& channel, Errc refusal) {
   if (!channel.commands.pending()) return;
   channel.commands.fixCut();
   const Time drainStart = now();
+  const Time resumed = everyState_ ? Time{} : owner_.resumed();
   while (const rt::CommandRecord* record = channel.commands.next()) {
-    if (refusal == Errc{}) {
-      run(channel, *record, drainStart);
-    } else {
+    if (refusal != Errc{}) {
       turnAway(channel, *record, refusal);
+    } else if (record->stamp < resumed) {
+      turnAway(channel, *record, Errc::Suspended);
+    } else {
+      run(channel, *record, drainStart);
     }
   }
 }

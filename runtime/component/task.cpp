@@ -62,8 +62,7 @@ void Task::parkIfAsked() {
 void Task::makeRequestedTransition() {
   if (!requested_.load(std::memory_order_relaxed)) return;
   const auto requested = requested_.exchange(std::nullopt, std::memory_order_acquire);
-  if (!after(state(), *requested)) return;         // it has been parked since it was asked
-  if (state() != ComponentState::Running) rest();  // what arrived before the change
+  if (!after(state(), *requested)) return;  // it has been parked since it was asked
   makeTransition(*requested);
   if (state() != ComponentState::Running) rest();
 }

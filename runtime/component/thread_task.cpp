@@ -59,8 +59,10 @@ void ThreadTask::loop() {
   leave();
 }
 
+// A ring may announce what is not work pending: somebody asks for the first time for a read of an
+// interface that is served in every state.
 void ThreadTask::awaitWork() {
-  while (!stopping() && !workPending()) doorbell().waitUntil(now() + std::chrono::seconds(1));
+  if (!stopping() && !workPending()) doorbell().waitUntil(now() + std::chrono::seconds(1));
 }
 
 }  // namespace suture

@@ -180,6 +180,7 @@ void Manager::connect(std::string_view requiredName, std::string_view providedNa
     throw SetupError("connecting " + connection, "it is already connected: " + existing->name,
                      "A required interface has one provider; add another required interface");
   }
+  if (delay.any()) DelayThread::requireBounded(required.info());
   const bool sameProcess = to.process.empty() || to.process == process();
   if (sameProcess && lane == Lane::Auto) {
     local_[from.toString()] = connectHere(required, directory_.provided(to), connection, delay);

@@ -47,13 +47,13 @@ TEST_P(Failures, ASuspendedProviderSaysSoUntilItIsResumed) {
   EXPECT_EQ(answer(), Errc::Suspended) << "whether or not the client has been told";
   EXPECT_TRUE(suture::eventually([&] {
     Errc error{};
-    client->with([&](Arm& remote) {
-      const auto held = remote.hold();
-      error = held ? Errc{} : held.error();
-    });
+    client->with([&](Arm& remote) { error = remote.unusable(); });
     return error == Errc::Suspended;
   }));
-  client->with([](Arm& remote) { EXPECT_EQ(remote.measured_cp().error(), Errc::Suspended); });
+  client->with([](Arm& remote) {
+    EXPECT_EQ(remote.hold().error(), Errc::Suspended);
+    EXPECT_EQ(remote.measured_cp().error(), Errc::Suspended);
+  });
 
   arm->component().request(suture::Transition::Resume);
   EXPECT_TRUE(suture::eventually([&] { return answer() == Errc{}; }));

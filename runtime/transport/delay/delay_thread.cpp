@@ -1,6 +1,9 @@
+#include <suture/base/errors.h>
 #include <suture/transport/delay/delay_thread.h>
 
 #include <algorithm>
+#include <iterator>
+#include <string>
 
 namespace suture {
 
@@ -10,6 +13,17 @@ DelayThread::~DelayThread() {
   stop();
   takeOver();
   for (const auto& one : carried_) one->end();
+}
+
+void DelayThread::requireBounded(const InterfaceInfo& contract) {
+  const bool any =
+      std::any_of(contract.commands.begin(), contract.commands.end(),
+                  [](const CommandInfo& one) { return one.sharedArguments || one.sharedResult; }) ||
+      std::any_of(contract.events.begin(), contract.events.end(),
+                  [](const EventInfo& one) { return one.sharedPayload; });
+  if (!any) return;
+  throw SetupError(std::string("a delay on a connection of ") + contract.name,
+                   "the contract has a type without bounds", "Give it a capacity()");
 }
 
 std::shared_ptr<Channel> DelayThread::interpose(RequiredBase& required,

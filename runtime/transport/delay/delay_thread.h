@@ -19,6 +19,10 @@ class DelayThread final : public ThreadTask {
   DelayThread();
   ~DelayThread() override;
 
+  /// Throws SetupError if the contract has a type without bounds: what is under way is kept in
+  /// memory of a fixed size.
+  static void requireBounded(const InterfaceInfo& contract);
+
   /// Any thread: puts a delay between `required` and `far`, whose client doorbell is this thread's.
   /// Returns the channel that `required` gets.
   std::shared_ptr<Channel> interpose(RequiredBase& required, std::shared_ptr<Channel> far,

@@ -95,9 +95,7 @@ bool DelayedConnection::over() const {
 }
 
 void DelayedConnection::end() {
-  ChannelStatus expected = ChannelStatus::Connected;
-  near_->status.compare_exchange_strong(expected, ChannelStatus::Lost);
-  near_->ends.client->ring();
+  near_->tell(ChannelStatus::Lost);
   far_->status = ChannelStatus::Closed;
   far_->ends.provider->ring();
 }
@@ -284,11 +282,7 @@ void DelayedConnection::deliverStatus(Time now) {
   while (const std::byte* memory = statuses_.due(now)) {
     const auto status = *reinterpret_cast<const ChannelStatus*>(memory);
     statuses_.pop();
-    ChannelStatus known = near_->status.load(std::memory_order_acquire);
-    while (known != ChannelStatus::Closed &&
-           !near_->status.compare_exchange_weak(known, status, std::memory_order_acq_rel)) {
-    }
-    near_->ends.client->ring();
+    near_->tell(status);
   }
 }
 

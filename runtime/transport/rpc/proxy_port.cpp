@@ -35,7 +35,7 @@ void ProxyPort::close(ChannelStatus why) {
   closed_ = true;
   control_.remove(*this);
   releaseAcknowledgement();
-  proxy_ = nullptr;
+  // The proxy stays: an answer that has arrived already may be on its way through it.
   channel_->status.store(why, std::memory_order_release);
   channel_->ends.client->ring();
 }

@@ -1,11 +1,21 @@
 #pragma once
 // What the stress sends: bytes that tell whether they belong together.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 namespace stress {
+
+using Bytes = std::array<std::byte, 120>;  // a PoseSample's
+
+inline std::span<std::byte> at(std::byte* memory, std::size_t size = sizeof(Bytes)) {
+  return {memory, size};
+}
+inline std::span<const std::byte> at(const std::byte* memory, std::size_t size = sizeof(Bytes)) {
+  return {memory, size};
+}
 
 /// Fills `memory`, of at least 16 bytes, with a serial number, bytes that follow from it, and a sum
 /// over all.

@@ -33,7 +33,7 @@ void pinTo(int cpu) {
 Span::Span() {
   const char* seconds = std::getenv("SUTURE_STRESS_SECONDS");
   const double length = seconds == nullptr ? 0.1 : std::atof(seconds);
-  end_ = suture::toNanoseconds(suture::now()) + static_cast<long long>(length * 1e9);
+  end_ = suture::toNanoseconds(suture::now()) + static_cast<std::int64_t>(length * 1e9);
 }
 
 bool Span::over() const { return suture::toNanoseconds(suture::now()) >= end_; }
@@ -50,7 +50,28 @@ void runAcrossProcessors(const std::vector<std::function<void()>>& bodies) {
   for (std::thread& thread : threads) thread.join();
 }
 
-unsigned long long Faults::take(unsigned long long serial) {
+std::vector<std::function<void()>> producers(
+    const Span& span, std::vector<std::uint64_t>& sent, std::atomic<std::uint64_t>& ended,
+    const std::function<bool(std::uint64_t, std::uint64_t)>& send) {
+  std::vector<std::function<void()>> bodies;
+  for (std::uint64_t producer = 0; producer < kProducers; ++producer) {
+    bodies.emplace_back([&, send, producer] {
+      std::uint64_t serial = 0;
+      while (!span.over()) {
+        if (send(producer, serial + 1)) {
+          ++serial;
+        } else {
+          std::this_thread::yield();
+        }
+      }
+      sent[producer] = serial;
+      ++ended;
+    });
+  }
+  return bodies;
+}
+
+std::uint64_t Faults::take(std::uint64_t serial) {
   ++seen;
   torn += serial == 0 ? 1 : 0;
   backwards += serial != 0 && serial <= last_ ? 1 : 0;

@@ -1,6 +1,8 @@
 #pragma once
 // How long the stress lasts and where its threads run.
 
+#include <atomic>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -15,24 +17,38 @@ class Span {
   bool over() const;
 
  private:
-  long long end_;
+  std::int64_t end_;
 };
 
 /// Runs each of `bodies` in a thread of its own, pinned to one processor after the other of those
 /// that the process may use, and returns when all have.
 void runAcrossProcessors(const std::vector<std::function<void()>>& bodies);
 
+constexpr std::uint64_t kProducers = 3;
+
+/// Bodies of kProducers threads that each call `send(producer, serial)` until `span` is over, with
+/// the same serial number again where it returns false at a full queue. `sent` gets how many each
+/// could send, `ended` how many have ended.
+std::vector<std::function<void()>> producers(
+    const Span& span, std::vector<std::uint64_t>& sent, std::atomic<std::uint64_t>& ended,
+    const std::function<bool(std::uint64_t, std::uint64_t)>& send);
+
+/// A serial number that tells which producer sent it.
+inline std::uint64_t tagged(std::uint64_t producer, std::uint64_t serial) {
+  return serial * kProducers + producer;
+}
+
 /// Counts what must not be, of one consumer.
 struct Faults {
-  unsigned long long torn = 0, backwards = 0, seen = 0;
+  std::uint64_t torn = 0, backwards = 0, seen = 0;
 
   /// Of what has been received: its serial number must be greater than any before. Returns it.
-  unsigned long long take(unsigned long long serial);
+  std::uint64_t take(std::uint64_t serial);
   /// No use to go on: what is broken may never come to an end.
   bool hopeless() const { return torn + backwards > 100; }
 
  private:
-  unsigned long long last_ = 0;
+  std::uint64_t last_ = 0;
 };
 
 /// Reports `faults` of `what` to gtest, and that anything was seen at all.

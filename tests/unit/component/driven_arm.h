@@ -37,7 +37,10 @@ class CountingArm : public reference::ArmLike {
 /// Driven by the test, which is its thread: cycle after cycle.
 class DrivenArm final : public Task {
  public:
-  void start() override { enter(); }
+  void start() override {
+    prepare();
+    enter();
+  }
   void stop() override { leave(); }
   using Task::cycle;
 

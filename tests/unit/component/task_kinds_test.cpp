@@ -199,6 +199,7 @@ TEST(GuestTask, IsRefusedWithoutAHostWithTwoAndWhenConnected) {
   Worker<GuestTask> guest, connected;
   Worker<PeriodicTask> host({}, PeriodicOptions{}), other({}, PeriodicOptions{});
   EXPECT_NE(refusal([&] { guest.start(); }).find("no task lends it a thread"), std::string::npos);
+  host.configure();
   host.lend(guest);
   EXPECT_NE(refusal([&] { other.lend(guest); }).find("it already has that of"), std::string::npos);
   Client client;

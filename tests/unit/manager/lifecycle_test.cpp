@@ -257,6 +257,22 @@ TEST(LifecycleInterface, TellsAndLeadsAcrossProcesses) {
   watchesAndLeads(watcher, worker);
 }
 
+TEST(LifecycleInterface, AnswersWhoAsksASuspendedComponentForTheFirstTime) {
+  Worker worker;
+  Watcher watcher;
+  Manager manager("here");
+  manager.add("Worker", worker);
+  manager.add("Watcher", watcher);
+  manager.start();
+  manager.suspend("Worker");
+  manager.connect("Watcher/Watched", "Worker/component");
+  std::this_thread::sleep_for(10ms);  // it has taken over the connection, and sleeps
+  EXPECT_TRUE(eventually([&] {
+    const auto state = watcher.component.component_state();
+    return state && *state == State::Suspended;
+  }));
+}
+
 TEST(LifecycleInterface, TellsTheEnd) {
   Worker worker;
   Watcher watcher;
