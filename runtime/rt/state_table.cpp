@@ -150,11 +150,14 @@ constexpr int kAttempts = 100;
 
 template <class Copy>
 StateTable::Row StateTable::readNewest(const Copy& copy) const {
+  Row row;  // the only one: a copy of what has just been written costs as much as all the rest
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    Row row{.sequence = newest_.load(std::memory_order_acquire)};
+    row.tooOld = false;
+    row.sequence = newest_.load(std::memory_order_acquire);
     if (row.sequence == 0 || tryRead(row, copy)) return row;
   }
-  return Row{};
+  row = Row{};
+  return row;
 }
 
 // The oldest row that the ring holds whole: that of the slot before the next to be written, which

@@ -21,11 +21,10 @@ namespace {
 using Findings = std::vector<std::string>;
 
 #ifdef SUTURE_UNWATCHED
-constexpr std::uint64_t kCycles = 5'000, kSleepingCycles = 2'000;
+constexpr std::uint64_t kCycles = 1'000, kSleepingCycles = 1'000, kWarmUp = 200;
 #else
-constexpr std::uint64_t kCycles = 1'000'000, kSleepingCycles = 100'000;
+constexpr std::uint64_t kCycles = 1'000'000, kSleepingCycles = 100'000, kWarmUp = 2'000;
 #endif
-constexpr std::uint64_t kWarmUp = 2'000;
 
 bool eventuallyDone(const Watch& watch) {
   const suture::Time deadline = suture::now() + std::chrono::minutes(5);

@@ -243,6 +243,29 @@ TEST(Suspended, WhatWasSentBeforeOrMeanwhileIsAnsweredAndNeverExecuted) {
   EXPECT_EQ(channel->commands.counters.refused, 3u);
 }
 
+TEST(Suspended, WhatWasSentBeforeTheResumeIsRefusedHoweverLateItArrives) {
+  Living<CallbackTask> task;
+  Client client;
+  const auto channel = connectLocally(client.arm, task.arm, "test");
+  task.start();
+  const Time sent = now();
+  task.request(Transition::Suspend);
+  task.trigger();
+  task.request(Transition::Resume);
+  task.trigger();
+  EXPECT_EQ(task.state(), State::Running);
+  // As a lane does with what comes out of a network.
+  ASSERT_TRUE(channel->commands.claim(static_cast<std::uint16_t>(reference::ArmLikeCommand::hold),
+                                      sent, 0));
+  channel->commands.commit();
+  EXPECT_TRUE(task.trigger());
+  EXPECT_EQ(channel->commands.counters.executed, 0u);
+  EXPECT_EQ(channel->commands.counters.refused, 1u);
+  EXPECT_TRUE(client.arm.hold());
+  EXPECT_TRUE(task.trigger());
+  EXPECT_EQ(channel->commands.counters.executed, 1u);
+}
+
 TEST(Suspended, ALateClientIsToldAtOnceAndWelcomeAfterwards) {
   Living<PeriodicTask> task(kQuick);
   task.start();
