@@ -144,9 +144,12 @@ consteval Latched latched() { return {true}; }
 consteval Deadline deadline(Nanoseconds limit) { return {limit.count()}; }
 /// A command that a provider may lack, or a required interface that may stay unconnected.
 consteval Optional optional() { return {true}; }
-/// A qualified read that may run while the component runs. Today: described, not acted on.
+/// A qualified read that may run while the component runs: in the thread of a caller in the same
+/// process; for any other, in the component's own like any other.
 consteval Concurrent concurrent() { return {true}; }
-/// A command that needs no queue because it only touches atomics. Today: described, not acted on.
+/// A command that needs no queue because it only touches atomics: runs at once, before what waits
+/// in the queue, in the thread of a caller in the same process; for any other, in the component's
+/// own like any other.
 consteval Direct direct() { return {true}; }
 /// The names and payloads of this contract follow CRTK; suturec checks them.
 consteval Crtk crtk() { return {true}; }

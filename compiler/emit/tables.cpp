@@ -86,6 +86,7 @@ void emitCommand(Code& code, const Context& context, const model::Interface& int
     members.push_back(".sharedArguments = true");
   }
   if (command.result && isOpen(*command.result)) members.push_back(".sharedResult = true");
+  if (command.concurrent || command.direct) members.push_back(".inCallersThread = true");
   emitEntry(code, members);
 }
 

@@ -22,6 +22,7 @@ const char* toString(Errc error) {
     case Errc::Suspended: return "the provider is suspended";
     case Errc::Stale: return "older than the connection's max_age";
     case Errc::AwaitingOperator: return "the connection waits for an operator to resume it";
+    case Errc::Cancelled: return "cancelled before it was executed";
   }
   return "unknown error";
 }

@@ -32,6 +32,7 @@ enum class Errc : std::uint8_t {
   Suspended,         ///< the provider is suspended; the command was not executed
   Stale,             ///< older than the connection's max_age
   AwaitingOperator,  ///< after a loss, until Manager::resumeConnection(); nothing was sent
+  Cancelled,         ///< its sender cancelled it in time; not executed
 };
 
 /// The error in words, for people. Any thread; static storage.

@@ -5,6 +5,7 @@
 #include <suture/base/shared_slot.h>
 #include <suture/component/required.h>
 
+#include <new>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -88,8 +89,42 @@ class [[nodiscard]] Call {
   /// The same with the deadline() that the contract states for the command, else kDefaultDeadline.
   const Answer& within() { return within(limit_); }
 
+  /// Takes the command back: true if it will not be executed, and Errc::Cancelled is the answer.
+  /// False: it is being executed or has been, or has left for another process or been answered;
+  /// then nothing changes, and the answer still comes. Never blocks.
+  [[nodiscard]] bool cancel() {
+    if (poll() || !required_->cancel(*pending_)) return false;
+    required_->closeCall(*std::exchange(pending_, nullptr));
+    answer_ = Traits::error(Errc::Cancelled);
+    return true;
+  }
+
+  /// Instead of poll() and within(): `handler(const Answer&)` is called once, in this thread, when
+  /// the answer is here or the connection has ended: before run(), or by a device's
+  /// processEvents(); at once if the call has ended by now, as one that was refused. Nothing is
+  /// allocated: what `handler` captures is a few pointers and numbers, copied as bytes.
+  ///   slave_.move.start(goal, 1, "").then([this](const Result<bool>& reached) { ... });
+  template <class Handler>
+  void then(Handler handler) && {
+    static_assert(sizeof(Handler) <= RequiredBase::kHandlerSize, "capture a pointer to it instead");
+    static_assert(
+        std::is_trivially_copyable_v<Handler> && std::is_trivially_destructible_v<Handler>,
+        "capture pointers and numbers only: the handler is copied as bytes");
+    if (poll()) return handler(*answer_);
+    new (pending_->handler) Handler(handler);
+    required_->follow(*std::exchange(pending_, nullptr), &finish<Handler>);
+  }
+
  private:
   using Traits = AnswerTraits<Answer>;
+
+  template <class Handler>
+  static void finish(RequiredBase& required, RequiredBase::PendingCall& pending) {
+    // Whoever starts the next call in the handler may get this place.
+    const Handler handler = *std::launder(reinterpret_cast<Handler*>(pending.handler));
+    Call call(required, pending, kDefaultDeadline, Errc{});
+    handler(*call.poll());
+  }
 
   void take() {
     if (pending_->error != Errc{}) {

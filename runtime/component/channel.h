@@ -14,6 +14,7 @@
 #include <suture/rt/spsc_ring.h>
 #include <suture/rt/state_table.h>
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -60,6 +61,7 @@ class Channel {
     rt::Doorbell* client;            ///< rung when replies, events or (if wanted) rows are there
     rt::Doorbell* provider;          ///< rung when commands are there
     ProvidedBase* device = nullptr;  ///< of a device in this process: the client calls it directly
+    ProvidedBase* here = nullptr;    ///< in this process, for what runs in the caller's thread
   };
 
   /// `state`: the provider's table or, at the near end of a lane, the mirror. `subscribed`: the
@@ -111,6 +113,12 @@ class Channel {
   /// is rung if that is news.
   void tell(ChannelStatus news);
 
+  /// Either endpoint, as its claim on a call: the client's to cancel it, the provider's to execute
+  /// it. True for the one that claims it first.
+  bool claimCall(std::uint32_t call) {
+    return claims_[call % kMaxCalls].exchange(call, std::memory_order_acq_rel) != call;
+  }
+
   /// Provider endpoint: answers call `call` with an error.
   void replyError(std::uint32_t call, Errc error);
   /// Provider endpoint: answers call `call`; `produce(std::byte* result)` fills the result in place
@@ -124,6 +132,7 @@ class Channel {
   void popReply();
 
  private:
+  std::array<std::atomic<std::uint32_t>, kMaxCalls> claims_{};  // 0 is no call's number
   Time lastRead_{};
   std::uint32_t repeatedReads_ = 0;
 };

@@ -15,7 +15,8 @@
 
 namespace suture {
 
-/// A void or write command: queued at the provider, executed in its thread.
+/// A void or write command: queued at the provider, executed in its thread. A direct() one, and any
+/// of a device, is executed at once in the caller's thread where both are in one process.
 ///   slave_.servo_cp(goal);                        queued; the answer says whether
 ///   auto call = slave_.servo_cp.start(goal);      the same, and learns when it has been executed
 template <auto Method, class ArgumentsSlot>
@@ -38,8 +39,8 @@ class Command<Method, ArgumentsSlot> {
   /// As above, and the answer comes when the command has been executed.
   [[nodiscard]] Call<Result<void>, NoSlot> start(Arguments... arguments) {
     if (const Errc error = required_.unusable(id_); error != Errc{}) return error;
-    if (required_.device() != nullptr) {
-      const Errc error = onDevice(arguments...);
+    if (ProvidedBase* const callee = required_.callee(id_)) {
+      const Errc error = callHere(*callee, arguments...);
       return error == Errc{} ? Result<void>{} : tl::unexpected(error);
     }
     auto* pending = required_.openCall();
@@ -48,14 +49,14 @@ class Command<Method, ArgumentsSlot> {
   }
 
  private:
-  Errc onDevice(Arguments... arguments) {
-    return required_.template callDevice<Contract>(
-        [&](Contract& contract) { (contract.*Method)(arguments...); });
+  static Errc callHere(ProvidedBase& callee, Arguments... arguments) {
+    return RequiredBase::callHere<Contract>(
+        callee, [&](Contract& contract) { (contract.*Method)(arguments...); });
   }
 
   Errc send(std::uint32_t call, Arguments... arguments) {
     if (const Errc error = required_.unusable(id_); error != Errc{}) return error;
-    if (required_.device() != nullptr) return onDevice(arguments...);
+    if (ProvidedBase* const callee = required_.callee(id_)) return callHere(*callee, arguments...);
     return required_.send(id_, call, [&]([[maybe_unused]] std::byte* memory) {
       if constexpr (sizeof...(Arguments) == 0) {
         return true;
@@ -136,7 +137,7 @@ class ReadCommand<Method, ResultSlot> {
   /// Has the provider evaluate the value now, in its own thread.
   [[nodiscard]] Call<Sample<Value>, ResultSlot> fresh() {
     if (const Errc error = required_.unusable(id_); error != Errc{}) return error;
-    if (required_.device() != nullptr) return (*this)();
+    if (required_.callee(id_) != nullptr) return (*this)();
     auto* pending = required_.openCall();
     if (pending == nullptr) return Errc::TooManyCalls;
     return {required_, *pending, required_.deadlineOf(id_),
@@ -148,7 +149,8 @@ class ReadCommand<Method, ResultSlot> {
   using Slot = ResultSlot;
 
   Sample<void> readDevice(Value& value) {
-    const Errc error = required_.template callDevice<const Contract>(
+    const Errc error = RequiredBase::callHere<const Contract>(
+        *required_.callee(id_),
         [&](const Contract& contract) { copy((contract.*Method)(), value); });
     if (error != Errc{}) return error;
     return Sample<void>(now());
@@ -168,8 +170,8 @@ class ReadCommand<Method, ResultSlot> {
   std::uint16_t id_;
 };
 
-/// What qualified reads and commands with a return value have in common: the provider's thread
-/// runs `Method` on the arguments, and its result is the answer.
+/// What qualified reads and commands with a return value have in common: `Method` runs on the
+/// arguments, and its result is the answer.
 ///   auto call = slave_.inverse_kinematics.start(pose);   look at call.poll() in a control loop
 ///   call.within(20ms)                                    or wait, for a bounded time
 template <class Contract, auto Method, class ArgumentsSlot, class ResultSlot, class ReturnType,
@@ -182,7 +184,7 @@ class AnsweredCommand {
 
   [[nodiscard]] Call<Result<Value>, ResultSlot> start(Arguments... arguments) {
     if (const Errc error = required_.unusable(id_); error != Errc{}) return error;
-    if (required_.device() != nullptr) return askDevice(arguments...);
+    if (ProvidedBase* const callee = required_.callee(id_)) return askHere(*callee, arguments...);
     auto* pending = required_.openCall();
     if (pending == nullptr) return Errc::TooManyCalls;
     return {required_, *pending, required_.deadlineOf(id_),
@@ -196,10 +198,10 @@ class AnsweredCommand {
   }
 
  private:
-  Result<Value> askDevice(Arguments... arguments) {
+  static Result<Value> askHere(ProvidedBase& callee, Arguments... arguments) {
     Value value{};
-    const Errc error = required_.template callDevice<Contract>(
-        [&](Contract& contract) { value = (contract.*Method)(arguments...); });
+    const Errc error = RequiredBase::callHere<Contract>(
+        callee, [&](Contract& contract) { value = (contract.*Method)(arguments...); });
     return error == Errc{} ? Result<Value>(std::move(value)) : tl::unexpected(error);
   }
 
@@ -207,7 +209,9 @@ class AnsweredCommand {
   std::uint16_t id_;
 };
 
-/// A qualified read: a question with arguments, to which the answer changes nothing.
+/// A qualified read: a question with arguments, to which the answer changes nothing. A concurrent()
+/// one, and any of a device, is answered at once in the caller's thread where both are in one
+/// process.
 template <auto Method, class ArgumentsSlot, class ResultSlot>
 class QualifiedReadCommand;
 

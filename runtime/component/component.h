@@ -13,6 +13,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace suture {
@@ -54,12 +55,15 @@ class Component {
   /// cycles, in its own thread; a device at once. Throws SetupError if that is not legal now.
   void request(Transition transition);
 
-  /// Any thread: the component has failed; its clients are told Errc::Faulted from now on. The
-  /// first reason stays, until the component is restarted.
+  /// A task's thread; of a device, any: the component has failed; its clients are told
+  /// Errc::Faulted from now on. The first reason stays, until the component is restarted.
   void park(std::string reason);
   /// Runs `work` of this component; what it throws parks the component. False if it did.
   template <class Work>
   bool parkOnThrow(const Work& work);
+  /// The same in the thread of a caller: a task is parked by its own thread, before its next cycle.
+  template <class Work>
+  bool parkSoonOnThrow(const Work& work);
 
   /// What a sleeping owner of this component waits on.
   rt::Doorbell& doorbell() { return lender_ == nullptr ? doorbell_ : lender_->doorbell(); }
@@ -96,6 +100,8 @@ class Component {
 
   // --- for Device and the kinds of task ---
 
+  /// Any thread: park(), now or soon.
+  virtual void parkSoon(std::string reason) { park(std::move(reason)); }
   /// Makes a legal transition to Suspended or Running happen, now or soon.
   virtual void take(Transition transition) = 0;
   /// Makes the legal `transition` here and now: the hook, the state, and what clients are told.
@@ -120,6 +126,8 @@ class Component {
   /// Of a faulted component: it runs again, unless the hook throws.
   void restart();
 
+  template <class Work, class Failed>
+  static bool guarded(const Work& work, const Failed& failed);
   void setState(ComponentState state);
   void callHook(Transition transition);
 
@@ -139,17 +147,27 @@ class Component {
   std::unique_ptr<StateListener> listener_;
 };
 
-template <class Work>
-bool Component::parkOnThrow(const Work& work) {
+template <class Work, class Failed>
+bool Component::guarded(const Work& work, const Failed& failed) {
   try {
     work();
     return true;
   } catch (const std::exception& error) {
-    park(error.what());
+    failed(error.what());
   } catch (...) {
-    park("an exception that is not a std::exception");
+    failed("an exception that is not a std::exception");
   }
   return false;
+}
+
+template <class Work>
+bool Component::parkOnThrow(const Work& work) {
+  return guarded(work, [this](std::string reason) { park(std::move(reason)); });
+}
+
+template <class Work>
+bool Component::parkSoonOnThrow(const Work& work) {
+  return guarded(work, [this](std::string reason) { parkSoon(std::move(reason)); });
 }
 
 }  // namespace suture

@@ -31,6 +31,9 @@ struct CommandInfo {
   Duration deadline = kDefaultDeadline;  ///< how long within() waits by itself
   // What owns memory has a counted pointer in its record, see base/shared_slot.h.
   bool sharedArguments = false, sharedResult = false;
+  /// concurrent() or direct(): a client in the provider's process, without delay between the two,
+  /// calls it in its own thread.
+  bool inCallersThread = false;
 };
 
 /// A set of a contract's events, one bit each.

@@ -170,6 +170,11 @@ void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time d
     turn.error = Errc::Late;
     return;
   }
+  if (record.call != 0 && !channel.claimCall(record.call)) {
+    increment(channel.commands.counters.refused);
+    turn.error = Errc::Cancelled;
+    return;
+  }
   channel.commandAge.record(drainStart - record.stamp);
   increment(channel.commands.counters.executed);
   if (record.call == 0) {

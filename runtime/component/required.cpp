@@ -5,6 +5,7 @@
 #include <array>
 #include <cstring>
 #include <string>
+#include <utility>
 
 namespace suture {
 
@@ -142,7 +143,10 @@ bool RequiredBase::zeroes(const Sample<void>& answer) const {
   return (answer.error() == Errc::Stale ? contract.onStale : contract.onLoss) == Fallback::Zero;
 }
 
-ProvidedBase* RequiredBase::device() const { return channel_->ends.device; }
+ProvidedBase* RequiredBase::callee(std::uint16_t command) const {
+  const Channel::Ends& ends = channel_->ends;
+  return info_.commands[command].inCallersThread ? ends.here : ends.device;
+}
 
 Errc RequiredBase::claim(std::uint16_t command, std::uint32_t call, std::byte*& arguments) {
   const Result<std::byte*> claimed = channel_->commands.claim(command, now(), call);
@@ -229,6 +233,11 @@ void RequiredBase::watch(ProvidedBase& own) {
 void RequiredBase::handleEvents() {
   adopt();
   noticeLoss();
+  handleQueuedEvents();
+  finishFollowed();
+}
+
+void RequiredBase::handleQueuedEvents() {
   if (channel_ == nullptr) return;
   while (const rt::EventRecord* record = channel_->events.next()) {
     // Released even if the handler throws: it must not meet the same event again.
@@ -241,7 +250,7 @@ void RequiredBase::handleEvents() {
 }
 
 bool RequiredBase::pending() const {
-  return rewired() || (channel_ != nullptr && channel_->events.pending());
+  return rewired() || followedMayBeDone() || (channel_ != nullptr && channel_->events.pending());
 }
 
 RequiredBase::PendingCall* RequiredBase::openCall() {
@@ -290,21 +299,55 @@ void RequiredBase::discard(PendingCall& call) {
   if (call.shared) releaseSharedSlot(call.result.data());
   call.shared = false;
   call.number = 0;
+  call.follower = nullptr;
 }
 
 bool RequiredBase::isDone(PendingCall& call) {
   collectReplies();
   if (call.done) return true;
-  const ChannelStatus status = channel_ == nullptr
-                                   ? ChannelStatus::Closed
-                                   : channel_->status.load(std::memory_order_acquire);
-  // A suspended provider answers what has been sent: with Errc::Suspended.
-  if (errorOf(status) == Errc{} || status == ChannelStatus::Suspended) return false;
+  const Errc end = endOfCalls();
+  if (end == Errc{}) return false;
   collectReplies();  // an answer may have come just before the end
   if (call.done) return true;
   call.done = true;
-  call.error = status == ChannelStatus::Faulted ? Errc::Faulted : Errc::OutcomeUnknown;
+  call.error = end;
   return true;
+}
+
+Errc RequiredBase::endOfCalls() const {
+  if (channel_ == nullptr) return Errc::OutcomeUnknown;
+  switch (channel_->status.load(std::memory_order_acquire)) {
+    case ChannelStatus::Connected: return Errc{};
+    // It answers what has been sent: with Errc::Suspended.
+    case ChannelStatus::Suspended: return Errc{};
+    case ChannelStatus::Faulted: return Errc::Faulted;
+    default: return Errc::OutcomeUnknown;
+  }
+}
+
+bool RequiredBase::cancel(PendingCall& call) {
+  return !isDone(call) && channel_->claimCall(call.number);
+}
+
+void RequiredBase::follow(PendingCall& call, Follower follower) {
+  call.follower = follower;
+  ++followed_;
+}
+
+bool RequiredBase::followedMayBeDone() const {
+  if (followed_ == 0) return false;
+  return endOfCalls() != Errc{} || channel_->nextReply() != nullptr ||
+         std::any_of(calls_.begin(), calls_.end(),
+                     [](const PendingCall& call) { return call.follower != nullptr && call.done; });
+}
+
+void RequiredBase::finishFollowed() {
+  if (followed_ == 0) return;
+  for (PendingCall& call : calls_) {
+    if (call.follower == nullptr || !isDone(call)) continue;
+    --followed_;
+    std::exchange(call.follower, nullptr)(*this, call);
+  }
 }
 
 void RequiredBase::waitFor(PendingCall& call, Time deadline) {

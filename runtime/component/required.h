@@ -9,6 +9,7 @@
 #include <suture/component/provided.h>
 
 #include <atomic>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <span>
@@ -26,6 +27,9 @@ struct ReplyRecord;
 /// its component; calls from another thread answer Errc::WrongThread.
 class RequiredBase {
  public:
+  /// How large a handler of Call::then() may be.
+  static constexpr std::size_t kHandlerSize = 48;
+
   RequiredBase(const RequiredBase&) = delete;
   RequiredBase& operator=(const RequiredBase&) = delete;
 
@@ -62,7 +66,8 @@ class RequiredBase {
 
   /// Owner's thread: takes over what attach() left.
   void adopt();
-  /// Owner's thread: runs the handlers of what has arrived.
+  /// Owner's thread: runs the handlers of the events that have arrived, then those of the calls
+  /// that have ended.
   void handleEvents();
   /// Owner's thread: true if adopt() has something to do.
   bool rewired() const { return incoming_.load(std::memory_order_relaxed) != nullptr; }
@@ -98,6 +103,8 @@ class RequiredBase {
   friend class Subscription;
   friend class RowReader;
 
+  struct PendingCall;
+  using Follower = void (*)(RequiredBase&, PendingCall&);
   struct PendingCall {
     std::uint32_t number = 0;  // 0: free
     bool done = false;
@@ -106,13 +113,15 @@ class RequiredBase {
     Time stamp{};
     bool shared = false;  // result holds a counted pointer
     std::vector<std::byte> result;
+    Follower follower = nullptr;  // null: whoever started it looks at the answer himself
+    alignas(std::max_align_t) std::byte handler[kHandlerSize];  // the follower's
   };
 
-  /// The provider if it is a device in this process, called directly; else nullptr.
-  ProvidedBase* device() const;
-  /// Runs `body(Contract&)` on such a device. A throw parks the device, not the caller.
+  /// The provider if `command` runs in the caller's thread; else nullptr.
+  ProvidedBase* callee(std::uint16_t command) const;
+  /// Runs `body(Contract&)` on it. A throw parks the provider's component, not the caller.
   template <class Contract, class Body>
-  Errc callDevice(const Body& body);
+  static Errc callHere(ProvidedBase& callee, const Body& body);
 
   /// Queues a command whose arguments `fill(std::byte*)` stores; it returns false if they do not
   /// fit.
@@ -153,6 +162,15 @@ class RequiredBase {
   static void discard(PendingCall& call);
   bool isDone(PendingCall& call);
   void waitFor(PendingCall& call, Time deadline);
+  /// True if the provider will not execute it, and answers so.
+  bool cancel(PendingCall& call);
+  /// `follower` is called in the owner's thread as soon as `call` is done.
+  void follow(PendingCall& call, Follower follower);
+  /// What ends the calls under way; 0: nothing.
+  Errc endOfCalls() const;
+  bool followedMayBeDone() const;
+  void finishFollowed();
+  void handleQueuedEvents();
 
   const std::string name_;
   Component& owner_;
@@ -161,6 +179,7 @@ class RequiredBase {
   std::atomic<std::shared_ptr<Channel>*> incoming_{nullptr};
   std::vector<PendingCall> calls_;
   std::uint32_t callsOpened_ = 0;
+  unsigned followed_ = 0;  // calls that have a follower
   std::vector<std::function<void(const std::byte*)>> handlers_;
   EventSet subscribed_ = 0;
   bool optional_ = false;
@@ -171,10 +190,10 @@ class RequiredBase {
 };
 
 template <class Contract, class Body>
-Errc RequiredBase::callDevice(const Body& body) {
-  const bool returned = device()->owner().parkOnThrow([&] {
+Errc RequiredBase::callHere(ProvidedBase& callee, const Body& body) {
+  const bool returned = callee.owner().parkSoonOnThrow([&] {
     const InterfaceInfo& contract = interfaceInfo<std::remove_const_t<Contract>>();
-    body(*static_cast<Contract*>(device()->implementation(contract)));
+    body(*static_cast<Contract*>(callee.implementation(contract)));
   });
   return returned ? Errc{} : Errc::Faulted;
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace suture {
 
@@ -47,6 +48,20 @@ void Task::take(Transition transition) {
   doorbell().ring();
 }
 
+void Task::parkSoon(std::string reason) {
+  if (failing_.test_and_set()) return;
+  failure_ = std::move(reason);
+  failed_.store(true, std::memory_order_release);
+  doorbell().ring();
+}
+
+void Task::parkIfAsked() {
+  if (!failed_.load(std::memory_order_acquire)) return;
+  park(failure_);
+  failed_.store(false, std::memory_order_relaxed);
+  failing_.clear(std::memory_order_release);  // once restarted, it may fail again
+}
+
 void Task::makeRequestedTransition() {
   if (!requested_.load(std::memory_order_relaxed)) return;
   const auto requested = requested_.exchange(std::nullopt, std::memory_order_acquire);
@@ -56,6 +71,7 @@ void Task::makeRequestedTransition() {
 }
 
 void Task::cycle() {
+  parkIfAsked();
   const bool worked = state() == ComponentState::Running && parkOnThrow([this] { work(); });
   if (!worked) rest();
   makeRequestedTransition();
@@ -129,6 +145,7 @@ void Task::leave() {
 bool Task::ownWorkPending() const {
   const bool running = state() == ComponentState::Running;
   return requested_.load(std::memory_order_relaxed).has_value() ||
+         failed_.load(std::memory_order_relaxed) ||
          std::any_of(provided().begin(), provided().end(),
                      [](const ProvidedBase* one) { return one->pending(); }) ||
          std::any_of(required().begin(), required().end(), [running](const RequiredBase* one) {

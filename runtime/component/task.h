@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace suture {
@@ -101,6 +102,8 @@ class Task : public Component {
   friend class GuestTask;
 
   void take(Transition transition) final;
+  void parkSoon(std::string reason) final;
+  void parkIfAsked();
   void makeRequestedTransition();
   void makeSafe();
   bool mayRestart();
@@ -111,6 +114,10 @@ class Task : public Component {
 
   std::vector<GuestTask*> guests_;
   std::atomic<std::optional<Transition>> requested_{std::nullopt};
+  // What the first call in another thread threw.
+  std::atomic_flag failing_ = ATOMIC_FLAG_INIT;
+  std::string failure_;
+  std::atomic<bool> failed_{false};  // failure_ says why
   TaskStatistics statistics_;
   std::uint64_t safeAfter_ = 0;  // the fault that onFault() was called for
   RestartBudget restarts_;

@@ -38,7 +38,7 @@ struct ConnectionReport {
   std::uint64_t superseded = 0;  ///< a later command had run already
   std::uint64_t late = 0;        ///< older than its ttl
   std::uint64_t failed = 0;      ///< the handler threw
-  std::uint64_t refused = 0;     ///< they reached a provider that was suspended or parked
+  std::uint64_t refused = 0;     ///< the provider was suspended or parked, or they were cancelled
   std::uint64_t eventsDelivered = 0, eventsDropped = 0;
 
   Distribution readAge;     ///< of values when the client read them

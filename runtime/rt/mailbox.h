@@ -40,7 +40,7 @@ struct CommandRecord {
 struct MailboxCounters {
   std::atomic<std::uint64_t> sent{0}, full{0}, tooLarge{0}, replaced{0};      // producer
   std::atomic<std::uint64_t> executed{0}, late{0}, superseded{0}, failed{0};  // consumer
-  std::atomic<std::uint64_t> refused{0};                                      // consumer
+  std::atomic<std::uint64_t> refused{0};  // consumer: turned away, or cancelled before
 };
 
 /// One producer thread, one consumer thread. No allocation after construction, no locks.

@@ -9,6 +9,7 @@
 #include <condition_variable>
 #include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "reference/gripper_arm.suture.h"
@@ -111,6 +112,17 @@ class RecordingArm : public GripperArm {
     return opening_;
   }
   double opening() const override { return opening_; }
+  void release() override {
+    log("release");
+    ranIn_ = std::this_thread::get_id();
+  }
+  bool fits(double width) const override {
+    if (width < 0) throw std::runtime_error("no such width");
+    ranIn_ = std::this_thread::get_id();
+    return width < 0.1;
+  }
+  /// Where the last release() or fits() ran.
+  std::thread::id ranIn() const { return ranIn_; }
 
   std::vector<std::string> taken() const {
     const std::lock_guard lock(mutex_);
@@ -146,6 +158,7 @@ class RecordingArm : public GripperArm {
   mutable suture::Time evaluated_;
   JointState joints_;
   std::atomic<double> opening_{0};
+  mutable std::atomic<std::thread::id> ranIn_;
 };
 
 /// What a component provides: the contract, and one that derives from it.

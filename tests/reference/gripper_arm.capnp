@@ -18,6 +18,10 @@ interface GripperArm @0xc640d7e85c8505d7 extends(ArmLike.ArmLike)
       $Meta.kind("writeReturn") $Meta.queue(16);
   # Closes to this width; answers the width that it could reach.
   opening @2 (sent :Rpc.Sent) -> (value :Float64, stamp :Int64) $Meta.kind("read");
+  release @3 (sent :Rpc.Sent) -> () $Meta.direct $Meta.kind("void") $Meta.queue(16);
+  # Lets go at once.
+  fits @4 (width :Float64 $Meta.unit("m"), sent :Rpc.Sent) -> (value :Bool) $Meta.concurrent
+      $Meta.kind("qualifiedRead");
 }
 
 interface GripperArmEvents @0xc4dcbf461eed82fb $Meta.eventsOf("reference::GripperArm") {

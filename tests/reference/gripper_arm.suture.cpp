@@ -52,6 +52,13 @@ constexpr CommandInfo kGripperArmCommands[] = {
      .resultSize = slotSize<double>,
      .depth = 16,
      .column = 2},
+    {.name = "release", .kind = CommandKind::Void, .depth = 16, .inCallersThread = true},
+    {.name = "fits",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = slotSize<GripperArmFitsArguments>,
+     .resultSize = slotSize<std::uint8_t>,
+     .depth = 16,
+     .inCallersThread = true},
 };
 
 constexpr EventInfo kGripperArmEvents[] = {
@@ -64,6 +71,8 @@ constexpr char kGripperArmDescription[] = R"json({"name": "reference::GripperArm
 }  // namespace
 
 bool store(const double& width, GripperArmCloseArguments& slot) { return store(width, slot.width); }
+
+bool store(const double& width, GripperArmFitsArguments& slot) { return store(width, slot.width); }
 
 namespace {
 
@@ -185,6 +194,27 @@ class GripperArmServant final : public wire::GripperArm::Server {
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
+  kj::Promise<void> release(ReleaseContext context) override {
+    auto in = context.getParams();
+    return port_->command(numberOf(GripperArmCommand::release), in.getSent(),
+                          [](std::byte*) { return Errc{}; });
+  }
+
+  kj::Promise<void> fits(FitsContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<GripperArmFitsArguments>(memory);
+      slot.width = in.getWidth();
+      return isValid(slot.width) ? Errc{} : Errc::Invalid;
+    };
+    auto take = [context](const std::byte* result, suture::Time) mutable {
+      const auto& slot = slotIn<std::uint8_t>(result);
+      auto out = context.getResults();
+      out.setValue(slot != 0);
+    };
+    return port_->call(numberOf(GripperArmCommand::fits), in.getSent(), fill, kj::mv(take));
+  }
+
  private:
   kj::Own<capnp::Capability::Server> base_;
   kj::Own<ServantPort> port_;
@@ -302,6 +332,23 @@ class GripperArmProxy final : public suture::rpc::Proxy {
           });
         });
       }
+      case GripperArmCommand::release: {
+        auto request = provider_.releaseRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case GripperArmCommand::fits: {
+        const auto& slot = slotIn<GripperArmFitsArguments>(record.arguments());
+        auto request = provider_.fitsRequest();
+        request.setWidth(slot.width);
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<std::uint8_t>(call, [&](std::uint8_t& answer) {
+            answer = response.getValue();
+            return Errc{};
+          });
+        });
+      }
     }
     return base_->send(record);
   }
@@ -338,7 +385,7 @@ namespace suture {
 
 template <>
 const InterfaceInfo& interfaceInfo<reference::GripperArm>() {
-  static const auto kCommands = extended<13>(interfaceInfo<reference::ArmLike>().commands,
+  static const auto kCommands = extended<15>(interfaceInfo<reference::ArmLike>().commands,
                                              reference::kGripperArmCommands);
   static const auto kEvents = extended<5>(interfaceInfo<reference::ArmLike>().events,
                                           reference::kGripperArmEvents);
@@ -368,6 +415,16 @@ Errc Provided<reference::GripperArm>::execute(std::uint16_t command, const std::
     case GripperArmCommand::opening: {
       auto& slot = newSlot<double>(result);
       return store(implementation_.opening(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case GripperArmCommand::release: {
+      implementation_.release();
+      return Errc{};
+    }
+    case GripperArmCommand::fits: {
+      const auto& slot = slotIn<reference::GripperArmFitsArguments>(arguments);
+      load(slot.width, scratch_.fits_width);
+      auto& answer = newSlot<std::uint8_t>(result);
+      return store(implementation_.fits(scratch_.fits_width), answer) ? Errc{} : Errc::TooLarge;
     }
   }
   return Provided<reference::ArmLike>::execute(command, arguments, result);

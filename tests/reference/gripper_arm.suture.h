@@ -20,10 +20,18 @@ struct GripperArmCloseArguments {
 
 bool store(const double& width, GripperArmCloseArguments& slot);
 
+struct GripperArmFitsArguments {
+  double width;  // m
+};
+
+bool store(const double& width, GripperArmFitsArguments& slot);
+
 /// The numbers of GripperArm's own commands in every table and record.
 enum class GripperArmCommand : std::uint16_t {
   close = 11,
   opening,
+  release,
+  fits,
 };
 
 /// The numbers of GripperArm's own events.
@@ -53,6 +61,10 @@ class Required<reference::GripperArm> : public Required<reference::ArmLike> {
   ReturningCommand<&Contract::close, reference::GripperArmCloseArguments, double> close{
       *this, static_cast<std::uint16_t>(Id::close)};
   ReadCommand<&Contract::opening, double> opening{*this, static_cast<std::uint16_t>(Id::opening)};
+  /// Lets go at once.
+  Command<&Contract::release, NoSlot> release{*this, static_cast<std::uint16_t>(Id::release)};
+  QualifiedReadCommand<&Contract::fits, reference::GripperArmFitsArguments, std::uint8_t> fits{
+      *this, static_cast<std::uint16_t>(Id::fits)};
 
   /// The events of reference::GripperArm, to subscribe to.
   struct Events : Required<reference::ArmLike>::Events {
@@ -106,6 +118,7 @@ class Provided<reference::GripperArm> : public Provided<reference::ArmLike> {
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
     double close_width;
+    double fits_width;
   };
 
   Contract& implementation_;

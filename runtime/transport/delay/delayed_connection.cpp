@@ -140,6 +140,11 @@ void DelayedConnection::deliverCommands(Time now) {
 }
 
 void DelayedConnection::deliver(const rt::CommandRecord& record) {
+  if (record.call != 0 && !near_->claimCall(record.call)) {
+    near_->replyError(record.call, Errc::Cancelled);
+    near_->ends.client->ring();
+    return;
+  }
   const auto slot = far_->commands.claim(record.command, record.stamp, record.call);
   if (!slot) {
     // Only if the provider's end has given no credit back: nobody serves it any more.

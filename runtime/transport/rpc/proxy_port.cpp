@@ -98,6 +98,12 @@ void ProxyPort::pumpCommands() {
 void ProxyPort::transmit(const rt::CommandRecord& record) {
   const std::uint16_t command = record.command;
   const std::uint32_t call = record.call;
+  if (call != 0 && !channel_->claimCall(call)) {
+    reply(call, {}, [](std::byte*) { return Errc::Cancelled; });
+    channel_->commands.returnCredit(command);
+    increment(channel_->commands.counters.refused);
+    return;
+  }
   if (channel_->info.commands[command].latest && call == 0) ++latestInFlight_;
   releaseAcknowledgement();
   KJ_IF_MAYBE (proxy, proxy_) {

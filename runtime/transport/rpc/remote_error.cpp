@@ -27,7 +27,7 @@ Errc errcOf(const kj::Exception& exception) {
     std::from_chars(text.data() + kPrefix.size(), text.data() + text.size(), number);
   }
   const bool known = number >= static_cast<unsigned>(Errc::NotConnected) &&
-                     number <= static_cast<unsigned>(Errc::AwaitingOperator);
+                     number <= static_cast<unsigned>(Errc::Cancelled);
   return known ? static_cast<Errc>(number) : Errc::Invalid;
 }
 

@@ -112,7 +112,7 @@ constexpr CommandInfo kArmCommands[] = {
      .kind = CommandKind::VoidReturn,
      .resultSize = slotSize<std::uint32_t>,
      .depth = 16},
-    {.name = "park", .kind = CommandKind::Void, .depth = 16},
+    {.name = "park", .kind = CommandKind::Void, .depth = 16, .inCallersThread = true},
     {.name = "load",
      .kind = CommandKind::Read,
      .resultSize = slotSize<double>,

@@ -61,7 +61,8 @@ constexpr CommandInfo kGripperCommands[] = {
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<GripperFitsArguments>,
      .resultSize = slotSize<std::uint8_t>,
-     .depth = 16},
+     .depth = 16,
+     .inCallersThread = true},
 };
 
 constexpr EventInfo kGripperEvents[] = {

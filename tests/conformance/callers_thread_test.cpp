@@ -1,0 +1,76 @@
+// Commands that run in the caller's thread, where it shares a process with the provider.
+#include "conformance/setup.h"
+
+namespace conformance {
+namespace {
+
+using namespace std::chrono_literals;
+using suture::Errc;
+
+class CallersThread : public Conformance {
+ protected:
+  void SetUp() override {
+    Conformance::SetUp();
+    connect("Gripper", "Gripper");
+  }
+  bool isLocal() const { return std::get<0>(GetParam()) == LaneUnderTest::Local; }
+  void expectRanWhereItBelongs() const {
+    EXPECT_EQ(arm->ranIn() == std::this_thread::get_id(), isLocal());
+  }
+};
+
+TEST_P(CallersThread, ADirectCommandRunsThere) {
+  client->withGripper([&](Gripper& remote) {
+    ASSERT_TRUE(remote.release.start().within(5s));
+    expectRanWhereItBelongs();
+    ASSERT_TRUE(remote.release());
+  });
+  EXPECT_TRUE(eventuallyTaken({"release", "release"}));
+}
+
+TEST_P(CallersThread, AConcurrentReadIsAnsweredThere) {
+  client->withGripper([&](Gripper& remote) {
+    const auto narrow = remote.fits.start(0.05).within(5s);
+    ASSERT_TRUE(narrow) << suture::toString(narrow.error());
+    EXPECT_TRUE(*narrow);
+    expectRanWhereItBelongs();
+    EXPECT_FALSE(*remote.fits.start(0.2).within(5s));
+  });
+}
+
+TEST_P(CallersThread, NeitherWaitsForABusyProvider) {
+  if (!isLocal() || providerIsDevice()) return;
+  arm->gate.close();
+  client->withGripper([&](Gripper& remote) {
+    EXPECT_TRUE(remote.set_mode(Mode::Disabled));
+    remote.owner().ringNow();
+    arm->gate.awaitVisitor();
+    EXPECT_TRUE(remote.release.start().poll());
+    EXPECT_TRUE(remote.fits.start(0.05).poll());
+  });
+  EXPECT_EQ(arm->taken(), std::vector<std::string>{"release"});
+  arm->gate.open();
+  EXPECT_TRUE(eventuallyTaken({"release", "disable"}));
+}
+
+TEST_P(CallersThread, AThrowFaultsTheProviderAlone) {
+  client->withGripper([](Gripper& remote) {
+    const auto thrown = remote.fits.start(-1).within(5s);
+    ASSERT_FALSE(thrown);
+    EXPECT_EQ(thrown.error(), Errc::Faulted);
+  });
+  EXPECT_TRUE(suture::eventually(
+      [&] { return arm->component().state() == suture::ComponentState::Faulted; }));
+  EXPECT_EQ(arm->component().fault(), "no such width");
+  EXPECT_EQ(client->component().state(), suture::ComponentState::Running);
+  EXPECT_TRUE(suture::eventually([&] {
+    Errc error{};
+    client->withGripper([&](Gripper& remote) { error = remote.unusable(); });
+    return error == Errc::Faulted;
+  }));
+}
+
+INSTANTIATE_TEST_SUITE_P(Lanes, CallersThread, allCombinations(), nameOf);
+
+}  // namespace
+}  // namespace conformance

@@ -1,0 +1,103 @@
+// Calls that end without an answer, and clients that do not wait for theirs; cycle after cycle.
+#include <gtest/gtest.h>
+#include <suture/component/channel.h>
+#include <suture/component/device.h>
+#include <suture/wiring/connect.h>
+
+#include "unit/component/driven_arm.h"
+
+namespace suture {
+namespace {
+
+using reference::ArmLike;
+using reference::Mode;
+
+struct Client final : Device {
+  Required<ArmLike> arm{*this, "Arm"};
+};
+
+/// Its cycles are the test's.
+struct Provider final : Task {
+  struct Arm final : CountingArm {
+    void hold() override { onHold(); }
+    void limit(double, Mode) override { ++limits; }
+    std::function<void()> onHold = [] {};
+    int limits = 0;
+  };
+
+  Provider() { start(); }
+  ~Provider() override { stop(); }
+  void start() override { enter(); }
+  void stop() override { leave(); }
+  using Task::cycle;
+
+  Arm arm;
+  Provided<ArmLike> port{*this, "Arm", arm};
+
+ private:
+  void run() override {}
+};
+
+TEST(Fairness, AFloodingClientDelaysAnotherByItsQueueAtMost) {
+  for (const bool flooderFirst : {true, false}) {
+    Provider provider;
+    Client flooder, other;
+    connectLocally((flooderFirst ? flooder : other).arm, provider.port, "one");
+    connectLocally((flooderFirst ? other : flooder).arm, provider.port, "two");
+    int held = 0;
+    provider.arm.onHold = [&] {
+      ++held;
+      if (held < 1000) (void)flooder.arm.hold();  // as soon as there is room, and before it was due
+    };
+    constexpr int kDepth = 4;  // of hold
+    for (int i = 0; i < kDepth; ++i) ASSERT_TRUE(flooder.arm.hold());
+    for (int cycle = 1; cycle <= 10; ++cycle) {
+      ASSERT_TRUE(other.arm.limit(1, Mode::Enabled));
+      const int before = held;
+      provider.cycle();
+      EXPECT_EQ(provider.arm.limits, cycle);
+      EXPECT_LE(held - before, kDepth);
+      EXPECT_GT(held, before);
+    }
+  }
+}
+
+TEST(Call, ItsHandlerIsToldOfTheLoss) {
+  Client client;
+  Errc end{};
+  {
+    Provider provider;
+    connectLocally(client.arm, provider.port, "test");
+    client.arm.hold.start().then([&end](const Result<void>& answer) { end = answer.error(); });
+    client.processEvents();
+    EXPECT_EQ(end, Errc{});
+  }
+  client.processEvents();
+  EXPECT_EQ(end, Errc::OutcomeUnknown);
+}
+
+TEST(Call, ItsHandlerIsToldAtOnceOfARefusal) {
+  Client client;
+  Errc end{};
+  client.arm.hold.start().then([&end](const Result<void>& answer) { end = answer.error(); });
+  EXPECT_EQ(end, Errc::NotConnected);
+}
+
+TEST(Call, TakenBackInTimeItIsNotExecutedButCounted) {
+  Provider provider;
+  Client client;
+  const auto channel = connectLocally(client.arm, provider.port, "test");
+  int held = 0;
+  provider.arm.onHold = [&] { ++held; };
+  auto first = client.arm.hold.start();
+  auto second = client.arm.hold.start();
+  EXPECT_TRUE(first.cancel());
+  provider.cycle();
+  EXPECT_EQ(held, 1);
+  EXPECT_FALSE(second.cancel());
+  EXPECT_TRUE(*second.poll());
+  EXPECT_EQ(channel->commands.counters.refused, 1u);
+}
+
+}  // namespace
+}  // namespace suture
