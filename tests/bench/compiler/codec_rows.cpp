@@ -13,6 +13,7 @@
 #include "bench/table2/sample_pose.h"
 #include "bench/timed_loops.h"
 #include "robot_types/pose.suture.h"
+#include "support/allocations.h"
 
 // The generated converters, which only generated code calls otherwise.
 namespace robots {
