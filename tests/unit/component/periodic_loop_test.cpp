@@ -17,7 +17,7 @@ constexpr Duration kPeriod = 20us;
 constexpr std::uint64_t kPeriods = 100'000;
 
 /// Tells in each cycle how many periods the clock is ahead of the count. A cycle that starts late
-/// sees its delay on top; so each end of the run counts as the least of a thousand cycles.
+/// sees its delay on top; so each end of the run counts as the least of ten thousand cycles.
 class AheadOfCount {
  public:
   void add(double periods) { least_ = std::min(least_, periods); }
@@ -49,7 +49,7 @@ class CountedLoop final : public PeriodicTask {
   double drift() const { return atEnd_.least() - atBegin_.least(); }
 
  private:
-  static constexpr std::uint64_t kEnd = 1000;
+  static constexpr std::uint64_t kEnd = 10'000;
 
   static void busyUntil(Time end) {
     while (now() < end) {
