@@ -65,7 +65,7 @@ class Channel {
   };
 
   /// `state`: the provider's table or, at the near end of a lane, the mirror. `subscribed`: the
-  /// events the client has handlers for. `lane`: its name, for people.
+  /// events the client wants. `lane`: its name, for people.
   Channel(const InterfaceInfo& info, std::string name, std::string lane, Ends ends,
           std::shared_ptr<rt::StateTable> state, EventSet subscribed);
   ~Channel();
@@ -77,7 +77,6 @@ class Channel {
   const std::string lane;
   const Ends ends;
   const std::shared_ptr<rt::StateTable> state;
-  const EventSet subscribed;
   /// How many commands of `info`, from the first, the provider has: fewer than all where it lacks
   /// optional ones. Set before either end is attached.
   std::size_t offered;
@@ -109,6 +108,15 @@ class Channel {
     readAge.record(now() - stamp);
   }
 
+  /// Client endpoint: from now on it wants `wanted`, of `newlyWanted` the last value first if they
+  /// are latched. Whoever calls this rings the provider. Commands that are sent later meet it done.
+  void subscribe(EventSet wanted, EventSet newlyWanted);
+  EventSet subscribed() const { return subscribed_.load(std::memory_order_acquire); }
+  /// Provider endpoint, before subscribed(): whose last value the client is to be given now.
+  EventSet takeJoining();
+  /// True if takeJoining() has something to give.
+  bool joining() const { return joining_.load(std::memory_order_relaxed) != 0; }
+
   /// Any thread: how it stands with the provider, unless the connection is past that; the client
   /// is rung if that is news.
   void tell(ChannelStatus news);
@@ -132,6 +140,7 @@ class Channel {
   void popReply();
 
  private:
+  std::atomic<EventSet> subscribed_, joining_;
   std::array<std::atomic<std::uint32_t>, kMaxCalls> claims_{};  // 0 is no call's number
   Time lastRead_{};
   std::uint32_t repeatedReads_ = 0;

@@ -34,6 +34,11 @@ bool Component::ownedByThisThread() {
   return owner_.compare_exchange_strong(owner, thisThread());
 }
 
+bool Component::ownedByAnotherThread() const {
+  const void* owner = owner_.load(std::memory_order_acquire);
+  return owner != nullptr && owner != thisThread();
+}
+
 void Component::claimForThisThread() { owner_.store(thisThread(), std::memory_order_release); }
 
 void Component::configure() {

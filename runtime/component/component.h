@@ -77,6 +77,8 @@ class Component {
   /// True if the calling thread may use this component's required interfaces: the task's thread;
   /// for a device, the first thread that used one.
   bool ownedByThisThread();
+  /// True if they belong to another thread; nobody's are free for all, as in the constructor.
+  bool ownedByAnotherThread() const;
 
  protected:
   Component() = default;

@@ -49,9 +49,11 @@ class Emitter {
   std::uint16_t event_;
 };
 
-/// Subscribes to one event. In the component's constructor, before it is connected; the handler
-/// runs in the component's thread, before run().
+/// One event, to subscribe to and to leave again. In the component's constructor, or later in its
+/// thread at any time; another thread gets Errc::WrongThread. The handler runs in the component's
+/// thread, before run() or in a device's processEvents().
 ///   arm_.on().operating_state([this](const OperatingState& state) { ... });
+///   arm_.on().operating_state.reset();
 template <class Slot, class... Payload>
 class Subscription;
 
@@ -59,7 +61,9 @@ template <>
 class Subscription<void> {
  public:
   Subscription(RequiredBase& required, std::uint16_t event) : required_(required), event_(event) {}
-  void operator()(std::function<void()> handler);
+  /// See the other Subscription.
+  Result<void> operator()(std::function<void()> handler);
+  Result<void> reset() { return required_.unsubscribe(event_); }
 
  private:
   RequiredBase& required_;
@@ -70,11 +74,17 @@ template <class Slot, class... Payload>
 class Subscription {
  public:
   Subscription(RequiredBase& required, std::uint16_t event) : required_(required), event_(event) {}
-  void operator()(std::function<void(const Payload&...)> handler) {
+
+  /// From now on `handler` gets what is emitted once the provider knows: a task does before it
+  /// executes any command sent later, on every lane, and begins with the last value of a latched()
+  /// event. An earlier handler is replaced. Never blocks; what it allocates is what keeps
+  /// `handler`, so a control loop subscribes rarely.
+  Result<void> operator()(std::function<void(const Payload&...)> handler) {
+    if (handler == nullptr) return reset();
     // One object for all events of this kind, so that what it owns is allocated once.
-    required_.handlers_[event_] =
-        [handler = std::move(handler),
-         scratch = std::make_shared<std::tuple<Payload...>>()](const std::byte* memory) {
+    return required_.subscribe(
+        event_, [handler = std::move(handler),
+                 scratch = std::make_shared<std::tuple<Payload...>>()](const std::byte* memory) {
           const Slot& slot = slotIn<Slot>(memory);
           std::apply(
               [&](Payload&... payload) {
@@ -82,9 +92,12 @@ class Subscription {
                 handler(payload...);
               },
               *scratch);
-        };
-    required_.subscribed_ |= EventSet{1} << event_;
+        });
   }
+
+  /// No handler runs any more, not even for events that wait in the queue: whoever subscribes anew
+  /// gets only what comes after. May be called by the handler itself.
+  Result<void> reset() { return required_.unsubscribe(event_); }
 
  private:
   RequiredBase& required_;

@@ -14,7 +14,7 @@ RequiredBase::RequiredBase(Component& owner, std::string_view name, const Interf
       owner_(owner),
       info_(info),
       calls_(Channel::kMaxCalls),
-      handlers_(info.events.size()) {
+      events_(info.events.size()) {
   refuseUnbounded(info, owner.ownsThread());
   std::uint32_t largest = 0;
   for (const CommandInfo& command : info.commands) largest = std::max(largest, command.resultSize);
@@ -59,6 +59,8 @@ void RequiredBase::adopt() {
   if (madeAnew) noticeLoss();
   close(channel_);
   channel_ = std::move(*arrived);
+  // What has been subscribed to since the channel was made.
+  if (channel_ != nullptr) passSubscriptionsOn(subscribed() & ~channel_->subscribed());
   lossNoticed_ = false;
   faultsNoticed_ = 0;
 }
@@ -214,12 +216,41 @@ Sample<void> RequiredBase::readRow(const Time* at, std::span<const std::uint16_t
   return judgeAge(row.stamp);
 }
 
-void RequiredBase::handle(std::uint16_t event,
-                          std::function<void(const std::byte*, Time)> handler) {
-  handlers_[event] = [handler = std::move(handler)](const std::byte* payload) {
+Result<void> RequiredBase::handle(std::uint16_t event,
+                                  std::function<void(const std::byte*, Time)> handler) {
+  return subscribe(event, [handler = std::move(handler)](const std::byte* payload) {
     handler(payload, rt::EventRecord::of(payload).stamp);
-  };
-  subscribed_ |= EventSet{1} << event;
+  });
+}
+
+Result<void> RequiredBase::subscribe(std::uint16_t event, EventHandler handler) {
+  if (owner_.ownedByAnotherThread()) return tl::unexpected(Errc::WrongThread);
+  if (handler == nullptr) return unsubscribe(event);
+  HeardEvent& heard = events_[event];
+  const bool joins = heard.handler == nullptr;
+  if (joins) heard.since = now();
+  heard.handler = std::make_shared<const EventHandler>(std::move(handler));
+  const EventSet bit = EventSet{1} << event;
+  subscribed_.fetch_or(bit, std::memory_order_relaxed);
+  passSubscriptionsOn(joins ? bit : 0);
+  return {};
+}
+
+Result<void> RequiredBase::unsubscribe(std::uint16_t event) {
+  if (owner_.ownedByAnotherThread()) return tl::unexpected(Errc::WrongThread);
+  events_[event].handler = nullptr;
+  subscribed_.fetch_and(~(EventSet{1} << event), std::memory_order_relaxed);
+  passSubscriptionsOn(0);
+  return {};
+}
+
+void RequiredBase::passSubscriptionsOn(EventSet joining) {
+  if (channel_ == nullptr) return;
+  if (joining == 0 && channel_->subscribed() == subscribed()) return;
+  channel_->subscribe(subscribed(), joining);
+  const Channel::Ends& ends = channel_->ends;
+  owner_.ringLater(*ends.provider);
+  if (ends.device != nullptr) ends.device->greetLocal(*channel_);
 }
 
 void RequiredBase::watch(ProvidedBase& own) {
@@ -245,8 +276,16 @@ void RequiredBase::handleQueuedEvents() {
       rt::EventQueue& events;
       ~Release() { events.pop(); }
     } release{channel_->events};
-    handlers_[record->event](record->payload());
+    deliver(*record);
   }
+}
+
+void RequiredBase::deliver(const rt::EventRecord& record) {
+  const HeardEvent& heard = events_[record.event];
+  // Of a latched event the value may be older than its subscription: a replay.
+  if (record.stamp < heard.since && !info_.events[record.event].latched) return;
+  const auto handler = heard.handler;  // lives on if it ends its own subscription
+  if (handler != nullptr) (*handler)(record.payload());
 }
 
 bool RequiredBase::pending() const {

@@ -101,6 +101,8 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
   void releaseAcknowledgement();
   void pump() override;
   void pumpSubscription();
+  void leave(EventSet events);
+  void subscribe(EventSet events, rt::ColumnSet columns);
   void pumpCommands();
   void transmit(const rt::CommandRecord& record);
   void returned(std::uint16_t command, std::uint32_t call, Errc error);
@@ -113,7 +115,10 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
   kj::Maybe<kj::Own<Proxy>> proxy_;
   bool closed_ = false;
   unsigned latestInFlight_ = 0;
+  EventSet events_ = 0;
   rt::ColumnSet columns_ = 0;
+  EventSet leaving_ = 0;            // what of these comes was emitted for an earlier subscription
+  unsigned farewellsUnderWay_ = 0;  // messages after whose answer no more of it comes
   kj::Maybe<kj::Own<kj::PromiseFulfiller<void>>> acknowledgement_;
   kj::TaskSet calls_;  // last: cancelled first
 };

@@ -111,6 +111,7 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
   void pumpReplies();
   void pumpEvents();
   void pumpRow();
+  bool wanted(const rt::EventRecord& record) const;
   void sendEvent(EventSink& sink, const rt::EventRecord& record);
   void eventSent();
   void sendRow(EventSink& sink, const rt::StateTable::Row& row);
@@ -135,7 +136,8 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
   std::uint32_t callsOpened_ = 0;
 
   kj::Maybe<kj::Own<EventSink>> sink_;
-  EventSet events_ = 0;
+  std::vector<Time> since_;  // by event: when it was subscribed to
+  bool answering_ = false;   // subscribe(): nothing is sent before its answer
   rt::ColumnSet columns_ = 0;
   unsigned eventsInFlight_ = 0;
   unsigned rowsInFlight_ = 0;
