@@ -42,6 +42,7 @@ Channel::Channel(const InterfaceInfo& contract, std::string channelName, std::st
       commands(commandLimits(contract)),
       replies(replyBytes(contract)),
       events(eventLimits(contract)),
+      direct(contract.events.size()),
       subscribed_(subscribedEvents),
       joining_(subscribedEvents) {}
 

@@ -5,6 +5,7 @@
 
 #include <suture/base/shared_slot.h>
 #include <suture/component/connection_contract.h>
+#include <suture/component/direct_handlers.h>
 #include <suture/component/interface_info.h>
 #include <suture/component/lifecycle.h>
 #include <suture/rt/doorbell.h>
@@ -83,10 +84,13 @@ class Channel {
   /// Of the connection that this is a channel of; nullptr: it has no contract. Set before the
   /// client is attached.
   std::shared_ptr<ConnectionWatch> watch;
+  /// What `ends.client` belongs to, so that it can be rung as long as somebody has this.
+  std::shared_ptr<rt::Doorbell> clientsBell;
 
   rt::Mailbox commands;
   rt::SpscRing replies;
   rt::EventQueue events;
+  DirectHandlers direct;  ///< used where both ends share a process and no delay lies between
   std::atomic<ChannelStatus> status{ChannelStatus::Connected};
   /// How often the status has become Faulted: a provider may be restarted before anybody looks.
   std::atomic<std::uint32_t> faults{0};

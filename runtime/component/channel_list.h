@@ -28,6 +28,7 @@ class ChannelList {
     std::atomic<Node*> next{nullptr};
     /// The events that the owner of the list sends there: none before its first cycle with it.
     EventSet served = 0;
+    EventSet direct = 0;  ///< those that have a direct handler
   };
 
   explicit ChannelList(Walkers walkers) : walkers_(walkers) {}

@@ -148,6 +148,7 @@ void ProvidedBase::greet(ChannelList::Node& node) {
   if (channel.ends.device != nullptr) return;
   const EventSet joining = channel.takeJoining();
   node.served = channel.subscribed();
+  node.direct = channel.direct.events();
   if (joining != 0) replay(channel, joining & node.served, replayed_);
 }
 
@@ -252,9 +253,15 @@ void ProvidedBase::emit(std::uint16_t event, std::span<const std::byte> payload)
     // Of a task, who has subscribed since joins at the next cycle, with the latched values.
     const EventSet wanted = ownThread ? node.served : channel.subscribed();
     if ((wanted >> event & 1) == 0) return;
-    channel.events.push(event, stamp, payload);
-    owner_.ringLater(*channel.ends.client);
+    deliver(channel, event, stamp, payload, ownThread ? node.direct : channel.direct.events());
   });
+}
+
+void ProvidedBase::deliver(Channel& channel, std::uint16_t event, Time stamp,
+                           std::span<const std::byte> payload, EventSet direct) {
+  if ((direct >> event & 1) != 0 && channel.direct.call(event, payload.data())) return;
+  channel.events.push(event, stamp, payload);
+  owner_.ringLater(*channel.ends.client);
 }
 
 void ProvidedBase::keepLatched(std::uint16_t event, Time stamp,
@@ -285,8 +292,8 @@ void ProvidedBase::replay(Channel& channel, std::uint16_t event, std::span<std::
     if (!row) return;
     const bool news = *row != replayed;
     if (news) {
-      channel.events.push(event, latchedAt_[event].load(std::memory_order_relaxed), payload);
-      owner_.ringLater(*channel.ends.client);
+      deliver(channel, event, latchedAt_[event].load(std::memory_order_relaxed), payload,
+              channel.direct.events());
     }
     if (info.sharedPayload) releaseSharedSlot(payload.data());
     if (!news) return;

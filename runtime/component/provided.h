@@ -102,6 +102,8 @@ class ProvidedBase {
   void run(Channel& channel, const rt::CommandRecord& record, Time drainStart);
   void turnAway(Channel& channel, const rt::CommandRecord& record, Errc refusal);
   void tellState(Channel& channel) const;
+  void deliver(Channel& channel, std::uint16_t event, Time stamp,
+               std::span<const std::byte> payload, EventSet direct);
   void replay(Channel& channel, EventSet events, std::span<std::uint64_t> memory);
   void replay(Channel& channel, std::uint16_t event, std::span<std::uint64_t> memory);
   void keepLatched(std::uint16_t event, Time stamp, std::span<const std::byte> payload);

@@ -28,14 +28,22 @@ RequiredBase::~RequiredBase() {
   if (unadopted != nullptr) close(*unadopted);
   for (PendingCall& call : calls_) discard(call);
   close(channel_);
+  awaitDirectHandlers();
+}
+
+void RequiredBase::awaitDirectHandlers() const {
+  if (channel_ != nullptr) channel_->direct.awaitCalls();
 }
 
 // The provider lets go of it in its own time.
 void RequiredBase::close(const std::shared_ptr<Channel>& channel) {
-  if (channel != nullptr) channel->status = ChannelStatus::Closed;
+  if (channel == nullptr) return;
+  channel->status = ChannelStatus::Closed;
+  channel->direct.clear();
 }
 
 void RequiredBase::attach(std::shared_ptr<Channel> channel) {
+  if (channel != nullptr) channel->clientsBell = owner_.sharedDoorbell();
   auto* arriving = new std::shared_ptr<Channel>(std::move(channel));
   const std::unique_ptr<std::shared_ptr<Channel>> unadopted(
       incoming_.exchange(arriving, std::memory_order_acq_rel));
@@ -57,8 +65,10 @@ void RequiredBase::adopt() {
   const bool madeAnew =
       channel_ != nullptr && *arrived != nullptr && channel_->watch == (*arrived)->watch;
   if (madeAnew) noticeLoss();
+  if (channel_ != nullptr) loseAwaited();
   close(channel_);
   channel_ = std::move(*arrived);
+  for (std::uint16_t event = 0; event < events_.size(); ++event) lendHandler(event);
   // What has been subscribed to since the channel was made.
   if (channel_ != nullptr) passSubscriptionsOn(subscribed() & ~channel_->subscribed());
   lossNoticed_ = false;
@@ -223,13 +233,15 @@ Result<void> RequiredBase::handle(std::uint16_t event,
   });
 }
 
-Result<void> RequiredBase::subscribe(std::uint16_t event, EventHandler handler) {
+Result<void> RequiredBase::subscribe(std::uint16_t event, EventHandler handler, bool direct) {
   if (owner_.ownedByAnotherThread()) return tl::unexpected(Errc::WrongThread);
   if (handler == nullptr) return unsubscribe(event);
   HeardEvent& heard = events_[event];
   const bool joins = heard.handler == nullptr;
   if (joins) heard.since = now();
   heard.handler = std::make_shared<const EventHandler>(std::move(handler));
+  heard.direct = direct;
+  lendHandler(event);
   const EventSet bit = EventSet{1} << event;
   subscribed_.fetch_or(bit, std::memory_order_relaxed);
   passSubscriptionsOn(joins ? bit : 0);
@@ -239,9 +251,21 @@ Result<void> RequiredBase::subscribe(std::uint16_t event, EventHandler handler) 
 Result<void> RequiredBase::unsubscribe(std::uint16_t event) {
   if (owner_.ownedByAnotherThread()) return tl::unexpected(Errc::WrongThread);
   events_[event].handler = nullptr;
-  subscribed_.fetch_and(~(EventSet{1} << event), std::memory_order_relaxed);
+  events_[event].direct = false;
+  lendHandler(event);
+  if (!isAwaited(event)) {
+    subscribed_.fetch_and(~(EventSet{1} << event), std::memory_order_relaxed);
+  }
   passSubscriptionsOn(0);
   return {};
+}
+
+void RequiredBase::lendHandler(std::uint16_t event) {
+  if (channel_ == nullptr || channel_->ends.here == nullptr) return;
+  const HeardEvent& heard = events_[event];
+  if (!heard.direct && (channel_->direct.events() >> event & 1) == 0) return;
+  channel_->direct.set(event, owner_, heard.direct ? heard.handler : nullptr);
+  if (heard.direct) refuseAwaited(event);
 }
 
 void RequiredBase::passSubscriptionsOn(EventSet joining) {
@@ -269,18 +293,25 @@ void RequiredBase::handleEvents() {
 }
 
 void RequiredBase::handleQueuedEvents() {
-  if (channel_ == nullptr) return;
-  while (const rt::EventRecord* record = channel_->events.next()) {
+  const std::shared_ptr<Channel> channel = channel_;  // a handler of a device may take over another
+  if (channel == nullptr) return;
+  while (const rt::EventRecord* record = channel->events.next()) {
     // Released even if the handler throws: it must not meet the same event again.
     struct Release {
       rt::EventQueue& events;
-      ~Release() { events.pop(); }
-    } release{channel_->events};
+      bool& handling;
+      ~Release() {
+        handling = false;
+        events.pop();
+      }
+    } release{channel->events, handling_};
+    handling_ = true;
     deliver(*record);
   }
 }
 
 void RequiredBase::deliver(const rt::EventRecord& record) {
+  satisfyAwaited(record);
   const HeardEvent& heard = events_[record.event];
   // Of a latched event the value may be older than its subscription: a replay.
   if (record.stamp < heard.since && !info_.events[record.event].latched) return;

@@ -24,6 +24,7 @@ struct EventRecord;
 
 namespace suture {
 
+class AwaitedEvent;
 class Channel;
 struct ReplyRecord;
 
@@ -73,6 +74,8 @@ class RequiredBase {
   /// Owner's thread: runs the handlers of the events that have arrived, then those of the calls
   /// that have ended.
   void handleEvents();
+  /// Owner's thread: returns when no direct handler of an event is running.
+  void awaitDirectHandlers() const;
   /// Owner's thread: true if adopt() has something to do.
   bool rewired() const { return incoming_.load(std::memory_order_relaxed) != nullptr; }
   /// Owner's thread: true if adopt() or handleEvents() has something to do.
@@ -105,12 +108,14 @@ class RequiredBase {
   friend class AnsweredCommand;
   template <class, class...>
   friend class Subscription;
+  friend class AwaitedEvent;
   friend class RowReader;
 
   using EventHandler = std::function<void(const std::byte*)>;
   struct HeardEvent {
     std::shared_ptr<const EventHandler> handler;
     Time since{};  // when it got a handler, after having had none
+    bool direct = false;
   };
 
   struct PendingCall;
@@ -181,12 +186,25 @@ class RequiredBase {
   bool followedMayBeDone() const;
   void finishFollowed();
   /// Errc::WrongThread if the interface is another thread's.
-  Result<void> subscribe(std::uint16_t event, EventHandler handler);
+  Result<void> subscribe(std::uint16_t event, EventHandler handler, bool direct = false);
   Result<void> unsubscribe(std::uint16_t event);
   /// Tells the provider's end what is subscribed to by now.
   void passSubscriptionsOn(EventSet joining);
+  /// Has the provider run the handler of `event` itself, if that is direct and both are here.
+  void lendHandler(std::uint16_t event);
   void handleQueuedEvents();
   void deliver(const rt::EventRecord& record);
+
+  Errc arm(AwaitedEvent& event);
+  bool isAwaited(std::uint16_t event) const;
+  template <class Whether>
+  void endAwaited(Errc error, const Whether& whether);
+  void loseAwaited();
+  void refuseAwaited(std::uint16_t event);
+  void satisfyAwaited(const rt::EventRecord& record);
+  /// Why no event will come any more; 0: one may.
+  Errc endOfEvents() const;
+  void handleArrivals();
 
   const std::string name_;
   Component& owner_;
@@ -198,6 +216,8 @@ class RequiredBase {
   unsigned followed_ = 0;  // calls that have a follower
   std::vector<HeardEvent> events_;
   std::atomic<EventSet> subscribed_{0};  // the owner's; read by who connects
+  AwaitedEvent* awaited_ = nullptr;      // the first
+  bool handling_ = false;                // a handler of an event is running
   bool optional_ = false;
   Duration maxAge_{0};
   // Of channel_, by noticeLoss().

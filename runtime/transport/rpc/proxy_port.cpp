@@ -18,6 +18,7 @@ ProxyPort::ProxyPort(ControlThread& control, std::shared_ptr<Channel> channel, D
       channel_(std::move(channel)),
       shift_(shift),
       counters_(std::move(counters)),
+      replays_(channel_->info.events.size()),
       calls_(*this) {}
 
 ProxyPort::~ProxyPort() noexcept(false) { close(ChannelStatus::Closed); }
@@ -53,9 +54,14 @@ void ProxyPort::publish(std::int64_t stamp, rt::ColumnSet valid, rt::ColumnSet t
 }
 
 void ProxyPort::push(std::uint16_t event, std::span<const std::byte> payload) {
+  const Time stamp = here(std::exchange(replays_[event], 0));
   if (closed_ || (leaving_ >> event & 1) != 0) return;
-  channel_->events.push(event, now(), payload);
+  channel_->events.push(event, stamp, payload);
   channel_->ends.client->ring();
+}
+
+void ProxyPort::noteReplay(std::uint16_t event, std::int64_t stamp) {
+  if (event < replays_.size()) replays_[event] = stamp;
 }
 
 kj::Promise<void> ProxyPort::acknowledge() {

@@ -14,6 +14,7 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace suture::rpc {
 
@@ -39,6 +40,8 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
   void close(ChannelStatus why);
   /// How it stands with the provider's component.
   void tell(ChannelStatus status) { channel_->tell(status); }
+  /// The next such event was emitted at `stamp`, on the provider's clock, ns: it is a replay.
+  void noteReplay(std::uint16_t event, std::int64_t stamp);
 
   // --- for generated code
 
@@ -117,6 +120,7 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
   unsigned latestInFlight_ = 0;
   EventSet events_ = 0;
   rt::ColumnSet columns_ = 0;
+  std::vector<std::int64_t> replays_;  // by event: what noteReplay() told; 0: it did not
   EventSet leaving_ = 0;            // what of these comes was emitted for an earlier subscription
   unsigned farewellsUnderWay_ = 0;  // messages after whose answer no more of it comes
   kj::Maybe<kj::Own<kj::PromiseFulfiller<void>>> acknowledgement_;

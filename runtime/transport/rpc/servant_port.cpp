@@ -20,7 +20,7 @@ ServantPort::ServantPort(ControlThread& control, std::shared_ptr<Channel> channe
       shift_(shift),
       counters_(std::move(counters)),
       taken_(channel_->info.commands.size()),
-      since_(channel_->info.events.size()),
+      since_(channel_->info.events.size(), now()),
       sending_(*this) {
   for (unsigned i = 0; i < channel_->state->columns(); ++i) {
     rowSlots_.emplace_back((channel_->state->columnSize(i) + 7) / 8);
@@ -154,6 +154,9 @@ bool ServantPort::wanted(const rt::EventRecord& record) const {
 
 void ServantPort::sendEvent(EventSink& sink, const rt::EventRecord& record) {
   ++eventsInFlight_;
+  if (record.stamp < since_[record.event]) {
+    KJ_IF_MAYBE (listener, listener_) (*listener)->replays(record.event, record.stamp);
+  }
   sending_.add(sink.event(record.event, record.payload())
                    .then([this] { eventSent(); },
                          [this](kj::Exception&& failure) {

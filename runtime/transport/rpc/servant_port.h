@@ -28,10 +28,13 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
  public:
   static constexpr unsigned kWindow = 4;
 
-  /// Told each change of how it stands with the provider's component.
+  /// Told each change of how it stands with the provider's component, and what a client cannot see
+  /// of an event.
   struct Listener {
     virtual ~Listener() noexcept(false) = default;
     virtual void told(ChannelStatus status) = 0;
+    /// The next such event repeats one that was emitted at `stamp`, for a new subscriber.
+    virtual void replays(std::uint16_t event, Time stamp) = 0;
   };
 
   /// `channel` has been, or is about to be, attached to the provider; its client doorbell is the
