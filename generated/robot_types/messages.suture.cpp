@@ -51,6 +51,10 @@ void load(const MessageSlot& slot, Message& value) {
   load(slot.stamp, value.stamp);
 }
 
+void reserve(const MessageSlot*, Message& value) {
+  suture::reserveFor<decltype(MessageSlot::text)>(value.text);
+}
+
 bool store(const IntervalStatistics& value, IntervalStatisticsSlot& slot) {
   bool fits = true;
   fits &= store(value.period_average, slot.period_average);
@@ -83,6 +87,11 @@ bool store(const KeyValue& value, KeyValueSlot& slot) {
 void load(const KeyValueSlot& slot, KeyValue& value) {
   load(slot.key, value.key);
   load(slot.value, value.value);
+}
+
+void reserve(const KeyValueSlot*, KeyValue& value) {
+  suture::reserveFor<decltype(KeyValueSlot::key)>(value.key);
+  suture::reserveFor<decltype(KeyValueSlot::value)>(value.value);
 }
 
 // --- between slots and Cap'n Proto

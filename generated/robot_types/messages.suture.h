@@ -16,6 +16,7 @@ struct MessageSlot {
 
 bool store(const Message& value, MessageSlot& slot);
 void load(const MessageSlot& slot, Message& value);
+void reserve(const MessageSlot*, Message& value);
 
 /// How regularly a task ran, over its last window.
 struct IntervalStatisticsSlot {
@@ -39,5 +40,6 @@ struct KeyValueSlot {
 
 bool store(const KeyValue& value, KeyValueSlot& slot);
 void load(const KeyValueSlot& slot, KeyValue& value);
+void reserve(const KeyValueSlot*, KeyValue& value);
 
 }  // namespace robots

@@ -103,12 +103,17 @@ class ReadCommand<Method, ResultSlot> {
     const Sample<void> read = required_.read(id_, slot.memory(), device);
     if (device) return readDevice(value);
     if (required_.zeroes(read)) {
-      copy(Value{}, value);
+      load(ResultSlot{}, value);  // not Value{}: Eigen leaves that uninitialised
     } else if (read.carriesValue()) {
       load(slot.value(), value);
     }
     return read;
   }
+
+  /// Any thread, before its task starts: gives `value` the memory of the largest there can be, so
+  /// that not even the first read into it allocates. Of vectors of strings and the like, the
+  /// elements may.
+  static void reserve(Value& value) { reserveFor<ResultSlot>(value); }
 
   /// The value as it was at `time`: of the last row published at or before it, whose stamp the
   /// sample carries. Errc::TooOld if the provider keeps no row so old (ProvidedBase::keepState), or

@@ -12,7 +12,7 @@ namespace suture {
 /// Errc in any case.
 enum class Fallback : std::uint8_t {
   Hold,   ///< no value to act on; the last one comes along to be looked at
-  Zero,   ///< Value{}, to be acted on
+  Zero,   ///< all numbers 0, all that has a size empty, to be acted on; a rotation is none then
   Last,   ///< the last value, to be acted on
   Fault,  ///< as Hold, and the reading component is parked
 };

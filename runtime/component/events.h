@@ -80,7 +80,9 @@ template <class Slot, class... Payload>
 class SlotHandler {
  public:
   explicit SlotHandler(std::function<void(const Payload&...)> handler)
-      : handler_(std::move(handler)), scratch_(std::make_shared<Scratch>()) {}
+      : handler_(std::move(handler)), scratch_(std::make_shared<Scratch>()) {
+    std::apply([](Payload&... payload) { reserveFor<Slot>(payload...); }, scratch_->payload);
+  }
 
   void operator()(const std::byte* memory) const {
     if (scratch_->inUse.test_and_set(std::memory_order_acquire)) {  // a device emits in two threads
@@ -95,7 +97,7 @@ class SlotHandler {
   }
 
  private:
-  // One object for all events of this kind, so that what it owns is allocated once.
+  // One object for all events of this kind, so that what it owns is allocated once: here.
   struct Scratch {
     std::tuple<Payload...> payload;
     std::atomic_flag inUse = ATOMIC_FLAG_INIT;

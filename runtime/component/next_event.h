@@ -61,8 +61,8 @@ class AwaitedEvent {
 ///
 /// Belongs to the thread of the component, and must not outlive the required interface. Subscribes
 /// to the event, which stays so until reset() of the Subscription; its handler, if any, runs as
-/// well. The replay of a latched() event is not counted. Errc::CannotWait of an event whose handler
-/// is direct().
+/// well. Allocates only if the payload does. The replay of a latched() event is not counted.
+/// Errc::CannotWait of an event whose handler is direct().
 template <class Slot, class... Payload>
 class [[nodiscard]] NextEvent final : private AwaitedEvent {
  public:
