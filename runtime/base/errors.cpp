@@ -23,6 +23,7 @@ const char* toString(Errc error) {
     case Errc::Stale: return "older than the connection's max_age";
     case Errc::AwaitingOperator: return "the connection waits for an operator to resume it";
     case Errc::Cancelled: return "cancelled before it was executed";
+    case Errc::CannotWait: return "an event cannot be awaited here, or has a direct handler";
   }
   return "unknown error";
 }

@@ -33,6 +33,7 @@ enum class Errc : std::uint8_t {
   Stale,             ///< older than the connection's max_age
   AwaitingOperator,  ///< after a loss, until Manager::resumeConnection(); nothing was sent
   Cancelled,         ///< its sender cancelled it in time; not executed
+  CannotWait,        ///< an event is not awaited in an event's handler, nor if its own is direct
 };
 
 /// The error in words, for people. Any thread; static storage.

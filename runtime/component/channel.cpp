@@ -38,11 +38,22 @@ Channel::Channel(const InterfaceInfo& contract, std::string channelName, std::st
       lane(std::move(laneName)),
       ends(bothEnds),
       state(std::move(table)),
-      subscribed(subscribedEvents),
       offered(contract.commands.size()),
       commands(commandLimits(contract)),
       replies(replyBytes(contract)),
-      events(eventLimits(contract)) {}
+      events(eventLimits(contract)),
+      direct(contract.events.size()),
+      subscribed_(subscribedEvents),
+      joining_(subscribedEvents) {}
+
+void Channel::subscribe(EventSet wanted, EventSet newlyWanted) {
+  subscribed_.store(wanted, std::memory_order_release);
+  if (newlyWanted != 0) joining_.fetch_or(newlyWanted, std::memory_order_release);
+}
+
+EventSet Channel::takeJoining() {
+  return joining() ? joining_.exchange(0, std::memory_order_acquire) : 0;
+}
 
 void Channel::tell(ChannelStatus news) {
   ChannelStatus present = status.load(std::memory_order_acquire);

@@ -5,6 +5,7 @@
 
 #include <suture/base/shared_slot.h>
 #include <suture/component/connection_contract.h>
+#include <suture/component/direct_handlers.h>
 #include <suture/component/interface_info.h>
 #include <suture/component/lifecycle.h>
 #include <suture/rt/doorbell.h>
@@ -65,7 +66,7 @@ class Channel {
   };
 
   /// `state`: the provider's table or, at the near end of a lane, the mirror. `subscribed`: the
-  /// events the client has handlers for. `lane`: its name, for people.
+  /// events the client wants. `lane`: its name, for people.
   Channel(const InterfaceInfo& info, std::string name, std::string lane, Ends ends,
           std::shared_ptr<rt::StateTable> state, EventSet subscribed);
   ~Channel();
@@ -77,17 +78,19 @@ class Channel {
   const std::string lane;
   const Ends ends;
   const std::shared_ptr<rt::StateTable> state;
-  const EventSet subscribed;
   /// How many commands of `info`, from the first, the provider has: fewer than all where it lacks
   /// optional ones. Set before either end is attached.
   std::size_t offered;
   /// Of the connection that this is a channel of; nullptr: it has no contract. Set before the
   /// client is attached.
   std::shared_ptr<ConnectionWatch> watch;
+  /// What `ends.client` belongs to, so that it can be rung as long as somebody has this.
+  std::shared_ptr<rt::Doorbell> clientsBell;
 
   rt::Mailbox commands;
   rt::SpscRing replies;
   rt::EventQueue events;
+  DirectHandlers direct;  ///< used where both ends share a process and no delay lies between
   std::atomic<ChannelStatus> status{ChannelStatus::Connected};
   /// How often the status has become Faulted: a provider may be restarted before anybody looks.
   std::atomic<std::uint32_t> faults{0};
@@ -108,6 +111,15 @@ class Channel {
     lastRead_ = stamp;
     readAge.record(now() - stamp);
   }
+
+  /// Client endpoint: from now on it wants `wanted`, of `newlyWanted` the last value first if they
+  /// are latched. Whoever calls this rings the provider. Commands that are sent later meet it done.
+  void subscribe(EventSet wanted, EventSet newlyWanted);
+  EventSet subscribed() const { return subscribed_.load(std::memory_order_acquire); }
+  /// Provider endpoint, before subscribed(): whose last value the client is to be given now.
+  EventSet takeJoining();
+  /// True if takeJoining() has something to give.
+  bool joining() const { return joining_.load(std::memory_order_relaxed) != 0; }
 
   /// Any thread: how it stands with the provider, unless the connection is past that; the client
   /// is rung if that is news.
@@ -132,6 +144,7 @@ class Channel {
   void popReply();
 
  private:
+  std::atomic<EventSet> subscribed_, joining_;
   std::array<std::atomic<std::uint32_t>, kMaxCalls> claims_{};  // 0 is no call's number
   Time lastRead_{};
   std::uint32_t repeatedReads_ = 0;

@@ -1,6 +1,8 @@
 #pragma once
 // The channels of one provided interface.
 
+#include <suture/component/interface_info.h>
+
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -24,7 +26,9 @@ class ChannelList {
   struct Node {
     std::shared_ptr<Channel> channel;
     std::atomic<Node*> next{nullptr};
-    bool greeted = false;  ///< the owner has seen it
+    /// The events that the owner of the list sends there: none before its first cycle with it.
+    EventSet served = 0;
+    EventSet direct = 0;  ///< those that have a direct handler
   };
 
   explicit ChannelList(Walkers walkers) : walkers_(walkers) {}

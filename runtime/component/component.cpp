@@ -34,6 +34,16 @@ bool Component::ownedByThisThread() {
   return owner_.compare_exchange_strong(owner, thisThread());
 }
 
+bool Component::mayRunHandlers() const {
+  const ComponentState state = state_.load(std::memory_order_seq_cst);
+  return state != ComponentState::Stopped && statusIn(state) == ChannelStatus::Connected;
+}
+
+bool Component::ownedByAnotherThread() const {
+  const void* owner = owner_.load(std::memory_order_acquire);
+  return owner != nullptr && owner != thisThread();
+}
+
 void Component::claimForThisThread() { owner_.store(thisThread(), std::memory_order_release); }
 
 void Component::configure() {
@@ -78,6 +88,9 @@ void Component::callHook(Transition transition) {
 
 void Component::endLife() {
   if (after(state(), Transition::Stop)) makeTransition(Transition::Stop);
+  if (ownsThread()) {  // a device's thread is not this one; its interfaces do it when they end
+    for (const RequiredBase* required : required_) required->awaitDirectHandlers();
+  }
   ringNow();
   for (ProvidedBase* provided : provided_) provided->announce(ChannelStatus::Lost);
 }

@@ -66,7 +66,11 @@ class Component {
   bool parkSoonOnThrow(const Work& work);
 
   /// What a sleeping owner of this component waits on.
-  rt::Doorbell& doorbell() { return lender_ == nullptr ? doorbell_ : lender_->doorbell(); }
+  rt::Doorbell& doorbell() { return lender_ == nullptr ? *doorbell_ : lender_->doorbell(); }
+  /// The same, for those who may ring it when this component is gone.
+  std::shared_ptr<rt::Doorbell> sharedDoorbell() {
+    return lender_ == nullptr ? doorbell_ : lender_->sharedDoorbell();
+  }
   /// From the component's own thread: rings `bell` once at the end of the cycle; from a device, at
   /// once.
   void ringLater(rt::Doorbell& bell);
@@ -77,6 +81,11 @@ class Component {
   /// True if the calling thread may use this component's required interfaces: the task's thread;
   /// for a device, the first thread that used one.
   bool ownedByThisThread();
+  /// Any thread: true if handlers of its events run now, and do not wait until it is resumed. In
+  /// one order with awaiting calls that are under way, as endLife() does.
+  bool mayRunHandlers() const;
+  /// True if they belong to another thread; nobody's are free for all, as in the constructor.
+  bool ownedByAnotherThread() const;
 
  protected:
   explicit Component(bool ownsThread) : ownsThread_(ownsThread) {}
@@ -141,7 +150,7 @@ class Component {
   std::atomic<Time> resumed_{Time{}};
   std::vector<ProvidedBase*> provided_;
   std::vector<RequiredBase*> required_;
-  rt::Doorbell doorbell_;
+  const std::shared_ptr<rt::Doorbell> doorbell_ = std::make_shared<rt::Doorbell>();
   rt::DueBells dueBells_;
   Component* lender_ = nullptr;
   std::atomic<const void*> owner_{nullptr};

@@ -24,7 +24,14 @@ void Device::take(Transition transition) {
   makeTransition(transition);
 }
 
+Result<void> Device::processEvents() {
+  if (!ownedByThisThread()) return tl::unexpected(Errc::WrongThread);
+  handleEvents();
+  return {};
+}
+
 bool Device::waitForEvents(Time deadline) {
+  if (!ownedByThisThread()) return false;
   const auto arrived = [this] {
     return std::any_of(required().begin(), required().end(),
                        [](const RequiredBase* interface) { return interface->pending(); });

@@ -1,6 +1,7 @@
 #pragma once
 // A passive component.
 
+#include <suture/base/errors.h>
 #include <suture/component/component.h>
 
 #include <mutex>
@@ -26,10 +27,10 @@ class Device : public Component {
   Duration remoteReadPeriod() const final { return remoteReadPeriod_; }
 
   /// Runs the handlers of the events that have arrived, in the calling thread, which must be the
-  /// one that uses the required interfaces.
-  void processEvents() { handleEvents(); }
+  /// one that uses the required interfaces: Errc::WrongThread.
+  Result<void> processEvents();
   /// The same, after sleeping until something arrives or until `deadline`. True if something
-  /// arrived.
+  /// arrived; false at once in another thread.
   bool waitForEvents(Time deadline);
 
  private:

@@ -4,9 +4,16 @@
 
 namespace suture {
 
-void Subscription<void>::operator()(std::function<void()> handler) {
-  required_.handlers_[event_] = [handler = std::move(handler)](const std::byte*) { handler(); };
-  required_.subscribed_ |= EventSet{1} << event_;
+Result<void> Subscription<void>::operator()(std::function<void()> handler) {
+  if (handler == nullptr) return reset();
+  return required_.subscribe(event_,
+                             [handler = std::move(handler)](const std::byte*) { handler(); });
+}
+
+Result<void> Subscription<void>::direct(std::function<void()> handler) {
+  if (handler == nullptr) return reset();
+  return required_.subscribe(
+      event_, [handler = std::move(handler)](const std::byte*) { handler(); }, true);
 }
 
 }  // namespace suture

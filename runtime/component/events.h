@@ -4,12 +4,15 @@
 
 #include <suture/base/shared_slot.h>
 #include <suture/base/slot_forms.h>
+#include <suture/component/next_event.h>
 #include <suture/component/provided.h>
 #include <suture/component/required.h>
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <tuple>
+#include <utility>
 
 namespace suture {
 
@@ -49,9 +52,11 @@ class Emitter {
   std::uint16_t event_;
 };
 
-/// Subscribes to one event. In the component's constructor, before it is connected; the handler
-/// runs in the component's thread, before run().
+/// One event, to subscribe to and to leave again. In the component's constructor, or later in its
+/// thread at any time; another thread gets Errc::WrongThread. The handler runs in the component's
+/// thread, before run() or in a device's processEvents().
 ///   arm_.on().operating_state([this](const OperatingState& state) { ... });
+///   arm_.on().operating_state.reset();
 template <class Slot, class... Payload>
 class Subscription;
 
@@ -59,33 +64,90 @@ template <>
 class Subscription<void> {
  public:
   Subscription(RequiredBase& required, std::uint16_t event) : required_(required), event_(event) {}
-  void operator()(std::function<void()> handler);
+  /// See the other Subscription.
+  Result<void> operator()(std::function<void()> handler);
+  Result<void> direct(std::function<void()> handler);
+  Result<void> reset() { return required_.unsubscribe(event_); }
+  [[nodiscard]] NextEvent<void> next() { return {required_, event_}; }
 
  private:
   RequiredBase& required_;
   std::uint16_t event_;
 };
 
+/// Calls a handler with the values in a slot.
+template <class Slot, class... Payload>
+class SlotHandler {
+ public:
+  explicit SlotHandler(std::function<void(const Payload&...)> handler)
+      : handler_(std::move(handler)), scratch_(std::make_shared<Scratch>()) {
+    std::apply([](Payload&... payload) { reserveFor<Slot>(payload...); }, scratch_->payload);
+  }
+
+  void operator()(const std::byte* memory) const {
+    if (scratch_->inUse.test_and_set(std::memory_order_acquire)) {  // a device emits in two threads
+      std::tuple<Payload...> own;
+      return call(memory, own);
+    }
+    struct Release {
+      std::atomic_flag& flag;
+      ~Release() { flag.clear(std::memory_order_release); }
+    } release{scratch_->inUse};
+    call(memory, scratch_->payload);
+  }
+
+ private:
+  // One object for all events of this kind, so that what it owns is allocated once: here.
+  struct Scratch {
+    std::tuple<Payload...> payload;
+    std::atomic_flag inUse = ATOMIC_FLAG_INIT;
+  };
+
+  void call(const std::byte* memory, std::tuple<Payload...>& values) const {
+    std::apply(
+        [&](Payload&... payload) {
+          load(slotIn<Slot>(memory), payload...);
+          handler_(payload...);
+        },
+        values);
+  }
+
+  std::function<void(const Payload&...)> handler_;
+  std::shared_ptr<Scratch> scratch_;
+};
+
 template <class Slot, class... Payload>
 class Subscription {
  public:
   Subscription(RequiredBase& required, std::uint16_t event) : required_(required), event_(event) {}
-  void operator()(std::function<void(const Payload&...)> handler) {
-    // One object for all events of this kind, so that what it owns is allocated once: here.
-    auto scratch = std::make_shared<std::tuple<Payload...>>();
-    std::apply([](Payload&... payload) { reserveFor<Slot>(payload...); }, *scratch);
-    required_.handlers_[event_] = [handler = std::move(handler),
-                                   scratch = std::move(scratch)](const std::byte* memory) {
-      const Slot& slot = slotIn<Slot>(memory);
-      std::apply(
-          [&](Payload&... payload) {
-            load(slot, payload...);
-            handler(payload...);
-          },
-          *scratch);
-    };
-    required_.subscribed_ |= EventSet{1} << event_;
+
+  /// From now on `handler` gets what is emitted once the provider knows: a task does before it
+  /// executes any command sent later, on every lane, and begins with the last value of a latched()
+  /// event. An earlier handler is replaced. Never blocks; what it allocates is what keeps
+  /// `handler`, so a control loop subscribes rarely.
+  Result<void> operator()(std::function<void(const Payload&...)> handler) {
+    if (handler == nullptr) return reset();
+    return required_.subscribe(event_, SlotHandler<Slot, Payload...>(std::move(handler)));
   }
+
+  /// The same, and where both ends are in one process and no delay lies between them, `handler`
+  /// runs at once in the thread that emits, before emit() returns, also while this component's own
+  /// thread runs: so it is short, safe to call from any thread, and leaves this component's
+  /// required interfaces alone (Errc::WrongThread). What it throws parks this component, not the
+  /// emitter. While this component is suspended or faulted, and from any other process, the event
+  /// is queued as every other and `handler` runs in this component's thread.
+  Result<void> direct(std::function<void(const Payload&...)> handler) {
+    if (handler == nullptr) return reset();
+    return required_.subscribe(event_, SlotHandler<Slot, Payload...>(std::move(handler)), true);
+  }
+
+  /// No handler begins to run any more, not even for events that wait in the queue; a direct() one
+  /// that runs at this moment ends in its own time. Whoever subscribes anew gets only what comes
+  /// after. May be called by the handler itself.
+  Result<void> reset() { return required_.unsubscribe(event_); }
+
+  /// The next such event, to wait for or to look for: NextEvent.
+  [[nodiscard]] NextEvent<Slot, Payload...> next() { return {required_, event_}; }
 
  private:
   RequiredBase& required_;

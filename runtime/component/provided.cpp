@@ -21,6 +21,12 @@ std::unique_ptr<rt::StateTable> makeLatchedTable(const InterfaceInfo& info) {
   return any ? std::make_unique<rt::StateTable>(sizes, kRows, shared) : nullptr;
 }
 
+std::size_t payloadWords(const InterfaceInfo& info) {
+  std::size_t size = 0;
+  for (const EventInfo& event : info.events) size = std::max<std::size_t>(size, event.payloadSize);
+  return (size + 7) / 8;
+}
+
 // The counters have one writer each.
 void increment(std::atomic<std::uint64_t>& counter) {
   counter.store(counter.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
@@ -65,7 +71,9 @@ ProvidedBase::ProvidedBase(Component& owner, std::string_view name, const Interf
       implementation_(implementation),
       state_(makeStateTable(info)),
       channels_(owner.ownsThread() ? ChannelList::Walkers::Owner : ChannelList::Walkers::Any),
-      latched_(makeLatchedTable(info)) {
+      latched_(makeLatchedTable(info)),
+      latchedAt_(info.events.size()),
+      replayed_(payloadWords(info)) {
   refuseUnbounded(info, owner.ownsThread());
   owner.provided_.push_back(this);
 }
@@ -101,11 +109,9 @@ void ProvidedBase::keepState(const StateOptions& options) {
 }
 
 void ProvidedBase::attach(std::shared_ptr<Channel> channel) {
-  if (!owner_.ownsThread()) {
-    channels_.sweep();  // no thread of a device's own ever will
-    replayLatched(*channel);
-  }
+  if (!owner_.ownsThread()) channels_.sweep();  // no thread of a device's own ever will
   channels_.add(channel);
+  greetLocal(*channel);
   if (!everyState_) tellState(*channel);
   channel->ends.provider->ring();
 }
@@ -127,21 +133,34 @@ void ProvidedBase::drain() {
   if (owner_.ownsThread()) channels_.sweep();
   const Errc refusal = inService() ? Errc{} : errorOf(statusIn(owner_.state()));
   channels_.forEach([this, refusal](ChannelList::Node& node) {
+    Channel& channel = *node.channel;
+    const bool any = channel.commands.pending();
+    // Fixed first: the events of a command meet those who subscribed before they sent it.
+    if (any) channel.commands.fixCut();
     greet(node);
-    drain(*node.channel, refusal);
+    if (any) drain(channel, refusal);
   });
 }
 
-// A device greets when a channel is attached: it has no cycle in which to do it.
+// Local clients of a device greet themselves: it has no cycle in which to do it.
 void ProvidedBase::greet(ChannelList::Node& node) {
-  if (node.greeted || !owner_.ownsThread()) return;
-  node.greeted = true;
-  replayLatched(*node.channel);
+  Channel& channel = *node.channel;
+  if (channel.ends.device != nullptr) return;
+  const EventSet joining = channel.takeJoining();
+  node.served = channel.subscribed();
+  node.direct = channel.direct.events();
+  if (joining != 0) replay(channel, joining & node.served, replayed_);
+}
+
+void ProvidedBase::greetLocal(Channel& channel) {
+  if (channel.ends.device != this) return;
+  const EventSet joining = channel.takeJoining() & channel.subscribed();
+  if (joining == 0) return;
+  std::vector<std::uint64_t> memory(replayed_.size());
+  replay(channel, joining, memory);
 }
 
 void ProvidedBase::drain(Channel& channel, Errc refusal) {
-  if (!channel.commands.pending()) return;
-  channel.commands.fixCut();
   const Time drainStart = now();
   const Time resumed = everyState_ ? Time{} : owner_.resumed();
   while (const rt::CommandRecord* record = channel.commands.next()) {
@@ -213,8 +232,9 @@ void ProvidedBase::advance() {
 bool ProvidedBase::pending() const {
   bool any = false;
   channels_.forEach([this, &any](ChannelList::Node& node) {
-    const bool newcomer = owner_.ownsThread() && !node.greeted;
-    any = any || newcomer || node.channel->commands.pending();
+    const Channel& channel = *node.channel;
+    const bool newcomer = channel.joining() && channel.ends.device == nullptr;
+    any = any || newcomer || channel.commands.pending();
   });
   return any;
 }
@@ -226,38 +246,58 @@ void ProvidedBase::announce(ChannelStatus status) {
 
 void ProvidedBase::emit(std::uint16_t event, std::span<const std::byte> payload) {
   const Time stamp = now();
-  if (info_.events[event].latched) keepLatched(event, payload);
+  if (info_.events[event].latched) keepLatched(event, stamp, payload);
+  const bool ownThread = owner_.ownsThread();
   channels_.forEach([&](ChannelList::Node& node) {
     Channel& channel = *node.channel;
-    if ((channel.subscribed >> event & 1) == 0) return;
-    // Joins, with the latched values, at the next cycle.
-    if (owner_.ownsThread() && !node.greeted) return;
-    channel.events.push(event, stamp, payload);
-    owner_.ringLater(*channel.ends.client);
+    // Of a task, who has subscribed since joins at the next cycle, with the latched values.
+    const EventSet wanted = ownThread ? node.served : channel.subscribed();
+    if ((wanted >> event & 1) == 0) return;
+    deliver(channel, event, stamp, payload, ownThread ? node.direct : channel.direct.events());
   });
 }
 
-void ProvidedBase::keepLatched(std::uint16_t event, std::span<const std::byte> payload) {
+void ProvidedBase::deliver(Channel& channel, std::uint16_t event, Time stamp,
+                           std::span<const std::byte> payload, EventSet direct) {
+  if ((direct >> event & 1) != 0 && channel.direct.call(event, payload.data())) return;
+  channel.events.push(event, stamp, payload);
+  owner_.ringLater(*channel.ends.client);
+}
+
+void ProvidedBase::keepLatched(std::uint16_t event, Time stamp,
+                               std::span<const std::byte> payload) {
   // A device may emit from two threads at once. Such events have no order, so either may be the
   // last.
   if (keeping_.test_and_set(std::memory_order_acquire)) return;
   std::copy(payload.begin(), payload.end(), latched_->draft(event));
   if (info_.events[event].sharedPayload) sharedSlotIn(payload.data())->retain();
   latchedSoFar_ |= EventSet{1} << event;
-  latched_->publish(now(), latchedSoFar_, 0);
+  latchedAt_[event].store(stamp, std::memory_order_relaxed);
+  latched_->publish(stamp, latchedSoFar_, 0);
   keeping_.clear(std::memory_order_release);
 }
 
-void ProvidedBase::replayLatched(Channel& channel) {
-  if (latched_ == nullptr) return;
+void ProvidedBase::replay(Channel& channel, EventSet events, std::span<std::uint64_t> memory) {
   for (std::uint16_t i = 0; i < info_.events.size(); ++i) {
-    if (!info_.events[i].latched || (channel.subscribed >> i & 1) == 0) continue;
-    std::vector<std::byte> payload((info_.events[i].payloadSize + 7) & ~7u);
-    const auto stamp = latched_->read(i, payload.data());
-    if (!stamp) continue;
-    channel.events.push(i, *stamp, std::span(payload).first(info_.events[i].payloadSize));
-    if (info_.events[i].sharedPayload) releaseSharedSlot(payload.data());
-    owner_.ringLater(*channel.ends.client);
+    if (info_.events[i].latched && (events >> i & 1) != 0) replay(channel, i, memory);
+  }
+}
+
+void ProvidedBase::replay(Channel& channel, std::uint16_t event, std::span<std::uint64_t> memory) {
+  const EventInfo& info = info_.events[event];
+  const auto payload = std::as_writable_bytes(memory).first(info.payloadSize);
+  // A device may emit meanwhile: what comes last is to be the newest.
+  for (Time replayed{};;) {
+    const Result<Time> row = latched_->read(event, payload.data());
+    if (!row) return;
+    const bool news = *row != replayed;
+    if (news) {
+      deliver(channel, event, latchedAt_[event].load(std::memory_order_relaxed), payload,
+              channel.direct.events());
+    }
+    if (info.sharedPayload) releaseSharedSlot(payload.data());
+    if (!news) return;
+    replayed = *row;
   }
 }
 

@@ -13,6 +13,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace suture::rt {
 class StateTable;
@@ -90,15 +91,22 @@ class ProvidedBase {
  private:
   template <class, class...>
   friend class Emitter;
+  friend class RequiredBase;
 
   void emit(std::uint16_t event, std::span<const std::byte> payload);
   void greet(ChannelList::Node& node);
   void drain(Channel& channel, Errc refusal);
+  /// Any thread, of a device in this process: gives `channel`, whose client just subscribed, the
+  /// last values.
+  void greetLocal(Channel& channel);
   void run(Channel& channel, const rt::CommandRecord& record, Time drainStart);
   void turnAway(Channel& channel, const rt::CommandRecord& record, Errc refusal);
   void tellState(Channel& channel) const;
-  void replayLatched(Channel& channel);
-  void keepLatched(std::uint16_t event, std::span<const std::byte> payload);
+  void deliver(Channel& channel, std::uint16_t event, Time stamp,
+               std::span<const std::byte> payload, EventSet direct);
+  void replay(Channel& channel, EventSet events, std::span<std::uint64_t> memory);
+  void replay(Channel& channel, std::uint16_t event, std::span<std::uint64_t> memory);
+  void keepLatched(std::uint16_t event, Time stamp, std::span<const std::byte> payload);
 
   const std::string name_;
   Component& owner_;
@@ -110,8 +118,10 @@ class ProvidedBase {
   bool everyState_ = false;
   // The last value of each latched event: a column an event. Written by whoever emits.
   std::unique_ptr<rt::StateTable> latched_;
+  std::vector<std::atomic<Time>> latchedAt_;  // by event: when it was emitted last
   std::atomic_flag keeping_ = ATOMIC_FLAG_INIT;
   EventSet latchedSoFar_ = 0;
+  std::vector<std::uint64_t> replayed_;  // one payload, for the thread that serves
 };
 
 /// A component's provided interface of type Contract. Each contract's generated header specialises

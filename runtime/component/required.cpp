@@ -14,7 +14,7 @@ RequiredBase::RequiredBase(Component& owner, std::string_view name, const Interf
       owner_(owner),
       info_(info),
       calls_(Channel::kMaxCalls),
-      handlers_(info.events.size()) {
+      events_(info.events.size()) {
   refuseUnbounded(info, owner.ownsThread());
   std::uint32_t largest = 0;
   for (const CommandInfo& command : info.commands) largest = std::max(largest, command.resultSize);
@@ -28,14 +28,22 @@ RequiredBase::~RequiredBase() {
   if (unadopted != nullptr) close(*unadopted);
   for (PendingCall& call : calls_) discard(call);
   close(channel_);
+  awaitDirectHandlers();
+}
+
+void RequiredBase::awaitDirectHandlers() const {
+  if (channel_ != nullptr) channel_->direct.awaitCalls();
 }
 
 // The provider lets go of it in its own time.
 void RequiredBase::close(const std::shared_ptr<Channel>& channel) {
-  if (channel != nullptr) channel->status = ChannelStatus::Closed;
+  if (channel == nullptr) return;
+  channel->status = ChannelStatus::Closed;
+  channel->direct.clear();
 }
 
 void RequiredBase::attach(std::shared_ptr<Channel> channel) {
+  if (channel != nullptr) channel->clientsBell = owner_.sharedDoorbell();
   auto* arriving = new std::shared_ptr<Channel>(std::move(channel));
   const std::unique_ptr<std::shared_ptr<Channel>> unadopted(
       incoming_.exchange(arriving, std::memory_order_acq_rel));
@@ -57,8 +65,12 @@ void RequiredBase::adopt() {
   const bool madeAnew =
       channel_ != nullptr && *arrived != nullptr && channel_->watch == (*arrived)->watch;
   if (madeAnew) noticeLoss();
+  if (channel_ != nullptr) loseAwaited();
   close(channel_);
   channel_ = std::move(*arrived);
+  for (std::uint16_t event = 0; event < events_.size(); ++event) lendHandler(event);
+  // What has been subscribed to since the channel was made.
+  if (channel_ != nullptr) passSubscriptionsOn(subscribed() & ~channel_->subscribed());
   lossNoticed_ = false;
   faultsNoticed_ = 0;
 }
@@ -214,12 +226,55 @@ Sample<void> RequiredBase::readRow(const Time* at, std::span<const std::uint16_t
   return judgeAge(row.stamp);
 }
 
-void RequiredBase::handle(std::uint16_t event,
-                          std::function<void(const std::byte*, Time)> handler) {
-  handlers_[event] = [handler = std::move(handler)](const std::byte* payload) {
+Result<void> RequiredBase::handle(std::uint16_t event,
+                                  std::function<void(const std::byte*, Time)> handler) {
+  return subscribe(event, [handler = std::move(handler)](const std::byte* payload) {
     handler(payload, rt::EventRecord::of(payload).stamp);
-  };
-  subscribed_ |= EventSet{1} << event;
+  });
+}
+
+Result<void> RequiredBase::subscribe(std::uint16_t event, EventHandler handler, bool direct) {
+  if (owner_.ownedByAnotherThread()) return tl::unexpected(Errc::WrongThread);
+  if (handler == nullptr) return unsubscribe(event);
+  HeardEvent& heard = events_[event];
+  const bool joins = heard.handler == nullptr;
+  if (joins) heard.since = now();
+  heard.handler = std::make_shared<const EventHandler>(std::move(handler));
+  heard.direct = direct;
+  lendHandler(event);
+  const EventSet bit = EventSet{1} << event;
+  subscribed_.fetch_or(bit, std::memory_order_relaxed);
+  passSubscriptionsOn(joins ? bit : 0);
+  return {};
+}
+
+Result<void> RequiredBase::unsubscribe(std::uint16_t event) {
+  if (owner_.ownedByAnotherThread()) return tl::unexpected(Errc::WrongThread);
+  events_[event].handler = nullptr;
+  events_[event].direct = false;
+  lendHandler(event);
+  if (!isAwaited(event)) {
+    subscribed_.fetch_and(~(EventSet{1} << event), std::memory_order_relaxed);
+  }
+  passSubscriptionsOn(0);
+  return {};
+}
+
+void RequiredBase::lendHandler(std::uint16_t event) {
+  if (channel_ == nullptr || channel_->ends.here == nullptr) return;
+  const HeardEvent& heard = events_[event];
+  if (!heard.direct && (channel_->direct.events() >> event & 1) == 0) return;
+  channel_->direct.set(event, owner_, heard.direct ? heard.handler : nullptr);
+  if (heard.direct) refuseAwaited(event);
+}
+
+void RequiredBase::passSubscriptionsOn(EventSet joining) {
+  if (channel_ == nullptr) return;
+  if (joining == 0 && channel_->subscribed() == subscribed()) return;
+  channel_->subscribe(subscribed(), joining);
+  const Channel::Ends& ends = channel_->ends;
+  owner_.ringLater(*ends.provider);
+  if (ends.device != nullptr) ends.device->greetLocal(*channel_);
 }
 
 void RequiredBase::watch(ProvidedBase& own) {
@@ -238,15 +293,30 @@ void RequiredBase::handleEvents() {
 }
 
 void RequiredBase::handleQueuedEvents() {
-  if (channel_ == nullptr) return;
-  while (const rt::EventRecord* record = channel_->events.next()) {
+  const std::shared_ptr<Channel> channel = channel_;  // a handler of a device may take over another
+  if (channel == nullptr) return;
+  while (const rt::EventRecord* record = channel->events.next()) {
     // Released even if the handler throws: it must not meet the same event again.
     struct Release {
       rt::EventQueue& events;
-      ~Release() { events.pop(); }
-    } release{channel_->events};
-    handlers_[record->event](record->payload());
+      bool& handling;
+      ~Release() {
+        handling = false;
+        events.pop();
+      }
+    } release{channel->events, handling_};
+    handling_ = true;
+    deliver(*record);
   }
+}
+
+void RequiredBase::deliver(const rt::EventRecord& record) {
+  satisfyAwaited(record);
+  const HeardEvent& heard = events_[record.event];
+  // Of a latched event the value may be older than its subscription: a replay.
+  if (record.stamp < heard.since && !info_.events[record.event].latched) return;
+  const auto handler = heard.handler;  // lives on if it ends its own subscription
+  if (handler != nullptr) (*handler)(record.payload());
 }
 
 bool RequiredBase::pending() const {

@@ -18,8 +18,13 @@
 #include <type_traits>
 #include <vector>
 
+namespace suture::rt {
+struct EventRecord;
+}
+
 namespace suture {
 
+class AwaitedEvent;
 class Channel;
 struct ReplyRecord;
 
@@ -56,8 +61,8 @@ class RequiredBase {
   /// operator.
   Errc unusable(std::uint16_t command);
 
-  /// The events that have a handler.
-  EventSet subscribed() const { return subscribed_; }
+  /// The events that are subscribed to. Any thread.
+  EventSet subscribed() const { return subscribed_.load(std::memory_order_relaxed); }
 
   /// Any thread: the connection, or nullptr to take it away. Takes effect at the owner's next
   /// cycle; what it replaces is closed then, and calls under way on it end with
@@ -69,6 +74,8 @@ class RequiredBase {
   /// Owner's thread: runs the handlers of the events that have arrived, then those of the calls
   /// that have ended.
   void handleEvents();
+  /// Owner's thread: returns when no direct handler of an event is running.
+  void awaitDirectHandlers() const;
   /// Owner's thread: true if adopt() has something to do.
   bool rewired() const { return incoming_.load(std::memory_order_relaxed) != nullptr; }
   /// Owner's thread: true if adopt() or handleEvents() has something to do.
@@ -80,9 +87,9 @@ class RequiredBase {
 
   // --- for those who need no generated members
 
-  /// In a constructor: `handler` gets the payload's slot of each event `event`, and when it was
-  /// emitted.
-  void handle(std::uint16_t event, std::function<void(const std::byte*, Time)> handler);
+  /// As Subscription: `handler` gets the payload's slot of each event `event`, and when it was
+  /// emitted; or, of one from another process, when it arrived.
+  Result<void> handle(std::uint16_t event, std::function<void(const std::byte*, Time)> handler);
   /// Owner's thread: the connection as it is in this cycle; nullptr if there is none.
   const std::shared_ptr<Channel>& channel() const { return channel_; }
 
@@ -101,7 +108,15 @@ class RequiredBase {
   friend class AnsweredCommand;
   template <class, class...>
   friend class Subscription;
+  friend class AwaitedEvent;
   friend class RowReader;
+
+  using EventHandler = std::function<void(const std::byte*)>;
+  struct HeardEvent {
+    std::shared_ptr<const EventHandler> handler;
+    Time since{};  // when it got a handler, after having had none
+    bool direct = false;
+  };
 
   struct PendingCall;
   using Follower = void (*)(RequiredBase&, PendingCall&);
@@ -170,7 +185,26 @@ class RequiredBase {
   Errc endOfCalls() const;
   bool followedMayBeDone() const;
   void finishFollowed();
+  /// Errc::WrongThread if the interface is another thread's.
+  Result<void> subscribe(std::uint16_t event, EventHandler handler, bool direct = false);
+  Result<void> unsubscribe(std::uint16_t event);
+  /// Tells the provider's end what is subscribed to by now.
+  void passSubscriptionsOn(EventSet joining);
+  /// Has the provider run the handler of `event` itself, if that is direct and both are here.
+  void lendHandler(std::uint16_t event);
   void handleQueuedEvents();
+  void deliver(const rt::EventRecord& record);
+
+  Errc arm(AwaitedEvent& event);
+  bool isAwaited(std::uint16_t event) const;
+  template <class Whether>
+  void endAwaited(Errc error, const Whether& whether);
+  void loseAwaited();
+  void refuseAwaited(std::uint16_t event);
+  void satisfyAwaited(const rt::EventRecord& record);
+  /// Why no event will come any more; 0: one may.
+  Errc endOfEvents() const;
+  void handleArrivals();
 
   const std::string name_;
   Component& owner_;
@@ -180,8 +214,10 @@ class RequiredBase {
   std::vector<PendingCall> calls_;
   std::uint32_t callsOpened_ = 0;
   unsigned followed_ = 0;  // calls that have a follower
-  std::vector<std::function<void(const std::byte*)>> handlers_;
-  EventSet subscribed_ = 0;
+  std::vector<HeardEvent> events_;
+  std::atomic<EventSet> subscribed_{0};  // the owner's; read by who connects
+  AwaitedEvent* awaited_ = nullptr;      // the first
+  bool handling_ = false;                // a handler of an event is running
   bool optional_ = false;
   Duration maxAge_{0};
   // Of channel_, by noticeLoss().

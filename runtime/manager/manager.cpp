@@ -3,6 +3,7 @@
 #include <suture/component/device.h>
 #include <suture/component/task.h>
 #include <suture/manager/device_executor.h>
+#include <suture/manager/handle.h>
 #include <suture/manager/lifecycle_face.h>
 #include <suture/manager/manager.h>
 #include <suture/manager/network.h>
@@ -64,7 +65,10 @@ DelayThread* Manager::delaysFor(const ConnectionDelay& delay) {
   return delay.any() ? delays_.get() : nullptr;
 }
 
-Manager::~Manager() { stop(); }
+Manager::~Manager() {
+  stop();
+  for (HandleBase* handle : handles_) handle->manager_ = nullptr;
+}
 
 void Manager::add(const std::string& name, Component& component) {
   directory_.add(name, component, [&] {
@@ -187,8 +191,28 @@ void Manager::stopComponents() {
 void Manager::connect(std::string_view requiredName, std::string_view providedName, Lane lane,
                       Duration patience, const ConnectionDelay& delay,
                       const ConnectionContract& contract) {
-  const Endpoint from = Endpoint::parse(requiredName), to = Endpoint::parse(providedName);
-  RequiredBase& required = directory_.required(from);
+  const Endpoint from = Endpoint::parse(requiredName);
+  connect(directory_.required(from), from, providedName, lane, patience, delay, contract);
+}
+
+void Manager::connect(HandleBase& handle, RequiredBase& required, std::string_view provided,
+                      Lane lane, Duration patience, const ConnectionDelay& delay,
+                      const ConnectionContract& contract) {
+  handle.device_.name_ = handle.name_.component;
+  connect(required, handle.name_, provided, lane, patience, delay, contract);
+  handles_.push_back(&handle);
+}
+
+void Manager::disconnect(HandleBase& handle) {
+  const std::string name = handle.name_.toString();
+  if (local_.erase(name) == 0 && network_ != nullptr) network_->disconnect(name);
+  std::erase(handles_, &handle);
+}
+
+void Manager::connect(RequiredBase& required, const Endpoint& from, std::string_view providedName,
+                      Lane lane, Duration patience, const ConnectionDelay& delay,
+                      const ConnectionContract& contract) {
+  const Endpoint to = Endpoint::parse(providedName);
   const std::string connection = process() + ":" + from.component + "/" + from.interface + " -> " +
                                  (to.process.empty() ? process() + ":" : "") + to.toString();
   if (const auto existing = connectionOf(from.toString()); existing != nullptr) {

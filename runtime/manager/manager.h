@@ -18,6 +18,7 @@ namespace suture {
 
 class DelayThread;
 class DeviceExecutor;
+class HandleBase;
 class Network;
 
 /// How a connection may travel.
@@ -98,6 +99,13 @@ class Manager {
   std::vector<std::shared_ptr<Channel>> channels() const;
 
  private:
+  friend class HandleBase;
+
+  void connect(HandleBase& handle, RequiredBase& required, std::string_view provided, Lane lane,
+               Duration patience, const ConnectionDelay& delay, const ConnectionContract& contract);
+  void disconnect(HandleBase& handle);
+  void connect(RequiredBase& required, const Endpoint& from, std::string_view provided, Lane lane,
+               Duration patience, const ConnectionDelay& delay, const ConnectionContract& contract);
   void change(const std::string& component, Transition transition, Duration patience);
   std::shared_ptr<Channel> connectionOf(const std::string& required) const;
   std::string missingFor(const RequiredBase& required) const;
@@ -118,6 +126,7 @@ class Manager {
   std::unique_ptr<Network> network_;
   std::map<std::string, std::shared_ptr<Channel>> local_;  // by required interface
   std::vector<std::shared_ptr<Channel>> offered_;          // the provider ends of delayed ones
+  std::vector<HandleBase*> handles_;
 };
 
 }  // namespace suture

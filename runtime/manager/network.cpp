@@ -81,7 +81,11 @@ class Network::Impl {
       auto& connection = connections_[name];
       connection = std::make_unique<RemoteConnection>(control_, *link_, required, from, to, made,
                                                       interposer, watch);
-      return connection->open(patience);
+      // What could not be connected may be gone before this is.
+      return connection->open(patience).catch_([this, name](kj::Exception&& failure) {
+        connections_.erase(name);
+        kj::throwFatalException(kj::mv(failure));
+      });
     });
   }
 

@@ -37,6 +37,13 @@ class NoticesSender final : public rpc::ServantPort::Listener {
     }
   }
 
+  void replays(std::uint16_t event, Time stamp) override {
+    auto request = client_.replayedRequest();
+    request.setEvent(event);
+    request.setStamp(toNanoseconds(stamp));
+    send(kj::mv(request));
+  }
+
  private:
   template <class Request>
   void send(Request request) {

@@ -47,6 +47,11 @@ class RemoteConnection::NoticesReceiver final : public wire::Notices::Server {
     port_->tell(ChannelStatus::Connected);
     return kj::READY_NOW;
   }
+  kj::Promise<void> replayed(ReplayedContext context) override {
+    const auto in = context.getParams();
+    port_->noteReplay(in.getEvent(), in.getStamp());
+    return kj::READY_NOW;
+  }
   kj::Promise<void> closed(ClosedContext) override {
     port_->close(ChannelStatus::Lost);
     return kj::READY_NOW;

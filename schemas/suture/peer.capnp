@@ -77,6 +77,9 @@ interface Notices {
   suspended @2 () -> ();
   # The provider's component executes nothing until resumed() says so: its commands are refused.
   resumed @3 () -> ();
+  replayed @4 (event :UInt16, stamp :Int64) -> ();
+  # The next such event on this link is the last value of a latched one, for a new subscriber; it was emitted
+  # at `stamp` of the provider's steady clock, ns.
 }
 
 interface Connection {

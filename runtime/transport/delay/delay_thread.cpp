@@ -33,7 +33,7 @@ std::shared_ptr<Channel> DelayThread::interpose(RequiredBase& required,
   state->resize(static_cast<unsigned>(far->state->capacity()));
   const Channel::Ends ends{.client = &required.owner().doorbell(), .provider = &doorbell()};
   auto near = std::make_shared<Channel>(required.info(), far->name, far->lane + "+delay", ends,
-                                        std::move(state), far->subscribed);
+                                        std::move(state), far->subscribed());
   near->offered = far->offered;
   near->watch = far->watch;
   auto connection = std::make_unique<DelayedConnection>(near, std::move(far), delay);

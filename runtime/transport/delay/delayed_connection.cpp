@@ -63,11 +63,13 @@ DelayedConnection::DelayedConnection(std::shared_ptr<Channel> near, std::shared_
     slotPointers_.push_back(reinterpret_cast<std::byte*>(slots_.back().data()));
   }
   far_->wantsRows = true;
+  near_->takeJoining();  // as the far channel, it was made with what is subscribed to
 }
 
 void DelayedConnection::pump(Time now) {
   passDemandOn();
   takeCommands();
+  passSubscriptionsOn();  // ahead of commands that were sent later
   deliverCommands(now);
   returnCredits();
   takeAnswers(now);
@@ -173,6 +175,13 @@ void DelayedConnection::passDemandOn() {
   }
   asked_ = demand;
   if (first) far_->ends.provider->ring();
+}
+
+void DelayedConnection::passSubscriptionsOn() {
+  const EventSet joining = near_->takeJoining();
+  if (joining == 0 && near_->subscribed() == far_->subscribed()) return;
+  far_->subscribe(near_->subscribed(), joining);
+  far_->ends.provider->ring();
 }
 
 void DelayedConnection::takeAnswers(Time now) {

@@ -16,7 +16,8 @@ namespace suture {
 ///
 /// A command is due `delay.commands` after it was sent, and keeps its stamp: a ttl sees the delay.
 /// What comes back is due `delay.answers` after it arrived here, and keeps its stamp too: a read's
-/// age shows the delay. Credits and the first ask for a read are not delayed.
+/// age shows the delay. Credits, subscriptions and the first ask for a read are not
+/// delayed.
 class DelayedConnection {
  public:
   DelayedConnection(std::shared_ptr<Channel> near, std::shared_ptr<Channel> far,
@@ -39,6 +40,7 @@ class DelayedConnection {
   void deliver(const rt::CommandRecord& record);
   void returnCredits();
   void passDemandOn();
+  void passSubscriptionsOn();
   void takeAnswers(Time now);
   void deliverAnswers(Time now);
   void takeEvents();

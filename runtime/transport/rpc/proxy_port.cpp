@@ -18,14 +18,15 @@ ProxyPort::ProxyPort(ControlThread& control, std::shared_ptr<Channel> channel, D
       channel_(std::move(channel)),
       shift_(shift),
       counters_(std::move(counters)),
+      replays_(channel_->info.events.size()),
       calls_(*this) {}
 
 ProxyPort::~ProxyPort() noexcept(false) { close(ChannelStatus::Closed); }
 
 void ProxyPort::open(kj::Own<Proxy> proxy) {
-  columns_ = channel_->state->demand();
-  calls_.add(proxy->subscribe(channel_->subscribed, columns_));
   proxy_ = kj::mv(proxy);
+  channel_->takeJoining();  // the provider has been told with the request to connect
+  subscribe(channel_->subscribed(), channel_->state->demand());
   control_.add(*this);
   pump();
 }
@@ -53,9 +54,14 @@ void ProxyPort::publish(std::int64_t stamp, rt::ColumnSet valid, rt::ColumnSet t
 }
 
 void ProxyPort::push(std::uint16_t event, std::span<const std::byte> payload) {
-  if (closed_) return;
-  channel_->events.push(event, now(), payload);
+  const Time stamp = here(std::exchange(replays_[event], 0));
+  if (closed_ || (leaving_ >> event & 1) != 0) return;
+  channel_->events.push(event, stamp, payload);
   channel_->ends.client->ring();
+}
+
+void ProxyPort::noteReplay(std::uint16_t event, std::int64_t stamp) {
+  if (event < replays_.size()) replays_[event] = stamp;
 }
 
 kj::Promise<void> ProxyPort::acknowledge() {
@@ -79,16 +85,35 @@ void ProxyPort::pump() {
 }
 
 void ProxyPort::pumpSubscription() {
-  const rt::ColumnSet wanted = channel_->state->demand();
-  if (wanted == columns_) return;
-  columns_ = wanted;
-  KJ_IF_MAYBE (proxy, proxy_) calls_.add((*proxy)->subscribe(channel_->subscribed, columns_));
+  const rt::ColumnSet columns = channel_->state->demand();
+  const EventSet joining = channel_->takeJoining(), events = channel_->subscribed();
+  if (closed_ || (columns == columns_ && events == events_ && joining == 0)) return;
+  if (const EventSet again = joining & events_; again != 0) leave(again);
+  subscribe(events, columns);
+}
+
+// Of events that were left and subscribed to again before this was asked.
+void ProxyPort::leave(EventSet events) {
+  leaving_ |= events;
+  ++farewellsUnderWay_;
+  KJ_IF_MAYBE (proxy, proxy_) {
+    calls_.add((*proxy)->subscribe(events_ & ~events, columns_).then([this] {
+      if (--farewellsUnderWay_ == 0) leaving_ = 0;
+    }));
+  }
+}
+
+void ProxyPort::subscribe(EventSet events, rt::ColumnSet columns) {
+  events_ = events;
+  columns_ = columns;
+  KJ_IF_MAYBE (proxy, proxy_) calls_.add((*proxy)->subscribe(events_, columns_));
 }
 
 void ProxyPort::pumpCommands() {
   rt::Mailbox& commands = channel_->commands;
   if (closed_ || latestInFlight_ >= kWindow || !commands.pending()) return;
   commands.fixCut();
+  pumpSubscription();  // ahead of commands that were sent later
   while (const rt::CommandRecord* record = commands.next()) {
     transmit(*record);
     commands.pop();

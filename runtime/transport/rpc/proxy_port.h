@@ -14,6 +14,7 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace suture::rpc {
 
@@ -39,6 +40,8 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
   void close(ChannelStatus why);
   /// How it stands with the provider's component.
   void tell(ChannelStatus status) { channel_->tell(status); }
+  /// The next such event was emitted at `stamp`, on the provider's clock, ns: it is a replay.
+  void noteReplay(std::uint16_t event, std::int64_t stamp);
 
   // --- for generated code
 
@@ -101,6 +104,8 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
   void releaseAcknowledgement();
   void pump() override;
   void pumpSubscription();
+  void leave(EventSet events);
+  void subscribe(EventSet events, rt::ColumnSet columns);
   void pumpCommands();
   void transmit(const rt::CommandRecord& record);
   void returned(std::uint16_t command, std::uint32_t call, Errc error);
@@ -113,7 +118,11 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
   kj::Maybe<kj::Own<Proxy>> proxy_;
   bool closed_ = false;
   unsigned latestInFlight_ = 0;
+  EventSet events_ = 0;
   rt::ColumnSet columns_ = 0;
+  std::vector<std::int64_t> replays_;  // by event: what noteReplay() told; 0: it did not
+  EventSet leaving_ = 0;            // what of these comes was emitted for an earlier subscription
+  unsigned farewellsUnderWay_ = 0;  // messages after whose answer no more of it comes
   kj::Maybe<kj::Own<kj::PromiseFulfiller<void>>> acknowledgement_;
   kj::TaskSet calls_;  // last: cancelled first
 };

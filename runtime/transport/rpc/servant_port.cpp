@@ -20,6 +20,7 @@ ServantPort::ServantPort(ControlThread& control, std::shared_ptr<Channel> channe
       shift_(shift),
       counters_(std::move(counters)),
       taken_(channel_->info.commands.size()),
+      since_(channel_->info.events.size(), now()),
       sending_(*this) {
   for (unsigned i = 0; i < channel_->state->columns(); ++i) {
     rowSlots_.emplace_back((channel_->state->columnSize(i) + 7) / 8);
@@ -45,18 +46,26 @@ void ServantPort::close() {
 
 void ServantPort::subscribe(kj::Own<EventSink> sink, EventSet events, rt::ColumnSet columns) {
   sink_ = kj::mv(sink);
-  events_ = events;
+  const EventSet joining = events & ~channel_->subscribed();
+  for (std::size_t i = 0; i < since_.size(); ++i) {
+    if (joining >> i & 1) since_[i] = now();
+  }
+  channel_->subscribe(events, joining);
   columns_ = columns;
   lastRow_ = 0;
-  bool first = false;
+  bool first = joining != 0;
   for (unsigned i = 0; i < rowSlots_.size(); ++i) {
     const bool wanted = (columns >> i & 1) != 0;
     rowPointers_[i] = wanted ? reinterpret_cast<std::byte*>(rowSlots_[i].data()) : nullptr;
     first = (wanted && channel_->state->ask(i)) || first;
   }
   if (first) channel_->ends.provider->ring();
-  pumpEvents();
-  pumpRow();
+  answering_ = true;
+  sending_.add(kj::evalLast([this] {
+    answering_ = false;
+    pumpEvents();
+    pumpRow();
+  }));
 }
 
 // A stamp from the future would never be late.
@@ -128,17 +137,26 @@ void ServantPort::pumpCredits() {
 
 void ServantPort::pumpEvents() {
   KJ_IF_MAYBE (sink, sink_) {
-    while (eventsInFlight_ < kWindow) {
+    while (!answering_ && eventsInFlight_ < kWindow) {
       const rt::EventRecord* record = channel_->events.next();
       if (record == nullptr) return;
-      if ((events_ >> record->event & 1) != 0) sendEvent(**sink, *record);
+      if (wanted(*record)) sendEvent(**sink, *record);
       channel_->events.pop();
     }
   }
 }
 
+// Of a latched event the value may be older than its subscription: a replay.
+bool ServantPort::wanted(const rt::EventRecord& record) const {
+  if ((channel_->subscribed() >> record.event & 1) == 0) return false;
+  return record.stamp >= since_[record.event] || channel_->info.events[record.event].latched;
+}
+
 void ServantPort::sendEvent(EventSink& sink, const rt::EventRecord& record) {
   ++eventsInFlight_;
+  if (record.stamp < since_[record.event]) {
+    KJ_IF_MAYBE (listener, listener_) (*listener)->replays(record.event, record.stamp);
+  }
   sending_.add(sink.event(record.event, record.payload())
                    .then([this] { eventSent(); },
                          [this](kj::Exception&& failure) {

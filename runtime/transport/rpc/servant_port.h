@@ -28,10 +28,13 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
  public:
   static constexpr unsigned kWindow = 4;
 
-  /// Told each change of how it stands with the provider's component.
+  /// Told each change of how it stands with the provider's component, and what a client cannot see
+  /// of an event.
   struct Listener {
     virtual ~Listener() noexcept(false) = default;
     virtual void told(ChannelStatus status) = 0;
+    /// The next such event repeats one that was emitted at `stamp`, for a new subscriber.
+    virtual void replays(std::uint16_t event, Time stamp) = 0;
   };
 
   /// `channel` has been, or is about to be, attached to the provider; its client doorbell is the
@@ -111,6 +114,7 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
   void pumpReplies();
   void pumpEvents();
   void pumpRow();
+  bool wanted(const rt::EventRecord& record) const;
   void sendEvent(EventSink& sink, const rt::EventRecord& record);
   void eventSent();
   void sendRow(EventSink& sink, const rt::StateTable::Row& row);
@@ -135,7 +139,8 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
   std::uint32_t callsOpened_ = 0;
 
   kj::Maybe<kj::Own<EventSink>> sink_;
-  EventSet events_ = 0;
+  std::vector<Time> since_;  // by event: when it was subscribed to
+  bool answering_ = false;   // subscribe(): nothing is sent before its answer
   rt::ColumnSet columns_ = 0;
   unsigned eventsInFlight_ = 0;
   unsigned rowsInFlight_ = 0;

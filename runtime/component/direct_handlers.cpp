@@ -1,0 +1,64 @@
+#include <suture/component/component.h>
+#include <suture/component/direct_handlers.h>
+
+#include <thread>
+#include <utility>
+
+namespace suture {
+namespace {
+
+/// While one exists, no handler is deleted.
+class Calling {
+ public:
+  explicit Calling(std::atomic<unsigned>& count) : count_(count) {
+    count_.fetch_add(1, std::memory_order_seq_cst);
+  }
+  ~Calling() { count_.fetch_sub(1, std::memory_order_release); }
+  Calling(const Calling&) = delete;
+  Calling& operator=(const Calling&) = delete;
+
+ private:
+  std::atomic<unsigned>& count_;
+};
+
+}  // namespace
+
+DirectHandlers::~DirectHandlers() { clear(); }
+
+void DirectHandlers::set(std::uint16_t event, Component& owner,
+                         std::shared_ptr<const Handler> handler) {
+  const std::uint64_t bit = std::uint64_t{1} << event;
+  if (handler == nullptr) {
+    events_.fetch_and(~bit, std::memory_order_relaxed);
+    replace(event, nullptr);
+  } else {
+    replace(event, new Entry{owner, std::move(handler)});
+    events_.fetch_or(bit, std::memory_order_relaxed);
+  }
+}
+
+void DirectHandlers::clear() {
+  events_.store(0, std::memory_order_relaxed);
+  for (std::uint16_t event = 0; event < handlers_.size(); ++event) replace(event, nullptr);
+}
+
+// Whoever begins to call after this has found nobody calling meets the new entry.
+void DirectHandlers::replace(std::uint16_t event, Entry* entry) {
+  Entry* const old = handlers_[event].exchange(entry, std::memory_order_seq_cst);
+  if (old != nullptr) replaced_.emplace_back(old);
+  if (calling_.fetch_add(0, std::memory_order_seq_cst) == 0) replaced_.clear();
+}
+
+void DirectHandlers::awaitCalls() const {
+  while (calling_.load(std::memory_order_seq_cst) != 0) std::this_thread::yield();
+}
+
+bool DirectHandlers::call(std::uint16_t event, const std::byte* payload) const {
+  const Calling calling(calling_);
+  const Entry* const entry = handlers_[event].load(std::memory_order_seq_cst);
+  if (entry == nullptr || !entry->owner.mayRunHandlers()) return false;
+  entry->owner.parkSoonOnThrow([&] { (*entry->handler)(payload); });
+  return true;
+}
+
+}  // namespace suture

@@ -1,0 +1,53 @@
+#pragma once
+// The handlers of one subscriber that run in the thread of whoever emits.
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace suture {
+
+class Component;
+
+/// The subscriber's thread sets and clears; any thread calls. Calling takes no lock and allocates
+/// nothing; what has been replaced is deleted once nobody calls, as in ChannelList.
+class DirectHandlers {
+ public:
+  using Handler = std::function<void(const std::byte*)>;
+
+  explicit DirectHandlers(std::size_t events) : handlers_(events) {}
+  ~DirectHandlers();
+  DirectHandlers(const DirectHandlers&) = delete;
+  DirectHandlers& operator=(const DirectHandlers&) = delete;
+
+  /// Subscriber: from now on `handler`, of `owner`, or none if it is null. A call of the one before
+  /// may be under way.
+  void set(std::uint16_t event, Component& owner, std::shared_ptr<const Handler> handler);
+  void clear();
+  /// Subscriber: returns when no call is under way. Not in a task's cycle.
+  void awaitCalls() const;
+
+  /// The events that have a handler. Any thread.
+  std::uint64_t events() const { return events_.load(std::memory_order_relaxed); }
+  /// Any thread: runs the handler. False if there is none, or if its component runs nothing now. A
+  /// throw parks that component.
+  bool call(std::uint16_t event, const std::byte* payload) const;
+
+ private:
+  struct Entry {
+    Component& owner;
+    std::shared_ptr<const Handler> handler;
+  };
+
+  void replace(std::uint16_t event, Entry* entry);
+
+  std::vector<std::atomic<Entry*>> handlers_;  // by event
+  std::atomic<std::uint64_t> events_{0};
+  mutable std::atomic<unsigned> calling_{0};
+  std::vector<std::unique_ptr<Entry>> replaced_;
+};
+
+}  // namespace suture

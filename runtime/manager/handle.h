@@ -1,0 +1,68 @@
+#pragma once
+// A required interface for a thread that is none of the tasks': of a GUI, of a logger.
+
+#include <suture/component/device.h>
+#include <suture/component/required.h>
+#include <suture/manager/manager.h>
+
+#include <string_view>
+
+namespace suture {
+
+/// The part of a Handle that does not depend on the contract.
+class HandleBase {
+ public:
+  HandleBase(const HandleBase&) = delete;
+  HandleBase& operator=(const HandleBase&) = delete;
+
+  /// Runs the handlers of the events that have arrived, in the calling thread. Errc::WrongThread if
+  /// that is not the handle's.
+  Result<void> processEvents() { return device_.processEvents(); }
+  /// The same, after sleeping until something arrives or until `deadline`. True if something
+  /// arrived.
+  bool waitForEvents(Time deadline) { return device_.waitForEvents(deadline); }
+
+ protected:
+  /// `name`: "Gui/Arm". Throws SetupError.
+  explicit HandleBase(std::string_view name) : name_(Endpoint::parse(name)) {}
+  ~HandleBase() = default;
+
+  Device& device() { return device_; }
+  const Endpoint& endpoint() const { return name_; }
+  void open(Manager& manager, RequiredBase& required, std::string_view provided, Lane lane,
+            Duration patience, const ConnectionDelay& delay, const ConnectionContract& contract);
+  void close();
+
+ private:
+  friend class Manager;
+
+  const Endpoint name_;
+  Manager* manager_ = nullptr;  // null once it is gone
+  Device device_;
+};
+
+/// A connection of its own to a provided interface, with all that a Required offers: commands,
+/// which ring the provider at once and keep their order within a handle, reads, calls, events.
+/// Belongs to the first thread that uses it; others get Errc::WrongThread. Give each thread its
+/// own.
+///   suture::Handle<Arm> arm(manager, "Gui/Arm", "PSM/Arm");    where the manager is used
+///   arm.on().operating_state([&](const OperatingState& state) { ... });
+///   arm.enable.start().within(20ms);                           in the GUI's thread
+///   arm.processEvents();
+/// Made and destroyed in the manager's thread, while tasks run or not, before or after the manager
+/// ends, and while no other thread uses it.
+template <class Contract>
+class Handle final : public HandleBase, public Required<Contract> {
+ public:
+  /// Connects as Manager::connect() does: works or throws a SetupError that says why not. `name` is
+  /// what others see of it, "Gui/Arm"; none of this process's connections has it yet.
+  Handle(Manager& manager, std::string_view name, std::string_view provided, Lane lane = Lane::Auto,
+         Duration patience = Manager::kDefaultPatience, const ConnectionDelay& delay = {},
+         const ConnectionContract& contract = {})
+      : HandleBase(name), Required<Contract>(device(), endpoint().interface) {
+    open(manager, *this, provided, lane, patience, delay, contract);
+  }
+  ~Handle() { close(); }
+};
+
+}  // namespace suture

@@ -1,0 +1,167 @@
+// Waiting for one event.
+#include <suture/component/channel.h>
+
+#include "conformance/setup.h"
+
+namespace conformance {
+namespace {
+
+using namespace std::chrono_literals;
+using suture::Errc;
+
+class NextEvents : public Conformance {
+ protected:
+  void emitArrival(double x) {
+    arm->emitSoon([x](Ports ports) { EXPECT_TRUE(ports.arm.emit().arrived(poseAt(x))); });
+  }
+  void emitStop() {
+    arm->emitSoon([](Ports ports) { ports.arm.emit().stopped(); });
+  }
+};
+
+double placeOf(const PoseStamped& pose) { return pose.pose.translation().x(); }
+
+TEST_P(NextEvents, WithoutPayload) {
+  client->with([&](Arm& remote) {
+    auto stopped = remote.on().stopped.next();
+    EXPECT_FALSE(stopped.poll());
+    emitStop();
+    EXPECT_TRUE(stopped.within(5s));
+    EXPECT_TRUE(stopped.poll().value());
+  });
+}
+
+TEST_P(NextEvents, WithOneValueAndWithSeveral) {
+  client->with([&](Arm& remote) {
+    auto arrived = remote.on().arrived.next();
+    auto moved = remote.on().moved.next();
+    emitArrival(4);
+    arm->emitSoon([](Ports ports) { EXPECT_TRUE(ports.arm.emit().moved(poseAt(5), 0.25)); });
+    const auto both = moved.within(5s);
+    ASSERT_TRUE(both);
+    EXPECT_EQ(placeOf(std::get<0>(*both)), 5);
+    EXPECT_EQ(std::get<1>(*both), 0.25);
+    ASSERT_TRUE(arrived.poll() && *arrived.poll()) << "it came while the other was awaited";
+    EXPECT_EQ(placeOf(**arrived.poll()), 4);
+  });
+}
+
+TEST_P(NextEvents, WhatWaitsInTheQueueIsNotCountedButHandled) {
+  client->with([&](Arm& remote) {
+    emitArrival(1);
+    ASSERT_TRUE(suture::eventually([&] { return channel()->events.pending(); }));
+    auto arrived = remote.on().arrived.next();
+    emitArrival(2);
+    const auto place = arrived.within(5s);
+    ASSERT_TRUE(place);
+    EXPECT_EQ(placeOf(*place), 2);
+  });
+  EXPECT_TRUE(client->await([](const Received& received) {
+    return received.arrivals == std::vector<double>{1, 2};
+  }));
+}
+
+TEST_P(NextEvents, NeedsNoHandler) {
+  client->with([&](Arm& remote) {
+    EXPECT_TRUE(remote.on().arrived.reset());
+    for (int round = 1; round <= 5; ++round) {
+      auto arrived = remote.on().arrived.next();
+      EXPECT_TRUE(remote.hold.start().within(5s)) << "by then the provider knows";
+      emitArrival(round);
+      const auto place = arrived.within(5s);
+      ASSERT_TRUE(place);
+      EXPECT_EQ(placeOf(*place), round);
+    }
+  });
+}
+
+TEST_P(NextEvents, TheReplayOfALatchedOneIsNotCounted) {
+  client->with([&](Arm& remote) {
+    EXPECT_TRUE(remote.on().mode.reset());
+    auto stopped = remote.on().stopped.next();
+    arm->emitSoon([](Ports ports) {
+      EXPECT_TRUE(ports.arm.emit().mode(Mode::Disabled));
+      ports.arm.emit().stopped();
+    });
+    ASSERT_TRUE(stopped.within(5s));
+    auto changed = remote.on().mode.next();
+    EXPECT_TRUE(remote.hold.start().within(5s));
+    EXPECT_EQ(remote.on().mode.next().within(50ms).error(), Errc::Timeout);
+    EXPECT_FALSE(changed.poll());
+    arm->emitSoon([](Ports ports) { EXPECT_TRUE(ports.arm.emit().mode(Mode::Enabled)); });
+    const auto mode = changed.within(5s);
+    ASSERT_TRUE(mode);
+    EXPECT_EQ(*mode, Mode::Enabled);
+  });
+}
+
+TEST_P(NextEvents, AControlLoopLooks) {
+  using Stopped = decltype(std::declval<Arm&>().on().stopped.next());
+  std::optional<Stopped> stopped;
+  client->with([&](Arm& remote) {
+    Stopped armed = remote.on().stopped.next();
+    stopped.emplace(std::move(armed));
+    EXPECT_FALSE(stopped->poll());
+  });
+  emitStop();
+  EXPECT_TRUE(client->await([&](const Received&) { return stopped->poll().has_value(); }));
+  client->with([&](Arm&) {
+    EXPECT_TRUE(*stopped->poll());
+    stopped.reset();
+  });
+}
+
+TEST_P(NextEvents, TheWaitEndsAtItsLimit) {
+  client->with([](Arm& remote) {
+    const auto begin = suture::now();
+    EXPECT_EQ(remote.on().stopped.next().within(20ms).error(), Errc::Timeout);
+    EXPECT_GE(suture::now() - begin, 20ms);
+  });
+}
+
+TEST_P(NextEvents, TheWaitEndsWithTheProvider) {
+  if (withinOneProcess() && providerIsDevice()) return;  // it has no life of its own
+  client->with([&](Arm& remote) {
+    auto stopped = remote.on().stopped.next();
+    std::thread ender([&] {
+      std::this_thread::sleep_for(20ms);
+      stopProvider();
+    });
+    EXPECT_EQ(stopped.within(10s).error(), Errc::Lost);
+    ender.join();
+    EXPECT_EQ(remote.on().stopped.next().within(10s).error(), Errc::Lost);
+  });
+}
+
+TEST_P(NextEvents, NobodyWaitsInAHandler) {
+  std::vector<Errc> errors;
+  client->with([&](Arm& remote) {
+    EXPECT_TRUE(remote.on().stopped(
+        [&errors, &remote] { errors.push_back(remote.on().arrived.next().within(5s).error()); }));
+    auto stopped = remote.on().stopped.next();
+    emitStop();
+    EXPECT_TRUE(stopped.within(5s));
+    EXPECT_EQ(errors, std::vector<Errc>{Errc::CannotWait});
+  });
+}
+
+TEST_P(NextEvents, AnotherThreadIsTurnedAway) {
+  client->with([](Arm& remote) {
+    EXPECT_TRUE(remote.hold());
+    std::thread([&remote] {
+      EXPECT_EQ(remote.on().stopped.next().within(1s).error(), Errc::WrongThread);
+    }).join();
+  });
+}
+
+TEST_P(NextEvents, AnUnconnectedInterfaceSaysSo) {
+  DeviceClient lonely;
+  lonely.with([](Arm& remote) {
+    EXPECT_EQ(remote.on().stopped.next().within(1s).error(), Errc::NotConnected);
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(Lanes, NextEvents, allCombinations(), nameOf);
+
+}  // namespace
+}  // namespace conformance

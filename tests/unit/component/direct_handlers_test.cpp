@@ -1,0 +1,68 @@
+// Handlers that come and go while others call them.
+#include <gtest/gtest.h>
+#include <suture/component/device.h>
+#include <suture/component/direct_handlers.h>
+
+#include <atomic>
+#include <thread>
+
+#include "support/eventually.h"
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+
+TEST(DirectHandlers, AreReplacedWhileSeveralThreadsCallThem) {
+  struct Owner final : Device {
+  } owner;
+  DirectHandlers handlers(1);
+  std::atomic<bool> over{false};
+  std::atomic<long> calls{0};
+  std::vector<std::thread> callers;
+  for (int i = 0; i < 2; ++i) {
+    callers.emplace_back([&] {
+      while (!over) handlers.call(0, nullptr);
+    });
+  }
+  for (int i = 0; i < 2000; ++i) {
+    // Longer than a std::function keeps in itself, so that a use after its end is seen.
+    handlers.set(0, owner,
+                 std::make_shared<const DirectHandlers::Handler>(
+                     [&calls, text = std::string(64, 'x')](const std::byte*) {
+                       if (text.back() == 'x') calls.fetch_add(1, std::memory_order_relaxed);
+                     }));
+    if (i % 3 == 0) handlers.clear();
+  }
+  EXPECT_TRUE(eventually([&] {
+    handlers.set(0, owner, std::make_shared<const DirectHandlers::Handler>([&](const std::byte*) {
+                   calls.fetch_add(1, std::memory_order_relaxed);
+                 }));
+    return calls > 0;
+  }));
+  handlers.clear();
+  handlers.awaitCalls();
+  const long before = calls;
+  std::this_thread::sleep_for(1ms);
+  EXPECT_EQ(calls, before);
+  over = true;
+  for (std::thread& caller : callers) caller.join();
+  EXPECT_EQ(owner.state(), ComponentState::Constructed);
+}
+
+TEST(DirectHandlers, OfNobodyWhoIsFaulted) {
+  struct Owner final : Device {
+  } owner;
+  DirectHandlers handlers(1);
+  EXPECT_FALSE(handlers.call(0, nullptr));
+  handlers.set(0, owner, std::make_shared<const DirectHandlers::Handler>([](const std::byte*) {
+                 throw std::runtime_error("no room");
+               }));
+  EXPECT_EQ(handlers.events(), 1u);
+  EXPECT_TRUE(handlers.call(0, nullptr));
+  EXPECT_EQ(owner.fault(), "no room");
+  EXPECT_FALSE(handlers.call(0, nullptr));
+}
+
+}  // namespace
+}  // namespace suture

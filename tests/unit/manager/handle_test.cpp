@@ -1,0 +1,171 @@
+// What threads that are none of the tasks' hold.
+#include <gtest/gtest.h>
+#include <suture/component/channel.h>
+#include <suture/component/device.h>
+#include <suture/component/event_task.h>
+#include <suture/component/periodic_task.h>
+#include <suture/manager/global_manager.h>
+#include <suture/manager/handle.h>
+#include <suture/transport/rpc/control_thread.h>
+
+#include <thread>
+
+#include "support/eventually.h"
+#include "support/temporary_directory.h"
+#include "unit/manager/still_arm.h"
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+using reference::ArmLike;
+using reference::Mode;
+
+/// Tells its mode as an event.
+struct Psm final : EventTask, StillArm {
+  ~Psm() override { stop(); }
+  void run() override {}
+  void set_mode(Mode mode) override { port.emit().mode(mode); }
+  std::uint32_t reset() override { return ++resets; }
+  std::uint32_t resets = 0;
+  Provided<ArmLike> port{*this, "Arm", *this};
+};
+
+/// Emits as fast as it can.
+struct Busy final : PeriodicTask, StillArm {
+  Busy() : PeriodicTask({.period = 100us}) {}
+  ~Busy() override { stop(); }
+  void run() override { port.emit().stopped(); }
+  Provided<ArmLike> port{*this, "Arm", *this};
+};
+
+/// What a handle that cannot be made says.
+std::string refusal(Manager& manager, std::string_view name, std::string_view provided) {
+  try {
+    Handle<ArmLike> handle(manager, name, provided, Lane::Auto, 100ms);
+  } catch (const SetupError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// One process, or two of which the second has the arm.
+class Handles : public testing::TestWithParam<bool> {
+ protected:
+  Handles() {
+    if (overRpc()) {
+      control_ = std::make_unique<rpc::ControlThread>();
+      global_ =
+          std::make_unique<GlobalManager>(*control_, "unix:" + directory_.file("manager.sock"));
+      provider_ = std::make_unique<Manager>("robot", global_->address());
+      manager = std::make_unique<Manager>("console", global_->address());
+    } else {
+      manager = std::make_unique<Manager>("alone");
+    }
+    (overRpc() ? *provider_ : *manager).add("PSM", psm);
+    (overRpc() ? *provider_ : *manager).add("Busy", busy);
+    manager->start();
+    if (overRpc()) provider_->start();
+  }
+  ~Handles() override {
+    manager.reset();
+    provider_.reset();
+  }
+  bool overRpc() const { return GetParam(); }
+  std::string arm(const std::string& component = "PSM") const {
+    return (overRpc() ? "robot:" : "") + component + "/Arm";
+  }
+
+  Psm psm;
+  Busy busy;
+  std::unique_ptr<Manager> manager;
+
+ private:
+  TemporaryDirectory directory_;
+  std::unique_ptr<rpc::ControlThread> control_;
+  std::unique_ptr<GlobalManager> global_;
+  std::unique_ptr<Manager> provider_;
+};
+
+TEST_P(Handles, OffersWhatARequiredInterfaceDoes) {
+  Handle<ArmLike> handle(*manager, "Gui/Arm", arm());
+  std::thread([&] {
+    std::vector<Mode> modes;
+    handle.on().mode([&](const Mode& mode) { modes.push_back(mode); });
+    EXPECT_TRUE(handle.hold());
+    EXPECT_TRUE(eventually([&] { return psm.holds == 1; })) << "the provider was rung at once";
+    EXPECT_EQ(handle.reset.start().within(5s).value(), 1u);
+    EXPECT_TRUE(eventually([&] { return handle.measured_cp().hasValue(); }));
+    EXPECT_TRUE(handle.set_mode(Mode::Enabled));
+    while (modes.empty() && handle.waitForEvents(now() + 5s)) continue;
+    EXPECT_EQ(modes, std::vector<Mode>{Mode::Enabled});
+    EXPECT_TRUE(handle.on().mode.reset());
+    auto changed = handle.on().mode.next();
+    EXPECT_TRUE(handle.set_mode(Mode::Disabled));
+    EXPECT_EQ(changed.within(5s).value(), Mode::Disabled);
+  }).join();
+  EXPECT_EQ(manager->channels().size(), 1u);
+  EXPECT_NO_THROW(manager->awaitStart(0ms)) << "it is no component of the user's";
+}
+
+TEST_P(Handles, BelongToOneThreadEach) {
+  Handle<ArmLike> handle(*manager, "Gui/Arm", arm());
+  std::thread([&] { EXPECT_TRUE(handle.hold()); }).join();
+  EXPECT_EQ(handle.hold().error(), Errc::WrongThread);
+  EXPECT_EQ(handle.measured_cp().error(), Errc::WrongThread);
+  EXPECT_EQ(handle.reset.start().within(1s).error(), Errc::WrongThread);
+  EXPECT_EQ(handle.on().mode([](const Mode&) {}).error(), Errc::WrongThread);
+  EXPECT_EQ(handle.processEvents().error(), Errc::WrongThread);
+  EXPECT_FALSE(handle.waitForEvents(now() + 1s));
+}
+
+TEST_P(Handles, AnyNumberOfThemInAnyNumberOfThreads) {
+  std::vector<std::unique_ptr<Handle<ArmLike>>> handles;
+  for (int i = 0; i < 4; ++i) {
+    const std::string name = "Logger" + std::to_string(i) + "/Arm";
+    handles.push_back(std::make_unique<Handle<ArmLike>>(*manager, name, arm()));
+  }
+  std::vector<std::thread> threads;
+  for (const auto& handle : handles) {
+    threads.emplace_back([&arm = *handle] {
+      for (int i = 0; i < 50; ++i) EXPECT_TRUE(arm.hold.start().within(5s));
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(psm.holds, 200);
+}
+
+TEST_P(Handles, WhatCannotBeConnectedSaysWhy) {
+  Handle<ArmLike> handle(*manager, "Gui/Arm", arm());
+  EXPECT_NE(refusal(*manager, "Gui/Arm", arm()).find("already connected"), std::string::npos);
+  EXPECT_NE(refusal(*manager, "Gui/Other", arm("Nobody")).find("Nobody"), std::string::npos);
+  EXPECT_NE(
+      refusal(*manager, "Gui/Other", (overRpc() ? "robot:" : "") + std::string("PSM/component"))
+          .find("it requires reference::ArmLike"),
+      std::string::npos);
+  EXPECT_NE(refusal(*manager, "Gui", arm()).find("component/interface"), std::string::npos);
+  EXPECT_EQ(refusal(*manager, "Gui/Other", arm()), "") << "what failed has left nothing behind";
+}
+
+TEST_P(Handles, ComeAndGoWhileTheProviderSendsThemEvents) {
+  for (int round = 0; round < 20; ++round) {
+    int stops = 0;
+    Handle<ArmLike> handle(*manager, "Gui/Arm", arm("Busy"));
+    handle.on().stopped([&] { ++stops; });
+    while (stops < 5) ASSERT_TRUE(handle.waitForEvents(now() + 5s));
+  }
+  EXPECT_TRUE(eventually([&] { return manager->channels().empty(); }));
+}
+
+TEST_P(Handles, MayOutliveTheManager) {
+  Handle<ArmLike> handle(*manager, "Gui/Arm", arm());
+  EXPECT_TRUE(handle.reset.start().within(5s));
+  manager.reset();
+  EXPECT_EQ(handle.hold().error(), Errc::Lost);
+}
+
+INSTANTIATE_TEST_SUITE_P(Lanes, Handles, testing::Bool(),
+                         [](const auto& lane) { return lane.param ? "Rpc" : "Local"; });
+
+}  // namespace
+}  // namespace suture
