@@ -6,21 +6,21 @@
 
 #include <cstdint>
 
-namespace standard {
+namespace suture {
 
-SUTURE_EXTERNAL_TYPE(suture::DurationSummary, mean, deviation, min, max, p99);
-SUTURE_EXTERNAL_TYPE(suture::TaskWindow, begin, end, cycles, skipped, period, compute);
+SUTURE_EXTERNAL_TYPE(DurationSummary, mean, deviation, min, max, p99);
+SUTURE_EXTERNAL_TYPE(TaskWindow, begin, end, cycles, skipped, period, compute);
 
-/// Every task may offer it: `standard::TimingPort timing_{*this};`.
+/// Every task may offer it: `suture::TimingPort timing_{*this};`.
 class SUTURE_INTERFACE() TaskTiming {
  public:
   virtual ~TaskTiming() = default;
   /// The last whole window, of 1 s unless the task says otherwise; `end` is unset before the first.
-  SUTURE_COMMAND() virtual suture::TaskWindow window() const = 0;
+  SUTURE_COMMAND() virtual TaskWindow window() const = 0;
   /// Cycles since the task exists.
   SUTURE_COMMAND() virtual std::uint64_t cycles() const = 0;
   /// Periods or callbacks that passed without a cycle, since the task exists.
   SUTURE_COMMAND() virtual std::uint64_t skipped() const = 0;
 };
 
-}  // namespace standard
+}  // namespace suture

@@ -3,9 +3,9 @@
 #include <suture/component/periodic_task.h>
 #include <suture/manager/global_manager.h>
 #include <suture/manager/manager.h>
+#include <suture/standard/timing_port.h>
 #include <suture/transport/rpc/control_thread.h>
 
-#include "standard/timing_port.h"
 #include "support/eventually.h"
 
 namespace {
@@ -19,11 +19,11 @@ class Worker final : public suture::PeriodicTask {
  private:
   void run() override {}
 
-  standard::TimingPort timing_{*this};
+  suture::TimingPort timing_{*this};
 };
 
 struct Watcher final : suture::Device {
-  suture::Required<standard::TaskTiming> timing{*this, "Timing"};
+  suture::Required<suture::TaskTiming> timing{*this, "Timing"};
 };
 
 class TimingPort : public testing::TestWithParam<suture::Lane> {};

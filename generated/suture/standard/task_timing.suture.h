@@ -1,4 +1,4 @@
-// Written by suturec from standard/task_timing.h. Do not edit.
+// Written by suturec from suture/standard/task_timing.h. Do not edit.
 #pragma once
 
 #include <suture/base/slot_forms.h>
@@ -7,11 +7,11 @@
 #include <suture/component/provided.h>
 #include <suture/component/required.h>
 
-#include "standard/task_timing.h"
+#include "suture/standard/task_timing.h"
 
-namespace standard {
+namespace suture {
 
-struct sutureDurationSummarySlot {
+struct DurationSummarySlot {
   std::int64_t mean;       // std::chrono::nanoseconds, ns
   std::int64_t deviation;  // std::chrono::nanoseconds, ns
   std::int64_t min;        // std::chrono::nanoseconds, ns
@@ -19,20 +19,20 @@ struct sutureDurationSummarySlot {
   std::int64_t p99;        // std::chrono::nanoseconds, ns
 };
 
-bool store(const suture::DurationSummary& value, sutureDurationSummarySlot& slot);
-void load(const sutureDurationSummarySlot& slot, suture::DurationSummary& value);
+bool store(const DurationSummary& value, DurationSummarySlot& slot);
+void load(const DurationSummarySlot& slot, DurationSummary& value);
 
-struct sutureTaskWindowSlot {
+struct TaskWindowSlot {
   std::int64_t begin;  // suture::Time, ns
   std::int64_t end;    // suture::Time, ns
   std::uint64_t cycles;
   std::uint64_t skipped;
-  sutureDurationSummarySlot period;
-  sutureDurationSummarySlot compute;
+  DurationSummarySlot period;
+  DurationSummarySlot compute;
 };
 
-bool store(const suture::TaskWindow& value, sutureTaskWindowSlot& slot);
-void load(const sutureTaskWindowSlot& slot, suture::TaskWindow& value);
+bool store(const TaskWindow& value, TaskWindowSlot& slot);
+void load(const TaskWindowSlot& slot, TaskWindow& value);
 
 /// The numbers of TaskTiming's commands in every table and record.
 enum class TaskTimingCommand : std::uint16_t {
@@ -41,25 +41,25 @@ enum class TaskTimingCommand : std::uint16_t {
   skipped,
 };
 
-}  // namespace standard
+}  // namespace suture
 
 namespace suture {
 
 template <>
-const InterfaceInfo& interfaceInfo<standard::TaskTiming>();
+const InterfaceInfo& interfaceInfo<suture::TaskTiming>();
 
-/// What a client of standard::TaskTiming calls.
+/// What a client of suture::TaskTiming calls.
 template <>
-class Required<standard::TaskTiming> : public RequiredBase {
-  using Contract = standard::TaskTiming;
-  using Id = standard::TaskTimingCommand;
+class Required<suture::TaskTiming> : public RequiredBase {
+  using Contract = suture::TaskTiming;
+  using Id = suture::TaskTimingCommand;
 
  public:
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
   /// The last whole window, of 1 s unless the task says otherwise; `end` is unset before the first.
-  ReadCommand<&Contract::window, standard::sutureTaskWindowSlot> window{
+  ReadCommand<&Contract::window, TaskWindowSlot> window{
       *this, static_cast<std::uint16_t>(Id::window)};
   /// Cycles since the task exists.
   ReadCommand<&Contract::cycles, std::uint64_t> cycles{
@@ -74,10 +74,10 @@ class Required<standard::TaskTiming> : public RequiredBase {
       : RequiredBase(owner, name, info) {}
 };
 
-/// What serves standard::TaskTiming from a component.
+/// What serves suture::TaskTiming from a component.
 template <>
-class Provided<standard::TaskTiming> : public ProvidedBase {
-  using Contract = standard::TaskTiming;
+class Provided<suture::TaskTiming> : public ProvidedBase {
+  using Contract = suture::TaskTiming;
 
  public:
   Provided(Component& owner, std::string_view name, Contract& implementation)

@@ -1,11 +1,11 @@
-@0xbd6b7d864ece8d30;
-# The wire contract of standard/task_timing.h, written by suturec --update-lock: commit it, never edit it.
+@0xd2d264638b3509ef;
+# The wire contract of suture/standard/task_timing.h, written by suturec --update-lock: commit it, never edit it.
 
 using Cxx = import "/capnp/c++.capnp";
 using Meta = import "/suture/meta.capnp";
 using Rpc = import "/suture/rpc.capnp";
-$Cxx.namespace("standard::wire");
-$Meta.header("standard/task_timing.h");
+$Cxx.namespace("suture::wire");
+$Meta.header("suture/standard/task_timing.h");
 
 struct DurationSummary @0x855eca590f7906fe $Meta.cxx("suture::DurationSummary") {
   mean @0 :Int64 $Meta.period("1/1000000000");
@@ -30,8 +30,8 @@ struct TaskWindow @0xaf9c44d28d818274 $Meta.cxx("suture::TaskWindow") {
   # length of a cycle, without those of guests
 }
 
-interface TaskTiming @0x82bd8e07757453d8 $Meta.cxx("standard::TaskTiming") {
-  # Every task may offer it: `standard::TimingPort timing_{*this};`.
+interface TaskTiming @0xcfdd32a232e225bc $Meta.cxx("suture::TaskTiming") {
+  # Every task may offer it: `suture::TimingPort timing_{*this};`.
 
   subscribe @0 (events :TaskTimingEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
@@ -43,14 +43,14 @@ interface TaskTiming @0x82bd8e07757453d8 $Meta.cxx("standard::TaskTiming") {
   # Periods or callbacks that passed without a cycle, since the task exists.
 }
 
-interface TaskTimingEvents @0xf3a3a5a378d9aa99 $Meta.eventsOf("standard::TaskTiming") {
+interface TaskTimingEvents @0xc26eec352b9e05fc $Meta.eventsOf("suture::TaskTiming") {
   # What a subscriber of TaskTiming receives.
 
   state @0 (row :TaskTimingStateRow) -> ();
   # A new row of the columns asked for.
 }
 
-struct TaskTimingStateRow @0x958ca0f5fbe5b199 $Meta.stateOf("standard::TaskTiming") {
+struct TaskTimingStateRow @0xeb8d659f884108a8 $Meta.stateOf("suture::TaskTiming") {
   # One row of the state table: what the read commands of TaskTiming answer.
 
   stamp @0 :Int64;

@@ -1,4 +1,4 @@
-// Written by suturec from suture/lifecycle.h. Do not edit.
+// Written by suturec from suture/standard/lifecycle.h. Do not edit.
 #pragma once
 
 #include <suture/base/slot_forms.h>
@@ -7,7 +7,7 @@
 #include <suture/component/provided.h>
 #include <suture/component/required.h>
 
-#include "suture/lifecycle.h"
+#include "suture/standard/lifecycle.h"
 
 namespace suture {
 

@@ -2,24 +2,23 @@
 // Offers a task's timing as a provided interface.
 
 #include <suture/component/task.h>
+#include <suture/standard/task_timing.suture.h>
 
 #include <atomic>
 #include <string_view>
 
-#include "standard/task_timing.suture.h"
-
-namespace standard {
+namespace suture {
 
 /// A member of a task; its reads are evaluated in the task's thread, and only once somebody has
 /// asked.
-///   standard::TimingPort timing_{*this};          others connect to "PSM/Timing"
+///   suture::TimingPort timing_{*this};          others connect to "PSM/Timing"
 class TimingPort final : private TaskTiming {
  public:
-  explicit TimingPort(suture::Task& task, std::string_view name = "Timing")
+  explicit TimingPort(Task& task, std::string_view name = "Timing")
       : task_(task), port_(task, name, *this) {}
 
  private:
-  suture::TaskWindow window() const override { return task_.statistics().windows.last(); }
+  TaskWindow window() const override { return task_.statistics().windows.last(); }
   std::uint64_t cycles() const override {
     return task_.statistics().cycles.load(std::memory_order_relaxed);
   }
@@ -27,8 +26,8 @@ class TimingPort final : private TaskTiming {
     return task_.statistics().skipped.load(std::memory_order_relaxed);
   }
 
-  suture::Task& task_;
-  suture::Provided<TaskTiming> port_;
+  Task& task_;
+  Provided<TaskTiming> port_;
 };
 
-}  // namespace standard
+}  // namespace suture

@@ -1,5 +1,5 @@
-// Written by suturec from suture/lifecycle.h. Do not edit.
-#include "suture/lifecycle.suture.h"
+// Written by suturec from suture/standard/lifecycle.h. Do not edit.
+#include "suture/standard/lifecycle.suture.h"
 
 #include <suture/transport/rpc/binding.h>
 #include <suture/transport/rpc/proxy_port.h>
@@ -8,7 +8,7 @@
 
 #include <type_traits>
 
-#include "suture/lifecycle.capnp.h"
+#include "suture/standard/lifecycle.capnp.h"
 
 namespace suture {
 
@@ -66,7 +66,7 @@ constexpr EventInfo kLifecycleEvents[] = {
      .latched = true},
 };
 
-// The self-description, as in suture/lifecycle.suture.json.
+// The self-description, as in suture/standard/lifecycle.suture.json.
 constexpr char kLifecycleDescription[] = R"json(
 {"name": "suture::Lifecycle",
 "doc": "The provided interface \"component\" of every component that a manager has. It is served also\nwhile the component is suspended or faulted.",

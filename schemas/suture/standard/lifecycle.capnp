@@ -1,11 +1,11 @@
-@0xa83e481cf77b3f04;
-# The wire contract of suture/lifecycle.h, written by suturec --update-lock: commit it, never edit it.
+@0x9aee15378ce6564c;
+# The wire contract of suture/standard/lifecycle.h, written by suturec --update-lock: commit it, never edit it.
 
 using Cxx = import "/capnp/c++.capnp";
 using Meta = import "/suture/meta.capnp";
 using Rpc = import "/suture/rpc.capnp";
 $Cxx.namespace("suture::wire");
-$Meta.header("suture/lifecycle.h");
+$Meta.header("suture/standard/lifecycle.h");
 
 enum ComponentState @0x8e5bed957aeeb624 $Meta.cxx("suture::ComponentState")
     $Meta.underlying("UInt8") {
@@ -29,8 +29,8 @@ struct StateChange @0x94110f1e97b939a5 $Meta.cxx("suture::StateChange") {
 }
 
 interface Lifecycle @0xc0c56c9588a77b40 $Meta.cxx("suture::Lifecycle") {
-  # The provided interface "component" of every component that a manager has. It is served also while
-  # the component is suspended or faulted.
+  # The provided interface "component" of every component that a manager has. It is served also
+  # while the component is suspended or faulted.
 
   subscribe @0 (events :LifecycleEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.

@@ -1,5 +1,5 @@
-// Written by suturec from standard/task_timing.h. Do not edit.
-#include "standard/task_timing.suture.h"
+// Written by suturec from suture/standard/task_timing.h. Do not edit.
+#include "suture/standard/task_timing.suture.h"
 
 #include <suture/transport/rpc/binding.h>
 #include <suture/transport/rpc/proxy_port.h>
@@ -8,9 +8,9 @@
 
 #include <type_traits>
 
-#include "standard/task_timing.capnp.h"
+#include "suture/standard/task_timing.capnp.h"
 
-namespace standard {
+namespace suture {
 
 using suture::CommandInfo;
 using suture::CommandKind;
@@ -31,25 +31,22 @@ using suture::store;
 namespace {
 
 // What this compiler sees must be what suturec read.
-static_assert(std::is_same_v<decltype(suture::DurationSummary::mean), std::chrono::nanoseconds>);
-static_assert(std::is_same_v<decltype(suture::DurationSummary::deviation),
-                             std::chrono::nanoseconds>);
-static_assert(std::is_same_v<decltype(suture::DurationSummary::min), std::chrono::nanoseconds>);
-static_assert(std::is_same_v<decltype(suture::DurationSummary::max), std::chrono::nanoseconds>);
-static_assert(std::is_same_v<decltype(suture::DurationSummary::p99), std::chrono::nanoseconds>);
-static_assert(std::is_same_v<decltype(suture::TaskWindow::begin),
-                             std::chrono::steady_clock::time_point>);
-static_assert(std::is_same_v<decltype(suture::TaskWindow::end),
-                             std::chrono::steady_clock::time_point>);
-static_assert(std::is_same_v<decltype(suture::TaskWindow::cycles), std::uint64_t>);
-static_assert(std::is_same_v<decltype(suture::TaskWindow::skipped), std::uint64_t>);
-static_assert(std::is_same_v<decltype(suture::TaskWindow::period), suture::DurationSummary>);
-static_assert(std::is_same_v<decltype(suture::TaskWindow::compute), suture::DurationSummary>);
+static_assert(std::is_same_v<decltype(DurationSummary::mean), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(DurationSummary::deviation), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(DurationSummary::min), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(DurationSummary::max), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(DurationSummary::p99), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(TaskWindow::begin), std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(TaskWindow::end), std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(TaskWindow::cycles), std::uint64_t>);
+static_assert(std::is_same_v<decltype(TaskWindow::skipped), std::uint64_t>);
+static_assert(std::is_same_v<decltype(TaskWindow::period), DurationSummary>);
+static_assert(std::is_same_v<decltype(TaskWindow::compute), DurationSummary>);
 
 constexpr CommandInfo kTaskTimingCommands[] = {
     {.name = "window",
      .kind = CommandKind::Read,
-     .resultSize = slotSize<sutureTaskWindowSlot>,
+     .resultSize = slotSize<TaskWindowSlot>,
      .depth = 16,
      .column = 0},
     {.name = "cycles",
@@ -64,11 +61,11 @@ constexpr CommandInfo kTaskTimingCommands[] = {
      .column = 2},
 };
 
-// The self-description, as in standard/task_timing.suture.json.
+// The self-description, as in suture/standard/task_timing.suture.json.
 constexpr char kTaskTimingDescription[] = R"json(
-{"name": "standard::TaskTiming",
-"doc": "Every task may offer it: `standard::TimingPort timing_{*this};`.",
-"hash": "343ffbd10028272e30392b5d59352678", "commands": [{"name": "window", "kind": "read",
+{"name": "suture::TaskTiming",
+"doc": "Every task may offer it: `suture::TimingPort timing_{*this};`.",
+"hash": "3f559c6b9501397597b26b0df425de6a", "commands": [{"name": "window", "kind": "read",
 "doc": "The last whole window, of 1 s unless the task says otherwise; `end` is unset before the first.",
 "result": {"type": {"kind": "struct", "name": "suture::TaskWindow"}}, "queue": 16}, {
 "name": "cycles", "kind": "read", "doc": "Cycles since the task exists.", "result": {"type": {
@@ -93,7 +90,7 @@ constexpr char kTaskTimingDescription[] = R"json(
 
 }  // namespace
 
-bool store(const suture::DurationSummary& value, sutureDurationSummarySlot& slot) {
+bool store(const DurationSummary& value, DurationSummarySlot& slot) {
   bool fits = true;
   fits &= store(value.mean, slot.mean);
   fits &= store(value.deviation, slot.deviation);
@@ -103,7 +100,7 @@ bool store(const suture::DurationSummary& value, sutureDurationSummarySlot& slot
   return fits;
 }
 
-void load(const sutureDurationSummarySlot& slot, suture::DurationSummary& value) {
+void load(const DurationSummarySlot& slot, DurationSummary& value) {
   load(slot.mean, value.mean);
   load(slot.deviation, value.deviation);
   load(slot.min, value.min);
@@ -111,7 +108,7 @@ void load(const sutureDurationSummarySlot& slot, suture::DurationSummary& value)
   load(slot.p99, value.p99);
 }
 
-bool store(const suture::TaskWindow& value, sutureTaskWindowSlot& slot) {
+bool store(const TaskWindow& value, TaskWindowSlot& slot) {
   bool fits = true;
   fits &= store(value.begin, slot.begin);
   fits &= store(value.end, slot.end);
@@ -122,7 +119,7 @@ bool store(const suture::TaskWindow& value, sutureTaskWindowSlot& slot) {
   return fits;
 }
 
-void load(const sutureTaskWindowSlot& slot, suture::TaskWindow& value) {
+void load(const TaskWindowSlot& slot, TaskWindow& value) {
   load(slot.begin, value.begin);
   load(slot.end, value.end);
   load(slot.cycles, value.cycles);
@@ -133,7 +130,7 @@ void load(const sutureTaskWindowSlot& slot, suture::TaskWindow& value) {
 
 // --- between slots and Cap'n Proto
 
-void toWire(const sutureDurationSummarySlot& slot, wire::DurationSummary::Builder out) {
+void toWire(const DurationSummarySlot& slot, wire::DurationSummary::Builder out) {
   out.setMean(slot.mean);
   out.setDeviation(slot.deviation);
   out.setMin(slot.min);
@@ -141,7 +138,7 @@ void toWire(const sutureDurationSummarySlot& slot, wire::DurationSummary::Builde
   out.setP99(slot.p99);
 }
 
-Errc fromWire(wire::DurationSummary::Reader in, sutureDurationSummarySlot& slot, Duration) {
+Errc fromWire(wire::DurationSummary::Reader in, DurationSummarySlot& slot, Duration) {
   slot.mean = in.getMean();
   slot.deviation = in.getDeviation();
   slot.min = in.getMin();
@@ -150,11 +147,11 @@ Errc fromWire(wire::DurationSummary::Reader in, sutureDurationSummarySlot& slot,
   return Errc{};
 }
 
-bool isValid(const sutureDurationSummarySlot&) {
+bool isValid(const DurationSummarySlot&) {
   return true;
 }
 
-void toWire(const sutureTaskWindowSlot& slot, wire::TaskWindow::Builder out) {
+void toWire(const TaskWindowSlot& slot, wire::TaskWindow::Builder out) {
   out.setBegin(slot.begin);
   out.setEnd(slot.end);
   out.setCycles(slot.cycles);
@@ -163,7 +160,7 @@ void toWire(const sutureTaskWindowSlot& slot, wire::TaskWindow::Builder out) {
   toWire(slot.compute, out.initCompute());
 }
 
-Errc fromWire(wire::TaskWindow::Reader in, sutureTaskWindowSlot& slot, Duration shift) {
+Errc fromWire(wire::TaskWindow::Reader in, TaskWindowSlot& slot, Duration shift) {
   slot.begin = suture::rpc::shifted(in.getBegin(), shift);
   slot.end = suture::rpc::shifted(in.getEnd(), shift);
   slot.cycles = in.getCycles();
@@ -174,7 +171,7 @@ Errc fromWire(wire::TaskWindow::Reader in, sutureTaskWindowSlot& slot, Duration 
   });
 }
 
-bool isValid(const sutureTaskWindowSlot& slot) {
+bool isValid(const TaskWindowSlot& slot) {
   return isValid(slot.period) && isValid(slot.compute);
 }
 
@@ -198,7 +195,7 @@ class TaskTimingSink final : public suture::rpc::EventSink {
     out.setEvaluated(row.valid);
     out.setTooLarge(row.tooLarge);
     if (row.valid >> 0 & 1) {
-      const auto& slot = slotIn<sutureTaskWindowSlot>(columns[0]);
+      const auto& slot = slotIn<TaskWindowSlot>(columns[0]);
       toWire(slot, out.initWindow());
     }
     if (row.valid >> 1 & 1) {
@@ -232,7 +229,7 @@ class TaskTimingServant final : public wire::TaskTiming::Server {
   kj::Promise<void> window(WindowContext context) override {
     auto in = context.getParams();
     auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<sutureTaskWindowSlot>(result);
+      const auto& slot = slotIn<TaskWindowSlot>(result);
       auto out = context.getResults();
       toWire(slot, out.initValue());
       out.setStamp(suture::toNanoseconds(stamp));
@@ -281,7 +278,7 @@ class TaskTimingReceiver final : public wire::TaskTimingEvents::Server {
     auto in = context.getParams().getRow();
     suture::rt::ColumnSet valid = 0;
     if (in.getEvaluated() >> 0 & 1) {
-      auto& slot = port_->column<sutureTaskWindowSlot>(0);
+      auto& slot = port_->column<TaskWindowSlot>(0);
       const Errc error =
           in.hasWindow() ? fromWire(in.getWindow(), slot, port_->shift()) : Errc::Invalid;
       if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
@@ -324,8 +321,7 @@ class TaskTimingProxy final : public suture::rpc::Proxy {
         auto request = provider_.windowRequest();
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<sutureTaskWindowSlot>(call, response.getStamp(),
-                                             [&](sutureTaskWindowSlot& answer) {
+          port_.answer<TaskWindowSlot>(call, response.getStamp(), [&](TaskWindowSlot& answer) {
             return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
                 : Errc::Invalid;
           });
@@ -380,29 +376,29 @@ const suture::rpc::Binding& taskTimingBinding() {
 }
 
 }  // namespace
-}  // namespace standard
+}  // namespace suture
 
 namespace suture {
 
 template <>
-const InterfaceInfo& interfaceInfo<standard::TaskTiming>() {
+const InterfaceInfo& interfaceInfo<suture::TaskTiming>() {
   static constexpr InterfaceInfo kInfo{
-      .name = "standard::TaskTiming",
-      .hash = "343ffbd10028272e30392b5d59352678",
-      .description = standard::kTaskTimingDescription,
-      .commands = standard::kTaskTimingCommands,
+      .name = "suture::TaskTiming",
+      .hash = "3f559c6b9501397597b26b0df425de6a",
+      .description = suture::kTaskTimingDescription,
+      .commands = suture::kTaskTimingCommands,
       .events = {},
-      .binding = &standard::taskTimingBinding,
+      .binding = &suture::taskTimingBinding,
   };
   return kInfo;
 }
 
-Errc Provided<standard::TaskTiming>::execute(std::uint16_t command, const std::byte* /*arguments*/,
-                                             std::byte* result) {
-  using ::standard::TaskTimingCommand;
+Errc Provided<suture::TaskTiming>::execute(std::uint16_t command, const std::byte* /*arguments*/,
+                                           std::byte* result) {
+  using ::suture::TaskTimingCommand;
   switch (static_cast<TaskTimingCommand>(command)) {
     case TaskTimingCommand::window: {
-      auto& slot = newSlot<standard::sutureTaskWindowSlot>(result);
+      auto& slot = newSlot<TaskWindowSlot>(result);
       return store(implementation_.window(), slot) ? Errc{} : Errc::TooLarge;
     }
     case TaskTimingCommand::cycles: {
