@@ -1,6 +1,7 @@
 #include <suture/base/nearest.h>
 #include <suture/component/channel.h>
 #include <suture/component/required.h>
+#include <suture/component/task.h>
 #include <suture/deploy/host.h>
 
 #include <algorithm>
@@ -12,10 +13,17 @@ std::string unknownClass(const ComponentEntry& entry, std::span<const ComponentC
   std::vector<std::string> offered;
   for (const ComponentClass& one : classes) offered.emplace_back(one.name);
   const std::string nearest = nearestName(entry.className, offered);
-  const std::string where =
-      entry.library.empty() ? "this program" : "library '" + entry.library.string() + "'";
+  const std::string where = entry.sharedLibrary.empty()
+                                ? "this program"
+                                : "library '" + entry.sharedLibrary.string() + "'";
   return "no component class '" + entry.className + "' in " + where + "; it offers " +
          listNames(offered) + (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
+}
+
+// Not while it is between a fault and a restart.
+bool faultedForGood(const Component& component) {
+  if (component.state() != ComponentState::Faulted) return false;
+  return !component.ownsThread() || static_cast<const Task&>(component).staysFaulted();
 }
 
 }  // namespace
@@ -25,6 +33,7 @@ Host::Host(const Deployment& deployment, std::string_view process,
     : deployment_(deployment), process_(deployment.process(process)), patience_(patience) {
   createComponents(classes);
   checkRequired();
+  faults_.emplace(deployment_.document(), process_, components_);
   createManager();
 }
 
@@ -45,7 +54,8 @@ const ComponentClass* Host::classOf(const ComponentEntry& entry,
                                     std::vector<std::string>& problems) {
   const JsonDocument& document = deployment_.document();
   try {
-    const auto classes = entry.library.empty() ? ofProgram : library(entry.library).classes();
+    const auto classes =
+        entry.sharedLibrary.empty() ? ofProgram : library(entry.sharedLibrary).classes();
     const auto found = std::find_if(classes.begin(), classes.end(), [&](const ComponentClass& one) {
       return entry.className == one.name;
     });
@@ -131,6 +141,7 @@ void Host::configure() {
 
 void Host::start() {
   configure();
+  faults_->begin();
   try {
     manager_->start();
   } catch (const SetupError& error) {
@@ -150,10 +161,12 @@ void Host::start() {
 
 std::vector<Trouble> Host::troubles() const {
   std::vector<Trouble> found;
-  for (const Component* component : manager_->directory().components()) {
-    if (component->state() != ComponentState::Faulted) continue;
-    found.push_back({"component '" + process_.name + ":" + component->name() + "'",
-                     "is parked, its code threw: " + component->fault() +
+  for (std::size_t i = 0; i < components_.size(); ++i) {
+    if (!faultedForGood(*components_[i])) continue;
+    const ComponentEntry& entry = process_.components[i];
+    found.push_back({"component '" + process_.name + ":" + entry.name + "'",
+                     "is parked, its code threw: " + components_[i]->fault() +
+                         (entry.restart ? ". It is restarted no more" : "") +
                          ". Correct the cause and start the process anew"});
   }
   for (const auto& channel : manager_->channels()) {

@@ -3,11 +3,13 @@
 
 #include <suture/component/component_class.h>
 #include <suture/deploy/deployment.h>
+#include <suture/deploy/fault_care.h>
 #include <suture/deploy/shared_library.h>
 #include <suture/manager/manager.h>
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,8 +31,8 @@ class Host {
   /// Creates the components of `process` from `classes` and from the libraries that it names, and
   /// its manager. Throws DocumentError: library that cannot be loaded, unknown class, wrong
   /// parameters, a component that refuses its parameters, a required interface that no connection
-  /// begins at, a global manager that does not answer within `patience`. `deployment` outlives the
-  /// host.
+  /// begins at, a restart or a black box that cannot be, a global manager that does not answer
+  /// within `patience`. `deployment` outlives the host.
   Host(const Deployment& deployment, std::string_view process,
        std::span<const ComponentClass> classes, Duration patience = Manager::kDefaultPatience);
   Host(const Host&) = delete;
@@ -43,9 +45,12 @@ class Host {
 
   const Manager& manager() const { return *manager_; }
 
-  /// Connections whose far end is gone, components whose handler threw, a global manager that does
-  /// not answer. What mends is there no more at the next call.
+  /// Connections whose far end is gone, components that are faulted for good, a global manager that
+  /// does not answer. What mends is there no more at the next call.
   std::vector<Trouble> troubles() const;
+  /// What else has happened since the last call, a line each: restarts after faults, files of the
+  /// black box.
+  std::vector<std::string> news() { return faults_->news(); }
 
  private:
   void createComponents(std::span<const ComponentClass> classes);
@@ -66,6 +71,7 @@ class Host {
   std::map<std::filesystem::path, SharedLibrary> libraries_;  // outlive what they contain
   std::vector<std::unique_ptr<Component>> components_;        // in the order of the file
   std::unique_ptr<Manager> manager_;                          // stops before the components go
+  std::optional<FaultCare> faults_;                           // looks at components
 };
 
 }  // namespace suture

@@ -63,7 +63,7 @@ void declare(CLI::App& app, Options& options) {
 /// Runs one host to its end and tells what happens.
 class Run {
  public:
-  Run(const Host& host, const SignalWait& signals, const Options& options)
+  Run(Host& host, const SignalWait& signals, const Options& options)
       : host_(host),
         signals_(signals),
         reports_(descriptorFrom(options.reportTo)),
@@ -94,6 +94,7 @@ class Run {
   };
 
   void watch() {
+    for (const std::string& line : host_.news()) tell(line);
     const std::vector<Trouble> present = host_.troubles();
     std::erase_if(known_, [&](const Known& one) {
       const bool stays = std::any_of(present.begin(), present.end(), [&](const Trouble& trouble) {
@@ -118,7 +119,7 @@ class Run {
     std::fprintf(stderr, "%s: %s\n", host_.manager().process().c_str(), text.c_str());
   }
 
-  const Host& host_;
+  Host& host_;
   const SignalWait& signals_;
   const ReportWriter reports_;
   const Duration interval_;

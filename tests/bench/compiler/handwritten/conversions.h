@@ -2,6 +2,9 @@
 // Between the types of the complete arm interface and Cap'n Proto, as one writes it by hand: the
 // yardstick for what suturec writes. Reading throws kj::Exception at what cannot be an argument.
 
+#include <suture/standard/messages.capnp.h>
+#include <suture/standard/messages.h>
+
 #include "arm/crtk_arm.capnp.h"
 #include "robot_types/cartesian.h"
 #include "robot_types/joint_commands.h"
