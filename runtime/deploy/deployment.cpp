@@ -64,13 +64,13 @@ void Deployment::readProcesses() {
 ComponentEntry Deployment::readComponent(const json& component, const std::string& pointer) {
   return {.name = component.at("name"),
           .className = component.at("class"),
-          .sharedLibrary = besideThisFile(component.value("library", "")),
+          .sharedLibrary = besideIt(component.value("library", "")),
           .parameters = component.value("parameters", json::object()),
           .restart = readRestart(component, pointer),
           .pointer = pointer};
 }
 
-std::filesystem::path Deployment::besideThisFile(const std::string& path) const {
+std::filesystem::path Deployment::besideIt(const std::string& path) const {
   if (path.empty()) return {};
   return std::filesystem::path(document_.name()).parent_path() / path;
 }
@@ -88,7 +88,7 @@ std::optional<BlackBoxEntry> Deployment::readBlackBox(const json& process,
   const auto given = process.find("black_box");
   if (given == process.end()) return std::nullopt;
   const std::string where = pointer + "/black_box";
-  return BlackBoxEntry{.folder = besideThisFile(given->at("folder")),
+  return BlackBoxEntry{.folder = besideIt(given->at("folder")),
                        .last = readLength(*given, "last", "10s", where),
                        .period = readLength(*given, "period", "10ms", where),
                        .rows = given->value("rows", 0u),

@@ -62,6 +62,8 @@ class Deployment {
 
   /// The process of that name. Throws DocumentError with what exists.
   const ProcessEntry& process(std::string_view name) const;
+  /// `path` as a deployment means it: from the folder of its file.
+  std::filesystem::path besideIt(const std::string& path) const;
 
  private:
   void readProcesses();
@@ -70,7 +72,6 @@ class Deployment {
                                            const std::string& pointer);
   std::optional<BlackBoxEntry> readBlackBox(const nlohmann::json& process,
                                             const std::string& pointer);
-  std::filesystem::path besideThisFile(const std::string& path) const;
   void readConnections();
   Endpoint readEndpoint(const nlohmann::json& connection, const std::string& pointer,
                         const char* end);

@@ -9,6 +9,17 @@
 namespace suture {
 namespace {
 
+const ComponentClass* find(std::span<const ComponentClass> classes, const std::string& name) {
+  const auto found = std::find_if(classes.begin(), classes.end(),
+                                  [&](const ComponentClass& one) { return name == one.name; });
+  return found == classes.end() ? nullptr : &*found;
+}
+
+bool isCollector(const ComponentEntry& entry, std::span<const ComponentClass> ofProgram) {
+  return entry.sharedLibrary.empty() && Collectors::offers(entry.className) &&
+         find(ofProgram, entry.className) == nullptr;
+}
+
 std::string unknownClass(const ComponentEntry& entry, std::span<const ComponentClass> classes) {
   std::vector<std::string> offered;
   for (const ComponentClass& one : classes) offered.emplace_back(one.name);
@@ -37,11 +48,21 @@ Host::Host(const Deployment& deployment, std::string_view process,
   createManager();
 }
 
+// Collectors come last: what they collect has to be there.
 void Host::createComponents(std::span<const ComponentClass> classes) {
   std::vector<std::string> problems;
-  for (const ComponentEntry& entry : process_.components) {
-    components_.push_back(create(entry, classes, problems));
-  }
+  components_.resize(process_.components.size());
+  const auto createAll = [&](bool collectors) {
+    for (std::size_t i = 0; i < components_.size(); ++i) {
+      const ComponentEntry& entry = process_.components[i];
+      if (isCollector(entry, classes) != collectors) continue;
+      const Collectors::Create creator = collectors ? collectors_.find(entry, components_, problems)
+                                                    : creatorOf(entry, classes, problems);
+      if (creator) components_[i] = create(entry, creator, problems);
+    }
+  };
+  createAll(false);
+  createAll(true);
   if (!problems.empty()) throw DocumentError(problems);
 }
 
@@ -49,35 +70,30 @@ const SharedLibrary& Host::library(const std::filesystem::path& file) {
   return libraries_.try_emplace(file, file).first->second;
 }
 
-const ComponentClass* Host::classOf(const ComponentEntry& entry,
-                                    std::span<const ComponentClass> ofProgram,
-                                    std::vector<std::string>& problems) {
+Collectors::Create Host::creatorOf(const ComponentEntry& entry,
+                                   std::span<const ComponentClass> ofProgram,
+                                   std::vector<std::string>& problems) {
   const JsonDocument& document = deployment_.document();
   try {
     const auto classes =
         entry.sharedLibrary.empty() ? ofProgram : library(entry.sharedLibrary).classes();
-    const auto found = std::find_if(classes.begin(), classes.end(), [&](const ComponentClass& one) {
-      return entry.className == one.name;
-    });
-    if (found != classes.end()) return &*found;
+    if (const ComponentClass* found = find(classes, entry.className)) return found->create;
     problems.push_back(document.locate(entry.pointer + "/class", unknownClass(entry, classes)));
   } catch (const SetupError& error) {
     problems.push_back(document.locate(entry.pointer + "/library", error.what()));
   }
-  return nullptr;
+  return {};
 }
 
 std::unique_ptr<Component> Host::create(const ComponentEntry& entry,
-                                        std::span<const ComponentClass> classes,
+                                        const Collectors::Create& create,
                                         std::vector<std::string>& problems) {
   const JsonDocument& document = deployment_.document();
-  const ComponentClass* const found = classOf(entry, classes, problems);
-  if (found == nullptr) return nullptr;
   std::vector<JsonProblem> parameterProblems;
   const JsonReader parameters(entry.parameters, entry.pointer + "/parameters", parameterProblems);
   std::unique_ptr<Component> component;
   try {
-    component = found->create(parameters);
+    component = create(parameters);
   } catch (const std::exception& error) {
     problems.push_back(document.locate(entry.pointer, "component '" + entry.name + "' of class '" +
                                                           entry.className +

@@ -2,6 +2,7 @@
 // Runs one process of a deployment.
 
 #include <suture/component/component_class.h>
+#include <suture/deploy/collectors.h>
 #include <suture/deploy/deployment.h>
 #include <suture/deploy/fault_care.h>
 #include <suture/deploy/shared_library.h>
@@ -54,12 +55,11 @@ class Host {
 
  private:
   void createComponents(std::span<const ComponentClass> classes);
-  std::unique_ptr<Component> create(const ComponentEntry& entry,
-                                    std::span<const ComponentClass> classes,
+  std::unique_ptr<Component> create(const ComponentEntry& entry, const Collectors::Create& create,
                                     std::vector<std::string>& problems);
-  const ComponentClass* classOf(const ComponentEntry& entry,
-                                std::span<const ComponentClass> ofProgram,
-                                std::vector<std::string>& problems);
+  Collectors::Create creatorOf(const ComponentEntry& entry,
+                               std::span<const ComponentClass> ofProgram,
+                               std::vector<std::string>& problems);
   const SharedLibrary& library(const std::filesystem::path& file);
   void createManager();
   void checkRequired() const;
@@ -69,9 +69,10 @@ class Host {
   const ProcessEntry& process_;
   const Duration patience_;
   std::map<std::filesystem::path, SharedLibrary> libraries_;  // outlive what they contain
-  std::vector<std::unique_ptr<Component>> components_;        // in the order of the file
-  std::unique_ptr<Manager> manager_;                          // stops before the components go
-  std::optional<FaultCare> faults_;                           // looks at components
+  Collectors collectors_{deployment_, process_};
+  std::vector<std::unique_ptr<Component>> components_;  // in the order of the file
+  std::unique_ptr<Manager> manager_;                    // stops before the components go
+  std::optional<FaultCare> faults_;                     // looks at components
 };
 
 }  // namespace suture
