@@ -34,6 +34,7 @@ struct Options {
   double seconds = 0;
   double reportInterval = 1;
   std::string reportTo;
+  std::string reportForm = "json";
 };
 
 int descriptorFrom(const std::string& text) {
@@ -55,9 +56,12 @@ void declare(CLI::App& app, Options& options) {
       ->capture_default_str()
       ->check(CLI::Range(0.01, 1e6));
   app.add_option("--report-fd", options.reportTo,
-                 "Where to write reports, a JSON object a line: a file descriptor, or - for "
-                 "standard output")
+                 "Where to write reports: a file descriptor, or - for standard output")
       ->check(CLI::IsMember({"-"}) | CLI::NonNegativeNumber);
+  app.add_option("--report-form", options.reportForm,
+                 "json: an object a line; text: lines for people")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"json", "text"}));
 }
 
 /// Runs one host to its end and tells what happens.
@@ -66,7 +70,9 @@ class Run {
   Run(Host& host, const SignalWait& signals, const Options& options)
       : host_(host),
         signals_(signals),
-        reports_(descriptorFrom(options.reportTo)),
+        reports_(descriptorFrom(options.reportTo), options.reportForm == "text"
+                                                       ? ReportWriter::Form::Text
+                                                       : ReportWriter::Form::Json),
         interval_(fromSeconds(options.reportInterval)),
         end_(options.seconds > 0 ? began_ + fromSeconds(options.seconds) : Time::max()) {}
 

@@ -47,5 +47,21 @@ class Collectors(unittest.TestCase):
             self.assertEqual(following["angle"] - one["angle"], following["row"] - one["row"])
 
 
+    def test_reports_are_there_for_people_too(self):
+        spindle = component("Spindle", "Spindle", cycles=20, brake=str(self.folder / "brake"))
+        spindle["library"] = LIBRARY
+        rows = component("Rows", "StateCollector", file="spindle.jsonl")
+        file = self.folder / "d.json"
+        file.write_text(json.dumps({
+            "processes": [{"name": "robot", "components": [rows, spindle]}],
+            "connections": [{"from": "Rows/Source", "to": "Spindle/Turntable"}]}))
+        station = subprocess.run([PROGRAM, "--deployment", file, "--seconds", "0.5", "--report-fd", "-",
+                                  "--report-form", "text"],
+                                 capture_output=True, text=True, timeout=60)
+        self.assertIn("  Spindle: faulted (the spindle has seized), faults 1, cycles 19", station.stdout)
+        self.assertIn("  robot:Rows/Source -> robot:Spindle/Turntable: local, faulted, both ends", station.stdout)
+        self.assertIn("failure: component 'robot:Spindle' is parked", station.stdout)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -66,6 +66,8 @@ class Faults(unittest.TestCase):
             self.await_failure(station),
             "component 'robot:Spindle' is parked, its code threw: the spindle has seized. It is restarted no more. "
             "Correct the cause and start the process anew")
+        report = self.await_message(station, lambda message: message["kind"] == "report")
+        self.assertEqual([(task["state"], task["faults"]) for task in report["tasks"]], [("faulted", 3)])
         status, told = self.end(station)
         self.assertEqual(status, 1)
         self.assertEqual(self.brake.read_text().split(), ["closed", "open", "closed", "open", "closed"])
