@@ -65,16 +65,22 @@ void emitStore(Code& code, const Context& context, const model::Command& command
 struct Payload {
   Payload(const Context& context, const model::Interface& interface, const model::Event& event)
       : slot(payloadSlot(interface, event, context, context.header.cxxNamespace)) {
-    std::string constants, variables;
+    std::string constants, variables, grown;
     for (std::size_t i = 0; i < event.payload.size(); ++i) {
       const std::string type = cxxType(event.payload[i], context.header.cxxNamespace);
       constants += "const " + type + "& " + lock::payloadName(i) + ", " + kBreak;
-      variables += std::string(", ") + kBreak + type + "& " + lock::payloadName(i);
+      const std::string variable = std::string(", ") + kBreak + type + "& ";
+      const bool grows = emit::reserves(event.payload[i], context.lookup);
+      variables += variable + lock::payloadName(i);
+      grown += variable + named(lock::payloadName(i).c_str(), grows);
+      reserves = reserves || grows;
     }
     store = "bool store(" + constants + slot + "& slot)";
     load = "void load(const " + slot + "& slot" + variables + ")";
+    reserve = "void reserve(const " + slot + "*" + grown + ")";
   }
-  std::string slot, store, load;
+  std::string slot, store, load, reserve;
+  bool reserves = false;
 };
 
 void declarePayload(Code& code, const Context& context, const model::Interface& interface,
@@ -86,7 +92,20 @@ void declarePayload(Code& code, const Context& context, const model::Interface& 
               lock::payloadName(i), ";");
   }
   code.close("};").blank();
-  code.line(payload.store, ";").line(payload.load, ";").blank();
+  code.line(payload.store, ";").line(payload.load, ";");
+  if (payload.reserves) code.line(payload.reserve, ";");
+  code.blank();
+}
+
+void emitReserve(Code& code, const Context& context, const model::Event& event,
+                 const Payload& payload) {
+  code.open(payload.reserve, " {");
+  for (std::size_t i = 0; i < event.payload.size(); ++i) {
+    const std::string name = lock::payloadName(i);
+    if (!reserves(event.payload[i], context.lookup)) continue;
+    code.line("suture::reserveFor<decltype(", payload.slot, "::", name, ")>(", name, ");");
+  }
+  code.close("}").blank();
 }
 
 void emitPayload(Code& code, const Context& context, const model::Interface& interface,
@@ -104,6 +123,7 @@ void emitPayload(Code& code, const Context& context, const model::Interface& int
     code.line("load(slot.", lock::payloadName(i), ", ", lock::payloadName(i), ");");
   }
   code.close("}").blank();
+  if (payload.reserves) emitReserve(code, context, event, payload);
 }
 
 /// The commands and the events that have a slot of their own.

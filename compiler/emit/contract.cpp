@@ -1,5 +1,6 @@
 #include "compiler/emit/contract.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -105,6 +106,38 @@ bool hasOwnParameters(const model::Interface& interface) {
     if (!command->parameters.empty()) return true;
   }
   return false;
+}
+
+bool reserves(const model::Struct& declaration, const model::Lookup& lookup) {
+  const auto& fields = declaration.fields;
+  return std::any_of(fields.begin(), fields.end(),
+                     [&](const model::Field& field) { return reserves(field.type, lookup); });
+}
+
+bool reserves(const model::Type& type, const model::Lookup& lookup) {
+  using Shape = model::Type::Shape;
+  switch (type.shape) {
+    case Shape::Text: return type.capacity.value_or(0) > 0;
+    case Shape::List:  // not of sets, deques and Eigen's vectors, which cannot
+      return type.capacity.value_or(0) > 0 && type.spelling.starts_with("std::vector<");
+    case Shape::Array: return reserves(type.element.front(), lookup);
+    case Shape::Struct: {
+      const model::Struct* const declaration = lookup.findStruct(type.name);
+      return declaration != nullptr && reserves(*declaration, lookup);
+    }
+    default: return false;
+  }
+}
+
+std::vector<Argument> reservedArguments(const model::Interface& interface,
+                                        const model::Lookup& lookup) {
+  std::vector<Argument> arguments;
+  for (const model::Command* const command : ownCommands(interface)) {
+    for (const model::Parameter& parameter : command->parameters) {
+      if (reserves(parameter.type, lookup)) arguments.push_back({*command, parameter});
+    }
+  }
+  return arguments;
 }
 
 std::string named(const char* name, bool used) {

@@ -57,6 +57,20 @@ std::string payloadMember(const model::Event& event, const std::string& slot, st
 /// Has any command that the contract declares itself parameters?
 bool hasOwnParameters(const model::Interface& interface);
 
+/// Does a value of the type take its memory once, for its largest content: does reserve() of
+/// runtime/base do anything for it?
+bool reserves(const model::Type& type, const model::Lookup& lookup);
+bool reserves(const model::Struct& declaration, const model::Lookup& lookup);
+
+/// The parameters for which it does, with their commands: of those that the contract declares
+/// itself.
+struct Argument {
+  const model::Command& command;
+  const model::Parameter& parameter;
+};
+std::vector<Argument> reservedArguments(const model::Interface& interface,
+                                        const model::Lookup& lookup);
+
 /// A parameter's name, in a comment where nothing uses it.
 std::string named(const char* name, bool used);
 

@@ -222,6 +222,7 @@ std::string sourceFile(const Context& context) {
   emitReaders(code, context);
   inNamespace(code, "suture", [&](Code& inner) {
     forEachInterface(inner, context, emitInfo);
+    forEachInterface(inner, context, emitReserved);
     forEachInterface(inner, context, emitExecute);
     emitClasses(inner, context);
   });

@@ -38,6 +38,18 @@ void emitCase(Code& code, const Context& context, const model::Interface& interf
 
 }  // namespace
 
+void emitReserved(Code& code, const Context& context, const model::Interface& interface) {
+  const std::vector<Argument> arguments = reservedArguments(interface, context.lookup);
+  if (arguments.empty()) return;
+  code.open("auto Provided<", interface.name, ">::Scratch::reserved() -> Scratch {");
+  code.line("Scratch scratch{};");
+  for (const auto& [command, parameter] : arguments) {
+    code.line("reserveFor<decltype(", argumentsStruct(interface, command), "::", parameter.name,
+              ")>(", kBreakText, "scratch.", scratchName(command, parameter), ");");
+  }
+  code.line("return scratch;").close("}").blank();
+}
+
 void emitExecute(Code& code, const Context& context, const model::Interface& interface) {
   const std::vector<const model::Command*> own = ownCommands(interface);
   const bool derives = !interface.base.empty();

@@ -37,6 +37,9 @@ void emitTables(Code& code, const Context& context, const model::Interface& inte
 /// interfaceInfo<Contract>(), which hands out the tables.
 void emitInfo(Code& code, const Context& context, const model::Interface& interface);
 
+/// Provided<Contract>::Scratch::reserved(), where a command has an argument that owns memory.
+void emitReserved(Code& code, const Context& context, const model::Interface& interface);
+
 /// Provided<Contract>::execute(): the switch that calls the component.
 void emitExecute(Code& code, const Context& context, const model::Interface& interface);
 

@@ -17,14 +17,16 @@ void emitEvents(Code& code, const Context& context, const model::Interface& inte
   code.close("};").line("Events& emit() { return events_; }");
 }
 
-void emitScratch(Code& code, const model::Interface& interface) {
-  code.line("// Reused by every command, so that what they own is allocated once.");
+void emitScratch(Code& code, const model::Interface& interface, bool reserves) {
+  code.line("// Reused by every command, so that what they own is allocated once",
+            reserves ? ": by reserved()." : ".");
   code.open("struct Scratch {");
   for (const model::Command* const command : ownCommands(interface)) {
     for (const model::Parameter& parameter : command->parameters) {
       code.line(cxxType(parameter.type, "suture"), " ", scratchName(*command, parameter), ";");
     }
   }
+  if (reserves) code.blank().line("static Scratch reserved();");
   code.close("};").blank();
 }
 
@@ -45,6 +47,7 @@ void emitProtectedConstructor(Code& code, const model::Interface& interface, boo
 
 void emitProvided(Code& code, const Context& context, const model::Interface& interface) {
   const bool scratch = hasOwnParameters(interface);
+  const bool reserves = !reservedArguments(interface, context.lookup).empty();
   const bool commands = !ownCommands(interface).empty();
   const bool events = !ownEvents(interface).empty();
   const bool executes = commands || interface.base.empty();
@@ -66,10 +69,10 @@ void emitProvided(Code& code, const Context& context, const model::Interface& in
     code.blank();
   }
   code.label("private:");
-  if (scratch) emitScratch(code, interface);
+  if (scratch) emitScratch(code, interface, reserves);
   if (commands) code.line("Contract& implementation_;");
   if (events) code.line("Events events_{*this};");
-  if (scratch) code.line("Scratch scratch_{};");
+  if (scratch) code.line("Scratch scratch_", reserves ? " = Scratch::reserved();" : "{};");
   code.close("};").blank();
 }
 

@@ -85,6 +85,22 @@ void emitLoad(Code& code, const model::Struct& declaration, const std::string& h
   code.close("}").blank();
 }
 
+std::string reserveSignature(const std::string& type, const std::string& slot) {
+  return "void reserve(const " + slot + "*, " + kBreak + type + "& value)";
+}
+
+void emitReserve(Code& code, const model::Struct& declaration, const model::Lookup& lookup,
+                 const std::string& home, const std::string& slot) {
+  if (!reserves(declaration, lookup)) return;
+  code.open(reserveSignature(relative(declaration.name, home), slot), " {");
+  for (const model::Field& field : declaration.fields) {
+    if (!reserves(field.type, lookup)) continue;
+    code.line("suture::reserveFor<decltype(", slot, "::", field.name, ")>(", kBreakText,
+              access(declaration, field, "value", false, home), ");");
+  }
+  code.close("}").blank();
+}
+
 /// Each type of the header, with its slot's name.
 template <class Emit>
 void forEachSlot(const Context& context, const Emit& emit) {
@@ -123,7 +139,9 @@ void emitSlots(Code& code, const Context& context) {
   forEachSlot(context, [&](const model::Struct& declaration, const std::string& slot) {
     const std::string type = relative(declaration.name, context.header.cxxNamespace);
     emitStruct(code, context, declaration, slot);
-    code.line(storeSignature(type, slot), ";").line(loadSignature(type, slot), ";").blank();
+    code.line(storeSignature(type, slot), ";").line(loadSignature(type, slot), ";");
+    if (reserves(declaration, context.lookup)) code.line(reserveSignature(type, slot), ";");
+    code.blank();
   });
 }
 
@@ -131,6 +149,7 @@ void emitSlotConversions(Code& code, const Context& context) {
   forEachSlot(context, [&](const model::Struct& declaration, const std::string& slot) {
     emitStore(code, declaration, context.header.cxxNamespace, slot);
     emitLoad(code, declaration, context.header.cxxNamespace, slot);
+    emitReserve(code, declaration, context.lookup, context.header.cxxNamespace, slot);
   });
 }
 

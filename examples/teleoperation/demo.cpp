@@ -77,9 +77,10 @@ double worstError(std::vector<demo::FollowingWatch>& watches) {
 int run(const demo::Options& options) {
   const RunFolder folder;
   const demo::Plan plan(options, SUTURE_DEMO_TOPOLOGIES, folder.path());
+  // First, for from here on an interrupt ends in order.
+  demo::Crew crew(plan, fs::read_symlink("/proc/self/exe").parent_path(), folder.path());
   demo::Screen screen;
   screen.begin(options, plan);
-  demo::Crew crew(plan, fs::read_symlink("/proc/self/exe").parent_path(), folder.path());
   const auto length =
       std::chrono::duration_cast<suture::Duration>(std::chrono::duration<double>(options.seconds));
   auto watches = demo::watchAll(plan.followings());

@@ -746,6 +746,14 @@ const InterfaceInfo& interfaceInfo<robots::Arm>() {
   return kInfo;
 }
 
+auto Provided<robots::Arm>::Scratch::reserved() -> Scratch {
+  Scratch scratch{};
+  reserveFor<decltype(robots::ArmServoJpArguments::goal)>(scratch.servo_jp_goal);
+  reserveFor<decltype(robots::ArmMoveJpArguments::goal)>(scratch.move_jp_goal);
+  reserveFor<decltype(robots::ArmForwardKinematicsArguments::q)>(scratch.forward_kinematics_q);
+  return scratch;
+}
+
 Errc Provided<robots::Arm>::execute(std::uint16_t command, const std::byte* arguments,
                                     std::byte* result) {
   using ::robots::ArmCommand;

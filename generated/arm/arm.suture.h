@@ -192,18 +192,20 @@ class Provided<robots::Arm> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
-  // Reused by every command, so that what they own is allocated once.
+  // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
     robots::PoseStamped servo_cp_goal;
     robots::JointGoal servo_jp_goal;
     robots::JointGoal move_jp_goal;
     robots::JointGoal forward_kinematics_q;
     robots::PoseStamped inverse_kinematics_goal;
+
+    static Scratch reserved();
   };
 
   Contract& implementation_;
   Events events_{*this};
-  Scratch scratch_{};
+  Scratch scratch_ = Scratch::reserved();
 };
 
 }  // namespace suture

@@ -2268,6 +2268,21 @@ const InterfaceInfo& interfaceInfo<robots::CrtkArm>() {
   return kInfo;
 }
 
+auto Provided<robots::CrtkArm>::Scratch::reserved() -> Scratch {
+  Scratch scratch{};
+  reserveFor<decltype(robots::CrtkArmStateCommandArguments::name)>(scratch.state_command_name);
+  reserveFor<decltype(robots::CrtkArmServoJpArguments::goal)>(scratch.servo_jp_goal);
+  reserveFor<decltype(robots::CrtkArmServoJrArguments::step)>(scratch.servo_jr_step);
+  reserveFor<decltype(robots::CrtkArmServoJvArguments::goal)>(scratch.servo_jv_goal);
+  reserveFor<decltype(robots::CrtkArmServoJfArguments::goal)>(scratch.servo_jf_goal);
+  reserveFor<decltype(robots::CrtkArmMoveJpArguments::goal)>(scratch.move_jp_goal);
+  reserveFor<decltype(robots::CrtkArmMoveJrArguments::step)>(scratch.move_jr_step);
+  reserveFor<decltype(robots::CrtkArmForwardKinematicsArguments::q)>(scratch.forward_kinematics_q);
+  reserveFor<decltype(robots::CrtkArmQueryCpArguments::q)>(scratch.query_cp_q);
+  reserveFor<decltype(robots::CrtkArmLocalQueryCpArguments::q)>(scratch.local_query_cp_q);
+  return scratch;
+}
+
 Errc Provided<robots::CrtkArm>::execute(std::uint16_t command, const std::byte* arguments,
                                         std::byte* result) {
   using ::robots::CrtkArmCommand;

@@ -458,7 +458,7 @@ class Provided<robots::CrtkArm> : public Provided<suture::Messages> {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
-  // Reused by every command, so that what they own is allocated once.
+  // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
     std::string state_command_name;
     robots::PoseStamped set_base_frame_frame;
@@ -483,11 +483,13 @@ class Provided<robots::CrtkArm> : public Provided<suture::Messages> {
     robots::PoseStamped inverse_kinematics_goal;
     robots::JointGoal query_cp_q;
     robots::JointGoal local_query_cp_q;
+
+    static Scratch reserved();
   };
 
   Contract& implementation_;
   Events events_{*this};
-  Scratch scratch_{};
+  Scratch scratch_ = Scratch::reserved();
 };
 
 }  // namespace suture

@@ -302,6 +302,13 @@ const InterfaceInfo& interfaceInfo<bench::LoopServer>() {
   return kInfo;
 }
 
+auto Provided<bench::LoopServer>::Scratch::reserved() -> Scratch {
+  Scratch scratch{};
+  reserveFor<decltype(bench::LoopServerPutArguments::value)>(scratch.put_value);
+  reserveFor<decltype(bench::LoopServerBounceArguments::value)>(scratch.bounce_value);
+  return scratch;
+}
+
 Errc Provided<bench::LoopServer>::execute(std::uint16_t command, const std::byte* arguments,
                                           std::byte* result) {
   using ::bench::LoopServerCommand;

@@ -115,15 +115,17 @@ class Provided<bench::LoopServer> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
-  // Reused by every command, so that what they own is allocated once.
+  // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
     robots::PosePrm put_value;
     robots::PosePrm bounce_value;
+
+    static Scratch reserved();
   };
 
   Contract& implementation_;
   Events events_{*this};
-  Scratch scratch_{};
+  Scratch scratch_ = Scratch::reserved();
 };
 
 }  // namespace suture

@@ -49,6 +49,10 @@ void load(const SpindleParametersSlot& slot, SpindleParameters& value) {
   load(slot.brake, value.brake);
 }
 
+void reserve(const SpindleParametersSlot*, SpindleParameters& value) {
+  suture::reserveFor<decltype(SpindleParametersSlot::brake)>(value.brake);
+}
+
 // --- between slots and Cap'n Proto
 
 void toWire(const PlatterParametersSlot& slot, wire::PlatterParameters::Builder out) {

@@ -27,6 +27,7 @@ struct SpindleParametersSlot {
 
 bool store(const SpindleParameters& value, SpindleParametersSlot& slot);
 void load(const SpindleParametersSlot& slot, SpindleParameters& value);
+void reserve(const SpindleParametersSlot*, SpindleParameters& value);
 
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, PlatterParameters& value);

@@ -38,6 +38,10 @@ void load(const RecorderParametersSlot& slot, RecorderParameters& value) {
   load(slot.file, value.file);
 }
 
+void reserve(const RecorderParametersSlot*, RecorderParameters& value) {
+  suture::reserveFor<decltype(RecorderParametersSlot::file)>(value.file);
+}
+
 // --- between slots and Cap'n Proto
 
 void toWire(const RecorderParametersSlot& slot, wire::RecorderParameters::Builder out) {

@@ -21,6 +21,7 @@ struct RecorderParametersSlot {
 
 bool store(const RecorderParameters& value, RecorderParametersSlot& slot);
 void load(const RecorderParametersSlot& slot, RecorderParameters& value);
+void reserve(const RecorderParametersSlot*, RecorderParameters& value);
 
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, RecorderParameters& value);

@@ -130,6 +130,11 @@ void load(const TwistSlot& slot, Twist& value) {
   load(slot.valid, value.valid);
 }
 
+void reserve(const TwistSlot*, Twist& value) {
+  suture::reserveFor<decltype(TwistSlot::moving_frame)>(value.moving_frame);
+  suture::reserveFor<decltype(TwistSlot::reference_frame)>(value.reference_frame);
+}
+
 bool store(const TwistGoal& value, TwistGoalSlot& slot) {
   bool fits = true;
   fits &= store(value.linear, slot.linear);
@@ -170,6 +175,11 @@ void load(const WrenchSlot& slot, Wrench& value) {
   load(slot.reference_frame, value.reference_frame);
   load(slot.stamp, value.stamp);
   load(slot.valid, value.valid);
+}
+
+void reserve(const WrenchSlot*, Wrench& value) {
+  suture::reserveFor<decltype(WrenchSlot::moving_frame)>(value.moving_frame);
+  suture::reserveFor<decltype(WrenchSlot::reference_frame)>(value.reference_frame);
 }
 
 bool store(const WrenchGoal& value, WrenchGoalSlot& slot) {
@@ -218,6 +228,11 @@ void load(const CartesianStateSlot& slot, CartesianState& value) {
   load(slot.stamp, value.stamp);
 }
 
+void reserve(const CartesianStateSlot*, CartesianState& value) {
+  suture::reserveFor<decltype(CartesianStateSlot::moving_frame)>(value.moving_frame);
+  suture::reserveFor<decltype(CartesianStateSlot::reference_frame)>(value.reference_frame);
+}
+
 bool store(const CartesianGoal& value, CartesianGoalSlot& slot) {
   bool fits = true;
   fits &= store(value.goal, slot.goal);
@@ -244,6 +259,11 @@ void load(const CartesianGoalSlot& slot, CartesianGoal& value) {
   load(slot.reference_frame, value.reference_frame);
   load(slot.stamp, value.stamp);
   load(slot.valid, value.valid);
+}
+
+void reserve(const CartesianGoalSlot*, CartesianGoal& value) {
+  suture::reserveFor<decltype(CartesianGoalSlot::moving_frame)>(value.moving_frame);
+  suture::reserveFor<decltype(CartesianGoalSlot::reference_frame)>(value.reference_frame);
 }
 
 bool store(const ServoCartesian& value, ServoCartesianSlot& slot) {

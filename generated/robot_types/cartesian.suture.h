@@ -19,6 +19,7 @@ struct TwistSlot {
 
 bool store(const Twist& value, TwistSlot& slot);
 void load(const TwistSlot& slot, Twist& value);
+void reserve(const TwistSlot*, Twist& value);
 
 /// A velocity to follow: CRTK's servo_cv. prmVelocityCartesianSet.
 struct TwistGoalSlot {
@@ -46,6 +47,7 @@ struct WrenchSlot {
 
 bool store(const Wrench& value, WrenchSlot& slot);
 void load(const WrenchSlot& slot, Wrench& value);
+void reserve(const WrenchSlot*, Wrench& value);
 
 /// Force and torque to apply: CRTK's servo_cf. prmForceCartesianSet.
 struct WrenchGoalSlot {
@@ -75,6 +77,7 @@ struct CartesianStateSlot {
 
 bool store(const CartesianState& value, CartesianStateSlot& slot);
 void load(const CartesianStateSlot& slot, CartesianState& value);
+void reserve(const CartesianStateSlot*, CartesianState& value);
 
 /// A pose to reach, with how to get there: prmPositionCartesianSet.
 struct CartesianGoalSlot {
@@ -92,6 +95,7 @@ struct CartesianGoalSlot {
 
 bool store(const CartesianGoal& value, CartesianGoalSlot& slot);
 void load(const CartesianGoalSlot& slot, CartesianGoal& value);
+void reserve(const CartesianGoalSlot*, CartesianGoal& value);
 
 /// Position, velocity and effort in one servo command: prmServoCartesian.
 struct ServoCartesianSlot {

@@ -72,6 +72,11 @@ void load(const InputDataSlot& slot, InputData& value) {
   load(slot.valid, value.valid);
 }
 
+void reserve(const InputDataSlot*, InputData& value) {
+  suture::reserveFor<decltype(InputDataSlot::analog_inputs)>(value.analog_inputs);
+  suture::reserveFor<decltype(InputDataSlot::digital_inputs)>(value.digital_inputs);
+}
+
 bool store(const ImuSample& value, ImuSampleSlot& slot) {
   bool fits = true;
   fits &= store(value.orientation, slot.orientation);

@@ -27,6 +27,7 @@ struct InputDataSlot {
 
 bool store(const InputData& value, InputDataSlot& slot);
 void load(const InputDataSlot& slot, InputData& value);
+void reserve(const InputDataSlot*, InputData& value);
 
 /// prmIMUSensors.
 struct ImuSampleSlot {

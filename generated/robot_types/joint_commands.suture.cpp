@@ -109,6 +109,11 @@ void load(const JointPositionSlot& slot, JointPosition& value) {
   load(slot.valid, value.valid);
 }
 
+void reserve(const JointPositionSlot*, JointPosition& value) {
+  suture::reserveFor<decltype(JointPositionSlot::position)>(value.position);
+  suture::reserveFor<decltype(JointPositionSlot::stamps)>(value.stamps);
+}
+
 bool store(const JointPositionGoal& value, JointPositionGoalSlot& slot) {
   bool fits = true;
   fits &= store(value.goal, slot.goal);
@@ -129,6 +134,12 @@ void load(const JointPositionGoalSlot& slot, JointPositionGoal& value) {
   load(slot.stamp, value.stamp);
 }
 
+void reserve(const JointPositionGoalSlot*, JointPositionGoal& value) {
+  suture::reserveFor<decltype(JointPositionGoalSlot::goal)>(value.goal);
+  suture::reserveFor<decltype(JointPositionGoalSlot::velocity)>(value.velocity);
+  suture::reserveFor<decltype(JointPositionGoalSlot::acceleration)>(value.acceleration);
+}
+
 bool store(const JointVelocity& value, JointVelocitySlot& slot) {
   bool fits = true;
   fits &= store(value.velocity, slot.velocity);
@@ -141,6 +152,10 @@ void load(const JointVelocitySlot& slot, JointVelocity& value) {
   load(slot.velocity, value.velocity);
   load(slot.stamp, value.stamp);
   load(slot.valid, value.valid);
+}
+
+void reserve(const JointVelocitySlot*, JointVelocity& value) {
+  suture::reserveFor<decltype(JointVelocitySlot::velocity)>(value.velocity);
 }
 
 bool store(const JointVelocityGoal& value, JointVelocityGoalSlot& slot) {
@@ -163,6 +178,14 @@ void load(const JointVelocityGoalSlot& slot, JointVelocityGoal& value) {
   load(slot.stamp, value.stamp);
 }
 
+void reserve(const JointVelocityGoalSlot*, JointVelocityGoal& value) {
+  suture::reserveFor<decltype(JointVelocityGoalSlot::goal)>(value.goal);
+  suture::reserveFor<decltype(JointVelocityGoalSlot::acceleration)>(value.acceleration);
+  suture::reserveFor<decltype(JointVelocityGoalSlot::deceleration)>(value.deceleration);
+  suture::reserveFor<decltype(JointVelocityGoalSlot::guard)>(value.guard);
+  suture::reserveFor<decltype(JointVelocityGoalSlot::mask)>(value.mask);
+}
+
 bool store(const JointEffortGoal& value, JointEffortGoalSlot& slot) {
   bool fits = true;
   fits &= store(value.effort, slot.effort);
@@ -175,6 +198,11 @@ void load(const JointEffortGoalSlot& slot, JointEffortGoal& value) {
   load(slot.effort, value.effort);
   load(slot.mask, value.mask);
   load(slot.stamp, value.stamp);
+}
+
+void reserve(const JointEffortGoalSlot*, JointEffortGoal& value) {
+  suture::reserveFor<decltype(JointEffortGoalSlot::effort)>(value.effort);
+  suture::reserveFor<decltype(JointEffortGoalSlot::mask)>(value.mask);
 }
 
 bool store(const JointConfiguration& value, JointConfigurationSlot& slot) {
@@ -207,6 +235,19 @@ void load(const JointConfigurationSlot& slot, JointConfiguration& value) {
   load(slot.valid, value.valid);
 }
 
+void reserve(const JointConfigurationSlot*, JointConfiguration& value) {
+  suture::reserveFor<decltype(JointConfigurationSlot::name)>(value.name);
+  suture::reserveFor<decltype(JointConfigurationSlot::type)>(value.type);
+  suture::reserveFor<decltype(JointConfigurationSlot::position_min)>(value.position_min);
+  suture::reserveFor<decltype(JointConfigurationSlot::position_max)>(value.position_max);
+  suture::reserveFor<decltype(JointConfigurationSlot::velocity_min)>(value.velocity_min);
+  suture::reserveFor<decltype(JointConfigurationSlot::velocity_max)>(value.velocity_max);
+  suture::reserveFor<decltype(JointConfigurationSlot::acceleration_min)>(value.acceleration_min);
+  suture::reserveFor<decltype(JointConfigurationSlot::acceleration_max)>(value.acceleration_max);
+  suture::reserveFor<decltype(JointConfigurationSlot::effort_min)>(value.effort_min);
+  suture::reserveFor<decltype(JointConfigurationSlot::effort_max)>(value.effort_max);
+}
+
 bool store(const ServoJoint& value, ServoJointSlot& slot) {
   bool fits = true;
   fits &= store(value.name, slot.name);
@@ -229,6 +270,15 @@ void load(const ServoJointSlot& slot, ServoJoint& value) {
   load(slot.stamp, value.stamp);
 }
 
+void reserve(const ServoJointSlot*, ServoJoint& value) {
+  suture::reserveFor<decltype(ServoJointSlot::name)>(value.name);
+  suture::reserveFor<decltype(ServoJointSlot::mode)>(value.mode);
+  suture::reserveFor<decltype(ServoJointSlot::position)>(value.position);
+  suture::reserveFor<decltype(ServoJointSlot::velocity)>(value.velocity);
+  suture::reserveFor<decltype(ServoJointSlot::effort)>(value.effort);
+  suture::reserveFor<decltype(ServoJointSlot::position_projection)>(value.position_projection);
+}
+
 bool store(const ActuatorJointCoupling& value, ActuatorJointCouplingSlot& slot) {
   bool fits = true;
   fits &= store(value.joints, slot.joints);
@@ -249,6 +299,17 @@ void load(const ActuatorJointCouplingSlot& slot, ActuatorJointCoupling& value) {
   load(slot.joint_to_actuator_effort, value.joint_to_actuator_effort);
 }
 
+void reserve(const ActuatorJointCouplingSlot*, ActuatorJointCoupling& value) {
+  suture::reserveFor<decltype(ActuatorJointCouplingSlot::actuator_to_joint_position)>(
+      value.actuator_to_joint_position);
+  suture::reserveFor<decltype(ActuatorJointCouplingSlot::joint_to_actuator_position)>(
+      value.joint_to_actuator_position);
+  suture::reserveFor<decltype(ActuatorJointCouplingSlot::actuator_to_joint_effort)>(
+      value.actuator_to_joint_effort);
+  suture::reserveFor<decltype(ActuatorJointCouplingSlot::joint_to_actuator_effort)>(
+      value.joint_to_actuator_effort);
+}
+
 bool store(const Jacobian& value, JacobianSlot& slot) {
   bool fits = true;
   fits &= store(value.joints, slot.joints);
@@ -263,6 +324,10 @@ void load(const JacobianSlot& slot, Jacobian& value) {
   load(slot.coefficients, value.coefficients);
   load(slot.stamp, value.stamp);
   load(slot.valid, value.valid);
+}
+
+void reserve(const JacobianSlot*, Jacobian& value) {
+  suture::reserveFor<decltype(JacobianSlot::coefficients)>(value.coefficients);
 }
 
 // --- between slots and Cap'n Proto

@@ -17,6 +17,7 @@ struct JointPositionSlot {
 
 bool store(const JointPosition& value, JointPositionSlot& slot);
 void load(const JointPositionSlot& slot, JointPosition& value);
+void reserve(const JointPositionSlot*, JointPosition& value);
 
 /// prmPositionJointSet.
 struct JointPositionGoalSlot {
@@ -30,6 +31,7 @@ struct JointPositionGoalSlot {
 
 bool store(const JointPositionGoal& value, JointPositionGoalSlot& slot);
 void load(const JointPositionGoalSlot& slot, JointPositionGoal& value);
+void reserve(const JointPositionGoalSlot*, JointPositionGoal& value);
 
 /// prmVelocityJointGet.
 struct JointVelocitySlot {
@@ -40,6 +42,7 @@ struct JointVelocitySlot {
 
 bool store(const JointVelocity& value, JointVelocitySlot& slot);
 void load(const JointVelocitySlot& slot, JointVelocity& value);
+void reserve(const JointVelocitySlot*, JointVelocity& value);
 
 /// CRTK's servo_jv: prmVelocityJointSet.
 struct JointVelocityGoalSlot {
@@ -53,6 +56,7 @@ struct JointVelocityGoalSlot {
 
 bool store(const JointVelocityGoal& value, JointVelocityGoalSlot& slot);
 void load(const JointVelocityGoalSlot& slot, JointVelocityGoal& value);
+void reserve(const JointVelocityGoalSlot*, JointVelocityGoal& value);
 
 /// CRTK's servo_jf: prmForceTorqueJointSet.
 struct JointEffortGoalSlot {
@@ -63,6 +67,7 @@ struct JointEffortGoalSlot {
 
 bool store(const JointEffortGoal& value, JointEffortGoalSlot& slot);
 void load(const JointEffortGoalSlot& slot, JointEffortGoal& value);
+void reserve(const JointEffortGoalSlot*, JointEffortGoal& value);
 
 /// What the joints are and may do: CRTK's configuration_js. prmConfigurationJoint.
 struct JointConfigurationSlot {
@@ -81,6 +86,7 @@ struct JointConfigurationSlot {
 
 bool store(const JointConfiguration& value, JointConfigurationSlot& slot);
 void load(const JointConfigurationSlot& slot, JointConfiguration& value);
+void reserve(const JointConfigurationSlot*, JointConfiguration& value);
 
 /// Position, velocity and effort in one servo command: prmServoJoint.
 struct ServoJointSlot {
@@ -95,6 +101,7 @@ struct ServoJointSlot {
 
 bool store(const ServoJoint& value, ServoJointSlot& slot);
 void load(const ServoJointSlot& slot, ServoJoint& value);
+void reserve(const ServoJointSlot*, ServoJoint& value);
 
 /// What turns actuators into joints and back, joints x actuators, row-major:
 /// prmActuatorJointCoupling.
@@ -109,6 +116,7 @@ struct ActuatorJointCouplingSlot {
 
 bool store(const ActuatorJointCoupling& value, ActuatorJointCouplingSlot& slot);
 void load(const ActuatorJointCouplingSlot& slot, ActuatorJointCoupling& value);
+void reserve(const ActuatorJointCouplingSlot*, ActuatorJointCoupling& value);
 
 /// 6 x joints, column-major: linear rows first, in m/s and rad/s per unit of joint velocity.
 struct JacobianSlot {
@@ -120,5 +128,6 @@ struct JacobianSlot {
 
 bool store(const Jacobian& value, JacobianSlot& slot);
 void load(const JacobianSlot& slot, Jacobian& value);
+void reserve(const JacobianSlot*, Jacobian& value);
 
 }  // namespace robots

@@ -55,6 +55,13 @@ void load(const JointStateSlot& slot, JointState& value) {
   load(slot.valid, value.valid);
 }
 
+void reserve(const JointStateSlot*, JointState& value) {
+  suture::reserveFor<decltype(JointStateSlot::name)>(value.name);
+  suture::reserveFor<decltype(JointStateSlot::position)>(value.position);
+  suture::reserveFor<decltype(JointStateSlot::velocity)>(value.velocity);
+  suture::reserveFor<decltype(JointStateSlot::effort)>(value.effort);
+}
+
 bool store(const JointGoal& value, JointGoalSlot& slot) {
   bool fits = true;
   fits &= store(value.position, slot.position);
@@ -65,6 +72,10 @@ bool store(const JointGoal& value, JointGoalSlot& slot) {
 void load(const JointGoalSlot& slot, JointGoal& value) {
   load(slot.position, value.position);
   load(slot.stamp, value.stamp);
+}
+
+void reserve(const JointGoalSlot*, JointGoal& value) {
+  suture::reserveFor<decltype(JointGoalSlot::position)>(value.position);
 }
 
 bool store(const JointSolution& value, JointSolutionSlot& slot) {

@@ -20,6 +20,7 @@ struct JointStateSlot {
 
 bool store(const JointState& value, JointStateSlot& slot);
 void load(const JointStateSlot& slot, JointState& value);
+void reserve(const JointStateSlot*, JointState& value);
 
 /// Where joints shall go: CRTK's servo_jp and move_jp.
 struct JointGoalSlot {
@@ -29,6 +30,7 @@ struct JointGoalSlot {
 
 bool store(const JointGoal& value, JointGoalSlot& slot);
 void load(const JointGoalSlot& slot, JointGoal& value);
+void reserve(const JointGoalSlot*, JointGoal& value);
 
 /// A joint vector that an arm computed, without heap so that a control loop may return it.
 struct JointSolutionSlot {

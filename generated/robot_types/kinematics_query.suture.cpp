@@ -43,6 +43,10 @@ void load(const ForwardKinematicsRequestSlot& slot, ForwardKinematicsRequest& va
   load(slot.jp, value.jp);
 }
 
+void reserve(const ForwardKinematicsRequestSlot*, ForwardKinematicsRequest& value) {
+  suture::reserveFor<decltype(ForwardKinematicsRequestSlot::jp)>(value.jp);
+}
+
 bool store(const ForwardKinematicsResponse& value, ForwardKinematicsResponseSlot& slot) {
   bool fits = true;
   fits &= store(value.cp, slot.cp);
@@ -57,6 +61,10 @@ void load(const ForwardKinematicsResponseSlot& slot, ForwardKinematicsResponse& 
   load(slot.message, value.message);
 }
 
+void reserve(const ForwardKinematicsResponseSlot*, ForwardKinematicsResponse& value) {
+  suture::reserveFor<decltype(ForwardKinematicsResponseSlot::message)>(value.message);
+}
+
 bool store(const InverseKinematicsRequest& value, InverseKinematicsRequestSlot& slot) {
   bool fits = true;
   fits &= store(value.cp, slot.cp);
@@ -67,6 +75,10 @@ bool store(const InverseKinematicsRequest& value, InverseKinematicsRequestSlot& 
 void load(const InverseKinematicsRequestSlot& slot, InverseKinematicsRequest& value) {
   load(slot.cp, value.cp);
   load(slot.jp, value.jp);
+}
+
+void reserve(const InverseKinematicsRequestSlot*, InverseKinematicsRequest& value) {
+  suture::reserveFor<decltype(InverseKinematicsRequestSlot::jp)>(value.jp);
 }
 
 bool store(const InverseKinematicsResponse& value, InverseKinematicsResponseSlot& slot) {
@@ -81,6 +93,11 @@ void load(const InverseKinematicsResponseSlot& slot, InverseKinematicsResponse& 
   load(slot.jp, value.jp);
   load(slot.result, value.result);
   load(slot.message, value.message);
+}
+
+void reserve(const InverseKinematicsResponseSlot*, InverseKinematicsResponse& value) {
+  suture::reserveFor<decltype(InverseKinematicsResponseSlot::jp)>(value.jp);
+  suture::reserveFor<decltype(InverseKinematicsResponseSlot::message)>(value.message);
 }
 
 // --- between slots and Cap'n Proto

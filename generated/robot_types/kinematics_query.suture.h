@@ -13,6 +13,7 @@ struct ForwardKinematicsRequestSlot {
 
 bool store(const ForwardKinematicsRequest& value, ForwardKinematicsRequestSlot& slot);
 void load(const ForwardKinematicsRequestSlot& slot, ForwardKinematicsRequest& value);
+void reserve(const ForwardKinematicsRequestSlot*, ForwardKinematicsRequest& value);
 
 struct ForwardKinematicsResponseSlot {
   std::array<double, 12> cp;  // Eigen::Isometry3d, m
@@ -22,6 +23,7 @@ struct ForwardKinematicsResponseSlot {
 
 bool store(const ForwardKinematicsResponse& value, ForwardKinematicsResponseSlot& slot);
 void load(const ForwardKinematicsResponseSlot& slot, ForwardKinematicsResponse& value);
+void reserve(const ForwardKinematicsResponseSlot*, ForwardKinematicsResponse& value);
 
 struct InverseKinematicsRequestSlot {
   std::array<double, 12> cp;          // Eigen::Isometry3d, m
@@ -30,6 +32,7 @@ struct InverseKinematicsRequestSlot {
 
 bool store(const InverseKinematicsRequest& value, InverseKinematicsRequestSlot& slot);
 void load(const InverseKinematicsRequestSlot& slot, InverseKinematicsRequest& value);
+void reserve(const InverseKinematicsRequestSlot*, InverseKinematicsRequest& value);
 
 struct InverseKinematicsResponseSlot {
   suture::BoundedList<double, 8> jp;  // rad
@@ -39,5 +42,6 @@ struct InverseKinematicsResponseSlot {
 
 bool store(const InverseKinematicsResponse& value, InverseKinematicsResponseSlot& slot);
 void load(const InverseKinematicsResponseSlot& slot, InverseKinematicsResponse& value);
+void reserve(const InverseKinematicsResponseSlot*, InverseKinematicsResponse& value);
 
 }  // namespace robots

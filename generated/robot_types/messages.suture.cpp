@@ -68,6 +68,11 @@ void load(const KeyValueSlot& slot, KeyValue& value) {
   load(slot.value, value.value);
 }
 
+void reserve(const KeyValueSlot*, KeyValue& value) {
+  suture::reserveFor<decltype(KeyValueSlot::key)>(value.key);
+  suture::reserveFor<decltype(KeyValueSlot::value)>(value.value);
+}
+
 // --- between slots and Cap'n Proto
 
 void toWire(const IntervalStatisticsSlot& slot, wire::IntervalStatistics::Builder out) {

@@ -29,5 +29,6 @@ struct KeyValueSlot {
 
 bool store(const KeyValue& value, KeyValueSlot& slot);
 void load(const KeyValueSlot& slot, KeyValue& value);
+void reserve(const KeyValueSlot*, KeyValue& value);
 
 }  // namespace robots

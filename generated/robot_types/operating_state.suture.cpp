@@ -54,6 +54,10 @@ void load(const OperatingStateSlot& slot, OperatingState& value) {
   load(slot.stamp, value.stamp);
 }
 
+void reserve(const OperatingStateSlot*, OperatingState& value) {
+  suture::reserveFor<decltype(OperatingStateSlot::sub_state)>(value.sub_state);
+}
+
 // --- between slots and Cap'n Proto
 
 wire::ArmState wireArmState(std::uint8_t slot) {

@@ -18,5 +18,6 @@ struct OperatingStateSlot {
 
 bool store(const OperatingState& value, OperatingStateSlot& slot);
 void load(const OperatingStateSlot& slot, OperatingState& value);
+void reserve(const OperatingStateSlot*, OperatingState& value);
 
 }  // namespace robots

@@ -90,6 +90,11 @@ void load(const PosePrmSlot& slot, PosePrm& value) {
   load(slot.position, value.position);
 }
 
+void reserve(const PosePrmSlot*, PosePrm& value) {
+  suture::reserveFor<decltype(PosePrmSlot::moving_frame)>(value.moving_frame);
+  suture::reserveFor<decltype(PosePrmSlot::reference_frame)>(value.reference_frame);
+}
+
 // --- between slots and Cap'n Proto
 
 void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {

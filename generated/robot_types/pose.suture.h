@@ -42,5 +42,6 @@ struct PosePrmSlot {
 
 bool store(const PosePrm& value, PosePrmSlot& slot);
 void load(const PosePrmSlot& slot, PosePrm& value);
+void reserve(const PosePrmSlot*, PosePrm& value);
 
 }  // namespace robots

@@ -74,6 +74,13 @@ void load(const PoseArraySlot& slot, PoseArray& value) {
   load(slot.valid, value.valid);
 }
 
+void reserve(const PoseArraySlot*, PoseArray& value) {
+  suture::reserveFor<decltype(PoseArraySlot::reference_frame)>(value.reference_frame);
+  suture::reserveFor<decltype(PoseArraySlot::moving_frames)>(value.moving_frames);
+  suture::reserveFor<decltype(PoseArraySlot::positions)>(value.positions);
+  suture::reserveFor<decltype(PoseArraySlot::visible)>(value.visible);
+}
+
 bool store(const ImageFrame& value, ImageFrameSlot& slot) {
   bool fits = true;
   fits &= store(value.width, slot.width);
@@ -92,6 +99,10 @@ void load(const ImageFrameSlot& slot, ImageFrame& value) {
   load(slot.data, value.data);
   load(slot.stamp, value.stamp);
   load(slot.valid, value.valid);
+}
+
+void reserve(const ImageFrameSlot*, ImageFrame& value) {
+  suture::reserveFor<decltype(ImageFrameSlot::data)>(value.data);
 }
 
 bool store(const CameraInfo& value, CameraInfoSlot& slot) {
@@ -138,6 +149,12 @@ void load(const DepthMapSlot& slot, DepthMap& value) {
   load(slot.color, value.color);
   load(slot.stamp, value.stamp);
   load(slot.valid, value.valid);
+}
+
+void reserve(const DepthMapSlot*, DepthMap& value) {
+  suture::reserveFor<decltype(DepthMapSlot::reference_frame)>(value.reference_frame);
+  suture::reserveFor<decltype(DepthMapSlot::points)>(value.points);
+  suture::reserveFor<decltype(DepthMapSlot::color)>(value.color);
 }
 
 // --- between slots and Cap'n Proto

@@ -19,6 +19,7 @@ struct PoseArraySlot {
 
 bool store(const PoseArray& value, PoseArraySlot& slot);
 void load(const PoseArraySlot& slot, PoseArray& value);
+void reserve(const PoseArraySlot*, PoseArray& value);
 
 /// prmImageFrame.
 struct ImageFrameSlot {
@@ -32,6 +33,7 @@ struct ImageFrameSlot {
 
 bool store(const ImageFrame& value, ImageFrameSlot& slot);
 void load(const ImageFrameSlot& slot, ImageFrame& value);
+void reserve(const ImageFrameSlot*, ImageFrame& value);
 
 /// prmCameraInfo: a pinhole with its distortion.
 struct CameraInfoSlot {
@@ -61,5 +63,6 @@ struct DepthMapSlot {
 
 bool store(const DepthMap& value, DepthMapSlot& slot);
 void load(const DepthMapSlot& slot, DepthMap& value);
+void reserve(const DepthMapSlot*, DepthMap& value);
 
 }  // namespace robots

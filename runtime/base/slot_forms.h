@@ -227,6 +227,20 @@ void load(const BoundedText<N>& slot, std::string& value) {
   value.assign(elements(slot), sizeOf(slot));
 }
 
+/// Gives `values` the memory that the largest content of their slot needs, so that no load() into
+/// them allocates. Of what holds others, as a vector of strings, that is its own memory only. For
+/// the forms that need any, there are overloads here, in slots.h and in generated code.
+template <class Slot, class... Values>
+void reserve(const Slot*, Values&...) {}
+template <std::uint32_t N>
+void reserve(const BoundedText<N>*, std::string& value) {
+  value.reserve(N);
+}
+template <class Slot, class... Values>
+void reserveFor(Values&... values) {
+  reserve(static_cast<const Slot*>(nullptr), values...);
+}
+
 /// What has a suture::Wire travels as that says.
 template <class T>
 concept Hooked = requires {

@@ -65,6 +65,14 @@ struct ElementByElement {
     for (std::size_t i = 0; i < N; ++i) load(slot[i], value[i]);
   }
 };
+template <class S, class T, std::size_t N>
+void reserve(const std::array<S, N>*, std::array<T, N>& value) {
+  for (T& element : value) reserveFor<S>(element);
+}
+template <class S, class T, std::size_t N>
+void reserve(const std::array<S, N>*, T (&value)[N]) {
+  for (T& element : value) reserveFor<S>(element);
+}
 template <class T, std::size_t N>
 struct ArraySlot<std::array<T, N>> : ElementByElement {};
 template <class T, std::size_t N>
@@ -91,6 +99,11 @@ void load(const BoundedList<S, N>& slot, std::vector<T>& value) {
       load(slot.data[i], value[i]);
     }
   }
+}
+
+template <class S, std::uint32_t N, class T>
+void reserve(const BoundedList<S, N>*, std::vector<T>& value) {
+  value.reserve(N);
 }
 
 template <class T, class S, std::uint32_t N>

@@ -96,6 +96,11 @@ class ReadCommand<Method, ResultSlot> {
     return {read, std::move(value)};
   }
 
+  /// Any thread, before its task starts: gives `value` the memory of the largest there can be, so
+  /// that not even the first read into it allocates. Of vectors of strings and the like, the
+  /// elements may.
+  static void reserve(Value& value) { reserveFor<ResultSlot>(value); }
+
   /// The same into `value`, which keeps its memory and is left alone if the sample carries none.
   Sample<void> operator()(Value& value) {
     LooseSlot<ResultSlot> slot;

@@ -44,7 +44,7 @@ class Component {
   const std::vector<RequiredBase*>& required() const { return required_; }
 
   /// True if commands and handlers run in a thread of its own; false for a device.
-  virtual bool ownsThread() const = 0;
+  bool ownsThread() const { return ownsThread_; }
   /// How often a remote client's reads of a device are evaluated. Meaningless for a task.
   virtual Duration remoteReadPeriod() const { return Duration{0}; }
 
@@ -79,7 +79,7 @@ class Component {
   bool ownedByThisThread();
 
  protected:
-  Component() = default;
+  explicit Component(bool ownsThread) : ownsThread_(ownsThread) {}
 
   // What a component does when its state changes. A hook that throws parks its component. A task's
   // run in its thread (those of a callback's task to start and stop in the manager's), but
@@ -131,6 +131,7 @@ class Component {
   void setState(ComponentState state);
   void callHook(Transition transition);
 
+  const bool ownsThread_;  // asked for each event and subscriber
   std::string name_ = "(unnamed)";
   mutable std::mutex faultMutex_;  // taken by who parks, and by who asks why
   std::string fault_;

@@ -15,7 +15,7 @@ class Device : public Component {
  public:
   /// `remoteReadPeriod`: how often the reads that remote clients ask for are evaluated.
   explicit Device(Duration remoteReadPeriod = std::chrono::milliseconds(10))
-      : remoteReadPeriod_(remoteReadPeriod) {}
+      : Component(false), remoteReadPeriod_(remoteReadPeriod) {}
 
   /// The manager's: configures it if that has not been done; then it runs. Throws SetupError if it
   /// runs already.
@@ -23,7 +23,6 @@ class Device : public Component {
   /// The manager's: clients are told that they have lost it. Calls under way are not waited for.
   void stop();
 
-  bool ownsThread() const final { return false; }
   Duration remoteReadPeriod() const final { return remoteReadPeriod_; }
 
   /// Runs the handlers of the events that have arrived, in the calling thread, which must be the

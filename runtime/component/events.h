@@ -71,18 +71,19 @@ class Subscription {
  public:
   Subscription(RequiredBase& required, std::uint16_t event) : required_(required), event_(event) {}
   void operator()(std::function<void(const Payload&...)> handler) {
-    // One object for all events of this kind, so that what it owns is allocated once.
-    required_.handlers_[event_] =
-        [handler = std::move(handler),
-         scratch = std::make_shared<std::tuple<Payload...>>()](const std::byte* memory) {
-          const Slot& slot = slotIn<Slot>(memory);
-          std::apply(
-              [&](Payload&... payload) {
-                load(slot, payload...);
-                handler(payload...);
-              },
-              *scratch);
-        };
+    // One object for all events of this kind, so that what it owns is allocated once: here.
+    auto scratch = std::make_shared<std::tuple<Payload...>>();
+    std::apply([](Payload&... payload) { reserveFor<Slot>(payload...); }, *scratch);
+    required_.handlers_[event_] = [handler = std::move(handler),
+                                   scratch = std::move(scratch)](const std::byte* memory) {
+      const Slot& slot = slotIn<Slot>(memory);
+      std::apply(
+          [&](Payload&... payload) {
+            load(slot, payload...);
+            handler(payload...);
+          },
+          *scratch);
+    };
     required_.subscribed_ |= EventSet{1} << event_;
   }
 

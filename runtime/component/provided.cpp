@@ -230,8 +230,8 @@ void ProvidedBase::emit(std::uint16_t event, std::span<const std::byte> payload)
   channels_.forEach([&](ChannelList::Node& node) {
     Channel& channel = *node.channel;
     if ((channel.subscribed >> event & 1) == 0) return;
-    if (owner_.ownsThread() && !node.greeted)
-      return;  // joins, with the latched values, at the next cycle
+    // Joins, with the latched values, at the next cycle.
+    if (owner_.ownsThread() && !node.greeted) return;
     channel.events.push(event, stamp, payload);
     owner_.ringLater(*channel.ends.client);
   });

@@ -44,8 +44,6 @@ struct TaskStatistics {
 /// something arrives.
 class Task : public Component {
  public:
-  bool ownsThread() const final { return true; }
-
   /// The manager's: configures what has not been, then cycles run. Of a faulted task they only
   /// tell so. Throws SetupError if they cannot, or if it runs already.
   virtual void start() = 0;
@@ -70,7 +68,7 @@ class Task : public Component {
   void measureOver(Duration window) { statistics_.windows.setLength(window); }
 
  protected:
-  Task() = default;
+  Task() : Component(true) {}
 
   /// The component's own work of one cycle.
   virtual void run() = 0;

@@ -67,11 +67,11 @@ DelayThread* Manager::delaysFor(const ConnectionDelay& delay) {
 Manager::~Manager() { stop(); }
 
 void Manager::add(const std::string& name, Component& component) {
-  directory_.add(name, component);
-  component.name_ = name;
-  if (component.listener_ == nullptr) {
+  directory_.add(name, component, [&] {
+    component.name_ = name;
+    if (component.listener_ != nullptr) return;
     component.listener_ = std::make_unique<LifecycleFace>(component);
-  }
+  });
 }
 
 void Manager::configure() {

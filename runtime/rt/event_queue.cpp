@@ -31,7 +31,9 @@ EventQueue::EventQueue(std::span<const EventLimits> events)
     : ring_(totalDepth(events), largestRecord(events)) {
   for (const auto& event : events) {
     cells_.push_back(event.latest ? std::make_unique<Cell>(event) : nullptr);
-    shared_ |= std::uint64_t{event.shared} << (cells_.size() - 1);
+    const std::uint64_t bit = std::uint64_t{1} << (cells_.size() - 1);
+    if (event.shared) shared_ |= bit;
+    if (!event.shared && !event.latest) plain_ |= bit;
   }
 }
 
@@ -55,18 +57,27 @@ bool EventQueue::pushLatest(Cell& cell, const EventRecord& record,
   return true;
 }
 
+bool EventQueue::enqueue(const EventRecord& record, std::span<const std::byte> payload) {
+  std::byte* const memory = ring_.claim();
+  if (memory == nullptr) return false;
+  write(memory, record, payload);
+  ring_.commit(memory);
+  return true;
+}
+
+bool EventQueue::pushSpecial(const EventRecord& record, std::span<const std::byte> payload) {
+  SharedSlot* const shared = isShared(record.event) ? sharedSlotIn(payload.data()) : nullptr;
+  if (shared != nullptr) shared->retain();
+  Cell* const cell = cells_[record.event].get();
+  const bool pushed =
+      cell != nullptr ? pushLatest(*cell, record, payload) : enqueue(record, payload);
+  if (!pushed && shared != nullptr) shared->release();
+  return pushed;
+}
+
 bool EventQueue::push(std::uint16_t event, Time stamp, std::span<const std::byte> payload) {
   const EventRecord record{stamp, event, {}};
-  SharedSlot* const shared = isShared(event) ? sharedSlotIn(payload.data()) : nullptr;
-  if (shared != nullptr) shared->retain();
-  if (cells_[event] != nullptr) {
-    if (pushLatest(*cells_[event], record, payload)) return true;
-  } else if (std::byte* memory = ring_.claim(); memory != nullptr) {
-    write(memory, record, payload);
-    ring_.commit(memory);
-    return true;
-  }
-  if (shared != nullptr) shared->release();
+  if (isPlain(event) ? enqueue(record, payload) : pushSpecial(record, payload)) return true;
   countDropped();
   return false;
 }

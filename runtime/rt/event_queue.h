@@ -74,10 +74,15 @@ class EventQueue {
   };
 
   bool isShared(std::uint16_t event) const { return (shared_ >> event & 1) != 0; }
+  bool isPlain(std::uint16_t event) const { return (plain_ >> event & 1) != 0; }
+  bool enqueue(const EventRecord& record, std::span<const std::byte> payload);
+  bool pushSpecial(const EventRecord& record, std::span<const std::byte> payload);
   bool pushLatest(Cell& cell, const EventRecord& record, std::span<const std::byte> payload);
 
   std::vector<std::unique_ptr<Cell>> cells_;  // by event; null: queued
-  std::uint64_t shared_ = 0;                  // a bit an event: at most 64 in a contract
+  // A bit an event: at most 64 in a contract.
+  std::uint64_t shared_ = 0;
+  std::uint64_t plain_ = 0;  // neither newest-wins nor shared: all that a sender has to look at
   MpscRing ring_;
   EventRecord* next_ = nullptr;  // what the last next() returned
   bool fromRing_ = false;

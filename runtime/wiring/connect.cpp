@@ -53,8 +53,8 @@ std::shared_ptr<Channel> connectLocally(RequiredBase& required, ProvidedBase& pr
   auto channel = makeChannel(required, provided, connection,
                              {.client = &required.owner().doorbell(),
                               .provider = &provider.doorbell(),
-                               .device = provider.ownsThread() ? nullptr : &provided,
-                               .here = &provided});
+                              .device = provider.ownsThread() ? nullptr : &provided,
+                              .here = &provided});
   channel->watch = std::move(watch);
   required.attach(channel);
   return channel;

@@ -29,12 +29,15 @@ Interface& findIn(const std::vector<Interface*>& interfaces, const Endpoint& end
 
 }  // namespace
 
-void Directory::add(const std::string& name, Component& component) {
+void Directory::add(const std::string& name, Component& component,
+                    const std::function<void()>& prepare) {
   const std::lock_guard lock(mutex_);
-  if (!components_.emplace(name, &component).second) {
+  if (components_.contains(name)) {
     throw SetupError("adding a component '" + name + "' to process '" + process_ + "'",
                      "it has one of that name", "Give each component of a process its own name");
   }
+  prepare();
+  components_.emplace(name, &component);
 }
 
 std::vector<Component*> Directory::components() const {

@@ -5,6 +5,7 @@
 #include <suture/component/required.h>
 #include <suture/wiring/endpoint.h>
 
+#include <functional>
 #include <map>
 #include <mutex>
 #include <string>
@@ -20,7 +21,9 @@ class Directory {
 
   const std::string& process() const { return process_; }
 
-  void add(const std::string& name, Component& component);
+  /// `prepare` makes the component ready to be found by other threads; it is not called if the
+  /// name is taken, and the component not added if it throws. It uses nothing of this directory.
+  void add(const std::string& name, Component& component, const std::function<void()>& prepare);
   std::vector<Component*> components() const;
 
   Component& component(const std::string& name) const { return find(name, name); }

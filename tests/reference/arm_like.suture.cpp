@@ -130,6 +130,11 @@ void load(const JointStateSlot& slot, JointState& value) {
   load(slot.position, value.position);
 }
 
+void reserve(const JointStateSlot*, JointState& value) {
+  suture::reserveFor<decltype(JointStateSlot::name)>(value.name);
+  suture::reserveFor<decltype(JointStateSlot::position)>(value.position);
+}
+
 bool store(const PoseStamped& goal, ArmLikeServoCpArguments& slot) {
   return store(goal, slot.goal);
 }
@@ -625,6 +630,13 @@ const InterfaceInfo& interfaceInfo<reference::ArmLike>() {
       .binding = &reference::armLikeBinding,
   };
   return kInfo;
+}
+
+auto Provided<reference::ArmLike>::Scratch::reserved() -> Scratch {
+  Scratch scratch{};
+  reserveFor<decltype(reference::ArmLikeServoJpArguments::goal)>(scratch.servo_jp_goal);
+  reserveFor<decltype(reference::ArmLikeMoveArguments::reason)>(scratch.move_reason);
+  return scratch;
 }
 
 Errc Provided<reference::ArmLike>::execute(std::uint16_t command, const std::byte* arguments,

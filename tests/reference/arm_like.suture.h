@@ -28,6 +28,7 @@ struct JointStateSlot {
 
 bool store(const JointState& value, JointStateSlot& slot);
 void load(const JointStateSlot& slot, JointState& value);
+void reserve(const JointStateSlot*, JointState& value);
 
 // --- ArmLike: the arguments of its commands ---
 
@@ -208,7 +209,7 @@ class Provided<reference::ArmLike> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
-  // Reused by every command, so that what they own is allocated once.
+  // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
     reference::PoseStamped servo_cp_goal;
     reference::JointState servo_jp_goal;
@@ -219,11 +220,13 @@ class Provided<reference::ArmLike> : public ProvidedBase {
     std::string move_reason;
     double limit_speed;
     reference::Mode limit_mode;
+
+    static Scratch reserved();
   };
 
   Contract& implementation_;
   Events events_{*this};
-  Scratch scratch_{};
+  Scratch scratch_ = Scratch::reserved();
 };
 
 }  // namespace suture

@@ -950,6 +950,17 @@ const InterfaceInfo& interfaceInfo<scenarios::AllKinds>() {
   return kInfo;
 }
 
+auto Provided<scenarios::AllKinds>::Scratch::reserved() -> Scratch {
+  Scratch scratch{};
+  reserveFor<decltype(scenarios::AllKindsSetRecordArguments::value)>(scratch.set_record_value);
+  reserveFor<decltype(scenarios::AllKindsSetTextArguments::value)>(scratch.set_text_value);
+  reserveFor<decltype(scenarios::AllKindsTwiceRecordArguments::value)>(scratch.twice_record_value);
+  reserveFor<decltype(scenarios::AllKindsTwiceTextArguments::value)>(scratch.twice_text_value);
+  reserveFor<decltype(scenarios::AllKindsSwapRecordArguments::value)>(scratch.swap_record_value);
+  reserveFor<decltype(scenarios::AllKindsSwapTextArguments::value)>(scratch.swap_text_value);
+  return scratch;
+}
+
 Errc Provided<scenarios::AllKinds>::execute(std::uint16_t command, const std::byte* arguments,
                                             std::byte* result) {
   using ::scenarios::AllKindsCommand;

@@ -258,7 +258,7 @@ class Provided<scenarios::AllKinds> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
-  // Reused by every command, so that what they own is allocated once.
+  // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
     double set_scalar_value;
     Eigen::Vector3d set_vector_value;
@@ -272,11 +272,13 @@ class Provided<scenarios::AllKinds> : public ProvidedBase {
     Eigen::Vector3d swap_vector_value;
     robots::PosePrm swap_record_value;
     std::string swap_text_value;
+
+    static Scratch reserved();
   };
 
   Contract& implementation_;
   Events events_{*this};
-  Scratch scratch_{};
+  Scratch scratch_ = Scratch::reserved();
 };
 
 }  // namespace suture

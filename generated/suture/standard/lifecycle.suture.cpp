@@ -110,6 +110,10 @@ void load(const StateChangeSlot& slot, StateChange& value) {
   load(slot.stamp, value.stamp);
 }
 
+void reserve(const StateChangeSlot*, StateChange& value) {
+  suture::reserveFor<decltype(StateChangeSlot::fault)>(value.fault);
+}
+
 // --- between slots and Cap'n Proto
 
 wire::ComponentState wireComponentState(std::uint8_t slot) {

@@ -20,6 +20,7 @@ struct StateChangeSlot {
 
 bool store(const StateChange& value, StateChangeSlot& slot);
 void load(const StateChangeSlot& slot, StateChange& value);
+void reserve(const StateChangeSlot*, StateChange& value);
 
 /// The numbers of Lifecycle's commands in every table and record.
 enum class LifecycleCommand : std::uint16_t {

@@ -78,6 +78,10 @@ void load(const MessageSlot& slot, Message& value) {
   load(slot.stamp, value.stamp);
 }
 
+void reserve(const MessageSlot*, Message& value) {
+  suture::reserveFor<decltype(MessageSlot::text)>(value.text);
+}
+
 // --- between slots and Cap'n Proto
 
 void toWire(const MessageSlot& slot, wire::Message::Builder out) {

@@ -20,6 +20,7 @@ struct MessageSlot {
 
 bool store(const Message& value, MessageSlot& slot);
 void load(const MessageSlot& slot, Message& value);
+void reserve(const MessageSlot*, Message& value);
 
 /// The numbers of Messages's events.
 enum class MessagesEvent : std::uint16_t {

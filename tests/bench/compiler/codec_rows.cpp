@@ -6,7 +6,6 @@
 #include <array>
 #include <stdexcept>
 
-#include "bench/compiler/allocations.h"
 #include "bench/compiler/fast_cdr.h"
 #include "bench/compiler/handwritten/record_conversions.h"
 #include "bench/compiler/parts.h"
@@ -14,6 +13,7 @@
 #include "bench/table2/sample_pose.h"
 #include "bench/timed_loops.h"
 #include "robot_types/pose.suture.h"
+#include "support/allocations.h"
 
 // The generated converters, which only generated code calls otherwise.
 namespace robots {
@@ -95,10 +95,10 @@ void compare(const char* title, const char* figure, const Value& value, std::siz
   };
   std::vector<double> ours, theirs;
   timed(generated);  // what it owns is allocated once
-  const std::uint64_t before = allocations();
+  const std::uint64_t before = suture::allocations();
   generated.encode(value);
   generated.decode(target);
-  const std::uint64_t allocated = allocations() - before;
+  const std::uint64_t allocated = suture::allocations() - before;
   for (std::size_t turn = 0; turn < loops / kTurn; ++turn) {
     append(ours, timed(generated));
     append(theirs, timed(byHand));
@@ -108,13 +108,13 @@ void compare(const char* title, const char* figure, const Value& value, std::siz
   report.add(name + ".generated", "ns", mine);
   report.add(name + ".handwritten", "ns", hand);
   report.add(name + ".ratio", "x", mine.p50 / hand.p50);
-  if (countsAllocations()) {
+  if (suture::countsAllocations()) {
     report.add(name + ".allocations", "allocations", static_cast<double>(allocated));
   } else {
     report.addUnavailable(name + ".allocations", "a sanitizer has malloc for itself");
   }
   table.row({title, number(mine.p50, 0), number(hand.p50, 0), number(mine.p50 / hand.p50, 2),
-             countsAllocations() ? std::to_string(allocated) : "?"});
+             suture::countsAllocations() ? std::to_string(allocated) : "?"});
 }
 
 robots::PoseSample sampleRecord() {

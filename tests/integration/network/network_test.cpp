@@ -14,6 +14,7 @@
 
 #include "integration/network/arm.h"
 #include "support/eventually.h"
+#include "support/refusal.h"
 #include "support/temporary_directory.h"
 
 namespace suture {
@@ -102,16 +103,6 @@ PoseStamped poseAt(double x) {
   pose.stamp = now();
   pose.valid = true;
   return pose;
-}
-
-template <class Work>
-std::string errorOf(const Work& work) {
-  try {
-    work();
-  } catch (const SetupError& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 bool contains(const std::string& text, const std::string& part) {
@@ -253,20 +244,20 @@ TEST_P(NetworkTest, WhatDoesNotExistIsRefusedWithWhatDoes) {
   Manager manager("right", address());
   manager.add("Console", console);
   manager.start();
-  const auto refusal = [&](const char* provided) {
-    return errorOf([&] { manager.connect("Console/Arm", provided, Lane::Auto, 100ms); });
+  const auto answer = [&](const char* provided) {
+    return refusal([&] { manager.connect("Console/Arm", provided, Lane::Auto, 100ms); });
   };
-  std::string error = refusal("laft:PSM/Arm");
+  std::string error = answer("laft:PSM/Arm");
   EXPECT_TRUE(contains(error, "Did you mean 'left'?")) << error;
-  error = refusal("left:PSN/Arm");
+  error = answer("left:PSN/Arm");
   EXPECT_TRUE(contains(error, "Did you mean 'PSM'?")) << error;
-  error = refusal("left:PSM/Am");
+  error = answer("left:PSM/Am");
   EXPECT_TRUE(contains(error, "provided interfaces 'Arm'")) << error;
   EXPECT_TRUE(contains(error, "Did you mean 'Arm'?")) << error;
   EXPECT_FALSE(contains(error, ".cpp")) << error;
   manager.connect("Console/Arm", "left:PSM/Arm");  // and nothing is left behind
   EXPECT_TRUE(reaches(console, 1));
-  error = refusal("left:PSM/Arm");
+  error = answer("left:PSM/Arm");
   EXPECT_TRUE(contains(error, "already connected")) << error;
 }
 
@@ -276,14 +267,14 @@ TEST_P(NetworkTest, AnotherContractIsRefusedWithTheDifference) {
   Manager manager("right", address());
   manager.add("Stranger", stranger);
   manager.start();
-  const std::string error = errorOf([&] { manager.connect("Stranger/Arm", "left:PSM/Arm"); });
+  const std::string error = refusal([&] { manager.connect("Stranger/Arm", "left:PSM/Arm"); });
   EXPECT_TRUE(contains(error, "right:Stranger/Arm -> left:PSM/Arm")) << error;
   EXPECT_TRUE(contains(error, "reference::OtherArm")) << error;
 }
 
 TEST_P(NetworkTest, ATakenProcessNameIsRefused) {
   const auto child = host("left");
-  const std::string error = errorOf([&] { Manager second("left", address()); });
+  const std::string error = refusal([&] { Manager second("left", address()); });
   EXPECT_TRUE(contains(error, "register process 'left'")) << error;
 }
 
@@ -327,7 +318,7 @@ TEST_P(NetworkTest, APlainCapnpClientReadsAndCommandsAnArm) {
 TEST(Network, AManagerThatIsNotRunningIsAnErrorThatSaysHowToStartOne) {
   const TemporaryDirectory directory;
   const std::string address = "unix:" + directory.file("none.sock");
-  const std::string error = errorOf([&] { Manager manager("left", address, 50ms); });
+  const std::string error = refusal([&] { Manager manager("left", address, 50ms); });
   EXPECT_TRUE(contains(error, "suture-manager --listen " + address)) << error;
 }
 

@@ -48,6 +48,9 @@ class explored_atomic {
   T fetch_add(T value, memory_order order = memory_order_seq_cst) noexcept {
     return modify(order, [value](T old) { return static_cast<T>(old + value); });
   }
+  T fetch_sub(T value, memory_order order = memory_order_seq_cst) noexcept {
+    return modify(order, [value](T old) { return static_cast<T>(old - value); });
+  }
   T fetch_or(T value, memory_order order = memory_order_seq_cst) noexcept {
     return modify(order, [value](T old) { return static_cast<T>(old | value); });
   }

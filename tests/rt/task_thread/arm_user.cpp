@@ -28,6 +28,11 @@ ArmUser::ArmUser(suture::Required<robots::CrtkArm>& arm) : arm_(arm) {
   velocity_.goal.assign(7, 0.1);
   effort_.effort.assign(7, 0.1);
   noStep_.valid = true;
+  arm_.configuration_js.reserve(configuration_);
+  arm_.operating_state.reserve(state_);
+  arm_.measured_js.reserve(joints_);
+  arm_.measured_cs.reserve(cartesian_);
+  arm_.body_jacobian.reserve(jacobian_);
   subscribe();
   for (const auto& steps : {stateSteps(), streamSteps(), moveSteps(), settingSteps()}) {
     steps_.insert(steps_.end(), steps.begin(), steps.end());

@@ -72,6 +72,28 @@ TEST(TaskThread, CyclesInOneThreadCostNothing) {
   EXPECT_EQ(counters.executed + counters.late, counters.sent);
 }
 
+// No warm-up: what a command, an event or a read needs is there before its first use.
+TEST(TaskThread, NotEvenTheFirstUseOfAnythingAllocates) {
+  ArmTask<suture::CallbackTask> arm;
+  UserTask<suture::CallbackTask> client;
+  suture::connectLocally(client.arm, arm.crtk, "test");
+  arm.start();
+  client.start();
+  Watch watch("the thread of both", 1, 2'000);
+  client.also = [&] { watch.cycle(); };  // when it has taken over the connection
+  std::thread([&] {
+    while (!watch.done()) {
+      arm.trigger();
+      client.trigger();
+    }
+  }).join();
+  EXPECT_GT(client.user.events, 0u);
+  for (const std::string& finding : watch.findings()) {
+    const bool fault = finding.find("page fault") != std::string::npos;  // until memory is touched
+    EXPECT_TRUE(fault) << finding;
+  }
+}
+
 // Both run as fast as they can, on two processors if there are two; nobody ever sleeps.
 TEST(TaskThread, CyclesOfTwoThreadsCostNothing) {
   ArmTask<suture::ContinuousTask> arm;

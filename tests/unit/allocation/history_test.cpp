@@ -3,23 +3,8 @@
 #include <suture/component/read_together.h>
 #include <suture/wiring/connect.h>
 
-#include <cstdlib>
-#include <new>
-
+#include "support/allocations.h"
 #include "unit/component/driven_arm.h"
-
-namespace {
-thread_local std::size_t allocations = 0;
-}  // namespace
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-// Not inlined, or g++ 12 takes the pair for a mismatch.
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace suture {
 namespace {
@@ -55,9 +40,9 @@ TEST(History, NeitherReadsNorRowsNorWindowsAllocate) {
   reference::JointState joints;
   for (int i = 0; i < 100; ++i) cycle(arm, client, pose, joints);  // grow to their capacity
 
-  const std::size_t before = allocations;
+  const std::uint64_t before = allocations();
   for (int i = 0; i < 10'000; ++i) cycle(arm, client, pose, joints);
-  EXPECT_EQ(allocations - before, 0u);
+  EXPECT_EQ(allocations() - before, 0u);
   EXPECT_TRUE(arm.statistics().windows.last().valid());
   EXPECT_EQ(pose.pose.translation().x(), joints.position.at(0));
 }

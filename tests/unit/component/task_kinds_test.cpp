@@ -19,6 +19,7 @@
 #include "reference/arm_like.suture.h"
 #include "reference/simulated_arm.h"
 #include "support/eventually.h"
+#include "support/refusal.h"
 
 namespace suture {
 namespace {
@@ -188,14 +189,6 @@ TEST(GuestTask, OutlivesAHostThatThrows) {
 }
 
 TEST(GuestTask, IsRefusedWithoutAHostWithTwoAndWhenConnected) {
-  const auto refusal = [](const std::function<void()>& attempt) -> std::string {
-    try {
-      attempt();
-    } catch (const SetupError& error) {
-      return error.what();
-    }
-    return "";
-  };
   Worker<GuestTask> guest, connected;
   Worker<PeriodicTask> host({}, PeriodicOptions{}), other({}, PeriodicOptions{});
   EXPECT_NE(refusal([&] { guest.start(); }).find("no task lends it a thread"), std::string::npos);

@@ -10,6 +10,8 @@
 
 #include <thread>
 
+#include "support/eventually.h"
+#include "support/refusal.h"
 #include "support/temporary_directory.h"
 
 namespace suture {
@@ -62,23 +64,6 @@ class Peer {
   std::unique_ptr<ManagerLink> link_;
   const std::string name_;
 };
-
-template <class Work>
-std::string errorOf(Work work) {
-  try {
-    work();
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-template <class Condition>
-bool eventually(Condition condition) {
-  const auto deadline = now() + 10s;
-  while (!condition() && now() < deadline) std::this_thread::sleep_for(1ms);
-  return condition();
-}
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -136,14 +121,14 @@ TEST_P(GlobalManagerTest, ATakenNameIsRefused) {
   auto left = enrolled("left");
   Peer second("left", address_);
   second.open();
-  const std::string error = errorOf([&] { second.enrol(); });
+  const std::string error = refusal([&] { second.enrol(); });
   EXPECT_TRUE(contains(error, "register process 'left'")) << error;
   EXPECT_TRUE(contains(error, "process 1 on")) << error;
 }
 
 TEST_P(GlobalManagerTest, AnUnknownProcessIsRefusedWithWhatThereIs) {
   auto left = enrolled("left");
-  const std::string error = errorOf([&] { left->resolve("laft"); });
+  const std::string error = refusal([&] { left->resolve("laft"); });
   EXPECT_TRUE(contains(error, "Did you mean 'left'?")) << error;
   EXPECT_FALSE(contains(error, ".cpp")) << error;
 }
@@ -161,14 +146,14 @@ TEST_P(GlobalManagerTest, ResolvingWaitsForAProcessToAppear) {
 
 TEST_P(GlobalManagerTest, ResolvingWaitsNoLongerThanAsked) {
   auto left = enrolled("left");
-  const std::string error = errorOf([&] { left->resolve("right", 30ms); });
+  const std::string error = refusal([&] { left->resolve("right", 30ms); });
   EXPECT_TRUE(contains(error, "has waited 30 ms")) << error;
 }
 
 TEST_P(GlobalManagerTest, AManagerThatComesBackRelearnsItsProcesses) {
   auto left = enrolled("left"), right = enrolled("right");
   manager_.reset();
-  ASSERT_TRUE(eventually([&] { return contains(errorOf([&] { left->list(); }), "is gone"); }));
+  ASSERT_TRUE(eventually([&] { return contains(refusal([&] { left->list(); }), "is gone"); }));
   start(address_);
   EXPECT_TRUE(eventually([&] {
     try {
@@ -203,7 +188,7 @@ TEST_P(GlobalManagerTest, AnotherVersionIsRefusedInWords) {
 }
 
 TEST_P(GlobalManagerTest, ASecondManagerAtTheSameAddressIsRefused) {
-  const std::string error = errorOf([&] { GlobalManager second(control_, address_); });
+  const std::string error = refusal([&] { GlobalManager second(control_, address_); });
   EXPECT_TRUE(contains(error, address_)) << error;
   EXPECT_TRUE(contains(error, "another process listens there")) << error;
 }
@@ -212,7 +197,7 @@ TEST(ManagerLink, SaysHowToStartAManagerThatIsNotThere) {
   const TemporaryDirectory directory;
   const std::string address = "unix:" + directory.file("none.sock");
   Peer left("left", address);
-  const std::string error = errorOf([&] { left.open(20ms); });
+  const std::string error = refusal([&] { left.open(20ms); });
   EXPECT_TRUE(contains(error, "there is no such socket")) << error;
   EXPECT_TRUE(contains(error, "suture-manager --listen " + address)) << error;
 }

@@ -9,13 +9,14 @@
 #include <suture/standard/lifecycle.suture.h>
 #include <suture/transport/rpc/control_thread.h>
 
-#include <functional>
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "support/eventually.h"
+#include "support/refusal.h"
 #include "support/temporary_directory.h"
 
 namespace suture {
@@ -23,15 +24,6 @@ namespace {
 
 using namespace std::chrono_literals;
 using State = ComponentState;
-
-std::string refusal(const std::function<void()>& attempt) {
-  try {
-    attempt();
-  } catch (const SetupError& error) {
-    return error.what();
-  }
-  return "";
-}
 
 struct Worker final : PeriodicTask {
   Worker() : PeriodicTask({.period = 1ms}) {}
@@ -213,6 +205,24 @@ TEST(ManagerLifecycle, RefusesAnInterfaceOfTheReservedName) {
   } own;
   Manager manager("here");
   EXPECT_NE(refusal([&] { manager.add("Own", own); }).find("Rename it"), std::string::npos);
+}
+
+// Other processes look for components while this one still adds them.
+TEST(LifecycleInterface, IsThereAsSoonAsItsComponentIsFound) {
+  std::vector<Worker> workers(200);
+  Manager manager("here");
+  std::thread peer([&] {
+    for (const Component* found = nullptr; found != &workers.back();) {
+      for (const Component* component : manager.directory().components()) {
+        EXPECT_EQ(component->provided().size(), 1u) << component->name();
+        found = std::max(found, component);
+      }
+    }
+  });
+  for (std::size_t i = 0; i < workers.size(); ++i) {
+    manager.add("Worker" + std::to_string(i), workers[i]);
+  }
+  peer.join();
 }
 
 void watchesAndLeads(Watcher& watcher, Worker& worker) {

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "support/eventually.h"
+#include "support/refusal.h"
 #include "support/temporary_directory.h"
 #include "unit/manager/still_arm.h"
 
@@ -80,15 +81,6 @@ struct Census {
   }
   std::vector<std::weak_ptr<Channel>> seen;
 };
-
-std::string refusal(const std::function<void()>& attempt) {
-  try {
-    attempt();
-  } catch (const SetupError& error) {
-    return error.what();
-  }
-  return "";
-}
 
 TEST(Reconnect, WhileTasksRunToAnotherProvider) {
   ArmTask one, two;

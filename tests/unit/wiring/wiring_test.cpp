@@ -7,19 +7,10 @@
 
 #include "reference/gripper_arm.suture.h"
 #include "reference/simulated_arm.h"
+#include "support/refusal.h"
 
 namespace suture {
 namespace {
-
-template <class Action>
-std::string errorOf(const Action& action) {
-  try {
-    action();
-  } catch (const SetupError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 TEST(Endpoint, ReadsBothForms) {
   const Endpoint far = Endpoint::parse("left:PSM1/Arm"), near = Endpoint::parse("PSM1/Arm");
@@ -33,7 +24,7 @@ TEST(Endpoint, ReadsBothForms) {
 
 TEST(Endpoint, RefusesOtherForms) {
   for (const char* text : {"", "PSM1", "/Arm", "PSM1/", "left:", ":PSM1/Arm", "left:/Arm"}) {
-    EXPECT_NE(errorOf([&] { Endpoint::parse(text); }).find("not of the form"), std::string::npos)
+    EXPECT_NE(refusal([&] { Endpoint::parse(text); }).find("not of the form"), std::string::npos)
         << text;
   }
 }
@@ -41,8 +32,8 @@ TEST(Endpoint, RefusesOtherForms) {
 class Wired : public testing::Test {
  protected:
   Wired() {
-    directory_.add("PSM1", arm_);
-    directory_.add("Console", client_);
+    directory_.add("PSM1", arm_, [] {});
+    directory_.add("Console", client_, [] {});
   }
 
   struct Client final : Device {
@@ -54,22 +45,22 @@ class Wired : public testing::Test {
 };
 
 TEST_F(Wired, AComponentThatDoesNotExistIsNamedWithTheNearest) {
-  EXPECT_EQ(errorOf([&] { directory_.provided(Endpoint::parse("PSM2/Arm")); }),
+  EXPECT_EQ(refusal([&] { directory_.provided(Endpoint::parse("PSM2/Arm")); }),
             "asked for 'PSM2/Arm': process 'left' has components 'Console' and 'PSM1'. "
             "Did you mean 'PSM1'?");
 }
 
 TEST_F(Wired, AnInterfaceThatDoesNotExistIsNamedWithTheNearest) {
-  EXPECT_EQ(errorOf([&] { directory_.provided(Endpoint::parse("PSM1/Arn")); }),
+  EXPECT_EQ(refusal([&] { directory_.provided(Endpoint::parse("PSM1/Arn")); }),
             "asked for the provided interface 'PSM1/Arn': component 'PSM1' has provided interfaces "
             "'Arm'. Did you mean 'Arm'?");
-  EXPECT_EQ(errorOf([&] { directory_.required(Endpoint::parse("PSM1/Arm")); }),
+  EXPECT_EQ(refusal([&] { directory_.required(Endpoint::parse("PSM1/Arm")); }),
             "asked for the required interface 'PSM1/Arm': component 'PSM1' has required interfaces "
             "none. Use one of those names");
 }
 
 TEST_F(Wired, ANameIsTakenOnce) {
-  EXPECT_NE(errorOf([&] { directory_.add("PSM1", arm_); }).find("it has one of that name"),
+  EXPECT_NE(refusal([&] { directory_.add("PSM1", arm_, [] {}); }).find("it has one of that name"),
             std::string::npos);
 }
 
@@ -93,7 +84,7 @@ TEST(Contract, ADifferentOneIsRefusedWithTheDifference) {
   other.hash = "another hash";
   other.description = R"({"name": "other"})";
   const std::string error =
-      errorOf([&] { requireSameContract(info, other, "a:C/Slave -> b:P/Arm"); });
+      refusal([&] { requireSameContract(info, other, "a:C/Slave -> b:P/Arm"); });
   EXPECT_NE(error.find("connecting a:C/Slave -> b:P/Arm"), std::string::npos) << error;
   EXPECT_NE(error.find("'reference::ArmLike' here, 'other' there"), std::string::npos) << error;
   EXPECT_NE(error.find("Build both sides from the same header"), std::string::npos) << error;
@@ -103,7 +94,7 @@ TEST(Contract, OneThatDerivesFromTheRequiredOneIsAccepted) {
   const InterfaceInfo& base = interfaceInfo<reference::ArmLike>();
   const InterfaceInfo& derived = interfaceInfo<reference::GripperArm>();
   EXPECT_GE(requireSameContract(base, derived, "a -> b"), base.commands.size());
-  EXPECT_NE(errorOf([&] { requireSameContract(derived, base, "a -> b"); }), "no error");
+  EXPECT_NE(refusal([&] { requireSameContract(derived, base, "a -> b"); }), "");
 }
 
 std::string contract(const char* hash, const std::string& commands) {

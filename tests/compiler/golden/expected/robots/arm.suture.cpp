@@ -238,6 +238,15 @@ void load(const EverythingSlot& slot, Everything& value) {
   load(slot.when, value.when);
 }
 
+void reserve(const EverythingSlot*, Everything& value) {
+  suture::reserveFor<decltype(EverythingSlot::label)>(value.label);
+  suture::reserveFor<decltype(EverythingSlot::bytes)>(value.bytes);
+  suture::reserveFor<decltype(EverythingSlot::flags)>(value.flags);
+  suture::reserveFor<decltype(EverythingSlot::names)>(value.names);
+  suture::reserveFor<decltype(EverythingSlot::pairs)>(value.pairs);
+  suture::reserveFor<decltype(EverythingSlot::track)>(value.track);
+}
+
 bool store(const PoseStamped& goal, ArmServoCpArguments& slot) { return store(goal, slot.goal); }
 
 bool store(const double& speed, ArmSetSpeedArguments& slot) { return store(speed, slot.speed); }

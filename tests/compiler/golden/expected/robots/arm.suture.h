@@ -41,6 +41,7 @@ struct EverythingSlot {
 
 bool store(const Everything& value, EverythingSlot& slot);
 void load(const EverythingSlot& slot, Everything& value);
+void reserve(const EverythingSlot*, Everything& value);
 
 // --- Arm: the arguments of its commands ---
 

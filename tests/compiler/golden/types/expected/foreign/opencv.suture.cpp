@@ -106,6 +106,10 @@ void load(const ViewSlot& slot, View& value) {
   load(slot.points, value.points);
 }
 
+void reserve(const ViewSlot*, View& value) {
+  suture::reserveFor<decltype(ViewSlot::points)>(value.points);
+}
+
 bool store(const cv::Point3d& at, CameraAimArguments& slot) { return store(at, slot.at); }
 
 // --- between slots and Cap'n Proto

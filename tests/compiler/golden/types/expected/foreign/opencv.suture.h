@@ -35,6 +35,7 @@ struct ViewSlot {
 
 bool store(const View& value, ViewSlot& slot);
 void load(const ViewSlot& slot, View& value);
+void reserve(const ViewSlot*, View& value);
 
 // --- Camera: the arguments of its commands ---
 

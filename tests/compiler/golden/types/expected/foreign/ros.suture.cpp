@@ -71,6 +71,10 @@ void load(const HeaderSlot& slot, Header& value) {
   load(slot.frame_id, value.frame_id);
 }
 
+void reserve(const HeaderSlot*, Header& value) {
+  suture::reserveFor<decltype(HeaderSlot::frame_id)>(value.frame_id);
+}
+
 bool store(const Point& value, PointSlot& slot) {
   bool fits = true;
   fits &= store(value.x, slot.x);
@@ -125,6 +129,10 @@ void load(const PoseStampedSlot& slot, PoseStamped& value) {
   load(slot.pose, value.pose);
 }
 
+void reserve(const PoseStampedSlot*, PoseStamped& value) {
+  suture::reserveFor<decltype(PoseStampedSlot::header)>(value.header);
+}
+
 bool store(const JointState& value, JointStateSlot& slot) {
   bool fits = true;
   fits &= store(value.header, slot.header);
@@ -141,6 +149,14 @@ void load(const JointStateSlot& slot, JointState& value) {
   load(slot.position, value.position);
   load(slot.velocity, value.velocity);
   load(slot.effort, value.effort);
+}
+
+void reserve(const JointStateSlot*, JointState& value) {
+  suture::reserveFor<decltype(JointStateSlot::header)>(value.header);
+  suture::reserveFor<decltype(JointStateSlot::name)>(value.name);
+  suture::reserveFor<decltype(JointStateSlot::position)>(value.position);
+  suture::reserveFor<decltype(JointStateSlot::velocity)>(value.velocity);
+  suture::reserveFor<decltype(JointStateSlot::effort)>(value.effort);
 }
 
 // --- between slots and Cap'n Proto

@@ -23,6 +23,7 @@ struct HeaderSlot {
 
 bool store(const Header& value, HeaderSlot& slot);
 void load(const HeaderSlot& slot, Header& value);
+void reserve(const HeaderSlot*, Header& value);
 
 struct PointSlot {
   double x;  // m
@@ -58,6 +59,7 @@ struct PoseStampedSlot {
 
 bool store(const PoseStamped& value, PoseStampedSlot& slot);
 void load(const PoseStampedSlot& slot, PoseStamped& value);
+void reserve(const PoseStampedSlot*, PoseStamped& value);
 
 struct JointStateSlot {
   HeaderSlot header;
@@ -69,5 +71,6 @@ struct JointStateSlot {
 
 bool store(const JointState& value, JointStateSlot& slot);
 void load(const JointStateSlot& slot, JointState& value);
+void reserve(const JointStateSlot*, JointState& value);
 
 }  // namespace foreign

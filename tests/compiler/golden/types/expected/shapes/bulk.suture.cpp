@@ -52,6 +52,11 @@ void load(const BulkSlot& slot, Bulk& value) {
   load(slot.image, value.image);
 }
 
+void reserve(const BulkSlot*, Bulk& value) {
+  suture::reserveFor<decltype(BulkSlot::samples)>(value.samples);
+  suture::reserveFor<decltype(BulkSlot::bytes)>(value.bytes);
+}
+
 // --- between slots and Cap'n Proto
 
 void toWire(const BulkSlot& slot, wire::Bulk::Builder out) {

@@ -19,5 +19,6 @@ struct BulkSlot {
 
 bool store(const Bulk& value, BulkSlot& slot);
 void load(const BulkSlot& slot, Bulk& value);
+void reserve(const BulkSlot*, Bulk& value);
 
 }  // namespace shapes

@@ -65,6 +65,10 @@ void load(const NamedSlot& slot, Named& value) {
   load(slot.name, value.name);
 }
 
+void reserve(const NamedSlot*, Named& value) {
+  suture::reserveFor<decltype(NamedSlot::name)>(value.name);
+}
+
 bool store(const StampedPoint& value, StampedPointSlot& slot) {
   bool fits = true;
   fits &= store(value.value, slot.value);
@@ -89,6 +93,10 @@ void load(const ToolSlot& slot, Tool& value) {
   load(slot.base, static_cast<Named&>(value));
   load(slot.basePoint, static_cast<Point&>(value));
   load(slot.last, value.last);
+}
+
+void reserve(const ToolSlot*, Tool& value) {
+  suture::reserveFor<decltype(ToolSlot::base)>(static_cast<Named&>(value));
 }
 
 bool store(const StampedLevel& value, StampedLevelSlot& slot) {
@@ -143,6 +151,11 @@ void load(const ClassesSlot& slot, Classes& value) {
   load(slot.counter, value.counter);
   load(slot.polar, value.polar);
   load(slot.spiral, value.spiral);
+}
+
+void reserve(const ClassesSlot*, Classes& value) {
+  suture::reserveFor<decltype(ClassesSlot::tool)>(value.tool);
+  suture::reserveFor<decltype(ClassesSlot::spiral)>(value.spiral);
 }
 
 // --- between slots and Cap'n Proto

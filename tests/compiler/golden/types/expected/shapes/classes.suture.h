@@ -27,6 +27,7 @@ struct NamedSlot {
 
 bool store(const Named& value, NamedSlot& slot);
 void load(const NamedSlot& slot, Named& value);
+void reserve(const NamedSlot*, Named& value);
 
 /// The names of the instances.
 struct StampedPointSlot {
@@ -46,6 +47,7 @@ struct ToolSlot {
 
 bool store(const Tool& value, ToolSlot& slot);
 void load(const ToolSlot& slot, Tool& value);
+void reserve(const ToolSlot*, Tool& value);
 
 struct StampedLevelSlot {
   std::int16_t value;  // Level
@@ -84,5 +86,6 @@ struct ClassesSlot {
 
 bool store(const Classes& value, ClassesSlot& slot);
 void load(const ClassesSlot& slot, Classes& value);
+void reserve(const ClassesSlot*, Classes& value);
 
 }  // namespace shapes

@@ -256,6 +256,11 @@ void load(const SequencesSlot& slot, Sequences& value) {
   load(slot.shares, value.shares);
 }
 
+void reserve(const SequencesSlot*, Sequences& value) {
+  suture::reserveFor<decltype(SequencesSlot::bytes)>(value.bytes);
+  suture::reserveFor<decltype(SequencesSlot::flags)>(value.flags);
+}
+
 bool store(const Choices& value, ChoicesSlot& slot) {
   bool fits = true;
   fits &= store(value.gain, slot.gain);
@@ -290,6 +295,10 @@ void load(const ChoicesSlot& slot, Choices& value) {
   load(slot.owned, value.owned);
 }
 
+void reserve(const ChoicesSlot*, Choices& value) {
+  suture::reserveFor<decltype(ChoicesSlot::seen)>(value.seen);
+}
+
 bool store(const Matrices& value, MatricesSlot& slot) {
   bool fits = true;
   fits &= store(value.joints, slot.joints);
@@ -318,6 +327,10 @@ void load(const MatricesSlot& slot, Matrices& value) {
   load(slot.wrenches, value.wrenches);
   load(slot.scaled, value.scaled);
   load(slot.wait, value.wait);
+}
+
+void reserve(const MatricesSlot*, Matrices& value) {
+  suture::reserveFor<decltype(MatricesSlot::cloud)>(value.cloud);
 }
 
 bool store(const Sequences& value, StorePutArguments& slot) { return store(value, slot.value); }
@@ -1155,6 +1168,12 @@ const InterfaceInfo& interfaceInfo<shapes::Store>() {
       .binding = &shapes::storeBinding,
   };
   return kInfo;
+}
+
+auto Provided<shapes::Store>::Scratch::reserved() -> Scratch {
+  Scratch scratch{};
+  reserveFor<decltype(shapes::StorePutArguments::value)>(scratch.put_value);
+  return scratch;
 }
 
 Errc Provided<shapes::Store>::execute(std::uint16_t command, const std::byte* arguments,

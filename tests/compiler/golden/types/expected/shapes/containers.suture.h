@@ -41,6 +41,7 @@ struct SequencesSlot {
 
 bool store(const Sequences& value, SequencesSlot& slot);
 void load(const SequencesSlot& slot, Sequences& value);
+void reserve(const SequencesSlot*, Sequences& value);
 
 /// What holds one thing or another, or some of each.
 struct ChoicesSlot {
@@ -61,6 +62,7 @@ struct ChoicesSlot {
 
 bool store(const Choices& value, ChoicesSlot& slot);
 void load(const ChoicesSlot& slot, Choices& value);
+void reserve(const ChoicesSlot*, Choices& value);
 
 /// Eigen types of all kinds.
 struct MatricesSlot {
@@ -79,6 +81,7 @@ struct MatricesSlot {
 
 bool store(const Matrices& value, MatricesSlot& slot);
 void load(const MatricesSlot& slot, Matrices& value);
+void reserve(const MatricesSlot*, Matrices& value);
 
 // --- Store: the arguments of its commands ---
 
@@ -189,15 +192,17 @@ class Provided<shapes::Store> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
-  // Reused by every command, so that what they own is allocated once.
+  // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
     shapes::Sequences put_value;
     std::optional<double> choose_gain;
+
+    static Scratch reserved();
   };
 
   Contract& implementation_;
   Events events_{*this};
-  Scratch scratch_{};
+  Scratch scratch_ = Scratch::reserved();
 };
 
 }  // namespace suture

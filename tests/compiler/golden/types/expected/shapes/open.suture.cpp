@@ -252,6 +252,10 @@ void load(const OpenSlot& slot, Open& value) {
   load(slot.root, value.root);
 }
 
+void reserve(const OpenSlot*, Open& value) {
+  suture::reserveFor<decltype(OpenSlot::words)>(value.words);
+}
+
 bool store(const std::string& key, const Open& value, ArchivePutArguments& slot) {
   return store(key, slot.key) && store(value, slot.value);
 }
@@ -812,6 +816,13 @@ const InterfaceInfo& interfaceInfo<shapes::Archive>() {
       .binding = &shapes::archiveBinding,
   };
   return kInfo;
+}
+
+auto Provided<shapes::Archive>::Scratch::reserved() -> Scratch {
+  Scratch scratch{};
+  reserveFor<decltype(shapes::ArchivePutArguments::value)>(scratch.put_value);
+  reserveFor<decltype(shapes::ArchiveReplaceArguments::value)>(scratch.replace_value);
+  return scratch;
 }
 
 Errc Provided<shapes::Archive>::execute(std::uint16_t command, const std::byte* arguments,

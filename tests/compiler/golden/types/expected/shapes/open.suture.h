@@ -60,6 +60,7 @@ struct OpenSlot {
 
 bool store(const Open& value, OpenSlot& slot);
 void load(const OpenSlot& slot, Open& value);
+void reserve(const OpenSlot*, Open& value);
 
 // --- Archive: the arguments of its commands ---
 
@@ -200,18 +201,20 @@ class Provided<shapes::Archive> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
-  // Reused by every command, so that what they own is allocated once.
+  // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
     std::string put_key;
     shapes::Open put_value;
     std::string remark_text;
     std::string find_pattern;
     shapes::Open replace_value;
+
+    static Scratch reserved();
   };
 
   Contract& implementation_;
   Events events_{*this};
-  Scratch scratch_{};
+  Scratch scratch_ = Scratch::reserved();
 };
 
 }  // namespace suture

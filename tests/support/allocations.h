@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace bench {
+namespace suture {
 
 /// How often the calling thread has allocated. Always 0 where countsAllocations() is false.
 std::uint64_t allocations();
@@ -12,4 +12,4 @@ std::uint64_t allocations();
 /// False under a sanitizer, which needs malloc for itself.
 bool countsAllocations();
 
-}  // namespace bench
+}  // namespace suture

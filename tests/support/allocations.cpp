@@ -1,4 +1,4 @@
-#include "bench/compiler/allocations.h"
+#include "support/allocations.h"
 
 #include <cstddef>
 
@@ -39,10 +39,10 @@ void* aligned_alloc(std::size_t alignment, std::size_t size) {
 }
 #endif
 
-namespace bench {
+namespace suture {
 
 std::uint64_t allocations() { return count; }
 
 bool countsAllocations() { return kCounts; }
 
-}  // namespace bench
+}  // namespace suture

@@ -1,0 +1,86 @@
+#pragma once
+// Components that keep a diary of their lives, for the tests of the life cycle.
+
+#include <suture/component/device.h>
+#include <suture/component/lifecycle.h>
+#include <suture/component/periodic_task.h>
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "reference/arm_like.suture.h"
+#include "reference/simulated_arm.h"
+#include "support/eventually.h"
+
+namespace suture {
+
+/// What has happened, in order, and in which threads. Any thread.
+class Diary {
+ public:
+  void note(const std::string& what) {
+    const std::lock_guard lock(mutex_);
+    entries_.push_back(what);
+    threads_.push_back(std::this_thread::get_id());
+  }
+  std::vector<std::string> entries() const {
+    const std::lock_guard lock(mutex_);
+    return entries_;
+  }
+  std::vector<std::thread::id> threads() const {
+    const std::lock_guard lock(mutex_);
+    return threads_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<std::string> entries_;
+  std::vector<std::thread::id> threads_;
+};
+
+/// Provides an arm, counts its cycles and keeps a diary; the hook `throwing` throws.
+template <class Kind>
+struct Living final : Kind {
+  template <class... Arguments>
+  explicit Living(Arguments&&... arguments) : Kind(std::forward<Arguments>(arguments)...) {}
+  ~Living() override { this->stop(); }
+
+  void onConfigure() override { hook("configure"); }
+  void onStart() override { hook("start"); }
+  void onSuspend() override { hook("suspend"); }
+  void onResume() override { hook("resume"); }
+  void onStop() override { hook("stop"); }
+  void run() { ++cycles; }
+
+  void hook(const std::string& name) {
+    diary.note(name);
+    if (name == throwing) throw std::runtime_error("no " + name + " today");
+  }
+
+  std::string throwing;
+  Diary diary;
+  std::atomic<int> cycles{0};
+  reference::SimulatedArm simulated{{}};
+  Provided<reference::ArmLike> arm{*this, "Arm", simulated};
+};
+
+struct Client final : Device {
+  Client() {
+    arm.on().stopped([this] { ++stops; });
+  }
+  Required<reference::ArmLike> arm{*this, "Arm"};
+  int stops = 0;
+};
+
+inline const PeriodicOptions kQuick{.period = std::chrono::milliseconds(1)};
+
+inline bool reaches(const Component& component, ComponentState state) {
+  return eventually([&] { return component.state() == state; });
+}
+
+}  // namespace suture
