@@ -101,7 +101,9 @@ class CrtkFace final : public CrtkArm {
       events.trajectory_j_ratio_a(ratioA_);
     }
     if (gravityChanged_) events.gravity_compensation(gravityCompensation_);
-    if (arm_.stateChanged_) events.status(message(arm_.state_.sub_state));
+    if (arm_.stateChanged_ && !arm_.state_.sub_state.empty()) {
+      events.status(message(arm_.state_.sub_state));
+    }
     if (arm_.newWarning_) events.warning(message(textOf(*arm_.newWarning_)));
     if (!error_.empty()) events.error(message(error_));
     desired_.reset();

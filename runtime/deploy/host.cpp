@@ -5,6 +5,7 @@
 #include <suture/deploy/host.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace suture {
 namespace {
@@ -163,6 +164,7 @@ void Host::start() {
   } catch (const SetupError& error) {
     throw DocumentError({deployment_.document().locate("/processes", error.what())});
   }
+  if (messages_) messages_->connect(*manager_);
   for (const ConnectionEntry& connection : deployment_.connections()) {
     if (connection.from.process != process_.name) continue;
     const Endpoint from{"", connection.from.component, connection.from.interface};
@@ -173,6 +175,18 @@ void Host::start() {
       throw DocumentError({deployment_.document().locate(connection.pointer, error.what())});
     }
   }
+}
+
+void Host::listenToMessages() {
+  messages_.emplace(components_);
+  manager_->add(MessageListener::kName, *messages_);
+}
+
+std::vector<std::string> Host::news() {
+  std::vector<std::string> lines = faults_->news();
+  if (!messages_) return lines;
+  for (std::string& line : messages_->heard()) lines.push_back(std::move(line));
+  return lines;
 }
 
 std::vector<Trouble> Host::troubles() const {

@@ -5,6 +5,7 @@
 #include <suture/deploy/collectors.h>
 #include <suture/deploy/deployment.h>
 #include <suture/deploy/fault_care.h>
+#include <suture/deploy/message_listener.h>
 #include <suture/deploy/shared_library.h>
 #include <suture/manager/manager.h>
 
@@ -39,6 +40,9 @@ class Host {
   Host(const Host&) = delete;
   Host& operator=(const Host&) = delete;
 
+  /// Before start(): news() tells the standard messages of the components too. Throws SetupError.
+  void listenToMessages();
+
   /// Configures and starts the components, then makes every connection that begins in this process,
   /// waiting at most `patience` for each other process. Throws DocumentError that names the
   /// component or the connection.
@@ -50,8 +54,8 @@ class Host {
   /// does not answer. What mends is there no more at the next call.
   std::vector<Trouble> troubles() const;
   /// What else has happened since the last call, a line each: restarts after faults, files of the
-  /// black box.
-  std::vector<std::string> news() { return faults_->news(); }
+  /// black box, messages.
+  std::vector<std::string> news();
 
  private:
   void createComponents(std::span<const ComponentClass> classes);
@@ -71,8 +75,9 @@ class Host {
   std::map<std::filesystem::path, SharedLibrary> libraries_;  // outlive what they contain
   Collectors collectors_{deployment_, process_};
   std::vector<std::unique_ptr<Component>> components_;  // in the order of the file
-  std::unique_ptr<Manager> manager_;                    // stops before the components go
-  std::optional<FaultCare> faults_;                     // looks at components
+  std::optional<MessageListener> messages_;
+  std::unique_ptr<Manager> manager_;  // stops before the components go
+  std::optional<FaultCare> faults_;   // looks at components
 };
 
 }  // namespace suture

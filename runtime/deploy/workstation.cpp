@@ -35,6 +35,7 @@ struct Options {
   double reportInterval = 1;
   std::string reportTo;
   std::string reportForm = "json";
+  bool messages = false;
 };
 
 int descriptorFrom(const std::string& text) {
@@ -62,6 +63,8 @@ void declare(CLI::App& app, Options& options) {
                  "json: an object a line; text: lines for people")
       ->capture_default_str()
       ->check(CLI::IsMember({"json", "text"}));
+  app.add_flag("--messages", options.messages,
+               "Tell on standard error what components say: their status, warning and error");
 }
 
 /// Runs one host to its end and tells what happens.
@@ -149,6 +152,7 @@ int runWorkstation(const Options& options, std::span<const ComponentClass> class
   auto interruptible = std::make_optional<ExitOnSignal>(signals);
   const Deployment deployment(JsonDocument::read(options.deployment));
   Host host(deployment, processOf(deployment, options), classes);
+  if (options.messages) host.listenToMessages();
   host.start();
   interruptible.reset();
   return Run(host, signals, options).untilEnd();

@@ -3,6 +3,7 @@
 #include <suture/component/device.h>
 #include <suture/deploy/host.h>
 #include <suture/rt/state_table.h>
+#include <suture/standard/message_port.h>
 
 #include <array>
 #include <chrono>
@@ -59,6 +60,19 @@ class ThrowsOnce final : public suture::PeriodicTask {
   }
 
   bool thrown_ = false;
+};
+
+class Talking final : public suture::PeriodicTask {
+ public:
+  Talking() : PeriodicTask({.period = 1ms}) {}
+
+ private:
+  void run() override {
+    if (!std::exchange(said_, true)) messages_.warning("the lid is open", 3);
+  }
+
+  bool said_ = false;
+  suture::MessagePort messages_{*this};
 };
 
 struct Shelf final : suture::Device {};
@@ -332,6 +346,19 @@ TEST(Host, ABlackBoxKeepsWhatTheFileSaysAndTellsSo) {
                           directory.file("all.")))
       << news[0];
   EXPECT_TRUE(std::filesystem::exists(news[0].substr(news[0].rfind(' ') + 1))) << news[0];
+}
+
+TEST(Host, TellsWhatComponentsSay) {
+  const std::array classes{ComponentClass{"Talking", createWithoutParameters<Talking>}};
+  const Deployment deployment = deploymentOf(R"({"name": "T", "class": "Talking"})");
+  Host silent(deployment, "all", classes);
+  silent.start();
+  Host host(deployment, "all", classes);
+  host.listenToMessages();
+  host.start();
+  EXPECT_EQ(newsOf(host),
+            (std::vector<std::string>{"T/Messages warning: the lid is open (code 3)"}));
+  EXPECT_TRUE(silent.news().empty());
 }
 
 TEST(Host, ComponentThatThrowsIsNamedAndTheOthersGoOn) {
