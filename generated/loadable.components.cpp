@@ -8,6 +8,7 @@ extern "C" const suture::ComponentLibrary& suture_components() {
   static const suture::ComponentClass kClasses[] = {
       suture::componentClass<loadable::Platter>(),
       suture::componentClass<loadable::Hand>(),
+      suture::componentClass<loadable::Spindle>(),
   };
   static const suture::ComponentLibrary kLibrary{.version = suture::kVersion, .classes = kClasses};
   return kLibrary;

@@ -4,12 +4,11 @@
 include(CMakePackageConfigHelpers)
 
 set(libraries)
-foreach(name base rt component wiring rpc delay contracts manager observe record deploy suture schemas)
+foreach(name base rt component wiring rpc delay standard manager observe record deploy suture schemas)
   set_target_properties(suture_${name} PROPERTIES EXPORT_NAME ${name})
   list(APPEND libraries suture_${name})
 endforeach()
-set_target_properties(suture_standard PROPERTIES EXPORT_NAME standard)
-set(robots suture_standard robots robots_core robots_kinematics)
+set(robots robots robots_core robots_kinematics)
 set_target_properties(${libraries} ${robots} PROPERTIES
   VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 set(programs suture-manager)
@@ -50,7 +49,7 @@ install(FILES
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/ ${PROJECT_SOURCE_DIR}/schemas/suture/
   ${PROJECT_BINARY_DIR}/schemas/suture/
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/suture FILES_MATCHING PATTERN "*.h" PATTERN "*.capnp"
-  PATTERN contracts EXCLUDE)  # suture_generate() installs those
+  PATTERN contracts EXCLUDE PATTERN standard EXCLUDE)  # runtime/contracts/ and suture_generate() install those
 if(TARGET suturec)
   # Where suturec looks first: clang's own headers stay with it.
   install(DIRECTORY ${SUTURE_CLANG_RESOURCE_DIR}/include DESTINATION lib/suture/clang)
@@ -62,6 +61,4 @@ install(TARGETS suture-workstation)
 install(EXPORT SutureRobotsTargets NAMESPACE suture:: DESTINATION ${package})
 # Those that are not annotated; suture_generate() installs the others.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/components/
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/suture-robots FILES_MATCHING PATTERN "*.h" PATTERN standard EXCLUDE)
-install(FILES ${PROJECT_SOURCE_DIR}/components/standard/timing_port.h
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/suture-standard/standard)
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/suture-robots FILES_MATCHING PATTERN "*.h")

@@ -3,6 +3,7 @@
 // Research Kit adds to it. arm.h is the small one that teleoperation needs.
 
 #include <suture/annotate.h>
+#include <suture/standard/messages.h>
 
 #include <string>
 
@@ -19,11 +20,10 @@ namespace robots {
 /// one. `local_` poses are of the tool tip in the arm's base frame, all others in the reference
 /// frame, in which base_frame() is the arm's base. A servo command replaces the one before it, of
 /// whichever space; a stream of velocities or efforts that falls silent for 0.1 s ends as hold().
-/// Relative goals are relative to the set-point. What an arm refuses it tells in `warning`.
-class SUTURE_INTERFACE(crtk()) CrtkArm {
+/// Relative goals are relative to the set-point. Status, warning and error are the standard
+/// messages; what an arm refuses it tells in `warning`.
+class SUTURE_INTERFACE(crtk()) CrtkArm : public suture::Messages {
  public:
-  virtual ~CrtkArm() = default;
-
   // --- state
 
   /// What the joints are and may do.
@@ -138,10 +138,6 @@ class SUTURE_INTERFACE(crtk()) CrtkArm {
   SUTURE_EVENT(latched(), name("trajectory_j_ratio")) suture::EventOf<double> ratio_event;
   SUTURE_EVENT(latched(), name("trajectory_j_ratio_v")) suture::EventOf<double> ratio_v_event;
   SUTURE_EVENT(latched(), name("trajectory_j_ratio_a")) suture::EventOf<double> ratio_a_event;
-
-  SUTURE_EVENT() suture::EventOf<Message> status;
-  SUTURE_EVENT() suture::EventOf<Message> warning;
-  SUTURE_EVENT() suture::EventOf<Message> error;
 };
 
 }  // namespace robots

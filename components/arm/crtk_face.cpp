@@ -73,7 +73,6 @@ CrtkFace<N>::CrtkFace(SimulatedArm<N>& arm) : arm_(arm), goalJs_(arm.setpoint_js
   blank(bodyJacobian_, N);
   blank(spatialJacobian_, N);
   moveGoal_.position.reserve(kMaxJoints);
-  message_.text.reserve(127);
 }
 
 // --- the state machine
@@ -391,14 +390,6 @@ std::string_view CrtkFace<N>::textOf(ArmWarning warning) {
     case ArmWarning::Malformed: return "the goal has the wrong length or is not finite or no pose";
   }
   return "";
-}
-
-template <int N>
-const Message& CrtkFace<N>::compose(std::string_view text) {
-  message_.text = text;
-  ++message_.counter;
-  message_.stamp = suture::now();
-  return message_;
 }
 
 template class CrtkFace<6>;

@@ -1,8 +1,11 @@
 #pragma once
 // The complete CRTK interface of a simulated arm, beside the small one that it implements itself.
 
+#include <suture/standard/message_draft.h>
+
 #include <Eigen/Core>
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -98,9 +101,11 @@ class CrtkFace final : public CrtkArm {
       events.trajectory_j_ratio_a(ratioA_);
     }
     if (gravityChanged_) events.gravity_compensation(gravityCompensation_);
-    if (arm_.stateChanged_) events.status(compose(arm_.state_.sub_state));
-    if (arm_.newWarning_) events.warning(compose(textOf(*arm_.newWarning_)));
-    if (!error_.empty()) events.error(compose(error_));
+    if (arm_.stateChanged_ && !arm_.state_.sub_state.empty()) {
+      events.status(message(arm_.state_.sub_state));
+    }
+    if (arm_.newWarning_) events.warning(message(textOf(*arm_.newWarning_)));
+    if (!error_.empty()) events.error(message(error_));
     desired_.reset();
     ratiosChanged_ = gravityChanged_ = false;
     error_ = {};
@@ -111,7 +116,9 @@ class CrtkFace final : public CrtkArm {
   using SpatialVector = kinematics::SpatialVector;
 
   static std::string_view textOf(ArmWarning warning);
-  const Message& compose(std::string_view text);
+  const suture::Message& message(std::string_view text) {
+    return draft_.write(text, 0, ++messages_);
+  }
   PoseStamped inReference(PoseStamped pose) const;
   PoseStamped inBase(PoseStamped pose) const;
   PoseStamped stepped(const PoseStamped& step) const;
@@ -147,7 +154,8 @@ class CrtkFace final : public CrtkArm {
   std::optional<ArmState> desired_;
   bool ratiosChanged_ = true, gravityChanged_ = true;
   std::string_view error_;  // of static storage
-  Message message_;
+  suture::MessageDraft draft_;
+  std::uint32_t messages_ = 0;  // so many have been told
 };
 
 extern template class CrtkFace<6>;

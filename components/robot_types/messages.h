@@ -1,5 +1,5 @@
 #pragma once
-// What components say to people, and how they say how they are.
+// How components say how they are. What they say in words: <suture/standard/messages.h>.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
@@ -8,14 +8,6 @@
 #include <string>
 
 namespace robots {
-
-/// CRTK's status, warning and error.
-struct SUTURE_TYPE() Message {
-  SUTURE_FIELD(capacity(127)) std::string text;
-  /// Counts the messages of its sender.
-  std::uint32_t counter = 0;
-  suture::Time stamp;
-};
 
 /// How regularly a task ran, over its last window.
 struct SUTURE_TYPE() IntervalStatistics {

@@ -71,7 +71,8 @@ void Crew::startWorkstations() {
                                                "--report-fd", std::to_string(kReportDescriptor)},
                                  .directory = folder_,
                                  .reportsTo = kReportDescriptor}),
-        .report = {.process = process.name, .age = {}, .connections = {}, .tasks = {}}}));
+        .report = {
+            .process = process.name, .age = {}, .connections = {}, .tasks = {}, .devices = {}}}));
   }
 }
 

@@ -69,9 +69,6 @@ void toWire(const IntervalStatisticsSlot& slot, wire::IntervalStatistics::Builde
 suture::Errc fromWire(wire::IntervalStatistics::Reader in, IntervalStatisticsSlot& slot,
                       suture::Duration shift);
 bool isValid(const IntervalStatisticsSlot& slot);
-void toWire(const MessageSlot& slot, wire::Message::Builder out);
-suture::Errc fromWire(wire::Message::Reader in, MessageSlot& slot, suture::Duration shift);
-bool isValid(const MessageSlot& slot);
 }  // namespace robots
 
 // Defined in robot_types/operating_state.suture.cpp.
@@ -90,6 +87,13 @@ void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out);
 suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, suture::Duration shift);
 bool isValid(const PoseStampedSlot& slot);
 }  // namespace robots
+
+// Defined in suture/standard/messages.suture.cpp.
+namespace suture {
+void toWire(const MessageSlot& slot, wire::Message::Builder out);
+suture::Errc fromWire(wire::Message::Reader in, MessageSlot& slot, suture::Duration shift);
+bool isValid(const MessageSlot& slot);
+}  // namespace suture
 
 namespace robots {
 
@@ -359,21 +363,18 @@ constexpr EventInfo kCrtkArmEvents[] = {
     {.name = "trajectory_j_ratio", .payloadSize = slotSize<double>, .depth = 16, .latched = true},
     {.name = "trajectory_j_ratio_v", .payloadSize = slotSize<double>, .depth = 16, .latched = true},
     {.name = "trajectory_j_ratio_a", .payloadSize = slotSize<double>, .depth = 16, .latched = true},
-    {.name = "status", .payloadSize = slotSize<MessageSlot>, .depth = 16},
-    {.name = "warning", .payloadSize = slotSize<MessageSlot>, .depth = 16},
-    {.name = "error", .payloadSize = slotSize<MessageSlot>, .depth = 16},
 };
 
 // The self-description, as in arm/crtk_arm.suture.json.
 constexpr char kCrtkArmDescription[] = R"json(
 {"name": "robots::CrtkArm",
-"doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. `local_` poses are of the tool tip in the arm's base frame, all others in the reference\nframe, in which base_frame() is the arm's base. A servo command replaces the one before it, of\nwhichever space; a stream of velocities or efforts that falls silent for 0.1 s ends as hold().\nRelative goals are relative to the set-point. What an arm refuses it tells in `warning`.",
-"hash": "fd15fee19f80c14818f4c5f626164e89", "crtk": true, "commands": [{"name": "configuration_js",
-"kind": "read", "wire": "configurationJs", "doc": "What the joints are and may do.", "result": {
-"type": {"kind": "struct", "name": "robots::JointConfiguration"}}, "queue": 16}, {
-"name": "operating_state", "kind": "read", "wire": "operatingState", "result": {"type": {
-"kind": "struct", "name": "robots::OperatingState"}}, "queue": 16}, {"name": "period_statistics",
-"kind": "read", "wire": "periodStatistics",
+"doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. `local_` poses are of the tool tip in the arm's base frame, all others in the reference\nframe, in which base_frame() is the arm's base. A servo command replaces the one before it, of\nwhichever space; a stream of velocities or efforts that falls silent for 0.1 s ends as hold().\nRelative goals are relative to the set-point. Status, warning and error are the standard\nmessages; what an arm refuses it tells in `warning`.",
+"hash": "21912ede6b14b2cffbb40ac3131efbec", "base": "suture::Messages", "crtk": true, "commands": [
+{"name": "configuration_js", "kind": "read", "wire": "configurationJs",
+"doc": "What the joints are and may do.", "result": {"type": {"kind": "struct",
+"name": "robots::JointConfiguration"}}, "queue": 16}, {"name": "operating_state", "kind": "read",
+"wire": "operatingState", "result": {"type": {"kind": "struct", "name": "robots::OperatingState"}},
+"queue": 16}, {"name": "period_statistics", "kind": "read", "wire": "periodStatistics",
 "doc": "How regularly the arm's task ran in the last second.", "result": {"type": {
 "kind": "struct", "name": "robots::IntervalStatistics"}}, "queue": 16}, {"name": "enable",
 "kind": "void", "doc": "Powers the arm; it holds its position.", "queue": 16}, {"name": "disable",
@@ -484,7 +485,16 @@ constexpr char kCrtkArmDescription[] = R"json(
 "name": "local_query_cp", "kind": "qualified read", "wire": "localQueryCp",
 "doc": "The same in the arm's base frame.", "parameters": [{"name": "q", "type": {"kind": "struct",
 "name": "robots::JointGoal"}}], "result": {"type": {"kind": "struct", "name": "robots::PoseStamped"
-}}, "queue": 16}], "events": [{"name": "operating_state", "kind": "write", "wire": "operatingState",
+}}, "queue": 16}], "events": [{"name": "status", "kind": "write",
+"doc": "All is well; something has been done.", "payload": {"type": {"kind": "struct",
+"name": "suture::Message"}}, "queue": 16, "latched": true, "from": "suture::Messages"}, {
+"name": "warning", "kind": "write",
+"doc": "Something was refused, or is not as it should be; the component goes on.", "payload": {
+"type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
+"from": "suture::Messages"}, {"name": "error", "kind": "write",
+"doc": "Something failed, and somebody should see to it.", "payload": {"type": {"kind": "struct",
+"name": "suture::Message"}}, "queue": 16, "latched": true, "from": "suture::Messages"}, {
+"name": "operating_state", "kind": "write", "wire": "operatingState",
 "doc": "Each change of the operating state, and the last one to whoever connects.", "payload": {
 "type": {"kind": "struct", "name": "robots::OperatingState"}}, "queue": 16, "latched": true}, {
 "name": "desired_state", "kind": "write", "wire": "desiredState",
@@ -498,19 +508,16 @@ constexpr char kCrtkArmDescription[] = R"json(
 "type": {"kind": "Float64"}}, "queue": 16, "latched": true}, {"name": "trajectory_j_ratio_v",
 "kind": "write", "wire": "trajectoryJRatioV", "payload": {"type": {"kind": "Float64"}}, "queue": 16,
 "latched": true}, {"name": "trajectory_j_ratio_a", "kind": "write", "wire": "trajectoryJRatioA",
-"payload": {"type": {"kind": "Float64"}}, "queue": 16, "latched": true}, {"name": "status",
-"kind": "write", "payload": {"type": {"kind": "struct", "name": "robots::Message"}}, "queue": 16}, {
-"name": "warning", "kind": "write", "payload": {"type": {"kind": "struct", "name": "robots::Message"
-}}, "queue": 16}, {"name": "error", "kind": "write", "payload": {"type": {"kind": "struct",
-"name": "robots::Message"}}, "queue": 16}], "enums": [{"name": "robots::JointType",
-"underlying": "UInt8", "enumerators": [{"name": "Undefined", "value": 0, "wire": "undefined"}, {
-"name": "Prismatic", "value": 1, "wire": "prismatic"}, {"name": "Revolute", "value": 2,
-"wire": "revolute"}, {"name": "Universal", "value": 3, "wire": "universal"}, {"name": "BallSocket",
-"value": 4, "wire": "ballSocket"}, {"name": "Inactive", "value": 5, "wire": "inactive"}]}, {
-"name": "robots::ArmState", "doc": "The states of CRTK.", "underlying": "UInt8", "enumerators": [{
-"name": "Undefined", "value": 0, "wire": "undefined"}, {"name": "Disabled", "value": 1,
-"wire": "disabled"}, {"name": "Enabled", "value": 2, "wire": "enabled"}, {"name": "Paused",
-"value": 3, "wire": "paused"}, {"name": "Fault", "value": 4, "wire": "fault"}]}], "structs": [{
+"payload": {"type": {"kind": "Float64"}}, "queue": 16, "latched": true}], "enums": [{
+"name": "robots::JointType", "underlying": "UInt8", "enumerators": [{"name": "Undefined",
+"value": 0, "wire": "undefined"}, {"name": "Prismatic", "value": 1, "wire": "prismatic"}, {
+"name": "Revolute", "value": 2, "wire": "revolute"}, {"name": "Universal", "value": 3,
+"wire": "universal"}, {"name": "BallSocket", "value": 4, "wire": "ballSocket"}, {
+"name": "Inactive", "value": 5, "wire": "inactive"}]}, {"name": "robots::ArmState",
+"doc": "The states of CRTK.", "underlying": "UInt8", "enumerators": [{"name": "Undefined",
+"value": 0, "wire": "undefined"}, {"name": "Disabled", "value": 1, "wire": "disabled"}, {
+"name": "Enabled", "value": 2, "wire": "enabled"}, {"name": "Paused", "value": 3, "wire": "paused"
+}, {"name": "Fault", "value": 4, "wire": "fault"}]}], "structs": [{
 "name": "robots::JointConfiguration",
 "doc": "What the joints are and may do: CRTK's configuration_js. prmConfigurationJoint.",
 "fields": [{"name": "name", "type": {"kind": "list", "element": {"kind": "text", "capacity": 15},
@@ -633,11 +640,15 @@ constexpr char kCrtkArmDescription[] = R"json(
 "kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad"}, {"name": "joints",
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "found",
 "doc": "False: no joint vector within limits reaches the pose; `position` is the nearest one found.",
-"type": {"kind": "Bool"}, "default": false}]}, {"name": "robots::Message",
-"doc": "CRTK's status, warning and error.", "fields": [{"name": "text", "type": {"kind": "text",
-"capacity": 127}}, {"name": "counter", "doc": "Counts the messages of its sender.", "type": {
-"kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]}]
-})json";
+"type": {"kind": "Bool"}, "default": false}]}, {"name": "suture::Message", "fields": [{
+"name": "text",
+"doc": "UTF-8, for people. Those who send cut what is longer, and end it in \"...\" then.",
+"type": {"kind": "text", "capacity": 255}}, {"name": "code",
+"doc": "What it is about, by numbers that its sender documents; 0: nothing in particular.",
+"type": {"kind": "UInt32"}, "default": 0}, {"name": "counter",
+"doc": "Counts the messages of its sender, of all three kinds together, from 1: a gap says that the\nlistener has missed some, a number seen before that the last one has been told again.",
+"type": {"kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time",
+"clock": "steady"}}]}]})json";
 
 }  // namespace
 
@@ -724,6 +735,24 @@ class CrtkArmSink final : public suture::rpc::EventSink {
 
   kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
     switch (event) {
+      case numberOf(suture::MessagesEvent::status): {
+        const auto& slot = slotIn<suture::MessageSlot>(payload);
+        auto request = subscriber_.statusRequest();
+        toWire(slot, request.initValue());
+        return request.send().ignoreResult();
+      }
+      case numberOf(suture::MessagesEvent::warning): {
+        const auto& slot = slotIn<suture::MessageSlot>(payload);
+        auto request = subscriber_.warningRequest();
+        toWire(slot, request.initValue());
+        return request.send().ignoreResult();
+      }
+      case numberOf(suture::MessagesEvent::error): {
+        const auto& slot = slotIn<suture::MessageSlot>(payload);
+        auto request = subscriber_.errorRequest();
+        toWire(slot, request.initValue());
+        return request.send().ignoreResult();
+      }
       case numberOf(CrtkArmEvent::operating_state): {
         const auto& slot = slotIn<OperatingStateSlot>(payload);
         auto request = subscriber_.operatingStateRequest();
@@ -764,24 +793,6 @@ class CrtkArmSink final : public suture::rpc::EventSink {
         const auto& slot = slotIn<double>(payload);
         auto request = subscriber_.trajectoryJRatioARequest();
         request.setValue(slot);
-        return request.send().ignoreResult();
-      }
-      case numberOf(CrtkArmEvent::status): {
-        const auto& slot = slotIn<MessageSlot>(payload);
-        auto request = subscriber_.statusRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-      case numberOf(CrtkArmEvent::warning): {
-        const auto& slot = slotIn<MessageSlot>(payload);
-        auto request = subscriber_.warningRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-      case numberOf(CrtkArmEvent::error): {
-        const auto& slot = slotIn<MessageSlot>(payload);
-        auto request = subscriber_.errorRequest();
-        toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
     }
@@ -893,7 +904,17 @@ class CrtkArmSink final : public suture::rpc::EventSink {
 /// Puts remote calls into the provider's mailbox.
 class CrtkArmServant final : public wire::CrtkArm::Server {
  public:
-  explicit CrtkArmServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
+  explicit CrtkArmServant(kj::Own<ServantPort> port)
+      : base_(suture::interfaceInfo<suture::Messages>().binding().makeServant(kj::addRef(*port))),
+        port_(kj::mv(port)) {}
+
+  DispatchCallResult dispatchCall(std::uint64_t contract, std::uint16_t method,
+                                  suture::rpc::AnyCall call) override {
+    if (contract != capnp::typeId<wire::CrtkArm>()) {
+      return base_->dispatchCall(contract, method, call);
+    }
+    return wire::CrtkArm::Server::dispatchCall(contract, method, call);
+  }
 
  protected:
   kj::Promise<void> subscribe(SubscribeContext context) override {
@@ -1499,6 +1520,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
   }
 
  private:
+  kj::Own<capnp::Capability::Server> base_;
   kj::Own<ServantPort> port_;
 };
 
@@ -1646,6 +1668,30 @@ class CrtkArmReceiver final : public wire::CrtkArmEvents::Server {
     return kj::READY_NOW;
   }
 
+  kj::Promise<void> status(StatusContext context) override {
+    auto in = context.getParams();
+    return port_->event<suture::MessageSlot>(numberOf(suture::MessagesEvent::status),
+                                             [&](suture::MessageSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
+  }
+
+  kj::Promise<void> warning(WarningContext context) override {
+    auto in = context.getParams();
+    return port_->event<suture::MessageSlot>(numberOf(suture::MessagesEvent::warning),
+                                             [&](suture::MessageSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
+  }
+
+  kj::Promise<void> error(ErrorContext context) override {
+    auto in = context.getParams();
+    return port_->event<suture::MessageSlot>(numberOf(suture::MessagesEvent::error),
+                                             [&](suture::MessageSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
+  }
+
   kj::Promise<void> operatingState(OperatingStateContext context) override {
     auto in = context.getParams();
     return port_->event<OperatingStateSlot>(numberOf(CrtkArmEvent::operating_state),
@@ -1704,27 +1750,6 @@ class CrtkArmReceiver final : public wire::CrtkArmEvents::Server {
     });
   }
 
-  kj::Promise<void> status(StatusContext context) override {
-    auto in = context.getParams();
-    return port_->event<MessageSlot>(numberOf(CrtkArmEvent::status), [&](MessageSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
-  kj::Promise<void> warning(WarningContext context) override {
-    auto in = context.getParams();
-    return port_->event<MessageSlot>(numberOf(CrtkArmEvent::warning), [&](MessageSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
-  kj::Promise<void> error(ErrorContext context) override {
-    auto in = context.getParams();
-    return port_->event<MessageSlot>(numberOf(CrtkArmEvent::error), [&](MessageSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
  private:
   kj::Own<ProxyPort> port_;
 };
@@ -1733,7 +1758,9 @@ class CrtkArmReceiver final : public wire::CrtkArmEvents::Server {
 class CrtkArmProxy final : public suture::rpc::Proxy {
  public:
   CrtkArmProxy(wire::CrtkArm::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
+      : base_(suture::interfaceInfo<suture::Messages>().binding().makeProxy(provider, port)),
+        provider_(kj::mv(provider)),
+        port_(port) {}
 
   kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
     auto request = provider_.subscribeRequest();
@@ -2191,10 +2218,11 @@ class CrtkArmProxy final : public suture::rpc::Proxy {
         });
       }
     }
-    return kj::READY_NOW;
+    return base_->send(record);
   }
 
  private:
+  kj::Own<suture::rpc::Proxy> base_;
   wire::CrtkArm::Client provider_;
   ProxyPort& port_;
 };
@@ -2225,13 +2253,17 @@ namespace suture {
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::CrtkArm>() {
-  static constexpr InterfaceInfo kInfo{
+  static const auto kEvents = extended<10>(interfaceInfo<suture::Messages>().events,
+                                           robots::kCrtkArmEvents);
+  static const InterfaceInfo kInfo{
       .name = "robots::CrtkArm",
-      .hash = "fd15fee19f80c14818f4c5f626164e89",
+      .hash = "21912ede6b14b2cffbb40ac3131efbec",
       .description = robots::kCrtkArmDescription,
       .commands = robots::kCrtkArmCommands,
-      .events = robots::kCrtkArmEvents,
+      .events = kEvents,
       .binding = &robots::crtkArmBinding,
+      .base = &interfaceInfo<suture::Messages>,
+      .toBase = &castToBase<robots::CrtkArm, suture::Messages>,
   };
   return kInfo;
 }
@@ -2517,7 +2549,7 @@ Errc Provided<robots::CrtkArm>::execute(std::uint16_t command, const std::byte* 
           ? Errc{} : Errc::TooLarge;
     }
   }
-  return Errc::Invalid;
+  return Provided<suture::Messages>::execute(command, arguments, result);
 }
 
 }  // namespace suture

@@ -14,6 +14,7 @@
 #include "robot_types/messages.suture.h"
 #include "robot_types/operating_state.suture.h"
 #include "robot_types/pose.suture.h"
+#include "suture/standard/messages.suture.h"
 
 namespace robots {
 
@@ -214,18 +215,15 @@ enum class CrtkArmCommand : std::uint16_t {
   local_query_cp,
 };
 
-/// The numbers of CrtkArm's events.
+/// The numbers of CrtkArm's own events.
 enum class CrtkArmEvent : std::uint16_t {
-  operating_state,
+  operating_state = 3,
   desired_state,
   goal_reached,
   gravity_compensation,
   trajectory_j_ratio,
   trajectory_j_ratio_v,
   trajectory_j_ratio_a,
-  status,
-  warning,
-  error,
 };
 
 }  // namespace robots
@@ -237,7 +235,7 @@ const InterfaceInfo& interfaceInfo<robots::CrtkArm>();
 
 /// What a client of robots::CrtkArm calls.
 template <>
-class Required<robots::CrtkArm> : public RequiredBase {
+class Required<robots::CrtkArm> : public Required<suture::Messages> {
   using Contract = robots::CrtkArm;
   using Id = robots::CrtkArmCommand;
   using EventId = robots::CrtkArmEvent;
@@ -382,18 +380,16 @@ class Required<robots::CrtkArm> : public RequiredBase {
       *this, static_cast<std::uint16_t>(Id::local_query_cp)};
 
   /// The events of robots::CrtkArm, to subscribe to.
-  struct Events {
+  struct Events : Required<suture::Messages>::Events {
     explicit Events(RequiredBase& required)
-        : operating_state{required, static_cast<std::uint16_t>(EventId::operating_state)},
+        : Required<suture::Messages>::Events(required),
+          operating_state{required, static_cast<std::uint16_t>(EventId::operating_state)},
           desired_state{required, static_cast<std::uint16_t>(EventId::desired_state)},
           goal_reached{required, static_cast<std::uint16_t>(EventId::goal_reached)},
           gravity_compensation{required, static_cast<std::uint16_t>(EventId::gravity_compensation)},
           trajectory_j_ratio{required, static_cast<std::uint16_t>(EventId::trajectory_j_ratio)},
           trajectory_j_ratio_v{required, static_cast<std::uint16_t>(EventId::trajectory_j_ratio_v)},
-          trajectory_j_ratio_a{required, static_cast<std::uint16_t>(EventId::trajectory_j_ratio_a)},
-          status{required, static_cast<std::uint16_t>(EventId::status)},
-          warning{required, static_cast<std::uint16_t>(EventId::warning)},
-          error{required, static_cast<std::uint16_t>(EventId::error)} {}
+          trajectory_j_ratio_a{required, static_cast<std::uint16_t>(EventId::trajectory_j_ratio_a)} {}
 
     /// Each change of the operating state, and the last one to whoever connects.
     Subscription<robots::OperatingStateSlot, robots::OperatingState> operating_state;
@@ -405,16 +401,13 @@ class Required<robots::CrtkArm> : public RequiredBase {
     Subscription<double, double> trajectory_j_ratio;
     Subscription<double, double> trajectory_j_ratio_v;
     Subscription<double, double> trajectory_j_ratio_a;
-    Subscription<robots::MessageSlot, robots::Message> status;
-    Subscription<robots::MessageSlot, robots::Message> warning;
-    Subscription<robots::MessageSlot, robots::Message> error;
   };
   Events& on() { return events_; }
 
  protected:
   // Of a contract that derives from this one.
   Required(Component& owner, std::string_view name, const InterfaceInfo& info)
-      : RequiredBase(owner, name, info) {}
+      : Required<suture::Messages>(owner, name, info) {}
 
  private:
   Events events_{*this};
@@ -422,7 +415,7 @@ class Required<robots::CrtkArm> : public RequiredBase {
 
 /// What serves robots::CrtkArm from a component.
 template <>
-class Provided<robots::CrtkArm> : public ProvidedBase {
+class Provided<robots::CrtkArm> : public Provided<suture::Messages> {
   using Contract = robots::CrtkArm;
   using EventId = robots::CrtkArmEvent;
 
@@ -431,18 +424,16 @@ class Provided<robots::CrtkArm> : public ProvidedBase {
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
   /// The events of robots::CrtkArm, to emit.
-  struct Events {
+  struct Events : Provided<suture::Messages>::Events {
     explicit Events(ProvidedBase& provided)
-        : operating_state{provided, static_cast<std::uint16_t>(EventId::operating_state)},
+        : Provided<suture::Messages>::Events(provided),
+          operating_state{provided, static_cast<std::uint16_t>(EventId::operating_state)},
           desired_state{provided, static_cast<std::uint16_t>(EventId::desired_state)},
           goal_reached{provided, static_cast<std::uint16_t>(EventId::goal_reached)},
           gravity_compensation{provided, static_cast<std::uint16_t>(EventId::gravity_compensation)},
           trajectory_j_ratio{provided, static_cast<std::uint16_t>(EventId::trajectory_j_ratio)},
           trajectory_j_ratio_v{provided, static_cast<std::uint16_t>(EventId::trajectory_j_ratio_v)},
-          trajectory_j_ratio_a{provided, static_cast<std::uint16_t>(EventId::trajectory_j_ratio_a)},
-          status{provided, static_cast<std::uint16_t>(EventId::status)},
-          warning{provided, static_cast<std::uint16_t>(EventId::warning)},
-          error{provided, static_cast<std::uint16_t>(EventId::error)} {}
+          trajectory_j_ratio_a{provided, static_cast<std::uint16_t>(EventId::trajectory_j_ratio_a)} {}
 
     /// Each change of the operating state, and the last one to whoever connects.
     Emitter<robots::OperatingStateSlot, robots::OperatingState> operating_state;
@@ -454,9 +445,6 @@ class Provided<robots::CrtkArm> : public ProvidedBase {
     Emitter<double, double> trajectory_j_ratio;
     Emitter<double, double> trajectory_j_ratio_v;
     Emitter<double, double> trajectory_j_ratio_a;
-    Emitter<robots::MessageSlot, robots::Message> status;
-    Emitter<robots::MessageSlot, robots::Message> warning;
-    Emitter<robots::MessageSlot, robots::Message> error;
   };
   Events& emit() { return events_; }
 
@@ -464,7 +452,7 @@ class Provided<robots::CrtkArm> : public ProvidedBase {
   // Of a contract that derives from this one: `whole` points to its implementation.
   Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
            Contract& implementation)
-      : ProvidedBase(owner, name, info, whole),
+      : Provided<suture::Messages>(owner, name, info, whole, implementation),
         implementation_(implementation) {}
 
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;

@@ -22,6 +22,8 @@ namespace {
 
 // What this compiler sees must be what suturec read.
 static_assert(std::is_same_v<decltype(PlatterParameters::angle), double>);
+static_assert(std::is_same_v<decltype(SpindleParameters::cycles), std::int32_t>);
+static_assert(std::is_same_v<decltype(SpindleParameters::brake), std::string>);
 
 }  // namespace
 
@@ -33,6 +35,22 @@ bool store(const PlatterParameters& value, PlatterParametersSlot& slot) {
 
 void load(const PlatterParametersSlot& slot, PlatterParameters& value) {
   load(slot.angle, value.angle);
+}
+
+bool store(const SpindleParameters& value, SpindleParametersSlot& slot) {
+  bool fits = true;
+  fits &= store(value.cycles, slot.cycles);
+  fits &= store(value.brake, slot.brake);
+  return fits;
+}
+
+void load(const SpindleParametersSlot& slot, SpindleParameters& value) {
+  load(slot.cycles, value.cycles);
+  load(slot.brake, value.brake);
+}
+
+void reserve(const SpindleParametersSlot*, SpindleParameters& value) {
+  suture::reserveFor<decltype(SpindleParametersSlot::brake)>(value.brake);
 }
 
 // --- between slots and Cap'n Proto
@@ -50,6 +68,20 @@ bool isValid(const PlatterParametersSlot& slot) {
   return isValid(slot.angle);
 }
 
+void toWire(const SpindleParametersSlot& slot, wire::SpindleParameters::Builder out) {
+  out.setCycles(slot.cycles);
+  toWire(slot.brake, out.initBrake(slot.brake.size));
+}
+
+Errc fromWire(wire::SpindleParameters::Reader in, SpindleParametersSlot& slot, Duration) {
+  slot.cycles = in.getCycles();
+  return fromWire(in.getBrake(), slot.brake);
+}
+
+bool isValid(const SpindleParametersSlot&) {
+  return true;
+}
+
 }  // namespace loadable
 
 namespace loadable {
@@ -57,6 +89,13 @@ namespace loadable {
 void fromJson(const suture::JsonReader& in, PlatterParameters& value) {
   suture::JsonReader reader = in;
   reader.field("angle", value.angle);
+  reader.finish();
+}
+
+void fromJson(const suture::JsonReader& in, SpindleParameters& value) {
+  suture::JsonReader reader = in;
+  reader.field("cycles", value.cycles);
+  reader.field("brake", value.brake);
   reader.finish();
 }
 
@@ -83,6 +122,16 @@ ComponentClass componentClass<loadable::Hand>() {
             std::unique_ptr<Component> component(new loadable::Hand());
             makeOptional(*component, {"Other"});
             return component;
+          }};
+}
+
+template <>
+ComponentClass componentClass<loadable::Spindle>() {
+  return {"Spindle", [](const JsonReader& parameters) -> std::unique_ptr<Component> {
+            loadable::SpindleParameters values;
+            fromJson(parameters, values);
+            if (parameters.failed()) return nullptr;
+            return std::unique_ptr<Component>(new loadable::Spindle(values));
           }};
 }
 

@@ -20,8 +20,20 @@ struct PlatterParametersSlot {
 bool store(const PlatterParameters& value, PlatterParametersSlot& slot);
 void load(const PlatterParametersSlot& slot, PlatterParameters& value);
 
+struct SpindleParametersSlot {
+  std::int32_t cycles;
+  suture::BoundedText<255> brake;
+};
+
+bool store(const SpindleParameters& value, SpindleParametersSlot& slot);
+void load(const SpindleParametersSlot& slot, SpindleParameters& value);
+void reserve(const SpindleParametersSlot*, SpindleParameters& value);
+
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, PlatterParameters& value);
+
+/// Reads what `in` says into `value`; what it does not mention keeps its default.
+void fromJson(const suture::JsonReader& in, SpindleParameters& value);
 
 }  // namespace loadable
 
@@ -32,5 +44,8 @@ ComponentClass componentClass<loadable::Platter>();
 
 template <>
 ComponentClass componentClass<loadable::Hand>();
+
+template <>
+ComponentClass componentClass<loadable::Spindle>();
 
 }  // namespace suture

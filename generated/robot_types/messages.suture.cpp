@@ -21,9 +21,6 @@ using suture::store;
 namespace {
 
 // What this compiler sees must be what suturec read.
-static_assert(std::is_same_v<decltype(Message::text), std::string>);
-static_assert(std::is_same_v<decltype(Message::counter), std::uint32_t>);
-static_assert(std::is_same_v<decltype(Message::stamp), std::chrono::steady_clock::time_point>);
 static_assert(std::is_same_v<decltype(IntervalStatistics::period_average), double>);
 static_assert(std::is_same_v<decltype(IntervalStatistics::period_deviation), double>);
 static_assert(std::is_same_v<decltype(IntervalStatistics::period_min), double>);
@@ -36,24 +33,6 @@ static_assert(std::is_same_v<decltype(KeyValue::key), std::string>);
 static_assert(std::is_same_v<decltype(KeyValue::value), std::string>);
 
 }  // namespace
-
-bool store(const Message& value, MessageSlot& slot) {
-  bool fits = true;
-  fits &= store(value.text, slot.text);
-  fits &= store(value.counter, slot.counter);
-  fits &= store(value.stamp, slot.stamp);
-  return fits;
-}
-
-void load(const MessageSlot& slot, Message& value) {
-  load(slot.text, value.text);
-  load(slot.counter, value.counter);
-  load(slot.stamp, value.stamp);
-}
-
-void reserve(const MessageSlot*, Message& value) {
-  suture::reserveFor<decltype(MessageSlot::text)>(value.text);
-}
 
 bool store(const IntervalStatistics& value, IntervalStatisticsSlot& slot) {
   bool fits = true;
@@ -95,22 +74,6 @@ void reserve(const KeyValueSlot*, KeyValue& value) {
 }
 
 // --- between slots and Cap'n Proto
-
-void toWire(const MessageSlot& slot, wire::Message::Builder out) {
-  toWire(slot.text, out.initText(slot.text.size));
-  out.setCounter(slot.counter);
-  out.setStamp(slot.stamp);
-}
-
-Errc fromWire(wire::Message::Reader in, MessageSlot& slot, Duration shift) {
-  slot.counter = in.getCounter();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return fromWire(in.getText(), slot.text);
-}
-
-bool isValid(const MessageSlot&) {
-  return true;
-}
 
 void toWire(const IntervalStatisticsSlot& slot, wire::IntervalStatistics::Builder out) {
   out.setPeriodAverage(slot.period_average);

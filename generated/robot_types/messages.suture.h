@@ -7,17 +7,6 @@
 
 namespace robots {
 
-/// CRTK's status, warning and error.
-struct MessageSlot {
-  suture::BoundedText<127> text;
-  std::uint32_t counter;
-  std::int64_t stamp;  // suture::Time, ns
-};
-
-bool store(const Message& value, MessageSlot& slot);
-void load(const MessageSlot& slot, Message& value);
-void reserve(const MessageSlot*, Message& value);
-
 /// How regularly a task ran, over its last window.
 struct IntervalStatisticsSlot {
   double period_average;    // s

@@ -1,7 +1,7 @@
 #pragma once
 // The life of a component: its states, and what leads from one to another.
 
-#include <suture/lifecycle.h>
+#include <suture/standard/lifecycle.h>
 
 #include <cstdint>
 #include <optional>

@@ -93,12 +93,18 @@ void Task::restartAfterFaults(const RestartBudget& budget) {
 void Task::makeSafe() {
   while (state() == ComponentState::Faulted && safeAfter_ != faults()) {
     safeAfter_ = faults();
-    try {
-      onFault();
-    } catch (...) {  // the reason for the fault says more than what its aftermath met
-      return;
-    }
-    if (mayRestart()) restart();
+    const bool restarted = tryOnFault() && mayRestart();
+    if (restarted) restart();
+    staysFaulted_.store(!restarted, std::memory_order_release);
+  }
+}
+
+bool Task::tryOnFault() {
+  try {
+    onFault();
+    return true;
+  } catch (...) {  // the reason for the fault says more than what its aftermath met
+    return false;
   }
 }
 

@@ -61,6 +61,9 @@ class Task : public Component {
   /// lasts; then the task stays faulted. Without, it stays so at once. Throws SetupError for more
   /// than RestartBudget::kMost.
   void restartAfterFaults(const RestartBudget& budget);
+  /// The fault that it is in is not followed by a restart: the budget is used up, there is none, or
+  /// onFault() threw. Any thread.
+  bool staysFaulted() const { return staysFaulted_.load(std::memory_order_acquire); }
   /// Before start(): the length of the windows of statistics(), 1 s without. Throws SetupError.
   void measureOver(Duration window) { statistics_.windows.setLength(window); }
 
@@ -104,6 +107,7 @@ class Task : public Component {
   void parkIfAsked();
   void makeRequestedTransition();
   void makeSafe();
+  bool tryOnFault();
   bool mayRestart();
   void work();
   void rest();
@@ -118,6 +122,7 @@ class Task : public Component {
   std::atomic<bool> failed_{false};  // failure_ says why
   TaskStatistics statistics_;
   std::uint64_t safeAfter_ = 0;  // the fault that onFault() was called for
+  std::atomic<bool> staysFaulted_{false};
   RestartBudget restarts_;
   std::array<Time, RestartBudget::kMost> restartedAt_{};  // by turns
   unsigned restartTurn_ = 0;

@@ -50,22 +50,50 @@ Deployment::Deployment(JsonDocument document) : document_(std::move(document)) {
 void Deployment::readProcesses() {
   const json& processes = document_.value().at("processes");
   for (std::size_t i = 0; i < processes.size(); ++i) {
-    const std::string pointer = "/processes/" + std::to_string(i) + "/components/";
-    ProcessEntry process{processes[i].at("name"), {}};
+    const std::string pointer = "/processes/" + std::to_string(i);
+    ProcessEntry process{processes[i].at("name"), {}, readBlackBox(processes[i], pointer)};
     const json& components = processes[i].at("components");
     for (std::size_t j = 0; j < components.size(); ++j) {
       process.components.push_back(
-          {components[j].at("name"), components[j].at("class"), libraryOf(components[j]),
-           components[j].value("parameters", json::object()), pointer + std::to_string(j)});
+          readComponent(components[j], pointer + "/components/" + std::to_string(j)));
     }
     processes_.push_back(std::move(process));
   }
 }
 
-std::filesystem::path Deployment::libraryOf(const json& component) const {
-  const std::string library = component.value("library", "");
-  if (library.empty()) return {};
-  return std::filesystem::path(document_.name()).parent_path() / library;
+ComponentEntry Deployment::readComponent(const json& component, const std::string& pointer) {
+  return {.name = component.at("name"),
+          .className = component.at("class"),
+          .sharedLibrary = besideIt(component.value("library", "")),
+          .parameters = component.value("parameters", json::object()),
+          .restart = readRestart(component, pointer),
+          .pointer = pointer};
+}
+
+std::filesystem::path Deployment::besideIt(const std::string& path) const {
+  if (path.empty()) return {};
+  return std::filesystem::path(document_.name()).parent_path() / path;
+}
+
+std::optional<RestartBudget> Deployment::readRestart(const json& component,
+                                                     const std::string& pointer) {
+  const auto given = component.find("restart");
+  if (given == component.end()) return std::nullopt;
+  return RestartBudget{.most = given->at("most"),
+                       .per = readLength(*given, "per", "", pointer + "/restart")};
+}
+
+std::optional<BlackBoxEntry> Deployment::readBlackBox(const json& process,
+                                                      const std::string& pointer) {
+  const auto given = process.find("black_box");
+  if (given == process.end()) return std::nullopt;
+  const std::string where = pointer + "/black_box";
+  return BlackBoxEntry{.folder = besideIt(given->at("folder")),
+                       .last = readLength(*given, "last", "10s", where),
+                       .period = readLength(*given, "period", "10ms", where),
+                       .rows = given->value("rows", 0u),
+                       .components = given->value("components", std::vector<std::string>{}),
+                       .pointer = where};
 }
 
 void Deployment::readConnections() {
@@ -108,18 +136,32 @@ ConnectionContract Deployment::readContract(const json& connection, const std::s
 }
 
 // A number and its unit, as the schema has checked.
-Duration Deployment::readDuration(const std::string& text, const std::string& pointer) {
+Duration Deployment::readDuration(const std::string& text, const std::string& pointer,
+                                  Duration longest) {
   static const std::map<std::string, double> kUnits{
       {"ns", 1}, {"us", 1e3}, {"ms", 1e6}, {"s", 1e9}};
   std::size_t digits = 0;
   const double count = std::stod(text, &digits);
   const double nanoseconds = count * kUnits.at(text.substr(digits));
-  constexpr double kLongest = 60e9;
-  if (nanoseconds > kLongest) {
-    report(pointer, "a time of " + text + " is longer than 60s, which is the longest; shorten it");
+  if (nanoseconds > static_cast<double>(longest.count())) {
+    report(pointer, "a time of " + text + " is longer than " +
+                        std::to_string(longest / std::chrono::seconds(1)) +
+                        "s, which is the longest; shorten it");
     return {};
   }
   return Duration(std::llround(nanoseconds));
+}
+
+Duration Deployment::readLength(const json& object, const char* key, const char* otherwise,
+                                const std::string& pointer) {
+  const std::string text = object.value(key, otherwise);
+  const std::string where = pointer + "/" + key;
+  const std::size_t before = problems_.size();
+  const Duration length = readDuration(text, where, std::chrono::hours(24));
+  if (length == Duration{0} && problems_.size() == before) {
+    report(where, "a time of " + text + " is no time at all; give a longer one");
+  }
+  return length;
 }
 
 Endpoint Deployment::readEndpoint(const json& connection, const std::string& pointer,
@@ -152,10 +194,23 @@ void Deployment::checkNames() {
                                                 "'; give each its own name");
       }
     }
+    if (process.blackBox) checkBlackBox(process);
   }
   for (const ConnectionEntry& connection : connections_) {
     checkEndpoint(connection.from, connection.pointer + "/from");
     checkEndpoint(connection.to, connection.pointer + "/to");
+  }
+}
+
+void Deployment::checkBlackBox(const ProcessEntry& process) {
+  const std::vector<std::string>& watched = process.blackBox->components;
+  for (std::size_t i = 0; i < watched.size(); ++i) {
+    const std::string pointer = process.blackBox->pointer + "/components/" + std::to_string(i);
+    if (find(process.components, watched[i]) == nullptr) {
+      reportMissing(process, watched[i], pointer);
+    } else if (std::find(watched.begin(), watched.end(), watched[i]) != watched.begin() + i) {
+      report(pointer, "'" + watched[i] + "' is named twice; name it once");
+    }
   }
 }
 
@@ -169,10 +224,15 @@ void Deployment::checkEndpoint(const Endpoint& endpoint, const std::string& poin
     return;
   }
   if (find(process->components, endpoint.component) == nullptr) {
-    const auto names = namesOf(process->components);
-    report(pointer, "process '" + process->name + "' has no component '" + endpoint.component +
-                        "'; it has " + listNames(names) + suggestion(endpoint.component, names));
+    reportMissing(*process, endpoint.component, pointer);
   }
+}
+
+void Deployment::reportMissing(const ProcessEntry& process, const std::string& component,
+                               const std::string& pointer) {
+  const auto names = namesOf(process.components);
+  report(pointer, "process '" + process.name + "' has no component '" + component + "'; it has " +
+                      listNames(names) + suggestion(component, names));
 }
 
 void Deployment::checkSingleProviders() {

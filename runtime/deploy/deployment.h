@@ -1,11 +1,13 @@
 #pragma once
 // A system as data: which process runs which components, and how their interfaces are connected.
 
+#include <suture/component/task.h>
 #include <suture/deploy/json_document.h>
 #include <suture/manager/manager.h>
 #include <suture/wiring/endpoint.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,14 +17,25 @@ namespace suture {
 struct ComponentEntry {
   std::string name;
   std::string className;
-  std::filesystem::path library;  ///< the shared library that has the class; "": the program
+  std::filesystem::path sharedLibrary;  ///< the file that has the class; "": the program
   nlohmann::json parameters;
+  std::optional<RestartBudget> restart;
   std::string pointer;  ///< where it stands in the document
+};
+
+/// What a process keeps of its components (record/black_box.h).
+struct BlackBoxEntry {
+  std::filesystem::path folder;
+  Duration last{}, period{};
+  unsigned rows = 0;                    ///< 0: what each component asks for
+  std::vector<std::string> components;  ///< their names; empty: all
+  std::string pointer;                  ///< where it stands in the document
 };
 
 struct ProcessEntry {
   std::string name;
   std::vector<ComponentEntry> components;
+  std::optional<BlackBoxEntry> blackBox;
 };
 
 struct ConnectionEntry {
@@ -49,17 +62,30 @@ class Deployment {
 
   /// The process of that name. Throws DocumentError with what exists.
   const ProcessEntry& process(std::string_view name) const;
+  /// `path` as a deployment means it: from the folder of its file.
+  std::filesystem::path besideIt(const std::string& path) const;
 
  private:
   void readProcesses();
-  std::filesystem::path libraryOf(const nlohmann::json& component) const;
+  ComponentEntry readComponent(const nlohmann::json& component, const std::string& pointer);
+  std::optional<RestartBudget> readRestart(const nlohmann::json& component,
+                                           const std::string& pointer);
+  std::optional<BlackBoxEntry> readBlackBox(const nlohmann::json& process,
+                                            const std::string& pointer);
   void readConnections();
   Endpoint readEndpoint(const nlohmann::json& connection, const std::string& pointer,
                         const char* end);
   ConnectionDelay readDelay(const nlohmann::json& connection, const std::string& pointer);
   ConnectionContract readContract(const nlohmann::json& connection, const std::string& pointer);
-  Duration readDuration(const std::string& text, const std::string& pointer);
+  Duration readDuration(const std::string& text, const std::string& pointer,
+                        Duration longest = std::chrono::seconds(60));
+  /// Of a key `key` of `object`; not zero.
+  Duration readLength(const nlohmann::json& object, const char* key, const char* otherwise,
+                      const std::string& pointer);
   void checkNames();
+  void checkBlackBox(const ProcessEntry& process);
+  void reportMissing(const ProcessEntry& process, const std::string& component,
+                     const std::string& pointer);
   void checkSingleProviders();
   void checkManager();
   void checkEndpoint(const Endpoint& endpoint, const std::string& pointer);

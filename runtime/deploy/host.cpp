@@ -1,21 +1,41 @@
 #include <suture/base/nearest.h>
 #include <suture/component/channel.h>
 #include <suture/component/required.h>
+#include <suture/component/task.h>
 #include <suture/deploy/host.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace suture {
 namespace {
+
+const ComponentClass* find(std::span<const ComponentClass> classes, const std::string& name) {
+  const auto found = std::find_if(classes.begin(), classes.end(),
+                                  [&](const ComponentClass& one) { return name == one.name; });
+  return found == classes.end() ? nullptr : &*found;
+}
+
+bool isCollector(const ComponentEntry& entry, std::span<const ComponentClass> ofProgram) {
+  return entry.sharedLibrary.empty() && Collectors::offers(entry.className) &&
+         find(ofProgram, entry.className) == nullptr;
+}
 
 std::string unknownClass(const ComponentEntry& entry, std::span<const ComponentClass> classes) {
   std::vector<std::string> offered;
   for (const ComponentClass& one : classes) offered.emplace_back(one.name);
   const std::string nearest = nearestName(entry.className, offered);
-  const std::string where =
-      entry.library.empty() ? "this program" : "library '" + entry.library.string() + "'";
+  const std::string where = entry.sharedLibrary.empty()
+                                ? "this program"
+                                : "library '" + entry.sharedLibrary.string() + "'";
   return "no component class '" + entry.className + "' in " + where + "; it offers " +
          listNames(offered) + (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
+}
+
+// Not while it is between a fault and a restart.
+bool faultedForGood(const Component& component) {
+  if (component.state() != ComponentState::Faulted) return false;
+  return !component.ownsThread() || static_cast<const Task&>(component).staysFaulted();
 }
 
 }  // namespace
@@ -25,14 +45,25 @@ Host::Host(const Deployment& deployment, std::string_view process,
     : deployment_(deployment), process_(deployment.process(process)), patience_(patience) {
   createComponents(classes);
   checkRequired();
+  faults_.emplace(deployment_.document(), process_, components_);
   createManager();
 }
 
+// Collectors come last: what they collect has to be there.
 void Host::createComponents(std::span<const ComponentClass> classes) {
   std::vector<std::string> problems;
-  for (const ComponentEntry& entry : process_.components) {
-    components_.push_back(create(entry, classes, problems));
-  }
+  components_.resize(process_.components.size());
+  const auto createAll = [&](bool collectors) {
+    for (std::size_t i = 0; i < components_.size(); ++i) {
+      const ComponentEntry& entry = process_.components[i];
+      if (isCollector(entry, classes) != collectors) continue;
+      const Collectors::Create creator = collectors ? collectors_.find(entry, components_, problems)
+                                                    : creatorOf(entry, classes, problems);
+      if (creator) components_[i] = create(entry, creator, problems);
+    }
+  };
+  createAll(false);
+  createAll(true);
   if (!problems.empty()) throw DocumentError(problems);
 }
 
@@ -40,34 +71,30 @@ const SharedLibrary& Host::library(const std::filesystem::path& file) {
   return libraries_.try_emplace(file, file).first->second;
 }
 
-const ComponentClass* Host::classOf(const ComponentEntry& entry,
-                                    std::span<const ComponentClass> ofProgram,
-                                    std::vector<std::string>& problems) {
+Collectors::Create Host::creatorOf(const ComponentEntry& entry,
+                                   std::span<const ComponentClass> ofProgram,
+                                   std::vector<std::string>& problems) {
   const JsonDocument& document = deployment_.document();
   try {
-    const auto classes = entry.library.empty() ? ofProgram : library(entry.library).classes();
-    const auto found = std::find_if(classes.begin(), classes.end(), [&](const ComponentClass& one) {
-      return entry.className == one.name;
-    });
-    if (found != classes.end()) return &*found;
+    const auto classes =
+        entry.sharedLibrary.empty() ? ofProgram : library(entry.sharedLibrary).classes();
+    if (const ComponentClass* found = find(classes, entry.className)) return found->create;
     problems.push_back(document.locate(entry.pointer + "/class", unknownClass(entry, classes)));
   } catch (const SetupError& error) {
     problems.push_back(document.locate(entry.pointer + "/library", error.what()));
   }
-  return nullptr;
+  return {};
 }
 
 std::unique_ptr<Component> Host::create(const ComponentEntry& entry,
-                                        std::span<const ComponentClass> classes,
+                                        const Collectors::Create& create,
                                         std::vector<std::string>& problems) {
   const JsonDocument& document = deployment_.document();
-  const ComponentClass* const found = classOf(entry, classes, problems);
-  if (found == nullptr) return nullptr;
   std::vector<JsonProblem> parameterProblems;
   const JsonReader parameters(entry.parameters, entry.pointer + "/parameters", parameterProblems);
   std::unique_ptr<Component> component;
   try {
-    component = found->create(parameters);
+    component = create(parameters);
   } catch (const std::exception& error) {
     problems.push_back(document.locate(entry.pointer, "component '" + entry.name + "' of class '" +
                                                           entry.className +
@@ -131,11 +158,13 @@ void Host::configure() {
 
 void Host::start() {
   configure();
+  faults_->begin();
   try {
     manager_->start();
   } catch (const SetupError& error) {
     throw DocumentError({deployment_.document().locate("/processes", error.what())});
   }
+  if (messages_) messages_->connect(*manager_);
   for (const ConnectionEntry& connection : deployment_.connections()) {
     if (connection.from.process != process_.name) continue;
     const Endpoint from{"", connection.from.component, connection.from.interface};
@@ -148,12 +177,26 @@ void Host::start() {
   }
 }
 
+void Host::listenToMessages() {
+  messages_.emplace(components_);
+  manager_->add(MessageListener::kName, *messages_);
+}
+
+std::vector<std::string> Host::news() {
+  std::vector<std::string> lines = faults_->news();
+  if (!messages_) return lines;
+  for (std::string& line : messages_->heard()) lines.push_back(std::move(line));
+  return lines;
+}
+
 std::vector<Trouble> Host::troubles() const {
   std::vector<Trouble> found;
-  for (const Component* component : manager_->directory().components()) {
-    if (component->state() != ComponentState::Faulted) continue;
-    found.push_back({"component '" + process_.name + ":" + component->name() + "'",
-                     "is parked, its code threw: " + component->fault() +
+  for (std::size_t i = 0; i < components_.size(); ++i) {
+    if (!faultedForGood(*components_[i])) continue;
+    const ComponentEntry& entry = process_.components[i];
+    found.push_back({"component '" + process_.name + ":" + entry.name + "'",
+                     "is parked, its code threw: " + components_[i]->fault() +
+                         (entry.restart ? ". It is restarted no more" : "") +
                          ". Correct the cause and start the process anew"});
   }
   for (const auto& channel : manager_->channels()) {

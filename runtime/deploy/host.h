@@ -2,12 +2,16 @@
 // Runs one process of a deployment.
 
 #include <suture/component/component_class.h>
+#include <suture/deploy/collectors.h>
 #include <suture/deploy/deployment.h>
+#include <suture/deploy/fault_care.h>
+#include <suture/deploy/message_listener.h>
 #include <suture/deploy/shared_library.h>
 #include <suture/manager/manager.h>
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,12 +33,15 @@ class Host {
   /// Creates the components of `process` from `classes` and from the libraries that it names, and
   /// its manager. Throws DocumentError: library that cannot be loaded, unknown class, wrong
   /// parameters, a component that refuses its parameters, a required interface that no connection
-  /// begins at, a global manager that does not answer within `patience`. `deployment` outlives the
-  /// host.
+  /// begins at, a restart or a black box that cannot be, a global manager that does not answer
+  /// within `patience`. `deployment` outlives the host.
   Host(const Deployment& deployment, std::string_view process,
        std::span<const ComponentClass> classes, Duration patience = Manager::kDefaultPatience);
   Host(const Host&) = delete;
   Host& operator=(const Host&) = delete;
+
+  /// Before start(): news() tells the standard messages of the components too. Throws SetupError.
+  void listenToMessages();
 
   /// Configures and starts the components, then makes every connection that begins in this process,
   /// waiting at most `patience` for each other process. Throws DocumentError that names the
@@ -43,18 +50,20 @@ class Host {
 
   const Manager& manager() const { return *manager_; }
 
-  /// Connections whose far end is gone, components whose handler threw, a global manager that does
-  /// not answer. What mends is there no more at the next call.
+  /// Connections whose far end is gone, components that are faulted for good, a global manager that
+  /// does not answer. What mends is there no more at the next call.
   std::vector<Trouble> troubles() const;
+  /// What else has happened since the last call, a line each: restarts after faults, files of the
+  /// black box, messages.
+  std::vector<std::string> news();
 
  private:
   void createComponents(std::span<const ComponentClass> classes);
-  std::unique_ptr<Component> create(const ComponentEntry& entry,
-                                    std::span<const ComponentClass> classes,
+  std::unique_ptr<Component> create(const ComponentEntry& entry, const Collectors::Create& create,
                                     std::vector<std::string>& problems);
-  const ComponentClass* classOf(const ComponentEntry& entry,
-                                std::span<const ComponentClass> ofProgram,
-                                std::vector<std::string>& problems);
+  Collectors::Create creatorOf(const ComponentEntry& entry,
+                               std::span<const ComponentClass> ofProgram,
+                               std::vector<std::string>& problems);
   const SharedLibrary& library(const std::filesystem::path& file);
   void createManager();
   void checkRequired() const;
@@ -64,8 +73,11 @@ class Host {
   const ProcessEntry& process_;
   const Duration patience_;
   std::map<std::filesystem::path, SharedLibrary> libraries_;  // outlive what they contain
-  std::vector<std::unique_ptr<Component>> components_;        // in the order of the file
-  std::unique_ptr<Manager> manager_;                          // stops before the components go
+  Collectors collectors_{deployment_, process_};
+  std::vector<std::unique_ptr<Component>> components_;  // in the order of the file
+  std::optional<MessageListener> messages_;
+  std::unique_ptr<Manager> manager_;  // stops before the components go
+  std::optional<FaultCare> faults_;   // looks at components
 };
 
 }  // namespace suture

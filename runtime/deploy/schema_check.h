@@ -13,7 +13,8 @@ namespace suture {
 const char* deploymentSchema();
 
 /// Every place where `value` breaks `schema`; a pointer and a text each. The schema may use type,
-/// required, properties, items, enum and pattern, and describes each property. Set-up code only.
+/// required, properties, items, enum, pattern and bounds of numbers and lengths, and describes each
+/// property. Set-up code only.
 std::vector<JsonProblem> checkSchema(const nlohmann::json& value, const nlohmann::json& schema);
 
 }  // namespace suture

@@ -34,6 +34,8 @@ struct Options {
   double seconds = 0;
   double reportInterval = 1;
   std::string reportTo;
+  std::string reportForm = "json";
+  bool messages = false;
 };
 
 int descriptorFrom(const std::string& text) {
@@ -55,18 +57,25 @@ void declare(CLI::App& app, Options& options) {
       ->capture_default_str()
       ->check(CLI::Range(0.01, 1e6));
   app.add_option("--report-fd", options.reportTo,
-                 "Where to write reports, a JSON object a line: a file descriptor, or - for "
-                 "standard output")
+                 "Where to write reports: a file descriptor, or - for standard output")
       ->check(CLI::IsMember({"-"}) | CLI::NonNegativeNumber);
+  app.add_option("--report-form", options.reportForm,
+                 "json: an object a line; text: lines for people")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"json", "text"}));
+  app.add_flag("--messages", options.messages,
+               "Tell on standard error what components say: their status, warning and error");
 }
 
 /// Runs one host to its end and tells what happens.
 class Run {
  public:
-  Run(const Host& host, const SignalWait& signals, const Options& options)
+  Run(Host& host, const SignalWait& signals, const Options& options)
       : host_(host),
         signals_(signals),
-        reports_(descriptorFrom(options.reportTo)),
+        reports_(descriptorFrom(options.reportTo), options.reportForm == "text"
+                                                       ? ReportWriter::Form::Text
+                                                       : ReportWriter::Form::Json),
         interval_(fromSeconds(options.reportInterval)),
         end_(options.seconds > 0 ? began_ + fromSeconds(options.seconds) : Time::max()) {}
 
@@ -94,6 +103,7 @@ class Run {
   };
 
   void watch() {
+    for (const std::string& line : host_.news()) tell(line);
     const std::vector<Trouble> present = host_.troubles();
     std::erase_if(known_, [&](const Known& one) {
       const bool stays = std::any_of(present.begin(), present.end(), [&](const Trouble& trouble) {
@@ -118,7 +128,7 @@ class Run {
     std::fprintf(stderr, "%s: %s\n", host_.manager().process().c_str(), text.c_str());
   }
 
-  const Host& host_;
+  Host& host_;
   const SignalWait& signals_;
   const ReportWriter reports_;
   const Duration interval_;
@@ -142,6 +152,7 @@ int runWorkstation(const Options& options, std::span<const ComponentClass> class
   auto interruptible = std::make_optional<ExitOnSignal>(signals);
   const Deployment deployment(JsonDocument::read(options.deployment));
   Host host(deployment, processOf(deployment, options), classes);
+  if (options.messages) host.listenToMessages();
   host.start();
   interruptible.reset();
   return Run(host, signals, options).untilEnd();

@@ -2,7 +2,7 @@
 // The provided interface "component" that a manager gives each of its components.
 
 #include <suture/component/component.h>
-#include <suture/lifecycle.suture.h>
+#include <suture/standard/lifecycle.suture.h>
 
 namespace suture {
 

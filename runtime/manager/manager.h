@@ -53,7 +53,7 @@ class Manager {
   const std::string& process() const { return directory_.process(); }
 
   /// `name` is unique in this process. Gives the component its provided interface "component"
-  /// (suture/lifecycle.h). Throws SetupError.
+  /// (suture/standard/lifecycle.h). Throws SetupError.
   void add(const std::string& name, Component& component);
 
   /// Configures the components that have not been. One whose onConfigure() throws is parked.

@@ -24,6 +24,15 @@ ConnectionEnd endOf(const Channel& channel, const std::vector<Component*>& compo
   return isComponents(channel.ends.provider) ? ConnectionEnd::Both : ConnectionEnd::Client;
 }
 
+// The two ends of a connection share its watch; the client's thread counts.
+std::optional<ContractReport> contractOf(const Channel& channel, ConnectionEnd end) {
+  if (channel.watch == nullptr || end == ConnectionEnd::Provider) return std::nullopt;
+  return ContractReport{
+      .staleReads = count(channel.watch->staleReads),
+      .losses = count(channel.watch->losses),
+      .awaitsOperator = channel.watch->awaitsOperator.load(std::memory_order_relaxed)};
+}
+
 ConnectionReport reportOf(const Channel& channel, ConnectionEnd end) {
   const rt::MailboxCounters& counters = channel.commands.counters;
   return {.name = channel.name,
@@ -32,6 +41,7 @@ ConnectionReport reportOf(const Channel& channel, ConnectionEnd end) {
           .status = channel.status.load(std::memory_order_acquire),
           .bytesSent = count(channel.bytesSent),
           .bytesReceived = count(channel.bytesReceived),
+          .contract = contractOf(channel, end),
           .sent = count(counters.sent),
           .executed = count(counters.executed),
           .full = count(counters.full),
@@ -61,6 +71,7 @@ TaskReport reportOf(const Task& task) {
   return {.name = task.name(),
           .state = state,
           .fault = state == ComponentState::Faulted ? task.fault() : "",
+          .faults = task.faults(),
           .cycles = count(statistics.cycles),
           .skipped = count(statistics.skipped),
           .lateness = distribution(statistics.lateness),
@@ -68,17 +79,27 @@ TaskReport reportOf(const Task& task) {
           .window = reportOf(statistics.windows.last())};
 }
 
+DeviceReport reportOf(const Component& device) {
+  const ComponentState state = device.state();
+  return {.name = device.name(),
+          .state = state,
+          .fault = state == ComponentState::Faulted ? device.fault() : "",
+          .faults = device.faults()};
+}
+
 }  // namespace
 
 Report observe(const Manager& manager, Time began) {
-  Report report{manager.process(), now() - began, {}, {}};
+  Report report{manager.process(), now() - began, {}, {}, {}};
   const std::vector<Component*> components = manager.directory().components();
   for (const auto& channel : manager.channels()) {
     report.connections.push_back(reportOf(*channel, endOf(*channel, components)));
   }
   for (const Component* component : components) {
-    if (const auto* task = dynamic_cast<const Task*>(component); task != nullptr) {
-      report.tasks.push_back(reportOf(*task));
+    if (component->ownsThread()) {
+      report.tasks.push_back(reportOf(static_cast<const Task&>(*component)));
+    } else {
+      report.devices.push_back(reportOf(*component));
     }
   }
   return report;

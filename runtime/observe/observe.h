@@ -6,8 +6,8 @@
 
 namespace suture {
 
-/// All connections and tasks of the manager's process now. The manager's thread; disturbs no task.
-/// `began`: when the process began to be observed.
+/// All connections, tasks and devices of the manager's process now. The manager's thread; disturbs
+/// no task. `began`: when the process began to be observed.
 Report observe(const Manager& manager, Time began);
 
 }  // namespace suture

@@ -51,6 +51,14 @@ void eachField(Window& value, const Visit& visit) requires
   visit("compute", value.compute);
 }
 
+template <class Contract, class Visit>
+void eachField(Contract& value, const Visit& visit) requires
+    std::is_same_v<std::remove_const_t<Contract>, ContractReport> {
+  visit("stale_reads", value.staleReads);
+  visit("losses", value.losses);
+  visit("awaits_operator", value.awaitsOperator);
+}
+
 template <class Connection, class Visit>
 void eachField(Connection& value, const Visit& visit) requires
     std::is_same_v<std::remove_const_t<Connection>, ConnectionReport> {
@@ -60,6 +68,7 @@ void eachField(Connection& value, const Visit& visit) requires
   visit("status", value.status);
   visit("bytes_sent", value.bytesSent);
   visit("bytes_received", value.bytesReceived);
+  visit("contract", value.contract);
   visit("sent", value.sent);
   visit("executed", value.executed);
   visit("full", value.full);
@@ -81,6 +90,7 @@ void eachField(TaskValue& value, const Visit& visit) requires
   visit("name", value.name);
   visit("state", value.state);
   visit("fault", value.fault);
+  visit("faults", value.faults);
   visit("cycles", value.cycles);
   visit("skipped", value.skipped);
   visit("lateness", value.lateness);
@@ -88,10 +98,19 @@ void eachField(TaskValue& value, const Visit& visit) requires
   visit("window", value.window);
 }
 
+template <class Device, class Visit>
+void eachField(Device& value, const Visit& visit) requires
+    std::is_same_v<std::remove_const_t<Device>, DeviceReport> {
+  visit("name", value.name);
+  visit("state", value.state);
+  visit("fault", value.fault);
+  visit("faults", value.faults);
+}
+
 template <class Value>
 constexpr bool kIsPart =
     std::is_same_v<Value, Distribution> || std::is_same_v<Value, DurationSummary> ||
-    std::is_same_v<Value, WindowReport>;
+    std::is_same_v<Value, WindowReport> || std::is_same_v<Value, ContractReport>;
 
 template <class Value>
 json fieldToJson(const Value& value) {
@@ -107,6 +126,11 @@ json fieldToJson(const Value& value) {
 }
 
 template <class Value>
+json fieldToJson(const std::optional<Value>& value) {
+  return value ? fieldToJson(*value) : json(nullptr);
+}
+
+template <class Value>
 void fieldFromJson(const json& in, Value& value) {
   if constexpr (std::is_same_v<Value, Duration>) {
     value = Duration(in.get<std::int64_t>());
@@ -115,6 +139,11 @@ void fieldFromJson(const json& in, Value& value) {
   } else {
     in.get_to(value);
   }
+}
+
+template <class Value>
+void fieldFromJson(const json& in, std::optional<Value>& value) {
+  if (!in.is_null()) fieldFromJson(in, value.emplace());
 }
 
 template <class Value>
@@ -133,25 +162,35 @@ Value structFromJson(const json& in) {
 
 }  // namespace
 
-json toJson(const ConnectionReport& report) { return structToJson(report); }
+json toJson(const ConnectionReport& report) {
+  json out = structToJson(report);
+  out["dropped"] = report.dropped();
+  return out;
+}
 json toJson(const TaskReport& report) { return structToJson(report); }
+json toJson(const DeviceReport& report) { return structToJson(report); }
 
 json toJson(const Report& report) {
   json out = {{"process", report.process},
               {"age", report.age.count()},
               {"connections", json::array()},
-              {"tasks", json::array()}};
+              {"tasks", json::array()},
+              {"devices", json::array()}};
   for (const ConnectionReport& one : report.connections) out["connections"].push_back(toJson(one));
   for (const TaskReport& one : report.tasks) out["tasks"].push_back(toJson(one));
+  for (const DeviceReport& one : report.devices) out["devices"].push_back(toJson(one));
   return out;
 }
 
 Report reportFromJson(const json& in) {
-  Report report{in.at("process"), Duration(in.at("age").get<std::int64_t>()), {}, {}};
+  Report report{in.at("process"), Duration(in.at("age").get<std::int64_t>()), {}, {}, {}};
   for (const json& one : in.at("connections")) {
     report.connections.push_back(structFromJson<ConnectionReport>(one));
   }
   for (const json& one : in.at("tasks")) report.tasks.push_back(structFromJson<TaskReport>(one));
+  for (const json& one : in.at("devices")) {
+    report.devices.push_back(structFromJson<DeviceReport>(one));
+  }
   return report;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// What a process does, as numbers: its connections and its tasks at one moment, counted from their
-// start.
+// What a process does, as numbers: its connections, tasks and devices at one moment, counted from
+// their start.
 
 #include <suture/base/time.h>
 #include <suture/component/channel.h>
@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,15 @@ struct Distribution {
 /// Which ends of a connection a process sees.
 enum class ConnectionEnd : std::uint8_t { Client, Provider, Both };
 
+/// How a connection's contract (docs/safety.md) has been kept.
+struct ContractReport {
+  std::uint64_t staleReads = 0;  ///< reads of values older than max_age
+  std::uint64_t losses = 0;      ///< how often the provider was lost or faulted
+  bool awaitsOperator = false;   ///< commands are refused until somebody resumes the connection
+};
+
+/// Each end counts what it sees; the other's counters are in the report of the other's process
+/// (mergeConnections() puts the two together).
 struct ConnectionReport {
   std::string name;  ///< "left:Teleop/Slave -> right:PSM1/Arm": the same at both ends
   std::string lane;
@@ -30,13 +40,17 @@ struct ConnectionReport {
   ChannelStatus status = ChannelStatus::Connected;
   std::uint64_t bytesSent = 0, bytesReceived = 0;  ///< on the wire; 0 within a process
 
-  std::uint64_t sent = 0;        ///< commands that the client's calls handed over
-  std::uint64_t executed = 0;    ///< by the provider
+  /// Of the client's end; none at the provider's alone, and of a connection without a contract.
+  std::optional<ContractReport> contract;
+
+  std::uint64_t sent = 0;  ///< commands that the client's calls handed over; at the provider's end
+                           ///< alone: that the lane did
+  std::uint64_t executed = 0;    ///< by the provider; at the client's end alone: as it has heard
   std::uint64_t full = 0;        ///< refused: too many waited
   std::uint64_t tooLarge = 0;    ///< refused: beyond a declared capacity
   std::uint64_t replaced = 0;    ///< a newer one of the same latest() command came first
   std::uint64_t superseded = 0;  ///< a later command had run already
-  std::uint64_t late = 0;        ///< older than its ttl
+  std::uint64_t late = 0;        ///< older than its ttl; at the client's end alone: not known
   std::uint64_t failed = 0;      ///< the handler threw
   std::uint64_t refused = 0;     ///< the provider was suspended or parked, or they were cancelled
   std::uint64_t eventsDelivered = 0, eventsDropped = 0;
@@ -44,7 +58,8 @@ struct ConnectionReport {
   Distribution readAge;     ///< of values when the client read them
   Distribution commandAge;  ///< of commands when the provider executed them
 
-  /// Commands that were neither executed, nor late, nor gave way to a newer one of the same kind.
+  /// At the ends that are seen: commands that were neither executed, nor late, nor gave way to a
+  /// newer one of the same kind.
   std::uint64_t dropped() const { return full + tooLarge + superseded + refused; }
 };
 
@@ -58,11 +73,19 @@ struct WindowReport {
 struct TaskReport {
   std::string name;
   ComponentState state = ComponentState::Constructed;
-  std::string fault;  ///< what its handler threw, if state is Faulted
+  std::string fault;         ///< what its handler threw, if state is Faulted
+  std::uint64_t faults = 0;  ///< how often it has been faulted
   std::uint64_t cycles = 0, skipped = 0;
   Distribution lateness;  ///< wake-up time minus due time: the jitter of the period
   Distribution computeTime;
   WindowReport window;  ///< the last whole one
+};
+
+struct DeviceReport {
+  std::string name;
+  ComponentState state = ComponentState::Constructed;
+  std::string fault;  ///< what its handler threw, if state is Faulted
+  std::uint64_t faults = 0;
 };
 
 struct Report {
@@ -70,11 +93,14 @@ struct Report {
   Duration age{};  ///< of the process's observation: time since it began
   std::vector<ConnectionReport> connections;
   std::vector<TaskReport> tasks;
+  std::vector<DeviceReport> devices = {};
 };
 
-/// Durations are written as whole nanoseconds.
+/// Durations are written as whole nanoseconds; "dropped" beside what it is the sum of; a contract
+/// that is not there as null.
 nlohmann::json toJson(const ConnectionReport& report);
 nlohmann::json toJson(const TaskReport& report);
+nlohmann::json toJson(const DeviceReport& report);
 nlohmann::json toJson(const Report& report);
 /// What toJson() wrote. Throws nlohmann::json::exception for anything else.
 Report reportFromJson(const nlohmann::json& json);

@@ -48,11 +48,11 @@ class Rows {
   std::vector<CollectedValue> values_;
 };
 
-void askForAll(const Component& component) {
+void keepAll(const Component& component, unsigned rows) {
   for (const ProvidedBase* provided : component.provided()) {
-    for (unsigned column = 0; column < provided->state()->columns(); ++column) {
-      provided->state()->ask(column);
-    }
+    rt::StateTable& state = *provided->state();
+    if (rows > state.capacity()) state.resize(rows);
+    for (unsigned column = 0; column < state.columns(); ++column) state.ask(column);
   }
 }
 
@@ -61,7 +61,7 @@ void askForAll(const Component& component) {
 BlackBox::BlackBox(std::vector<Component*> components, BlackBoxOptions options)
     : options_(std::move(options)) {
   for (Component* component : components) {
-    askForAll(*component);
+    keepAll(*component, options_.rows);
     watched_.push_back({component, component->faults()});
   }
   thread_ = std::thread([this] { watch(); });
@@ -78,9 +78,11 @@ BlackBox::~BlackBox() {
 
 void BlackBox::watch() {
   std::unique_lock lock(mutex_);
-  do {
+  bool last = false;
+  while (!last) {
+    last = ending_.wait_for(lock, options_.period, [this] { return end_; });
     for (Watched& watched : watched_) look(watched);
-  } while (!ending_.wait_for(lock, options_.period, [this] { return end_; }));
+  }
 }
 
 void BlackBox::look(Watched& watched) {
@@ -88,7 +90,8 @@ void BlackBox::look(Watched& watched) {
   if (faults == watched.faults) return;
   watched.faults = faults;
   const Component& component = *watched.component;
-  const auto file = options_.folder / (component.name() + "." + std::to_string(faults) + ".jsonl");
+  const auto file = options_.folder /
+                    (options_.prefix + component.name() + "." + std::to_string(faults) + ".jsonl");
   const std::string what = "component '" + component.name() + "' faulted: " + component.fault();
   try {
     write(component, file);

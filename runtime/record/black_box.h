@@ -18,20 +18,24 @@ namespace suture {
 
 struct BlackBoxOptions {
   std::filesystem::path folder;              ///< exists
+  std::string prefix = {};                   ///< of the files' names
   Duration last = std::chrono::seconds(10);  ///< how far back it writes, if the tables keep it
   Duration period = std::chrono::milliseconds(10);  ///< how often it looks
+  /// How many rows of the past each interface keeps at least (ProvidedBase::keepState); 0: what its
+  /// component has asked for.
+  unsigned rows = 0;
   /// Told what has been written, or why it could not be; in the box's thread.
   std::function<void(const std::string&)> tell = [](const std::string&) {};
 };
 
 /// Watches components from a thread of its own, and each time one is faulted writes the rows of its
-/// state tables (ProvidedBase::keepState says how many there are) to
-/// "<folder>/<component>.<n>.jsonl", n its how many-th fault (JsonLines). A disk that is full or a
-/// folder that is missing is told, and nothing else comes of it. Whoever restarts the process takes
-/// the files away before: they are replaced.
+/// state tables to "<folder>/<prefix><component>.<n>.jsonl", n its how many-th fault (JsonLines). A
+/// disk that is full or a folder that is missing is told, and nothing else comes of it. A file of
+/// that name is replaced: another run of the process needs another prefix.
 class BlackBox {
  public:
-  /// Asks for all reads that the components provide, so that there are rows. They outlive this.
+  /// Before the components are started and connected. Asks for all reads that they provide, so that
+  /// there are rows. They outlive this.
   BlackBox(std::vector<Component*> components, BlackBoxOptions options);
   ~BlackBox();
   BlackBox(const BlackBox&) = delete;

@@ -39,11 +39,19 @@ std::vector<std::uint16_t> numbersOf(const char* contract, const char* kind,
 
 }  // namespace
 
-Collection::Collection(const CollectingInterval& interval, bool on)
-    : interval_(interval), wanted_(on) {
-  if (interval.every == 0) {
-    throw SetupError("a collector", "it is to keep every 0th", "Keep every one (1) or every n-th");
-  }
+Collection::Collection(const CollectingInterval& interval, bool on) : wanted_(on) {
+  if (setInterval(interval)) return;
+  throw SetupError("a collector",
+                   "it is to keep every " + std::to_string(interval.every) + "th, at least " +
+                       std::to_string(interval.atLeast.count()) + " ns apart",
+                   "Keep every one (1) or every n-th, with no negative time between");
+}
+
+bool Collection::setInterval(const CollectingInterval& interval) {
+  if (interval.every == 0 || interval.atLeast < Duration{0}) return false;
+  interval_ = interval;
+  untilNext_ = 0;
+  return true;
 }
 
 CollectedCounts Collection::counts() const {

@@ -3,6 +3,7 @@
 
 #include <suture/base/time.h>
 #include <suture/component/interface_info.h>
+#include <suture/standard/collecting.h>
 
 #include <atomic>
 #include <cstdint>
@@ -11,25 +12,10 @@
 
 namespace suture {
 
-/// What became of the rows or events of a time of collecting. Once the collector has caught up with
-/// its provider, the three add up to what was produced.
-struct CollectedCounts {
-  std::uint64_t collected = 0;   ///< handed to the sink
-  std::uint64_t passedOver = 0;  ///< left out on purpose: between two that the interval asks for
-  std::uint64_t missed = 0;      ///< lost: overwritten or dropped before the collector came to them
-
-  std::uint64_t produced() const { return collected + passedOver + missed; }
-};
-
-/// How much is collected.
-struct CollectingInterval {
-  unsigned every = 1;   ///< every n-th row or event
-  Duration atLeast{0};  ///< between the stamps of two
-};
-
 /// Switches collecting on and off, chooses what is kept and counts.
 class Collection {
  public:
+  /// Throws SetupError if there is no such interval.
   Collection(const CollectingInterval& interval, bool on);
 
   // --- any thread
@@ -42,6 +28,9 @@ class Collection {
 
   // --- the collector's
 
+  const CollectingInterval& interval() const { return interval_; }
+  /// False, and nothing changes, if there is no such interval.
+  bool setInterval(const CollectingInterval& interval);
   /// Begins, with all counts at zero, or ends.
   void setActive(bool active);
   /// True if what is stamped `stamp` is to be kept. Counts it.
@@ -49,7 +38,7 @@ class Collection {
   void countMissed(std::uint64_t count);
 
  private:
-  const CollectingInterval interval_;
+  CollectingInterval interval_;
   std::atomic<bool> wanted_, active_{false};
   std::atomic<std::uint64_t> collected_{0}, passedOver_{0}, missed_{0};
   unsigned untilNext_ = 0;

@@ -1,6 +1,8 @@
 #include <suture/component/channel.h>
 #include <suture/record/event_collector.h>
 
+#include <utility>
+
 namespace suture {
 
 /// What the collector listens to, of whatever contract.
@@ -26,6 +28,12 @@ EventCollector::EventCollector(const InterfaceInfo& contract, const EventCollect
   }
 }
 
+EventCollector::EventCollector(const InterfaceInfo& contract, const EventCollectorOptions& options,
+                               std::shared_ptr<Sink> sink)
+    : EventCollector(contract, options, *sink) {
+  ownSink_ = std::move(sink);
+}
+
 EventCollector::~EventCollector() { stop(); }
 
 void EventCollector::startCollecting() {
@@ -38,7 +46,10 @@ void EventCollector::stopCollecting() {
   doorbell().ring();
 }
 
-void EventCollector::run() { follow(); }
+void EventCollector::run() {
+  follow();
+  if (std::exchange(unsettled_, false)) sink_.settle();
+}
 
 // Keeps up with the switch, the connection and what its queue dropped.
 void EventCollector::follow() {
@@ -58,7 +69,9 @@ void EventCollector::follow() {
 
 void EventCollector::take(std::uint16_t event, Time stamp, const std::byte* slot) {
   follow();
-  if (collection_.active() && collection_.keep(stamp)) sink_.event(from_, event, stamp, slot);
+  if (!collection_.active() || !collection_.keep(stamp)) return;
+  sink_.event(from_, event, stamp, slot);
+  unsettled_ = true;
 }
 
 void EventCollector::noticeDropped() {
@@ -67,6 +80,7 @@ void EventCollector::noticeDropped() {
   if (dropped == droppedBefore_) return;
   collection_.countMissed(dropped - droppedBefore_);
   sink_.missed(from_, dropped - droppedBefore_);
+  unsettled_ = true;
   droppedBefore_ = dropped;
 }
 

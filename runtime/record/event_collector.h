@@ -4,6 +4,7 @@
 #include <suture/component/event_task.h>
 #include <suture/component/required.h>
 #include <suture/record/collection.h>
+#include <suture/record/collector_port.h>
 #include <suture/record/sink.h>
 
 #include <cstdint>
@@ -28,6 +29,9 @@ class EventCollector final : public EventTask {
  public:
   /// `sink` outlives the last cycle. Throws SetupError for an event that the contract has not.
   EventCollector(const InterfaceInfo& contract, const EventCollectorOptions& options, Sink& sink);
+  /// Keeps its sink alive.
+  EventCollector(const InterfaceInfo& contract, const EventCollectorOptions& options,
+                 std::shared_ptr<Sink> sink);
   ~EventCollector() override;
 
   // --- any thread
@@ -47,11 +51,14 @@ class EventCollector final : public EventTask {
   void take(std::uint16_t event, Time stamp, const std::byte* slot);
   void noticeDropped();
 
+  std::shared_ptr<Sink> ownSink_;  // or null
   Collection collection_;
+  CollectorPort port_{*this, collection_};
   Sink& sink_;
   std::unique_ptr<Source> source_;
   CollectedInterface from_;
   std::shared_ptr<Channel> channel_;
+  bool unsettled_ = false;           // the sink has been given something
   std::uint64_t droppedBefore_ = 0;  // of channel_, as far as it has been counted
 };
 

@@ -42,7 +42,7 @@ JsonLines::Contract::Contract(const InterfaceInfo& info) {
   }
 }
 
-JsonLines::JsonLines(const std::filesystem::path& file) : out_(file, std::ios::trunc) {
+JsonLines::JsonLines(const std::filesystem::path& file) : file_(file), out_(file, std::ios::trunc) {
   if (!out_) {
     throw SetupError("recording to " + file.string(), "the file cannot be written",
                      "Name a file in an existing folder that you may write to");
@@ -86,6 +86,12 @@ void JsonLines::event(const CollectedInterface& from, std::uint16_t event, Time 
 void JsonLines::missed(const CollectedInterface& from, std::uint64_t count) {
   const std::lock_guard lock(mutex_);
   write({{"from", from.collector}, {"missed", count}});
+}
+
+void JsonLines::settle() {
+  if (flush()) return;
+  throw SetupError("recording to " + file_.string(), "the file system did not take all of it",
+                   "Make room there");
 }
 
 bool JsonLines::flush() {

@@ -30,7 +30,10 @@ class JsonLines final : public Sink {
              const std::byte* slot) override;
   void missed(const CollectedInterface& from, std::uint64_t count) override;
 
-  /// What has been written so far is in the file. False if the file system did not take all of it.
+  /// What has been written so far is in the file. Throws SetupError if the file system did not take
+  /// all of it.
+  void settle() override;
+  /// The same. False if the file system did not take all of it.
   bool flush();
 
  private:
@@ -42,6 +45,7 @@ class JsonLines final : public Sink {
   const Contract& contract(const InterfaceInfo& info);
   void write(const nlohmann::ordered_json& line);
 
+  const std::filesystem::path file_;
   std::mutex mutex_;  // of collectors' threads alone
   std::ofstream out_;
   std::map<const InterfaceInfo*, Contract> contracts_;

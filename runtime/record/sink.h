@@ -38,6 +38,8 @@ class Sink {
                      const std::byte* slot) = 0;
   /// So many rows or events have been lost here, since they came faster than they were taken.
   virtual void missed(const CollectedInterface& from, std::uint64_t count) = 0;
+  /// The collector has nothing more at present: what waits for more may go on its way.
+  virtual void settle() {}
 };
 
 }  // namespace suture

@@ -45,6 +45,12 @@ StateCollector::StateCollector(const InterfaceInfo& contract, const StateCollect
   }
 }
 
+StateCollector::StateCollector(const InterfaceInfo& contract, const StateCollectorOptions& options,
+                               std::shared_ptr<Sink> sink)
+    : StateCollector(contract, options, *sink) {
+  ownSink_ = std::move(sink);
+}
+
 StateCollector::~StateCollector() { stop(); }
 
 void StateCollector::run() {
@@ -86,6 +92,7 @@ void StateCollector::takeRows() {
     next_ = resume;
   }
   if (untold_ > 0) sink_.missed(from_, std::exchange(untold_, 0));
+  sink_.settle();
 }
 
 void StateCollector::hand(std::uint64_t number, Time stamp, std::uint64_t valid) {

@@ -4,6 +4,7 @@
 #include <suture/component/periodic_task.h>
 #include <suture/component/required.h>
 #include <suture/record/collection.h>
+#include <suture/record/collector_port.h>
 #include <suture/record/sink.h>
 
 #include <cstdint>
@@ -37,6 +38,9 @@ class StateCollector final : public PeriodicTask {
  public:
   /// `sink` outlives the last cycle. Throws SetupError for a read that the contract has not.
   StateCollector(const InterfaceInfo& contract, const StateCollectorOptions& options, Sink& sink);
+  /// Keeps its sink alive.
+  StateCollector(const InterfaceInfo& contract, const StateCollectorOptions& options,
+                 std::shared_ptr<Sink> sink);
   ~StateCollector() override;
 
   // --- any thread
@@ -58,7 +62,9 @@ class StateCollector final : public PeriodicTask {
   void miss(std::uint64_t rows);
 
   const std::vector<std::uint16_t> reads_;
+  std::shared_ptr<Sink> ownSink_;  // or null
   Collection collection_;
+  CollectorPort port_{*this, collection_};
   Sink& sink_;
   std::unique_ptr<Source> source_;
   CollectedInterface from_;

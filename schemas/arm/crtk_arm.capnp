@@ -10,15 +10,18 @@ using Messages = import "/robot_types/messages.capnp";
 using OperatingState = import "/robot_types/operating_state.capnp";
 using Pose = import "/robot_types/pose.capnp";
 using Rpc = import "/suture/rpc.capnp";
+using SuturestandardMessages = import "/suture/standard/messages.capnp";
 $Cxx.namespace("robots::wire");
 $Meta.header("arm/crtk_arm.h");
 
-interface CrtkArm @0xe327df5d82aa8eea $Meta.cxx("robots::CrtkArm") {
+interface CrtkArm @0xe327df5d82aa8eea extends(SuturestandardMessages.Messages)
+    $Meta.cxx("robots::CrtkArm") {
   # Commands run in the arm's own thread before its next cycle; reads are from the end of its last
   # one. `local_` poses are of the tool tip in the arm's base frame, all others in the reference
   # frame, in which base_frame() is the arm's base. A servo command replaces the one before it, of
   # whichever space; a stream of velocities or efforts that falls silent for 0.1 s ends as hold().
-  # Relative goals are relative to the set-point. What an arm refuses it tells in `warning`.
+  # Relative goals are relative to the set-point. Status, warning and error are the standard
+  # messages; what an arm refuses it tells in `warning`.
 
   subscribe @0 (events :CrtkArmEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
@@ -156,25 +159,28 @@ interface CrtkArmEvents @0xeed86c20664eeafb $Meta.eventsOf("robots::CrtkArm") {
 
   state @0 (row :CrtkArmStateRow) -> ();
   # A new row of the columns asked for.
-  operatingState @1 (value :OperatingState.OperatingState) -> () $Meta.cxx("operating_state")
+  status @1 (value :SuturestandardMessages.Message) -> () $Meta.latched $Meta.queue(16);
+  # All is well; something has been done.
+  warning @2 (value :SuturestandardMessages.Message) -> () $Meta.latched $Meta.queue(16);
+  # Something was refused, or is not as it should be; the component goes on.
+  error @3 (value :SuturestandardMessages.Message) -> () $Meta.latched $Meta.queue(16);
+  # Something failed, and somebody should see to it.
+  operatingState @4 (value :OperatingState.OperatingState) -> () $Meta.cxx("operating_state")
       $Meta.latched $Meta.queue(16);
   # Each change of the operating state, and the last one to whoever connects.
-  desiredState @2 (value :OperatingState.ArmState) -> () $Meta.cxx("desired_state") $Meta.latched
+  desiredState @5 (value :OperatingState.ArmState) -> () $Meta.cxx("desired_state") $Meta.latched
       $Meta.queue(16);
   # The state that a command asked for.
-  goalReached @3 (value :Bool) -> () $Meta.cxx("goal_reached") $Meta.queue(16);
+  goalReached @6 (value :Bool) -> () $Meta.cxx("goal_reached") $Meta.queue(16);
   # A move ended: true at its goal, false when something else replaced it.
-  gravityCompensation @4 (value :Bool) -> () $Meta.cxx("gravity_compensation") $Meta.latched
+  gravityCompensation @7 (value :Bool) -> () $Meta.cxx("gravity_compensation") $Meta.latched
       $Meta.queue(16);
-  trajectoryJRatio @5 (value :Float64) -> () $Meta.cxx("trajectory_j_ratio") $Meta.latched
+  trajectoryJRatio @8 (value :Float64) -> () $Meta.cxx("trajectory_j_ratio") $Meta.latched
       $Meta.queue(16);
-  trajectoryJRatioV @6 (value :Float64) -> () $Meta.cxx("trajectory_j_ratio_v") $Meta.latched
+  trajectoryJRatioV @9 (value :Float64) -> () $Meta.cxx("trajectory_j_ratio_v") $Meta.latched
       $Meta.queue(16);
-  trajectoryJRatioA @7 (value :Float64) -> () $Meta.cxx("trajectory_j_ratio_a") $Meta.latched
+  trajectoryJRatioA @10 (value :Float64) -> () $Meta.cxx("trajectory_j_ratio_a") $Meta.latched
       $Meta.queue(16);
-  status @8 (value :Messages.Message) -> () $Meta.queue(16);
-  warning @9 (value :Messages.Message) -> () $Meta.queue(16);
-  error @10 (value :Messages.Message) -> () $Meta.queue(16);
 }
 
 struct CrtkArmStateRow @0xaf91381bef91dec1 $Meta.stateOf("robots::CrtkArm") {

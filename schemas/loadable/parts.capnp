@@ -9,3 +9,10 @@ $Meta.header("loadable/parts.h");
 struct PlatterParameters @0xf347ff700279ba69 $Meta.cxx("loadable::PlatterParameters") {
   angle @0 :Float64;
 }
+
+struct SpindleParameters @0xc40d3787b1d83361 $Meta.cxx("loadable::SpindleParameters") {
+  cycles @0 :Int32 = 50;
+  # until it seizes, again and again
+  brake @1 :Text $Meta.capacity([255]);
+  # the file that stands for it
+}

@@ -6,15 +6,6 @@ using Meta = import "/suture/meta.capnp";
 $Cxx.namespace("robots::wire");
 $Meta.header("robot_types/messages.h");
 
-struct Message @0xfff622705296466e $Meta.cxx("robots::Message") {
-  # CRTK's status, warning and error.
-
-  text @0 :Text $Meta.capacity([127]);
-  counter @1 :UInt32;
-  # Counts the messages of its sender.
-  stamp @2 :Int64 $Meta.clock("steady");
-}
-
 struct IntervalStatistics @0xff815195ac6343a7 $Meta.cxx("robots::IntervalStatistics") {
   # How regularly a task ran, over its last window.
 

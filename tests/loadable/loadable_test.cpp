@@ -79,7 +79,7 @@ TEST(Loadable, ParametersAreReadAsThoseOfAnyClass) {
 TEST(Loadable, UnknownClass) {
   EXPECT_EQ(problemOf("Plater", LOADABLE),
             kError + "no component class 'Plater' in library '" LIBRARIES "/" LOADABLE
-                     "'; it offers 'Platter' and 'Hand'; did you mean 'Platter'?");
+                     "'; it offers 'Platter', 'Hand' and 'Spindle'; did you mean 'Platter'?");
 }
 
 TEST(Loadable, NoSuchFile) {

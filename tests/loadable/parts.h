@@ -5,7 +5,10 @@
 #include <suture/component/periodic_task.h>
 
 #include <chrono>
+#include <cstdint>
+#include <fstream>
 #include <stdexcept>
+#include <string>
 
 #include "loadable/turntable.suture.h"
 
@@ -40,6 +43,34 @@ class SUTURE_COMPONENT() Hand final : public suture::PeriodicTask {
  private:
   suture::Required<Turntable> turntable_{*this, "Turntable"};
   SUTURE_REQUIRED(optional()) suture::Required<Turntable> other_{*this, "Other"};
+};
+
+struct SUTURE_TYPE() SpindleParameters {
+  std::int32_t cycles = 50;                       ///< until it seizes, again and again
+  SUTURE_FIELD(capacity(255)) std::string brake;  ///< the file that stands for it
+};
+
+/// Its safe state is a closed brake: a line in the file.
+class SUTURE_COMPONENT() Spindle final : public suture::PeriodicTask, public Turntable {
+ public:
+  explicit Spindle(const SpindleParameters& parameters)
+      : PeriodicTask({.period = std::chrono::milliseconds(1)}), parameters_(parameters) {}
+
+  void turn(double angle) override { angle_ += angle; }
+  double angle() const override { return angle_; }
+  void run() override {
+    angle_ += 1;
+    if (++cycles_ % parameters_.cycles == 0) throw std::runtime_error("the spindle has seized");
+  }
+
+ private:
+  void onFault() override { std::ofstream(parameters_.brake, std::ios::app) << "closed\n"; }
+  void onRestart() override { std::ofstream(parameters_.brake, std::ios::app) << "open\n"; }
+
+  const SpindleParameters parameters_;
+  double angle_ = 0;
+  std::int32_t cycles_ = 0;
+  suture::Provided<Turntable> turntable_{*this, "Turntable", *this};
 };
 
 }  // namespace loadable

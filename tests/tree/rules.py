@@ -7,8 +7,10 @@ import subprocess
 import sys
 
 # Each layer may include itself and what stands before it.
-LAYERS = ["base", "rt", "component", "wiring", "transport", "manager", "deploy", "observe", "record", "cli"]
+LAYERS = ["base", "rt", "component", "wiring", "transport", "standard", "manager", "deploy", "observe", "record", "cli"]
 PARALLEL = {"deploy", "observe", "record"}
+# Standard contracts that the layers below speak of count as the lowest, and see no more than that.
+BASIC_CONTRACTS = {"lifecycle.h"}
 SOURCES = {".h", ".cpp"}
 INCLUDE = re.compile(r'^\s*#include\s+[<"]([^>"]+)[>"]', re.M)
 MAX_LINES = 700
@@ -24,22 +26,33 @@ def includes(path):
     return INCLUDE.findall(path.read_text(encoding="utf-8"))
 
 
+def layer_of(folder, name):
+    """Of a header <suture/folder/name>."""
+    return LAYERS[0] if folder == "standard" and name in BASIC_CONTRACTS else folder
+
+
+def layer_of_file(path):
+    """runtime/contracts/ is an include root of its own, that of <suture/standard/...>."""
+    folder = path.parts[0]
+    return layer_of("standard" if folder == "contracts" else folder, path.name)
+
+
 def layer_of_include(include):
     parts = include.split("/")
-    return parts[1] if parts[0] == "suture" and len(parts) > 2 and parts[1] in LAYERS else None
+    return layer_of(parts[1], parts[-1]) if parts[0] == "suture" and len(parts) > 2 and parts[1] in LAYERS else None
 
 
 def may_include(layer, other):
     if layer == other:
         return True
     if layer in PARALLEL and other in PARALLEL:
-        return layer == "deploy" and other == "observe"
+        return layer == "deploy"  # runs what the other two offer
     return LAYERS.index(other) < LAYERS.index(layer)
 
 
 def check_layers(root):
     for path in sources(root, "runtime"):
-        layer = path.relative_to(root / "runtime").parts[0]
+        layer = layer_of_file(path.relative_to(root / "runtime"))
         if layer not in LAYERS:
             continue
         for include in includes(path):

@@ -29,6 +29,19 @@ class Planted(unittest.TestCase):
         self.write("runtime/rt/ring.h", "#include <suture/wiring/connect.h>\n#include <suture/base/time.h>\n")
         self.expect(rules.check_layers, "dependencies point the other way")
 
+    def test_a_standard_contract_that_looks_up(self):
+        self.write("runtime/contracts/suture/standard/port.h", "#include <suture/manager/manager.h>\n")
+        self.expect(rules.check_layers, "standard includes suture/manager/manager.h")
+
+    def test_a_component_layer_that_knows_the_standard_contracts(self):
+        self.write("runtime/component/a.h", "#include <suture/standard/lifecycle.h>\n")
+        self.write("runtime/component/b.h", "#include <suture/standard/task_timing.h>\n")
+        self.expect(rules.check_layers, "component includes suture/standard/task_timing.h")
+
+    def test_a_basic_contract_that_looks_up(self):
+        self.write("runtime/contracts/suture/standard/lifecycle.h", "#include <suture/component/task.h>\n")
+        self.expect(rules.check_layers, "base includes suture/component/task.h")
+
     def test_a_compiler_that_knows_the_runtime(self):
         self.write("compiler/emit/a.cpp", "#include <suture/base/time.h>\n")
         self.expect(rules.check_compiler_is_alone, "of the runtime")

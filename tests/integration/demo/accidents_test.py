@@ -133,6 +133,10 @@ class Workstation(unittest.TestCase):
         self.assertEqual(len(report["tasks"]), 12)
         self.assertEqual(process.wait(timeout=60), 0)
 
+    def test_what_arms_say_is_told_if_asked_for(self):
+        process = self.workstation(TOPOLOGIES / "single.json", "--messages")
+        self.await_line(process, "console: PSM1/Crtk status: ")
+
     def test_being_told_to_end_is_a_success(self):
         for number in (signal.SIGINT, signal.SIGTERM):
             process = self.workstation(TOPOLOGIES / "single.json")

@@ -21,7 +21,7 @@ using namespace std::chrono_literals;
 struct Operator final : suture::Device {
   Operator() {
     arm.on().goal_reached([this](const bool& reached) { goals.push_back(reached); });
-    arm.on().error([this](const Message& message) { errors.push_back(message.text); });
+    arm.on().error([this](const suture::Message& message) { errors.push_back(message.text); });
     arm.on().trajectory_j_ratio([this](const double& value) { ratio = value; });
   }
   suture::Required<CrtkArm> arm{*this, "Arm"};
@@ -58,6 +58,27 @@ class Crtk : public testing::TestWithParam<bool> {
   Psm psm_{PsmParameters{}};
   Operator operator_;
 };
+
+/// Whoever listens to standard messages hears those of an arm.
+TEST_P(Crtk, ItsMessagesAreTheStandardOnes) {
+  struct Listener final : suture::Device {
+    Listener() {
+      from.on().warning([this](const suture::Message& message) { warning = message; });
+    }
+    suture::Required<suture::Messages> from{*this, "From"};
+    suture::Message warning;
+  } listener;
+  suture::Manager& client = GetParam() ? here_ : there_;
+  client.add("Listener", listener);
+  client.connect("Listener/From", GetParam() ? "PSM/Crtk" : "here:PSM/Crtk");
+  ASSERT_TRUE(operator_.arm.servo_jp(JointGoal{}));
+  const suture::Time deadline = suture::now() + 20s;
+  while (listener.warning.counter == 0 && suture::now() < deadline) {
+    listener.waitForEvents(deadline);
+  }
+  EXPECT_NE(listener.warning.text.find("enabled"), std::string::npos) << listener.warning.text;
+  client.stop();
+}
 
 TEST_P(Crtk, AnOperatorHomesMovesAndAsks) {
   auto& arm = operator_.arm;

@@ -57,9 +57,9 @@ void ArmUser::subscribe() {
   on.trajectory_j_ratio([this](double) { ++events; });
   on.trajectory_j_ratio_v([this](double) { ++events; });
   on.trajectory_j_ratio_a([this](double) { ++events; });
-  on.status([this](const robots::Message&) { ++events; });
-  on.warning([this](const robots::Message&) { ++events; });
-  on.error([this](const robots::Message&) { ++events; });
+  on.status([this](const suture::Message&) { ++events; });
+  on.warning([this](const suture::Message&) { ++events; });
+  on.error([this](const suture::Message&) { ++events; });
 }
 
 // Ends enabled: what follows moves the arm. One word is none of the commands' names, for `error`.

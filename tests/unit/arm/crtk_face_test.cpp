@@ -42,9 +42,9 @@ struct Heard {
   void trajectory_j_ratio(double ratio) { ratios.push_back(ratio); }
   void trajectory_j_ratio_v(double) {}
   void trajectory_j_ratio_a(double) {}
-  void status(const Message& message) { statuses.push_back(message.text); }
-  void warning(const Message& message) { warnings.push_back(message.text); }
-  void error(const Message& message) { errors.push_back(message.text); }
+  void status(const suture::Message& message) { statuses.push_back(message.text); }
+  void warning(const suture::Message& message) { warnings.push_back(message.text); }
+  void error(const suture::Message& message) { errors.push_back(message.text); }
 };
 struct Deaf {
   void operating_state(const OperatingState&) {}

@@ -56,9 +56,9 @@ struct SilentCrtk {
   void trajectory_j_ratio(double) {}
   void trajectory_j_ratio_v(double) {}
   void trajectory_j_ratio_a(double) {}
-  void status(const Message&) {}
-  void warning(const Message&) {}
-  void error(const Message&) {}
+  void status(const suture::Message&) {}
+  void warning(const suture::Message&) {}
+  void error(const suture::Message&) {}
 };
 
 TEST(CrtkFace, NeverAllocatesInItsCycle) {

@@ -155,6 +155,91 @@ TEST(Deployment, ContractsThatAreNone) {
   }
 }
 
+/// kSound, whose PSM1 has one key more.
+std::string psmWith(const std::string& key) {
+  return with("\"class\": \"Psm\"", "\"class\": \"Psm\", " + key);
+}
+/// kSound, whose process right has one key more.
+std::string rightWith(const std::string& key) {
+  return with("\"name\": \"right\"", "\"name\": \"right\", " + key);
+}
+
+TEST(Deployment, Restarts) {
+  const auto restartOf = [](const std::string& text) {
+    return Deployment(JsonDocument::parse(text, "d.json")).process("right").components[0].restart;
+  };
+  EXPECT_FALSE(restartOf(kSound));
+  const auto budget = restartOf(psmWith(R"("restart": {"most": 3, "per": "3600s"})"));
+  ASSERT_TRUE(budget);
+  EXPECT_EQ(budget->most, 3u);
+  EXPECT_EQ(budget->per, 1h);
+}
+
+TEST(Deployment, RestartsThatAreNone) {
+  const auto problemWith = [](const std::string& value) {
+    const auto problems = problemsOf(psmWith("\"restart\": " + value));
+    return problems.size() == 1 ? problems[0] : std::to_string(problems.size()) + " problems";
+  };
+  const std::string line = "d.json:13: error: ";
+  for (const char* most : {"0", "17", "2.5", "\"3\""}) {
+    EXPECT_TRUE(problemWith(std::string(R"({"per": "60s", "most": )") + most + "}")
+                    .starts_with(line + "expected the number of restarts, 1 to 16; found "))
+        << most;
+  }
+  EXPECT_EQ(problemWith(R"({"most": 3})"),
+            line +
+                "key 'per' is missing; it is the length of any time in which there are so many: "
+                "for example \"60s\"");
+  EXPECT_EQ(problemWith(R"({"most": 3, "pre": "1s", "per": "1s"})"),
+            line + "unknown key 'pre'; did you mean 'per'?");
+  EXPECT_EQ(problemWith(R"({"most": 3, "per": "0ms"})"),
+            line + "a time of 0ms is no time at all; give a longer one");
+  EXPECT_EQ(problemWith(R"({"most": 3, "per": "86401s"})"),
+            line + "a time of 86401s is longer than 86400s, which is the longest; shorten it");
+}
+
+TEST(Deployment, BlackBoxes) {
+  const auto boxOf = [](const std::string& text) {
+    return Deployment(JsonDocument::parse(text, "folder/d.json")).process("right").blackBox;
+  };
+  EXPECT_FALSE(boxOf(kSound));
+  const auto least = boxOf(rightWith(R"("black_box": {"folder": "faults"})"));
+  ASSERT_TRUE(least);
+  EXPECT_EQ(least->folder, "folder/faults");
+  EXPECT_EQ(least->last, 10s);
+  EXPECT_EQ(least->period, 10ms);
+  EXPECT_EQ(least->rows, 0u);
+  EXPECT_TRUE(least->components.empty());
+  const auto all = boxOf(rightWith(
+      R"("black_box": {"folder": "/var/faults", "last": "90s", "rows": 4096, "period": "2ms",
+                       "components": ["PSM1"]})"));
+  ASSERT_TRUE(all);
+  EXPECT_EQ(all->folder, "/var/faults");
+  EXPECT_EQ(all->last, 90s);
+  EXPECT_EQ(all->period, 2ms);
+  EXPECT_EQ(all->rows, 4096u);
+  EXPECT_EQ(all->components, std::vector<std::string>{"PSM1"});
+}
+
+TEST(Deployment, BlackBoxesThatAreNone) {
+  const auto problemWith = [](const std::string& value) {
+    const auto problems = problemsOf(rightWith("\"black_box\": " + value));
+    return problems.size() == 1 ? problems[0] : std::to_string(problems.size()) + " problems";
+  };
+  const std::string line = "d.json:12: error: ";
+  EXPECT_EQ(problemWith("{}"), line +
+                                   "key 'folder' is missing; it is the path of an existing folder "
+                                   "for its files, from the folder of this file");
+  EXPECT_TRUE(problemWith(R"({"folder": "f", "rows": 0})")
+                  .starts_with(line + "expected how many rows of the past"));
+  EXPECT_EQ(problemWith(R"({"folder": "f", "last": "0s"})"),
+            line + "a time of 0s is no time at all; give a longer one");
+  EXPECT_EQ(problemWith(R"({"folder": "f", "components": ["PSM2"]})"),
+            line + "process 'right' has no component 'PSM2'; it has 'PSM1'; did you mean 'PSM1'?");
+  EXPECT_EQ(problemWith(R"({"folder": "f", "components": ["PSM1", "PSM1"]})"),
+            line + "'PSM1' is named twice; name it once");
+}
+
 TEST(Deployment, DelaysThatAreNone) {
   const auto problemsWith = [](const char* value) {
     return problemsOf(with("\"lane\": \"rpc\"", std::string("\"delay\": ") + value));

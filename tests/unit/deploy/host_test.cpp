@@ -1,13 +1,20 @@
 #include <gtest/gtest.h>
 #include <suture/component/channel.h>
+#include <suture/component/device.h>
 #include <suture/deploy/host.h>
+#include <suture/rt/state_table.h>
+#include <suture/standard/message_port.h>
 
 #include <array>
 #include <chrono>
+#include <filesystem>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 #include "reference/simulated_arm.suture.h"
+#include "support/eventually.h"
+#include "support/temporary_directory.h"
 
 namespace {
 
@@ -43,6 +50,33 @@ class Throwing final : public suture::PeriodicTask {
   void run() override { throw std::runtime_error("the encoder says nonsense"); }
 };
 
+class ThrowsOnce final : public suture::PeriodicTask {
+ public:
+  ThrowsOnce() : PeriodicTask({.period = 1ms}) {}
+
+ private:
+  void run() override {
+    if (!std::exchange(thrown_, true)) throw std::runtime_error("once");
+  }
+
+  bool thrown_ = false;
+};
+
+class Talking final : public suture::PeriodicTask {
+ public:
+  Talking() : PeriodicTask({.period = 1ms}) {}
+
+ private:
+  void run() override {
+    if (!std::exchange(said_, true)) messages_.warning("the lid is open", 3);
+  }
+
+  bool said_ = false;
+  suture::MessagePort messages_{*this};
+};
+
+struct Shelf final : suture::Device {};
+
 class Refusing final : public suture::PeriodicTask {
  public:
   Refusing() : PeriodicTask({.period = 1ms}) { throw std::invalid_argument("no such device"); }
@@ -72,6 +106,17 @@ Deployment deploymentOf(const std::string& components, const std::string& connec
                                         "d.json"));
 }
 
+/// One component that throws and one that does not, under a black box.
+Deployment boxed(const std::string& folder, const std::string& more = "") {
+  return Deployment(
+      JsonDocument::parse("{\"processes\": [{\"name\": \"all\",\n"
+                          "\"black_box\": {\n\"folder\": \"" +
+                              folder + "\"" + more + "},\n" +
+                              R"("components": [{"name": "T", "class": "Throwing"},
+                            {"name": "PSM", "class": "SimulatedArm"}]}]})",
+                          "d.json"));
+}
+
 std::vector<std::string> problemsOf(const Deployment& deployment) {
   try {
     Host host(deployment, "all", kClasses);
@@ -91,6 +136,13 @@ std::vector<std::string> troublesOf(const Host& host) {
     texts.push_back(trouble.subject + " " + trouble.text);
   }
   return texts;
+}
+
+/// Waits until the host has news, or ten seconds.
+std::vector<std::string> newsOf(Host& host) {
+  std::vector<std::string> news;
+  suture::eventually([&] { return !(news = host.news()).empty(); });
+  return news;
 }
 
 TEST(Host, RunsAndConnectsWhatTheFileSays) {
@@ -229,6 +281,84 @@ TEST(Host, ManagerThatIsNotRunning) {
     EXPECT_TRUE(std::string(error.what()).starts_with("d.json:2: error: ")) << error.what();
     EXPECT_NE(std::string(error.what()).find("suture-nobody-listens-here"), std::string::npos);
   }
+}
+
+TEST(Host, ATaskIsRestartedAsOftenAsTheFileSaysAndThatIsTold) {
+  const Deployment deployment =
+      deploymentOf(R"({"name": "T", "class": "Throwing", "restart": {"most": 2, "per": "1000s"}})");
+  Host host(deployment, "all", kClasses);
+  host.start();
+  EXPECT_EQ(troublesOf(host),
+            (std::vector<std::string>{
+                "component 'all:T' is parked, its code threw: the encoder says nonsense. It is "
+                "restarted no more. Correct the cause and start the process anew"}));
+  EXPECT_EQ(host.manager().directory().component("T").faults(), 3u);
+}
+
+TEST(Host, ARestartIsNews) {
+  const std::array classes{ComponentClass{"ThrowsOnce", createWithoutParameters<ThrowsOnce>}};
+  const Deployment deployment =
+      deploymentOf(R"({"name": "T", "class": "ThrowsOnce", "restart": {"most": 1, "per": "1s"}})");
+  Host host(deployment, "all", classes);
+  host.start();
+  EXPECT_EQ(newsOf(host), (std::vector<std::string>{
+                              "component 'all:T' runs again after fault 1: its code threw: once"}));
+  EXPECT_TRUE(host.news().empty());
+  EXPECT_TRUE(host.troubles().empty());
+}
+
+TEST(Host, ADeviceIsNotRestarted) {
+  const std::array classes{ComponentClass{"Shelf", createWithoutParameters<Shelf>}};
+  const Deployment deployment =
+      deploymentOf(R"({"name": "S", "class": "Shelf", "restart": {"most": 1, "per": "1s"}})");
+  try {
+    Host host(deployment, "all", classes);
+    FAIL();
+  } catch (const DocumentError& error) {
+    EXPECT_STREQ(error.what(),
+                 "d.json:2: error: component 'S' of class 'Shelf' is to be restarted after faults, "
+                 "but it is a device, which has no thread to be restarted in; remove 'restart', or "
+                 "make its class a task");
+  }
+}
+
+TEST(Host, ABlackBoxWithoutAFolder) {
+  const auto problems = problemsOf(boxed("nowhere"));
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0],
+            "d.json:3: error: the black box of process 'all' is to write to 'nowhere', which is no "
+            "folder; create it, or name another one");
+}
+
+TEST(Host, ABlackBoxKeepsWhatTheFileSaysAndTellsSo) {
+  const suture::TemporaryDirectory directory;
+  const Deployment deployment = boxed(directory.file(""), R"(, "rows": 1024, "components": ["T"])");
+  Host host(deployment, "all", kClasses);
+  host.start();
+  const auto& all = host.manager().directory();
+  EXPECT_EQ(all.component("T").provided().front()->state()->capacity(), 1024u);
+  EXPECT_LT(all.component("PSM").provided().front()->state()->capacity(), 1024u);
+  const auto news = newsOf(host);
+  ASSERT_EQ(news.size(), 1u);
+  EXPECT_TRUE(
+      news[0].starts_with("black box: component 'T' faulted: the encoder says nonsense. "
+                          "Its last state is in " +
+                          directory.file("all.")))
+      << news[0];
+  EXPECT_TRUE(std::filesystem::exists(news[0].substr(news[0].rfind(' ') + 1))) << news[0];
+}
+
+TEST(Host, TellsWhatComponentsSay) {
+  const std::array classes{ComponentClass{"Talking", createWithoutParameters<Talking>}};
+  const Deployment deployment = deploymentOf(R"({"name": "T", "class": "Talking"})");
+  Host silent(deployment, "all", classes);
+  silent.start();
+  Host host(deployment, "all", classes);
+  host.listenToMessages();
+  host.start();
+  EXPECT_EQ(newsOf(host),
+            (std::vector<std::string>{"T/Messages warning: the lid is open (code 3)"}));
+  EXPECT_TRUE(silent.news().empty());
 }
 
 TEST(Host, ComponentThatThrowsIsNamedAndTheOthersGoOn) {

@@ -4,9 +4,9 @@
 #include <suture/component/callback_task.h>
 #include <suture/component/device.h>
 #include <suture/component/periodic_task.h>
-#include <suture/lifecycle.suture.h>
 #include <suture/manager/global_manager.h>
 #include <suture/manager/manager.h>
+#include <suture/standard/lifecycle.suture.h>
 #include <suture/transport/rpc/control_thread.h>
 
 #include <algorithm>

@@ -18,6 +18,7 @@ ConnectionReport clientEnd(const std::string& name) {
   end.sent = 100;
   end.replaced = 1;
   end.bytesSent = 5000;
+  end.contract = {.staleReads = 6, .losses = 7, .awaitsOperator = true};
   end.readAge = {90, 1ms, 2ms, 3ms};
   return end;
 }
@@ -43,6 +44,10 @@ void expectWhole(const ConnectionReport& whole) {
   EXPECT_EQ(whole.replaced, 3u);
   EXPECT_EQ(whole.late, 2u);
   EXPECT_EQ(whole.bytesSent, 5000u);
+  ASSERT_TRUE(whole.contract);
+  EXPECT_EQ(whole.contract->staleReads, 6u);
+  EXPECT_EQ(whole.contract->losses, 7u);
+  EXPECT_TRUE(whole.contract->awaitsOperator);
   EXPECT_EQ(whole.readAge.max, 3ms);
   EXPECT_EQ(whole.commandAge.max, 6ms);
 }

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <suture/component/device.h>
 #include <suture/component/event_task.h>
 #include <suture/observe/observe.h>
 
@@ -67,6 +68,38 @@ TEST(Observe, CountsWhatALocalConnectionDoes) {
   EXPECT_GE(report.tasks[0].window.length, 2ms);
   EXPECT_GT(report.tasks[0].window.period.mean, 0ns);
   EXPECT_GT(report.tasks[0].window.compute.p99, 0ns);
+}
+
+TEST(Observe, TellsHowAContractIsKeptAndWhatDevicesAre) {
+  struct Shelf final : suture::Device {
+  } shelf;
+  reference::SimulatedArm arm({});
+  Client client;
+  suture::Manager manager("here");
+  manager.add("PSM", arm);
+  manager.add("Client", client);
+  manager.add("Shelf", shelf);
+  manager.connect("Client/Arm", "PSM/Arm", suture::Lane::Auto, 1s, {},
+                  {.maxAge = 1ns, .resume = suture::Resume::Operator});
+  manager.start();
+  const auto present = [&] { return suture::observe(manager, suture::now()); };
+  const auto deadline = suture::now() + 10s;
+  const auto contract = [&] { return present().connections.at(0).contract; };
+  ASSERT_TRUE(contract());
+  while (contract()->staleReads < 3 && suture::now() < deadline) std::this_thread::yield();
+  EXPECT_GE(contract()->staleReads, 3u);
+  EXPECT_TRUE(contract()->awaitsOperator);
+  EXPECT_EQ(contract()->losses, 0u);
+
+  shelf.park("it fell");
+  const suture::Report report = present();
+  manager.stop();
+  EXPECT_EQ(report.tasks.size(), 2u);
+  ASSERT_EQ(report.devices.size(), 1u);
+  EXPECT_EQ(report.devices[0].name, "Shelf");
+  EXPECT_EQ(report.devices[0].state, suture::ComponentState::Faulted);
+  EXPECT_EQ(report.devices[0].fault, "it fell");
+  EXPECT_EQ(report.devices[0].faults, 1u);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@ suture::Report sample() {
   connection.status = suture::ChannelStatus::Lost;
   connection.bytesSent = 1;
   connection.bytesReceived = 2;
+  connection.contract = {.staleReads = 51, .losses = 52, .awaitsOperator = true};
   connection.sent = 3;
   connection.executed = 4;
   connection.full = 5;
@@ -31,12 +32,14 @@ suture::Report sample() {
   task.name = "Teleop";
   task.state = suture::ComponentState::Faulted;
   task.fault = "it threw";
+  task.faults = 53;
   task.cycles = 21;
   task.skipped = 22;
   task.lateness = {23, 24ns, 25ns, 26ns};
   task.computeTime = {27, 28ns, 29ns, 30ns};
   task.window = {31ns, 32, 33, {34ns, 35ns, 36ns, 37ns, 38ns}, {39ns, 40ns, 41ns, 42ns, 43ns}};
-  return {"left", 2s, {connection}, {task}};
+  const suture::DeviceReport device{"Shelf", suture::ComponentState::Faulted, "it fell", 54};
+  return {"left", 2s, {connection}, {task}, {device}};
 }
 
 TEST(Report, SurvivesJson) {
@@ -50,16 +53,31 @@ TEST(Report, EveryFieldIsInTheJson) {
   const auto& connection = json.at("connections").at(0);
   EXPECT_EQ(connection.at("end"), "provider");
   EXPECT_EQ(connection.at("status"), "lost");
+  EXPECT_EQ(connection.at("contract").at("stale_reads"), 51);
+  EXPECT_EQ(connection.at("contract").at("losses"), 52);
+  EXPECT_EQ(connection.at("contract").at("awaits_operator"), true);
+  EXPECT_EQ(connection.at("dropped"), 19);
   EXPECT_EQ(connection.at("events_dropped"), 12);
   EXPECT_EQ(connection.at("command_age").at("max"), 20);
   const auto& task = json.at("tasks").at(0);
   EXPECT_EQ(task.at("state"), "faulted");
   EXPECT_EQ(task.at("fault"), "it threw");
+  EXPECT_EQ(task.at("faults"), 53);
   EXPECT_EQ(task.at("compute_time").at("p99"), 29);
   EXPECT_EQ(task.at("window").at("cycles"), 32);
   EXPECT_EQ(task.at("window").at("period").at("deviation"), 35);
   EXPECT_EQ(task.at("window").at("compute").at("p99"), 43);
   EXPECT_EQ(json.at("age"), 2'000'000'000);
+  EXPECT_EQ(json.at("devices"), nlohmann::json::parse(R"([{"name": "Shelf", "state": "faulted",
+                                                          "fault": "it fell", "faults": 54}])"));
+}
+
+TEST(Report, AConnectionWithoutAContractHasNone) {
+  suture::Report report = sample();
+  report.connections[0].contract.reset();
+  const auto json = suture::toJson(report);
+  EXPECT_TRUE(json.at("connections").at(0).at("contract").is_null());
+  EXPECT_FALSE(suture::reportFromJson(json).connections[0].contract);
 }
 
 TEST(Report, DroppedIsWhatWasNeitherExecutedNorLateNorReplaced) {

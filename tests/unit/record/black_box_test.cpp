@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 #include <suture/component/periodic_task.h>
 #include <suture/component/provided.h>
-#include <suture/lifecycle.suture.h>
 #include <suture/manager/manager.h>
 #include <suture/record/black_box.h>
 #include <suture/rt/state_table.h>
+#include <suture/standard/lifecycle.suture.h>
 
 #include <atomic>
 #include <filesystem>

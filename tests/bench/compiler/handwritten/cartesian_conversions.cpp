@@ -4,7 +4,7 @@
 namespace handwritten {
 namespace {
 
-constexpr unsigned kMaxMessage = 127;
+constexpr unsigned kMaxMessage = 255;
 
 }  // namespace
 
@@ -114,14 +114,16 @@ void read(wire::CartesianState::Reader in, robots::CartesianState& value) {
   value.stamp = suture::fromNanoseconds(in.getStamp());
 }
 
-void write(const robots::Message& value, wire::Message::Builder out) {
+void write(const suture::Message& value, suture::wire::Message::Builder out) {
   out.setText(textOf(value.text));
+  out.setCode(value.code);
   out.setCounter(value.counter);
   out.setStamp(suture::toNanoseconds(value.stamp));
 }
 
-void read(wire::Message::Reader in, robots::Message& value) {
+void read(suture::wire::Message::Reader in, suture::Message& value) {
   read(in.getText(), value.text, kMaxMessage);
+  value.code = in.getCode();
   value.counter = in.getCounter();
   value.stamp = suture::fromNanoseconds(in.getStamp());
 }

@@ -2,6 +2,9 @@
 // Between the types of the complete arm interface and Cap'n Proto, as one writes it by hand: the
 // yardstick for what suturec writes. Reading throws kj::Exception at what cannot be an argument.
 
+#include <suture/standard/messages.capnp.h>
+#include <suture/standard/messages.h>
+
 #include "arm/crtk_arm.capnp.h"
 #include "robot_types/cartesian.h"
 #include "robot_types/joint_commands.h"
@@ -27,7 +30,7 @@ void write(const robots::TwistGoal& value, wire::TwistGoal::Builder out);
 void write(const robots::Wrench& value, wire::Wrench::Builder out);
 void write(const robots::WrenchGoal& value, wire::WrenchGoal::Builder out);
 void write(const robots::CartesianState& value, wire::CartesianState::Builder out);
-void write(const robots::Message& value, wire::Message::Builder out);
+void write(const suture::Message& value, suture::wire::Message::Builder out);
 void write(const robots::IntervalStatistics& value, wire::IntervalStatistics::Builder out);
 void write(const robots::OperatingState& value, wire::OperatingState::Builder out);
 wire::ArmState write(robots::ArmState value);
@@ -45,7 +48,7 @@ void read(wire::TwistGoal::Reader in, robots::TwistGoal& value);
 void read(wire::Wrench::Reader in, robots::Wrench& value);
 void read(wire::WrenchGoal::Reader in, robots::WrenchGoal& value);
 void read(wire::CartesianState::Reader in, robots::CartesianState& value);
-void read(wire::Message::Reader in, robots::Message& value);
+void read(suture::wire::Message::Reader in, suture::Message& value);
 void read(wire::IntervalStatistics::Reader in, robots::IntervalStatistics& value);
 void read(wire::OperatingState::Reader in, robots::OperatingState& value);
 robots::ArmState read(wire::ArmState in);

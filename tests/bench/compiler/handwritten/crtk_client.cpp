@@ -86,17 +86,17 @@ class Subscriber final : public wire::CrtkArmEvents::Server {
   }
 
   kj::Promise<void> status(StatusContext context) override {
-    if (handlers_.status) handlers_.status(as<robots::Message>(context.getParams().getValue()));
+    if (handlers_.status) handlers_.status(as<suture::Message>(context.getParams().getValue()));
     return kj::READY_NOW;
   }
 
   kj::Promise<void> warning(WarningContext context) override {
-    if (handlers_.warning) handlers_.warning(as<robots::Message>(context.getParams().getValue()));
+    if (handlers_.warning) handlers_.warning(as<suture::Message>(context.getParams().getValue()));
     return kj::READY_NOW;
   }
 
   kj::Promise<void> error(ErrorContext context) override {
-    if (handlers_.error) handlers_.error(as<robots::Message>(context.getParams().getValue()));
+    if (handlers_.error) handlers_.error(as<suture::Message>(context.getParams().getValue()));
     return kj::READY_NOW;
   }
 

@@ -27,9 +27,9 @@ struct ArmHandlers {
   std::function<void(double)> trajectory_j_ratio;
   std::function<void(double)> trajectory_j_ratio_v;
   std::function<void(double)> trajectory_j_ratio_a;
-  std::function<void(const robots::Message&)> status;
-  std::function<void(const robots::Message&)> warning;
-  std::function<void(const robots::Message&)> error;
+  std::function<void(const suture::Message&)> status;
+  std::function<void(const suture::Message&)> warning;
+  std::function<void(const suture::Message&)> error;
 };
 
 /// The newest row of what the arm's reads answer; bit i of `evaluated`: column i is there.

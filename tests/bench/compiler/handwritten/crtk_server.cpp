@@ -69,7 +69,7 @@ void CrtkArmServer::sendRows() {
 }
 
 void CrtkArmServer::emitOperatingState(const robots::OperatingState& value) {
-  toSubscribers(0, [&](wire::CrtkArmEvents::Client& events) {
+  toSubscribers(3, [&](wire::CrtkArmEvents::Client& events) {
     auto request = events.operatingStateRequest();
     write(value, request.initValue());
     return request.send().ignoreResult();
@@ -77,7 +77,7 @@ void CrtkArmServer::emitOperatingState(const robots::OperatingState& value) {
 }
 
 void CrtkArmServer::emitDesiredState(robots::ArmState value) {
-  toSubscribers(1, [&](wire::CrtkArmEvents::Client& events) {
+  toSubscribers(4, [&](wire::CrtkArmEvents::Client& events) {
     auto request = events.desiredStateRequest();
     request.setValue(write(value));
     return request.send().ignoreResult();
@@ -85,7 +85,7 @@ void CrtkArmServer::emitDesiredState(robots::ArmState value) {
 }
 
 void CrtkArmServer::emitGoalReached(bool value) {
-  toSubscribers(2, [&](wire::CrtkArmEvents::Client& events) {
+  toSubscribers(5, [&](wire::CrtkArmEvents::Client& events) {
     auto request = events.goalReachedRequest();
     request.setValue(value);
     return request.send().ignoreResult();
@@ -93,7 +93,7 @@ void CrtkArmServer::emitGoalReached(bool value) {
 }
 
 void CrtkArmServer::emitGravityCompensation(bool value) {
-  toSubscribers(3, [&](wire::CrtkArmEvents::Client& events) {
+  toSubscribers(6, [&](wire::CrtkArmEvents::Client& events) {
     auto request = events.gravityCompensationRequest();
     request.setValue(value);
     return request.send().ignoreResult();
@@ -101,7 +101,7 @@ void CrtkArmServer::emitGravityCompensation(bool value) {
 }
 
 void CrtkArmServer::emitTrajectoryJRatio(double value) {
-  toSubscribers(4, [&](wire::CrtkArmEvents::Client& events) {
+  toSubscribers(7, [&](wire::CrtkArmEvents::Client& events) {
     auto request = events.trajectoryJRatioRequest();
     request.setValue(value);
     return request.send().ignoreResult();
@@ -109,7 +109,7 @@ void CrtkArmServer::emitTrajectoryJRatio(double value) {
 }
 
 void CrtkArmServer::emitTrajectoryJRatioV(double value) {
-  toSubscribers(5, [&](wire::CrtkArmEvents::Client& events) {
+  toSubscribers(8, [&](wire::CrtkArmEvents::Client& events) {
     auto request = events.trajectoryJRatioVRequest();
     request.setValue(value);
     return request.send().ignoreResult();
@@ -117,31 +117,31 @@ void CrtkArmServer::emitTrajectoryJRatioV(double value) {
 }
 
 void CrtkArmServer::emitTrajectoryJRatioA(double value) {
-  toSubscribers(6, [&](wire::CrtkArmEvents::Client& events) {
+  toSubscribers(9, [&](wire::CrtkArmEvents::Client& events) {
     auto request = events.trajectoryJRatioARequest();
     request.setValue(value);
     return request.send().ignoreResult();
   });
 }
 
-void CrtkArmServer::emitStatus(const robots::Message& value) {
-  toSubscribers(7, [&](wire::CrtkArmEvents::Client& events) {
+void CrtkArmServer::emitStatus(const suture::Message& value) {
+  toSubscribers(0, [&](wire::CrtkArmEvents::Client& events) {
     auto request = events.statusRequest();
     write(value, request.initValue());
     return request.send().ignoreResult();
   });
 }
 
-void CrtkArmServer::emitWarning(const robots::Message& value) {
-  toSubscribers(8, [&](wire::CrtkArmEvents::Client& events) {
+void CrtkArmServer::emitWarning(const suture::Message& value) {
+  toSubscribers(1, [&](wire::CrtkArmEvents::Client& events) {
     auto request = events.warningRequest();
     write(value, request.initValue());
     return request.send().ignoreResult();
   });
 }
 
-void CrtkArmServer::emitError(const robots::Message& value) {
-  toSubscribers(9, [&](wire::CrtkArmEvents::Client& events) {
+void CrtkArmServer::emitError(const suture::Message& value) {
+  toSubscribers(2, [&](wire::CrtkArmEvents::Client& events) {
     auto request = events.errorRequest();
     write(value, request.initValue());
     return request.send().ignoreResult();

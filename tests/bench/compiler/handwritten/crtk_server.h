@@ -28,9 +28,9 @@ class CrtkArmServer final : public wire::CrtkArm::Server, private kj::TaskSet::E
   void emitTrajectoryJRatio(double value);
   void emitTrajectoryJRatioV(double value);
   void emitTrajectoryJRatioA(double value);
-  void emitStatus(const robots::Message& value);
-  void emitWarning(const robots::Message& value);
-  void emitError(const robots::Message& value);
+  void emitStatus(const suture::Message& value);
+  void emitWarning(const suture::Message& value);
+  void emitError(const suture::Message& value);
 
  protected:
   kj::Promise<void> subscribe(SubscribeContext context) override;

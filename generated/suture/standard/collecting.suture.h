@@ -1,0 +1,120 @@
+// Written by suturec from suture/standard/collecting.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "suture/standard/collecting.h"
+
+namespace suture {
+
+/// What became of the rows or events of a time of collecting. Once the collector has caught up with
+/// its provider, the three add up to what was produced.
+struct CollectedCountsSlot {
+  std::uint64_t collected;
+  std::uint64_t passedOver;
+  std::uint64_t missed;
+};
+
+bool store(const CollectedCounts& value, CollectedCountsSlot& slot);
+void load(const CollectedCountsSlot& slot, CollectedCounts& value);
+
+/// How much is collected.
+struct CollectingIntervalSlot {
+  std::uint32_t every;
+  std::int64_t atLeast;  // std::chrono::nanoseconds, ns
+};
+
+bool store(const CollectingInterval& value, CollectingIntervalSlot& slot);
+void load(const CollectingIntervalSlot& slot, CollectingInterval& value);
+
+// --- Collecting: the arguments of its commands ---
+
+struct CollectingSetIntervalArguments {
+  CollectingIntervalSlot interval;
+};
+
+bool store(const CollectingInterval& interval, CollectingSetIntervalArguments& slot);
+
+/// The numbers of Collecting's commands in every table and record.
+enum class CollectingCommand : std::uint16_t {
+  start_collecting,
+  stop_collecting,
+  set_interval,
+  interval,
+  collecting,
+  counts,
+};
+
+}  // namespace suture
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<suture::Collecting>();
+
+/// What a client of suture::Collecting calls.
+template <>
+class Required<suture::Collecting> : public RequiredBase {
+  using Contract = suture::Collecting;
+  using Id = suture::CollectingCommand;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+  /// What is produced from now on is kept; counts begin anew, unless it is collecting already.
+  Command<&Contract::start_collecting, NoSlot> start_collecting{
+      *this, static_cast<std::uint16_t>(Id::start_collecting)};
+  /// What is produced from now on is let go, uncounted.
+  Command<&Contract::stop_collecting, NoSlot> stop_collecting{
+      *this, static_cast<std::uint16_t>(Id::stop_collecting)};
+  /// From the next row or event on. False: every 0th, or less than no time; nothing changes.
+  ReturningCommand<&Contract::set_interval, suture::CollectingSetIntervalArguments,
+                   std::uint8_t> set_interval{*this, static_cast<std::uint16_t>(Id::set_interval)};
+  ReadCommand<&Contract::interval, CollectingIntervalSlot> interval{
+      *this, static_cast<std::uint16_t>(Id::interval)};
+  ReadCommand<&Contract::collecting, std::uint8_t> collecting{
+      *this, static_cast<std::uint16_t>(Id::collecting)};
+  /// Of the present time of collecting, or of the last one.
+  ReadCommand<&Contract::counts, CollectedCountsSlot> counts{
+      *this, static_cast<std::uint16_t>(Id::counts)};
+
+ protected:
+  // Of a contract that derives from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+};
+
+/// What serves suture::Collecting from a component.
+template <>
+class Provided<suture::Collecting> : public ProvidedBase {
+  using Contract = suture::Collecting;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+ protected:
+  // Of a contract that derives from this one: `whole` points to its implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  // Reused by every command, so that what they own is allocated once.
+  struct Scratch {
+    CollectingInterval set_interval_interval;
+  };
+
+  Contract& implementation_;
+  Scratch scratch_{};
+};
+
+}  // namespace suture

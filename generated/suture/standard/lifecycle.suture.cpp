@@ -1,0 +1,400 @@
+// Written by suturec from suture/standard/lifecycle.h. Do not edit.
+#include "suture/standard/lifecycle.suture.h"
+
+#include <suture/transport/rpc/binding.h>
+#include <suture/transport/rpc/proxy_port.h>
+#include <suture/transport/rpc/servant_port.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "suture/standard/lifecycle.capnp.h"
+
+namespace suture {
+
+using suture::CommandInfo;
+using suture::CommandKind;
+using suture::Duration;
+using suture::Errc;
+using suture::EventInfo;
+using suture::load;
+using suture::rpc::ProxyPort;
+using suture::rpc::ServantPort;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::isValid;
+using suture::rpc::numberOf;
+using suture::rpc::toWire;
+using suture::slotIn;
+using suture::slotSize;
+using suture::store;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<std::underlying_type_t<ComponentState>, std::uint8_t>);
+static_assert(static_cast<std::uint8_t>(ComponentState::Constructed) == 0);
+static_assert(static_cast<std::uint8_t>(ComponentState::Configured) == 1);
+static_assert(static_cast<std::uint8_t>(ComponentState::Running) == 2);
+static_assert(static_cast<std::uint8_t>(ComponentState::Suspended) == 3);
+static_assert(static_cast<std::uint8_t>(ComponentState::Faulted) == 4);
+static_assert(static_cast<std::uint8_t>(ComponentState::Stopped) == 5);
+static_assert(std::is_same_v<decltype(StateChange::state), ComponentState>);
+static_assert(std::is_same_v<decltype(StateChange::fault), std::string>);
+static_assert(std::is_same_v<decltype(StateChange::stamp), std::chrono::steady_clock::time_point>);
+
+constexpr CommandInfo kLifecycleCommands[] = {
+    {.name = "suspend",
+     .kind = CommandKind::VoidReturn,
+     .resultSize = slotSize<std::uint8_t>,
+     .depth = 16},
+    {.name = "resume",
+     .kind = CommandKind::VoidReturn,
+     .resultSize = slotSize<std::uint8_t>,
+     .depth = 16},
+    {.name = "component_state",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<std::uint8_t>,
+     .depth = 16,
+     .column = 0},
+};
+
+constexpr EventInfo kLifecycleEvents[] = {
+    {.name = "state_changed",
+     .payloadSize = slotSize<StateChangeSlot>,
+     .depth = 16,
+     .latched = true},
+};
+
+// The self-description, as in suture/standard/lifecycle.suture.json.
+constexpr char kLifecycleDescription[] = R"json(
+{"name": "suture::Lifecycle",
+"doc": "The provided interface \"component\" of every component that a manager has. It is served also\nwhile the component is suspended or faulted.",
+"hash": "7db3691945a4c1c8da8b8f83ec94f03b", "commands": [{"name": "suspend",
+"kind": "void with return",
+"doc": "Lets the component do nothing from its next cycle on. False: it is not running.",
+"result": {"type": {"kind": "Bool"}}, "queue": 16}, {"name": "resume", "kind": "void with return",
+"doc": "Lets it go on. False: it is not suspended.", "result": {"type": {"kind": "Bool"}},
+"queue": 16}, {"name": "component_state", "kind": "read", "wire": "componentState", "result": {
+"type": {"kind": "enum", "name": "suture::ComponentState"}}, "queue": 16}], "events": [{
+"name": "state_changed", "kind": "write", "wire": "stateChanged",
+"doc": "Once for each transition; whoever subscribes later gets the last.", "payload": {"type": {
+"kind": "struct", "name": "suture::StateChange"}}, "queue": 16, "latched": true}], "enums": [{
+"name": "suture::ComponentState", "underlying": "UInt8", "enumerators": [{"name": "Constructed",
+"value": 0, "wire": "constructed"}, {"name": "Configured", "value": 1, "wire": "configured"}, {
+"name": "Running", "value": 2, "wire": "running"}, {"name": "Suspended", "value": 3,
+"wire": "suspended",
+"doc": "keeps its thread and its connections, and does nothing but wait for resume"}, {
+"name": "Faulted", "value": 4, "wire": "faulted",
+"doc": "a handler or hook threw; the end of this component, not of its process"}, {
+"name": "Stopped", "value": 5, "wire": "stopped"}]}], "structs": [{"name": "suture::StateChange",
+"doc": "A component has come into a state.", "fields": [{"name": "state", "type": {"kind": "enum",
+"name": "suture::ComponentState"}, "default": "Constructed"}, {"name": "fault",
+"doc": "What was thrown, if the state is Faulted; its end may be cut off.", "type": {
+"kind": "text", "capacity": 255}}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]}
+]})json";
+
+}  // namespace
+
+bool store(const StateChange& value, StateChangeSlot& slot) {
+  bool fits = true;
+  fits &= store(value.state, slot.state);
+  fits &= store(value.fault, slot.fault);
+  fits &= store(value.stamp, slot.stamp);
+  return fits;
+}
+
+void load(const StateChangeSlot& slot, StateChange& value) {
+  load(slot.state, value.state);
+  load(slot.fault, value.fault);
+  load(slot.stamp, value.stamp);
+}
+
+void reserve(const StateChangeSlot*, StateChange& value) {
+  suture::reserveFor<decltype(StateChangeSlot::fault)>(value.fault);
+}
+
+// --- between slots and Cap'n Proto
+
+wire::ComponentState wireComponentState(std::uint8_t slot) {
+  switch (static_cast<ComponentState>(slot)) {
+    case ComponentState::Constructed: return wire::ComponentState::CONSTRUCTED;
+    case ComponentState::Configured: return wire::ComponentState::CONFIGURED;
+    case ComponentState::Running: return wire::ComponentState::RUNNING;
+    case ComponentState::Suspended: return wire::ComponentState::SUSPENDED;
+    case ComponentState::Faulted: return wire::ComponentState::FAULTED;
+    case ComponentState::Stopped: return wire::ComponentState::STOPPED;
+  }
+  return wire::ComponentState{};
+}
+
+Errc fromWire(wire::ComponentState in, std::uint8_t& slot) {
+  switch (in) {
+    case wire::ComponentState::CONSTRUCTED: return slot =
+        static_cast<std::uint8_t>(ComponentState::Constructed), Errc{};
+    case wire::ComponentState::CONFIGURED: return slot =
+        static_cast<std::uint8_t>(ComponentState::Configured), Errc{};
+    case wire::ComponentState::RUNNING: return slot =
+        static_cast<std::uint8_t>(ComponentState::Running), Errc{};
+    case wire::ComponentState::SUSPENDED: return slot =
+        static_cast<std::uint8_t>(ComponentState::Suspended), Errc{};
+    case wire::ComponentState::FAULTED: return slot =
+        static_cast<std::uint8_t>(ComponentState::Faulted), Errc{};
+    case wire::ComponentState::STOPPED: return slot =
+        static_cast<std::uint8_t>(ComponentState::Stopped), Errc{};
+  }
+  return Errc::Invalid;
+}
+
+void toWire(const StateChangeSlot& slot, wire::StateChange::Builder out) {
+  out.setState(wireComponentState(slot.state));
+  toWire(slot.fault, out.initFault(slot.fault.size));
+  out.setStamp(slot.stamp);
+}
+
+Errc fromWire(wire::StateChange::Reader in, StateChangeSlot& slot, Duration shift) {
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  return firstError({
+      fromWire(in.getState(), slot.state),
+      fromWire(in.getFault(), slot.fault),
+  });
+}
+
+bool isValid(const StateChangeSlot&) {
+  return true;
+}
+
+namespace {
+
+// --- Lifecycle over Cap'n Proto RPC: the provider's side
+
+/// Makes remote calls of a subscriber's events and rows.
+class LifecycleSink final : public suture::rpc::EventSink {
+ public:
+  explicit LifecycleSink(wire::LifecycleEvents::Client subscriber) :
+      subscriber_(kj::mv(subscriber)) {}
+
+  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
+    switch (event) {
+      case numberOf(LifecycleEvent::state_changed): {
+        const auto& slot = slotIn<StateChangeSlot>(payload);
+        auto request = subscriber_.stateChangedRequest();
+        toWire(slot, request.initValue());
+        return request.send().ignoreResult();
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
+                        std::span<const std::byte* const> columns) override {
+    auto request = subscriber_.stateRequest();
+    auto out = request.initRow();
+    out.setStamp(suture::toNanoseconds(row.stamp));
+    out.setEvaluated(row.valid);
+    out.setTooLarge(row.tooLarge);
+    if (row.valid >> 0 & 1) {
+      const auto& slot = slotIn<std::uint8_t>(columns[0]);
+      out.setComponentState(wireComponentState(slot));
+    }
+    return request.send().ignoreResult();
+  }
+
+ private:
+  wire::LifecycleEvents::Client subscriber_;
+};
+
+/// Puts remote calls into the provider's mailbox.
+class LifecycleServant final : public wire::Lifecycle::Server {
+ public:
+  explicit LifecycleServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> subscribe(SubscribeContext context) override {
+    auto in = context.getParams();
+    port_->subscribe(kj::heap<LifecycleSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> suspend(SuspendContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result, suture::Time) mutable {
+      const auto& slot = slotIn<std::uint8_t>(result);
+      auto out = context.getResults();
+      out.setValue(slot != 0);
+    };
+    return port_->call(numberOf(LifecycleCommand::suspend), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> resume(ResumeContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result, suture::Time) mutable {
+      const auto& slot = slotIn<std::uint8_t>(result);
+      auto out = context.getResults();
+      out.setValue(slot != 0);
+    };
+    return port_->call(numberOf(LifecycleCommand::resume), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> componentState(ComponentStateContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
+      const auto& slot = slotIn<std::uint8_t>(result);
+      auto out = context.getResults();
+      out.setValue(wireComponentState(slot));
+      out.setStamp(suture::toNanoseconds(stamp));
+    };
+    return port_->call(numberOf(LifecycleCommand::component_state), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+ private:
+  kj::Own<ServantPort> port_;
+};
+
+// --- Lifecycle over Cap'n Proto RPC: the client's side
+
+/// Receives events and rows.
+class LifecycleReceiver final : public wire::LifecycleEvents::Server {
+ public:
+  explicit LifecycleReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> state(StateContext context) override {
+    auto in = context.getParams().getRow();
+    suture::rt::ColumnSet valid = 0;
+    if (in.getEvaluated() >> 0 & 1) {
+      auto& slot = port_->column<std::uint8_t>(0);
+      const Errc error = fromWire(in.getComponentState(), slot);
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
+    }
+    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> stateChanged(StateChangedContext context) override {
+    auto in = context.getParams();
+    return port_->event<StateChangeSlot>(numberOf(LifecycleEvent::state_changed),
+                                         [&](StateChangeSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
+  }
+
+ private:
+  kj::Own<ProxyPort> port_;
+};
+
+/// Makes remote calls of commands.
+class LifecycleProxy final : public suture::rpc::Proxy {
+ public:
+  LifecycleProxy(wire::Lifecycle::Client provider, ProxyPort& port)
+      : provider_(kj::mv(provider)), port_(port) {}
+
+  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
+    auto request = provider_.subscribeRequest();
+    request.setEvents(kj::heap<LifecycleReceiver>(kj::addRef(port_)));
+    request.setEventMask(events);
+    request.setStateMask(columns);
+    return request.send().ignoreResult();
+  }
+
+  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
+    switch (static_cast<LifecycleCommand>(record.command)) {
+      case LifecycleCommand::suspend: {
+        auto request = provider_.suspendRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<std::uint8_t>(call, [&](std::uint8_t& answer) {
+            answer = response.getValue();
+            return Errc{};
+          });
+        });
+      }
+      case LifecycleCommand::resume: {
+        auto request = provider_.resumeRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<std::uint8_t>(call, [&](std::uint8_t& answer) {
+            answer = response.getValue();
+            return Errc{};
+          });
+        });
+      }
+      case LifecycleCommand::component_state: {
+        auto request = provider_.componentStateRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<std::uint8_t>(call, response.getStamp(), [&](std::uint8_t& answer) {
+            return fromWire(response.getValue(), answer);
+          });
+        });
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+ private:
+  wire::Lifecycle::Client provider_;
+  ProxyPort& port_;
+};
+
+class LifecycleBinding final : public suture::rpc::Binding {
+ public:
+  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
+    return kj::heap<LifecycleServant>(kj::mv(port));
+  }
+  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
+                                        ProxyPort& port) const override {
+    return kj::heap<LifecycleProxy>(contract.castAs<wire::Lifecycle>(), port);
+  }
+  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
+    return kj::heap<LifecycleSink>(subscriber.castAs<wire::LifecycleEvents>());
+  }
+};
+
+const suture::rpc::Binding& lifecycleBinding() {
+  static const LifecycleBinding kBinding;
+  return kBinding;
+}
+
+}  // namespace
+}  // namespace suture
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<suture::Lifecycle>() {
+  static constexpr InterfaceInfo kInfo{
+      .name = "suture::Lifecycle",
+      .hash = "7db3691945a4c1c8da8b8f83ec94f03b",
+      .description = suture::kLifecycleDescription,
+      .commands = suture::kLifecycleCommands,
+      .events = suture::kLifecycleEvents,
+      .binding = &suture::lifecycleBinding,
+  };
+  return kInfo;
+}
+
+Errc Provided<suture::Lifecycle>::execute(std::uint16_t command, const std::byte* /*arguments*/,
+                                          std::byte* result) {
+  using ::suture::LifecycleCommand;
+  switch (static_cast<LifecycleCommand>(command)) {
+    case LifecycleCommand::suspend: {
+      auto& slot = newSlot<std::uint8_t>(result);
+      return store(implementation_.suspend(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case LifecycleCommand::resume: {
+      auto& slot = newSlot<std::uint8_t>(result);
+      return store(implementation_.resume(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case LifecycleCommand::component_state: {
+      auto& slot = newSlot<std::uint8_t>(result);
+      return store(implementation_.component_state(), slot) ? Errc{} : Errc::TooLarge;
+    }
+  }
+  return Errc::Invalid;
+}
+
+}  // namespace suture

@@ -1,0 +1,117 @@
+// Written by suturec from suture/standard/lifecycle.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "suture/standard/lifecycle.h"
+
+namespace suture {
+
+/// A component has come into a state.
+struct StateChangeSlot {
+  std::uint8_t state;  // ComponentState
+  suture::BoundedText<255> fault;
+  std::int64_t stamp;  // suture::Time, ns
+};
+
+bool store(const StateChange& value, StateChangeSlot& slot);
+void load(const StateChangeSlot& slot, StateChange& value);
+void reserve(const StateChangeSlot*, StateChange& value);
+
+/// The numbers of Lifecycle's commands in every table and record.
+enum class LifecycleCommand : std::uint16_t {
+  suspend,
+  resume,
+  component_state,
+};
+
+/// The numbers of Lifecycle's events.
+enum class LifecycleEvent : std::uint16_t {
+  state_changed,
+};
+
+}  // namespace suture
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<suture::Lifecycle>();
+
+/// What a client of suture::Lifecycle calls.
+template <>
+class Required<suture::Lifecycle> : public RequiredBase {
+  using Contract = suture::Lifecycle;
+  using Id = suture::LifecycleCommand;
+  using EventId = suture::LifecycleEvent;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+  /// Lets the component do nothing from its next cycle on. False: it is not running.
+  ReturningCommand<&Contract::suspend, NoSlot, std::uint8_t> suspend{
+      *this, static_cast<std::uint16_t>(Id::suspend)};
+  /// Lets it go on. False: it is not suspended.
+  ReturningCommand<&Contract::resume, NoSlot, std::uint8_t> resume{
+      *this, static_cast<std::uint16_t>(Id::resume)};
+  ReadCommand<&Contract::component_state, std::uint8_t> component_state{
+      *this, static_cast<std::uint16_t>(Id::component_state)};
+
+  /// The events of suture::Lifecycle, to subscribe to.
+  struct Events {
+    explicit Events(RequiredBase& required)
+        : state_changed{required, static_cast<std::uint16_t>(EventId::state_changed)} {}
+
+    /// Once for each transition; whoever subscribes later gets the last.
+    Subscription<StateChangeSlot, StateChange> state_changed;
+  };
+  Events& on() { return events_; }
+
+ protected:
+  // Of a contract that derives from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+
+ private:
+  Events events_{*this};
+};
+
+/// What serves suture::Lifecycle from a component.
+template <>
+class Provided<suture::Lifecycle> : public ProvidedBase {
+  using Contract = suture::Lifecycle;
+  using EventId = suture::LifecycleEvent;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+  /// The events of suture::Lifecycle, to emit.
+  struct Events {
+    explicit Events(ProvidedBase& provided)
+        : state_changed{provided, static_cast<std::uint16_t>(EventId::state_changed)} {}
+
+    /// Once for each transition; whoever subscribes later gets the last.
+    Emitter<StateChangeSlot, StateChange> state_changed;
+  };
+  Events& emit() { return events_; }
+
+ protected:
+  // Of a contract that derives from this one: `whole` points to its implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  Contract& implementation_;
+  Events events_{*this};
+};
+
+}  // namespace suture

@@ -1,0 +1,274 @@
+// Written by suturec from suture/standard/messages.h. Do not edit.
+#include "suture/standard/messages.suture.h"
+
+#include <suture/transport/rpc/binding.h>
+#include <suture/transport/rpc/proxy_port.h>
+#include <suture/transport/rpc/servant_port.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "suture/standard/messages.capnp.h"
+
+namespace suture {
+
+using suture::Duration;
+using suture::Errc;
+using suture::EventInfo;
+using suture::load;
+using suture::rpc::ProxyPort;
+using suture::rpc::ServantPort;
+using suture::rpc::fromWire;
+using suture::rpc::isValid;
+using suture::rpc::numberOf;
+using suture::rpc::toWire;
+using suture::slotIn;
+using suture::slotSize;
+using suture::store;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<decltype(Message::text), std::string>);
+static_assert(std::is_same_v<decltype(Message::code), std::uint32_t>);
+static_assert(std::is_same_v<decltype(Message::counter), std::uint32_t>);
+static_assert(std::is_same_v<decltype(Message::stamp), std::chrono::steady_clock::time_point>);
+
+constexpr EventInfo kMessagesEvents[] = {
+    {.name = "status", .payloadSize = slotSize<MessageSlot>, .depth = 16, .latched = true},
+    {.name = "warning", .payloadSize = slotSize<MessageSlot>, .depth = 16, .latched = true},
+    {.name = "error", .payloadSize = slotSize<MessageSlot>, .depth = 16, .latched = true},
+};
+
+// The self-description, as in suture/standard/messages.suture.json.
+constexpr char kMessagesDescription[] = R"json(
+{"name": "suture::Messages",
+"doc": "Any component may provide it (message_port.h), and any contract may derive from it (then\nmessage_sender.h sends); whoever listens to messages can connect to both. Each listener keeps\nup to 16 of a kind that it has not handled; more are dropped and counted. Who comes late gets\nthe last of each kind.",
+"hash": "a854c1edb8d67562447b42945d96160c", "commands": [], "events": [{"name": "status",
+"kind": "write", "doc": "All is well; something has been done.", "payload": {"type": {
+"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true}, {"name": "warning",
+"kind": "write", "doc": "Something was refused, or is not as it should be; the component goes on.",
+"payload": {"type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true}, {
+"name": "error", "kind": "write", "doc": "Something failed, and somebody should see to it.",
+"payload": {"type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true}],
+"enums": [], "structs": [{"name": "suture::Message", "fields": [{"name": "text",
+"doc": "UTF-8, for people. Those who send cut what is longer, and end it in \"...\" then.",
+"type": {"kind": "text", "capacity": 255}}, {"name": "code",
+"doc": "What it is about, by numbers that its sender documents; 0: nothing in particular.",
+"type": {"kind": "UInt32"}, "default": 0}, {"name": "counter",
+"doc": "Counts the messages of its sender, of all three kinds together, from 1: a gap says that the\nlistener has missed some, a number seen before that the last one has been told again.",
+"type": {"kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time",
+"clock": "steady"}}]}]})json";
+
+}  // namespace
+
+bool store(const Message& value, MessageSlot& slot) {
+  bool fits = true;
+  fits &= store(value.text, slot.text);
+  fits &= store(value.code, slot.code);
+  fits &= store(value.counter, slot.counter);
+  fits &= store(value.stamp, slot.stamp);
+  return fits;
+}
+
+void load(const MessageSlot& slot, Message& value) {
+  load(slot.text, value.text);
+  load(slot.code, value.code);
+  load(slot.counter, value.counter);
+  load(slot.stamp, value.stamp);
+}
+
+void reserve(const MessageSlot*, Message& value) {
+  suture::reserveFor<decltype(MessageSlot::text)>(value.text);
+}
+
+// --- between slots and Cap'n Proto
+
+void toWire(const MessageSlot& slot, wire::Message::Builder out) {
+  toWire(slot.text, out.initText(slot.text.size));
+  out.setCode(slot.code);
+  out.setCounter(slot.counter);
+  out.setStamp(slot.stamp);
+}
+
+Errc fromWire(wire::Message::Reader in, MessageSlot& slot, Duration shift) {
+  slot.code = in.getCode();
+  slot.counter = in.getCounter();
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  return fromWire(in.getText(), slot.text);
+}
+
+bool isValid(const MessageSlot&) {
+  return true;
+}
+
+namespace {
+
+// --- Messages over Cap'n Proto RPC: the provider's side
+
+/// Makes remote calls of a subscriber's events and rows.
+class MessagesSink final : public suture::rpc::EventSink {
+ public:
+  explicit MessagesSink(wire::MessagesEvents::Client subscriber) :
+      subscriber_(kj::mv(subscriber)) {}
+
+  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
+    switch (event) {
+      case numberOf(MessagesEvent::status): {
+        const auto& slot = slotIn<MessageSlot>(payload);
+        auto request = subscriber_.statusRequest();
+        toWire(slot, request.initValue());
+        return request.send().ignoreResult();
+      }
+      case numberOf(MessagesEvent::warning): {
+        const auto& slot = slotIn<MessageSlot>(payload);
+        auto request = subscriber_.warningRequest();
+        toWire(slot, request.initValue());
+        return request.send().ignoreResult();
+      }
+      case numberOf(MessagesEvent::error): {
+        const auto& slot = slotIn<MessageSlot>(payload);
+        auto request = subscriber_.errorRequest();
+        toWire(slot, request.initValue());
+        return request.send().ignoreResult();
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
+                        std::span<const std::byte* const>) override {
+    auto request = subscriber_.stateRequest();
+    auto out = request.initRow();
+    out.setStamp(suture::toNanoseconds(row.stamp));
+    out.setEvaluated(row.valid);
+    out.setTooLarge(row.tooLarge);
+    return request.send().ignoreResult();
+  }
+
+ private:
+  wire::MessagesEvents::Client subscriber_;
+};
+
+/// Puts remote calls into the provider's mailbox.
+class MessagesServant final : public wire::Messages::Server {
+ public:
+  explicit MessagesServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> subscribe(SubscribeContext context) override {
+    auto in = context.getParams();
+    port_->subscribe(kj::heap<MessagesSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
+    return kj::READY_NOW;
+  }
+
+ private:
+  kj::Own<ServantPort> port_;
+};
+
+// --- Messages over Cap'n Proto RPC: the client's side
+
+/// Receives events and rows.
+class MessagesReceiver final : public wire::MessagesEvents::Server {
+ public:
+  explicit MessagesReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> state(StateContext context) override {
+    auto in = context.getParams().getRow();
+    suture::rt::ColumnSet valid = 0;
+    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> status(StatusContext context) override {
+    auto in = context.getParams();
+    return port_->event<MessageSlot>(numberOf(MessagesEvent::status), [&](MessageSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
+  }
+
+  kj::Promise<void> warning(WarningContext context) override {
+    auto in = context.getParams();
+    return port_->event<MessageSlot>(numberOf(MessagesEvent::warning), [&](MessageSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
+  }
+
+  kj::Promise<void> error(ErrorContext context) override {
+    auto in = context.getParams();
+    return port_->event<MessageSlot>(numberOf(MessagesEvent::error), [&](MessageSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
+  }
+
+ private:
+  kj::Own<ProxyPort> port_;
+};
+
+/// Makes remote calls of commands.
+class MessagesProxy final : public suture::rpc::Proxy {
+ public:
+  MessagesProxy(wire::Messages::Client provider, ProxyPort& port)
+      : provider_(kj::mv(provider)), port_(port) {}
+
+  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
+    auto request = provider_.subscribeRequest();
+    request.setEvents(kj::heap<MessagesReceiver>(kj::addRef(port_)));
+    request.setEventMask(events);
+    request.setStateMask(columns);
+    return request.send().ignoreResult();
+  }
+
+  kj::Promise<void> send(const suture::rt::CommandRecord&) override {
+    return kj::READY_NOW;
+  }
+
+ private:
+  wire::Messages::Client provider_;
+  ProxyPort& port_;
+};
+
+class MessagesBinding final : public suture::rpc::Binding {
+ public:
+  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
+    return kj::heap<MessagesServant>(kj::mv(port));
+  }
+  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
+                                        ProxyPort& port) const override {
+    return kj::heap<MessagesProxy>(contract.castAs<wire::Messages>(), port);
+  }
+  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
+    return kj::heap<MessagesSink>(subscriber.castAs<wire::MessagesEvents>());
+  }
+};
+
+const suture::rpc::Binding& messagesBinding() {
+  static const MessagesBinding kBinding;
+  return kBinding;
+}
+
+}  // namespace
+}  // namespace suture
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<suture::Messages>() {
+  static constexpr InterfaceInfo kInfo{
+      .name = "suture::Messages",
+      .hash = "a854c1edb8d67562447b42945d96160c",
+      .description = suture::kMessagesDescription,
+      .commands = {},
+      .events = suture::kMessagesEvents,
+      .binding = &suture::messagesBinding,
+  };
+  return kInfo;
+}
+
+Errc Provided<suture::Messages>::execute(std::uint16_t /*command*/, const std::byte* /*arguments*/,
+                                         std::byte* /*result*/) {
+  return Errc::Invalid;
+}
+
+}  // namespace suture

@@ -1,0 +1,113 @@
+// Written by suturec from suture/standard/messages.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "suture/standard/messages.h"
+
+namespace suture {
+
+struct MessageSlot {
+  suture::BoundedText<255> text;
+  std::uint32_t code;
+  std::uint32_t counter;
+  std::int64_t stamp;  // suture::Time, ns
+};
+
+bool store(const Message& value, MessageSlot& slot);
+void load(const MessageSlot& slot, Message& value);
+void reserve(const MessageSlot*, Message& value);
+
+/// The numbers of Messages's events.
+enum class MessagesEvent : std::uint16_t {
+  status,
+  warning,
+  error,
+};
+
+}  // namespace suture
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<suture::Messages>();
+
+/// What a client of suture::Messages calls.
+template <>
+class Required<suture::Messages> : public RequiredBase {
+  using Contract = suture::Messages;
+  using EventId = suture::MessagesEvent;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+
+  /// The events of suture::Messages, to subscribe to.
+  struct Events {
+    explicit Events(RequiredBase& required)
+        : status{required, static_cast<std::uint16_t>(EventId::status)},
+          warning{required, static_cast<std::uint16_t>(EventId::warning)},
+          error{required, static_cast<std::uint16_t>(EventId::error)} {}
+
+    /// All is well; something has been done.
+    Subscription<MessageSlot, Message> status;
+    /// Something was refused, or is not as it should be; the component goes on.
+    Subscription<MessageSlot, Message> warning;
+    /// Something failed, and somebody should see to it.
+    Subscription<MessageSlot, Message> error;
+  };
+  Events& on() { return events_; }
+
+ protected:
+  // Of a contract that derives from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+
+ private:
+  Events events_{*this};
+};
+
+/// What serves suture::Messages from a component.
+template <>
+class Provided<suture::Messages> : public ProvidedBase {
+  using Contract = suture::Messages;
+  using EventId = suture::MessagesEvent;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+  /// The events of suture::Messages, to emit.
+  struct Events {
+    explicit Events(ProvidedBase& provided)
+        : status{provided, static_cast<std::uint16_t>(EventId::status)},
+          warning{provided, static_cast<std::uint16_t>(EventId::warning)},
+          error{provided, static_cast<std::uint16_t>(EventId::error)} {}
+
+    /// All is well; something has been done.
+    Emitter<MessageSlot, Message> status;
+    /// Something was refused, or is not as it should be; the component goes on.
+    Emitter<MessageSlot, Message> warning;
+    /// Something failed, and somebody should see to it.
+    Emitter<MessageSlot, Message> error;
+  };
+  Events& emit() { return events_; }
+
+ protected:
+  // Of a contract that derives from this one: `whole` points to its implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& /*implementation*/)
+      : ProvidedBase(owner, name, info, whole) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  Events events_{*this};
+};
+
+}  // namespace suture

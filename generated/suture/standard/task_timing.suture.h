@@ -1,0 +1,99 @@
+// Written by suturec from suture/standard/task_timing.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "suture/standard/task_timing.h"
+
+namespace suture {
+
+struct DurationSummarySlot {
+  std::int64_t mean;       // std::chrono::nanoseconds, ns
+  std::int64_t deviation;  // std::chrono::nanoseconds, ns
+  std::int64_t min;        // std::chrono::nanoseconds, ns
+  std::int64_t max;        // std::chrono::nanoseconds, ns
+  std::int64_t p99;        // std::chrono::nanoseconds, ns
+};
+
+bool store(const DurationSummary& value, DurationSummarySlot& slot);
+void load(const DurationSummarySlot& slot, DurationSummary& value);
+
+struct TaskWindowSlot {
+  std::int64_t begin;  // suture::Time, ns
+  std::int64_t end;    // suture::Time, ns
+  std::uint64_t cycles;
+  std::uint64_t skipped;
+  DurationSummarySlot period;
+  DurationSummarySlot compute;
+};
+
+bool store(const TaskWindow& value, TaskWindowSlot& slot);
+void load(const TaskWindowSlot& slot, TaskWindow& value);
+
+/// The numbers of TaskTiming's commands in every table and record.
+enum class TaskTimingCommand : std::uint16_t {
+  window,
+  cycles,
+  skipped,
+};
+
+}  // namespace suture
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<suture::TaskTiming>();
+
+/// What a client of suture::TaskTiming calls.
+template <>
+class Required<suture::TaskTiming> : public RequiredBase {
+  using Contract = suture::TaskTiming;
+  using Id = suture::TaskTimingCommand;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+  /// The last whole window, of 1 s unless the task says otherwise; `end` is unset before the first.
+  ReadCommand<&Contract::window, TaskWindowSlot> window{
+      *this, static_cast<std::uint16_t>(Id::window)};
+  /// Cycles since the task exists.
+  ReadCommand<&Contract::cycles, std::uint64_t> cycles{
+      *this, static_cast<std::uint16_t>(Id::cycles)};
+  /// Periods or callbacks that passed without a cycle, since the task exists.
+  ReadCommand<&Contract::skipped, std::uint64_t> skipped{
+      *this, static_cast<std::uint16_t>(Id::skipped)};
+
+ protected:
+  // Of a contract that derives from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+};
+
+/// What serves suture::TaskTiming from a component.
+template <>
+class Provided<suture::TaskTiming> : public ProvidedBase {
+  using Contract = suture::TaskTiming;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+ protected:
+  // Of a contract that derives from this one: `whole` points to its implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  Contract& implementation_;
+};
+
+}  // namespace suture

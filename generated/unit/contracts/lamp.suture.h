@@ -1,0 +1,84 @@
+// Written by suturec from unit/contracts/lamp.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "unit/contracts/lamp.h"
+#include "suture/standard/messages.suture.h"
+
+namespace contracts {
+
+// --- Lamp: the arguments of its commands ---
+
+struct LampLightArguments {
+  std::uint8_t on;
+};
+
+bool store(const bool& on, LampLightArguments& slot);
+
+/// The numbers of Lamp's commands in every table and record.
+enum class LampCommand : std::uint16_t {
+  light,
+  lit,
+};
+
+}  // namespace contracts
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<contracts::Lamp>();
+
+/// What a client of contracts::Lamp calls.
+template <>
+class Required<contracts::Lamp> : public Required<suture::Messages> {
+  using Contract = contracts::Lamp;
+  using Id = contracts::LampCommand;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+  Command<&Contract::light, contracts::LampLightArguments> light{
+      *this, static_cast<std::uint16_t>(Id::light)};
+  ReadCommand<&Contract::lit, std::uint8_t> lit{*this, static_cast<std::uint16_t>(Id::lit)};
+
+ protected:
+  // Of a contract that derives from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : Required<suture::Messages>(owner, name, info) {}
+};
+
+/// What serves contracts::Lamp from a component.
+template <>
+class Provided<contracts::Lamp> : public Provided<suture::Messages> {
+  using Contract = contracts::Lamp;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+ protected:
+  // Of a contract that derives from this one: `whole` points to its implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : Provided<suture::Messages>(owner, name, info, whole, implementation),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  // Reused by every command, so that what they own is allocated once.
+  struct Scratch {
+    bool light_on;
+  };
+
+  Contract& implementation_;
+  Scratch scratch_{};
+};
+
+}  // namespace suture

@@ -1,0 +1,46 @@
+#pragma once
+// How collectors are told what to keep, and what they tell of it.
+
+#include <suture/annotate.h>
+#include <suture/base/time.h>
+
+#include <cstdint>
+
+namespace suture {
+
+/// What became of the rows or events of a time of collecting. Once the collector has caught up with
+/// its provider, the three add up to what was produced.
+struct SUTURE_TYPE() CollectedCounts {
+  std::uint64_t collected = 0;   ///< handed to the sink
+  std::uint64_t passedOver = 0;  ///< left out on purpose: between two that the interval asks for
+  std::uint64_t missed = 0;      ///< lost: overwritten or dropped before the collector came to them
+
+  std::uint64_t produced() const { return collected + passedOver + missed; }
+};
+
+/// How much is collected.
+struct SUTURE_TYPE() CollectingInterval {
+  SUTURE_FIELD(range(1, 4294967295)) std::uint32_t every = 1;  ///< every n-th row or event
+  suture::Duration atLeast{0};                                 ///< between the stamps of two
+};
+
+/// The provided interface "Collecting" of every collector (record/state_collector.h,
+/// record/event_collector.h). Its commands run in the collector's own thread; the task that is
+/// observed has no part in them.
+class SUTURE_INTERFACE() Collecting {
+ public:
+  virtual ~Collecting() = default;
+
+  /// What is produced from now on is kept; counts begin anew, unless it is collecting already.
+  SUTURE_COMMAND() virtual void start_collecting() = 0;
+  /// What is produced from now on is let go, uncounted.
+  SUTURE_COMMAND() virtual void stop_collecting() = 0;
+  /// From the next row or event on. False: every 0th, or less than no time; nothing changes.
+  SUTURE_COMMAND() virtual bool set_interval(const CollectingInterval& interval) = 0;
+  SUTURE_COMMAND() virtual CollectingInterval interval() const = 0;
+  SUTURE_COMMAND() virtual bool collecting() const = 0;
+  /// Of the present time of collecting, or of the last one.
+  SUTURE_COMMAND() virtual CollectedCounts counts() const = 0;
+};
+
+}  // namespace suture

@@ -1,0 +1,60 @@
+#pragma once
+// Sends the status, warning and error of a contract that derives from Messages.
+
+#include <suture/standard/message_draft.h>
+#include <suture/standard/messages.suture.h>
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <string_view>
+
+namespace suture {
+
+/// A member of the component, beside what provides the contract:
+///   suture::Provided<CrtkArm> crtk_{*this, "Crtk", *this};
+///   suture::MessageSender<CrtkArm> messages_{crtk_};
+///   messages_.warning("the goal is out of reach");
+/// Sending belongs to the component's thread; of a device, to any. It neither allocates nor waits.
+/// Texts of more than 255 bytes are cut (MessageDraft). `code`: Message::code.
+template <class Contract>
+class MessageSender {
+ public:
+  explicit MessageSender(Provided<Contract>& provided) : provided_(provided) {}
+
+  void status(std::string_view text, std::uint32_t code = 0) {
+    send([&](const Message& message) { (void)provided_.emit().status(message); }, text, code);
+  }
+  void warning(std::string_view text, std::uint32_t code = 0) {
+    send([&](const Message& message) { (void)provided_.emit().warning(message); }, text, code);
+  }
+  void error(std::string_view text, std::uint32_t code = 0) {
+    send([&](const Message& message) { (void)provided_.emit().error(message); }, text, code);
+  }
+
+ private:
+  struct Desk {
+    std::atomic_flag taken = ATOMIC_FLAG_INIT;
+    MessageDraft draft;
+  };
+
+  // Only a device is ever at a second desk. With all of them taken the message is lost, which the
+  // gap in the counters tells: a thread that waited here might wait for one that it keeps from
+  // running.
+  template <class Emit>
+  void send(const Emit& emit, std::string_view text, std::uint32_t code) {
+    const std::uint32_t counter = counter_.fetch_add(1, std::memory_order_relaxed) + 1;
+    for (Desk& desk : desks_) {
+      if (desk.taken.test_and_set(std::memory_order_acquire)) continue;
+      emit(desk.draft.write(text, code, counter));
+      desk.taken.clear(std::memory_order_release);
+      return;
+    }
+  }
+
+  Provided<Contract>& provided_;
+  std::atomic<std::uint32_t> counter_{0};
+  std::array<Desk, 4> desks_;
+};
+
+}  // namespace suture

@@ -1,0 +1,106 @@
+#include <suture/observe/text.h>
+
+#include <array>
+#include <cstdio>
+#include <vector>
+
+namespace suture {
+namespace {
+
+const char* nameOf(ChannelStatus status) {
+  switch (status) {
+    case ChannelStatus::Connected: return "connected";
+    case ChannelStatus::Lost: return "lost";
+    case ChannelStatus::Faulted: return "faulted";
+    case ChannelStatus::Closed: return "closed";
+    case ChannelStatus::Suspended: return "suspended";
+  }
+  return "unknown";
+}
+
+const char* nameOf(ConnectionEnd end) {
+  switch (end) {
+    case ConnectionEnd::Client: return "its client's end";
+    case ConnectionEnd::Provider: return "its provider's end";
+    case ConnectionEnd::Both: return "both ends";
+  }
+  return "";
+}
+
+std::string decimal(double value, int digits) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", digits, value);
+  return text.data();
+}
+
+std::string microseconds(Duration duration) {
+  return decimal(std::chrono::duration<double, std::micro>(duration).count(), 1) + " us";
+}
+
+std::string counted(const char* what, std::uint64_t count) {
+  return std::string(what) + " " + std::to_string(count);
+}
+
+std::string distributed(const char* what, const Distribution& values) {
+  if (values.count == 0) return "";
+  return std::string(", ") + what + " p50 " + microseconds(values.p50) + ", p99 " +
+         microseconds(values.p99) + ", max " + microseconds(values.max);
+}
+
+/// "  PSM: running, faults 1", and why it does not run.
+template <class Reported>
+std::string lifeOf(const Reported& one) {
+  return "  " + one.name + ": " + toString(one.state) +
+         (one.fault.empty() ? "" : " (" + one.fault + ")") + ", " + counted("faults", one.faults);
+}
+
+std::string line(const TaskReport& task) {
+  return lifeOf(task) + ", " + counted("cycles", task.cycles) + ", " +
+         counted("skipped", task.skipped) + distributed("lateness", task.lateness) +
+         distributed("compute time", task.computeTime) + "\n";
+}
+
+std::string keptContract(const ConnectionReport& one) {
+  if (one.end == ConnectionEnd::Provider) return "stale reads, losses: see the client's end";
+  if (!one.contract) return "no contract";
+  return counted("stale reads", one.contract->staleReads) + ", " +
+         counted("losses", one.contract->losses) +
+         (one.contract->awaitsOperator ? ", awaits its operator" : "");
+}
+
+std::string lines(const ConnectionReport& one) {
+  const bool client = one.end != ConnectionEnd::Provider;
+  const bool provider = one.end != ConnectionEnd::Client;
+  std::string text = "  " + one.name + ": " + one.lane + ", " + nameOf(one.status) + ", " +
+                     nameOf(one.end) + "\n    ";
+  text += counted("sent", one.sent) + (client ? ", " : " (by the lane), ");
+  text += counted("executed", one.executed) + (provider ? ", " : " (as heard), ");
+  text += counted("dropped", one.dropped()) + (client && provider ? ", " : " (at this end), ");
+  text += (provider ? counted("late", one.late) : "late: see the provider's end") + ", ";
+  text += keptContract(one);
+  if (one.failed > 0) text += ", " + counted("failed", one.failed);
+  if (one.eventsDropped > 0) text += ", " + counted("events dropped", one.eventsDropped);
+  return text + distributed("age of reads", one.readAge) +
+         distributed("age of commands", one.commandAge) + "\n";
+}
+
+template <class Reported, class Describe>
+std::string section(const char* title, const std::vector<Reported>& all, const Describe& describe) {
+  std::string text = all.empty() ? "" : std::string(title) + "\n";
+  for (const Reported& one : all) text += describe(one);
+  return text;
+}
+
+}  // namespace
+
+std::string toText(const Report& report) {
+  const double seconds = std::chrono::duration<double>(report.age).count();
+  return "process " + report.process + " after " + decimal(seconds, 1) + " s\n" +
+         section("tasks", report.tasks, [](const TaskReport& one) { return line(one); }) +
+         section("devices", report.devices,
+                 [](const DeviceReport& one) { return lifeOf(one) + "\n"; }) +
+         section("connections", report.connections,
+                 [](const ConnectionReport& one) { return lines(one); });
+}
+
+}  // namespace suture

@@ -1,0 +1,102 @@
+"""A process whose task faults: restarted within the budget, then parked in its safe state, with dumps of each fault."""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM, LIBRARY = sys.argv.pop(1), sys.argv.pop(1)
+
+
+class Faults(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.brake = self.folder / "brake"
+
+    def start(self, restart, black_box=None):
+        spindle = {"name": "Spindle", "class": "Spindle", "library": LIBRARY,
+                   "parameters": {"cycles": 50, "brake": str(self.brake)}}
+        if restart:
+            spindle["restart"] = restart
+        process = {"name": "robot", "components": [spindle]}
+        if black_box:
+            process["black_box"] = black_box
+        file = self.folder / "d.json"
+        file.write_text(json.dumps({"processes": [process]}))
+        station = subprocess.Popen(
+            [PROGRAM, "--deployment", file, "--report-fd", "-", "--report-interval", "0.05"],
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+        def end():
+            station.kill()
+            station.communicate()
+
+        self.addCleanup(end)
+        return station
+
+    def await_message(self, station, fits):
+        for line in station.stdout:
+            message = json.loads(line)
+            if fits(message):
+                return message
+        self.fail(station.stderr.read())
+
+    def await_failure(self, station):
+        text = self.await_message(station, lambda message: message["kind"] == "failure")["text"]
+        # What fails shortly before the end is taken for a part of it.
+        first = self.await_message(station, lambda message: message["kind"] == "report")["age"]
+        self.await_message(station, lambda message: message["kind"] == "report" and message["age"] > first + 0.6e9)
+        return text
+
+    def end(self, station):
+        """Exit status and what was told."""
+        station.terminate()
+        _, told = station.communicate(timeout=60)
+        return station.returncode, told
+
+    def test_restarts_end_with_the_budget_and_each_fault_leaves_a_dump(self):
+        dumps = self.folder / "faults"
+        dumps.mkdir()
+        station = self.start({"most": 2, "per": "1000s"}, {"folder": "faults", "rows": 256})
+        self.assertEqual(
+            self.await_failure(station),
+            "component 'robot:Spindle' is parked, its code threw: the spindle has seized. It is restarted no more. "
+            "Correct the cause and start the process anew")
+        report = self.await_message(station, lambda message: message["kind"] == "report")
+        self.assertEqual([(task["state"], task["faults"]) for task in report["tasks"]], [("faulted", 3)])
+        status, told = self.end(station)
+        self.assertEqual(status, 1)
+        self.assertEqual(self.brake.read_text().split(), ["closed", "open", "closed", "open", "closed"])
+        files = sorted(dumps.iterdir())
+        self.assertEqual([file.name.split(".")[-3:] for file in files],
+                         [["Spindle", str(n), "jsonl"] for n in (1, 2, 3)])
+        for number, file in enumerate(files, 1):
+            self.assertIn(f"Its last state is in {file}", told)
+            rows = [json.loads(line) for line in file.read_text().splitlines()]
+            angles = [row["angle"] for row in rows if row["from"] == "Spindle/Turntable"]
+            # Every cycle but the one that threw, up to the fault, and perhaps some after the restart.
+            self.assertGreaterEqual(len(angles), 49)
+            self.assertIn(50 * number - 1, angles)
+            self.assertEqual(angles, sorted(angles))
+
+    def test_without_a_budget_the_first_fault_is_the_last(self):
+        station = self.start(None)
+        self.assertNotIn("restarted no more", self.await_failure(station))
+        self.assertEqual(self.end(station)[0], 1)
+        self.assertEqual(self.brake.read_text().split(), ["closed"])
+
+    def test_a_restart_within_the_budget_is_told_and_no_failure(self):
+        station = self.start({"most": 16, "per": "0.001s"})
+        for line in station.stderr:
+            if "runs again after fault" in line:
+                break
+        status, _ = self.end(station)
+        self.assertEqual(status, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,161 @@
+// Collectors that a deployment file asks for.
+
+#include <gtest/gtest.h>
+#include <suture/deploy/host.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "reference/simulated_arm.suture.h"
+#include "support/eventually.h"
+#include "support/temporary_directory.h"
+
+namespace suture {
+namespace {
+
+const std::array kClasses{componentClass<reference::SimulatedArm>()};
+
+/// An arm and a collector, of a file in `folder`; the collector is in line 2, its connection in 4.
+Deployment deploymentOf(const std::string& folder, const std::string& collector,
+                        const std::string& to) {
+  return Deployment(JsonDocument::parse(
+      "{\"processes\": [{\"name\": \"all\", \"components\": [\n" + collector + ",\n" +
+          R"({"name": "PSM", "class": "SimulatedArm"}]}], "connections": [)" +
+          (to.empty() ? "" : "\n{\"from\": \"Log/Source\", \"to\": \"" + to + "\"}") + "]}",
+      folder + "d.json"));
+}
+
+std::string logOf(const std::string& className, const std::string& parameters) {
+  return R"({"name": "Log", "class": ")" + className + R"(", "parameters": )" + parameters + "}";
+}
+
+std::string problemOf(const std::string& collector, const std::string& to) {
+  const Deployment deployment = deploymentOf("", collector, to);
+  try {
+    Host host(deployment, "all", kClasses);
+  } catch (const DocumentError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+std::vector<nlohmann::json> linesOf(const std::string& file) {
+  std::ifstream in(file);
+  std::vector<nlohmann::json> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(nlohmann::json::parse(line));
+  return lines;
+}
+
+TEST(DeployedCollectors, RowsComeToTheFile) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("arm.jsonl");
+  const Deployment deployment = deploymentOf(
+      directory.file(""),
+      logOf("StateCollector", R"({"file": "arm.jsonl", "reads": ["component_state"], "every": 2})"),
+      "PSM/component");
+  Host host(deployment, "all", kClasses);
+  host.start();
+  // In the file while it runs, not only at its end.
+  EXPECT_TRUE(eventually([&] {
+    std::ifstream in(file);
+    std::string line;
+    int lines = 0;
+    while (std::getline(in, line)) ++lines;
+    return lines > 30;
+  }));
+  EXPECT_TRUE(host.troubles().empty());
+}
+
+TEST(DeployedCollectors, RowsOfTheFileAreThoseAskedFor) {
+  const TemporaryDirectory directory;
+  const Deployment deployment = deploymentOf(
+      directory.file(""),
+      logOf("StateCollector", R"({"file": "arm.jsonl", "reads": ["component_state"], "every": 2})"),
+      "PSM/component");
+  {
+    Host host(deployment, "all", kClasses);
+    host.start();
+    const auto& cycles =
+        dynamic_cast<Task&>(host.manager().directory().component("PSM")).statistics().cycles;
+    EXPECT_TRUE(eventually([&] { return cycles > 200; }));
+  }
+  std::uint64_t last = 0;
+  int rows = 0;
+  for (const auto& line : linesOf(directory.file("arm.jsonl"))) {
+    if (line.contains("missed")) continue;
+    EXPECT_EQ(line.at("from"), "Log");
+    EXPECT_EQ(line.at("component_state"), "Running");
+    const std::uint64_t row = line.at("row");
+    EXPECT_TRUE(rows == 0 || row >= last + 2) << row << " after " << last;
+    last = row;
+    ++rows;
+  }
+  EXPECT_GT(rows, 20);
+}
+
+TEST(DeployedCollectors, EventsOfTheLifeCycleComeToTheFile) {
+  const TemporaryDirectory directory;
+  const Deployment deployment = deploymentOf(
+      directory.file(""), logOf("EventCollector", R"({"file": "life.jsonl"})"), "PSM/component");
+  {
+    Host host(deployment, "all", kClasses);
+    host.start();
+    EXPECT_TRUE(eventually([&] { return !linesOf(directory.file("life.jsonl")).empty(); }));
+  }
+  EXPECT_EQ(linesOf(directory.file("life.jsonl")).front().at("value").at("state"), "Running");
+}
+
+TEST(DeployedCollectors, WhatIsWrongIsSaid) {
+  const std::string sound = logOf("StateCollector", R"({"file": "/dev/null"})");
+  EXPECT_EQ(problemOf(sound, "PSM/Arm"), "none");
+  EXPECT_EQ(problemOf(sound, ""),
+            "d.json:2: error: collector 'Log' has nothing to collect; add a connection {\"from\": "
+            "\"all:Log/Source\", \"to\": ...}");
+  EXPECT_EQ(problemOf(sound, "PSM/Amr"),
+            "d.json:4: error: component 'PSM' has no provided interface 'Amr'; it has 'component' "
+            "and 'Arm'; did you mean 'Arm'?");
+  EXPECT_EQ(
+      problemOf(sound, "Log/Collecting"),
+      "d.json:4: error: collector 'Log' is to collect another collector, 'Log'; connect it to "
+      "what that one collects");
+  EXPECT_EQ(problemOf(logOf("StateCollector", "{}"), "PSM/Arm"),
+            "d.json:2: error: parameters of 'Log' (StateCollector): key 'file' is missing; it is "
+            "the file to write to, from the deployment's folder");
+  EXPECT_EQ(problemOf(logOf("StateCollector", R"({"file": "/dev/null", "read": []})"), "PSM/Arm"),
+            "d.json:2: error: parameters of 'Log' (StateCollector): unknown key 'read'; did you "
+            "mean 'reads'?");
+  EXPECT_EQ(
+      problemOf(logOf("EventCollector", R"({"file": "/dev/null", "events": ["mod"]})"), "PSM/Arm"),
+      "d.json:2: error: component 'Log' of class 'EventCollector' cannot be created: collecting "
+      "the event 'mod': reference::ArmLike has 'mode', 'arrived', 'stopped' and 'moved'. Did you "
+      "mean 'mode'?");
+  EXPECT_TRUE(problemOf(logOf("StateCollector", R"({"file": "/dev/null", "every": 0})"), "PSM/Arm")
+                  .starts_with("d.json:2: error: parameters of 'Log' (StateCollector): "));
+  EXPECT_TRUE(problemOf(logOf("StateCollector", R"({"file": "/nowhere/a.jsonl"})"), "PSM/Arm")
+                  .ends_with("Name a file in an existing folder that you may write to"));
+}
+
+TEST(DeployedCollectors, AnotherProcessHasItsOwn) {
+  const Deployment deployment(JsonDocument::parse(
+      R"({"manager": "unix:/tmp/suture-nobody-listens-here.sock", "processes": [
+          {"name": "here", "components": [
+             {"name": "Log", "class": "StateCollector", "parameters": {"file": "/dev/null"}}]},
+          {"name": "there", "components": [{"name": "PSM", "class": "SimulatedArm"}]}],
+          "connections": [{"from": "here:Log/Source", "to": "there:PSM/Arm"}]})",
+      "d.json"));
+  try {
+    Host host(deployment, "here", kClasses);
+    FAIL();
+  } catch (const DocumentError& error) {
+    EXPECT_STREQ(error.what(),
+                 "d.json:5: error: collector 'Log' is to collect 'there:PSM/Arm' of another "
+                 "process; put it into process 'there', where nothing is lost on the way to it");
+  }
+}
+
+}  // namespace
+}  // namespace suture
