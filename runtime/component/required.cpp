@@ -44,10 +44,10 @@ void RequiredBase::close(const std::shared_ptr<Channel>& channel) {
 
 void RequiredBase::attach(std::shared_ptr<Channel> channel) {
   if (channel != nullptr) channel->clientsBell = owner_.sharedDoorbell();
-  auto* arriving = new std::shared_ptr<Channel>(std::move(channel));
+  // What has arrived is the owner's.
   const std::unique_ptr<std::shared_ptr<Channel>> unadopted(
-      incoming_.exchange(arriving, std::memory_order_acq_rel));
-  if (unadopted != nullptr && *unadopted != *arriving) close(*unadopted);
+      incoming_.exchange(new std::shared_ptr<Channel>(channel), std::memory_order_acq_rel));
+  if (unadopted != nullptr && *unadopted != channel) close(*unadopted);
   owner_.doorbell().ring();
 }
 
