@@ -273,6 +273,15 @@ std::shared_ptr<Channel> Manager::connectHere(RequiredBase& required, ProvidedBa
   return delays->interpose(required, std::move(far), delay);
 }
 
+std::string Manager::placeOf(const Component& component, const std::string& interface) const {
+  const std::string place = component.name() + "/" + interface;
+  const std::vector<Component*> all = directory_.components();
+  if (std::find(all.begin(), all.end(), &component) != all.end()) return place;
+  throw SetupError("connecting '" + place + "'",
+                   "its component does not belong to process '" + process() + "'",
+                   "Add it with add() first");
+}
+
 std::shared_ptr<Channel> Manager::connectionOf(const std::string& required) const {
   if (const auto found = local_.find(required); found != local_.end()) return found->second;
   if (network_ == nullptr) return nullptr;

@@ -12,6 +12,7 @@
 #include <mutex>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace suture {
@@ -81,6 +82,16 @@ class Manager {
   void connect(std::string_view required, std::string_view provided, Lane lane = Lane::Auto,
                Duration patience = kDefaultPatience, const ConnectionDelay& delay = {},
                const ConnectionContract& contract = {});
+  /// The same between the interfaces of two components that have been added here. Does not compile
+  /// if the provider's contract neither is nor derives from the client's.
+  ///   manager.connect(teleop.slave, psm.arm);
+  template <class Client, class Contract>
+  requires std::is_base_of_v<Client, Contract>
+  void connect(Required<Client>& required, Provided<Contract>& provided, Lane lane = Lane::Auto,
+               const ConnectionDelay& delay = {}, const ConnectionContract& contract = {}) {
+    connect(placeOf(required.owner(), required.name()), placeOf(provided.owner(), provided.name()),
+            lane, kDefaultPatience, delay, contract);
+  }
   /// Takes down the connection of a required interface of this process ("Teleop/Slave"), which may
   /// then be connected anew, while tasks run. Takes effect between two cycles of the client: calls
   /// under way end with Errc::OutcomeUnknown, and commands that the provider has not executed yet
@@ -107,6 +118,7 @@ class Manager {
   void connect(RequiredBase& required, const Endpoint& from, std::string_view provided, Lane lane,
                Duration patience, const ConnectionDelay& delay, const ConnectionContract& contract);
   void change(const std::string& component, Transition transition, Duration patience);
+  std::string placeOf(const Component& component, const std::string& interface) const;
   std::shared_ptr<Channel> connectionOf(const std::string& required) const;
   std::string missingFor(const RequiredBase& required) const;
   std::vector<std::string> missing() const;
