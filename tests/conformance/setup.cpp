@@ -6,6 +6,8 @@
 
 #include <cstdlib>
 
+#include "support/eventually.h"
+
 namespace conformance {
 namespace {
 
@@ -69,6 +71,12 @@ void Conformance::connect(const std::string& required, const std::string& provid
   clientManager_->connect(
       "Console/" + required, (withinOneProcess() ? "PSM/" : "provider:PSM/") + provided,
       suture::Lane::Auto, suture::Manager::kDefaultPatience, {.commands = each, .answers = each});
+  // A client that is in a cycle already takes the connection over in its next one.
+  ASSERT_TRUE(suture::eventually([&] {
+    bool connected = false;
+    client->with([&](Arm&) { connected = client->required(required).connected(); });
+    return connected;
+  }));
 }
 
 void Conformance::TearDown() {

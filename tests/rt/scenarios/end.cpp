@@ -147,6 +147,14 @@ void Received::listen(Used& used) {
   used.on().text_set([this](const std::string& value) { texts.push_back(value); });
 }
 
+bool End::awaitConnection() {
+  return suture::eventually([&] {
+    bool connected = false;
+    with([&](Used& used) { connected = used.connected(); });
+    return connected;
+  });
+}
+
 bool End::await(const std::function<bool(const Received&)>& enough) {
   return suture::eventually([&] {
     bool arrived = false;

@@ -42,6 +42,9 @@ class End {
   /// Runs `work` in the component's thread, which is the caller's for a device, and returns when it
   /// has ended.
   virtual void with(const std::function<void(Used&)>& work) = 0;
+  /// Until its code finds the other end connected, at most 10 s: one that is in a cycle when it is
+  /// connected takes the connection over in its next.
+  bool awaitConnection();
   /// Has it look at what has been received until `enough` says so, at most 10 s.
   bool await(const std::function<bool(const Received&)>& enough);
 

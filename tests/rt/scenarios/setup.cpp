@@ -52,6 +52,7 @@ void Scenario::SetUp() {
   clients.connect("Client/Used", local ? "Server/Served" : "servers:Server/Served");
   servers.connect("Server/Used", local ? "Client/Served" : "clients:Client/Served");
   for (const auto& channel : clients.channels()) EXPECT_EQ(channel->lane, local ? "local" : "rpc");
+  for (End* end : {client.get(), server.get()}) ASSERT_TRUE(end->awaitConnection());
 }
 
 void Scenario::TearDown() {
