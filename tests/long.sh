@@ -16,11 +16,11 @@ python3 tests/compiler/errors/errors_test.py "$PWD/$build/bin/suturec" "$eigen" 
 
 cmake --preset dev --log-level=WARNING
 cmake --build --preset dev --target fuzzers -- --quiet
-build=$PWD/build/dev
-for name in lock deployment generated golden; do
-  (cd "$build/tests/fuzz" && "./${name}_fuzz" -max_total_time="$seconds" -max_len=8192 -timeout=10 \
-    -artifact_prefix="found/${name}_" "found/$name" "corpus/$name")
-done
+export build=$PWD/build/dev seconds
+printf '%s\n' lock deployment generated golden | xargs -P "$(nproc)" -I{} bash -o pipefail -c '
+  cd "$build/tests/fuzz"
+  ./{}_fuzz -max_total_time="$seconds" -max_len=8192 -timeout=10 -artifact_prefix=found/{}_ \
+    found/{} corpus/{} 2>&1 | sed -u "s/^/{}: /"'
 
 cmake --build --preset dev -- --quiet
 SUTURE_STRESS_SECONDS=60 "$build/bin/stress_test" --gtest_brief=1
