@@ -16,7 +16,7 @@ const char* toString(Errc error) {
     case Errc::Faulted: return "the provider's handler threw";
     case Errc::Invalid: return "value outside its declared limits";
     case Errc::TooManyCalls: return "too many unfinished calls";
-    case Errc::WrongThread: return "called from a thread that does not own the required interface";
+    case Errc::WrongThread: return "called from another thread than the component's own";
     case Errc::NotImplemented: return "the provider does not have this optional command";
     case Errc::TooOld: return "older than the state table's oldest row";
     case Errc::Suspended: return "the provider is suspended";

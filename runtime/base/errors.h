@@ -26,7 +26,7 @@ enum class Errc : std::uint8_t {
   Faulted,           ///< the provider's handler threw; its component is parked
   Invalid,           ///< a value is outside what its header allows
   TooManyCalls,      ///< this required interface has as many unfinished calls as it can follow
-  WrongThread,       ///< a required interface belongs to one thread, and this is another
+  WrongThread,       ///< calls and events belong to the component's thread, and this is another
   NotImplemented,    ///< an optional command that this provider does not have
   TooOld,            ///< the state table does not reach back that far; configure more rows
   Suspended,         ///< the provider is suspended; the command was not executed

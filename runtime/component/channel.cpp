@@ -1,4 +1,5 @@
 #include <suture/component/channel.h>
+#include <suture/component/provided.h>
 
 #include <algorithm>
 #include <vector>
@@ -23,6 +24,12 @@ std::vector<rt::EventLimits> eventLimits(const InterfaceInfo& info) {
   return limits;
 }
 
+// Those of a task in this process, which are emitted in its thread.
+rt::Producers eventProducers(const Channel::Ends& ends) {
+  const bool ofTask = ends.here != nullptr && ends.here->owner().ownsThread();
+  return ofTask ? rt::Producers::One : rt::Producers::Any;
+}
+
 std::size_t replyBytes(const InterfaceInfo& info) {
   std::uint32_t largest = 0;
   for (const CommandInfo& command : info.commands) largest = std::max(largest, command.resultSize);
@@ -41,7 +48,7 @@ Channel::Channel(const InterfaceInfo& contract, std::string channelName, std::st
       offered(contract.commands.size()),
       commands(commandLimits(contract)),
       replies(replyBytes(contract)),
-      events(eventLimits(contract)),
+      events(eventLimits(contract), eventProducers(bothEnds)),
       direct(contract.events.size()),
       subscribed_(subscribedEvents),
       joining_(subscribedEvents) {}

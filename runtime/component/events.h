@@ -16,7 +16,8 @@
 
 namespace suture {
 
-/// Emits one event. Belongs to the provider's thread; of a device, to any.
+/// Emits one event. Belongs to the provider's thread, any other gets Errc::WrongThread and nobody
+/// the event; of a device, to any.
 ///   arm_.emit().operating_state(value);
 /// `Slot` is the payload's; void: the event carries nothing.
 template <class Slot, class... Payload>
@@ -27,7 +28,7 @@ class Emitter<void> {
  public:
   Emitter(ProvidedBase& provided, std::uint16_t event) : provided_(provided), event_(event) {}
   /// Never blocks, never allocates; a subscriber whose queue is full loses it, and that is counted.
-  void operator()() { provided_.emit(event_, {}); }
+  Result<void> operator()() { return provided_.emit(event_, {}); }
 
  private:
   ProvidedBase& provided_;
@@ -43,8 +44,7 @@ class Emitter {
   Result<void> operator()(const Payload&... payload) {
     LooseSlot<Slot> slot;
     if (!store(payload..., slot.value())) return tl::unexpected(Errc::TooLarge);
-    provided_.emit(event_, slot.bytes());
-    return {};
+    return provided_.emit(event_, slot.bytes());
   }
 
  private:

@@ -244,10 +244,12 @@ void ProvidedBase::announce(ChannelStatus status) {
   channels_.forEach([status](ChannelList::Node& node) { node.channel->tell(status); });
 }
 
-void ProvidedBase::emit(std::uint16_t event, std::span<const std::byte> payload) {
+Result<void> ProvidedBase::emit(std::uint16_t event, std::span<const std::byte> payload) {
+  const bool ownThread = owner_.ownsThread();
+  // Nobody else may walk the channels of a task, or fill its subscribers' queues.
+  if (ownThread && owner_.ownedByAnotherThread()) return tl::unexpected(Errc::WrongThread);
   const Time stamp = now();
   if (info_.events[event].latched) keepLatched(event, stamp, payload);
-  const bool ownThread = owner_.ownsThread();
   channels_.forEach([&](ChannelList::Node& node) {
     Channel& channel = *node.channel;
     // Of a task, who has subscribed since joins at the next cycle, with the latched values.
@@ -255,6 +257,7 @@ void ProvidedBase::emit(std::uint16_t event, std::span<const std::byte> payload)
     if ((wanted >> event & 1) == 0) return;
     deliver(channel, event, stamp, payload, ownThread ? node.direct : channel.direct.events());
   });
+  return {};
 }
 
 void ProvidedBase::deliver(Channel& channel, std::uint16_t event, Time stamp,

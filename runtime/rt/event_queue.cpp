@@ -27,8 +27,8 @@ void write(std::byte* memory, const EventRecord& record, std::span<const std::by
 
 }  // namespace
 
-EventQueue::EventQueue(std::span<const EventLimits> events)
-    : ring_(totalDepth(events), largestRecord(events)) {
+EventQueue::EventQueue(std::span<const EventLimits> events, Producers producers)
+    : producers_(producers), ring_(totalDepth(events), largestRecord(events)) {
   for (const auto& event : events) {
     cells_.push_back(event.latest ? std::make_unique<Cell>(event) : nullptr);
     const std::uint64_t bit = std::uint64_t{1} << (cells_.size() - 1);
@@ -46,19 +46,26 @@ EventQueue::~EventQueue() {
   }
 }
 
+// Two threads that emit it at the same moment have no order: one of them gives way.
 bool EventQueue::pushLatest(Cell& cell, const EventRecord& record,
                             std::span<const std::byte> payload) {
-  if (cell.writing.test_and_set(std::memory_order_acquire)) return false;
+  const bool alone = producers_ == Producers::One;
+  if (!alone && cell.writing.test_and_set(std::memory_order_acquire)) return false;
+  replace(cell, record, payload);
+  if (!alone) cell.writing.clear(std::memory_order_release);
+  return true;
+}
+
+void EventQueue::replace(Cell& cell, const EventRecord& record,
+                         std::span<const std::byte> payload) {
   std::byte* const memory = cell.values.claim();
   if (cell.shared) releaseSharedSlot(memory + sizeof(EventRecord));  // of one that was replaced
   write(memory, record, payload);
   cell.values.commit();
-  cell.writing.clear(std::memory_order_release);
-  return true;
 }
 
 bool EventQueue::enqueue(const EventRecord& record, std::span<const std::byte> payload) {
-  std::byte* const memory = ring_.claim();
+  std::byte* const memory = producers_ == Producers::One ? ring_.claimAlone() : ring_.claim();
   if (memory == nullptr) return false;
   write(memory, record, payload);
   ring_.commit(memory);

@@ -36,12 +36,17 @@ struct EventRecord {
   }
 };
 
-/// Any thread may push (a task's events come from its own thread, a device's from any); one
-/// consumer thread. No allocation after construction, no locks. A full queue drops the new event
-/// and counts it, so a slow subscriber delays nobody.
+/// Who pushes into an EventQueue.
+enum class Producers : std::uint8_t {
+  One,  ///< one thread at a time, each after the one before: a task's events come from its own
+  Any,  ///< any thread, also several at once: a device's
+};
+
+/// One consumer thread. No allocation after construction, no locks. A full queue drops the new
+/// event and counts it, so a slow subscriber delays nobody.
 class EventQueue {
  public:
-  explicit EventQueue(std::span<const EventLimits> events);
+  EventQueue(std::span<const EventLimits> events, Producers producers);
   ~EventQueue();
   EventQueue(const EventQueue&) = delete;
   EventQueue& operator=(const EventQueue&) = delete;
@@ -63,8 +68,7 @@ class EventQueue {
   std::uint64_t dropped() const { return dropped_.load(std::memory_order_relaxed); }
 
  private:
-  // A newest-wins event. Two threads that emit it at the same moment have no order: one of them
-  // gives way.
+  // A newest-wins event.
   struct Cell {
     explicit Cell(const EventLimits& event)
         : values(sizeof(EventRecord) + event.payloadSize), shared(event.shared) {}
@@ -78,7 +82,9 @@ class EventQueue {
   bool enqueue(const EventRecord& record, std::span<const std::byte> payload);
   bool pushSpecial(const EventRecord& record, std::span<const std::byte> payload);
   bool pushLatest(Cell& cell, const EventRecord& record, std::span<const std::byte> payload);
+  void replace(Cell& cell, const EventRecord& record, std::span<const std::byte> payload);
 
+  const Producers producers_;
   std::vector<std::unique_ptr<Cell>> cells_;  // by event; null: queued
   // A bit an event: at most 64 in a contract.
   std::uint64_t shared_ = 0;

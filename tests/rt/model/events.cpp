@@ -15,7 +15,9 @@ constexpr std::uint16_t kQueued = 0, kLatest = 1;
 constexpr rt::EventLimits kEvents[] = {{8, 1, false}, {8, 1, true}};
 
 struct Events {
-  rt::EventQueue queue{kEvents};
+  explicit Events(rt::Producers producers) : queue(kEvents, producers) {}
+
+  rt::EventQueue queue;
   std::uint64_t accepted = 0, taken = 0, newest = 0;
 
   void push(std::uint16_t event, std::uint64_t serial) {
@@ -35,28 +37,49 @@ struct Events {
   }
 };
 
-}  // namespace
-
-Run eventQueue() {
-  const auto it = std::make_shared<Events>();
-  return {.threads = {[it] {
-                        it->push(kQueued, 1);
-                        it->push(kLatest, 2);
-                        it->push(kQueued, 3);
-                      },
-                      [it] {
-                        it->push(kLatest, 4);
-                        it->push(kLatest, 5);
-                      },
-                      [it] {
-                        for (int i = 0; i < 3; ++i) it->receive();
-                      }},
-          .atEnd = [it] {
+/// Events from `senders`, received meanwhile.
+Run received(const std::shared_ptr<Events>& it, std::vector<std::function<void()>> senders) {
+  senders.emplace_back([it] {
+    for (int i = 0; i < 3; ++i) it->receive();
+  });
+  return {.threads = std::move(senders), .atEnd = [it] {
             for (int i = 0; i < 4; ++i) it->receive();
             require(it->taken == it->accepted, "a queued event is lost");
             require(it->newest != 0, "no newest-wins event ever came");
             require(!it->queue.pending(), "the queue does not empty");
           }};
+}
+
+}  // namespace
+
+Run eventQueue() {
+  const auto it = std::make_shared<Events>(rt::Producers::Any);
+  return received(it, {[it] {
+                         it->push(kQueued, 1);
+                         it->push(kLatest, 2);
+                         it->push(kQueued, 3);
+                       },
+                       [it] {
+                         it->push(kLatest, 4);
+                         it->push(kLatest, 5);
+                       }});
+}
+
+Run eventQueueOfTwo() {
+  const auto it = std::make_shared<Events>(rt::Producers::Any);
+  return received(it, {[it] {
+                         it->push(kLatest, 1);
+                         it->push(kQueued, 2);
+                       },
+                       [it] { it->push(kQueued, 3); }});
+}
+
+Run eventQueueOfOne() {
+  const auto it = std::make_shared<Events>(rt::Producers::One);
+  return received(it, {[it] {
+                    for (std::uint64_t i = 0; i < 3; ++i) it->push(kQueued, 2 * i);
+                    for (std::uint64_t i = 0; i < 3; ++i) it->push(kLatest, 2 * i + 1);
+                  }});
 }
 
 namespace {

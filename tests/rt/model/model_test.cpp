@@ -24,15 +24,15 @@ TEST_P(Model, HoldsInEveryOrder) {
   EXPECT_GT(outcome.runs + outcome.given_up, 50u) << "the threads hardly met";
 }
 
-INSTANTIATE_TEST_SUITE_P(Parts, Model,
-                         testing::Values(Part{"SpscRing", spscRing}, Part{"MpscRing", mpscRing},
-                                         Part{"LatestCell", latestCell},
-                                         Part{"MailboxOrder", mailboxOrder},
-                                         Part{"MailboxCredits", mailboxCredits},
-                                         Part{"StateRow", stateRow}, Part{"StateOrder", stateOrder},
-                                         Part{"EventQueue", eventQueue},
-                                         Part{"Doorbell", doorbell}),
-                         [](const auto& part) { return std::string(part.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Parts, Model,
+    testing::Values(Part{"SpscRing", spscRing}, Part{"MpscRing", mpscRing},
+                    Part{"LatestCell", latestCell}, Part{"MailboxOrder", mailboxOrder},
+                    Part{"MailboxCredits", mailboxCredits}, Part{"StateRow", stateRow},
+                    Part{"StateOrder", stateOrder}, Part{"EventQueue", eventQueue},
+                    Part{"EventQueueOfTwo", eventQueueOfTwo},
+                    Part{"EventQueueOfOne", eventQueueOfOne}, Part{"Doorbell", doorbell}),
+    [](const auto& part) { return std::string(part.param.name); });
 
 }  // namespace
 }  // namespace model

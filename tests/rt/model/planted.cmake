@@ -30,6 +30,8 @@ suture_planted(ring_unordered_reuse PART spsc_ring SCENARIO SpscRing FINDS "a ra
   TEXT "knownHead_ = head_.load(std::memory_order_acquire)" REPLACEMENT "knownHead_ = head_.load(std::memory_order_relaxed)")
 suture_planted(cells_unordered_reuse PART mpsc_ring SCENARIO MpscRing FINDS "a race on plain memory"
   TEXT "head_ + mask_ + 1, std::memory_order_release" REPLACEMENT "head_ + mask_ + 1, std::memory_order_relaxed")
+suture_planted(cells_unordered_reuse_of_one PART mpsc_ring SCENARIO EventQueueOfOne FINDS "a race on plain memory"
+  TEXT "head_ + mask_ + 1, std::memory_order_release" REPLACEMENT "head_ + mask_ + 1, std::memory_order_relaxed")
 suture_planted(cells_early_front PART mpsc_ring SCENARIO MpscRing FINDS "a "
   TEXT "turn.load(std::memory_order_acquire) != head_ + 1" REPLACEMENT "turn.load(std::memory_order_acquire) > head_ + 1")
 suture_planted(latest_shared_buffer PART latest_cell SCENARIO LatestCell FINDS "a "
@@ -57,7 +59,9 @@ suture_planted(row_words_unordered PART state_table SCENARIO StateRow FINDS "a r
 suture_planted(row_read_unordered PART state_table SCENARIO StateRow FINDS "a row is torn"
   TEXT "from[i].load(std::memory_order_acquire);" REPLACEMENT "from[i].load(std::memory_order_relaxed);")
 suture_planted(events_two_writers PART event_queue SCENARIO EventQueue FINDS "a race on plain memory"
-  TEXT "if (cell.writing.test_and_set(std::memory_order_acquire)) return false;" REPLACEMENT "")
+  TEXT "if (!alone && cell.writing.test_and_set(std::memory_order_acquire)) return false;" REPLACEMENT "")
+suture_planted(events_two_alone PART event_queue SCENARIO EventQueueOfTwo FINDS "a "
+  TEXT "producers_ == Producers::One ? ring_.claimAlone() : ring_.claim()" REPLACEMENT "ring_.claimAlone()")
 suture_planted(bell_lost_ring PART doorbell SCENARIO Doorbell FINDS "it sleeps, there is work"
   TEXT "if (word_.compare_exchange_strong(expected, kAsleep, std::memory_order_seq_cst)) return true;"
   REPLACEMENT "word_.store(kAsleep); return true;")

@@ -15,6 +15,8 @@ Run mailboxCredits();
 Run stateRow();
 Run stateOrder();
 Run eventQueue();
+Run eventQueueOfTwo();
+Run eventQueueOfOne();
 Run doorbell();
 
 }  // namespace model

@@ -73,7 +73,7 @@ TEST(Stress, Mailbox) {
 // newest-wins events at the same moment either may be lost.
 TEST(Stress, EventQueue) {
   constexpr rt::EventLimits kEvents[] = {{sizeof(Bytes), 16, false}, {sizeof(Bytes), 1, true}};
-  rt::EventQueue queue(kEvents);
+  rt::EventQueue queue(kEvents, rt::Producers::Any);
   const Span span;
   std::vector<std::uint64_t> sent(kProducers);
   std::atomic<std::uint64_t> ended{0};
@@ -108,6 +108,44 @@ TEST(Stress, EventQueue) {
     EXPECT_EQ(faults[producer].seen, sent[producer]);
   }
   expectNone(newest, "newest-wins events");
+}
+
+// The same from one thread, as a task's come.
+TEST(Stress, EventQueueOfOne) {
+  constexpr rt::EventLimits kEvents[] = {{sizeof(Bytes), 16, false}, {sizeof(Bytes), 1, true}};
+  rt::EventQueue queue(kEvents, rt::Producers::One);
+  const Span span;
+  std::atomic<bool> ended{false};
+  std::uint64_t sent = 0;
+  Faults queued, newest;
+  const auto produce = [&] {
+    Bytes bytes;
+    for (std::uint64_t serial = 1; !span.over(); ++serial) {
+      fill(bytes, serial);
+      queue.push(1, suture::now(), bytes);
+      if (queue.push(0, suture::now(), bytes)) {
+        ++sent;
+      } else {
+        std::this_thread::yield();
+      }
+    }
+    ended = true;
+  };
+  const auto consume = [&] {
+    for (bool last = false; !last;) {
+      last = ended;
+      while (const rt::EventRecord* record = queue.next()) {
+        (record->event == 1 ? newest : queued).take(serialOf(at(record->payload())));
+        if (queued.hopeless() || newest.hopeless()) return;
+        queue.pop();
+      }
+      std::this_thread::yield();
+    }
+  };
+  runAcrossProcessors({produce, consume});
+  expectNone(queued, "queued events");
+  expectNone(newest, "newest-wins events");
+  EXPECT_EQ(queued.seen, sent);
 }
 
 }  // namespace

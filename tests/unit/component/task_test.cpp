@@ -170,6 +170,23 @@ TEST(Events, ASlowSubscriberLosesItsOwnAndDelaysNobody) {
   EXPECT_EQ(slow.stops + static_cast<int>(slowChannel->events.dropped()), kEvents);
 }
 
+TEST(Events, OfATaskAreEmittedInItsOwnThreadOnly) {
+  CountingArm<EventTask> arm{EventOptions{}};
+  Listener listener;
+  connectLocally(listener.arm, arm.arm, "test");
+  EXPECT_TRUE(arm.arm.emit().mode(Mode::Disabled));  // before it has a thread
+  arm.start();
+  EXPECT_TRUE(listener.arm.hold.start().within(5s));
+  EXPECT_EQ(arm.arm.emit().stopped().error(), Errc::WrongThread);
+  EXPECT_EQ(arm.arm.emit().mode(Mode::Enabled).error(), Errc::WrongThread);
+  EXPECT_TRUE(listener.arm.hold.start().within(5s));
+  EXPECT_TRUE(eventually([&] {
+    listener.processEvents();
+    return listener.stops == 2;
+  }));
+  EXPECT_EQ(listener.modes, std::vector<Mode>{Mode::Disabled});
+}
+
 TEST(Device, ALocalClientCallsItDirectly) {
   struct ArmDevice final : Device, ArmLike {
     void servo_cp(const PoseStamped&) override {}
