@@ -10,6 +10,18 @@
 
 #include "reference/arm_like.capnp.h"
 
+// Defined in reference/arm_types.suture.cpp.
+namespace reference {
+void toWire(const JointStateSlot& slot, wire::JointState::Builder out);
+suture::Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, suture::Duration shift);
+bool isValid(const JointStateSlot& slot);
+wire::Mode wireMode(std::uint8_t slot);
+suture::Errc fromWire(wire::Mode in, std::uint8_t& slot);
+void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out);
+suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, suture::Duration shift);
+bool isValid(const PoseStampedSlot& slot);
+}  // namespace reference
+
 namespace reference {
 
 using suture::CommandInfo;
@@ -32,16 +44,6 @@ using suture::slotSize;
 using suture::store;
 
 namespace {
-
-// What this compiler sees must be what suturec read.
-static_assert(std::is_same_v<std::underlying_type_t<Mode>, std::uint8_t>);
-static_assert(static_cast<std::uint8_t>(Mode::Disabled) == 0);
-static_assert(static_cast<std::uint8_t>(Mode::Enabled) == 1);
-static_assert(std::is_same_v<decltype(PoseStamped::pose), Eigen::Isometry3d>);
-static_assert(std::is_same_v<decltype(PoseStamped::stamp), std::chrono::steady_clock::time_point>);
-static_assert(std::is_same_v<decltype(PoseStamped::valid), bool>);
-static_assert(std::is_same_v<decltype(JointState::name), std::vector<std::string>>);
-static_assert(std::is_same_v<decltype(JointState::position), std::vector<double>>);
 
 constexpr CommandInfo kArmLikeCommands[] = {
     {.name = "servo_cp",
@@ -104,37 +106,6 @@ constexpr char kArmLikeDescription[] = R"json({"name": "reference::ArmLike"})jso
 
 }  // namespace
 
-bool store(const PoseStamped& value, PoseStampedSlot& slot) {
-  bool fits = true;
-  fits &= store(value.pose, slot.pose);
-  fits &= store(value.stamp, slot.stamp);
-  fits &= store(value.valid, slot.valid);
-  return fits;
-}
-
-void load(const PoseStampedSlot& slot, PoseStamped& value) {
-  load(slot.pose, value.pose);
-  load(slot.stamp, value.stamp);
-  load(slot.valid, value.valid);
-}
-
-bool store(const JointState& value, JointStateSlot& slot) {
-  bool fits = true;
-  fits &= store(value.name, slot.name);
-  fits &= store(value.position, slot.position);
-  return fits;
-}
-
-void load(const JointStateSlot& slot, JointState& value) {
-  load(slot.name, value.name);
-  load(slot.position, value.position);
-}
-
-void reserve(const JointStateSlot*, JointState& value) {
-  suture::reserveFor<decltype(JointStateSlot::name)>(value.name);
-  suture::reserveFor<decltype(JointStateSlot::position)>(value.position);
-}
-
 bool store(const PoseStamped& goal, ArmLikeServoCpArguments& slot) {
   return store(goal, slot.goal);
 }
@@ -161,56 +132,6 @@ bool store(const PoseStamped& value, const double& value2, ArmLikeMovedPayload& 
 void load(const ArmLikeMovedPayload& slot, PoseStamped& value, double& value2) {
   load(slot.value, value);
   load(slot.value2, value2);
-}
-
-// --- between slots and Cap'n Proto
-
-wire::Mode wireMode(std::uint8_t slot) {
-  switch (static_cast<Mode>(slot)) {
-    case Mode::Disabled: return wire::Mode::DISABLED;
-    case Mode::Enabled: return wire::Mode::ENABLED;
-  }
-  return wire::Mode{};
-}
-
-Errc fromWire(wire::Mode in, std::uint8_t& slot) {
-  switch (in) {
-    case wire::Mode::DISABLED: return slot = static_cast<std::uint8_t>(Mode::Disabled), Errc{};
-    case wire::Mode::ENABLED: return slot = static_cast<std::uint8_t>(Mode::Enabled), Errc{};
-  }
-  return Errc::Invalid;
-}
-
-void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {
-  toWire(slot.pose, out.initPose());
-  out.setStamp(slot.stamp);
-  out.setValid(slot.valid != 0);
-}
-
-Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  slot.valid = in.getValid();
-  return in.hasPose() ? fromWire(in.getPose(), slot.pose) : Errc::Invalid;
-}
-
-bool isValid(const PoseStampedSlot& slot) {
-  return isValid(slot.pose);
-}
-
-void toWire(const JointStateSlot& slot, wire::JointState::Builder out) {
-  toWire(slot.name, out.initName(slot.name.size));
-  toWire(slot.position, out.initPosition(slot.position.size));
-}
-
-Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, Duration) {
-  return firstError({
-      fromWire(in.getName(), slot.name),
-      fromWire(in.getPosition(), slot.position),
-  });
-}
-
-bool isValid(const JointStateSlot& slot) {
-  return isValid(slot.position);
 }
 
 namespace {

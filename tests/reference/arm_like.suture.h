@@ -8,27 +8,9 @@
 #include <suture/component/required.h>
 
 #include "reference/arm_like.h"
+#include "reference/arm_types.suture.h"
 
 namespace reference {
-
-/// A pose with its time.
-struct PoseStampedSlot {
-  std::array<double, 12> pose;  // Eigen::Isometry3d, m
-  std::int64_t stamp;           // suture::Time, ns
-  std::uint8_t valid;           // bool
-};
-
-bool store(const PoseStamped& value, PoseStampedSlot& slot);
-void load(const PoseStampedSlot& slot, PoseStamped& value);
-
-struct JointStateSlot {
-  suture::BoundedList<suture::BoundedText<15>, 8> name;
-  suture::BoundedList<double, 8> position;  // rad
-};
-
-bool store(const JointState& value, JointStateSlot& slot);
-void load(const JointStateSlot& slot, JointState& value);
-void reserve(const JointStateSlot*, JointState& value);
 
 // --- ArmLike: the arguments of its commands ---
 

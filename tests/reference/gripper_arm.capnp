@@ -4,6 +4,7 @@
 using Cxx = import "/capnp/c++.capnp";
 using Meta = import "/suture/meta.capnp";
 using ArmLike = import "/reference/arm_like.capnp";
+using ArmTypes = import "/reference/arm_types.capnp";
 using Rpc = import "/suture/rpc.capnp";
 $Cxx.namespace("reference::wire");
 $Meta.header("reference/gripper_arm.h");
@@ -29,10 +30,10 @@ interface GripperArmEvents @0xc4dcbf461eed82fb $Meta.eventsOf("reference::Grippe
 
   state @0 (row :GripperArmStateRow) -> ();
   # A new row of the columns asked for.
-  mode @1 (value :ArmLike.Mode) -> () $Meta.latched $Meta.queue(16);
-  arrived @2 (value :ArmLike.PoseStamped) -> () $Meta.queue(4);
+  mode @1 (value :ArmTypes.Mode) -> () $Meta.latched $Meta.queue(16);
+  arrived @2 (value :ArmTypes.PoseStamped) -> () $Meta.queue(4);
   stopped @3 () -> () $Meta.queue(16);
-  moved @4 (value :ArmLike.PoseStamped, value2 :Float64) -> () $Meta.queue(16);
+  moved @4 (value :ArmTypes.PoseStamped, value2 :Float64) -> () $Meta.queue(16);
   # Where it is and how fast.
   gripped @5 (value :Float64) -> () $Meta.queue(16);
 }
@@ -44,9 +45,9 @@ struct GripperArmStateRow @0xaad3d7925d80f23f $Meta.stateOf("reference::GripperA
   # When the row was written: the provider's steady clock, ns.
   evaluated @1 :UInt64;
   # Bit i: column i was evaluated.
-  measuredCp @2 :ArmLike.PoseStamped $Meta.cxx("measured_cp");
-  measuredJs @3 :ArmLike.JointState $Meta.cxx("measured_js");
-  opening @4 :Float64;
-  tooLarge @5 :UInt64;
+  tooLarge @2 :UInt64;
   # Bit i: column i did not fit its declared capacity.
+  measuredCp @3 :ArmTypes.PoseStamped $Meta.cxx("measured_cp");
+  measuredJs @4 :ArmTypes.JointState $Meta.cxx("measured_js");
+  opening @5 :Float64;
 }

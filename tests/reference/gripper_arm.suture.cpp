@@ -10,7 +10,7 @@
 
 #include "reference/gripper_arm.capnp.h"
 
-// Defined in reference/arm_like.suture.cpp.
+// Defined in reference/arm_types.suture.cpp.
 namespace reference {
 void toWire(const JointStateSlot& slot, wire::JointState::Builder out);
 suture::Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, suture::Duration shift);

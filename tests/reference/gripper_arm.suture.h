@@ -9,6 +9,7 @@
 
 #include "reference/gripper_arm.h"
 #include "reference/arm_like.suture.h"
+#include "reference/arm_types.suture.h"
 
 namespace reference {
 

@@ -58,10 +58,10 @@ class Planted(unittest.TestCase):
         self.write("runtime/base/a.h", "\n" * 701)
         self.expect(rules.check_lengths, "701 lines")
 
-    def test_a_file_too_long_beside_what_suturec_writes(self):
-        self.write("tests/reference/a.suture.cpp", "\n" * 701)  # golden.reference: written by suturec
-        self.write("tests/reference/a.cpp", "\n" * 701)
-        self.expect(rules.check_lengths, "reference/a.cpp: 701 lines")
+    def test_a_model_of_generated_code_that_is_too_long(self):
+        self.write("tests/reference/a.suture.cpp", "\n" * 701)
+        self.write("tests/compiler/golden/expected/a.suture.cpp", "\n" * 701)  # written by suturec
+        self.expect(rules.check_lengths, "reference/a.suture.cpp: 701 lines")
 
     def test_a_folder_without_readme(self):
         self.write("runtime/base/a.h", "\n")

@@ -3,7 +3,7 @@
 file(REMOVE_RECURSE ${OUT})
 execute_process(
   COMMAND ${SUTUREC} --target-name reference --base-dir . --out ${OUT} --lock-dir .
-          reference/arm_like.h reference/gripper_arm.h reference/simulated_arm.h -- -I. -I${RUNTIME} -isystem ${EIGEN}
+          reference/arm_types.h reference/arm_like.h reference/gripper_arm.h reference/simulated_arm.h -- -I. -I${RUNTIME} -isystem ${EIGEN}
   WORKING_DIRECTORY ${TESTS}
   RESULT_VARIABLE status)
 if(status)
@@ -26,7 +26,8 @@ function(read_normalised path result)
   set(${result} "${text}" PARENT_SCOPE)
 endfunction()
 
-foreach(name arm_like.suture.h arm_like.suture.cpp gripper_arm.suture.h gripper_arm.suture.cpp simulated_arm.suture.h simulated_arm.suture.cpp)
+foreach(name arm_types.suture.h arm_types.suture.cpp arm_like.suture.h arm_like.suture.cpp gripper_arm.suture.h
+    gripper_arm.suture.cpp simulated_arm.suture.h simulated_arm.suture.cpp)
   read_normalised(${TESTS}/reference/${name} model)
   read_normalised(${OUT}/reference/${name} generated)
   if(NOT model STREQUAL generated)

@@ -1,0 +1,29 @@
+// Written by suturec from reference/arm_types.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+
+#include "reference/arm_types.h"
+
+namespace reference {
+
+/// A pose with its time.
+struct PoseStampedSlot {
+  std::array<double, 12> pose;  // Eigen::Isometry3d, m
+  std::int64_t stamp;           // suture::Time, ns
+  std::uint8_t valid;           // bool
+};
+
+bool store(const PoseStamped& value, PoseStampedSlot& slot);
+void load(const PoseStampedSlot& slot, PoseStamped& value);
+
+struct JointStateSlot {
+  suture::BoundedList<suture::BoundedText<15>, 8> name;
+  suture::BoundedList<double, 8> position;  // rad
+};
+
+bool store(const JointState& value, JointStateSlot& slot);
+void load(const JointStateSlot& slot, JointState& value);
+void reserve(const JointStateSlot*, JointState& value);
+
+}  // namespace reference
