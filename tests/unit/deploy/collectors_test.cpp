@@ -50,13 +50,18 @@ std::vector<nlohmann::json> linesOf(const std::string& file) {
   return lines;
 }
 
+/// Every second state of the arm, into arm.jsonl of `folder`.
+Deployment everySecondState(const std::string& folder) {
+  return deploymentOf(
+      folder,
+      logOf("StateCollector", R"({"file": "arm.jsonl", "reads": ["component_state"], "every": 2})"),
+      "PSM/component");
+}
+
 TEST(DeployedCollectors, RowsComeToTheFile) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("arm.jsonl");
-  const Deployment deployment = deploymentOf(
-      directory.file(""),
-      logOf("StateCollector", R"({"file": "arm.jsonl", "reads": ["component_state"], "every": 2})"),
-      "PSM/component");
+  const Deployment deployment = everySecondState(directory.file(""));
   Host host(deployment, "all", kClasses);
   host.start();
   // In the file while it runs, not only at its end.
@@ -72,10 +77,7 @@ TEST(DeployedCollectors, RowsComeToTheFile) {
 
 TEST(DeployedCollectors, RowsOfTheFileAreThoseAskedFor) {
   const TemporaryDirectory directory;
-  const Deployment deployment = deploymentOf(
-      directory.file(""),
-      logOf("StateCollector", R"({"file": "arm.jsonl", "reads": ["component_state"], "every": 2})"),
-      "PSM/component");
+  const Deployment deployment = everySecondState(directory.file(""));
   {
     Host host(deployment, "all", kClasses);
     host.start();

@@ -82,6 +82,24 @@ struct Census {
   std::vector<std::weak_ptr<Channel>> seen;
 };
 
+/// An arm and its client, running in one process.
+template <class Arm>
+struct OneProcess {
+  OneProcess() {
+    manager.add("PSM", arm);
+    manager.add("Teleop", client);
+    manager.start();
+  }
+  void connect(const ConnectionContract& contract = {}) {
+    manager.connect("Teleop/Slave", "PSM/Arm", Lane::Auto, 1s, {}, contract);
+  }
+  void disconnect() { manager.disconnect("Teleop/Slave"); }
+
+  Arm arm;
+  Client client;
+  Manager manager{"here"};
+};
+
 TEST(Reconnect, WhileTasksRunToAnotherProvider) {
   ArmTask one, two;
   Client client;
@@ -101,37 +119,27 @@ TEST(Reconnect, WhileTasksRunToAnotherProvider) {
 }
 
 TEST(Reconnect, ReplaysLatchedEvents) {
-  ArmTask arm;
-  Client client;
-  Manager manager("here");
-  manager.add("PSM", arm);
-  manager.add("Teleop", client);
-  manager.start();
-  manager.connect("Teleop/Slave", "PSM/Arm");
-  client.ask = true;
-  EXPECT_TRUE(eventually([&] { return client.modes == 1; }));
-  manager.disconnect("Teleop/Slave");
-  manager.connect("Teleop/Slave", "PSM/Arm");
-  EXPECT_TRUE(eventually([&] { return client.modes == 2; }));
+  OneProcess<ArmTask> here;
+  here.connect();
+  here.client.ask = true;
+  EXPECT_TRUE(eventually([&] { return here.client.modes == 1; }));
+  here.disconnect();
+  here.connect();
+  EXPECT_TRUE(eventually([&] { return here.client.modes == 2; }));
 }
 
 TEST(Reconnect, CallsUnderWayEnd) {
-  Busy arm;
-  Client client;
-  Manager manager("here");
-  manager.add("PSM", arm);
-  manager.add("Teleop", client);
-  manager.start();
-  manager.connect("Teleop/Slave", "PSM/Arm");
-  EXPECT_TRUE(eventually([&] { return arm.holds > 0; }));
-  arm.busy = true;
+  OneProcess<Busy> here;
+  here.connect();
+  EXPECT_TRUE(eventually([&] { return here.arm.holds > 0; }));
+  here.arm.busy = true;
   std::this_thread::sleep_for(5ms);
-  client.ask = true;
+  here.client.ask = true;
   std::this_thread::sleep_for(20ms);
-  EXPECT_EQ(client.answer, Errc::NotYet);
-  manager.disconnect("Teleop/Slave");
-  EXPECT_TRUE(eventually([&] { return client.answer == Errc::OutcomeUnknown; }));
-  arm.busy = false;
+  EXPECT_EQ(here.client.answer, Errc::NotYet);
+  here.disconnect();
+  EXPECT_TRUE(eventually([&] { return here.client.answer == Errc::OutcomeUnknown; }));
+  here.arm.busy = false;
 }
 
 TEST(Reconnect, WhatIsNotConnectedCannotBeDisconnected) {
@@ -144,24 +152,19 @@ TEST(Reconnect, WhatIsNotConnectedCannotBeDisconnected) {
 
 template <class Provider>
 void reconnectOften() {
-  Provider arm;
-  Client client;
-  Manager manager("here");
-  manager.add("PSM", arm);
-  manager.add("Teleop", client);
-  manager.start();
+  OneProcess<Provider> here;
   Census census;
   for (int i = 0; i < 10'000; ++i) {
-    manager.connect("Teleop/Slave", "PSM/Arm");
-    census.note(manager);
+    here.connect();
+    census.note(here.manager);
     if (i % 100 == 99) {
-      ASSERT_TRUE(eventually([&] { return client.error == Errc{}; }));
+      ASSERT_TRUE(eventually([&] { return here.client.error == Errc{}; }));
       // The present one, and what nobody has looked at since it was closed.
       ASSERT_TRUE(eventually([&] { return census.alive() <= 3; })) << census.alive();
     }
-    manager.disconnect("Teleop/Slave");
+    here.disconnect();
     if (i % 100 == 99) {
-      ASSERT_TRUE(eventually([&] { return client.error == Errc::NotConnected; }));
+      ASSERT_TRUE(eventually([&] { return here.client.error == Errc::NotConnected; }));
     }
   }
   EXPECT_EQ(census.seen.size(), 10'000u);
@@ -234,25 +237,19 @@ TEST(Reconnect, AfterALossOverRpcTheNewChannelIsShown) {
 }
 
 TEST(Reconnect, AStaleReadAwaitsTheOperator) {
-  ArmTask arm;
-  Client client;
-  Manager manager("here");
-  manager.add("PSM", arm);
-  manager.add("Teleop", client);
-  manager.start();
-  manager.connect("Teleop/Slave", "PSM/Arm", Lane::Auto, 1s, {},
-                  {.maxAge = 1ns, .resume = Resume::Operator});
-  EXPECT_TRUE(eventually([&] { return client.error == Errc{}; }));
-  EXPECT_EQ(refusal([&] { manager.resumeConnection("Teleop/Slave"); }),
+  OneProcess<ArmTask> here;
+  here.connect({.maxAge = 1ns, .resume = Resume::Operator});
+  EXPECT_TRUE(eventually([&] { return here.client.error == Errc{}; }));
+  EXPECT_EQ(refusal([&] { here.manager.resumeConnection("Teleop/Slave"); }),
             "resuming connection 'Teleop/Slave': it does not await an operator. Nothing has to be "
             "done");
-  client.read = true;
-  EXPECT_TRUE(eventually([&] { return client.error == Errc::AwaitingOperator; }));
-  client.read = false;
+  here.client.read = true;
+  EXPECT_TRUE(eventually([&] { return here.client.error == Errc::AwaitingOperator; }));
+  here.client.read = false;
   std::this_thread::sleep_for(5ms);
-  EXPECT_EQ(client.error, Errc::AwaitingOperator);
-  manager.resumeConnection("Teleop/Slave");
-  EXPECT_TRUE(eventually([&] { return client.error == Errc{}; }));
+  EXPECT_EQ(here.client.error, Errc::AwaitingOperator);
+  here.manager.resumeConnection("Teleop/Slave");
+  EXPECT_TRUE(eventually([&] { return here.client.error == Errc{}; }));
 }
 
 }  // namespace
