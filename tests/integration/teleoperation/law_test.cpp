@@ -2,20 +2,20 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <memory>
 
 #include "integration/teleoperation/workstation.h"
 #include "recorder/judge.h"
 #include "recorder/recorder.h"
+#include "support/temporary_directory.h"
 
 namespace robots::test {
 namespace {
 
 TEST(Law, HoldsForARecordedRun) {
-  const std::filesystem::path folder = testing::TempDir();
-  const std::string masterFile = folder / "law_master.jsonl",
-                    slaveFile = folder / "law_slave.jsonl";
+  const suture::TemporaryDirectory folder;
+  const std::string masterFile = folder.file("master.jsonl"),
+                    slaveFile = folder.file("slave.jsonl");
   {
     auto masterRecorder = std::make_unique<Recorder>(RecorderParameters{.file = masterFile});
     auto slaveRecorder = std::make_unique<Recorder>(RecorderParameters{.file = slaveFile});
@@ -33,8 +33,6 @@ TEST(Law, HoldsForARecordedRun) {
   const Recording slave = readRecording(slaveFile);
   const Judgement judgement = judge(readRecording(masterFile).arm, slave.followed, slave.arm,
                                     PsmParameters{}.time_constant);
-  std::filesystem::remove(masterFile);
-  std::filesystem::remove(slaveFile);
   for (const std::string& violation : violations(judgement)) ADD_FAILURE() << violation;
   EXPECT_GT(judgement.compared, 1000u);
 }

@@ -11,17 +11,17 @@
 #include <sstream>
 
 #include "recorder/recording_writer.h"
+#include "support/temporary_directory.h"
 
 namespace robots::test {
 namespace {
 
 class RecordingTest : public testing::Test {
- protected:
-  void TearDown() override { std::filesystem::remove(file_); }
+ private:
+  const suture::TemporaryDirectory folder_;
 
-  const std::filesystem::path file_ =
-      testing::TempDir() + "recording_" +
-      testing::UnitTest::GetInstance()->current_test_info()->name() + ".jsonl";
+ protected:
+  const std::filesystem::path file_ = folder_.file("recording.jsonl");
 };
 
 Eigen::Isometry3d somePose() {
@@ -60,7 +60,9 @@ TEST_F(RecordingTest, IsReadWhileItIsWritten) {
   EXPECT_TRUE(reader.next().arm.empty()) << "nobody has begun";
   EXPECT_THROW(reader.rest(), suture::SetupError);
   std::ostringstream text;
-  for (std::int64_t i = 0; i < 3; ++i) write(text, ArmRow{suture::fromNanoseconds(i), {}, {}, {}});
+  for (std::int64_t i = 0; i < 3; ++i) {
+    write(text, ArmRow{suture::fromNanoseconds(i), somePose(), {}, somePose()});
+  }
   const std::string all = text.str();
   std::ofstream out(file_);
   std::vector<ArmRow> rows;
