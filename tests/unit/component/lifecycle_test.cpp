@@ -94,6 +94,8 @@ TEST(Lifecycle, AHookThatThrowsParksItsComponent) {
     if (hook == std::string("stop")) task.stop();
     EXPECT_EQ(task.state(), State::Faulted) << hook;
     EXPECT_EQ(task.fault(), std::string("no ") + hook + " today");
+    // Clients are told after the state has changed.
+    EXPECT_TRUE(eventually([&] { return client.arm.unusable() == Errc::Faulted; })) << hook;
     EXPECT_EQ(client.arm.hold().error(), Errc::Faulted) << hook;
     EXPECT_NE(refusal([&] { task.request(Transition::Resume); }).find("create it anew"),
               std::string::npos);

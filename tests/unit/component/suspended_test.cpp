@@ -227,7 +227,8 @@ TEST(Suspended, AHostGoesOnForItsGuests) {
   guest.request(Transition::Suspend);
   EXPECT_TRUE(reaches(guest, State::Suspended));
   host.request(Transition::Resume);
-  EXPECT_TRUE(reaches(host, State::Running));
+  EXPECT_TRUE(eventually([&] { return ofHost.arm.connected(); }));
+  EXPECT_EQ(host.state(), State::Running);
   EXPECT_TRUE(ofHost.arm.hold.start().within(5s));
   EXPECT_EQ(ofGuest.arm.hold().error(), Errc::Suspended);
   host.stop();

@@ -165,7 +165,8 @@ TEST(GuestTask, WhatThrowsIsParkedAlone) {
   connectLocally(ofHost.arm, host.arm, "test");
   connectLocally(ofGuest.arm, guest.arm, "test");
   host.start();
-  EXPECT_TRUE(eventually([&] { return guest.state() == ComponentState::Faulted; }));
+  EXPECT_TRUE(eventually([&] { return ofGuest.arm.unusable() == Errc::Faulted; }));
+  EXPECT_EQ(guest.state(), ComponentState::Faulted);
   EXPECT_EQ(guest.fault(), "the guest's fault");
   EXPECT_EQ(ofGuest.arm.hold().error(), Errc::Faulted);
   EXPECT_TRUE(ofHost.arm.hold.start().within(5s));

@@ -185,7 +185,7 @@ TEST_F(Delayed, AnotherConnectionDoesNotNotice) {
 }
 
 TEST_F(Delayed, ALossIsToldBehindTheAnswersBeforeIt) {
-  connect("A", {.answers = 100ms});
+  connect("A", {.answers = 2s});
   auto call = a.arm.hold.start();
   EXPECT_TRUE(eventually([&] { return arm.holds == 1; }));
   arm.stop();

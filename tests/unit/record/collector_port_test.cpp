@@ -10,6 +10,7 @@
 #include <suture/transport/rpc/control_thread.h>
 
 #include <memory>
+#include <vector>
 
 #include "reference/simulated_arm.suture.h"
 #include "support/eventually.h"
@@ -20,6 +21,16 @@ namespace {
 
 using namespace std::chrono_literals;
 using reference::ArmLike;
+
+/// Hears what is announced of a component's life.
+struct Watcher final : Device {
+  Watcher() {
+    life.makeOptional();
+    life.on().state_changed([this](const StateChange& change) { heard.push_back(change.state); });
+  }
+  Required<Lifecycle> life{*this, "Life"};
+  std::vector<ComponentState> heard;
+};
 
 struct Operator final : Device {
   Required<Collecting> log{*this, "Log"};
@@ -86,9 +97,19 @@ TEST_P(Collectors, OfStateAreSwitchedPacedAndAsked) {
 TEST_P(Collectors, OfEventsAreSwitchedAndAsked) {
   const auto sink = std::make_shared<CountingSink>();
   EventCollector collector(interfaceInfo<Lifecycle>(), {.collecting = false}, sink);
+  Watcher watcher;
+  manager.add("Watcher", watcher);
   begin(collector, "PSM/component");
+  manager.connect("Watcher/Life", "PSM/component");
   manager.suspend("PSM");
   manager.resume("PSM");
+  // A state is announced after it has been taken; the collector, connected first, has it then.
+  EXPECT_TRUE(eventually([&] {
+    watcher.processEvents();
+    return watcher.heard.size() >= 2 && watcher.heard.back() == ComponentState::Running;
+  }));
+  // Its cycle under way may have looked for events before that, but not the one after.
+  ASSERT_TRUE(*log.set_interval.start({}).within(5s));
   ASSERT_TRUE(log.start_collecting());
   EXPECT_TRUE(eventually([&] { return log.collecting() && *log.collecting(); }));
   manager.suspend("PSM");

@@ -113,16 +113,17 @@ TEST(StateCollector, CollectsFromStartToStopAlone) {
   EXPECT_TRUE(eventually([&] { return run.collector.counts().collected >= 20; }));
   run.collector.stopCollecting();
   EXPECT_TRUE(eventually([&] { return !run.collector.collecting(); }));
-  const std::uint64_t before = run.collector.counts().produced();
+  const CollectedCounts before = run.collector.counts();
   const std::uint64_t rows = run.produced();
   EXPECT_TRUE(eventually([&] { return run.produced() > rows + 20; }));
-  EXPECT_EQ(run.collector.counts().produced(), before);
+  EXPECT_EQ(run.collector.counts().produced(), before.produced());
 
   run.collector.startCollecting();
   EXPECT_TRUE(eventually([&] { return run.collector.collecting(); }));
   EXPECT_TRUE(eventually([&] { return run.collector.counts().collected >= 20; }));
   run.manager.stop();
-  EXPECT_GT(sink.numbers[before], rows);  // what came in between was not kept
+  ASSERT_GT(sink.numbers.size(), before.collected);
+  EXPECT_GT(sink.numbers[before.collected], rows);  // what came in between was not kept
   expectAscending(sink.numbers);
 }
 
