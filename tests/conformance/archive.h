@@ -3,13 +3,12 @@
 
 #include <suture/component/device.h>
 
-#include <chrono>
 #include <mutex>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
 
+#include "conformance/gate.h"
 #include "shapes/open.suture.h"
 
 namespace conformance {
@@ -34,7 +33,7 @@ class ArchiveDevice final : public suture::Device, public shapes::Archive {
   }
   shapes::Open replace(const shapes::Open& value) override {
     if (value.name == "throw") throw std::runtime_error("asked to");
-    if (value.name == "slow") std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    if (value.name == "slow") gate.pass();
     shapes::Open answer;
     answer.name = value.name + " replaced";
     answer.samples = value.samples;
@@ -50,6 +49,8 @@ class ArchiveDevice final : public suture::Device, public shapes::Archive {
     return remark_;
   }
   auto& emit() { return archive_.emit(); }
+
+  Gate gate;
 
  private:
   mutable std::mutex mutex_;

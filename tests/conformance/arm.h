@@ -6,12 +6,12 @@
 #include <suture/component/event_task.h>
 #include <suture/component/periodic_task.h>
 
-#include <condition_variable>
 #include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "conformance/gate.h"
 #include "reference/gripper_arm.suture.h"
 
 namespace conformance {
@@ -21,37 +21,6 @@ using reference::GripperArm;
 using reference::JointState;
 using reference::Mode;
 using reference::PoseStamped;
-
-/// Lets the test hold a provider inside a handler.
-class Gate {
- public:
-  void close() { set(false); }
-  void open() { set(true); }
-  void pass() {
-    std::unique_lock lock(mutex_);
-    ++waiting_;
-    changed_.notify_all();
-    changed_.wait(lock, [this] { return open_; });
-    --waiting_;
-  }
-  /// Returns when somebody waits at the closed gate.
-  void awaitVisitor() {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return waiting_ > 0; });
-  }
-
- private:
-  void set(bool open) {
-    const std::lock_guard lock(mutex_);
-    open_ = open;
-    changed_.notify_all();
-  }
-
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  bool open_ = true;
-  int waiting_ = 0;
-};
 
 /// The contract's implementation. Its log may be read by any thread.
 class RecordingArm : public GripperArm {

@@ -5,11 +5,9 @@
 #include <suture/component/device.h>
 #include <suture/component/event_task.h>
 
-#include <algorithm>
 #include <functional>
 #include <future>
 #include <mutex>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -33,11 +31,6 @@ class Client {
  public:
   virtual ~Client() = default;
   virtual suture::Component& component() = 0;
-  /// Its required interface of that name.
-  suture::RequiredBase& required(const std::string& name) {
-    const auto& all = component().required();
-    return **std::find_if(all.begin(), all.end(), [&](auto* one) { return one->name() == name; });
-  }
   /// Runs `work` in the client's thread and returns when it has ended.
   virtual void with(const std::function<void(Arm&)>& work) = 0;
   /// The same with the other interface, where it is connected.

@@ -71,12 +71,22 @@ void Conformance::connect(const std::string& required, const std::string& provid
   clientManager_->connect(
       "Console/" + required, (withinOneProcess() ? "PSM/" : "provider:PSM/") + provided,
       suture::Lane::Auto, suture::Manager::kDefaultPatience, {.commands = each, .answers = each});
+  const auto with = [&](const std::function<void(Arm&)>& work) {
+    if (required == "Gripper") return client->withGripper(work);
+    client->with(work);
+  };
   // A client that is in a cycle already takes the connection over in its next one.
   ASSERT_TRUE(suture::eventually([&] {
     bool connected = false;
-    client->with([&](Arm&) { connected = client->required(required).connected(); });
+    with([&](Arm& remote) { connected = remote.connected(); });
     return connected;
   }));
+  // A task sends its events to a new client from its next cycle on: the one that answers a command.
+  bool answered = false;
+  with([&](Arm& remote) {
+    answered = remote.distance.start({}).within(std::chrono::seconds(5)).has_value();
+  });
+  ASSERT_TRUE(answered);
 }
 
 void Conformance::TearDown() {
