@@ -49,12 +49,15 @@ struct Client final : PeriodicTask {
     if (read) (void)slave.measured_cp();
     const auto held = slave.hold();
     error = held ? Errc{} : held.error();
-    if (ask && !call) call.emplace(slave.set_mode.start(reference::Mode::Enabled));
+    if (ask && !call) {
+      call.emplace(slave.set_mode.start(reference::Mode::Enabled));
+      asked = true;
+    }
     if (call && call->poll()) answer = *call->poll() ? Errc{} : call->poll()->error();
   }
   Required<reference::ArmLike> slave{*this, "Slave"};
   std::atomic<Errc> error{Errc::NotYet}, answer{Errc::NotYet};
-  std::atomic<bool> ask{false}, read{false};
+  std::atomic<bool> ask{false}, asked{false}, read{false};
   std::atomic<int> modes{0};
   std::optional<Call<Result<void>, NoSlot>> call;
 };
@@ -64,9 +67,12 @@ struct Busy final : PeriodicTask, StillArm {
   Busy() : PeriodicTask({.period = 1ms}) {}
   ~Busy() override { stop(); }
   void run() override {
-    while (busy) std::this_thread::sleep_for(1ms);
+    while (busy) {
+      inside = true;
+      std::this_thread::sleep_for(1ms);
+    }
   }
-  std::atomic<bool> busy{false};
+  std::atomic<bool> busy{false}, inside{false};
   Provided<reference::ArmLike> port{*this, "Arm", *this};
 };
 
@@ -133,8 +139,9 @@ TEST(Reconnect, CallsUnderWayEnd) {
   here.connect();
   EXPECT_TRUE(eventually([&] { return here.arm.holds > 0; }));
   here.arm.busy = true;
-  std::this_thread::sleep_for(5ms);
+  EXPECT_TRUE(eventually([&] { return here.arm.inside.load(); }));
   here.client.ask = true;
+  EXPECT_TRUE(eventually([&] { return here.client.asked.load(); }));
   std::this_thread::sleep_for(20ms);
   EXPECT_EQ(here.client.answer, Errc::NotYet);
   here.disconnect();
