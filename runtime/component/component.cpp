@@ -1,3 +1,4 @@
+#include <pthread.h>
 #include <suture/base/errors.h>
 #include <suture/component/channel.h>
 #include <suture/component/component.h>
@@ -7,11 +8,9 @@
 namespace suture {
 namespace {
 
-// The address of a thread-local is the cheapest name of a thread.
-const void* thisThread() {
-  thread_local const char mark = 0;
-  return &mark;
-}
+// The same in the program and in each library that it loads: they may have copies of this file, so
+// nothing of this file's own can name a thread.
+const void* thisThread() { return reinterpret_cast<const void*>(pthread_self()); }
 
 }  // namespace
 
