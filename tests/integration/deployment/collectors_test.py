@@ -5,6 +5,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 PROGRAM, LIBRARY = sys.argv.pop(1), sys.argv.pop(1)
@@ -19,48 +20,98 @@ class Collectors(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
+        self.file = self.folder / "spindle.jsonl"
+
+    def start(self, cycles, collectors, *options):
+        """`collectors`: components, with what of the spindle each is connected to."""
+        spindle = component("Spindle", "Spindle", cycles=cycles, brake=str(self.folder / "brake"))
+        spindle["library"] = LIBRARY
+        deployment = self.folder / "d.json"
+        deployment.write_text(json.dumps({
+            "processes": [{"name": "robot", "components": [*(one for one, _ in collectors), spindle]}],
+            "connections": [{"from": one["name"] + "/Source", "to": "Spindle/" + of} for one, of in collectors]}))
+        told = self.folder / "stderr"
+        with told.open("w") as stderr:
+            station = subprocess.Popen(
+                [PROGRAM, "--deployment", deployment, "--report-fd", "-", "--report-interval", "0.05", *options],
+                stdout=subprocess.PIPE, stderr=stderr, text=True)
+
+        def end():
+            station.kill()
+            station.communicate()
+
+        self.addCleanup(end)
+        return station
+
+    def told(self):
+        return (self.folder / "stderr").read_text()
+
+    def collected(self):
+        """The complete lines."""
+        text = self.file.read_text() if self.file.exists() else ""
+        return [json.loads(line) for line in text.splitlines(keepends=True) if line.endswith("\n")]
+
+    def await_collected(self, *fits):
+        """What is in the file once it has a line for each of `fits`."""
+        deadline = time.monotonic() + 30
+        while True:
+            lines = self.collected()
+            if all(any(map(one, lines)) for one in fits):
+                return
+            self.assertLess(time.monotonic(), deadline, (lines[-3:], self.told()))
+            time.sleep(0.02)
+
+    def end(self, station):
+        station.terminate()
+        station.communicate(timeout=60)
 
     def test_rows_and_events_up_to_a_fault_are_in_the_file(self):
-        spindle = component("Spindle", "Spindle", cycles=200, brake=str(self.folder / "brake"))
-        spindle["library"] = LIBRARY
-        rows = component("Rows", "StateCollector", file="spindle.jsonl", reads=["angle"])
-        life = component("Life", "EventCollector", file="spindle.jsonl")
-        file = self.folder / "d.json"
-        file.write_text(json.dumps({
-            "processes": [{"name": "robot", "components": [rows, life, spindle]}],
-            "connections": [{"from": "Rows/Source", "to": "Spindle/Turntable"},
-                            {"from": "Life/Source", "to": "Spindle/component"}]}))
-        station = subprocess.run([PROGRAM, "--deployment", file, "--seconds", "1", "--report-fd", "-"],
-                                 capture_output=True, text=True, timeout=60)
-        report = json.loads(station.stdout.splitlines()[-1])
+        # Seconds in which the collectors are connected: before that nobody keeps anything for them.
+        cycles = 3000
+        station = self.start(cycles, [
+            (component("Rows", "StateCollector", file="spindle.jsonl", reads=["angle"]), "Turntable"),
+            (component("Life", "EventCollector", file="spindle.jsonl"), "component")])
+        for line in station.stdout:
+            report = json.loads(line)
+            if report["kind"] == "report" and any(task["state"] == "faulted" for task in report["tasks"]):
+                break
+        else:
+            self.fail(self.told())
         self.assertEqual({task["name"] for task in report["tasks"]}, {"Spindle", "Rows", "Life"})
+        self.await_collected(lambda line: line.get("angle") == cycles - 1,
+                             lambda line: line["from"] == "Life" and line["value"]["state"] == "Faulted")
+        self.end(station)
 
-        lines = [json.loads(line) for line in (self.folder / "spindle.jsonl").read_text().splitlines()]
+        lines = self.collected()
         states = [line["value"]["state"] for line in lines if line["from"] == "Life"]
-        self.assertEqual(states, ["Running", "Faulted"], station.stderr)
+        self.assertEqual(states, ["Running", "Faulted"], self.told())
+        lines = [line for line in lines if line["from"] == "Rows"]
         rows = [line for line in lines if "row" in line]
-        missed = sum(line.get("missed", 0) for line in lines)
         # From the first row that was asked for to the last before the fault.
-        self.assertEqual(rows[-1]["angle"], 199, station.stderr)
-        self.assertEqual(len(rows) + missed, rows[-1]["row"] - rows[0]["row"] + 1)
-        for one, following in zip(rows, rows[1:]):
-            self.assertEqual(following["angle"] - one["angle"], following["row"] - one["row"])
-
+        self.assertEqual(rows[-1]["angle"], cycles - 1, self.told())
+        before = None
+        missed = 0
+        for line in lines[lines.index(rows[0]):]:
+            if "missed" in line:
+                missed += line["missed"]
+                continue
+            if before:
+                self.assertEqual(line["row"] - before["row"], missed + 1)
+                self.assertEqual(line["angle"] - before["angle"], missed + 1)
+            before, missed = line, 0
 
     def test_reports_are_there_for_people_too(self):
-        spindle = component("Spindle", "Spindle", cycles=20, brake=str(self.folder / "brake"))
-        spindle["library"] = LIBRARY
-        rows = component("Rows", "StateCollector", file="spindle.jsonl")
-        file = self.folder / "d.json"
-        file.write_text(json.dumps({
-            "processes": [{"name": "robot", "components": [rows, spindle]}],
-            "connections": [{"from": "Rows/Source", "to": "Spindle/Turntable"}]}))
-        station = subprocess.run([PROGRAM, "--deployment", file, "--seconds", "0.5", "--report-fd", "-",
-                                  "--report-form", "text"],
-                                 capture_output=True, text=True, timeout=60)
-        self.assertIn("  Spindle: faulted (the spindle has seized), faults 1, cycles 19", station.stdout)
-        self.assertIn("  robot:Rows/Source -> robot:Spindle/Turntable: local, faulted, both ends", station.stdout)
-        self.assertIn("failure: component 'robot:Spindle' is parked", station.stdout)
+        station = self.start(20, [(component("Rows", "StateCollector", file="spindle.jsonl"), "Turntable")],
+                             "--report-form", "text")
+        awaited = ["  Spindle: faulted (the spindle has seized), faults 1, cycles 19",
+                   "  robot:Rows/Source -> robot:Spindle/Turntable: local, faulted, both ends",
+                   "failure: component 'robot:Spindle' is parked"]
+        for line in station.stdout:
+            awaited = [text for text in awaited if text not in line]
+            if not awaited:
+                break
+        self.assertEqual(awaited, [], self.told())
+        self.end(station)
 
 
 if __name__ == "__main__":
