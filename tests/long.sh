@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # What takes too long for every push: suturec under AddressSanitizer and UBSan on 10,000 mutated headers and on all its
-# tests, ten minutes of each fuzzer, a minute of stress on each part between threads, and ten draws of random types.
+# tests, ten minutes of each fuzzer, a minute of stress on each part between threads, and ten draws of random types and
+# contracts.
 #   tests/long.sh [MUTANTS] [SECONDS]
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -25,5 +26,7 @@ printf '%s\n' lock deployment generated golden | xargs -P "$(nproc)" -I{} bash -
 cmake --build --preset dev -- --quiet
 SUTURE_STRESS_SECONDS=60 "$build/bin/stress_test" --gtest_brief=1
 for _ in {1..10}; do
-  python3 tests/integration/random_contract/random_types_test.py --suture "$build"
+  for test in random_types_test random_contract; do
+    python3 "tests/integration/random_contract/$test.py" --suture "$build"
+  done
 done
