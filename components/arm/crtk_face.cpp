@@ -1,11 +1,11 @@
 #include "arm/crtk_face.h"
 
-#include <chrono>
 #include <cmath>
 #include <iterator>
 
 #include "arm/goals.h"
 #include "arm/kinematics/inverse.h"
+#include "arm/seconds.h"
 
 namespace robots {
 namespace {
@@ -322,8 +322,7 @@ bool CrtkFace<N>::streaming() const {
 template <int N>
 void CrtkFace<N>::advance(suture::Time now) {
   periods_.cycle(now);
-  const double dt =
-      lastCycle_ == suture::Time{} ? 0 : std::chrono::duration<double>(now - lastCycle_).count();
+  const double dt = lastCycle_ == suture::Time{} ? 0 : secondsBetween(lastCycle_, now);
   lastCycle_ = now;
   if (!streaming()) stream_.end();
   if (stream_.hasFallenSilent(now)) return arm_.hold();

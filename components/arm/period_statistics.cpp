@@ -4,12 +4,14 @@
 #include <chrono>
 #include <cmath>
 
+#include "arm/seconds.h"
+
 namespace robots {
 
 void PeriodStatistics::cycle(suture::Time now) {
   if (previous_ == suture::Time{}) begin_ = previous_ = now;
   if (now == previous_) return;
-  const double period = std::chrono::duration<double>(now - previous_).count();
+  const double period = secondsBetween(previous_, now);
   previous_ = now;
   min_ = samples_ == 0 ? period : std::min(min_, period);
   max_ = samples_ == 0 ? period : std::max(max_, period);

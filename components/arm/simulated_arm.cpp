@@ -1,17 +1,13 @@
 #include "arm/simulated_arm.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "arm/goals.h"
 #include "arm/kinematics/inverse.h"
+#include "arm/seconds.h"
 
 namespace robots {
 namespace {
-
-double secondsBetween(suture::Time from, suture::Time to) {
-  return std::chrono::duration<double>(to - from).count();
-}
 
 template <int N>
 JointState blank(const std::array<const char*, std::size_t{N}>& names) {

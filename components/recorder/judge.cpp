@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <numbers>
 
+#include "arm/seconds.h"
+
 namespace robots {
 namespace {
 
@@ -17,10 +19,6 @@ using suture::Time;
 constexpr double kLongestGap = 0.05;  // s
 // How much later than the row of its stamp a record may be written.
 constexpr auto kPatience = std::chrono::milliseconds(200);
-
-double secondsBetween(Time from, Time to) {
-  return std::chrono::duration<double>(to - from).count();
-}
 
 ErrorSummary summarise(std::vector<double> errors) {
   if (errors.empty()) return {};

@@ -1,6 +1,6 @@
 #include "surgeon/surgeon.h"
 
-#include <chrono>
+#include "arm/seconds.h"
 
 namespace robots {
 
@@ -17,7 +17,7 @@ void Surgeon::run() {
     path_.emplace(start->pose, shape_);
     setOut_ = now;
   }
-  const double t = std::chrono::duration<double>(now - setOut_).count();
+  const double t = secondsBetween(setOut_, now);
   if (!master_.servo_cp({path_->at(t), now, true})) path_.reset();
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view kStates = "StateCollector", kEvents = "EventCollector";
 
-constexpr double kLongest = 86400;  // s
+constexpr double kLongestInterval = 86400;  // s
 
 /// What a deployment says of a collector.
 struct Parameters {
@@ -33,9 +33,9 @@ Parameters parametersFrom(const JsonReader& in, bool states) {
   reader.field("file", values.file);
   reader.field(states ? "reads" : "events", values.names);
   reader.field("every", values.interval.every, 1, std::numeric_limits<std::uint32_t>::max());
-  reader.field("at_least", values.interval.atLeast, 0, kLongest);
+  reader.field("at_least", values.interval.atLeast, 0, kLongestInterval);
   reader.field("collecting", values.collecting);
-  if (states) reader.field("period", values.period, 0.0001, kLongest);
+  if (states) reader.field("period", values.period, 0.0001, kLongestInterval);
   reader.finish();
   if (values.file.empty()) {
     reader.report(

@@ -13,8 +13,8 @@ namespace {
 using Type = kj::Exception::Type;
 
 constexpr Duration kDialLimit = std::chrono::seconds(2);
-constexpr Duration kFirstPause = std::chrono::milliseconds(50);
-constexpr Duration kLongestPause = std::chrono::seconds(2);
+constexpr Duration kFirstRedialPause = std::chrono::milliseconds(50);
+constexpr Duration kLongestRedialPause = std::chrono::seconds(2);
 constexpr Duration kComeBackPatience = std::chrono::seconds(5);
 constexpr Duration kHeartbeat = std::chrono::milliseconds(500);
 constexpr Duration kSilence = std::chrono::seconds(2);
@@ -178,7 +178,7 @@ kj::Promise<void> RemoteConnection::keep() {
       .exclusiveJoin(whenSilent())
       .then([this] {
         lost();
-        return comeBack(kFirstPause);
+        return comeBack(kFirstRedialPause);
       })
       .then([this] { return keep(); });
 }
@@ -207,7 +207,7 @@ kj::Promise<void> RemoteConnection::comeBack(Duration pause) {
       .then([this] { return connect(kComeBackPatience); })
       .catch_([this, pause](kj::Exception&&) {
         lost();
-        return comeBack(std::min(2 * pause, kLongestPause));
+        return comeBack(std::min(2 * pause, kLongestRedialPause));
       });
 }
 
