@@ -53,9 +53,12 @@ void AwaitedEvent::wait(Time deadline) {
   } else if (!required_.handling_) {
     owner.ringNow();
     error = Errc::Timeout;
+    bool rung = false;
     for (required_.handleArrivals(); !over() && now() < deadline; required_.handleArrivals()) {
-      owner.doorbell().waitUntil(deadline);
+      rung = owner.doorbell().waitUntil(deadline) || rung;
     }
+    // It may have announced something else, which is to be looked at in the next cycle.
+    if (rung) owner.doorbell().ring();
   }
   if (over_) return;
   unlink();

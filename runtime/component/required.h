@@ -71,6 +71,8 @@ class RequiredBase {
 
   /// Owner's thread: takes over what attach() left.
   void adopt();
+  /// Owner's thread: adopt(), and what the connection's contract says of a loss.
+  void lookAtConnection();
   /// Owner's thread: runs the handlers of the events that have arrived, then those of the calls
   /// that have ended.
   void handleEvents();
