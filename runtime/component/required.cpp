@@ -359,6 +359,7 @@ void RequiredBase::collectReplies() {
 void RequiredBase::collect(ReplyRecord& reply, std::size_t size) {
   PendingCall& call = calls_[reply.call % Channel::kMaxCalls];
   if (call.number != reply.call) return;
+  ++answers_;
   call.done = true;
   call.error = reply.error;
   call.stamp = reply.stamp;
@@ -425,10 +426,14 @@ void RequiredBase::finishFollowed() {
 
 void RequiredBase::waitFor(PendingCall& call, Time deadline) {
   owner_.ringNow();
-  bool rung = false;
-  while (!isDone(call) && now() < deadline) rung = owner_.doorbell().waitUntil(deadline) || rung;
-  // It may have announced something else, which is to be looked at in the next cycle.
-  if (rung) owner_.doorbell().ring();
+  const std::uint32_t before = answers_;
+  bool forOthers = false;
+  while (!isDone(call) && now() < deadline) {
+    const bool rung = owner_.doorbell().waitUntil(deadline);
+    forOthers = forOthers || (rung && !isDone(call));
+  }
+  // The ring of what is for the next cycle has been taken notice of here.
+  if (forOthers || answers_ - before > 1) owner_.doorbell().ring();
 }
 
 }  // namespace suture

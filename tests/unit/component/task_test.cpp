@@ -124,6 +124,25 @@ TEST(EventTask, LooksAgainAfterAWaitForSomethingElse) {
   EXPECT_TRUE(eventually([&] { return client.answered.load(); }));
 }
 
+TEST(EventTask, IsNotWokenAgainByTheAnswerThatItHasWaitedFor) {
+  struct Patient final : EventTask {
+    Patient() : EventTask({.longestSleep = 1h}) {}
+    ~Patient() override { stop(); }
+    void run() override {
+      if (arm.connected() && arm.hold.start().within(5s)) ++cycles;
+    }
+    Required<ArmLike> arm{*this, "Arm"};
+    std::atomic<int> cycles{0};
+  } client;
+  CountingArm<EventTask> arm{EventOptions{}};
+  connectLocally(client.arm, arm.arm, "test");
+  arm.start();
+  client.start();
+  EXPECT_TRUE(eventually([&] { return client.cycles > 0; }));
+  std::this_thread::sleep_for(50ms);
+  EXPECT_LT(client.cycles, 10) << "it runs without pause";
+}
+
 TEST(EventTask, TheFirstAskWakesASleepingProvider) {
   CountingArm<EventTask> arm(EventOptions{.longestSleep = 1h});
   Client client;
