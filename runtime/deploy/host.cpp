@@ -52,6 +52,9 @@ Host::Host(const Deployment& deployment, std::string_view process,
 // Collectors come last: what they collect has to be there.
 void Host::createComponents(std::span<const ComponentClass> classes) {
   std::vector<std::string> problems;
+  Collectors::checkFiles(
+      deployment_, [&](const ComponentEntry& entry) { return isCollector(entry, classes); },
+      problems);
   components_.resize(process_.components.size());
   const auto createAll = [&](bool collectors) {
     for (std::size_t i = 0; i < components_.size(); ++i) {
