@@ -174,6 +174,10 @@ void Manager::change(const std::string& name, Transition transition, Duration pa
                    "Its run() has to return, and the callback of a CallbackTask has to come");
 }
 
+void Manager::giveUp() {
+  if (network_ != nullptr) network_->giveUp();
+}
+
 void Manager::stop() {
   // Once stopped, components may be gone before the manager is.
   if (std::exchange(started_, false)) stopComponents();
