@@ -84,7 +84,8 @@ class Channel {
   /// Of the connection that this is a channel of; nullptr: it has no contract. Set before the
   /// client is attached.
   std::shared_ptr<ConnectionWatch> watch;
-  /// What `ends.client` belongs to, so that it can be rung as long as somebody has this.
+  /// What `ends.client` belongs to, so that it can be rung as long as somebody has this. Set
+  /// before either end is attached.
   std::shared_ptr<rt::Doorbell> clientsBell;
 
   rt::Mailbox commands;

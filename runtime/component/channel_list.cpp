@@ -29,11 +29,6 @@ void ChannelList::add(std::shared_ptr<Channel> channel) {
 }
 
 void ChannelList::sweep() {
-  if (walkers_ == Walkers::Owner) {
-    unlinkClosed();
-    unlinked_.clear();
-    return;
-  }
   const std::lock_guard lock(sweeping_);
   unlinkClosed();
   deleteUnlinked();

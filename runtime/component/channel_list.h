@@ -50,7 +50,15 @@ class ChannelList {
 
   bool empty() const { return head_.load(std::memory_order_acquire) == nullptr; }
 
-  /// Lets go of closed channels; with walkers under way, of those found by an earlier sweep at the
+  /// Of Walkers::Owner: lets go of closed channels; calls `first` before, if there are any.
+  template <class First>
+  void sweep(const First& first) {
+    unlinkClosed();
+    if (unlinked_.empty()) return;
+    first();
+    unlinked_.clear();
+  }
+  /// Of Walkers::Any: with walkers under way it lets go, of those found by an earlier sweep, at the
   /// latest when a later one meets none.
   void sweep();
 

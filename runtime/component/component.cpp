@@ -64,11 +64,14 @@ void Component::request(Transition transition) {
 }
 
 void Component::makeTransition(Transition transition) {
+  const ComponentState from = state();
+  const auto to = after(from, transition);
+  if (!to) return;  // a device that was parked since it was asked
   if (!parkOnThrow([&] { callHook(transition); })) return;
   if (transition == Transition::Resume || transition == Transition::Restart) {
     resumed_.store(now(), std::memory_order_release);
   }
-  setState(*after(state(), transition));
+  if (!changeState(from, *to)) return;
   if (transition == Transition::Suspend || transition == Transition::Resume ||
       transition == Transition::Restart) {
     for (ProvidedBase* provided : provided_) provided->announce(statusIn(state()));
@@ -102,6 +105,15 @@ void Component::setState(ComponentState state) {
   if (listener_ != nullptr) listener_->stateChanged(state);
 }
 
+// What the hook read may have parked it, by the contract of a connection, and the call of a client
+// of a device.
+bool Component::changeState(ComponentState from, ComponentState to) {
+  if (parked_.test()) return false;
+  if (!state_.compare_exchange_strong(from, to, std::memory_order_seq_cst)) return false;
+  if (listener_ != nullptr) listener_->stateChanged(to);
+  return true;
+}
+
 void Component::park(std::string reason) {
   if (parked_.test_and_set()) return;
   {
@@ -124,7 +136,12 @@ void Component::restart() {
 }
 
 void Component::handleEvents() {
-  for (RequiredBase* required : required_) required->handleEvents();
+  const ComponentState before = state();
+  for (RequiredBase* required : required_) required->lookAtConnection();
+  for (RequiredBase* required : required_) {
+    if (state() != before) return;  // the contract of a connection has parked it
+    required->handleEvents();
+  }
 }
 
 }  // namespace suture

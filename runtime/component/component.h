@@ -138,6 +138,8 @@ class Component {
   template <class Work, class Failed>
   static bool guarded(const Work& work, const Failed& failed);
   void setState(ComponentState state);
+  /// False, and nothing has changed, if it has been parked meanwhile.
+  bool changeState(ComponentState from, ComponentState to);
   void callHook(Transition transition);
 
   const bool ownsThread_;  // asked for each event and subscriber

@@ -53,9 +53,15 @@ void AwaitedEvent::wait(Time deadline) {
   } else if (!required_.handling_) {
     owner.ringNow();
     error = Errc::Timeout;
-    for (required_.handleArrivals(); !over() && now() < deadline; required_.handleArrivals()) {
-      owner.doorbell().waitUntil(deadline);
+    bool forOthers = false;
+    required_.handleArrivals();
+    while (!over() && now() < deadline) {
+      const bool rung = owner.doorbell().waitUntil(deadline);
+      required_.handleArrivals();
+      forOthers = forOthers || (rung && !over());
     }
+    // The ring of what is for the next cycle has been taken notice of here.
+    if (forOthers) owner.doorbell().ring();
   }
   if (over_) return;
   unlink();

@@ -2,24 +2,12 @@
 #include <suture/component/provided.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
 namespace suture {
 namespace {
-
-std::unique_ptr<rt::StateTable> makeLatchedTable(const InterfaceInfo& info) {
-  std::vector<std::uint32_t> sizes;
-  rt::ColumnSet shared = 0;
-  bool any = false;
-  for (const EventInfo& event : info.events) {
-    shared |= rt::ColumnSet{event.latched && event.sharedPayload} << sizes.size();
-    sizes.push_back(event.latched ? event.payloadSize : 0);
-    any = any || event.latched;
-  }
-  constexpr unsigned kRows = 4;
-  return any ? std::make_unique<rt::StateTable>(sizes, kRows, shared) : nullptr;
-}
 
 std::size_t payloadWords(const InterfaceInfo& info) {
   std::size_t size = 0;
@@ -63,6 +51,16 @@ class Turn {
 
 }  // namespace
 
+/// The last value of a latched event: the only column of a table.
+struct ProvidedBase::Latched {
+  explicit Latched(const EventInfo& event)
+      : values(std::array{event.payloadSize}, kRows, rt::ColumnSet{event.sharedPayload}) {}
+
+  static constexpr unsigned kRows = 4;
+  rt::StateTable values;
+  std::atomic_flag keeping = ATOMIC_FLAG_INIT;
+};
+
 ProvidedBase::ProvidedBase(Component& owner, std::string_view name, const InterfaceInfo& info,
                            void* implementation)
     : name_(name),
@@ -71,9 +69,10 @@ ProvidedBase::ProvidedBase(Component& owner, std::string_view name, const Interf
       implementation_(implementation),
       state_(makeStateTable(info)),
       channels_(owner.ownsThread() ? ChannelList::Walkers::Owner : ChannelList::Walkers::Any),
-      latched_(makeLatchedTable(info)),
-      latchedAt_(info.events.size()),
       replayed_(payloadWords(info)) {
+  for (const EventInfo& event : info.events) {
+    latched_.push_back(event.latched ? std::make_unique<Latched>(event) : nullptr);
+  }
   refuseUnbounded(info, owner.ownsThread());
   owner.provided_.push_back(this);
 }
@@ -130,7 +129,9 @@ bool ProvidedBase::inService() const {
 }
 
 void ProvidedBase::drain() {
-  if (owner_.ownsThread()) channels_.sweep();
+  if (owner_.ownsThread()) {
+    channels_.sweep([this] { owner_.ringNow(); });  // a bell that is due may go with its channel
+  }
   const Errc refusal = inService() ? Errc{} : errorOf(statusIn(owner_.state()));
   channels_.forEach([this, refusal](ChannelList::Node& node) {
     Channel& channel = *node.channel;
@@ -269,15 +270,13 @@ void ProvidedBase::deliver(Channel& channel, std::uint16_t event, Time stamp,
 
 void ProvidedBase::keepLatched(std::uint16_t event, Time stamp,
                                std::span<const std::byte> payload) {
-  // A device may emit from two threads at once. Such events have no order, so either may be the
-  // last.
-  if (keeping_.test_and_set(std::memory_order_acquire)) return;
-  std::copy(payload.begin(), payload.end(), latched_->draft(event));
+  Latched& latched = *latched_[event];
+  // A device may emit it from two threads at once. These have no order, so either may be the last.
+  if (latched.keeping.test_and_set(std::memory_order_acquire)) return;
+  std::copy(payload.begin(), payload.end(), latched.values.draft(0));
   if (info_.events[event].sharedPayload) sharedSlotIn(payload.data())->retain();
-  latchedSoFar_ |= EventSet{1} << event;
-  latchedAt_[event].store(stamp, std::memory_order_relaxed);
-  latched_->publish(stamp, latchedSoFar_, 0);
-  keeping_.clear(std::memory_order_release);
+  latched.values.publish(stamp, 1, 0);
+  latched.keeping.clear(std::memory_order_release);
 }
 
 void ProvidedBase::replay(Channel& channel, EventSet events, std::span<std::uint64_t> memory) {
@@ -291,16 +290,13 @@ void ProvidedBase::replay(Channel& channel, std::uint16_t event, std::span<std::
   const auto payload = std::as_writable_bytes(memory).first(info.payloadSize);
   // A device may emit meanwhile: what comes last is to be the newest.
   for (Time replayed{};;) {
-    const Result<Time> row = latched_->read(event, payload.data());
-    if (!row) return;
-    const bool news = *row != replayed;
-    if (news) {
-      deliver(channel, event, latchedAt_[event].load(std::memory_order_relaxed), payload,
-              channel.direct.events());
-    }
+    const Result<Time> emitted = latched_[event]->values.read(0, payload.data());
+    if (!emitted) return;
+    const bool news = *emitted != replayed;
+    if (news) deliver(channel, event, *emitted, payload, channel.direct.events());
     if (info.sharedPayload) releaseSharedSlot(payload.data());
     if (!news) return;
-    replayed = *row;
+    replayed = *emitted;
   }
 }
 

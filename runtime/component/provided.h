@@ -116,12 +116,9 @@ class ProvidedBase {
   bool manual_ = false;
   ChannelList channels_;
   bool everyState_ = false;
-  // The last value of each latched event: a column an event. Written by whoever emits.
-  std::unique_ptr<rt::StateTable> latched_;
-  std::vector<std::atomic<Time>> latchedAt_;  // by event: when it was emitted last
-  std::atomic_flag keeping_ = ATOMIC_FLAG_INIT;
-  EventSet latchedSoFar_ = 0;
-  std::vector<std::uint64_t> replayed_;  // one payload, for the thread that serves
+  struct Latched;
+  std::vector<std::unique_ptr<Latched>> latched_;  // by event; null: it is not latched
+  std::vector<std::uint64_t> replayed_;            // one payload, for the thread that serves
 };
 
 /// A component's provided interface of type Contract. Each contract's generated header specialises

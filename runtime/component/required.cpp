@@ -43,7 +43,6 @@ void RequiredBase::close(const std::shared_ptr<Channel>& channel) {
 }
 
 void RequiredBase::attach(std::shared_ptr<Channel> channel) {
-  if (channel != nullptr) channel->clientsBell = owner_.sharedDoorbell();
   // What has arrived is the owner's.
   const std::unique_ptr<std::shared_ptr<Channel>> unadopted(
       incoming_.exchange(new std::shared_ptr<Channel>(channel), std::memory_order_acq_rel));
@@ -55,9 +54,10 @@ void RequiredBase::adopt() {
   if (!rewired()) return;
   const std::unique_ptr<std::shared_ptr<Channel>> arrived(
       incoming_.exchange(nullptr, std::memory_order_acq_rel));
+  collectReplies();
   // What was under way went to the old connection; nobody will answer it here.
   for (PendingCall& call : calls_) {
-    if (call.number == 0) continue;
+    if (call.number == 0 || call.done) continue;
     call.error = Errc::OutcomeUnknown;
     call.done = true;
     if (call.abandoned) discard(call);
@@ -94,10 +94,7 @@ void RequiredBase::noticeLoss() {
 
 Errc RequiredBase::unusable() {
   if (!owner_.ownedByThisThread()) return Errc::WrongThread;
-  if (!owner_.ownsThread()) {  // a device has no cycle in which to do it
-    adopt();
-    noticeLoss();
-  }
+  if (!owner_.ownsThread()) lookAtConnection();  // a device has no cycle in which to do it
   if (channel_ == nullptr) return Errc::NotConnected;
   return errorOf(channel_->status.load(std::memory_order_acquire));
 }
@@ -272,6 +269,9 @@ void RequiredBase::passSubscriptionsOn(EventSet joining) {
   if (channel_ == nullptr) return;
   if (joining == 0 && channel_->subscribed() == subscribed()) return;
   channel_->subscribe(subscribed(), joining);
+  // Past its end, what is at the far end may be gone.
+  const ChannelStatus status = channel_->status.load(std::memory_order_acquire);
+  if (status == ChannelStatus::Lost || status == ChannelStatus::Closed) return;
   const Channel::Ends& ends = channel_->ends;
   owner_.ringLater(*ends.provider);
   if (ends.device != nullptr) ends.device->greetLocal(*channel_);
@@ -285,9 +285,12 @@ void RequiredBase::watch(ProvidedBase& own) {
                                        own.state(), EventSet{0});
 }
 
-void RequiredBase::handleEvents() {
+void RequiredBase::lookAtConnection() {
   adopt();
   noticeLoss();
+}
+
+void RequiredBase::handleEvents() {
   handleQueuedEvents();
   finishFollowed();
 }
@@ -356,6 +359,7 @@ void RequiredBase::collectReplies() {
 void RequiredBase::collect(ReplyRecord& reply, std::size_t size) {
   PendingCall& call = calls_[reply.call % Channel::kMaxCalls];
   if (call.number != reply.call) return;
+  ++answers_;
   call.done = true;
   call.error = reply.error;
   call.stamp = reply.stamp;
@@ -422,7 +426,14 @@ void RequiredBase::finishFollowed() {
 
 void RequiredBase::waitFor(PendingCall& call, Time deadline) {
   owner_.ringNow();
-  while (!isDone(call) && now() < deadline) owner_.doorbell().waitUntil(deadline);
+  const std::uint32_t before = answers_;
+  bool forOthers = false;
+  while (!isDone(call) && now() < deadline) {
+    const bool rung = owner_.doorbell().waitUntil(deadline);
+    forOthers = forOthers || (rung && !isDone(call));
+  }
+  // The ring of what is for the next cycle has been taken notice of here.
+  if (forOthers || answers_ - before > 1) owner_.doorbell().ring();
 }
 
 }  // namespace suture

@@ -71,6 +71,8 @@ class RequiredBase {
 
   /// Owner's thread: takes over what attach() left.
   void adopt();
+  /// Owner's thread: adopt(), and what the connection's contract says of a loss.
+  void lookAtConnection();
   /// Owner's thread: runs the handlers of the events that have arrived, then those of the calls
   /// that have ended.
   void handleEvents();
@@ -212,7 +214,7 @@ class RequiredBase {
   std::shared_ptr<Channel> channel_;
   std::atomic<std::shared_ptr<Channel>*> incoming_{nullptr};
   std::vector<PendingCall> calls_;
-  std::uint32_t callsOpened_ = 0;
+  std::uint32_t callsOpened_ = 0, answers_ = 0;
   unsigned followed_ = 0;  // calls that have a follower
   std::vector<HeardEvent> events_;
   std::atomic<EventSet> subscribed_{0};  // the owner's; read by who connects

@@ -72,8 +72,8 @@ void Task::makeRequestedTransition() {
 
 void Task::cycle() {
   parkIfAsked();
-  const bool worked = state() == ComponentState::Running && parkOnThrow([this] { work(); });
-  if (!worked) rest();
+  if (state() == ComponentState::Running) parkOnThrow([this] { work(); });
+  if (state() != ComponentState::Running) rest();
   makeRequestedTransition();
   makeSafe();
   ringNow();
@@ -122,7 +122,9 @@ bool Task::mayRestart() {
 void Task::work() {
   const Time begin = now();
   handleEvents();
+  if (state() != ComponentState::Running) return;
   for (ProvidedBase* interface : provided()) interface->drain();
+  if (state() != ComponentState::Running) return;
   run();
   for (ProvidedBase* interface : provided()) interface->publishRow();
   ringNow();

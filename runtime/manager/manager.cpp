@@ -284,11 +284,14 @@ std::shared_ptr<Channel> Manager::connectHere(RequiredBase& required, ProvidedBa
                                               std::shared_ptr<ConnectionWatch> watch) {
   DelayThread* const delays = delaysFor(delay);
   if (delays == nullptr) return connectLocally(required, provided, connection, std::move(watch));
-  auto far = offerLocally(required, provided, connection, delays->doorbell(), serverOf(provided));
+  auto far =
+      offerLocally(required, provided, connection, delays->sharedDoorbell(), serverOf(provided));
   std::erase_if(offered_, [](const auto& one) { return one->status == ChannelStatus::Closed; });
   offered_.push_back(far);
   far->watch = std::move(watch);
-  return delays->interpose(required, std::move(far), delay);
+  auto near = delays->interpose(required, std::move(far), delay);
+  required.attach(near);
+  return near;
 }
 
 std::string Manager::placeOf(const Component& component, const std::string& interface) const {

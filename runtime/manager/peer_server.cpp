@@ -181,10 +181,11 @@ kj::Promise<void> PeerServer::open(OpenContext context) {
 
 kj::Own<rpc::ServantPort> PeerServer::serve(ProvidedBase& provided, const std::string& name,
                                             EventSet events, Duration shift) {
-  const Channel::Ends ends{.client = &host_.control_.doorbell(),
-                           .provider = &host_.serverOf_(provided)};
+  const std::shared_ptr<rt::Doorbell> bell = host_.control_.sharedDoorbell();
+  const Channel::Ends ends{.client = bell.get(), .provider = &host_.serverOf_(provided)};
   auto channel =
       std::make_shared<Channel>(provided.info(), name, "rpc", ends, provided.state(), events);
+  channel->clientsBell = bell;
   auto port = kj::refcounted<rpc::ServantPort>(host_.control_, channel, shift, counters_);
   provided.attach(channel);
   host_.remember(std::move(channel));

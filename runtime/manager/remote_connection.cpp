@@ -135,6 +135,7 @@ kj::Promise<void> RemoteConnection::ask() {
   channel_ =
       std::make_shared<Channel>(required_.info(), from_.toString() + " -> " + to_.toString(), "rpc",
                                 ends, makeStateTable(required_.info()), required_.subscribed());
+  channel_->clientsBell = client.sharedDoorbell();
   channel_->watch = watch_;
   auto port = kj::refcounted<rpc::ProxyPort>(control_, channel_, -clockOffset_,
                                              KJ_ASSERT_NONNULL(link_)->counters());
@@ -164,12 +165,12 @@ void RemoteConnection::begin(wire::ConnectResults::Accepted::Reader accepted) {
   mirrorRows(accepted.getRows(), *channel_->state);
   auto& port = *KJ_ASSERT_NONNULL(port_);
   port.open(required_.info().binding().makeProxy(accepted.getContract(), port));
+  std::shared_ptr<Channel> clients = channel_;
   if (interposer_.delays != nullptr) {
-    made_(interposer_.delays->interpose(required_, channel_, interposer_.delay));
-    return;
+    clients = interposer_.delays->interpose(required_, channel_, interposer_.delay);
   }
-  required_.attach(channel_);
-  made_(channel_);
+  made_(clients);  // known before it is used
+  required_.attach(std::move(clients));
 }
 
 kj::Promise<void> RemoteConnection::keep() {

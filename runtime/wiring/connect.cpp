@@ -29,11 +29,13 @@ std::size_t requireSameContract(const InterfaceInfo& required, const InterfaceIn
 namespace {
 
 std::shared_ptr<Channel> makeChannel(const RequiredBase& required, ProvidedBase& provided,
-                                     const std::string& connection, Channel::Ends ends) {
+                                     const std::string& connection, Channel::Ends ends,
+                                     std::shared_ptr<rt::Doorbell> clientsBell) {
   const std::size_t offered = requireSameContract(required.info(), provided.info(), connection);
   auto channel = std::make_shared<Channel>(required.info(), connection, "local", ends,
                                            provided.state(), required.subscribed());
   channel->offered = std::min(offered, required.info().commands.size());
+  channel->clientsBell = std::move(clientsBell);
   provided.attach(channel);
   return channel;
 }
@@ -41,9 +43,11 @@ std::shared_ptr<Channel> makeChannel(const RequiredBase& required, ProvidedBase&
 }  // namespace
 
 std::shared_ptr<Channel> offerLocally(const RequiredBase& required, ProvidedBase& provided,
-                                      const std::string& connection, rt::Doorbell& client,
+                                      const std::string& connection,
+                                      std::shared_ptr<rt::Doorbell> client,
                                       rt::Doorbell& provider) {
-  return makeChannel(required, provided, connection, {.client = &client, .provider = &provider});
+  const Channel::Ends ends{.client = client.get(), .provider = &provider};
+  return makeChannel(required, provided, connection, ends, std::move(client));
 }
 
 std::shared_ptr<Channel> connectLocally(RequiredBase& required, ProvidedBase& provided,
@@ -54,7 +58,8 @@ std::shared_ptr<Channel> connectLocally(RequiredBase& required, ProvidedBase& pr
                              {.client = &required.owner().doorbell(),
                               .provider = &provider.doorbell(),
                               .device = provider.ownsThread() ? nullptr : &provided,
-                              .here = &provided});
+                              .here = &provided},
+                             required.owner().sharedDoorbell());
   channel->watch = std::move(watch);
   required.attach(channel);
   return channel;

@@ -16,11 +16,11 @@ std::size_t requireSameContract(const InterfaceInfo& required, const InterfaceIn
                                 const std::string& connection);
 
 /// A channel of this process whose provider end is `provided`'s, for somebody else to carry on to
-/// `required`. `client`, `provider`: the doorbells of its two ends. Throws as connectLocally()
-/// does.
+/// `required`. `client`, `provider`: the doorbells of its two ends; a provider may ring the first
+/// as long as it has the channel. Throws as connectLocally() does.
 std::shared_ptr<Channel> offerLocally(const RequiredBase& required, ProvidedBase& provided,
-                                      const std::string& connection, rt::Doorbell& client,
-                                      rt::Doorbell& provider);
+                                      const std::string& connection,
+                                      std::shared_ptr<rt::Doorbell> client, rt::Doorbell& provider);
 
 /// The `local` lane: one channel that both ends share. Takes effect at each end's next cycle.
 /// `watch`: what the connection is to keep to, if anything. Throws SetupError if the contracts

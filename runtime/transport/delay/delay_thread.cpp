@@ -31,9 +31,11 @@ std::shared_ptr<Channel> DelayThread::interpose(RequiredBase& required,
                                                 const ConnectionDelay& delay) {
   auto state = makeStateTable(required.info());
   state->resize(static_cast<unsigned>(far->state->capacity()));
-  const Channel::Ends ends{.client = &required.owner().doorbell(), .provider = &doorbell()};
+  const std::shared_ptr<rt::Doorbell> bell = required.owner().sharedDoorbell();
+  const Channel::Ends ends{.client = bell.get(), .provider = &doorbell()};
   auto near = std::make_shared<Channel>(required.info(), far->name, far->lane + "+delay", ends,
                                         std::move(state), far->subscribed());
+  near->clientsBell = bell;
   near->offered = far->offered;
   near->watch = far->watch;
   auto connection = std::make_unique<DelayedConnection>(near, std::move(far), delay);
@@ -41,7 +43,6 @@ std::shared_ptr<Channel> DelayThread::interpose(RequiredBase& required,
     const std::lock_guard lock(mutex_);
     added_.push_back(std::move(connection));
   }
-  required.attach(near);
   doorbell().ring();
   return near;
 }
@@ -67,8 +68,9 @@ void DelayThread::run() {
   takeOver();
   for (const auto& one : carried_) one->pump(now());
   std::erase_if(carried_, [](const auto& one) {
-    if (one->over()) one->end();
-    return one->over();
+    const bool over = one->over();
+    if (over) one->end();
+    return over;
   });
 }
 

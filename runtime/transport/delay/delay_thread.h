@@ -24,7 +24,7 @@ class DelayThread final : public ThreadTask {
   static void requireBounded(const InterfaceInfo& contract);
 
   /// Any thread: puts a delay between `required` and `far`, whose client doorbell is this thread's.
-  /// Returns the channel that `required` gets.
+  /// Returns the channel to be attached to `required`.
   std::shared_ptr<Channel> interpose(RequiredBase& required, std::shared_ptr<Channel> far,
                                      const ConnectionDelay& delay);
 

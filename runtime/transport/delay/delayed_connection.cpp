@@ -72,10 +72,10 @@ void DelayedConnection::pump(Time now) {
   passSubscriptionsOn();  // ahead of commands that were sent later
   deliverCommands(now);
   returnCredits();
-  takeAnswers(now);
+  takeAnswers();
   takeEvents();
-  takeRows(now);
-  takeStatus(now);
+  takeRows();
+  takeStatus();
   deliverAnswers(now);
   deliverEvents(now);
   deliverRows(now);
@@ -184,10 +184,10 @@ void DelayedConnection::passSubscriptionsOn() {
   far_->ends.provider->ring();
 }
 
-void DelayedConnection::takeAnswers(Time now) {
+void DelayedConnection::takeAnswers() {
   while (const std::byte* answer = far_->replies.front()) {
     const std::size_t size = far_->replies.frontSize();
-    std::byte* memory = answers_.claim(now + delay_.answers, size);
+    std::byte* memory = answers_.claim(now() + delay_.answers, size);
     if (memory == nullptr) return;
     std::memcpy(memory, answer, size);
     answers_.commit();
@@ -237,10 +237,10 @@ void DelayedConnection::deliverEvents(Time now) {
   if (any) near_->ends.client->ring();
 }
 
-void DelayedConnection::takeRows(Time now) {
+void DelayedConnection::takeRows() {
   for (const std::uint64_t newest = far_->state->rows(); nextRow_ <= newest; ++nextRow_) {
     const rt::StateTable::Row row = far_->state->readRowNumber(nextRow_, slotPointers_);
-    if (row.sequence != 0) keepRow(row, now + delay_.answers);
+    if (row.sequence != 0) keepRow(row, now() + delay_.answers);
   }
 }
 
@@ -277,10 +277,10 @@ void DelayedConnection::deliverRows(Time now) {
 }
 
 // Behind the answers that came before it.
-void DelayedConnection::takeStatus(Time now) {
+void DelayedConnection::takeStatus() {
   const ChannelStatus status = far_->status.load(std::memory_order_acquire);
   if (status == status_) return;
-  std::byte* memory = statuses_.claim(now + delay_.answers, sizeof(status));
+  std::byte* memory = statuses_.claim(now() + delay_.answers, sizeof(status));
   if (memory == nullptr) return;
   new (memory) ChannelStatus(status);
   statuses_.commit();

@@ -41,14 +41,14 @@ class DelayedConnection {
   void returnCredits();
   void passDemandOn();
   void passSubscriptionsOn();
-  void takeAnswers(Time now);
+  void takeAnswers();
   void deliverAnswers(Time now);
   void takeEvents();
   void deliverEvents(Time now);
-  void takeRows(Time now);
+  void takeRows();
   void keepRow(const rt::StateTable::Row& row, Time due);
   void deliverRows(Time now);
-  void takeStatus(Time now);
+  void takeStatus();
   void deliverStatus(Time now);
   void countBytes();
 

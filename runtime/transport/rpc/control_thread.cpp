@@ -10,9 +10,8 @@
 #include <future>
 
 namespace suture::rpc {
-namespace {
 
-kj::AutoCloseFd makeEventDescriptor() {
+kj::AutoCloseFd ControlThread::makeEventDescriptor() {
   const int descriptor = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
   if (descriptor < 0) {
     throw SetupError("start the control thread", std::string("eventfd: ") + std::strerror(errno),
@@ -21,10 +20,10 @@ kj::AutoCloseFd makeEventDescriptor() {
   return kj::AutoCloseFd(descriptor);
 }
 
-}  // namespace
-
 ControlThread::Loop::Loop(ControlThread& thread)
-    : owner(thread), rung(*this, thread.eventDescriptor_, FdObserver::OBSERVE_READ), tasks(*this) {}
+    : owner(thread),
+      rung(*this, thread.bell_->eventDescriptor, FdObserver::OBSERVE_READ),
+      tasks(*this) {}
 
 void ControlThread::Loop::runUntilStopped() {
   auto pair = kj::newPromiseAndFulfiller<void>();
@@ -33,7 +32,7 @@ void ControlThread::Loop::runUntilStopped() {
 }
 
 void ControlThread::Loop::takeWork() {
-  if (!owner.doorbell_.takeRing()) return;
+  if (!owner.doorbell().takeRing()) return;
   owner.runPosted();
   owner.runPumps();
 }
@@ -42,8 +41,7 @@ void ControlThread::Loop::report(const kj::Exception& exception) {
   std::fprintf(stderr, "suture: a background task failed: %s\n", describe(exception).c_str());
 }
 
-ControlThread::ControlThread()
-    : eventDescriptor_(makeEventDescriptor()), doorbell_(eventDescriptor_.get()) {
+ControlThread::ControlThread() {
   sigset_t all, before;
   sigfillset(&all);
   pthread_sigmask(SIG_SETMASK, &all, &before);
@@ -71,7 +69,7 @@ void ControlThread::post(kj::Function<void()> work) {
   std::lock_guard lock(mutex_);
   posted_.push_back(kj::mv(work));
   anyPosted_.store(true, std::memory_order_release);
-  doorbell_.ring();
+  doorbell().ring();
 }
 
 void ControlThread::requireOther() const {

@@ -58,7 +58,9 @@ class ControlThread {
   }
 
   /// Any thread rings it when a pump has something to take.
-  rt::Doorbell& doorbell() { return doorbell_; }
+  rt::Doorbell& doorbell() { return bell_->doorbell; }
+  /// The same, for those who may ring it when this object is gone.
+  std::shared_ptr<rt::Doorbell> sharedDoorbell() { return {bell_, &bell_->doorbell}; }
 
   /// The rest is for the control thread only.
   bool isCurrent() const { return std::this_thread::get_id() == thread_.get_id(); }
@@ -72,6 +74,11 @@ class ControlThread {
   void remove(Pump& pump);
 
  private:
+  struct Bell {
+    kj::AutoCloseFd eventDescriptor = makeEventDescriptor();
+    rt::Doorbell doorbell{eventDescriptor.get()};
+  };
+
   /// Attends to the doorbell whenever KJ has nothing to do.
   struct Loop final : EventPort, kj::TaskSet::ErrorHandler {
     explicit Loop(ControlThread& owner);
@@ -79,8 +86,8 @@ class ControlThread {
     void report(const kj::Exception& exception);
 
     void takeWork() override;
-    bool lieDown() override { return owner.doorbell_.lieDown(); }
-    void standUp() override { owner.doorbell_.standUp(); }
+    bool lieDown() override { return owner.doorbell().lieDown(); }
+    void standUp() override { owner.doorbell().standUp(); }
     void taskFailed(kj::Exception&& exception) override { report(exception); }
 
     ControlThread& owner;
@@ -89,12 +96,12 @@ class ControlThread {
     kj::TaskSet tasks;
   };
 
+  static kj::AutoCloseFd makeEventDescriptor();
   void requireOther() const;
   void runPosted();
   void runPumps();
 
-  kj::AutoCloseFd eventDescriptor_;
-  rt::Doorbell doorbell_;
+  const std::shared_ptr<Bell> bell_ = std::make_shared<Bell>();
   std::mutex mutex_;  // never taken by a task thread
   std::vector<kj::Function<void()>> posted_;
   std::atomic<bool> anyPosted_{false};

@@ -38,6 +38,37 @@ struct Provider final : Task {
   void run() override {}
 };
 
+TEST(Calls, AnAnswerThatCameOutlivesItsConnection) {
+  Provider provider, successor;
+  Client client;
+  connectLocally(client.arm, provider.port, "old");
+  auto first = client.arm.hold.start(), second = client.arm.hold.start();
+  auto third = client.arm.hold.start();
+  provider.cycle();
+  EXPECT_TRUE(first.poll().has_value());
+  auto late = client.arm.hold.start();
+  connectLocally(client.arm, successor.port, "new");
+  EXPECT_TRUE(client.arm.connected());
+  for (auto* answered : {&second, &third}) {
+    ASSERT_TRUE(answered->poll().has_value());
+    EXPECT_TRUE(*answered->poll());
+  }
+  ASSERT_TRUE(late.poll().has_value());
+  EXPECT_EQ(late.poll()->error(), Errc::OutcomeUnknown);
+}
+
+TEST(Calls, AnAnswerThatNobodyHadLookedForOutlivesItsConnection) {
+  Provider provider, successor;
+  Client client;
+  connectLocally(client.arm, provider.port, "old");
+  auto call = client.arm.hold.start();
+  provider.cycle();
+  connectLocally(client.arm, successor.port, "new");
+  EXPECT_TRUE(client.arm.connected());
+  ASSERT_TRUE(call.poll().has_value());
+  EXPECT_TRUE(*call.poll());
+}
+
 TEST(Fairness, AFloodingClientDelaysAnotherByItsQueueAtMost) {
   for (const bool flooderFirst : {true, false}) {
     Provider provider;

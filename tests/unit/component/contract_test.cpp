@@ -133,9 +133,12 @@ TEST_F(Contract, AfterALossCommandsFailAndReadsFallBack) {
 
 TEST_F(Contract, ALossMayParkTheReaderThatDoesNotEvenRead) {
   connect({.onLoss = Fallback::Fault});
+  int runs = 0;
+  reader_.work = [&] { ++runs; };
   arm_.stop();
   reader_.cycle();
   EXPECT_TRUE(faulted());
+  EXPECT_EQ(runs, 0) << "what must not go on went on";
 }
 
 TEST_F(Contract, AfterALossCommandsAwaitTheOperator) {

@@ -6,6 +6,7 @@
 #include <suture/wiring/connect.h>
 
 #include <atomic>
+#include <optional>
 #include <thread>
 
 #include "reference/arm_like.suture.h"
@@ -94,6 +95,52 @@ TEST(EventTask, SleepsUntilACommandArrives) {
   EXPECT_TRUE(client.arm.hold.start().within(5s));
   // One more for the command; a second at most for the answer's own ring.
   EXPECT_LE(arm.cycles - before, 2);
+}
+
+/// Asks twice and waits for one answer; the other, which comes with it, is for a later cycle.
+struct Impatient final : EventTask {
+  Impatient() : EventTask({.longestSleep = 1h}) {}
+  ~Impatient() override { stop(); }
+  void run() override {
+    if (!arm.connected() || answered) return;
+    if (!other) {
+      other.emplace(arm.hold.start());
+      EXPECT_TRUE(arm.hold.start().within(5s));
+    } else {
+      answered = other->poll().has_value();
+    }
+  }
+  Required<ArmLike> arm{*this, "Arm"};
+  std::optional<Call<Result<void>, NoSlot>> other;
+  std::atomic<bool> answered{false};
+};
+
+TEST(EventTask, LooksAgainAfterAWaitForSomethingElse) {
+  CountingArm<PeriodicTask> arm(PeriodicOptions{.period = 5ms});
+  Impatient client;
+  connectLocally(client.arm, arm.arm, "test");
+  arm.start();
+  client.start();
+  EXPECT_TRUE(eventually([&] { return client.answered.load(); }));
+}
+
+TEST(EventTask, IsNotWokenAgainByTheAnswerThatItHasWaitedFor) {
+  struct Patient final : EventTask {
+    Patient() : EventTask({.longestSleep = 1h}) {}
+    ~Patient() override { stop(); }
+    void run() override {
+      if (arm.connected() && arm.hold.start().within(5s)) ++cycles;
+    }
+    Required<ArmLike> arm{*this, "Arm"};
+    std::atomic<int> cycles{0};
+  } client;
+  CountingArm<EventTask> arm{EventOptions{}};
+  connectLocally(client.arm, arm.arm, "test");
+  arm.start();
+  client.start();
+  EXPECT_TRUE(eventually([&] { return client.cycles > 0; }));
+  std::this_thread::sleep_for(50ms);
+  EXPECT_LT(client.cycles, 10) << "it runs without pause";
 }
 
 TEST(EventTask, TheFirstAskWakesASleepingProvider) {

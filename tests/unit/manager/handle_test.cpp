@@ -160,8 +160,11 @@ TEST_P(Handles, ComeAndGoWhileTheProviderSendsThemEvents) {
 TEST_P(Handles, MayOutliveTheManager) {
   Handle<ArmLike> handle(*manager, "Gui/Arm", arm());
   EXPECT_TRUE(handle.reset.start().within(5s));
+  handle.on().stopped([] {});
   manager.reset();
   EXPECT_EQ(handle.hold().error(), Errc::Lost);
+  EXPECT_TRUE(handle.on().stopped.reset());  // and rings nobody who is gone
+  EXPECT_TRUE(handle.on().mode([](const reference::Mode&) {}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Lanes, Handles, testing::Bool(),

@@ -1,0 +1,41 @@
+// A client that ends in the middle of its provider's cycle.
+
+#include <gtest/gtest.h>
+#include <suture/component/channel.h>
+#include <suture/component/device.h>
+#include <suture/wiring/connect.h>
+
+#include <memory>
+#include <stdexcept>
+
+#include "unit/component/driven_arm.h"
+
+namespace suture {
+namespace {
+
+struct Listener final : Device {
+  Listener() {
+    arm.on().stopped([] {});
+  }
+  Required<reference::ArmLike> arm{*this, "Arm"};
+};
+
+// AddressSanitizer sees it: the provider is about to ring a doorbell that nobody else keeps.
+TEST(GoneClient, WhoseDoorbellIsDueIsRungNoMore) {
+  DrivenArm arm;
+  arm.start();
+  auto listener = std::make_unique<Listener>();
+  connectLocally(listener->arm, arm.automaticPort, "test");
+  EXPECT_TRUE(listener->arm.connected());
+  arm.cycle();
+  arm.work = [&] {
+    EXPECT_TRUE(arm.automaticPort.emit().stopped());
+    listener.reset();
+    throw std::runtime_error("it lets go of closed channels, and then rings");
+  };
+  arm.cycle();
+  EXPECT_EQ(arm.state(), ComponentState::Faulted);
+}
+
+}  // namespace
+}  // namespace suture
