@@ -13,6 +13,7 @@ namespace loadable {
 using suture::Duration;
 using suture::Errc;
 using suture::load;
+using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
@@ -24,6 +25,7 @@ namespace {
 static_assert(std::is_same_v<decltype(PlatterParameters::angle), double>);
 static_assert(std::is_same_v<decltype(SpindleParameters::cycles), std::int32_t>);
 static_assert(std::is_same_v<decltype(SpindleParameters::brake), std::string>);
+static_assert(std::is_same_v<decltype(SpindleParameters::key), std::string>);
 
 }  // namespace
 
@@ -41,16 +43,19 @@ bool store(const SpindleParameters& value, SpindleParametersSlot& slot) {
   bool fits = true;
   fits &= store(value.cycles, slot.cycles);
   fits &= store(value.brake, slot.brake);
+  fits &= store(value.key, slot.key);
   return fits;
 }
 
 void load(const SpindleParametersSlot& slot, SpindleParameters& value) {
   load(slot.cycles, value.cycles);
   load(slot.brake, value.brake);
+  load(slot.key, value.key);
 }
 
 void reserve(const SpindleParametersSlot*, SpindleParameters& value) {
   suture::reserveFor<decltype(SpindleParametersSlot::brake)>(value.brake);
+  suture::reserveFor<decltype(SpindleParametersSlot::key)>(value.key);
 }
 
 // --- between slots and Cap'n Proto
@@ -71,11 +76,15 @@ bool isValid(const PlatterParametersSlot& slot) {
 void toWire(const SpindleParametersSlot& slot, wire::SpindleParameters::Builder out) {
   out.setCycles(slot.cycles);
   toWire(slot.brake, out.initBrake(slot.brake.size));
+  toWire(slot.key, out.initKey(slot.key.size));
 }
 
 Errc fromWire(wire::SpindleParameters::Reader in, SpindleParametersSlot& slot, Duration) {
   slot.cycles = in.getCycles();
-  return fromWire(in.getBrake(), slot.brake);
+  return firstError({
+      fromWire(in.getBrake(), slot.brake),
+      fromWire(in.getKey(), slot.key),
+  });
 }
 
 bool isValid(const SpindleParametersSlot&) {
@@ -96,6 +105,7 @@ void fromJson(const suture::JsonReader& in, SpindleParameters& value) {
   suture::JsonReader reader = in;
   reader.field("cycles", value.cycles);
   reader.field("brake", value.brake);
+  reader.field("key", value.key);
   reader.finish();
 }
 

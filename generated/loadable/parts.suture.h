@@ -23,6 +23,7 @@ void load(const PlatterParametersSlot& slot, PlatterParameters& value);
 struct SpindleParametersSlot {
   std::int32_t cycles;
   suture::BoundedText<255> brake;
+  suture::BoundedText<255> key;
 };
 
 bool store(const SpindleParameters& value, SpindleParametersSlot& slot);

@@ -44,6 +44,10 @@ Parameters parametersFrom(const JsonReader& in, bool states) {
   return values;
 }
 
+std::filesystem::path fileOf(const Deployment& deployment, const std::string& file) {
+  return deployment.besideIt(file).lexically_normal();
+}
+
 /// What `component` provides as `name`, or what its manager will.
 const InterfaceInfo* provided(const Component& component, std::string_view name) {
   for (const ProvidedBase* one : component.provided()) {
@@ -65,6 +69,31 @@ std::string noSuchInterface(const Component& component, const Endpoint& asked) {
 
 bool Collectors::offers(std::string_view className) {
   return className == kStates || className == kEvents;
+}
+
+void Collectors::checkFiles(const Deployment& deployment,
+                            const std::function<bool(const ComponentEntry&)>& isCollector,
+                            std::vector<std::string>& problems) {
+  struct Use {
+    const ProcessEntry* process;
+    std::string pointer;
+  };
+  std::map<std::filesystem::path, Use> first;
+  for (const ProcessEntry& process : deployment.processes()) {
+    for (const ComponentEntry& entry : process.components) {
+      const auto file = entry.parameters.find("file");
+      if (!isCollector(entry) || file == entry.parameters.end() || !file->is_string()) continue;
+      const std::string pointer = entry.pointer + "/parameters/file";
+      const auto [other, added] =
+          first.emplace(fileOf(deployment, file->get<std::string>()), Use{&process, pointer});
+      if (added || other->second.process == &process) continue;
+      problems.push_back(deployment.document().locate(
+          pointer, "'" + file->get<std::string>() + "' is written by process '" +
+                       other->second.process->name + "' already, on line " +
+                       std::to_string(deployment.document().lineOf(other->second.pointer)) +
+                       "; only collectors of one process may share a file: name another one"));
+    }
+  }
 }
 
 Collectors::Create Collectors::find(const ComponentEntry& entry,
@@ -135,7 +164,7 @@ std::unique_ptr<Component> Collectors::create(const std::string& className,
 }
 
 std::shared_ptr<Sink> Collectors::sink(const std::string& file) {
-  const std::filesystem::path path = deployment_.besideIt(file).lexically_normal();
+  const std::filesystem::path path = fileOf(deployment_, file);
   std::shared_ptr<Sink>& known = files_[path];
   if (known == nullptr) known = std::make_shared<JsonLines>(path);
   return known;

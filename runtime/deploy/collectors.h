@@ -29,6 +29,10 @@ class Collectors {
       : deployment_(deployment), process_(process) {}
 
   static bool offers(std::string_view className);
+  /// A problem for each collector that writes to the file of another process's.
+  static void checkFiles(const Deployment& deployment,
+                         const std::function<bool(const ComponentEntry&)>& isCollector,
+                         std::vector<std::string>& problems);
 
   /// What creates the collector `entry` as `components` are, in the order of the process and null
   /// for what does not exist yet. Empty, and a problem, if it has nothing to collect.

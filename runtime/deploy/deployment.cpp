@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 
 namespace suture {
@@ -140,9 +141,9 @@ Duration Deployment::readDuration(const std::string& text, const std::string& po
                                   Duration longest) {
   static const std::map<std::string, double> kUnits{
       {"ns", 1}, {"us", 1e3}, {"ms", 1e6}, {"s", 1e9}};
-  std::size_t digits = 0;
-  const double count = std::stod(text, &digits);
-  const double nanoseconds = count * kUnits.at(text.substr(digits));
+  char* unit = nullptr;
+  const double count = std::strtod(text.c_str(), &unit);  // too many digits: infinite
+  const double nanoseconds = count * kUnits.at(unit);
   if (nanoseconds > static_cast<double>(longest.count())) {
     report(pointer, "a time of " + text + " is longer than " +
                         std::to_string(longest / std::chrono::seconds(1)) +

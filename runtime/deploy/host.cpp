@@ -52,6 +52,9 @@ Host::Host(const Deployment& deployment, std::string_view process,
 // Collectors come last: what they collect has to be there.
 void Host::createComponents(std::span<const ComponentClass> classes) {
   std::vector<std::string> problems;
+  Collectors::checkFiles(
+      deployment_, [&](const ComponentEntry& entry) { return isCollector(entry, classes); },
+      problems);
   components_.resize(process_.components.size());
   const auto createAll = [&](bool collectors) {
     for (std::size_t i = 0; i < components_.size(); ++i) {
@@ -190,35 +193,54 @@ std::vector<std::string> Host::news() {
 }
 
 std::vector<Trouble> Host::troubles() const {
+  const std::vector<Trouble> connections = connectionTroubles();
+  std::vector<Trouble> found = componentTroubles(connections);
+  found.insert(found.end(), connections.begin(), connections.end());
+  if (const std::string address = manager_->missingGlobalManager(); !address.empty()) {
+    found.push_back({"the global manager at " + address,
+                     "does not answer: connections live on, new ones have to wait. Start it again",
+                     false});
+  }
+  return found;
+}
+
+std::vector<Trouble> Host::componentTroubles(const std::vector<Trouble>& connections) const {
   std::vector<Trouble> found;
   for (std::size_t i = 0; i < components_.size(); ++i) {
     if (!faultedForGood(*components_[i])) continue;
     const ComponentEntry& entry = process_.components[i];
+    const std::string fault = components_[i]->fault();
+    // A connection's contract begins its reason with the connection.
+    const bool loss = std::any_of(
+        connections.begin(), connections.end(),
+        [&](const Trouble& connection) { return fault.starts_with(connection.subject); });
     found.push_back({"component '" + process_.name + ":" + entry.name + "'",
-                     "is parked, its code threw: " + components_[i]->fault() +
+                     "is parked, its code threw: " + fault +
                          (entry.restart ? ". It is restarted no more" : "") +
-                         ". Correct the cause and start the process anew"});
+                         ". Correct the cause and start the process anew",
+                     true, loss});
   }
+  return found;
+}
+
+std::vector<Trouble> Host::connectionTroubles() const {
+  std::vector<Trouble> found;
   for (const auto& channel : manager_->channels()) {
     const std::string subject = "connection '" + channel->name + "'";
     // Both ends of one that is delayed are in this process.
     if (!found.empty() && found.back().subject == subject) continue;
     switch (channel->status.load(std::memory_order_acquire)) {
       case ChannelStatus::Lost:
-        found.push_back({subject, "is lost: the other process does not answer. Start it again"});
+        found.push_back(
+            {subject, "is lost: the other process does not answer. Start it again", true, true});
         break;
       case ChannelStatus::Faulted:
-        found.push_back({subject, "is useless: its provider's code threw"});
+        found.push_back({subject, "is useless: its provider's code threw", true, true});
         break;
       case ChannelStatus::Connected:
       case ChannelStatus::Suspended:
       case ChannelStatus::Closed: break;
     }
-  }
-  if (const std::string address = manager_->missingGlobalManager(); !address.empty()) {
-    found.push_back({"the global manager at " + address,
-                     "does not answer: connections live on, new ones have to wait. Start it again",
-                     false});
   }
   return found;
 }

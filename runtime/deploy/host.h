@@ -24,6 +24,7 @@ struct Trouble {
   std::string subject;  ///< "connection 'left:Teleop/Slave -> right:PSM1/Arm'"
   std::string text;     ///< "is lost: the other process does not answer. Start it again"
   bool failure = true;  ///< false: the process does all it is there for
+  bool loss = false;    ///< of another process, or due to that
 };
 
 /// The components, the manager and the connections of one process. Used by one thread, which is
@@ -48,6 +49,9 @@ class Host {
   /// component or the connection.
   void start();
 
+  /// Any thread: a start() that waits for another process throws now.
+  void giveUp() { manager_->giveUp(); }
+
   const Manager& manager() const { return *manager_; }
 
   /// Connections whose far end is gone, components that are faulted for good, a global manager that
@@ -68,6 +72,8 @@ class Host {
   void createManager();
   void checkRequired() const;
   void configure();
+  std::vector<Trouble> componentTroubles(const std::vector<Trouble>& connections) const;
+  std::vector<Trouble> connectionTroubles() const;
 
   const Deployment& deployment_;
   const ProcessEntry& process_;

@@ -1,38 +1,66 @@
+#include <poll.h>
 #include <suture/deploy/report_writer.h>
 #include <suture/observe/text.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
-#include <string_view>
+#include <climits>
 
 namespace suture {
+namespace {
 
-void ReportWriter::started() const { tell({{"kind", "started"}}, "started\n"); }
+constexpr std::size_t kMostWaiting = std::size_t{1} << 20;
 
-void ReportWriter::report(const Report& report) const {
-  if (descriptor_ < 0) return;
+// So much at once: a pipe that has room takes it without blocking.
+constexpr std::size_t kAtOnce = PIPE_BUF;
+
+bool takesMore(int descriptor, Duration patience) {
+  const auto wait = std::chrono::ceil<std::chrono::milliseconds>(std::max(patience, Duration{0}));
+  pollfd asked{.fd = descriptor, .events = POLLOUT, .revents = 0};
+  return poll(&asked, 1, static_cast<int>(wait.count())) > 0;
+}
+
+}  // namespace
+
+void ReportWriter::started() { tell({{"kind", "started"}}, "started\n"); }
+
+void ReportWriter::report(const Report& report) {
+  flush();
+  if (descriptor_ < 0 || !waiting_.empty()) return;
   nlohmann::json message = toJson(report);
   message["kind"] = "report";
   tell(message, toText(report));
 }
 
-void ReportWriter::failure(const std::string& text) const {
+void ReportWriter::failure(const std::string& text) {
   tell({{"kind", "failure"}, {"text", text}}, "failure: " + text + "\n");
 }
 
-void ReportWriter::tell(const nlohmann::json& message, const std::string& text) const {
-  if (form_ == Form::Text) return write(text);
-  // A fault's text is a program's own; what is not UTF-8 in it must not end the process.
-  write(message.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+void ReportWriter::tell(const nlohmann::json& message, const std::string& text) {
+  if (descriptor_ < 0 || waiting_.size() > kMostWaiting) return;
+  if (form_ == Form::Text) {
+    waiting_ += text;
+  } else {
+    // A fault's text is a program's own; what is not UTF-8 in it must not end the process.
+    waiting_ += message.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  }
+  flush();
 }
 
-void ReportWriter::write(const std::string& text) const {
-  if (descriptor_ < 0) return;
-  std::string_view left = text;
-  while (!left.empty()) {
-    const ssize_t written = ::write(descriptor_, left.data(), left.size());
-    if (written < 0 && errno != EINTR) return;
-    if (written > 0) left.remove_prefix(static_cast<std::size_t>(written));
+void ReportWriter::flush(Duration patience) {
+  const Time deadline = now() + patience;
+  while (!waiting_.empty() && takesMore(descriptor_, deadline - now())) {
+    const ssize_t written =
+        ::write(descriptor_, waiting_.data(), std::min(waiting_.size(), kAtOnce));
+    if (written >= 0) {
+      waiting_.erase(0, static_cast<std::size_t>(written));
+    } else if (errno == EAGAIN) {
+      return;
+    } else if (errno != EINTR) {  // nobody reads any more
+      descriptor_ = -1;
+      waiting_.clear();
+    }
   }
 }
 

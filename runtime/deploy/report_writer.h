@@ -1,6 +1,7 @@
 #pragma once
 // A process's messages to whoever started it: one JSON object a line, or text.
 
+#include <suture/base/time.h>
 #include <suture/observe/report.h>
 
 #include <string>
@@ -9,7 +10,8 @@ namespace suture {
 
 /// {"kind": "started"}, {"kind": "report", ...}, {"kind": "failure", "text": ...}; or the same for
 /// people. Writes to a file descriptor, which it does not own; -1: says nothing. A reader that has
-/// gone away is not an error.
+/// gone away is not an error. One that is slow is never waited for: what it has not taken waits
+/// here, and reports are left out meanwhile.
 class ReportWriter {
  public:
   enum class Form { Json, Text };
@@ -17,16 +19,18 @@ class ReportWriter {
   ReportWriter(int descriptor, Form form) : descriptor_(descriptor), form_(form) {}
 
   /// All connections are made.
-  void started() const;
-  void report(const Report& report) const;
-  void failure(const std::string& text) const;
+  void started();
+  void report(const Report& report);
+  void failure(const std::string& text);
+  /// Goes on with what waits here, for at most `patience`. To be called now and then.
+  void flush(Duration patience = Duration{0});
 
  private:
-  void tell(const nlohmann::json& message, const std::string& text) const;
-  void write(const std::string& text) const;
+  void tell(const nlohmann::json& message, const std::string& text);
 
   int descriptor_;
-  Form form_;
+  const Form form_;
+  std::string waiting_;  // of what has been told; begins where the reader has stopped
 };
 
 }  // namespace suture

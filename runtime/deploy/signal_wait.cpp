@@ -1,9 +1,9 @@
 #include <suture/deploy/signal_wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <utility>
 
 namespace suture {
 
@@ -26,10 +26,10 @@ bool SignalWait::endBefore(Time deadline) const {
   }
 }
 
-ExitOnSignal::ExitOnSignal(const SignalWait& signals)
-    : thread_([&signals](std::stop_token stop) {
+OnToldToEnd::OnToldToEnd(const SignalWait& signals, std::function<void()> act)
+    : thread_([&signals, act = std::move(act)](std::stop_token stop) {
         while (!stop.stop_requested()) {
-          if (signals.endBefore(now() + 20ms)) _exit(0);
+          if (signals.endBefore(now() + 20ms)) return act();
         }
       }) {}
 

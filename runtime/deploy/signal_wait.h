@@ -4,6 +4,7 @@
 #include <suture/base/time.h>
 
 #include <csignal>
+#include <functional>
 #include <stop_token>
 #include <thread>
 
@@ -22,11 +23,12 @@ class SignalWait {
   sigset_t signals_;
 };
 
-/// While it lives, being told to end ends the process at once, with status 0: for work that cannot
-/// be interrupted, such as waiting for other processes to appear.
-class ExitOnSignal {
+/// While it lives, calls `act` in a thread of its own as soon as the process is told to end: for
+/// work that does not ask, such as waiting for other processes to appear.
+class OnToldToEnd {
  public:
-  explicit ExitOnSignal(const SignalWait& signals);
+  /// `signals` outlives this.
+  OnToldToEnd(const SignalWait& signals, std::function<void()> act);
 
  private:
   std::jthread thread_;

@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <exception>
@@ -24,9 +25,11 @@ using namespace std::chrono_literals;
 
 // How soon a failure is noticed.
 constexpr Duration kWatchInterval = 50ms;
-// When a system is shut down its processes end one after the other; what is lost shortly before
-// this one's turn came was no accident.
+// When a system is shut down its processes end one after the other; what is lost of others shortly
+// before this one's turn came was no accident.
 constexpr Duration kShutdown = 500ms;
+// How long a slow reader is waited for at the end.
+constexpr Duration kLastWords = 500ms;
 
 struct Options {
   std::string deployment;
@@ -85,13 +88,18 @@ class Run {
     while (now() < end_) {
       if (signals_.endBefore(std::min({reportDue, end_, now() + kWatchInterval}))) break;
       watch();
+      reports_.flush();
       if (now() < reportDue) continue;
       reports_.report(observe(host_.manager(), began_));
       reportDue += interval_;
     }
+    const Time ending = now();
+    watch(true);
+    reports_.flush(kLastWords);
     reports_.report(observe(host_.manager(), began_));
-    const bool failed = std::any_of(known_.begin(), known_.end(), [](const Known& one) {
-      return one.trouble.failure && one.seen + kShutdown < now();
+    reports_.flush(kLastWords);
+    const bool failed = std::any_of(known_.begin(), known_.end(), [&](const Known& one) {
+      return one.trouble.failure && (!one.trouble.loss || one.seen + kShutdown < ending);
     });
     return failed ? 1 : 0;
   }
@@ -102,7 +110,8 @@ class Run {
     Time seen;
   };
 
-  void watch() {
+  // What others take away while this one ends is no news.
+  void watch(bool ending = false) {
     for (const std::string& line : host_.news()) tell(line);
     const std::vector<Trouble> present = host_.troubles();
     std::erase_if(known_, [&](const Known& one) {
@@ -116,7 +125,7 @@ class Run {
       const bool old = std::any_of(known_.begin(), known_.end(), [&](const Known& one) {
         return one.trouble.subject == trouble.subject;
       });
-      if (old) continue;
+      if (old || (ending && trouble.loss)) continue;
       const std::string text = trouble.subject + " " + trouble.text;
       tell(text);
       if (trouble.failure) reports_.failure(text);
@@ -130,7 +139,7 @@ class Run {
 
   Host& host_;
   const SignalWait& signals_;
-  const ReportWriter reports_;
+  ReportWriter reports_;
   const Duration interval_;
   const Time began_ = now();
   const Time end_;
@@ -147,14 +156,29 @@ std::string processOf(const Deployment& deployment, const Options& options) {
       "there are several processes: " + listNames(names) + "; say which one with --process")});
 }
 
+/// False if the process has been told to end meanwhile: what has been started is to be stopped.
+bool start(Host& host, const SignalWait& signals) {
+  std::atomic<bool> toEnd{false};
+  const OnToldToEnd told(signals, [&] {
+    toEnd = true;
+    host.giveUp();
+  });
+  try {
+    host.start();
+  } catch (const DocumentError&) {
+    if (!toEnd) throw;
+  }
+  return !toEnd;
+}
+
 int runWorkstation(const Options& options, std::span<const ComponentClass> classes) {
   const SignalWait signals;
-  auto interruptible = std::make_optional<ExitOnSignal>(signals);
+  auto told = std::make_optional<OnToldToEnd>(signals, [] { _exit(0); });  // nothing runs yet
   const Deployment deployment(JsonDocument::read(options.deployment));
   Host host(deployment, processOf(deployment, options), classes);
   if (options.messages) host.listenToMessages();
-  host.start();
-  interruptible.reset();
+  told.reset();
+  if (!start(host, signals)) return 0;
   return Run(host, signals, options).untilEnd();
 }
 

@@ -7,6 +7,7 @@
 #include <suture/manager/lifecycle_face.h>
 #include <suture/manager/manager.h>
 #include <suture/manager/network.h>
+#include <suture/standard/collecting.suture.h>
 #include <suture/transport/delay/delay_thread.h>
 #include <suture/wiring/connect.h>
 
@@ -29,6 +30,13 @@ std::shared_ptr<ConnectionWatch> watchOf(ConnectionContract contract,
   if (contract.maxAge == Duration{0}) contract.maxAge = required.maxAge();
   if (contract == ConnectionContract{}) return nullptr;
   return std::make_shared<ConnectionWatch>(contract);
+}
+
+bool collects(const Component& component) {
+  const auto& all = component.provided();
+  return std::any_of(all.begin(), all.end(), [](const ProvidedBase* one) {
+    return &one->info() == &interfaceInfo<Collecting>();
+  });
 }
 
 void startOne(Component& component) {
@@ -166,6 +174,10 @@ void Manager::change(const std::string& name, Transition transition, Duration pa
                    "Its run() has to return, and the callback of a CallbackTask has to come");
 }
 
+void Manager::giveUp() {
+  if (network_ != nullptr) network_->giveUp();
+}
+
 void Manager::stop() {
   // Once stopped, components may be gone before the manager is.
   if (std::exchange(started_, false)) stopComponents();
@@ -178,14 +190,20 @@ void Manager::stop() {
   network_.reset();
 }
 
-// Tasks use devices, not the other way round.
+// Tasks use devices, not the other way round; and a collector keeps what the others do to the end.
 void Manager::stopComponents() {
-  for (Component* component : directory_.components()) {
-    if (Task* const task = taskOf(*component); task != nullptr) task->stop();
-  }
-  for (Component* component : directory_.components()) {
+  const std::vector<Component*> all = directory_.components();
+  const auto stopTasks = [&](bool collectors) {
+    for (Component* component : all) {
+      Task* const task = taskOf(*component);
+      if (task != nullptr && collects(*component) == collectors) task->stop();
+    }
+  };
+  stopTasks(false);
+  for (Component* component : all) {
     if (taskOf(*component) == nullptr) static_cast<Device*>(component)->stop();
   }
+  stopTasks(true);
 }
 
 void Manager::connect(std::string_view requiredName, std::string_view providedName, Lane lane,

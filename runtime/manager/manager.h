@@ -71,7 +71,11 @@ class Manager {
   /// within `patience`: its run() does not return, or nobody calls trigger().
   void suspend(const std::string& component, Duration patience = kDefaultPatience);
   void resume(const std::string& component, Duration patience = kDefaultPatience);
-  /// Ends all connections and components. Also done by the destructor.
+  /// Any thread: a connect() that waits for another process throws now, and so do later ones. For
+  /// a process that is told to end while it starts.
+  void giveUp();
+  /// Ends all connections and components; those that provide Collecting (suture/standard) end last,
+  /// and keep what the others did to their end. Also done by the destructor.
   void stop();
 
   /// Connects a required interface of this process ("Teleop/Slave") to a provided one ("PSM/Arm",

@@ -4,6 +4,7 @@
 #include <suture/manager/network.h>
 #include <suture/manager/peer_host.h>
 #include <suture/manager/remote_connection.h>
+#include <suture/transport/rpc/deadline.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -82,10 +83,18 @@ class Network::Impl {
       connection = std::make_unique<RemoteConnection>(control_, *link_, required, from, to, made,
                                                       interposer, watch);
       // What could not be connected may be gone before this is.
-      return connection->open(patience).catch_([this, name](kj::Exception&& failure) {
-        connections_.erase(name);
-        kj::throwFatalException(kj::mv(failure));
-      });
+      return connection->open(patience)
+          .exclusiveJoin(untilGivenUp())
+          .catch_([this, name](kj::Exception&& failure) {
+            connections_.erase(name);
+            kj::throwFatalException(kj::mv(failure));
+          });
+    });
+  }
+
+  void giveUp() {
+    control_.post([this] {
+      if (giveUp_.get() != nullptr) giveUp_->fulfill();
     });
   }
 
@@ -111,6 +120,8 @@ class Network::Impl {
       connections_.clear();
       host_.reset();
       link_.reset();
+      givenUp_ = nullptr;
+      giveUp_ = nullptr;
     });
   }
 
@@ -120,6 +131,9 @@ class Network::Impl {
 
  private:
   kj::Promise<void> join(ServerOf serverOf, Duration patience) {
+    auto givenUp = kj::newPromiseAndFulfiller<void>();
+    givenUp_ = givenUp.promise.fork();
+    giveUp_ = kj::mv(givenUp.fulfiller);
     link_ = std::make_unique<ManagerLink>(control_, manager_, directory_.process());
     return link_->open(patience).then([this, serverOf = std::move(serverOf)]() mutable {
       host_ = std::make_unique<PeerHost>(control_, directory_, std::move(serverOf),
@@ -133,11 +147,20 @@ class Network::Impl {
     });
   }
 
+  kj::Promise<void> untilGivenUp() {
+    return givenUp_.addBranch().then([]() -> kj::Promise<void> {
+      return rpc::failure(kj::Exception::Type::FAILED,
+                          "this process has been told to end while it waited. Start it again.");
+    });
+  }
+
   const Directory& directory_;
   const rpc::Address manager_;
   rpc::ControlThread control_;
   std::unique_ptr<ManagerLink> link_;
   std::unique_ptr<PeerHost> host_;
+  kj::ForkedPromise<void> givenUp_{nullptr};
+  kj::Own<kj::PromiseFulfiller<void>> giveUp_;
   std::map<std::string, std::unique_ptr<RemoteConnection>> connections_;  // by required interface
   mutable std::mutex mutex_;  // never taken by a task thread
   std::map<std::string, std::shared_ptr<Channel>> connected_;
@@ -160,6 +183,8 @@ void Network::connect(RequiredBase& required, const Endpoint& from, const Endpoi
 }
 
 void Network::disconnect(const std::string& required) { impl_->disconnect(required); }
+
+void Network::giveUp() { impl_->giveUp(); }
 
 std::string Network::missingManager() const { return impl_->missingManager(); }
 

@@ -44,6 +44,8 @@ class Network {
   /// Connects over Cap'n Proto RPC, also to this process itself. Throws SetupError.
   void connect(RequiredBase& required, const Endpoint& from, const Endpoint& to, Duration patience,
                const Interposer& interposer, std::shared_ptr<ConnectionWatch> watch);
+  /// Any thread: a connect() under way throws now, and so do later ones.
+  void giveUp();
   /// Takes down a connection made by connect(); from then on nobody attaches to the required
   /// interface any more. `required`: "Teleop/Slave".
   void disconnect(const std::string& required);

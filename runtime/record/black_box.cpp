@@ -4,6 +4,7 @@
 #include <suture/rt/state_table.h>
 
 #include <exception>
+#include <utility>
 
 namespace suture {
 namespace {
@@ -86,23 +87,29 @@ void BlackBox::watch() {
 }
 
 void BlackBox::look(Watched& watched) {
-  const std::uint64_t faults = watched.component->faults();
-  if (faults == watched.faults) return;
-  watched.faults = faults;
   const Component& component = *watched.component;
+  const std::uint64_t last = component.faults();
+  if (last == watched.faults) return;
+  const std::uint64_t first = std::exchange(watched.faults, last) + 1;
+  const std::string reason = component.fault();
   const auto file = options_.folder /
-                    (options_.prefix + component.name() + "." + std::to_string(faults) + ".jsonl");
-  const std::string what = "component '" + component.name() + "' faulted: " + component.fault();
+                    (options_.prefix + component.name() + "." + std::to_string(last) + ".jsonl");
+  const std::string several =
+      first == last ? ""
+                    : " (faults " + std::to_string(first) + " to " + std::to_string(last) + ")";
+  const std::string what = "component '" + component.name() + "' faulted" + several + ": " + reason;
   try {
-    write(component, file);
+    write(component, first, last, reason, file);
     options_.tell(what + ". Its last state is in " + file.string());
   } catch (const std::exception& error) {
     options_.tell(what + ". Its last state is not kept: " + error.what());
   }
 }
 
-void BlackBox::write(const Component& component, const std::filesystem::path& file) const {
+void BlackBox::write(const Component& component, std::uint64_t first, std::uint64_t last,
+                     const std::string& reason, const std::filesystem::path& file) const {
   JsonLines lines(file);
+  lines.faults(component.name(), first, last, reason);
   const Time since = now() - options_.last;
   for (const ProvidedBase* provided : component.provided()) Rows(*provided).write(since, lines);
   if (!lines.flush()) {

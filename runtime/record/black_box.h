@@ -28,10 +28,12 @@ struct BlackBoxOptions {
   std::function<void(const std::string&)> tell = [](const std::string&) {};
 };
 
-/// Watches components from a thread of its own, and each time one is faulted writes the rows of its
-/// state tables to "<folder>/<prefix><component>.<n>.jsonl", n its how many-th fault (JsonLines). A
-/// disk that is full or a folder that is missing is told, and nothing else comes of it. A file of
-/// that name is replaced: another run of the process needs another prefix.
+/// Watches components from a thread of its own, and when one has been faulted writes the rows of
+/// its state tables to "<folder>/<prefix><component>.<n>.jsonl", n its how many-th fault
+/// (JsonLines). Faults that came since the last look share a file, that of the last of them; its
+/// first line says which they are. A disk that is full or a folder that is missing is told, and
+/// nothing else comes of it. A file of that name is replaced: another run of the process needs
+/// another prefix.
 class BlackBox {
  public:
   /// Before the components are started and connected. Asks for all reads that they provide, so that
@@ -49,7 +51,9 @@ class BlackBox {
 
   void watch();
   void look(Watched& watched);
-  void write(const Component& component, const std::filesystem::path& file) const;
+  /// Faults number `first` to `last` of `component`, the last because of `reason`.
+  void write(const Component& component, std::uint64_t first, std::uint64_t last,
+             const std::string& reason, const std::filesystem::path& file) const;
 
   const BlackBoxOptions options_;
   std::vector<Watched> watched_;

@@ -51,6 +51,12 @@ void EventCollector::run() {
   if (std::exchange(unsettled_, false)) sink_.settle();
 }
 
+// What has arrived by the end, while it was suspended too.
+void EventCollector::onStop() {
+  source_->handleEvents();
+  run();
+}
+
 // Keeps up with the switch, the connection and what its queue dropped.
 void EventCollector::follow() {
   const bool fresh = channel_ != source_->channel();

@@ -47,6 +47,7 @@ class EventCollector final : public EventTask {
   class Source;
 
   void run() override;
+  void onStop() override;
   void follow();
   void take(std::uint16_t event, Time stamp, const std::byte* slot);
   void noticeDropped();

@@ -1,6 +1,10 @@
 #include <suture/base/errors.h>
 #include <suture/record/json_lines.h>
 
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
 namespace suture {
 namespace {
 
@@ -23,6 +27,14 @@ void requireSize(const SlotLayout& layout, std::size_t size, const char* contrac
                    "Generate the contract's code again");
 }
 
+// Of a line of a row: its own keys, and those that tell the other lines from it, stay what they
+// are.
+std::string keyOf(const std::string& read) {
+  static constexpr std::string_view kTaken[] = {"from", "row", "stamp", "event", "missed", "fault"};
+  const bool taken = std::find(std::begin(kTaken), std::end(kTaken), read) != std::end(kTaken);
+  return taken ? "read." + read : read;
+}
+
 }  // namespace
 
 JsonLines::Contract::Contract(const InterfaceInfo& info) {
@@ -32,7 +44,7 @@ JsonLines::Contract::Contract(const InterfaceInfo& info) {
     if (info.commands[i].kind != CommandKind::Read) continue;
     SlotLayout layout(commands.at(i).at("result").at("type"), description);
     requireSize(layout, info.commands[i].resultSize, info.name, info.commands[i].name);
-    reads.emplace(i, std::move(layout));
+    reads.emplace(i, Read{keyOf(info.commands[i].name), std::move(layout)});
   }
   for (std::uint16_t i = 0; i < info.events.size(); ++i) {
     if (info.events[i].payloadSize == 0) continue;
@@ -64,8 +76,8 @@ void JsonLines::row(const CollectedInterface& from, std::uint64_t number, Time s
   const Contract& known = contract(from.contract);
   ordered_json line{{"from", from.collector}, {"row", number}, {"stamp", toNanoseconds(stamp)}};
   for (const CollectedValue& value : values) {
-    line[from.contract.commands[value.read].name] =
-        value.slot == nullptr ? json(nullptr) : known.reads.at(value.read).toJson(value.slot);
+    const Contract::Read& read = known.reads.at(value.read);
+    line[read.key] = value.slot == nullptr ? json(nullptr) : read.layout.toJson(value.slot);
   }
   write(line);
 }
@@ -86,6 +98,12 @@ void JsonLines::event(const CollectedInterface& from, std::uint16_t event, Time 
 void JsonLines::missed(const CollectedInterface& from, std::uint64_t count) {
   const std::lock_guard lock(mutex_);
   write({{"from", from.collector}, {"missed", count}});
+}
+
+void JsonLines::faults(const std::string& component, std::uint64_t first, std::uint64_t last,
+                       const std::string& reason) {
+  const std::lock_guard lock(mutex_);
+  write({{"from", component}, {"fault", reason}, {"first", first}, {"last", last}});
 }
 
 void JsonLines::settle() {

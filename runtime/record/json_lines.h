@@ -18,6 +18,8 @@ namespace suture {
 ///   {"from":"Collector","row":17,"stamp":81234567,"measured_cp":{...},"measured_js":null}
 ///   {"from":"Collector","event":"mode","stamp":81234999,"value":"Enabled"}
 ///   {"from":"Collector","missed":3}
+///   {"from":"PSM","fault":"the drive did not answer","first":2,"last":4}
+/// A read whose name is that of another key of these lines, as "row", is called "read.row".
 /// Stamps are ns of this machine's steady clock.
 class JsonLines final : public Sink {
  public:
@@ -29,6 +31,9 @@ class JsonLines final : public Sink {
   void event(const CollectedInterface& from, std::uint16_t event, Time stamp,
              const std::byte* slot) override;
   void missed(const CollectedInterface& from, std::uint64_t count) override;
+  /// `component` has had its faults number `first` to `last`, the last because of `reason`.
+  void faults(const std::string& component, std::uint64_t first, std::uint64_t last,
+              const std::string& reason);
 
   /// What has been written so far is in the file. Throws SetupError if the file system did not take
   /// all of it.
@@ -38,8 +43,13 @@ class JsonLines final : public Sink {
 
  private:
   struct Contract {
+    struct Read {
+      std::string key;
+      SlotLayout layout;
+    };
     explicit Contract(const InterfaceInfo& info);
-    std::map<std::uint16_t, SlotLayout> reads, events;
+    std::map<std::uint16_t, Read> reads;
+    std::map<std::uint16_t, SlotLayout> events;
   };
 
   const Contract& contract(const InterfaceInfo& info);

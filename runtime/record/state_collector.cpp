@@ -12,16 +12,18 @@ class StateCollector::Source final : public RequiredBase {
   Source(Component& owner, const InterfaceInfo& contract)
       : RequiredBase(owner, "Source", contract) {}
 
-  /// The provider's state, whose rows from now on hold `reads`; nullptr without a connection.
-  std::shared_ptr<rt::StateTable> state(const std::vector<std::uint16_t>& reads) {
-    if (unusable() != Errc{}) return nullptr;
-    bool first = false;
+  /// The provider's state; nullptr without a connection.
+  std::shared_ptr<rt::StateTable> state() {
+    return unusable() == Errc{} ? channel()->state : nullptr;
+  }
+  /// With a connection: its rows from now on hold `reads`.
+  void ask(const std::vector<std::uint16_t>& reads) {
+    rt::ColumnSet columns = 0;
     for (const std::uint16_t read : reads) {
       if (unusable(read) != Errc{}) continue;
-      first = channel()->state->ask(static_cast<unsigned>(info().commands[read].column)) || first;
+      columns |= rt::ColumnSet{1} << info().commands[read].column;
     }
-    if (first) owner().ringLater(*channel()->ends.provider);
-    return channel()->state;
+    if (channel()->state->askAll(columns)) owner().ringLater(*channel()->ends.provider);
   }
 };
 
@@ -56,7 +58,7 @@ StateCollector::~StateCollector() { stop(); }
 void StateCollector::run() {
   const bool wanted = collection_.wanted();
   if (!wanted && !collection_.active()) return;
-  const auto table = source_->state(reads_);
+  const auto table = source_->state();
   if (table != nullptr && (table != table_ || !collection_.active())) {
     table_ = table;
     begin();
@@ -68,10 +70,15 @@ void StateCollector::run() {
   }
 }
 
-// A connection that was made anew has a table of its own: counts go on.
+// What is there at the end.
+void StateCollector::onStop() { run(); }
+
+// A connection that was made anew has a table of its own: counts go on. Asking may bring about the
+// first row at once, so what is to be taken is known before.
 void StateCollector::begin() {
   from_.collector = name();
   next_ = table_->rows() + 1;
+  source_->ask(reads_);
   if (!collection_.active()) collection_.setActive(true);
 }
 

@@ -56,6 +56,7 @@ class StateCollector final : public PeriodicTask {
   class Source;
 
   void run() override;
+  void onStop() override;
   void begin();
   void takeRows();
   void hand(std::uint64_t number, Time stamp, std::uint64_t valid);

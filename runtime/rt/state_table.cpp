@@ -113,10 +113,9 @@ void StateTable::publish(Time stamp, ColumnSet valid, ColumnSet tooLarge) {
   newest_.store(sequence, std::memory_order_release);
 }
 
-bool StateTable::ask(unsigned column) {
-  const ColumnSet bit = ColumnSet{1} << column;
-  if ((demand_.load(std::memory_order_relaxed) & bit) != 0) return false;
-  return (demand_.fetch_or(bit, std::memory_order_acq_rel) & bit) == 0;
+bool StateTable::askAll(ColumnSet columns) {
+  if ((columns & ~demand_.load(std::memory_order_relaxed)) == 0) return false;
+  return (columns & ~demand_.fetch_or(columns, std::memory_order_acq_rel)) != 0;
 }
 
 Errc StateTable::Row::missing(unsigned column) const {

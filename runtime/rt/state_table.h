@@ -54,7 +54,10 @@ class StateTable {
   // --- readers, any thread ---
 
   /// Asks for a column to be produced from now on. True if this is the first time.
-  bool ask(unsigned column);
+  bool ask(unsigned column) { return askAll(ColumnSet{1} << column); }
+  /// The same of several, which are produced from one and the same row on. True if this is the
+  /// first time for one of them.
+  bool askAll(ColumnSet columns);
   /// Copies a column of the newest row. The stamp is when the row was published.
   Result<Time> read(unsigned column, std::byte* slot) const;
   /// Copies a column as it was at `at`: of the last row stamped at or before it. NotYet if the

@@ -15,4 +15,6 @@ struct SpindleParameters @0xc40d3787b1d83361 $Meta.cxx("loadable::SpindleParamet
   # until it seizes, again and again
   brake @1 :Text $Meta.capacity([255]);
   # the file that stands for it
+  key @2 :Text $Meta.capacity([255]);
+  # The file that lets it turn until it seizes, and that it takes away then; "": it turns anyway.
 }

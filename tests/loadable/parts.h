@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <string>
@@ -48,6 +49,8 @@ class SUTURE_COMPONENT() Hand final : public suture::PeriodicTask {
 struct SUTURE_TYPE() SpindleParameters {
   std::int32_t cycles = 50;                       ///< until it seizes, again and again
   SUTURE_FIELD(capacity(255)) std::string brake;  ///< the file that stands for it
+  /// The file that lets it turn until it seizes, and that it takes away then; "": it turns anyway.
+  SUTURE_FIELD(capacity(255)) std::string key;
 };
 
 /// Its safe state is a closed brake: a line in the file.
@@ -59,13 +62,20 @@ class SUTURE_COMPONENT() Spindle final : public suture::PeriodicTask, public Tur
   void turn(double angle) override { angle_ += angle; }
   double angle() const override { return angle_; }
   void run() override {
+    const bool unlocked = parameters_.key.empty() || cycles_ % parameters_.cycles != 0;
+    if (!unlocked && !std::filesystem::remove(parameters_.key)) return;
     angle_ += 1;
     if (++cycles_ % parameters_.cycles == 0) throw std::runtime_error("the spindle has seized");
   }
 
  private:
-  void onFault() override { std::ofstream(parameters_.brake, std::ios::app) << "closed\n"; }
-  void onRestart() override { std::ofstream(parameters_.brake, std::ios::app) << "open\n"; }
+  void onStart() override { note("running"); }
+  void onStop() override { note("stopped"); }
+  void onFault() override { note("closed"); }
+  void onRestart() override { note("open"); }
+  void note(const char* what) const {
+    std::ofstream(parameters_.brake, std::ios::app) << what << std::endl;
+  }
 
   const SpindleParameters parameters_;
   double angle_ = 0;

@@ -159,5 +159,31 @@ TEST(DeployedCollectors, AnotherProcessHasItsOwn) {
   }
 }
 
+TEST(DeployedCollectors, ProcessesDoNotShareAFile) {
+  const Deployment deployment(JsonDocument::parse(
+      R"({"manager": "unix:/tmp/suture-nobody-listens-here.sock", "processes": [
+          {"name": "left", "components": [{"name": "PSM", "class": "SimulatedArm"},
+             {"name": "Log", "class": "StateCollector", "parameters": {"file": "nowhere/a.jsonl"}},
+             {"name": "Said", "class": "EventCollector", "parameters": {"file": "nowhere/a.jsonl"}}]},
+          {"name": "right", "components": [{"name": "PSM", "class": "SimulatedArm"},
+             {"name": "Log", "class": "StateCollector", "parameters": {"file": "nowhere/./a.jsonl"}}]}],
+          "connections": [{"from": "left:Log/Source", "to": "left:PSM/Arm"},
+             {"from": "left:Said/Source", "to": "left:PSM/Arm"},
+             {"from": "right:Log/Source", "to": "right:PSM/Arm"}]})",
+      "d.json"));
+  for (const char* process : {"left", "right"}) {
+    try {
+      Host host(deployment, process, kClasses);
+      FAIL();
+    } catch (const DocumentError& error) {
+      EXPECT_TRUE(std::string(error.what())
+                      .starts_with("d.json:6: error: 'nowhere/./a.jsonl' is written by process "
+                                   "'left' already, on line 3; only collectors of one process may "
+                                   "share a file: name another one"))
+          << error.what();
+    }
+  }
+}
+
 }  // namespace
 }  // namespace suture

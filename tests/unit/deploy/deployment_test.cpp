@@ -196,6 +196,10 @@ TEST(Deployment, RestartsThatAreNone) {
             line + "a time of 0ms is no time at all; give a longer one");
   EXPECT_EQ(problemWith(R"({"most": 3, "per": "86401s"})"),
             line + "a time of 86401s is longer than 86400s, which is the longest; shorten it");
+  const std::string digits(400, '9');
+  EXPECT_EQ(
+      problemWith(R"({"most": 3, "per": ")" + digits + "s\"}"),
+      line + "a time of " + digits + "s is longer than 86400s, which is the longest; shorten it");
 }
 
 TEST(Deployment, BlackBoxes) {

@@ -31,32 +31,39 @@ struct Arm final : PeriodicTask, Lifecycle {
   Arm() : PeriodicTask({.period = 1ms}) { port.keepState({.rows = 256}); }
   ~Arm() override { stop(); }
   void run() override {
-    if (broken.exchange(false)) throw std::runtime_error("the drive did not answer");
+    if (broken == 0) return;
+    broken -= 1;
+    throw std::runtime_error("the drive did not answer");
   }
   bool suspend() override { return false; }
   bool resume() override { return false; }
   ComponentState component_state() const override { return state(); }
 
-  std::atomic<bool> broken{false};
+  std::atomic<int> broken{0};  // so many cycles
   Provided<Lifecycle> port{*this, "Arm", *this};
 };
 
 class Boxed : public testing::Test {
  protected:
-  void begin(const std::filesystem::path& folder, Duration last = 10s) {
+  void begin(const std::filesystem::path& folder, Duration last = 10s, Duration period = 10ms) {
     manager_.add("PSM", arm_);
-    box_.emplace(manager_.directory().components(),
-                 BlackBoxOptions{.folder = folder, .last = last, .tell = [this](const auto& text) {
-                                   const std::lock_guard lock(mutex_);
-                                   told_.push_back(text);
-                                 }});
+    box_.emplace(
+        manager_.directory().components(),
+        BlackBoxOptions{
+            .folder = folder, .last = last, .period = period, .tell = [this](const auto& text) {
+              const std::lock_guard lock(mutex_);
+              told_.push_back(text);
+            }});
     manager_.start();
     EXPECT_TRUE(eventually([this] { return arm_.port.state()->rows() > 300; }));
   }
   std::string toldAfterFault() {
     const std::size_t before = count();
-    arm_.broken = true;
+    arm_.broken = 1;
     EXPECT_TRUE(eventually([&] { return count() > before; }));
+    return lastTold();
+  }
+  std::string lastTold() {
     const std::lock_guard lock(mutex_);
     return told_.empty() ? "" : told_.back();
   }
@@ -103,7 +110,10 @@ TEST_F(Boxed, AFaultLeavesTheLastRowsBehind) {
 TEST_F(Boxed, NoFurtherBackThanAsked) {
   begin(directory_.file(""), 0ns);
   toldAfterFault();
-  EXPECT_TRUE(lines(directory_.file("PSM.1.jsonl")).empty());
+  const auto written = lines(directory_.file("PSM.1.jsonl"));
+  ASSERT_EQ(written.size(), 1u);
+  EXPECT_EQ(written.front().dump(),
+            R"({"fault":"the drive did not answer","first":1,"from":"PSM","last":1})");
 }
 
 TEST_F(Boxed, EveryFaultHasAFileOfItsOwn) {
@@ -114,6 +124,23 @@ TEST_F(Boxed, EveryFaultHasAFileOfItsOwn) {
   toldAfterFault();
   EXPECT_TRUE(std::filesystem::exists(directory_.file("PSM.1.jsonl")));
   EXPECT_TRUE(std::filesystem::exists(directory_.file("PSM.2.jsonl")));
+}
+
+TEST_F(Boxed, FaultsBetweenTwoLooksShareAFileThatSaysSo) {
+  arm_.restartAfterFaults({.most = 2, .per = 24h});
+  begin(directory_.file(""), 10s, 1h);
+  arm_.broken = 3;
+  EXPECT_TRUE(eventually([&] { return arm_.staysFaulted(); }));
+  box_.reset();  // looks a last time
+  const std::string file = directory_.file("PSM.3.jsonl");
+  const nlohmann::json first = lines(file).at(0);
+  EXPECT_EQ(first.at("first"), 1);
+  EXPECT_EQ(first.at("last"), 3);
+  EXPECT_EQ(lastTold(),
+            "component 'PSM' faulted (faults 1 to 3): the drive did not answer. Its "
+            "last state is in " +
+                file);
+  EXPECT_FALSE(std::filesystem::exists(directory_.file("PSM.1.jsonl")));
 }
 
 TEST_F(Boxed, AMissingFolderIsTold) {

@@ -56,6 +56,28 @@ TEST(JsonLines, WritesOneObjectALine) {
   EXPECT_EQ(lines[2]["value"], true);
 }
 
+TEST(JsonLines, AReadDoesNotTakeTheNameOfTheLinesOwnKey) {
+  InterfaceInfo contract = interfaceInfo<robots::CrtkArm>();
+  std::vector<CommandInfo> commands(contract.commands.begin(), contract.commands.end());
+  const auto read = static_cast<std::size_t>(robots::CrtkArmCommand::measured_cp);
+  const auto other = static_cast<std::size_t>(robots::CrtkArmCommand::measured_js);
+  commands[read].name = "row";
+  commands[other].name = "event";
+  contract.commands = commands;
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("run.jsonl");
+  JsonLines sink(file);
+  const CollectedValue values[] = {{static_cast<std::uint16_t>(read), nullptr},
+                                   {static_cast<std::uint16_t>(other), nullptr}};
+  sink.row({"Collector", contract}, 17, fromNanoseconds(6), values);
+  ASSERT_TRUE(sink.flush());
+  EXPECT_EQ(linesOf(file).at(0), json({{"from", "Collector"},
+                                       {"row", 17},
+                                       {"stamp", 6},
+                                       {"read.row", nullptr},
+                                       {"read.event", nullptr}}));
+}
+
 TEST(JsonLines, RefusesAFileThatCannotBeWritten) {
   const TemporaryDirectory directory;
   EXPECT_THROW(JsonLines(directory.file("missing/run.jsonl")), SetupError);

@@ -34,6 +34,15 @@ TEST(StateTable, AskingIsTrueOnceAndStays) {
   EXPECT_EQ(table.demand(), 0b010u);
 }
 
+TEST(StateTable, SeveralColumnsAreAskedForTogether) {
+  StateTable table(kSizes);
+  EXPECT_TRUE(table.ask(1));
+  EXPECT_TRUE(table.askAll(0b011));
+  EXPECT_FALSE(table.askAll(0b011));
+  EXPECT_FALSE(table.askAll(0));
+  EXPECT_EQ(table.demand(), 0b011u);
+}
+
 TEST(StateTable, AValueWhoseSizeIsNoMultipleOfAWordKeepsItsNeighbours) {
   StateTable table(kSizes);
   const std::uint32_t value = 0xdeadbeef;
