@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "compiler/lock/lock.h"
@@ -98,12 +99,12 @@ Diagnostics clashesWithOwn(const std::vector<WantedNode>& wanted) {
   };
   for (const WantedNode& node : wanted) {
     const auto isOwn = [&](const WantedMember& one) { return one.title == node.title; };
+    std::set<std::string_view> own;
     for (const WantedMember& member : node.members) {
-      const bool taken =
-          std::any_of(node.members.begin(), node.members.end(), [&](const WantedMember& other) {
-            return isOwn(other) && !isOwn(member) && other.member.name == member.member.name;
-          });
-      if (taken) report(member, member.member.name);
+      if (isOwn(member)) own.insert(member.member.name);
+    }
+    for (const WantedMember& member : node.members) {
+      if (!isOwn(member) && own.contains(member.member.name)) report(member, member.member.name);
       const auto& parameters = member.member.parameters;
       const auto sents = std::count_if(parameters.begin(), parameters.end(),
                                        [](const Member& one) { return one.name == "sent"; });

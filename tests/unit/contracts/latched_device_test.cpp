@@ -12,12 +12,12 @@ namespace {
 
 using suture::Message;
 
-struct Speaker final : suture::Device, suture::Messages {
+struct TalkingDevice final : suture::Device, suture::Messages {
   suture::Provided<suture::Messages> port{*this, "Messages", *this};
 };
 
-struct Listener final : suture::Device {
-  Listener() {
+struct LateListener final : suture::Device {
+  LateListener() {
     from.on().status([this](const Message& message) { status = message.counter; });
     from.on().warning([this](const Message& message) { warning = message.counter; });
   }
@@ -26,7 +26,7 @@ struct Listener final : suture::Device {
 };
 
 TEST(LatchedEventsOfADevice, AreKeptWhateverElseIsEmittedMeanwhile) {
-  Speaker speaker;
+  TalkingDevice speaker;
   constexpr std::uint32_t kRounds = 100, kBurst = 200;
   std::atomic<std::uint32_t> round{0}, emitted{0};
   const auto emitEachRound = [&](const auto& emit) {
@@ -49,7 +49,7 @@ TEST(LatchedEventsOfADevice, AreKeptWhateverElseIsEmittedMeanwhile) {
   for (std::uint32_t i = 1; i <= kRounds; ++i) {
     round = i;
     while (emitted < 2 * i) std::this_thread::yield();
-    Listener late;
+    LateListener late;
     suture::connectLocally(late.from, speaker.port, "late");
     late.processEvents();
     EXPECT_EQ(late.status, (i + 1) * kBurst);
