@@ -116,6 +116,14 @@ Statistics Comparison::seconds(std::size_t contestant) const {
   return statisticsOf(contestants_[contestant].seconds);
 }
 
+Statistics Comparison::secondsBeyond(std::size_t other, std::size_t contestant) const {
+  std::vector<double> differences = contestants_[contestant].seconds;
+  for (std::size_t round = 0; round < differences.size(); ++round) {
+    differences[round] -= contestants_[other].seconds[round];
+  }
+  return statisticsOf(std::move(differences));
+}
+
 double Comparison::megabytes(std::size_t contestant) const {
   return contestants_[contestant].megabytes;
 }

@@ -31,6 +31,9 @@ class Comparison {
   std::size_t add(std::vector<Command> commands, std::filesystem::path directory);
   void run(std::size_t rounds, const std::string& what);
   Statistics seconds(std::size_t contestant) const;
+  /// What `contestant` takes beyond what `other` takes in the same round: a host that slows down
+  /// for some rounds slows both.
+  Statistics secondsBeyond(std::size_t other, std::size_t contestant) const;
   double megabytes(std::size_t contestant) const;
 
  private:
