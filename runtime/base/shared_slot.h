@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -97,9 +96,7 @@ class LooseSlot {
   LooseSlot& operator=(const LooseSlot&) = delete;
 
   Slot& value() { return slot_; }
-  /// Of a record that gets a copy.
-  std::span<const std::byte> bytes() const { return std::as_bytes(std::span(&slot_, 1)); }
-  /// To copy a record's into.
+  /// To copy to a record, or from one.
   std::byte* memory() { return reinterpret_cast<std::byte*>(&slot_); }
 
  private:
@@ -120,7 +117,6 @@ class LooseSlot<Slot> {
     if (slot_ == nullptr) slot_ = new HeapSlot<Slot>;
     return static_cast<HeapSlot<Slot>*>(slot_)->value;
   }
-  std::span<const std::byte> bytes() const { return std::as_bytes(std::span(&slot_, 1)); }
   std::byte* memory() { return reinterpret_cast<std::byte*>(&slot_); }
 
  private:

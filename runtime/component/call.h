@@ -30,12 +30,10 @@ template <class T>
 struct AnswerTraits<Result<T>> {
   using Value = T;
   static Result<T> error(Errc error) { return tl::unexpected(error); }
-  static Result<T> success(T value, Time) { return value; }
-};
-
-template <>
-struct AnswerTraits<Result<void>> {
-  static Result<void> error(Errc error) { return tl::unexpected(error); }
+  template <class Found>
+  static Result<T> success(Found value, Time) {
+    return value;
+  }
 };
 
 /// Follows one call to its answer: by poll() in a control loop, or by within() where blocking for a
@@ -81,7 +79,7 @@ class [[nodiscard]] Call {
   /// to wait without a limit.
   const Answer& within(Duration limit) {
     if (!answer_) {
-      required_->waitFor(*pending_, now() + limit);
+      required_->waitFor(*pending_, limit);
       if (!poll()) answer_ = Traits::error(Errc::Timeout);
     }
     return *answer_;

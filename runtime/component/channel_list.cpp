@@ -10,6 +10,8 @@ bool isClosed(const ChannelList::Node& node) {
 
 }  // namespace
 
+ChannelList::ChannelList(Walkers walkers) : walkers_(walkers) {}
+
 ChannelList::~ChannelList() {
   Node* node = head_.load(std::memory_order_acquire);
   while (node != nullptr) {
@@ -31,13 +33,14 @@ void ChannelList::add(std::shared_ptr<Channel> channel) {
 void ChannelList::sweep() {
   const std::lock_guard lock(sweeping_);
   unlinkClosed();
-  deleteUnlinked();
+  // Whoever starts to walk after this has found nobody walking sees the list without these nodes.
+  if (walking_.fetch_add(0, std::memory_order_acq_rel) == 0) letGo();
 }
 
 // Nodes behind the head are the sweeper's alone; the head may be joined by a new one at any time.
-void ChannelList::unlinkClosed() {
+bool ChannelList::unlinkClosed() {
   Node* head = head_.load(std::memory_order_acquire);
-  if (head == nullptr) return;
+  if (head == nullptr) return false;
   for (Node* node = head; Node* next = node->next.load(std::memory_order_relaxed);) {
     if (isClosed(*next)) {
       node->next.store(next->next.load(std::memory_order_relaxed), std::memory_order_release);
@@ -48,11 +51,9 @@ void ChannelList::unlinkClosed() {
   }
   Node* const second = head->next.load(std::memory_order_relaxed);
   if (isClosed(*head) && head_.compare_exchange_strong(head, second)) unlinked_.emplace_back(head);
+  return !unlinked_.empty();
 }
 
-// Whoever starts to walk after this has found nobody walking sees the list without these nodes.
-void ChannelList::deleteUnlinked() {
-  if (walking_.fetch_add(0, std::memory_order_acq_rel) == 0) unlinked_.clear();
-}
+void ChannelList::letGo() { unlinked_.clear(); }
 
 }  // namespace suture

@@ -31,7 +31,7 @@ class ChannelList {
     EventSet direct = 0;  ///< those that have a direct handler
   };
 
-  explicit ChannelList(Walkers walkers) : walkers_(walkers) {}
+  explicit ChannelList(Walkers walkers);
   ~ChannelList();
   ChannelList(const ChannelList&) = delete;
   ChannelList& operator=(const ChannelList&) = delete;
@@ -50,14 +50,10 @@ class ChannelList {
 
   bool empty() const { return head_.load(std::memory_order_acquire) == nullptr; }
 
-  /// Of Walkers::Owner: lets go of closed channels; calls `first` before, if there are any.
-  template <class First>
-  void sweep(const First& first) {
-    unlinkClosed();
-    if (unlinked_.empty()) return;
-    first();
-    unlinked_.clear();
-  }
+  /// Of Walkers::Owner: takes the closed channels out; true if there are any, then letGo() follows.
+  bool unlinkClosed();
+  /// Of Walkers::Owner.
+  void letGo();
   /// Of Walkers::Any: with walkers under way it lets go, of those found by an earlier sweep, at the
   /// latest when a later one meets none.
   void sweep();
@@ -78,9 +74,6 @@ class ChannelList {
    private:
     const ChannelList& list_;
   };
-
-  void unlinkClosed();
-  void deleteUnlinked();
 
   const Walkers walkers_;
   std::atomic<Node*> head_{nullptr};

@@ -22,8 +22,10 @@ namespace suture {
 template <auto Method, class ArgumentsSlot>
 class Command;
 
-template <class Contract, class... Arguments, void (Contract::*Method)(Arguments...),
-          class ArgumentsSlot>
+// `Nothing` is void. Said so, what Call<Result<void>, NoSlot> is made of is compiled for those who
+// start a command, not for all who include this.
+template <class Contract, class Nothing, class... Arguments,
+          Nothing (Contract::*Method)(Arguments...), class ArgumentsSlot>
 class Command<Method, ArgumentsSlot> {
  public:
   Command(RequiredBase& required, std::uint16_t id) : required_(required), id_(id) {}
@@ -31,17 +33,17 @@ class Command<Method, ArgumentsSlot> {
   /// Never blocks, never allocates. Success means that the command waits at the provider (local),
   /// or is on its way within the provider's credit (any other lane). Errc::Full, Lost, TooLarge,
   /// Faulted otherwise.
-  Result<void> operator()(Arguments... arguments) {
+  Result<Nothing> operator()(Arguments... arguments) {
     const Errc error = send(0, arguments...);
-    return error == Errc{} ? Result<void>{} : tl::unexpected(error);
+    return error == Errc{} ? Result<Nothing>{} : tl::unexpected(error);
   }
 
   /// As above, and the answer comes when the command has been executed.
-  [[nodiscard]] Call<Result<void>, NoSlot> start(Arguments... arguments) {
+  [[nodiscard]] Call<Result<Nothing>, NoSlot> start(Arguments... arguments) {
     if (const Errc error = required_.unusable(id_); error != Errc{}) return error;
     if (ProvidedBase* const callee = required_.callee(id_)) {
       const Errc error = callHere(*callee, arguments...);
-      return error == Errc{} ? Result<void>{} : tl::unexpected(error);
+      return error == Errc{} ? Result<Nothing>{} : tl::unexpected(error);
     }
     auto* pending = required_.openCall();
     if (pending == nullptr) return Errc::TooManyCalls;
@@ -130,7 +132,7 @@ class ReadCommand<Method, ResultSlot> {
     LooseSlot<ResultSlot> slot;
     bool device = false;
     const Sample<void> read = required_.readAt(time, id_, slot.memory(), device);
-    if (device) return time < now() ? Sample<void>(Errc::TooOld) : readDevice(value);
+    if (device) return readDevice(value);
     if (read) load(slot.value(), value);
     return read;
   }

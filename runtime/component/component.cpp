@@ -14,7 +14,14 @@ const void* thisThread() { return reinterpret_cast<const void*>(pthread_self());
 
 }  // namespace
 
+Component::Component(bool ownsThread)
+    : ownsThread_(ownsThread), doorbell_(std::make_shared<rt::Doorbell>()) {}
+
 Component::~Component() = default;
+
+std::shared_ptr<rt::Doorbell> Component::sharedDoorbell() {
+  return lender_ == nullptr ? doorbell_ : lender_->sharedDoorbell();
+}
 
 void Component::ringLater(rt::Doorbell& bell) {
   if (!ownsThread()) {
@@ -101,6 +108,10 @@ void Component::endLife() {
 // tells the client.
 void Component::setState(ComponentState state) {
   state_.store(state, std::memory_order_seq_cst);
+  tellListener(state);
+}
+
+void Component::tellListener(ComponentState state) {
   if (listener_ != nullptr) listener_->stateChanged(state);
 }
 
@@ -109,24 +120,37 @@ void Component::setState(ComponentState state) {
 bool Component::changeState(ComponentState from, ComponentState to) {
   if (parked_.test()) return false;
   if (!state_.compare_exchange_strong(from, to, std::memory_order_seq_cst)) return false;
-  if (listener_ != nullptr) listener_->stateChanged(to);
+  tellListener(to);
   return true;
 }
 
-void Component::park(std::string reason) {
+void Component::park(std::string reason, FaultCause cause) {
   if (parked_.test_and_set()) return;
   {
     const std::lock_guard lock(faultMutex_);
     fault_ = std::move(reason);
+    faultCause_ = cause;
   }
   faults_.fetch_add(1, std::memory_order_release);
   setState(ComponentState::Faulted);
   for (ProvidedBase* provided : provided_) provided->announce(ChannelStatus::Faulted);
 }
 
+void Component::parkSoon(std::string reason) { park(std::move(reason)); }
+
 std::string Component::fault() const {
   const std::lock_guard lock(faultMutex_);
   return fault_;
+}
+
+FaultCause Component::faultCause() const {
+  const std::lock_guard lock(faultMutex_);
+  return faultCause_;
+}
+
+std::string Component::whyFaulted() const {
+  const std::lock_guard lock(faultMutex_);
+  return faultCause_ == FaultCause::Code ? "its code threw: " + fault_ : fault_;
 }
 
 void Component::restart() {

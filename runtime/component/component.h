@@ -21,6 +21,12 @@ namespace suture {
 class ProvidedBase;
 class RequiredBase;
 
+/// What faulted a component.
+enum class FaultCause : std::uint8_t {
+  Code,        ///< its own: a hook or handler threw
+  Connection,  ///< a connection whose contract says so: lost, or its values too old
+};
+
 /// Base of Device and Task. Its interfaces are members of the derived class that register here on
 /// construction; so a component neither moves nor copies. Its life: lifecycle.h.
 class Component {
@@ -34,6 +40,10 @@ class Component {
   ComponentState state() const { return state_.load(std::memory_order_acquire); }
   /// What the handler threw that faulted this component last; "" if none did. Any thread.
   std::string fault() const;
+  /// Of that fault. Any thread.
+  FaultCause faultCause() const;
+  /// The same in words, for people: "its code threw: no answer", "connection '...' is lost, ...".
+  std::string whyFaulted() const;
   /// How often it has been faulted. Any thread.
   std::uint64_t faults() const { return faults_.load(std::memory_order_acquire); }
   /// When it was last resumed or restarted. A command sent before is not executed, however late it
@@ -57,7 +67,7 @@ class Component {
 
   /// A task's thread; of a device, any: the component has failed; its clients are told
   /// Errc::Faulted from now on. The first reason stays, until the component is restarted.
-  void park(std::string reason);
+  void park(std::string reason, FaultCause cause = FaultCause::Code);
   /// Runs `work` of this component; what it throws parks the component. False if it did.
   template <class Work>
   bool parkOnThrow(const Work& work);
@@ -68,9 +78,7 @@ class Component {
   /// What a sleeping owner of this component waits on.
   rt::Doorbell& doorbell() { return lender_ == nullptr ? *doorbell_ : lender_->doorbell(); }
   /// The same, for those who may ring it when this component is gone.
-  std::shared_ptr<rt::Doorbell> sharedDoorbell() {
-    return lender_ == nullptr ? doorbell_ : lender_->sharedDoorbell();
-  }
+  std::shared_ptr<rt::Doorbell> sharedDoorbell();
   /// From the component's own thread: rings `bell` once at the end of the cycle; from a device, at
   /// once.
   void ringLater(rt::Doorbell& bell);
@@ -88,7 +96,7 @@ class Component {
   bool ownedByAnotherThread() const;
 
  protected:
-  explicit Component(bool ownsThread) : ownsThread_(ownsThread) {}
+  explicit Component(bool ownsThread);
 
   // What a component does when its state changes. A hook that throws parks its component. A task's
   // run in its thread (those of a callback's task to start and stop in the manager's), but
@@ -110,7 +118,7 @@ class Component {
   // --- for Device and the kinds of task ---
 
   /// Any thread: park(), now or soon.
-  virtual void parkSoon(std::string reason) { park(std::move(reason)); }
+  virtual void parkSoon(std::string reason);
   /// Makes a legal transition to Suspended or Running happen, now or soon.
   virtual void take(Transition transition) = 0;
   /// Makes the legal `transition` here and now: the hook, the state, and what clients are told.
@@ -138,6 +146,7 @@ class Component {
   template <class Work, class Failed>
   static bool guarded(const Work& work, const Failed& failed);
   void setState(ComponentState state);
+  void tellListener(ComponentState state);
   /// False, and nothing has changed, if it has been parked meanwhile.
   bool changeState(ComponentState from, ComponentState to);
   void callHook(Transition transition);
@@ -146,17 +155,18 @@ class Component {
   std::string name_ = "(unnamed)";
   mutable std::mutex faultMutex_;  // taken by who parks, and by who asks why
   std::string fault_;
+  FaultCause faultCause_ = FaultCause::Code;
   std::atomic<std::uint64_t> faults_{0};
   std::atomic_flag parked_ = ATOMIC_FLAG_INIT;
   std::atomic<ComponentState> state_{ComponentState::Constructed};
   std::atomic<Time> resumed_{Time{}};
   std::vector<ProvidedBase*> provided_;
   std::vector<RequiredBase*> required_;
-  const std::shared_ptr<rt::Doorbell> doorbell_ = std::make_shared<rt::Doorbell>();
+  const std::shared_ptr<rt::Doorbell> doorbell_;
   rt::DueBells dueBells_;
   Component* lender_ = nullptr;
   std::atomic<const void*> owner_{nullptr};
-  std::unique_ptr<StateListener> listener_;
+  std::shared_ptr<StateListener> listener_;  // nobody else's; a unique_ptr compiles longer
 };
 
 template <class Work, class Failed>

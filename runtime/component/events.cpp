@@ -1,8 +1,13 @@
+#include <suture/component/channel.h>
 #include <suture/component/events.h>
 
 #include <utility>
 
 namespace suture {
+
+Result<void> Emitter<void>::operator()() { return provided_.emit(event_, nullptr, true); }
+
+Result<void> SubscriptionBase::reset() { return required_.unsubscribe(event_); }
 
 Result<void> Subscription<void>::operator()(std::function<void()> handler) {
   if (handler == nullptr) return reset();
@@ -14,6 +19,91 @@ Result<void> Subscription<void>::direct(std::function<void()> handler) {
   if (handler == nullptr) return reset();
   return required_.subscribe(
       event_, [handler = std::move(handler)](const std::byte*) { handler(); }, true);
+}
+
+NextEvent<void> Subscription<void>::next() { return {required_, event_}; }
+
+// --- what RequiredBase does for them
+
+Result<void> RequiredBase::handle(std::uint16_t event,
+                                  std::function<void(const std::byte*, Time)> handler) {
+  return subscribe(event, [handler = std::move(handler)](const std::byte* payload) {
+    handler(payload, rt::EventRecord::of(payload).stamp);
+  });
+}
+
+Result<void> RequiredBase::subscribe(std::uint16_t event, EventHandler handler, bool direct) {
+  if (owner_.ownedByAnotherThread()) return tl::unexpected(Errc::WrongThread);
+  if (handler == nullptr) return unsubscribe(event);
+  HeardEvent& heard = events_[event];
+  const bool joins = heard.handler == nullptr;
+  if (joins) heard.since = now();
+  heard.handler = std::make_shared<const EventHandler>(std::move(handler));
+  heard.direct = direct;
+  lendHandler(event);
+  const EventSet bit = EventSet{1} << event;
+  subscribed_.fetch_or(bit, std::memory_order_relaxed);
+  passSubscriptionsOn(joins ? bit : 0);
+  return {};
+}
+
+Result<void> RequiredBase::unsubscribe(std::uint16_t event) {
+  if (owner_.ownedByAnotherThread()) return tl::unexpected(Errc::WrongThread);
+  events_[event].handler = nullptr;
+  events_[event].direct = false;
+  lendHandler(event);
+  if (!isAwaited(event)) {
+    subscribed_.fetch_and(~(EventSet{1} << event), std::memory_order_relaxed);
+  }
+  passSubscriptionsOn(0);
+  return {};
+}
+
+void RequiredBase::lendHandler(std::uint16_t event) {
+  if (channel_ == nullptr || channel_->ends.here == nullptr) return;
+  const HeardEvent& heard = events_[event];
+  if (!heard.direct && (channel_->direct.events() >> event & 1) == 0) return;
+  channel_->direct.set(event, owner_, heard.direct ? heard.handler : nullptr);
+  if (heard.direct) refuseAwaited(event);
+}
+
+void RequiredBase::passSubscriptionsOn(EventSet joining) {
+  if (channel_ == nullptr) return;
+  if (joining == 0 && channel_->subscribed() == subscribed()) return;
+  channel_->subscribe(subscribed(), joining);
+  // Past its end, what is at the far end may be gone.
+  const ChannelStatus status = channel_->status.load(std::memory_order_acquire);
+  if (status == ChannelStatus::Lost || status == ChannelStatus::Closed) return;
+  const Channel::Ends& ends = channel_->ends;
+  owner_.ringLater(*ends.provider);
+  if (ends.device != nullptr) ends.device->greetLocal(*channel_);
+}
+
+void RequiredBase::handleQueuedEvents() {
+  const std::shared_ptr<Channel> channel = channel_;  // a handler of a device may take over another
+  if (channel == nullptr) return;
+  while (const rt::EventRecord* record = channel->events.next()) {
+    // Released even if the handler throws: it must not meet the same event again.
+    struct Release {
+      rt::EventQueue& events;
+      bool& handling;
+      ~Release() {
+        handling = false;
+        events.pop();
+      }
+    } release{channel->events, handling_};
+    handling_ = true;
+    deliver(*record);
+  }
+}
+
+void RequiredBase::deliver(const rt::EventRecord& record) {
+  satisfyAwaited(record);
+  const HeardEvent& heard = events_[record.event];
+  // Of a latched event the value may be older than its subscription: a replay.
+  if (record.stamp < heard.since && !info_.events[record.event].latched) return;
+  const auto handler = heard.handler;  // lives on if it ends its own subscription
+  if (handler != nullptr) (*handler)(record.payload());
 }
 
 }  // namespace suture

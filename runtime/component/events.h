@@ -28,7 +28,7 @@ class Emitter<void> {
  public:
   Emitter(ProvidedBase& provided, std::uint16_t event) : provided_(provided), event_(event) {}
   /// Never blocks, never allocates; a subscriber whose queue is full loses it, and that is counted.
-  Result<void> operator()() { return provided_.emit(event_, {}); }
+  Result<void> operator()();
 
  private:
   ProvidedBase& provided_;
@@ -43,12 +43,28 @@ class Emitter {
   /// nobody gets it then.
   Result<void> operator()(const Payload&... payload) {
     LooseSlot<Slot> slot;
-    if (!store(payload..., slot.value())) return tl::unexpected(Errc::TooLarge);
-    return provided_.emit(event_, slot.bytes());
+    const bool fits = store(payload..., slot.value());
+    return provided_.emit(event_, slot.memory(), fits);
   }
 
  private:
   ProvidedBase& provided_;
+  std::uint16_t event_;
+};
+
+/// The part of a Subscription that does not depend on what the event carries.
+class SubscriptionBase {
+ public:
+  /// No handler begins to run any more, not even for events that wait in the queue; a direct() one
+  /// that runs at this moment ends in its own time. Whoever subscribes anew gets only what comes
+  /// after. May be called by the handler itself.
+  Result<void> reset();
+
+ protected:
+  SubscriptionBase(RequiredBase& required, std::uint16_t event)
+      : required_(required), event_(event) {}
+
+  RequiredBase& required_;
   std::uint16_t event_;
 };
 
@@ -61,18 +77,13 @@ template <class Slot, class... Payload>
 class Subscription;
 
 template <>
-class Subscription<void> {
+class Subscription<void> : public SubscriptionBase {
  public:
-  Subscription(RequiredBase& required, std::uint16_t event) : required_(required), event_(event) {}
+  Subscription(RequiredBase& required, std::uint16_t event) : SubscriptionBase(required, event) {}
   /// See the other Subscription.
   Result<void> operator()(std::function<void()> handler);
   Result<void> direct(std::function<void()> handler);
-  Result<void> reset() { return required_.unsubscribe(event_); }
-  [[nodiscard]] NextEvent<void> next() { return {required_, event_}; }
-
- private:
-  RequiredBase& required_;
-  std::uint16_t event_;
+  [[nodiscard]] NextEvent<void> next();
 };
 
 /// Calls a handler with the values in a slot.
@@ -116,18 +127,24 @@ class SlotHandler {
   std::shared_ptr<Scratch> scratch_;
 };
 
+/// `handler` as it is called with a slot; null: none.
 template <class Slot, class... Payload>
-class Subscription {
+std::function<void(const std::byte*)> slotHandler(std::function<void(const Payload&...)> handler) {
+  if (handler == nullptr) return nullptr;
+  return SlotHandler<Slot, Payload...>(std::move(handler));
+}
+
+template <class Slot, class... Payload>
+class Subscription : public SubscriptionBase {
  public:
-  Subscription(RequiredBase& required, std::uint16_t event) : required_(required), event_(event) {}
+  Subscription(RequiredBase& required, std::uint16_t event) : SubscriptionBase(required, event) {}
 
   /// From now on `handler` gets what is emitted once the provider knows: a task does before it
   /// executes any command sent later, on every lane, and begins with the last value of a latched()
   /// event. An earlier handler is replaced. Never blocks; what it allocates is what keeps
   /// `handler`, so a control loop subscribes rarely.
   Result<void> operator()(std::function<void(const Payload&...)> handler) {
-    if (handler == nullptr) return reset();
-    return required_.subscribe(event_, SlotHandler<Slot, Payload...>(std::move(handler)));
+    return required_.subscribe(event_, slotHandler<Slot, Payload...>(std::move(handler)));
   }
 
   /// The same, and where both ends are in one process and no delay lies between them, `handler`
@@ -137,21 +154,11 @@ class Subscription {
   /// emitter. While this component is suspended or faulted, and from any other process, the event
   /// is queued as every other and `handler` runs in this component's thread.
   Result<void> direct(std::function<void(const Payload&...)> handler) {
-    if (handler == nullptr) return reset();
-    return required_.subscribe(event_, SlotHandler<Slot, Payload...>(std::move(handler)), true);
+    return required_.subscribe(event_, slotHandler<Slot, Payload...>(std::move(handler)), true);
   }
-
-  /// No handler begins to run any more, not even for events that wait in the queue; a direct() one
-  /// that runs at this moment ends in its own time. Whoever subscribes anew gets only what comes
-  /// after. May be called by the handler itself.
-  Result<void> reset() { return required_.unsubscribe(event_); }
 
   /// The next such event, to wait for or to look for: NextEvent.
   [[nodiscard]] NextEvent<Slot, Payload...> next() { return {required_, event_}; }
-
- private:
-  RequiredBase& required_;
-  std::uint16_t event_;
 };
 
 }  // namespace suture

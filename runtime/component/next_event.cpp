@@ -1,5 +1,6 @@
 #include <suture/component/channel.h>
 #include <suture/component/next_event.h>
+#include <suture/component/sleep.h>
 
 namespace suture {
 
@@ -44,24 +45,18 @@ bool AwaitedEvent::over() {
   return true;
 }
 
-void AwaitedEvent::wait(Time deadline) {
+void AwaitedEvent::wait(Duration limit) {
   if (over_) return;
   Component& owner = required_.owner();
   Errc error = Errc::CannotWait;
   if (owner.ownedByAnotherThread()) {
     error = Errc::WrongThread;
   } else if (!required_.handling_) {
-    owner.ringNow();
     error = Errc::Timeout;
-    bool forOthers = false;
-    required_.handleArrivals();
-    while (!over() && now() < deadline) {
-      const bool rung = owner.doorbell().waitUntil(deadline);
+    sleepUntil(owner, now() + limit, [this] {
       required_.handleArrivals();
-      forOthers = forOthers || (rung && !over());
-    }
-    // The ring of what is for the next cycle has been taken notice of here.
-    if (forOthers) owner.doorbell().ring();
+      return over();
+    });
   }
   if (over_) return;
   unlink();

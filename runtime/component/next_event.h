@@ -30,8 +30,8 @@ class AwaitedEvent {
 
   /// True if the event has come or cannot come any more.
   bool over();
-  /// Handles what arrives until it is over, at most until `deadline`; then that is its end.
-  void wait(Time deadline);
+  /// Handles what arrives until it is over, at most for `limit`; then that is its end.
+  void wait(Duration limit);
   /// Why it has not come; 0: it has.
   Errc error() const { return error_; }
 
@@ -86,7 +86,7 @@ class [[nodiscard]] NextEvent final : private AwaitedEvent {
   /// periodic task, which would miss its period; not in a handler of an event: Errc::CannotWait.
   const Answer& within(Duration limit) {
     if (!answer_) {
-      wait(now() + limit);
+      wait(limit);
       answer_.emplace(makeAnswer());
     }
     return *answer_;

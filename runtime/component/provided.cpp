@@ -129,8 +129,9 @@ bool ProvidedBase::inService() const {
 }
 
 void ProvidedBase::drain() {
-  if (owner_.ownsThread()) {
-    channels_.sweep([this] { owner_.ringNow(); });  // a bell that is due may go with its channel
+  if (owner_.ownsThread() && channels_.unlinkClosed()) {
+    owner_.ringNow();  // a bell that is due may go with its channel
+    channels_.letGo();
   }
   const Errc refusal = inService() ? Errc{} : errorOf(statusIn(owner_.state()));
   channels_.forEach([this, refusal](ChannelList::Node& node) {
@@ -245,11 +246,13 @@ void ProvidedBase::announce(ChannelStatus status) {
   channels_.forEach([status](ChannelList::Node& node) { node.channel->tell(status); });
 }
 
-Result<void> ProvidedBase::emit(std::uint16_t event, std::span<const std::byte> payload) {
+Result<void> ProvidedBase::emit(std::uint16_t event, const std::byte* slot, bool fits) {
   const bool ownThread = owner_.ownsThread();
   // Nobody else may walk the channels of a task, or fill its subscribers' queues.
   if (ownThread && owner_.ownedByAnotherThread()) return tl::unexpected(Errc::WrongThread);
+  if (!fits) return tl::unexpected(Errc::TooLarge);
   const Time stamp = now();
+  const std::span payload(slot, info_.events[event].payloadSize);
   if (info_.events[event].latched) keepLatched(event, stamp, payload);
   channels_.forEach([&](ChannelList::Node& node) {
     Channel& channel = *node.channel;

@@ -110,6 +110,7 @@ class RequiredBase {
   friend class AnsweredCommand;
   template <class, class...>
   friend class Subscription;
+  friend class SubscriptionBase;
   friend class AwaitedEvent;
   friend class RowReader;
 
@@ -151,7 +152,7 @@ class RequiredBase {
   /// Copies the newest result of read `command` into `slot`, unless the provider is a `device`, to
   /// be called directly.
   Sample<void> read(std::uint16_t command, std::byte* slot, bool& device);
-  /// The same as it was at `at`.
+  /// The same as it was at `at`; a device has no past.
   Sample<void> readAt(Time at, std::uint16_t command, std::byte* slot, bool& device);
   /// What read() and readAt() do first.
   Errc ask(std::uint16_t command, bool& device);
@@ -178,7 +179,7 @@ class RequiredBase {
   /// Of a call that is over: its place is free.
   static void discard(PendingCall& call);
   bool isDone(PendingCall& call);
-  void waitFor(PendingCall& call, Time deadline);
+  void waitFor(PendingCall& call, Duration limit);
   /// True if the provider will not execute it, and answers so.
   bool cancel(PendingCall& call);
   /// `follower` is called in the owner's thread as soon as `call` is done.

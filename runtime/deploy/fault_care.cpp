@@ -95,8 +95,8 @@ std::vector<std::string> FaultCare::news() {
     if (!running || faults == known.faults) continue;
     known.faults = faults;
     lines.push_back("component '" + process_.name + ":" + known.component->name() +
-                    "' runs again after fault " + std::to_string(faults) +
-                    ": its code threw: " + known.component->fault());
+                    "' runs again after fault " + std::to_string(faults) + ": " +
+                    known.component->whyFaulted());
   }
   const std::lock_guard lock(mutex_);
   for (std::string& line : std::exchange(told_, {})) lines.push_back(std::move(line));

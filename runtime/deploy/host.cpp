@@ -193,8 +193,8 @@ std::vector<std::string> Host::news() {
 }
 
 std::vector<Trouble> Host::troubles() const {
+  std::vector<Trouble> found = componentTroubles();
   const std::vector<Trouble> connections = connectionTroubles();
-  std::vector<Trouble> found = componentTroubles(connections);
   found.insert(found.end(), connections.begin(), connections.end());
   if (const std::string address = manager_->missingGlobalManager(); !address.empty()) {
     found.push_back({"the global manager at " + address,
@@ -204,18 +204,14 @@ std::vector<Trouble> Host::troubles() const {
   return found;
 }
 
-std::vector<Trouble> Host::componentTroubles(const std::vector<Trouble>& connections) const {
+std::vector<Trouble> Host::componentTroubles() const {
   std::vector<Trouble> found;
   for (std::size_t i = 0; i < components_.size(); ++i) {
     if (!faultedForGood(*components_[i])) continue;
     const ComponentEntry& entry = process_.components[i];
-    const std::string fault = components_[i]->fault();
-    // A connection's contract begins its reason with the connection.
-    const bool loss = std::any_of(
-        connections.begin(), connections.end(),
-        [&](const Trouble& connection) { return fault.starts_with(connection.subject); });
+    const bool loss = components_[i]->faultCause() == FaultCause::Connection;
     found.push_back({"component '" + process_.name + ":" + entry.name + "'",
-                     "is parked, its code threw: " + fault +
+                     "is parked, " + components_[i]->whyFaulted() +
                          (entry.restart ? ". It is restarted no more" : "") +
                          ". Correct the cause and start the process anew",
                      true, loss});

@@ -72,7 +72,7 @@ class Host {
   void createManager();
   void checkRequired() const;
   void configure();
-  std::vector<Trouble> componentTroubles(const std::vector<Trouble>& connections) const;
+  std::vector<Trouble> componentTroubles() const;
   std::vector<Trouble> connectionTroubles() const;
 
   const Deployment& deployment_;

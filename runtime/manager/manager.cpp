@@ -83,7 +83,7 @@ void Manager::add(const std::string& name, Component& component) {
   directory_.add(name, component, [&] {
     component.name_ = name;
     if (component.listener_ != nullptr) return;
-    component.listener_ = std::make_unique<LifecycleFace>(component);
+    component.listener_ = std::make_shared<LifecycleFace>(component);
   });
 }
 
@@ -129,9 +129,8 @@ std::vector<std::string> Manager::missing() const {
   for (const Component* component : directory_.components()) {
     const ComponentState state = component->state();
     if (state != ComponentState::Running) {
-      lines.push_back(
-          "component '" + component->name() + "' is " + toString(state) +
-          (state == ComponentState::Faulted ? ", its code threw: " + component->fault() : ""));
+      lines.push_back("component '" + component->name() + "' is " + toString(state) +
+                      (state == ComponentState::Faulted ? ", " + component->whyFaulted() : ""));
     }
     for (const RequiredBase* required : component->required()) {
       if (required->isOptional()) continue;
@@ -169,7 +168,7 @@ void Manager::change(const std::string& name, Transition transition, Duration pa
   if (reached == after(before, transition)) return;
   const std::string asked = "component '" + name + "' was asked to " + toString(transition);
   if (reached == ComponentState::Faulted) {
-    throw SetupError(asked, "its code threw: " + component.fault(), "Correct the cause");
+    throw SetupError(asked, component.whyFaulted(), "Correct the cause");
   }
   throw SetupError(asked, std::string("it is still ") + toString(reached),
                    "Its run() has to return, and the callback of a CallbackTask has to come");

@@ -26,7 +26,7 @@ void DelayThread::requireBounded(const InterfaceInfo& contract) {
                    "the contract has a type without bounds", "Give it a capacity()");
 }
 
-std::shared_ptr<Channel> DelayThread::interpose(RequiredBase& required,
+std::shared_ptr<Channel> DelayThread::interpose(const RequiredBase& required,
                                                 std::shared_ptr<Channel> far,
                                                 const ConnectionDelay& delay) {
   auto state = makeStateTable(required.info());

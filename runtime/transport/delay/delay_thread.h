@@ -25,7 +25,7 @@ class DelayThread final : public ThreadTask {
 
   /// Any thread: puts a delay between `required` and `far`, whose client doorbell is this thread's.
   /// Returns the channel to be attached to `required`.
-  std::shared_ptr<Channel> interpose(RequiredBase& required, std::shared_ptr<Channel> far,
+  std::shared_ptr<Channel> interpose(const RequiredBase& required, std::shared_ptr<Channel> far,
                                      const ConnectionDelay& delay);
 
  private:

@@ -53,10 +53,10 @@ void ProxyPort::publish(std::int64_t stamp, rt::ColumnSet valid, rt::ColumnSet t
   if (channel_->wantsRows.load(std::memory_order_relaxed)) channel_->ends.client->ring();
 }
 
-void ProxyPort::push(std::uint16_t event, std::span<const std::byte> payload) {
+void ProxyPort::push(std::uint16_t event, const std::byte* slot) {
   const Time stamp = here(std::exchange(replays_[event], 0));
   if (closed_ || (leaving_ >> event & 1) != 0) return;
-  channel_->events.push(event, stamp, payload);
+  channel_->events.push(event, stamp, {slot, channel_->info.events[event].payloadSize});
   channel_->ends.client->ring();
 }
 

@@ -79,11 +79,11 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
   kj::Promise<void> event(std::uint16_t event, const Decode& decode) {
     LooseSlot<Slot> payload;
     if (const Errc error = decode(payload.value()); error != Errc{}) return remoteError(error);
-    push(event, payload.bytes());
+    push(event, payload.memory());
     return acknowledge();
   }
   kj::Promise<void> event(std::uint16_t event) {
-    push(event, {});
+    push(event, nullptr);
     return acknowledge();
   }
 
@@ -96,7 +96,7 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
   }
 
   Time here(std::int64_t stamp) const;
-  void push(std::uint16_t event, std::span<const std::byte> payload);
+  void push(std::uint16_t event, const std::byte* slot);
   /// The newest event is answered with the next command, or when another event arrives: a message
   /// of its own would cost both processes a wake-up, and the provider does not wait for it before
   /// ServantPort::kWindow of them.

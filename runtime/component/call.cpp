@@ -1,0 +1,116 @@
+// What a required interface does for the calls under way on it.
+#include <suture/component/channel.h>
+#include <suture/component/required.h>
+#include <suture/component/sleep.h>
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+namespace suture {
+
+RequiredBase::PendingCall* RequiredBase::openCall() {
+  collectReplies();
+  const auto free = std::find_if(calls_.begin(), calls_.end(),
+                                 [](const PendingCall& call) { return call.number == 0; });
+  if (free == calls_.end()) return nullptr;
+  const auto index = static_cast<std::uint32_t>(free - calls_.begin());
+  ++callsOpened_;
+  free->number = callsOpened_ % (1u << 27) * Channel::kMaxCalls + index + Channel::kMaxCalls;
+  free->done = free->abandoned = false;
+  free->error = Errc{};
+  return &*free;
+}
+
+void RequiredBase::closeCall(PendingCall& call) {
+  // The answer may still come; until then the place is taken.
+  if (call.done || channel_ == nullptr) {
+    discard(call);
+  } else {
+    call.abandoned = true;
+  }
+}
+
+void RequiredBase::collectReplies() {
+  if (channel_ == nullptr) return;
+  while (ReplyRecord* const reply = channel_->nextReply()) {
+    collect(*reply, channel_->replies.frontSize() - sizeof(ReplyRecord));
+    channel_->popReply();
+  }
+}
+
+void RequiredBase::collect(ReplyRecord& reply, std::size_t size) {
+  PendingCall& call = calls_[reply.call % Channel::kMaxCalls];
+  if (call.number != reply.call) return;
+  ++answers_;
+  call.done = true;
+  call.error = reply.error;
+  call.stamp = reply.stamp;
+  std::memcpy(call.result.data(), reply.result(), std::min(size, call.result.size()));
+  call.shared = reply.shared;
+  if (reply.shared) putSharedSlot(reply.result(), nullptr);  // it is the call's now
+  if (call.abandoned) discard(call);
+}
+
+void RequiredBase::discard(PendingCall& call) {
+  if (call.shared) releaseSharedSlot(call.result.data());
+  call.shared = false;
+  call.number = 0;
+  call.follower = nullptr;
+}
+
+bool RequiredBase::isDone(PendingCall& call) {
+  collectReplies();
+  if (call.done) return true;
+  const Errc end = endOfCalls();
+  if (end == Errc{}) return false;
+  collectReplies();  // an answer may have come just before the end
+  if (call.done) return true;
+  call.done = true;
+  call.error = end;
+  return true;
+}
+
+Errc RequiredBase::endOfCalls() const {
+  if (channel_ == nullptr) return Errc::OutcomeUnknown;
+  switch (channel_->status.load(std::memory_order_acquire)) {
+    case ChannelStatus::Connected: return Errc{};
+    // It answers what has been sent: with Errc::Suspended.
+    case ChannelStatus::Suspended: return Errc{};
+    case ChannelStatus::Faulted: return Errc::Faulted;
+    default: return Errc::OutcomeUnknown;
+  }
+}
+
+bool RequiredBase::cancel(PendingCall& call) {
+  return !isDone(call) && channel_->claimCall(call.number);
+}
+
+void RequiredBase::follow(PendingCall& call, Follower follower) {
+  call.follower = follower;
+  ++followed_;
+}
+
+bool RequiredBase::followedMayBeDone() const {
+  if (followed_ == 0) return false;
+  return endOfCalls() != Errc{} || channel_->nextReply() != nullptr ||
+         std::any_of(calls_.begin(), calls_.end(),
+                     [](const PendingCall& call) { return call.follower != nullptr && call.done; });
+}
+
+void RequiredBase::finishFollowed() {
+  if (followed_ == 0) return;
+  for (PendingCall& call : calls_) {
+    if (call.follower == nullptr || !isDone(call)) continue;
+    --followed_;
+    std::exchange(call.follower, nullptr)(*this, call);
+  }
+}
+
+void RequiredBase::waitFor(PendingCall& call, Duration limit) {
+  const std::uint32_t before = answers_;
+  sleepUntil(owner_, now() + limit, [&] { return isDone(call); });
+  if (answers_ - before > 1) owner_.doorbell().ring();  // another's came with it, in one ring
+}
+
+}  // namespace suture

@@ -1,0 +1,127 @@
+// What a required interface does for its commands.
+#include <suture/component/channel.h>
+#include <suture/component/required.h>
+
+#include <array>
+#include <chrono>
+#include <string>
+
+namespace suture {
+
+Duration RequiredBase::deadlineOf(std::uint16_t command) const {
+  const ConnectionWatch* const watch = channel_->watch.get();
+  const bool agreed = watch != nullptr && watch->contract.deadline > Duration{0};
+  return agreed ? watch->contract.deadline : info_.commands[command].deadline;
+}
+
+Sample<void> RequiredBase::judgeAge(Time stamp) {
+  ConnectionWatch* const watch = channel_->watch.get();
+  if (watch == nullptr || watch->contract.maxAge == Duration{0}) return Sample<void>(stamp);
+  if (now() - stamp <= watch->contract.maxAge) return Sample<void>(stamp);
+  watch->staleReads.fetch_add(1, std::memory_order_relaxed);
+  if (watch->contract.resume == Resume::Operator) watch->awaitsOperator = true;
+  return fallBack(watch->contract.onStale, Errc::Stale, stamp);
+}
+
+Sample<void> RequiredBase::judgeLoss(Errc error, std::uint16_t command, std::byte* slot) {
+  if ((error != Errc::Lost && error != Errc::Faulted) || channel_->watch == nullptr) return error;
+  const auto column = static_cast<unsigned>(info_.commands[command].column);
+  const Result<Time> stamp = channel_->state->read(column, slot);
+  if (!stamp) return error;
+  return fallBack(channel_->watch->contract.onLoss, error, *stamp);
+}
+
+Sample<void> RequiredBase::fallBack(Fallback fallback, Errc error, Time stamp) {
+  if (fallback == Fallback::Fault && error == Errc::Stale) {
+    owner_.park("connection '" + channel_->name + "': a value was " +
+                    std::to_string((now() - stamp) / std::chrono::milliseconds(1)) +
+                    " ms old, beyond its max_age, and its on_stale is fault",
+                FaultCause::Connection);
+  }
+  const bool usable = fallback == Fallback::Zero || fallback == Fallback::Last;
+  return {error, stamp, usable};
+}
+
+bool RequiredBase::zeroes(const Sample<void>& answer) const {
+  if (!answer || answer.error() == Errc{}) return false;
+  const ConnectionContract& contract = channel_->watch->contract;
+  return (answer.error() == Errc::Stale ? contract.onStale : contract.onLoss) == Fallback::Zero;
+}
+
+ProvidedBase* RequiredBase::callee(std::uint16_t command) const {
+  const Channel::Ends& ends = channel_->ends;
+  return info_.commands[command].inCallersThread ? ends.here : ends.device;
+}
+
+Errc RequiredBase::claim(std::uint16_t command, std::uint32_t call, std::byte*& arguments) {
+  const Result<std::byte*> claimed = channel_->commands.claim(command, now(), call);
+  if (!claimed) return claimed.error();
+  arguments = *claimed;
+  return Errc{};
+}
+
+Errc RequiredBase::commit(bool fits) {
+  if (!fits) {
+    channel_->commands.abandon();
+    channel_->commands.counters.tooLarge.fetch_add(1, std::memory_order_relaxed);
+    return Errc::TooLarge;
+  }
+  channel_->commands.commit();
+  owner_.ringLater(*channel_->ends.provider);
+  return Errc{};
+}
+
+Errc RequiredBase::ask(std::uint16_t command, bool& device) {
+  if (const Errc error = unusable(command); error != Errc{}) return error;
+  device = channel_->ends.device != nullptr;
+  if (device) return Errc{};
+  const auto column = static_cast<unsigned>(info_.commands[command].column);
+  if (channel_->state->ask(column)) owner_.ringLater(*channel_->ends.provider);
+  return Errc{};
+}
+
+Sample<void> RequiredBase::read(std::uint16_t command, std::byte* slot, bool& device) {
+  const Errc error = ask(command, device);
+  if (device) return error;
+  if (error != Errc{}) return judgeLoss(error, command, slot);
+  const auto column = static_cast<unsigned>(info_.commands[command].column);
+  const Result<Time> stamp = channel_->state->read(column, slot);
+  if (!stamp) return stamp.error();
+  channel_->noteRead(*stamp);
+  return judgeAge(*stamp);
+}
+
+Sample<void> RequiredBase::readAt(Time at, std::uint16_t command, std::byte* slot, bool& device) {
+  if (const Errc error = ask(command, device); error != Errc{}) return error;
+  if (device && at < now()) {
+    device = false;
+    return Errc::TooOld;
+  }
+  if (device) return Errc{};
+  const auto column = static_cast<unsigned>(info_.commands[command].column);
+  const Result<Time> stamp = channel_->state->readAt(at, column, slot);
+  if (!stamp) return stamp.error();
+  return Sample<void>(*stamp);
+}
+
+Sample<void> RequiredBase::readRow(const Time* at, std::span<const std::uint16_t> commands,
+                                   std::span<std::byte* const> slots, bool& device) {
+  std::array<std::byte*, 64> byColumn{};  // a contract has no more reads
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    if (const Errc error = ask(commands[i], device); error != Errc{} || device) return error;
+    byColumn[static_cast<std::size_t>(info_.commands[commands[i]].column)] = slots[i];
+  }
+  const rt::StateTable& state = *channel_->state;
+  const std::span<std::byte* const> wanted = std::span(byColumn).first(state.columns());
+  const rt::StateTable::Row row =
+      at == nullptr ? state.readRow(wanted) : state.readRowAt(*at, wanted);
+  for (const std::uint16_t command : commands) {
+    const auto column = static_cast<unsigned>(info_.commands[command].column);
+    if (const Errc error = row.missing(column); error != Errc{}) return error;
+  }
+  if (at != nullptr) return Sample<void>(row.stamp);
+  channel_->noteRead(row.stamp);
+  return judgeAge(row.stamp);
+}
+
+}  // namespace suture
