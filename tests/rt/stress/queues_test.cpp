@@ -32,7 +32,7 @@ TEST(Stress, Mailbox) {
   std::uint64_t queuedSent = 0, queuedRun = 0;
   Faults faults;
   const auto produce = [&] {
-    for (std::uint64_t serial = 1; !span.over();) {
+    for (std::uint64_t serial = 1; !span.over(serial - 1);) {
       const auto command = static_cast<std::uint16_t>((serial * 2654435761u >> 7) % 4);
       const auto memory = mailbox.claim(command, suture::now(), 0);
       if (!memory) {
@@ -120,7 +120,7 @@ TEST(Stress, EventQueueOfOne) {
   Faults queued, newest;
   const auto produce = [&] {
     Bytes bytes;
-    for (std::uint64_t serial = 1; !span.over(); ++serial) {
+    for (std::uint64_t serial = 1; !span.over(sent); ++serial) {
       fill(bytes, serial);
       queue.push(1, suture::now(), bytes);
       if (queue.push(0, suture::now(), bytes)) {

@@ -29,7 +29,7 @@ TEST(Stress, SpscRing) {
   std::uint64_t sent = 0;
   Faults faults;
   runAcrossProcessors({[&] {
-                         while (!span.over()) {
+                         while (!span.over(sent)) {
                            const std::size_t length = lengthOf(sent + 1);
                            std::byte* memory = ring.claim(length);
                            if (memory == nullptr) {
@@ -97,7 +97,7 @@ TEST(Stress, LatestCell) {
   std::uint64_t lastTaken = 0;
   runAcrossProcessors({[&] {
                          std::uint64_t serial = 0;
-                         while (!span.over()) {
+                         while (!span.over(serial)) {
                            fill(at(cell.claim()), ++serial);
                            cell.commit();
                          }

@@ -25,7 +25,7 @@ TEST(Stress, StateTable) {
   std::vector<Faults> faults(2);
   std::uint64_t apart = 0;  // rows whose columns are not theirs
   const auto write = [&] {
-    for (std::uint64_t serial = 1; !span.over(); ++serial) {
+    for (std::uint64_t serial = 1; !span.over(serial - 1); ++serial) {
       for (unsigned column : {0u, 1u}) fill(at(table.draft(column)), serial);
       table.publish(suture::now(), 3, 0);
     }
@@ -34,7 +34,7 @@ TEST(Stress, StateTable) {
   const auto readColumn = [&] {
     Bytes bytes{};
     std::uint64_t before = 0;
-    while (!ended) {
+    while (!ended || faults[0].seen == 0) {
       if (!table.read(1, bytes.data())) continue;
       const std::uint64_t serial = serialOf(bytes);
       if (serial != before) faults[0].take(serial);
@@ -45,7 +45,7 @@ TEST(Stress, StateTable) {
     Bytes first{}, second{};
     std::byte* const slots[] = {first.data(), second.data()};
     std::uint64_t before = 0;
-    while (!ended) {
+    while (!ended || faults[1].seen == 0) {
       const auto row = table.readRow(slots);
       if (row.sequence == before || row.valid != 3) continue;
       before = row.sequence;

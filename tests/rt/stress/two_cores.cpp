@@ -36,7 +36,9 @@ Span::Span() {
   end_ = suture::toNanoseconds(suture::now()) + static_cast<std::int64_t>(length * 1e9);
 }
 
-bool Span::over() const { return suture::toNanoseconds(suture::now()) >= end_; }
+bool Span::over(std::uint64_t done) const {
+  return done > 0 && suture::toNanoseconds(suture::now()) >= end_;
+}
 
 void runAcrossProcessors(const std::vector<std::function<void()>>& bodies) {
   const std::vector<int> places = processors();
@@ -57,7 +59,7 @@ std::vector<std::function<void()>> producers(
   for (std::uint64_t producer = 0; producer < kProducers; ++producer) {
     bodies.emplace_back([&, send, producer] {
       std::uint64_t serial = 0;
-      while (!span.over()) {
+      while (!span.over(serial)) {
         if (send(producer, serial + 1)) {
           ++serial;
         } else {

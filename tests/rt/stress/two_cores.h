@@ -14,7 +14,8 @@ namespace stress {
 class Span {
  public:
   Span();
-  bool over() const;
+  /// Not before one thing is done: on a busy machine a thread may get no turn in all this time.
+  bool over(std::uint64_t done) const;
 
  private:
   std::int64_t end_;
