@@ -1,11 +1,13 @@
 // What update() writes is a schema that capnp itself accepts.
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <string>
 
 #include "compiler/lock/lock.h"
 #include "tests/unit/emit/sample_model.h"
@@ -16,8 +18,9 @@ namespace {
 /// Whether capnp takes what update() writes for the model.
 void compile(model::Model model) {
   for (model::Header& header : model.headers) header.own = true;
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "suture_schema";
-  std::filesystem::remove_all(folder);
+  // Of this process alone: CTest runs the tests beside each other.
+  const std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / ("suture_schema_" + std::to_string(getpid()));
   std::string files;
   for (const auto& [path, text] : update(model, {}).files) {
     std::filesystem::create_directories((folder / path).parent_path());
@@ -29,6 +32,7 @@ void compile(model::Model model) {
                               " compile --src-prefix=" + folder.string() + " -I" + SUTURE_SCHEMAS +
                               " -I" + folder.string() + " -o-" + files + " > /dev/null";
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
+  std::filesystem::remove_all(folder);
 }
 
 TEST(Schema, CapnpCompilesEveryLock) { compile(sample::robots()); }
