@@ -109,6 +109,8 @@ TEST_F(Contract, FaultParksTheReader) {
   EXPECT_TRUE(faulted());
   EXPECT_NE(reader_.fault().find("Reader/Slave -> PSM/Arm"), std::string::npos);
   EXPECT_NE(reader_.fault().find("on_stale is fault"), std::string::npos);
+  EXPECT_EQ(reader_.faultCause(), FaultCause::Connection);
+  EXPECT_EQ(reader_.whyFaulted(), reader_.fault());
 }
 
 TEST_F(Contract, HoldsForSeveralReadsOfOneRow) {
@@ -139,6 +141,7 @@ TEST_F(Contract, ALossMayParkTheReaderThatDoesNotEvenRead) {
   reader_.cycle();
   EXPECT_TRUE(faulted());
   EXPECT_EQ(runs, 0) << "what must not go on went on";
+  EXPECT_EQ(reader_.faultCause(), FaultCause::Connection);
 }
 
 TEST_F(Contract, AfterALossCommandsAwaitTheOperator) {

@@ -87,6 +87,8 @@ TEST_F(SafeState, IsFollowedByRestartsWithinTheBudget) {
   EXPECT_TRUE(faulted());
   EXPECT_EQ(surgeon_.faults(), 3u);
   EXPECT_EQ(surgeon_.safeStates, 3);
+  EXPECT_EQ(surgeon_.faultCause(), FaultCause::Code);
+  EXPECT_EQ(surgeon_.whyFaulted(), "its code threw: lost the needle");
 }
 
 TEST_F(SafeState, TheBudgetFillsUpAgain) {
