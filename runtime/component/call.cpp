@@ -42,8 +42,8 @@ void RequiredBase::collectReplies() {
 void RequiredBase::collect(ReplyRecord& reply, std::size_t size) {
   PendingCall& call = calls_[reply.call % Channel::kMaxCalls];
   if (call.number != reply.call) return;
-  ++answers_;
-  call.done = true;
+  call.done = call.fresh = true;
+  ++fresh_;
   call.error = reply.error;
   call.stamp = reply.stamp;
   std::memcpy(call.result.data(), reply.result(), std::min(size, call.result.size()));
@@ -53,6 +53,7 @@ void RequiredBase::collect(ReplyRecord& reply, std::size_t size) {
 }
 
 void RequiredBase::discard(PendingCall& call) {
+  if (std::exchange(call.fresh, false)) --fresh_;
   if (call.shared) releaseSharedSlot(call.result.data());
   call.shared = false;
   call.number = 0;
@@ -108,9 +109,18 @@ void RequiredBase::finishFollowed() {
 }
 
 void RequiredBase::waitFor(PendingCall& call, Duration limit) {
-  const std::uint32_t before = answers_;
   sleepUntil(owner_, now() + limit, [&] { return isDone(call); });
-  if (answers_ - before > 1) owner_.doorbell().ring();  // another's came with it, in one ring
+}
+
+bool RequiredBase::answered() const {
+  return fresh_ != 0 || (channel_ != nullptr && channel_->nextReply() != nullptr);
+}
+
+void RequiredBase::offerAnswers() {
+  collectReplies();
+  if (fresh_ == 0) return;
+  for (PendingCall& call : calls_) call.fresh = false;
+  fresh_ = 0;
 }
 
 }  // namespace suture

@@ -23,11 +23,11 @@ std::shared_ptr<rt::Doorbell> Component::sharedDoorbell() {
   return lender_ == nullptr ? doorbell_ : lender_->sharedDoorbell();
 }
 
-void Component::ringLater(rt::Doorbell& bell) {
+void Component::ringLater(rt::Doorbell& bell, rt::Ring what) {
   if (!ownsThread()) {
-    bell.ring();
+    bell.ring(what);
   } else {
-    dueBells_.add(bell);
+    dueBells_.add(bell, what);
   }
 }
 

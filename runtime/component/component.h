@@ -38,11 +38,12 @@ class Component {
   /// The instance name, given by the manager: unique in its process.
   const std::string& name() const { return name_; }
   ComponentState state() const { return state_.load(std::memory_order_acquire); }
-  /// What the handler threw that faulted this component last; "" if none did. Any thread.
+  /// What faulted this component last: the text that its code threw, or what the contract of a
+  /// connection says; "" if nothing did. Any thread.
   std::string fault() const;
-  /// Of that fault. Any thread.
+  /// Which of the two. Any thread.
   FaultCause faultCause() const;
-  /// The same in words, for people: "its code threw: no answer", "connection '...' is lost, ...".
+  /// Both in words: "its code threw: no answer", "connection '...' is lost, ...". Any thread.
   std::string whyFaulted() const;
   /// How often it has been faulted. Any thread.
   std::uint64_t faults() const { return faults_.load(std::memory_order_acquire); }
@@ -81,7 +82,7 @@ class Component {
   std::shared_ptr<rt::Doorbell> sharedDoorbell();
   /// From the component's own thread: rings `bell` once at the end of the cycle; from a device, at
   /// once.
-  void ringLater(rt::Doorbell& bell);
+  void ringLater(rt::Doorbell& bell, rt::Ring what = rt::Ring::Work);
   /// From the component's own thread: rings what ringLater() collected. Called before anything that
   /// blocks.
   void ringNow();

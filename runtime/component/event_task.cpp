@@ -3,8 +3,11 @@
 namespace suture {
 
 bool EventTask::awaitCycle() {
-  // within() inside a cycle may have taken notice of a ring that announced something else.
-  if (!stopping() && !workPending()) doorbell().waitUntil(now() + longestSleep_);
+  const Time latest = now() + longestSleep_;
+  while (!stopping() && !workPending()) {
+    // What arrived may have been taken in the cycle before, by a wait or a poll.
+    if (doorbell().waitUntil(latest) != rt::Ring::Arrival) break;
+  }
   return !stopping();
 }
 

@@ -34,8 +34,10 @@ class Turn {
     channel_.commands.pop();
     if (usesCredit) channel_.commands.returnCredit(command_);
     if (call_ != 0 && !answered) channel_.replyError(call_, error);
-    if (call_ != 0 || channel_.wantsRows.load(std::memory_order_relaxed)) {
+    if (channel_.wantsRows.load(std::memory_order_relaxed)) {
       owner_.ringLater(*channel_.ends.client);
+    } else if (call_ != 0) {
+      owner_.ringLater(*channel_.ends.client, rt::Ring::Arrival);
     }
   }
 
@@ -268,7 +270,7 @@ void ProvidedBase::deliver(Channel& channel, std::uint16_t event, Time stamp,
                            std::span<const std::byte> payload, EventSet direct) {
   if ((direct >> event & 1) != 0 && channel.direct.call(event, payload.data())) return;
   channel.events.push(event, stamp, payload);
-  owner_.ringLater(*channel.ends.client);
+  owner_.ringLater(*channel.ends.client, rt::Ring::Arrival);
 }
 
 void ProvidedBase::keepLatched(std::uint16_t event, Time stamp,

@@ -127,6 +127,7 @@ void RequiredBase::lookAtConnection() {
 
 void RequiredBase::handleEvents() {
   handleQueuedEvents();
+  offerAnswers();
   finishFollowed();
 }
 

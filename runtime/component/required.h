@@ -82,6 +82,9 @@ class RequiredBase {
   bool rewired() const { return incoming_.load(std::memory_order_relaxed) != nullptr; }
   /// Owner's thread: true if adopt() or handleEvents() has something to do.
   bool pending() const;
+  /// Owner's thread: true if the answer to a call has come since the last handleEvents() and nobody
+  /// has taken it.
+  bool answered() const;
 
  protected:
   RequiredBase(Component& owner, std::string_view name, const InterfaceInfo& info);
@@ -127,6 +130,7 @@ class RequiredBase {
     std::uint32_t number = 0;  // 0: free
     bool done = false;
     bool abandoned = false;
+    bool fresh = false;  // answered since the last handleEvents()
     Errc error{};
     Time stamp{};
     bool shared = false;  // result holds a counted pointer
@@ -177,7 +181,7 @@ class RequiredBase {
   bool awaitsOperator(std::uint16_t command) const;
   void close(const std::shared_ptr<Channel>& channel);
   /// Of a call that is over: its place is free.
-  static void discard(PendingCall& call);
+  void discard(PendingCall& call);
   bool isDone(PendingCall& call);
   void waitFor(PendingCall& call, Duration limit);
   /// True if the provider will not execute it, and answers so.
@@ -188,6 +192,8 @@ class RequiredBase {
   Errc endOfCalls() const;
   bool followedMayBeDone() const;
   void finishFollowed();
+  /// Of all answers that have come: from here on none is fresh.
+  void offerAnswers();
   /// Errc::WrongThread if the interface is another thread's.
   Result<void> subscribe(std::uint16_t event, EventHandler handler, bool direct = false);
   Result<void> unsubscribe(std::uint16_t event);
@@ -215,7 +221,8 @@ class RequiredBase {
   std::shared_ptr<Channel> channel_;
   std::atomic<std::shared_ptr<Channel>*> incoming_{nullptr};
   std::vector<PendingCall> calls_;
-  std::uint32_t callsOpened_ = 0, answers_ = 0;
+  std::uint32_t callsOpened_ = 0;
+  unsigned fresh_ = 0;     // calls that are
   unsigned followed_ = 0;  // calls that have a follower
   std::vector<HeardEvent> events_;
   std::atomic<EventSet> subscribed_{0};  // the owner's; read by who connects

@@ -7,18 +7,16 @@
 namespace suture {
 
 /// From the thread of `component`, in a cycle or without: sleeps until `over()`, which is asked
-/// after each ring, or until `deadline`. A ring that brought something else is handed on to the
-/// next cycle.
+/// after each ring, or until `deadline`. Hands on to the next cycle what was rung for other than
+/// arrivals, which can be seen where they arrive.
 template <class Over>
 void sleepUntil(Component& component, Time deadline, const Over& over) {
   component.ringNow();
-  bool rung = false, forOthers = false;
-  while (!over()) {
-    forOthers = forOthers || rung;
-    if (now() >= deadline) break;
-    rung = component.doorbell().waitUntil(deadline);
+  bool work = false;
+  while (!over() && now() < deadline) {
+    work = component.doorbell().waitUntil(deadline) == rt::Ring::Work || work;
   }
-  if (forOthers) component.doorbell().ring();
+  if (work) component.doorbell().ring();
 }
 
 }  // namespace suture

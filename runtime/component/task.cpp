@@ -157,7 +157,7 @@ bool Task::ownWorkPending() const {
          std::any_of(provided().begin(), provided().end(),
                      [](const ProvidedBase* one) { return one->pending(); }) ||
          std::any_of(required().begin(), required().end(), [running](const RequiredBase* one) {
-           return running ? one->pending() : one->rewired();
+           return running ? one->pending() || one->answered() : one->rewired();
          });
 }
 

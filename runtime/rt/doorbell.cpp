@@ -3,6 +3,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <ctime>
 
 namespace suture::rt {
@@ -15,8 +16,9 @@ timespec toTimespec(Time time) {
 
 }  // namespace
 
-void Doorbell::ring() {
-  if (word_.exchange(kRung, std::memory_order_seq_cst) != kAsleep) return;
+void Doorbell::ring(Ring what) {
+  const auto bit = static_cast<std::uint32_t>(what);
+  if (word_.fetch_or(bit, std::memory_order_seq_cst) != kAsleep) return;
   if (eventDescriptor_ < 0) {
     syscall(SYS_futex, &word_, FUTEX_WAKE_PRIVATE, 1, nullptr, nullptr, 0);
     return;
@@ -37,13 +39,18 @@ void Doorbell::standUp() {
   word_.compare_exchange_strong(expected, kAwake, std::memory_order_seq_cst);
 }
 
-bool Doorbell::waitUntil(Time deadline) {
+Ring Doorbell::takeRing() {
+  const std::uint32_t word = word_.exchange(kAwake, std::memory_order_seq_cst);
+  return static_cast<Ring>(std::min(word & ~kAsleep, static_cast<std::uint32_t>(Ring::Work)));
+}
+
+Ring Doorbell::waitUntil(Time deadline) {
   const timespec until = toTimespec(deadline);
   while (lieDown()) {
     // FUTEX_WAIT_BITSET takes an absolute time on the monotonic clock.
     syscall(SYS_futex, &word_, FUTEX_WAIT_BITSET_PRIVATE, kAsleep, &until, nullptr,
             FUTEX_BITSET_MATCH_ANY);
-    if (word_.load(std::memory_order_seq_cst) == kRung) break;
+    if (word_.load(std::memory_order_seq_cst) != kAsleep) break;
     if (now() >= deadline) return takeRing();
   }
   return takeRing();

@@ -8,6 +8,16 @@
 
 namespace suture::rt {
 
+/// What a ring announces.
+enum class Ring : std::uint32_t {
+  None = 0,
+  /// The answer to a call, or an event. Whether it is still to be taken can be seen where it
+  /// arrives: its ring may come when it has been.
+  Arrival = 1,
+  /// Anything else, or both.
+  Work = 2,
+};
+
 /// A doorbell belongs to one sleeper; any thread may ring. A ring is never lost: ringing before the
 /// sleeper lies down makes its next wait return at once. Lock-free, no allocation.
 class Doorbell {
@@ -19,21 +29,22 @@ class Doorbell {
   Doorbell& operator=(const Doorbell&) = delete;
 
   /// Any thread. At most one system call, none while the owner is awake.
-  void ring();
+  void ring(Ring what = Ring::Work);
 
-  /// The owner only: sleeps until rung or until `deadline`. Returns true if it was rung.
-  bool waitUntil(Time deadline);
+  /// The owner only: sleeps until rung or until `deadline`. Returns what it was rung for since it
+  /// last asked.
+  Ring waitUntil(Time deadline);
 
   /// For an owner that sleeps in epoll: true if it may go to sleep, false if there is a ring to
   /// take. After true, the next ring writes the eventfd.
   bool lieDown();
   /// For an owner that sleeps in epoll, when it is back: a ring costs no system call from here on.
   void standUp();
-  /// For an owner that sleeps in epoll: true if it has been rung since it last asked.
-  bool takeRing() { return word_.exchange(kAwake, std::memory_order_seq_cst) == kRung; }
+  /// For an owner that sleeps in epoll: what it has been rung for since it last asked.
+  Ring takeRing();
 
  private:
-  static constexpr std::uint32_t kAwake = 0, kRung = 1, kAsleep = 2;
+  static constexpr std::uint32_t kAwake = 0, kAsleep = 4;  // beside the bits of Ring
 
   std::atomic<std::uint32_t> word_{kAwake};
   int eventDescriptor_;

@@ -1,5 +1,7 @@
 #include <suture/rt/due_bells.h>
 
+#include <algorithm>
+
 namespace suture::rt {
 
 std::size_t DueBells::firstSlot(const Doorbell& bell) {
@@ -7,22 +9,26 @@ std::size_t DueBells::firstSlot(const Doorbell& bell) {
   return reinterpret_cast<std::uintptr_t>(&bell) * kGoldenRatio >> (64 - kSlotBits);
 }
 
-void DueBells::add(Doorbell& bell) {
+void DueBells::add(Doorbell& bell, Ring what) {
   std::size_t slot = firstSlot(bell);
   while (slots_[slot] < count_ && due_[slots_[slot]].slot == slot) {
-    if (due_[slots_[slot]].bell == &bell) return;
+    Due& due = due_[slots_[slot]];
+    if (due.bell == &bell) {
+      due.what = std::max(due.what, what);
+      return;
+    }
     slot = (slot + 1) % kSlots;
   }
   if (count_ == kCapacity) {
-    bell.ring();
+    bell.ring(what);
     return;
   }
   slots_[slot] = static_cast<std::uint16_t>(count_);
-  due_[count_++] = {&bell, static_cast<std::uint32_t>(slot)};
+  due_[count_++] = {&bell, static_cast<std::uint32_t>(slot), what};
 }
 
 void DueBells::ringAll() {
-  for (std::size_t i = 0; i < count_; ++i) due_[i].bell->ring();
+  for (std::size_t i = 0; i < count_; ++i) due_[i].bell->ring(due_[i].what);
   count_ = 0;
 }
 

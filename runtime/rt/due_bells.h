@@ -9,14 +9,14 @@
 
 namespace suture::rt {
 
-/// One thread. Each bell is rung once, however often it was added since. No allocation; the cost of
-/// add() does not grow with the number of bells.
+/// One thread. Each bell is rung once, however often it was added since, for all of it. No
+/// allocation; the cost of add() does not grow with the number of bells.
 class DueBells {
  public:
   static constexpr std::size_t kCapacity = 256;
 
   /// If kCapacity others are due, rings at once.
-  void add(Doorbell& bell);
+  void add(Doorbell& bell, Ring what = Ring::Work);
   void ringAll();
 
  private:
@@ -27,6 +27,7 @@ class DueBells {
   struct Due {
     Doorbell* bell;
     std::uint32_t slot;
+    Ring what;
   };
 
   static std::size_t firstSlot(const Doorbell& bell);

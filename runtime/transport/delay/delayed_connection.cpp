@@ -144,7 +144,7 @@ void DelayedConnection::deliverCommands(Time now) {
 void DelayedConnection::deliver(const rt::CommandRecord& record) {
   if (record.call != 0 && !near_->claimCall(record.call)) {
     near_->replyError(record.call, Errc::Cancelled);
-    near_->ends.client->ring();
+    near_->ends.client->ring(rt::Ring::Arrival);
     return;
   }
   const auto slot = far_->commands.claim(record.command, record.stamp, record.call);
@@ -208,7 +208,7 @@ void DelayedConnection::deliverAnswers(Time now) {
     answers_.pop();
     any = true;
   }
-  if (any) near_->ends.client->ring();
+  if (any) near_->ends.client->ring(rt::Ring::Arrival);
 }
 
 // Without room they stay in the provider's queue, which drops and counts as without delay.
@@ -234,7 +234,7 @@ void DelayedConnection::deliverEvents(Time now) {
     events_.pop();
     any = true;
   }
-  if (any) near_->ends.client->ring();
+  if (any) near_->ends.client->ring(rt::Ring::Arrival);
 }
 
 void DelayedConnection::takeRows() {

@@ -59,6 +59,18 @@ TEST(DueBells, OneThatIsAddedTwiceIsRungOnce) {
   EXPECT_EQ(sleeper.rings(), 0u);
 }
 
+TEST(DueBells, OneThatIsAddedForTwoThingsIsRungForBoth) {
+  Doorbell one, other;
+  DueBells due;
+  due.add(one, Ring::Arrival);
+  due.add(other, Ring::Arrival);
+  due.add(one, Ring::Work);
+  due.add(one, Ring::Arrival);
+  due.ringAll();
+  EXPECT_EQ(one.takeRing(), Ring::Work);
+  EXPECT_EQ(other.takeRing(), Ring::Arrival);
+}
+
 TEST(DueBells, BeyondItsCapacityRingsAtOnce) {
   std::deque<Sleeper> sleepers(DueBells::kCapacity);
   Sleeper late;
