@@ -43,6 +43,13 @@ const char* toString(Errc error);
 template <class T = void>
 using Result = tl::expected<T, Errc>;
 
+/// What a command without a value answers. `Nothing` is void. Said so by a template, Result<void>
+/// is compiled for those who use it, not for all who include it.
+template <class Nothing>
+Result<Nothing> resultOf(Errc error) {
+  return error == Errc{} ? Result<Nothing>{} : Result<Nothing>{tl::unexpect, error};
+}
+
 /// Thrown while a system is put together (never from a control loop).
 class SetupError : public std::runtime_error {
  public:

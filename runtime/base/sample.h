@@ -25,10 +25,10 @@ class Sample<void> {
   bool hasValue() const { return usable_; }
   explicit operator bool() const { return usable_; }
   Time stamp() const { return stamp_; }
-  Duration age() const { return now() - stamp_; }
+  Duration age() const { return since(stamp_); }
   Errc error() const { return error_; }
   /// True if some value came along, to be acted on or only to be looked at.
-  bool carriesValue() const { return stamp_ != Time{}; }
+  bool carriesValue() const { return toNanoseconds(stamp_) != 0; }
 
  private:
   Time stamp_{};

@@ -20,4 +20,8 @@ inline Time now() { return Clock::now(); }
 inline std::int64_t toNanoseconds(Time time) { return time.time_since_epoch().count(); }
 inline Time fromNanoseconds(std::int64_t count) { return Time{Duration{count}}; }
 
+// In counts: every file that includes this would compile chrono's operators.
+inline Duration since(Time then) { return Duration{toNanoseconds(now()) - toNanoseconds(then)}; }
+inline Time ago(Duration age) { return fromNanoseconds(toNanoseconds(now()) - age.count()); }
+
 }  // namespace suture

@@ -1,4 +1,5 @@
-// What a required interface does for the calls under way on it.
+#include <suture/component/books.h>
+#include <suture/component/call.h>
 #include <suture/component/channel.h>
 #include <suture/component/required.h>
 #include <suture/component/sleep.h>
@@ -9,12 +10,40 @@
 
 namespace suture {
 
+CallBase::CallBase(CallBase&& other) noexcept
+    : required_(other.required_),
+      pending_(std::exchange(other.pending_, nullptr)),
+      limit_(other.limit_) {}
+
+CallBase& CallBase::operator=(CallBase&& other) noexcept {
+  std::swap(required_, other.required_);
+  std::swap(pending_, other.pending_);
+  std::swap(limit_, other.limit_);
+  return *this;
+}
+
+void CallBase::close() {
+  if (pending_ != nullptr) required_->closeCall(*std::exchange(pending_, nullptr));
+}
+
+bool CallBase::cancelled() {
+  if (!required_->cancel(*pending_)) return false;
+  close();
+  return true;
+}
+
+void CallBase::passOnTo(RequiredBase::Follower follower) {
+  required_->follow(*std::exchange(pending_, nullptr), follower);
+}
+
+// --- what RequiredBase does for the calls under way on it
+
 RequiredBase::PendingCall* RequiredBase::openCall() {
   collectReplies();
-  const auto free = std::find_if(calls_.begin(), calls_.end(),
+  const auto free = std::find_if(books_->calls.begin(), books_->calls.end(),
                                  [](const PendingCall& call) { return call.number == 0; });
-  if (free == calls_.end()) return nullptr;
-  const auto index = static_cast<std::uint32_t>(free - calls_.begin());
+  if (free == books_->calls.end()) return nullptr;
+  const auto index = static_cast<std::uint32_t>(free - books_->calls.begin());
   ++callsOpened_;
   free->number = callsOpened_ % (1u << 27) * Channel::kMaxCalls + index + Channel::kMaxCalls;
   free->done = free->abandoned = false;
@@ -40,7 +69,7 @@ void RequiredBase::collectReplies() {
 }
 
 void RequiredBase::collect(ReplyRecord& reply, std::size_t size) {
-  PendingCall& call = calls_[reply.call % Channel::kMaxCalls];
+  PendingCall& call = books_->calls[reply.call % Channel::kMaxCalls];
   if (call.number != reply.call) return;
   call.done = call.fresh = true;
   ++fresh_;
@@ -95,13 +124,13 @@ void RequiredBase::follow(PendingCall& call, Follower follower) {
 bool RequiredBase::followedMayBeDone() const {
   if (followed_ == 0) return false;
   return endOfCalls() != Errc{} || channel_->nextReply() != nullptr ||
-         std::any_of(calls_.begin(), calls_.end(),
+         std::any_of(books_->calls.begin(), books_->calls.end(),
                      [](const PendingCall& call) { return call.follower != nullptr && call.done; });
 }
 
 void RequiredBase::finishFollowed() {
   if (followed_ == 0) return;
-  for (PendingCall& call : calls_) {
+  for (PendingCall& call : books_->calls) {
     if (call.follower == nullptr || !isDone(call)) continue;
     --followed_;
     std::exchange(call.follower, nullptr)(*this, call);
@@ -119,7 +148,7 @@ bool RequiredBase::answered() const {
 void RequiredBase::offerAnswers() {
   collectReplies();
   if (fresh_ == 0) return;
-  for (PendingCall& call : calls_) call.fresh = false;
+  for (PendingCall& call : books_->calls) call.fresh = false;
   fresh_ = 0;
 }
 

@@ -6,7 +6,6 @@
 #include <suture/component/required.h>
 
 #include <new>
-#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -29,60 +28,70 @@ struct AnswerTraits<Sample<T>> {
 template <class T>
 struct AnswerTraits<Result<T>> {
   using Value = T;
-  static Result<T> error(Errc error) { return tl::unexpected(error); }
+  static Result<T> error(Errc error) { return Result<T>{tl::unexpect, error}; }
   template <class Found>
   static Result<T> success(Found value, Time) {
     return value;
   }
 };
 
+/// The part of Call that does not depend on what is called.
+class CallBase {
+ protected:
+  using PendingCall = RequiredBase::PendingCall;
+
+  CallBase() = default;
+  CallBase(RequiredBase& required, PendingCall& pending, Duration limit)
+      : required_(&required), pending_(&pending), limit_(limit) {}
+  CallBase(CallBase&& other) noexcept;
+  CallBase& operator=(CallBase&& other) noexcept;
+  ~CallBase() { close(); }
+
+  bool done() { return required_->isDone(*pending_); }
+  void waitUntilDone(Duration limit) { required_->waitFor(*pending_, limit); }
+  /// True if the provider will not execute it; then it is closed.
+  bool cancelled();
+  /// `follower` is called when the answer is here.
+  void passOnTo(RequiredBase::Follower follower);
+  /// The provider's answer has been looked at, or is no longer wanted.
+  void close();
+
+  RequiredBase* required_ = nullptr;
+  PendingCall* pending_ = nullptr;
+  Duration limit_ = kDefaultDeadline;
+};
+
 /// Follows one call to its answer: by poll() in a control loop, or by within() where blocking for a
 /// bounded time is right. Destroying it abandons the call; the provider may still execute it.
 /// Belongs to the thread that started the call and must not outlive the required interface.
 template <class Answer, class Slot>
-class [[nodiscard]] Call {
+class [[nodiscard]] Call : CallBase {
  public:
-  Call(Errc error) : answer_(Traits::error(error)) {}  // NOLINT: converts on purpose
-  Call(Answer answer) : answer_(std::move(answer)) {}  // NOLINT: converts on purpose
+  Call(Errc error) : answer_(Traits::error(error)), ended_(true) {}  // NOLINT: converts on purpose
+  Call(Answer answer) : answer_(std::move(answer)), ended_(true) {}  // NOLINT: as well
   /// `limit`: how long within() waits when it is not told.
   Call(RequiredBase& required, RequiredBase::PendingCall& pending, Duration limit, Errc sent)
-      : required_(&required), pending_(&pending), limit_(limit) {
-    if (sent != Errc{}) {
-      answer_ = Traits::error(sent);
-      required.discard(pending);
-      pending_ = nullptr;
-    }
-  }
-  Call(Call&& other) noexcept
-      : required_(other.required_),
-        pending_(std::exchange(other.pending_, nullptr)),
-        limit_(other.limit_),
-        answer_(std::move(other.answer_)) {}
-  Call& operator=(Call&& other) noexcept {
-    std::swap(required_, other.required_);
-    std::swap(pending_, other.pending_);
-    std::swap(limit_, other.limit_);
-    std::swap(answer_, other.answer_);
-    return *this;
-  }
-  ~Call() {
-    if (pending_ != nullptr) required_->closeCall(*pending_);
+      : CallBase(required, pending, limit) {
+    if (sent == Errc{}) return;
+    end(Traits::error(sent));
+    pending.done = true;  // nothing will come
+    close();
   }
 
-  /// The answer if it is here. Never blocks.
-  const std::optional<Answer>& poll() {
-    if (!answer_ && required_->isDone(*pending_)) take();
-    return answer_;
+  /// The answer if it is here, else null. Never blocks.
+  const Answer* poll() {
+    if (!ended_ && done()) take();
+    return ended_ ? &answer_ : nullptr;
   }
 
   /// The answer, waiting at most `limit` for it: Errc::Timeout if it does not come. There is no way
   /// to wait without a limit.
   const Answer& within(Duration limit) {
-    if (!answer_) {
-      required_->waitFor(*pending_, limit);
-      if (!poll()) answer_ = Traits::error(Errc::Timeout);
+    if (!ended_) {
+      waitUntilDone(limit);
+      if (!poll()) end(Traits::error(Errc::Timeout));
     }
-    return *answer_;
+    return answer_;
   }
   /// The same with the deadline() that the contract states for the command, else kDefaultDeadline.
   const Answer& within() { return within(limit_); }
@@ -91,9 +100,8 @@ class [[nodiscard]] Call {
   /// False: it is being executed or has been, or has left for another process or been answered;
   /// then nothing changes, and the answer still comes. Never blocks.
   [[nodiscard]] bool cancel() {
-    if (poll() || !required_->cancel(*pending_)) return false;
-    required_->closeCall(*std::exchange(pending_, nullptr));
-    answer_ = Traits::error(Errc::Cancelled);
+    if (poll() || !cancelled()) return false;
+    end(Traits::error(Errc::Cancelled));
     return true;
   }
 
@@ -108,9 +116,9 @@ class [[nodiscard]] Call {
     static_assert(
         std::is_trivially_copyable_v<Handler> && std::is_trivially_destructible_v<Handler>,
         "capture pointers and numbers only: the handler is copied as bytes");
-    if (poll()) return handler(*answer_);
+    if (poll()) return handler(answer_);
     new (pending_->handler) Handler(handler);
-    required_->follow(*std::exchange(pending_, nullptr), &finish<Handler>);
+    passOnTo(&finish<Handler>);
   }
 
  private:
@@ -126,22 +134,24 @@ class [[nodiscard]] Call {
 
   void take() {
     if (pending_->error != Errc{}) {
-      answer_ = Traits::error(pending_->error);
+      end(Traits::error(pending_->error));
     } else if constexpr (std::is_same_v<Slot, NoSlot>) {
-      answer_ = Answer{};
+      end(Answer{});
     } else {
       typename Traits::Value value{};
       load(slotIn<Slot>(pending_->result.data()), value);
-      answer_ = Traits::success(std::move(value), pending_->stamp);
+      end(Traits::success(std::move(value), pending_->stamp));
     }
-    required_->closeCall(*pending_);
-    pending_ = nullptr;
+    close();
   }
 
-  RequiredBase* required_ = nullptr;
-  RequiredBase::PendingCall* pending_ = nullptr;
-  Duration limit_ = kDefaultDeadline;
-  std::optional<Answer> answer_;
+  void end(Answer answer) {
+    answer_ = std::move(answer);
+    ended_ = true;
+  }
+
+  Answer answer_ = Traits::error(Errc::NotYet);
+  bool ended_ = false;
 };
 
 }  // namespace suture

@@ -1,6 +1,8 @@
 #include <suture/component/channel.h>
 #include <suture/component/channel_list.h>
 
+#include <utility>
+
 namespace suture {
 namespace {
 
@@ -13,6 +15,7 @@ bool isClosed(const ChannelList::Node& node) {
 ChannelList::ChannelList(Walkers walkers) : walkers_(walkers) {}
 
 ChannelList::~ChannelList() {
+  letGo();
   Node* node = head_.load(std::memory_order_acquire);
   while (node != nullptr) {
     Node* next = node->next;
@@ -31,10 +34,11 @@ void ChannelList::add(std::shared_ptr<Channel> channel) {
 }
 
 void ChannelList::sweep() {
-  const std::lock_guard lock(sweeping_);
+  if (sweeping_.test_and_set(std::memory_order_acquire)) return;
   unlinkClosed();
   // Whoever starts to walk after this has found nobody walking sees the list without these nodes.
   if (walking_.fetch_add(0, std::memory_order_acq_rel) == 0) letGo();
+  sweeping_.clear(std::memory_order_release);
 }
 
 // Nodes behind the head are the sweeper's alone; the head may be joined by a new one at any time.
@@ -44,16 +48,22 @@ bool ChannelList::unlinkClosed() {
   for (Node* node = head; Node* next = node->next.load(std::memory_order_relaxed);) {
     if (isClosed(*next)) {
       node->next.store(next->next.load(std::memory_order_relaxed), std::memory_order_release);
-      unlinked_.emplace_back(next);
+      unlink(next);
     } else {
       node = next;
     }
   }
   Node* const second = head->next.load(std::memory_order_relaxed);
-  if (isClosed(*head) && head_.compare_exchange_strong(head, second)) unlinked_.emplace_back(head);
-  return !unlinked_.empty();
+  if (isClosed(*head) && head_.compare_exchange_strong(head, second)) unlink(head);
+  return unlinked_ != nullptr;
 }
 
-void ChannelList::letGo() { unlinked_.clear(); }
+void ChannelList::unlink(Node* node) { node->nextUnlinked = std::exchange(unlinked_, node); }
+
+void ChannelList::letGo() {
+  while (unlinked_ != nullptr) {
+    const std::unique_ptr<Node> node(std::exchange(unlinked_, unlinked_->nextUnlinked));
+  }
+}
 
 }  // namespace suture

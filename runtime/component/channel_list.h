@@ -6,8 +6,6 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
-#include <mutex>
-#include <vector>
 
 namespace suture {
 
@@ -29,6 +27,7 @@ class ChannelList {
     /// The events that the owner of the list sends there: none before its first cycle with it.
     EventSet served = 0;
     EventSet direct = 0;  ///< those that have a direct handler
+    Node* nextUnlinked = nullptr;
   };
 
   explicit ChannelList(Walkers walkers);
@@ -55,10 +54,12 @@ class ChannelList {
   /// Of Walkers::Owner.
   void letGo();
   /// Of Walkers::Any: with walkers under way it lets go, of those found by an earlier sweep, at the
-  /// latest when a later one meets none.
+  /// latest when a later one meets none. Beside another sweep it does nothing.
   void sweep();
 
  private:
+  void unlink(Node* node);
+
   /// While one exists, no node is deleted that it may stand on.
   class Walk {
    public:
@@ -77,9 +78,9 @@ class ChannelList {
 
   const Walkers walkers_;
   std::atomic<Node*> head_{nullptr};
-  mutable std::atomic<unsigned> walking_{0};  // of Walkers::Any
-  std::mutex sweeping_;                       // of Walkers::Any: no task takes it
-  std::vector<std::unique_ptr<Node>> unlinked_;
+  mutable std::atomic<unsigned> walking_{0};      // of Walkers::Any
+  std::atomic_flag sweeping_ = ATOMIC_FLAG_INIT;  // of Walkers::Any
+  Node* unlinked_ = nullptr;
 };
 
 }  // namespace suture

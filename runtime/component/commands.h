@@ -8,7 +8,6 @@
 #include <suture/component/call.h>
 #include <suture/component/required.h>
 
-#include <optional>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -22,8 +21,7 @@ namespace suture {
 template <auto Method, class ArgumentsSlot>
 class Command;
 
-// `Nothing` is void. Said so, what Call<Result<void>, NoSlot> is made of is compiled for those who
-// start a command, not for all who include this.
+// `Nothing` is void; see resultOf().
 template <class Contract, class Nothing, class... Arguments,
           Nothing (Contract::*Method)(Arguments...), class ArgumentsSlot>
 class Command<Method, ArgumentsSlot> {
@@ -34,16 +32,14 @@ class Command<Method, ArgumentsSlot> {
   /// or is on its way within the provider's credit (any other lane). Errc::Full, Lost, TooLarge,
   /// Faulted otherwise.
   Result<Nothing> operator()(Arguments... arguments) {
-    const Errc error = send(0, arguments...);
-    return error == Errc{} ? Result<Nothing>{} : tl::unexpected(error);
+    return resultOf<Nothing>(send(0, arguments...));
   }
 
   /// As above, and the answer comes when the command has been executed.
   [[nodiscard]] Call<Result<Nothing>, NoSlot> start(Arguments... arguments) {
     if (const Errc error = required_.unusable(id_); error != Errc{}) return error;
     if (ProvidedBase* const callee = required_.callee(id_)) {
-      const Errc error = callHere(*callee, arguments...);
-      return error == Errc{} ? Result<Nothing>{} : tl::unexpected(error);
+      return resultOf<Nothing>(callHere(*callee, arguments...));
     }
     auto* pending = required_.openCall();
     if (pending == nullptr) return Errc::TooManyCalls;
@@ -138,8 +134,8 @@ class ReadCommand<Method, ResultSlot> {
   }
 
   /// The value as it was `delay` ago; see at().
-  Sample<Value> delayed(Duration delay) { return at(now() - delay); }
-  Sample<void> delayed(Duration delay, Value& value) { return at(now() - delay, value); }
+  Sample<Value> delayed(Duration delay) { return at(ago(delay)); }
+  Sample<void> delayed(Duration delay, Value& value) { return at(ago(delay), value); }
 
   /// Has the provider evaluate the value now, in its own thread.
   [[nodiscard]] Call<Sample<Value>, ResultSlot> fresh() {
@@ -209,7 +205,7 @@ class AnsweredCommand {
     Value value{};
     const Errc error = RequiredBase::callHere<Contract>(
         callee, [&](Contract& contract) { value = (contract.*Method)(arguments...); });
-    return error == Errc{} ? Result<Value>(std::move(value)) : tl::unexpected(error);
+    return error == Errc{} ? Result<Value>(std::move(value)) : Result<Value>(tl::unexpect, error);
   }
 
   RequiredBase& required_;

@@ -5,6 +5,8 @@
 #include <suture/component/provided.h>
 #include <suture/component/required.h>
 
+#include <mutex>
+
 namespace suture {
 namespace {
 
@@ -14,13 +16,23 @@ const void* thisThread() { return reinterpret_cast<const void*>(pthread_self());
 
 }  // namespace
 
-Component::Component(bool ownsThread)
-    : ownsThread_(ownsThread), doorbell_(std::make_shared<rt::Doorbell>()) {}
+// What nobody else compiles; and what may be rung when the component is gone.
+struct Component::Aside {
+  rt::Doorbell doorbell;
+  std::mutex mutex;  // of the next two: taken by who parks, and by who asks why
+  std::string fault;
+  FaultCause cause = FaultCause::Code;
+  std::shared_ptr<StateListener> listener;
+};
 
-Component::~Component() = default;
+Component::Component(bool ownsThread)
+    : ownsThread_(ownsThread), aside_(std::make_shared<Aside>()), doorbell_(aside_->doorbell) {}
+
+Component::~Component() { aside_->listener = nullptr; }
 
 std::shared_ptr<rt::Doorbell> Component::sharedDoorbell() {
-  return lender_ == nullptr ? doorbell_ : lender_->sharedDoorbell();
+  if (lender_ != nullptr) return lender_->sharedDoorbell();
+  return {aside_, &doorbell_};
 }
 
 void Component::ringLater(rt::Doorbell& bell, rt::Ring what) {
@@ -75,7 +87,7 @@ void Component::makeTransition(Transition transition) {
   if (!to) return;  // a device that was parked since it was asked
   if (!parkOnThrow([&] { callHook(transition); })) return;
   if (transition == Transition::Resume || transition == Transition::Restart) {
-    resumed_.store(now(), std::memory_order_release);
+    resumed_.store(toNanoseconds(now()), std::memory_order_release);
   }
   if (!changeState(from, *to)) return;
   if (transition == Transition::Suspend || transition == Transition::Resume ||
@@ -111,8 +123,14 @@ void Component::setState(ComponentState state) {
   tellListener(state);
 }
 
+bool Component::hasStateListener() const { return aside_->listener != nullptr; }
+
+void Component::setStateListener(std::shared_ptr<StateListener> listener) {
+  aside_->listener = std::move(listener);
+}
+
 void Component::tellListener(ComponentState state) {
-  if (listener_ != nullptr) listener_->stateChanged(state);
+  if (hasStateListener()) aside_->listener->stateChanged(state);
 }
 
 // What the hook read may have parked it, by the contract of a connection, and the call of a client
@@ -127,9 +145,9 @@ bool Component::changeState(ComponentState from, ComponentState to) {
 void Component::park(std::string reason, FaultCause cause) {
   if (parked_.test_and_set()) return;
   {
-    const std::lock_guard lock(faultMutex_);
-    fault_ = std::move(reason);
-    faultCause_ = cause;
+    const std::lock_guard lock(aside_->mutex);
+    aside_->fault = std::move(reason);
+    aside_->cause = cause;
   }
   faults_.fetch_add(1, std::memory_order_release);
   setState(ComponentState::Faulted);
@@ -139,18 +157,18 @@ void Component::park(std::string reason, FaultCause cause) {
 void Component::parkSoon(std::string reason) { park(std::move(reason)); }
 
 std::string Component::fault() const {
-  const std::lock_guard lock(faultMutex_);
-  return fault_;
+  const std::lock_guard lock(aside_->mutex);
+  return aside_->fault;
 }
 
 FaultCause Component::faultCause() const {
-  const std::lock_guard lock(faultMutex_);
-  return faultCause_;
+  const std::lock_guard lock(aside_->mutex);
+  return aside_->cause;
 }
 
 std::string Component::whyFaulted() const {
-  const std::lock_guard lock(faultMutex_);
-  return faultCause_ == FaultCause::Code ? "its code threw: " + fault_ : fault_;
+  const std::lock_guard lock(aside_->mutex);
+  return aside_->cause == FaultCause::Code ? "its code threw: " + aside_->fault : aside_->fault;
 }
 
 void Component::restart() {

@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <exception>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,7 +48,7 @@ class Component {
   std::uint64_t faults() const { return faults_.load(std::memory_order_acquire); }
   /// When it was last resumed or restarted. A command sent before is not executed, however late it
   /// arrives: it was meant for what the component did before.
-  Time resumed() const { return resumed_.load(std::memory_order_acquire); }
+  Time resumed() const { return fromNanoseconds(resumed_.load(std::memory_order_acquire)); }
 
   const std::vector<ProvidedBase*>& provided() const { return provided_; }
   const std::vector<RequiredBase*>& required() const { return required_; }
@@ -77,7 +76,7 @@ class Component {
   bool parkSoonOnThrow(const Work& work);
 
   /// What a sleeping owner of this component waits on.
-  rt::Doorbell& doorbell() { return lender_ == nullptr ? *doorbell_ : lender_->doorbell(); }
+  rt::Doorbell& doorbell() { return lender_ == nullptr ? doorbell_ : lender_->doorbell(); }
   /// The same, for those who may ring it when this component is gone.
   std::shared_ptr<rt::Doorbell> sharedDoorbell();
   /// From the component's own thread: rings `bell` once at the end of the cycle; from a device, at
@@ -146,6 +145,8 @@ class Component {
 
   template <class Work, class Failed>
   static bool guarded(const Work& work, const Failed& failed);
+  bool hasStateListener() const;
+  void setStateListener(std::shared_ptr<StateListener> listener);
   void setState(ComponentState state);
   void tellListener(ComponentState state);
   /// False, and nothing has changed, if it has been parked meanwhile.
@@ -154,20 +155,18 @@ class Component {
 
   const bool ownsThread_;  // asked for each event and subscriber
   std::string name_ = "(unnamed)";
-  mutable std::mutex faultMutex_;  // taken by who parks, and by who asks why
-  std::string fault_;
-  FaultCause faultCause_ = FaultCause::Code;
   std::atomic<std::uint64_t> faults_{0};
   std::atomic_flag parked_ = ATOMIC_FLAG_INIT;
   std::atomic<ComponentState> state_{ComponentState::Constructed};
-  std::atomic<Time> resumed_{Time{}};
+  std::atomic<std::int64_t> resumed_{0};  // ns; an atomic Time compiles longer
   std::vector<ProvidedBase*> provided_;
   std::vector<RequiredBase*> required_;
-  const std::shared_ptr<rt::Doorbell> doorbell_;
   rt::DueBells dueBells_;
   Component* lender_ = nullptr;
   std::atomic<const void*> owner_{nullptr};
-  std::shared_ptr<StateListener> listener_;  // nobody else's; a unique_ptr compiles longer
+  struct Aside;
+  const std::shared_ptr<Aside> aside_;
+  rt::Doorbell& doorbell_;
 };
 
 template <class Work, class Failed>

@@ -1,3 +1,4 @@
+#include <suture/component/books.h>
 #include <suture/component/channel.h>
 #include <suture/component/events.h>
 
@@ -5,20 +6,22 @@
 
 namespace suture {
 
-Result<void> Emitter<void>::operator()() { return provided_.emit(event_, nullptr, true); }
+Result<void> Emitter<void>::operator()() {
+  return resultOf<void>(provided_.emit(event_, nullptr, true));
+}
 
-Result<void> SubscriptionBase::reset() { return required_.unsubscribe(event_); }
+Result<void> SubscriptionBase::reset() { return resultOf<void>(required_.unsubscribe(event_)); }
 
 Result<void> Subscription<void>::operator()(std::function<void()> handler) {
   if (handler == nullptr) return reset();
-  return required_.subscribe(event_,
-                             [handler = std::move(handler)](const std::byte*) { handler(); });
+  return resultOf<void>(
+      required_.subscribe(event_, [handler = std::move(handler)](const std::byte*) { handler(); }));
 }
 
 Result<void> Subscription<void>::direct(std::function<void()> handler) {
   if (handler == nullptr) return reset();
-  return required_.subscribe(
-      event_, [handler = std::move(handler)](const std::byte*) { handler(); }, true);
+  return resultOf<void>(required_.subscribe(
+      event_, [handler = std::move(handler)](const std::byte*) { handler(); }, true));
 }
 
 NextEvent<void> Subscription<void>::next() { return {required_, event_}; }
@@ -27,15 +30,15 @@ NextEvent<void> Subscription<void>::next() { return {required_, event_}; }
 
 Result<void> RequiredBase::handle(std::uint16_t event,
                                   std::function<void(const std::byte*, Time)> handler) {
-  return subscribe(event, [handler = std::move(handler)](const std::byte* payload) {
+  return resultOf<void>(subscribe(event, [handler = std::move(handler)](const std::byte* payload) {
     handler(payload, rt::EventRecord::of(payload).stamp);
-  });
+  }));
 }
 
-Result<void> RequiredBase::subscribe(std::uint16_t event, EventHandler handler, bool direct) {
-  if (owner_.ownedByAnotherThread()) return tl::unexpected(Errc::WrongThread);
+Errc RequiredBase::subscribe(std::uint16_t event, EventHandler handler, bool direct) {
+  if (owner_.ownedByAnotherThread()) return Errc::WrongThread;
   if (handler == nullptr) return unsubscribe(event);
-  HeardEvent& heard = events_[event];
+  Books::HeardEvent& heard = books_->events[event];
   const bool joins = heard.handler == nullptr;
   if (joins) heard.since = now();
   heard.handler = std::make_shared<const EventHandler>(std::move(handler));
@@ -44,24 +47,24 @@ Result<void> RequiredBase::subscribe(std::uint16_t event, EventHandler handler, 
   const EventSet bit = EventSet{1} << event;
   subscribed_.fetch_or(bit, std::memory_order_relaxed);
   passSubscriptionsOn(joins ? bit : 0);
-  return {};
+  return Errc{};
 }
 
-Result<void> RequiredBase::unsubscribe(std::uint16_t event) {
-  if (owner_.ownedByAnotherThread()) return tl::unexpected(Errc::WrongThread);
-  events_[event].handler = nullptr;
-  events_[event].direct = false;
+Errc RequiredBase::unsubscribe(std::uint16_t event) {
+  if (owner_.ownedByAnotherThread()) return Errc::WrongThread;
+  books_->events[event].handler = nullptr;
+  books_->events[event].direct = false;
   lendHandler(event);
   if (!isAwaited(event)) {
     subscribed_.fetch_and(~(EventSet{1} << event), std::memory_order_relaxed);
   }
   passSubscriptionsOn(0);
-  return {};
+  return Errc{};
 }
 
 void RequiredBase::lendHandler(std::uint16_t event) {
   if (channel_ == nullptr || channel_->ends.here == nullptr) return;
-  const HeardEvent& heard = events_[event];
+  const Books::HeardEvent& heard = books_->events[event];
   if (!heard.direct && (channel_->direct.events() >> event & 1) == 0) return;
   channel_->direct.set(event, owner_, heard.direct ? heard.handler : nullptr);
   if (heard.direct) refuseAwaited(event);
@@ -99,7 +102,7 @@ void RequiredBase::handleQueuedEvents() {
 
 void RequiredBase::deliver(const rt::EventRecord& record) {
   satisfyAwaited(record);
-  const HeardEvent& heard = events_[record.event];
+  const Books::HeardEvent& heard = books_->events[record.event];
   // Of a latched event the value may be older than its subscription: a replay.
   if (record.stamp < heard.since && !info_.events[record.event].latched) return;
   const auto handler = heard.handler;  // lives on if it ends its own subscription

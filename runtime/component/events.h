@@ -41,10 +41,10 @@ class Emitter {
   Emitter(ProvidedBase& provided, std::uint16_t event) : provided_(provided), event_(event) {}
   /// Never blocks, never allocates. Errc::TooLarge if the payload exceeds its declared capacity;
   /// nobody gets it then.
-  Result<void> operator()(const Payload&... payload) {
+  Result<std::void_t<Slot>> operator()(const Payload&... payload) {  // see resultOf()
     LooseSlot<Slot> slot;
     const bool fits = store(payload..., slot.value());
-    return provided_.emit(event_, slot.memory(), fits);
+    return resultOf<std::void_t<Slot>>(provided_.emit(event_, slot.memory(), fits));
   }
 
  private:
@@ -143,8 +143,9 @@ class Subscription : public SubscriptionBase {
   /// executes any command sent later, on every lane, and begins with the last value of a latched()
   /// event. An earlier handler is replaced. Never blocks; what it allocates is what keeps
   /// `handler`, so a control loop subscribes rarely.
-  Result<void> operator()(std::function<void(const Payload&...)> handler) {
-    return required_.subscribe(event_, slotHandler<Slot, Payload...>(std::move(handler)));
+  Result<std::void_t<Slot>> operator()(std::function<void(const Payload&...)> handler) {
+    return resultOf<std::void_t<Slot>>(
+        required_.subscribe(event_, slotHandler<Slot, Payload...>(std::move(handler))));
   }
 
   /// The same, and where both ends are in one process and no delay lies between them, `handler`
@@ -153,8 +154,9 @@ class Subscription : public SubscriptionBase {
   /// required interfaces alone (Errc::WrongThread). What it throws parks this component, not the
   /// emitter. While this component is suspended or faulted, and from any other process, the event
   /// is queued as every other and `handler` runs in this component's thread.
-  Result<void> direct(std::function<void(const Payload&...)> handler) {
-    return required_.subscribe(event_, slotHandler<Slot, Payload...>(std::move(handler)), true);
+  Result<std::void_t<Slot>> direct(std::function<void(const Payload&...)> handler) {
+    return resultOf<std::void_t<Slot>>(
+        required_.subscribe(event_, slotHandler<Slot, Payload...>(std::move(handler)), true));
   }
 
   /// The next such event, to wait for or to look for: NextEvent.

@@ -58,11 +58,11 @@ const char* toString(Transition transition) {
   return "unknown";
 }
 
-std::optional<ComponentState> after(ComponentState state, Transition transition) {
+const ComponentState* after(ComponentState state, Transition transition) {
   for (const Step& step : kSteps) {
-    if (step.transition == transition && step.from == state) return step.to;
+    if (step.transition == transition && step.from == state) return &step.to;
   }
-  return std::nullopt;
+  return nullptr;
 }
 
 void requireLegal(const std::string& name, ComponentState state, Transition transition) {

@@ -4,7 +4,6 @@
 #include <suture/standard/lifecycle.h>
 
 #include <cstdint>
-#include <optional>
 #include <string>
 
 namespace suture {
@@ -15,8 +14,8 @@ enum class Transition : std::uint8_t { Configure, Start, Suspend, Resume, Stop, 
 const char* toString(ComponentState state);
 const char* toString(Transition transition);
 
-/// Where `transition` leads from `state`; none if it is not legal there.
-std::optional<ComponentState> after(ComponentState state, Transition transition);
+/// Where `transition` leads from `state`; null if it is not legal there. Static storage.
+const ComponentState* after(ComponentState state, Transition transition);
 
 /// Throws SetupError if `transition` of the component `name`, which is in `state`, is not legal.
 void requireLegal(const std::string& name, ComponentState state, Transition transition);

@@ -1,3 +1,4 @@
+#include <suture/component/books.h>
 #include <suture/component/channel.h>
 #include <suture/component/next_event.h>
 #include <suture/component/sleep.h>
@@ -68,7 +69,7 @@ void AwaitedEvent::wait(Duration limit) {
 Errc RequiredBase::arm(AwaitedEvent& event) {
   const Errc error = unusable();
   if (error != Errc{} && error != Errc::Suspended) return error;
-  const HeardEvent& heard = events_[event.event_];
+  const Books::HeardEvent& heard = books_->events[event.event_];
   if (heard.direct && channel_->ends.here != nullptr) return Errc::CannotWait;
   event.next_ = std::exchange(awaited_, &event);
   const EventSet bit = EventSet{1} << event.event_;

@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -74,22 +73,22 @@ class [[nodiscard]] NextEvent final : private AwaitedEvent {
   NextEvent(RequiredBase& required, std::uint16_t event) : AwaitedEvent(required, event) {}
   NextEvent(NextEvent&& other) noexcept = default;
 
-  /// The answer if it is here: looked for where handlers run, before run() or in a device's
-  /// processEvents(). Never blocks.
-  const std::optional<Answer>& poll() {
-    if (!answer_ && over()) answer_.emplace(makeAnswer());
-    return answer_;
+  /// The answer if it is here, else null: looked for where handlers run, before run() or in a
+  /// device's processEvents(). Never blocks.
+  const Answer* poll() {
+    if (!answered_ && over()) answer();
+    return answered_ ? &answer_ : nullptr;
   }
 
   /// The answer, waiting at most `limit` for it, then Errc::Timeout; there is no way to wait
   /// without a limit. The handlers of what else arrives on this interface run meanwhile. Not for a
   /// periodic task, which would miss its period; not in a handler of an event: Errc::CannotWait.
   const Answer& within(Duration limit) {
-    if (!answer_) {
+    if (!answered_) {
       wait(limit);
-      answer_.emplace(makeAnswer());
+      answer();
     }
-    return *answer_;
+    return answer_;
   }
 
  private:
@@ -99,19 +98,22 @@ class [[nodiscard]] NextEvent final : private AwaitedEvent {
     }
   }
 
-  Answer makeAnswer() {
-    if (error() != Errc{}) return tl::unexpected(error());
-    if constexpr (sizeof...(Payload) == 0) {
-      return {};
+  void answer() {
+    answered_ = true;
+    if (error() != Errc{}) {
+      answer_ = Answer{tl::unexpect, error()};
+    } else if constexpr (sizeof...(Payload) == 0) {
+      answer_ = Answer{};
     } else if constexpr (sizeof...(Payload) == 1) {
-      return std::get<0>(std::move(payload_));
+      answer_ = std::get<0>(std::move(payload_));
     } else {
-      return std::move(payload_);
+      answer_ = std::move(payload_);
     }
   }
 
   std::tuple<Payload...> payload_{};
-  std::optional<Answer> answer_;
+  Answer answer_{tl::unexpect, Errc::NotYet};
+  bool answered_ = false;
 };
 
 }  // namespace suture

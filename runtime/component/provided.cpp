@@ -248,11 +248,11 @@ void ProvidedBase::announce(ChannelStatus status) {
   channels_.forEach([status](ChannelList::Node& node) { node.channel->tell(status); });
 }
 
-Result<void> ProvidedBase::emit(std::uint16_t event, const std::byte* slot, bool fits) {
+Errc ProvidedBase::emit(std::uint16_t event, const std::byte* slot, bool fits) {
   const bool ownThread = owner_.ownsThread();
   // Nobody else may walk the channels of a task, or fill its subscribers' queues.
-  if (ownThread && owner_.ownedByAnotherThread()) return tl::unexpected(Errc::WrongThread);
-  if (!fits) return tl::unexpected(Errc::TooLarge);
+  if (ownThread && owner_.ownedByAnotherThread()) return Errc::WrongThread;
+  if (!fits) return Errc::TooLarge;
   const Time stamp = now();
   const std::span payload(slot, info_.events[event].payloadSize);
   if (info_.events[event].latched) keepLatched(event, stamp, payload);
@@ -263,7 +263,7 @@ Result<void> ProvidedBase::emit(std::uint16_t event, const std::byte* slot, bool
     if ((wanted >> event & 1) == 0) return;
     deliver(channel, event, stamp, payload, ownThread ? node.direct : channel.direct.events());
   });
-  return {};
+  return Errc{};
 }
 
 void ProvidedBase::deliver(Channel& channel, std::uint16_t event, Time stamp,

@@ -93,7 +93,7 @@ class ProvidedBase {
   friend class Emitter;
   friend class RequiredBase;
 
-  Result<void> emit(std::uint16_t event, const std::byte* slot, bool fits);
+  Errc emit(std::uint16_t event, const std::byte* slot, bool fits);
   void greet(ChannelList::Node& node);
   void drain(Channel& channel, Errc refusal);
   /// Any thread, of a device in this process: gives `channel`, whose client just subscribed, the

@@ -1,3 +1,4 @@
+#include <suture/component/books.h>
 #include <suture/component/channel.h>
 #include <suture/component/required.h>
 
@@ -7,16 +8,21 @@
 
 namespace suture {
 
+RequiredBase::Books::Books(const InterfaceInfo& info)
+    : calls(Channel::kMaxCalls), events(info.events.size()) {
+  std::size_t words = 0;  // of the largest
+  for (const CommandInfo& command : info.commands) {
+    words = std::max<std::size_t>(words, (command.resultSize + 7) / 8);
+  }
+  results.resize(words * calls.size());
+  for (std::size_t i = 0; i < calls.size(); ++i) {
+    calls[i].result = std::as_writable_bytes(std::span(results).subspan(i * words, words));
+  }
+}
+
 RequiredBase::RequiredBase(Component& owner, std::string_view name, const InterfaceInfo& info)
-    : name_(name),
-      owner_(owner),
-      info_(info),
-      calls_(Channel::kMaxCalls),
-      events_(info.events.size()) {
+    : name_(name), owner_(owner), info_(info), books_(std::make_shared<Books>(info)) {
   refuseUnbounded(info, owner.ownsThread());
-  std::uint32_t largest = 0;
-  for (const CommandInfo& command : info.commands) largest = std::max(largest, command.resultSize);
-  for (PendingCall& call : calls_) call.result.resize(largest);
   owner.required_.push_back(this);
 }
 
@@ -24,7 +30,7 @@ RequiredBase::~RequiredBase() {
   const std::unique_ptr<std::shared_ptr<Channel>> unadopted(
       incoming_.load(std::memory_order_acquire));
   if (unadopted != nullptr) close(*unadopted);
-  for (PendingCall& call : calls_) discard(call);
+  for (PendingCall& call : books_->calls) discard(call);
   close(channel_);
   awaitDirectHandlers();
 }
@@ -54,7 +60,7 @@ void RequiredBase::adopt() {
       incoming_.exchange(nullptr, std::memory_order_acq_rel));
   collectReplies();
   // What was under way went to the old connection; nobody will answer it here.
-  for (PendingCall& call : calls_) {
+  for (PendingCall& call : books_->calls) {
     if (call.number == 0 || call.done) continue;
     call.error = Errc::OutcomeUnknown;
     call.done = true;
@@ -66,7 +72,7 @@ void RequiredBase::adopt() {
   if (channel_ != nullptr) loseAwaited();
   close(channel_);
   channel_ = std::move(*arrived);
-  for (std::uint16_t event = 0; event < events_.size(); ++event) lendHandler(event);
+  for (std::uint16_t event = 0; event < books_->events.size(); ++event) lendHandler(event);
   // What has been subscribed to since the channel was made.
   if (channel_ != nullptr) passSubscriptionsOn(subscribed() & ~channel_->subscribed());
   lossNoticed_ = false;

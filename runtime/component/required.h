@@ -16,7 +16,6 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
-#include <vector>
 
 namespace suture::rt {
 struct EventRecord;
@@ -103,6 +102,7 @@ class RequiredBase {
   void watch(ProvidedBase& own);
 
  private:
+  friend class CallBase;
   template <class, class>
   friend class Call;
   template <auto, class>
@@ -118,12 +118,6 @@ class RequiredBase {
   friend class RowReader;
 
   using EventHandler = std::function<void(const std::byte*)>;
-  struct HeardEvent {
-    std::shared_ptr<const EventHandler> handler;
-    Time since{};  // when it got a handler, after having had none
-    bool direct = false;
-  };
-
   struct PendingCall;
   using Follower = void (*)(RequiredBase&, PendingCall&);
   struct PendingCall {
@@ -134,7 +128,7 @@ class RequiredBase {
     Errc error{};
     Time stamp{};
     bool shared = false;  // result holds a counted pointer
-    std::vector<std::byte> result;
+    std::span<std::byte> result;
     Follower follower = nullptr;  // null: whoever started it looks at the answer himself
     alignas(std::max_align_t) std::byte handler[kHandlerSize];  // the follower's
   };
@@ -195,8 +189,8 @@ class RequiredBase {
   /// Of all answers that have come: from here on none is fresh.
   void offerAnswers();
   /// Errc::WrongThread if the interface is another thread's.
-  Result<void> subscribe(std::uint16_t event, EventHandler handler, bool direct = false);
-  Result<void> unsubscribe(std::uint16_t event);
+  Errc subscribe(std::uint16_t event, EventHandler handler, bool direct = false);
+  Errc unsubscribe(std::uint16_t event);
   /// Tells the provider's end what is subscribed to by now.
   void passSubscriptionsOn(EventSet joining);
   /// Has the provider run the handler of `event` itself, if that is direct and both are here.
@@ -220,11 +214,11 @@ class RequiredBase {
   const InterfaceInfo& info_;
   std::shared_ptr<Channel> channel_;
   std::atomic<std::shared_ptr<Channel>*> incoming_{nullptr};
-  std::vector<PendingCall> calls_;
+  struct Books;  // of its calls and events
+  const std::shared_ptr<Books> books_;
   std::uint32_t callsOpened_ = 0;
-  unsigned fresh_ = 0;     // calls that are
-  unsigned followed_ = 0;  // calls that have a follower
-  std::vector<HeardEvent> events_;
+  unsigned fresh_ = 0;                   // calls that are
+  unsigned followed_ = 0;                // calls that have a follower
   std::atomic<EventSet> subscribed_{0};  // the owner's; read by who connects
   AwaitedEvent* awaited_ = nullptr;      // the first
   bool handling_ = false;                // a handler of an event is running

@@ -82,8 +82,8 @@ Manager::~Manager() {
 void Manager::add(const std::string& name, Component& component) {
   directory_.add(name, component, [&] {
     component.name_ = name;
-    if (component.listener_ != nullptr) return;
-    component.listener_ = std::make_shared<LifecycleFace>(component);
+    if (!component.hasStateListener())
+      component.setStateListener(std::make_shared<LifecycleFace>(component));
   });
 }
 
@@ -165,7 +165,8 @@ void Manager::change(const std::string& name, Transition transition, Duration pa
   const Time deadline = now() + patience;
   while (component.state() == before && now() < deadline) std::this_thread::sleep_for(kPoll);
   const ComponentState reached = component.state();
-  if (reached == after(before, transition)) return;
+  const ComponentState* const meant = after(before, transition);
+  if (meant != nullptr && reached == *meant) return;
   const std::string asked = "component '" + name + "' was asked to " + toString(transition);
   if (reached == ComponentState::Faulted) {
     throw SetupError(asked, component.whyFaulted(), "Correct the cause");

@@ -1,0 +1,27 @@
+#pragma once
+// What a required interface keeps of its calls and events. Not for those who include required.h:
+// they would compile it.
+
+#include <suture/component/required.h>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace suture {
+
+struct RequiredBase::Books {
+  struct HeardEvent {
+    std::shared_ptr<const EventHandler> handler;
+    Time since{};  // when it got a handler, after having had none
+    bool direct = false;
+  };
+
+  explicit Books(const InterfaceInfo& info);
+
+  std::vector<PendingCall> calls;
+  std::vector<std::uint64_t> results;  // the memory of the calls'
+  std::vector<HeardEvent> events;
+};
+
+}  // namespace suture
