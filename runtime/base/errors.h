@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
+#include <type_traits>
 
 namespace suture {
 
@@ -47,6 +48,7 @@ using Result = tl::expected<T, Errc>;
 /// is compiled for those who use it, not for all who include it.
 template <class Nothing>
 Result<Nothing> resultOf(Errc error) {
+  static_assert(std::is_void_v<Nothing>);
   return error == Errc{} ? Result<Nothing>{} : Result<Nothing>{tl::unexpect, error};
 }
 

@@ -16,17 +16,21 @@ CallBase::CallBase(CallBase&& other) noexcept
       limit_(other.limit_) {}
 
 CallBase& CallBase::operator=(CallBase&& other) noexcept {
-  std::swap(required_, other.required_);
-  std::swap(pending_, other.pending_);
-  std::swap(limit_, other.limit_);
+  if (this == &other) return *this;
+  close();
+  required_ = other.required_;
+  pending_ = std::exchange(other.pending_, nullptr);
+  limit_ = other.limit_;
   return *this;
 }
+
+bool CallBase::done() { return pending_ != nullptr && required_->isDone(*pending_); }
 
 void CallBase::close() {
   if (pending_ != nullptr) required_->closeCall(*std::exchange(pending_, nullptr));
 }
 
-bool CallBase::cancelled() {
+bool CallBase::takeBack() {
   if (!required_->cancel(*pending_)) return false;
   close();
   return true;
@@ -71,8 +75,8 @@ void RequiredBase::collectReplies() {
 void RequiredBase::collect(ReplyRecord& reply, std::size_t size) {
   PendingCall& call = books_->calls[reply.call % Channel::kMaxCalls];
   if (call.number != reply.call) return;
-  call.done = call.fresh = true;
-  ++fresh_;
+  call.done = true;
+  if (!std::exchange(call.fresh, true)) ++fresh_;
   call.error = reply.error;
   call.stamp = reply.stamp;
   std::memcpy(call.result.data(), reply.result(), std::min(size, call.result.size()));
@@ -141,12 +145,14 @@ void RequiredBase::waitFor(PendingCall& call, Duration limit) {
   sleepUntil(owner_, now() + limit, [&] { return isDone(call); });
 }
 
-bool RequiredBase::answered() const {
-  return fresh_ != 0 || (channel_ != nullptr && channel_->nextReply() != nullptr);
+bool RequiredBase::unseen() {
+  collectReplies();
+  return fresh_ != 0 || handledInWait_;
 }
 
-void RequiredBase::offerAnswers() {
+void RequiredBase::offerNews() {
   collectReplies();
+  handledInWait_ = false;
   if (fresh_ == 0) return;
   for (PendingCall& call : books_->calls) call.fresh = false;
   fresh_ = 0;

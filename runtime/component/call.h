@@ -47,10 +47,10 @@ class CallBase {
   CallBase& operator=(CallBase&& other) noexcept;
   ~CallBase() { close(); }
 
-  bool done() { return required_->isDone(*pending_); }
+  bool done();
   void waitUntilDone(Duration limit) { required_->waitFor(*pending_, limit); }
   /// True if the provider will not execute it; then it is closed.
-  bool cancelled();
+  bool takeBack();
   /// `follower` is called when the answer is here.
   void passOnTo(RequiredBase::Follower follower);
   /// The provider's answer has been looked at, or is no longer wanted.
@@ -73,9 +73,9 @@ class [[nodiscard]] Call : CallBase {
   Call(RequiredBase& required, RequiredBase::PendingCall& pending, Duration limit, Errc sent)
       : CallBase(required, pending, limit) {
     if (sent == Errc{}) return;
-    end(Traits::error(sent));
     pending.done = true;  // nothing will come
     close();
+    end(Traits::error(sent));
   }
 
   /// The answer if it is here, else null. Never blocks.
@@ -89,7 +89,10 @@ class [[nodiscard]] Call : CallBase {
   const Answer& within(Duration limit) {
     if (!ended_) {
       waitUntilDone(limit);
-      if (!poll()) end(Traits::error(Errc::Timeout));
+      if (!poll()) {
+        close();
+        end(Traits::error(Errc::Timeout));
+      }
     }
     return answer_;
   }
@@ -100,7 +103,7 @@ class [[nodiscard]] Call : CallBase {
   /// False: it is being executed or has been, or has left for another process or been answered;
   /// then nothing changes, and the answer still comes. Never blocks.
   [[nodiscard]] bool cancel() {
-    if (poll() || !cancelled()) return false;
+    if (poll() || !takeBack()) return false;
     end(Traits::error(Errc::Cancelled));
     return true;
   }
@@ -145,7 +148,7 @@ class [[nodiscard]] Call : CallBase {
     close();
   }
 
-  void end(Answer answer) {
+  void end(Answer&& answer) {
     answer_ = std::move(answer);
     ended_ = true;
   }

@@ -59,7 +59,7 @@ class Channel {
   static constexpr unsigned kMaxCalls = 16;
 
   struct Ends {
-    rt::Doorbell* client;            ///< rung when replies, events or (if wanted) rows are there
+    rt::Doorbell* client;            ///< rung for arrivals: replies, events; for work: all else
     rt::Doorbell* provider;          ///< rung when commands are there
     ProvidedBase* device = nullptr;  ///< of a device in this process: the client calls it directly
     ProvidedBase* here = nullptr;    ///< in this process, for what runs in the caller's thread

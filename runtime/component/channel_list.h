@@ -18,7 +18,7 @@ class ChannelList {
   /// Who walks and sweeps.
   enum class Walkers : std::uint8_t {
     Owner,  ///< one thread does both, as that of a task
-    Any,    ///< any thread walks, also several at a time; any thread that may lock sweeps
+    Any,    ///< any thread walks, also several at a time; any that may free memory sweeps
   };
 
   struct Node {

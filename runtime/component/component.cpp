@@ -28,6 +28,7 @@ struct Component::Aside {
 Component::Component(bool ownsThread)
     : ownsThread_(ownsThread), aside_(std::make_shared<Aside>()), doorbell_(aside_->doorbell) {}
 
+// Whoever may still ring keeps the rest; the listener refers to this.
 Component::~Component() { aside_->listener = nullptr; }
 
 std::shared_ptr<rt::Doorbell> Component::sharedDoorbell() {
@@ -35,7 +36,7 @@ std::shared_ptr<rt::Doorbell> Component::sharedDoorbell() {
   return {aside_, &doorbell_};
 }
 
-void Component::ringLater(rt::Doorbell& bell, rt::Ring what) {
+void Component::ringLater(rt::Doorbell& bell, rt::RungFor what) {
   if (!ownsThread()) {
     bell.ring(what);
   } else {

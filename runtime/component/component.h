@@ -81,7 +81,7 @@ class Component {
   std::shared_ptr<rt::Doorbell> sharedDoorbell();
   /// From the component's own thread: rings `bell` once at the end of the cycle; from a device, at
   /// once.
-  void ringLater(rt::Doorbell& bell, rt::Ring what = rt::Ring::Work);
+  void ringLater(rt::Doorbell& bell, rt::RungFor what = rt::RungFor::Work);
   /// From the component's own thread: rings what ringLater() collected. Called before anything that
   /// blocks.
   void ringNow();

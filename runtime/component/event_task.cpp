@@ -6,7 +6,7 @@ bool EventTask::awaitCycle() {
   const Time latest = now() + longestSleep_;
   while (!stopping() && !workPending()) {
     // What arrived may have been taken in the cycle before, by a wait or a poll.
-    if (doorbell().waitUntil(latest) != rt::Ring::Arrival) break;
+    if (doorbell().waitUntil(latest) != rt::RungFor::Arrival) break;
   }
   return !stopping();
 }

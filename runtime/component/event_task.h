@@ -10,7 +10,8 @@ struct EventOptions {
   Duration longestSleep = std::chrono::seconds(1);
 };
 
-/// Sleeps until a command or an event arrives, then runs one cycle.
+/// Sleeps until a command, an event or an answer arrives, then runs one cycle. What a cycle has
+/// taken itself, by within() or poll(), brings no other.
 class EventTask : public ThreadTask {
  public:
   explicit EventTask(const EventOptions& options = {})

@@ -82,9 +82,10 @@ void RequiredBase::passSubscriptionsOn(EventSet joining) {
   if (ends.device != nullptr) ends.device->greetLocal(*channel_);
 }
 
-void RequiredBase::handleQueuedEvents() {
+std::size_t RequiredBase::handleQueuedEvents() {
   const std::shared_ptr<Channel> channel = channel_;  // a handler of a device may take over another
-  if (channel == nullptr) return;
+  if (channel == nullptr) return 0;
+  std::size_t handled = 0;
   while (const rt::EventRecord* record = channel->events.next()) {
     // Released even if the handler throws: it must not meet the same event again.
     struct Release {
@@ -97,7 +98,9 @@ void RequiredBase::handleQueuedEvents() {
     } release{channel->events, handling_};
     handling_ = true;
     deliver(*record);
+    ++handled;
   }
+  return handled;
 }
 
 void RequiredBase::deliver(const rt::EventRecord& record) {

@@ -55,8 +55,10 @@ void AwaitedEvent::wait(Duration limit) {
   } else if (!required_.handling_) {
     error = Errc::Timeout;
     sleepUntil(owner, now() + limit, [this] {
-      required_.handleArrivals();
-      return over();
+      const std::size_t handled = required_.handleArrivals();
+      const bool isOver = over();
+      if (handled > (isOver ? 1u : 0u)) required_.handledInWait_ = true;
+      return isOver;
     });
   }
   if (over_) return;
@@ -126,10 +128,10 @@ Errc RequiredBase::endOfEvents() const {
 }
 
 // As at the beginning of a cycle; but a task's connections change between its cycles only.
-void RequiredBase::handleArrivals() {
+std::size_t RequiredBase::handleArrivals() {
   if (!owner_.ownsThread()) adopt();
   noticeLoss();
-  handleQueuedEvents();
+  return handleQueuedEvents();
 }
 
 }  // namespace suture

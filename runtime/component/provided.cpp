@@ -29,16 +29,22 @@ class Turn {
   Turn(const Turn&) = delete;
   Turn& operator=(const Turn&) = delete;
   ~Turn() {
+    release();
+    if (call_ != 0 && !answered) channel_.replyError(call_, error);
+    if (channel_.wantsRows.load(std::memory_order_relaxed)) {  // what has been taken, too
+      owner_.ringLater(*channel_.ends.client);
+    } else if (call_ != 0) {
+      owner_.ringLater(*channel_.ends.client, rt::RungFor::Arrival);
+    }
+  }
+
+  /// The command has been executed: its place is free, before anybody sees the answer.
+  void release() {
+    if (std::exchange(released_, true)) return;
     // A newest-wins command without an answer travels in its cell, not in the ring.
     const bool usesCredit = !channel_.info.commands[command_].latest || call_ != 0;
     channel_.commands.pop();
     if (usesCredit) channel_.commands.returnCredit(command_);
-    if (call_ != 0 && !answered) channel_.replyError(call_, error);
-    if (channel_.wantsRows.load(std::memory_order_relaxed)) {
-      owner_.ringLater(*channel_.ends.client);
-    } else if (call_ != 0) {
-      owner_.ringLater(*channel_.ends.client, rt::Ring::Arrival);
-    }
   }
 
   bool answered = false;
@@ -49,6 +55,7 @@ class Turn {
   Component& owner_;
   const std::uint16_t command_;
   const std::uint32_t call_;
+  bool released_ = false;
 };
 
 }  // namespace
@@ -205,7 +212,9 @@ void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time d
   } else {
     const ResultForm form{command.resultSize, command.sharedResult};
     channel.reply(record.call, form, [&](std::byte* result) {
-      return execute(record.command, record.arguments(), result);
+      const Errc error = execute(record.command, record.arguments(), result);
+      turn.release();
+      return error;
     });
     turn.answered = true;
   }
@@ -270,7 +279,7 @@ void ProvidedBase::deliver(Channel& channel, std::uint16_t event, Time stamp,
                            std::span<const std::byte> payload, EventSet direct) {
   if ((direct >> event & 1) != 0 && channel.direct.call(event, payload.data())) return;
   channel.events.push(event, stamp, payload);
-  owner_.ringLater(*channel.ends.client, rt::Ring::Arrival);
+  owner_.ringLater(*channel.ends.client, rt::RungFor::Arrival);
 }
 
 void ProvidedBase::keepLatched(std::uint16_t event, Time stamp,

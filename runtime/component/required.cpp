@@ -133,7 +133,7 @@ void RequiredBase::lookAtConnection() {
 
 void RequiredBase::handleEvents() {
   handleQueuedEvents();
-  offerAnswers();
+  offerNews();
   finishFollowed();
 }
 

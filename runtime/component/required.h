@@ -81,9 +81,9 @@ class RequiredBase {
   bool rewired() const { return incoming_.load(std::memory_order_relaxed) != nullptr; }
   /// Owner's thread: true if adopt() or handleEvents() has something to do.
   bool pending() const;
-  /// Owner's thread: true if the answer to a call has come since the last handleEvents() and nobody
-  /// has taken it.
-  bool answered() const;
+  /// Owner's thread: true if run() has yet to see something that has come since handleEvents():
+  /// the answer to a call that nobody has taken, or what was handled in a wait for an event.
+  bool unseen();
 
  protected:
   RequiredBase(Component& owner, std::string_view name, const InterfaceInfo& info);
@@ -186,8 +186,8 @@ class RequiredBase {
   Errc endOfCalls() const;
   bool followedMayBeDone() const;
   void finishFollowed();
-  /// Of all answers that have come: from here on none is fresh.
-  void offerAnswers();
+  /// From here on what has come is run()'s to see.
+  void offerNews();
   /// Errc::WrongThread if the interface is another thread's.
   Errc subscribe(std::uint16_t event, EventHandler handler, bool direct = false);
   Errc unsubscribe(std::uint16_t event);
@@ -195,7 +195,8 @@ class RequiredBase {
   void passSubscriptionsOn(EventSet joining);
   /// Has the provider run the handler of `event` itself, if that is direct and both are here.
   void lendHandler(std::uint16_t event);
-  void handleQueuedEvents();
+  /// How many there were.
+  std::size_t handleQueuedEvents();
   void deliver(const rt::EventRecord& record);
 
   Errc arm(AwaitedEvent& event);
@@ -207,17 +208,18 @@ class RequiredBase {
   void satisfyAwaited(const rt::EventRecord& record);
   /// Why no event will come any more; 0: one may.
   Errc endOfEvents() const;
-  void handleArrivals();
+  std::size_t handleArrivals();
 
   const std::string name_;
   Component& owner_;
   const InterfaceInfo& info_;
   std::shared_ptr<Channel> channel_;
   std::atomic<std::shared_ptr<Channel>*> incoming_{nullptr};
-  struct Books;  // of its calls and events
-  const std::shared_ptr<Books> books_;
+  struct Books;                         // of its calls and events
+  const std::shared_ptr<Books> books_;  // nobody else's; a unique_ptr compiles longer
   std::uint32_t callsOpened_ = 0;
   unsigned fresh_ = 0;                   // calls that are
+  bool handledInWait_ = false;           // events, other than the one waited for
   unsigned followed_ = 0;                // calls that have a follower
   std::atomic<EventSet> subscribed_{0};  // the owner's; read by who connects
   AwaitedEvent* awaited_ = nullptr;      // the first

@@ -7,16 +7,20 @@
 namespace suture {
 
 /// From the thread of `component`, in a cycle or without: sleeps until `over()`, which is asked
-/// after each ring, or until `deadline`. Hands on to the next cycle what was rung for other than
-/// arrivals, which can be seen where they arrive.
+/// after each ring, or until `deadline`. Work that was rung for is handed on to the next cycle.
 template <class Over>
 void sleepUntil(Component& component, Time deadline, const Over& over) {
   component.ringNow();
-  bool work = false;
+  struct HandOn {  // also when over() throws
+    ~HandOn() {
+      if (work) bell.ring();
+    }
+    rt::Doorbell& bell;
+    bool work = false;
+  } rung{component.doorbell()};
   while (!over() && now() < deadline) {
-    work = component.doorbell().waitUntil(deadline) == rt::Ring::Work || work;
+    if (rung.bell.waitUntil(deadline) == rt::RungFor::Work) rung.work = true;
   }
-  if (work) component.doorbell().ring();
 }
 
 }  // namespace suture

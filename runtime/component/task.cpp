@@ -156,8 +156,8 @@ bool Task::ownWorkPending() const {
          failed_.load(std::memory_order_relaxed) ||
          std::any_of(provided().begin(), provided().end(),
                      [](const ProvidedBase* one) { return one->pending(); }) ||
-         std::any_of(required().begin(), required().end(), [running](const RequiredBase* one) {
-           return running ? one->pending() || one->answered() : one->rewired();
+         std::any_of(required().begin(), required().end(), [running](RequiredBase* one) {
+           return running ? one->pending() || one->unseen() : one->rewired();
          });
 }
 

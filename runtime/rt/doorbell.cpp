@@ -16,7 +16,7 @@ timespec toTimespec(Time time) {
 
 }  // namespace
 
-void Doorbell::ring(Ring what) {
+void Doorbell::ring(RungFor what) {
   const auto bit = static_cast<std::uint32_t>(what);
   if (word_.fetch_or(bit, std::memory_order_seq_cst) != kAsleep) return;
   if (eventDescriptor_ < 0) {
@@ -39,12 +39,12 @@ void Doorbell::standUp() {
   word_.compare_exchange_strong(expected, kAwake, std::memory_order_seq_cst);
 }
 
-Ring Doorbell::takeRing() {
+RungFor Doorbell::takeRing() {
   const std::uint32_t word = word_.exchange(kAwake, std::memory_order_seq_cst);
-  return static_cast<Ring>(std::min(word & ~kAsleep, static_cast<std::uint32_t>(Ring::Work)));
+  return static_cast<RungFor>(std::min(word & ~kAsleep, static_cast<std::uint32_t>(RungFor::Work)));
 }
 
-Ring Doorbell::waitUntil(Time deadline) {
+RungFor Doorbell::waitUntil(Time deadline) {
   const timespec until = toTimespec(deadline);
   while (lieDown()) {
     // FUTEX_WAIT_BITSET takes an absolute time on the monotonic clock.

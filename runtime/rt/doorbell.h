@@ -8,11 +8,11 @@
 
 namespace suture::rt {
 
-/// What a ring announces.
-enum class Ring : std::uint32_t {
-  None = 0,
-  /// The answer to a call, or an event. Whether it is still to be taken can be seen where it
-  /// arrives: its ring may come when it has been.
+/// What a doorbell is rung for.
+enum class RungFor : std::uint32_t {
+  Nothing = 0,
+  /// The answer to a call, or an event. Whoever rings has put it where the sleeper finds it; the
+  /// ring may come when it has been taken.
   Arrival = 1,
   /// Anything else, or both.
   Work = 2,
@@ -29,11 +29,11 @@ class Doorbell {
   Doorbell& operator=(const Doorbell&) = delete;
 
   /// Any thread. At most one system call, none while the owner is awake.
-  void ring(Ring what = Ring::Work);
+  void ring(RungFor what = RungFor::Work);
 
   /// The owner only: sleeps until rung or until `deadline`. Returns what it was rung for since it
   /// last asked.
-  Ring waitUntil(Time deadline);
+  RungFor waitUntil(Time deadline);
 
   /// For an owner that sleeps in epoll: true if it may go to sleep, false if there is a ring to
   /// take. After true, the next ring writes the eventfd.
@@ -41,10 +41,10 @@ class Doorbell {
   /// For an owner that sleeps in epoll, when it is back: a ring costs no system call from here on.
   void standUp();
   /// For an owner that sleeps in epoll: what it has been rung for since it last asked.
-  Ring takeRing();
+  RungFor takeRing();
 
  private:
-  static constexpr std::uint32_t kAwake = 0, kAsleep = 4;  // beside the bits of Ring
+  static constexpr std::uint32_t kAwake = 0, kAsleep = 4;  // beside the bits of RungFor
 
   std::atomic<std::uint32_t> word_{kAwake};
   int eventDescriptor_;

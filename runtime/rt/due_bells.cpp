@@ -9,7 +9,7 @@ std::size_t DueBells::firstSlot(const Doorbell& bell) {
   return reinterpret_cast<std::uintptr_t>(&bell) * kGoldenRatio >> (64 - kSlotBits);
 }
 
-void DueBells::add(Doorbell& bell, Ring what) {
+void DueBells::add(Doorbell& bell, RungFor what) {
   std::size_t slot = firstSlot(bell);
   while (slots_[slot] < count_ && due_[slots_[slot]].slot == slot) {
     Due& due = due_[slots_[slot]];

@@ -16,7 +16,7 @@ class DueBells {
   static constexpr std::size_t kCapacity = 256;
 
   /// If kCapacity others are due, rings at once.
-  void add(Doorbell& bell, Ring what = Ring::Work);
+  void add(Doorbell& bell, RungFor what = RungFor::Work);
   void ringAll();
 
  private:
@@ -27,7 +27,7 @@ class DueBells {
   struct Due {
     Doorbell* bell;
     std::uint32_t slot;
-    Ring what;
+    RungFor what;
   };
 
   static std::size_t firstSlot(const Doorbell& bell);

@@ -1,6 +1,8 @@
 // Waiting for one event.
 #include <suture/component/channel.h>
 
+#include <optional>
+
 #include "conformance/setup.h"
 
 namespace conformance {

@@ -144,7 +144,7 @@ void DelayedConnection::deliverCommands(Time now) {
 void DelayedConnection::deliver(const rt::CommandRecord& record) {
   if (record.call != 0 && !near_->claimCall(record.call)) {
     near_->replyError(record.call, Errc::Cancelled);
-    near_->ends.client->ring(rt::Ring::Arrival);
+    near_->ends.client->ring(rt::RungFor::Arrival);
     return;
   }
   const auto slot = far_->commands.claim(record.command, record.stamp, record.call);
@@ -152,7 +152,9 @@ void DelayedConnection::deliver(const rt::CommandRecord& record) {
     // Only if the provider's end has given no credit back: nobody serves it any more.
     auto& failed = near_->commands.counters.failed;
     failed.store(failed.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
-    if (record.call != 0) near_->replyError(record.call, slot.error());
+    if (record.call == 0) return;
+    near_->replyError(record.call, slot.error());
+    near_->ends.client->ring(rt::RungFor::Arrival);
     return;
   }
   std::memcpy(*slot, record.arguments(), near_->info.commands[record.command].argumentsSize);
@@ -208,7 +210,7 @@ void DelayedConnection::deliverAnswers(Time now) {
     answers_.pop();
     any = true;
   }
-  if (any) near_->ends.client->ring(rt::Ring::Arrival);
+  if (any) near_->ends.client->ring(rt::RungFor::Arrival);
 }
 
 // Without room they stay in the provider's queue, which drops and counts as without delay.
@@ -234,7 +236,7 @@ void DelayedConnection::deliverEvents(Time now) {
     events_.pop();
     any = true;
   }
-  if (any) near_->ends.client->ring(rt::Ring::Arrival);
+  if (any) near_->ends.client->ring(rt::RungFor::Arrival);
 }
 
 void DelayedConnection::takeRows() {

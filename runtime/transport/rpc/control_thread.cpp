@@ -32,7 +32,7 @@ void ControlThread::Loop::runUntilStopped() {
 }
 
 void ControlThread::Loop::takeWork() {
-  if (owner.doorbell().takeRing() == rt::Ring::None) return;
+  if (owner.doorbell().takeRing() == rt::RungFor::Nothing) return;
   owner.runPosted();
   owner.runPumps();
 }

@@ -57,7 +57,7 @@ void ProxyPort::push(std::uint16_t event, const std::byte* slot) {
   const Time stamp = here(std::exchange(replays_[event], 0));
   if (closed_ || (leaving_ >> event & 1) != 0) return;
   channel_->events.push(event, stamp, {slot, channel_->info.events[event].payloadSize});
-  channel_->ends.client->ring(rt::Ring::Arrival);
+  channel_->ends.client->ring(rt::RungFor::Arrival);
 }
 
 void ProxyPort::noteReplay(std::uint16_t event, std::int64_t stamp) {

@@ -92,7 +92,7 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
   void reply(std::uint32_t call, ResultForm form, const Produce& produce, Time stamp = now()) {
     if (closed_) return;
     channel_->reply(call, form, produce, stamp);
-    channel_->ends.client->ring(rt::Ring::Arrival);
+    channel_->ends.client->ring(rt::RungFor::Arrival);
   }
 
   Time here(std::int64_t stamp) const;

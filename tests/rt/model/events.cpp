@@ -4,6 +4,8 @@
 #include <sys/eventfd.h>
 #include <unistd.h>
 
+#include <algorithm>
+
 #include "rt/model/scenarios.h"
 
 namespace model {
@@ -102,6 +104,29 @@ struct Sleeper {
 };
 
 }  // namespace
+
+Run doorbellForTwo() {
+  struct Rung {
+    rt::Doorbell bell;
+    rt::RungFor heard = rt::RungFor::Nothing;
+  };
+  const auto it = std::make_shared<Rung>();
+  const auto listen = [it] { it->heard = std::max(it->heard, it->bell.takeRing()); };
+  return {.threads = {[it] {
+                        for (int i = 0; i < 3; ++i) it->bell.ring(rt::RungFor::Arrival);
+                      },
+                      [it] { it->bell.ring(rt::RungFor::Work); },
+                      [it, listen] {
+                        for (int i = 0; i < 3; ++i) {
+                          it->bell.lieDown();
+                          listen();
+                        }
+                      }},
+          .atEnd = [it, listen] {
+            listen();
+            require(it->heard == rt::RungFor::Work, "what it was rung for is forgotten");
+          }};
+}
 
 Run doorbell() {
   const auto it = std::make_shared<Sleeper>();

@@ -65,3 +65,5 @@ suture_planted(events_two_alone PART event_queue SCENARIO EventQueueOfTwo FINDS 
 suture_planted(bell_lost_ring PART doorbell SCENARIO Doorbell FINDS "it sleeps, there is work"
   TEXT "if (word_.compare_exchange_strong(expected, kAsleep, std::memory_order_seq_cst)) return true;"
   REPLACEMENT "word_.store(kAsleep); return true;")
+suture_planted(bell_forgets_work PART doorbell SCENARIO DoorbellForTwo FINDS "what it was rung for is forgotten"
+  TEXT "word_.fetch_or(bit, std::memory_order_seq_cst)" REPLACEMENT "word_.exchange(bit, std::memory_order_seq_cst)")

@@ -18,5 +18,6 @@ Run eventQueue();
 Run eventQueueOfTwo();
 Run eventQueueOfOne();
 Run doorbell();
+Run doorbellForTwo();
 
 }  // namespace model

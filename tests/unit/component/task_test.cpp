@@ -102,41 +102,87 @@ TEST(EventTask, SleepsUntilACommandArrives) {
   EXPECT_LE(arm.cycles - before, 3);
 }
 
-/// Asks twice and waits for one answer; the other, which comes with it, is for a later cycle.
-struct Impatient final : EventTask {
-  Impatient() : EventTask({.longestSleep = 1h}) {}
-  ~Impatient() override { stop(); }
-  void run() override {
+/// Does nothing until it is told to ask, when it sleeps and has taken all rings.
+struct AskingTask : EventTask {
+  AskingTask() : EventTask({.longestSleep = 1h}) {}
+  ~AskingTask() override { stop(); }
+  void run() final {
     connected = arm.connected();
-    if (!asks || answered) return;
-    if (!other) {
-      other.emplace(arm.hold.start());
-      EXPECT_TRUE(arm.hold.start().within(5s));
-    } else {
-      answered = other->poll() != nullptr;
-    }
+    if (asks && !answered) work();
   }
-  /// From another thread, when it sleeps: so the ring has been taken when it asks.
-  void ask() {
+  virtual void work() = 0;
+
+  /// True once it has what it asked for.
+  bool ask() {
+    if (!eventually([&] { return connected.load(); })) return false;
+    std::this_thread::sleep_for(20ms);
     asks = true;
     doorbell().ring();
+    return eventually([&] { return answered.load(); });
   }
+
   Required<ArmLike> arm{*this, "Arm"};
-  std::optional<Call<Result<void>, NoSlot>> other;
-  std::atomic<bool> asks{false}, connected{false};
-  std::atomic<bool> answered{false};
+  std::atomic<bool> connected{false}, asks{false}, answered{false};
 };
 
-TEST(EventTask, LooksAgainAfterAWaitForSomethingElse) {
+template <class Client>
+bool asks() {
+  Client client;
   CountingArm<PeriodicTask> arm(PeriodicOptions{.period = 5ms});
-  Impatient client;
   connectLocally(client.arm, arm.arm, "test");
   arm.start();
   client.start();
-  EXPECT_TRUE(eventually([&] { return client.connected.load(); }));
-  std::this_thread::sleep_for(20ms);
-  client.ask();
-  EXPECT_TRUE(eventually([&] { return client.answered.load(); }));
+  return client.ask();
+}
+
+TEST(EventTask, LooksAgainAtAnAnswerThatCameWithAnother) {
+  struct Impatient final : AskingTask {
+    void work() override {
+      if (!other) {
+        other.emplace(arm.hold.start());
+        EXPECT_TRUE(arm.hold.start().within(5s));
+      } else {
+        answered = other->poll() != nullptr;
+      }
+    }
+    std::optional<Call<Result<void>, NoSlot>> other;
+  };
+  EXPECT_TRUE(asks<Impatient>());
+}
+
+TEST(EventTask, LooksAgainAtAnEventThatCameBeforeAnother) {
+  struct Impatient final : AskingTask {
+    void work() override {
+      if (!mode) {
+        mode.emplace(arm.on().mode.next());
+        auto stopped = arm.on().stopped.next();
+        EXPECT_TRUE(arm.set_mode(Mode::Enabled));
+        EXPECT_TRUE(arm.hold());
+        EXPECT_TRUE(stopped.within(5s));
+      } else {
+        answered = mode->poll() != nullptr;
+      }
+    }
+    std::optional<decltype(arm.on().mode.next())> mode;
+  };
+  EXPECT_TRUE(asks<Impatient>());
+}
+
+TEST(EventTask, LooksAgainAtWhatAHandlerDidWhileItWaited) {
+  struct Impatient final : AskingTask {
+    Impatient() {
+      arm.on().mode([this](Mode) { heard = true; });
+    }
+    void work() override {
+      answered = heard;
+      if (heard) return;
+      auto stopped = arm.on().stopped.next();
+      EXPECT_TRUE(arm.set_mode(Mode::Enabled));
+      EXPECT_EQ(stopped.within(200ms).error(), Errc::Timeout);
+    }
+    bool heard = false;
+  };
+  EXPECT_TRUE(asks<Impatient>());
 }
 
 /// Calls once per cycle and has the answer at the end of it.
@@ -172,6 +218,7 @@ TEST(EventTask, IsNotWokenAgainByTheAnswerThatItHasWaitedFor) {
 TEST(EventTask, IsNotWokenAgainByTheAnswerThatItHasPolledFor) {
   expectRest([](Required<ArmLike>& arm) {
     auto call = arm.hold.start();
+    arm.owner().ringNow();
     while (!call.poll()) std::this_thread::yield();
     return true;
   });

@@ -62,13 +62,13 @@ TEST(DueBells, OneThatIsAddedTwiceIsRungOnce) {
 TEST(DueBells, OneThatIsAddedForTwoThingsIsRungForBoth) {
   Doorbell one, other;
   DueBells due;
-  due.add(one, Ring::Arrival);
-  due.add(other, Ring::Arrival);
-  due.add(one, Ring::Work);
-  due.add(one, Ring::Arrival);
+  due.add(one, RungFor::Arrival);
+  due.add(other, RungFor::Arrival);
+  due.add(one, RungFor::Work);
+  due.add(one, RungFor::Arrival);
   due.ringAll();
-  EXPECT_EQ(one.takeRing(), Ring::Work);
-  EXPECT_EQ(other.takeRing(), Ring::Arrival);
+  EXPECT_EQ(one.takeRing(), RungFor::Work);
+  EXPECT_EQ(other.takeRing(), RungFor::Arrival);
 }
 
 TEST(DueBells, BeyondItsCapacityRingsAtOnce) {

@@ -15,23 +15,23 @@ using namespace std::chrono_literals;
 TEST(Doorbell, ARingBeforeTheSleepIsNotLost) {
   Doorbell bell;
   bell.ring();
-  EXPECT_EQ(bell.waitUntil(now() + 10s), Ring::Work);
-  EXPECT_EQ(bell.waitUntil(now() + 1ms), Ring::None);
+  EXPECT_EQ(bell.waitUntil(now() + 10s), RungFor::Work);
+  EXPECT_EQ(bell.waitUntil(now() + 1ms), RungFor::Nothing);
 }
 
 TEST(Doorbell, TellsArrivalsFromWork) {
   Doorbell bell;
-  bell.ring(Ring::Arrival);
-  bell.ring(Ring::Arrival);
-  EXPECT_EQ(bell.takeRing(), Ring::Arrival);
-  bell.ring(Ring::Work);
-  bell.ring(Ring::Arrival);
-  EXPECT_EQ(bell.takeRing(), Ring::Work);
+  bell.ring(RungFor::Arrival);
+  bell.ring(RungFor::Arrival);
+  EXPECT_EQ(bell.takeRing(), RungFor::Arrival);
+  bell.ring(RungFor::Work);
+  bell.ring(RungFor::Arrival);
+  EXPECT_EQ(bell.takeRing(), RungFor::Work);
   ASSERT_TRUE(bell.lieDown());
-  bell.ring(Ring::Arrival);
-  bell.ring(Ring::Work);
-  EXPECT_EQ(bell.waitUntil(now() + 10s), Ring::Work);
-  EXPECT_EQ(bell.takeRing(), Ring::None);
+  bell.ring(RungFor::Arrival);
+  bell.ring(RungFor::Work);
+  EXPECT_EQ(bell.waitUntil(now() + 10s), RungFor::Work);
+  EXPECT_EQ(bell.takeRing(), RungFor::Nothing);
 }
 
 TEST(Doorbell, WakesASleeper) {
@@ -39,7 +39,7 @@ TEST(Doorbell, WakesASleeper) {
   std::thread ringer([&bell] {
     for (int i = 0; i < 1000; ++i) bell.ring();
   });
-  EXPECT_EQ(bell.waitUntil(now() + 10s), Ring::Work);
+  EXPECT_EQ(bell.waitUntil(now() + 10s), RungFor::Work);
   ringer.join();
 }
 
@@ -50,15 +50,15 @@ TEST(Doorbell, WritesItsEventDescriptorOnlyForASleeper) {
   bell.ring();
   EXPECT_EQ(read(descriptor, &count, sizeof(count)), -1);
   EXPECT_FALSE(bell.lieDown());
-  EXPECT_EQ(bell.takeRing(), Ring::Work);
-  EXPECT_EQ(bell.takeRing(), Ring::None);
+  EXPECT_EQ(bell.takeRing(), RungFor::Work);
+  EXPECT_EQ(bell.takeRing(), RungFor::Nothing);
   ASSERT_TRUE(bell.lieDown());
   bell.ring();
   bell.ring();
   EXPECT_EQ(read(descriptor, &count, sizeof(count)), 8);
   EXPECT_EQ(count, 1u);
   bell.standUp();
-  EXPECT_EQ(bell.takeRing(), Ring::Work) << "what was rung for during sleep is still to be done";
+  EXPECT_EQ(bell.takeRing(), RungFor::Work) << "what was rung for during sleep is still to be done";
 
   ASSERT_TRUE(bell.lieDown());
   bell.standUp();
