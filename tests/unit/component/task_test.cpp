@@ -105,7 +105,6 @@ TEST(EventTask, SleepsUntilACommandArrives) {
 /// Does nothing until it is told to ask, when it sleeps and has taken all rings.
 struct AskingTask : EventTask {
   AskingTask() : EventTask({.longestSleep = 1h}) {}
-  ~AskingTask() override { stop(); }
   void run() final {
     connected = arm.connected();
     if (asks && !answered) work();
@@ -132,7 +131,9 @@ bool asks() {
   connectLocally(client.arm, arm.arm, "test");
   arm.start();
   client.start();
-  return client.ask();
+  const bool answered = client.ask();
+  client.stop();
+  return answered;
 }
 
 TEST(EventTask, LooksAgainAtAnAnswerThatCameWithAnother) {
