@@ -81,7 +81,7 @@ struct ArraySlot<T[N]> : ElementByElement {};
 template <class T, class S, std::uint32_t N>
 bool store(const std::vector<T>& value, BoundedList<S, N>& slot) {
   if (!resize(slot, value.size())) return false;
-  const auto size = static_cast<std::uint32_t>(value.size());
+  const std::uint32_t size = sizeOf(slot);  // g++ 12 at -O3 is not sure that value.size() is <= N
   bool fits = true;
   for (std::uint32_t i = 0; i < size; ++i) {
     const T& element = value[i];  // binds a vector<bool> proxy to a bool
