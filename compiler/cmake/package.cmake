@@ -4,14 +4,14 @@
 include(CMakePackageConfigHelpers)
 
 set(libraries)
-foreach(name base rt component wiring rpc delay standard manager observe record deploy suture schemas)
+foreach(name base rt component wiring tls rpc shm delay standard manager observe record deploy suture schemas)
   set_target_properties(suture_${name} PROPERTIES EXPORT_NAME ${name})
   list(APPEND libraries suture_${name})
 endforeach()
 set(robots robots robots_core robots_kinematics)
 set_target_properties(${libraries} ${robots} PROPERTIES
   VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-set(programs suture-manager)
+set(programs suture-manager suture_cli)
 if(TARGET suturec)
   set_target_properties(suturec PROPERTIES INSTALL_RPATH_USE_LINK_PATH ON)  # LLVM may be anywhere
   list(APPEND programs suturec)
@@ -49,7 +49,8 @@ install(FILES
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/ ${PROJECT_SOURCE_DIR}/schemas/suture/
   ${PROJECT_BINARY_DIR}/schemas/suture/
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/suture FILES_MATCHING PATTERN "*.h" PATTERN "*.capnp"
-  PATTERN contracts EXCLUDE PATTERN standard EXCLUDE)  # runtime/contracts/ and suture_generate() install those
+  PATTERN contracts EXCLUDE PATTERN standard EXCLUDE  # runtime/contracts/ and suture_generate() install those
+  PATTERN cli EXCLUDE)  # a program alone
 if(TARGET suturec)
   # Where suturec looks first: clang's own headers stay with it.
   install(DIRECTORY ${SUTURE_CLANG_RESOURCE_DIR}/include DESTINATION lib/suture/clang)

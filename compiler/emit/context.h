@@ -16,6 +16,7 @@ struct Context {
   const model::Model& model;
   const model::Lookup& lookup;
   const lock::Locks& locks;
+  const std::map<std::string, lock::Lock>& schemas;  ///< `locks` as an update would leave them
   const std::map<std::string, std::string>& hashes;  ///< by contract, see lock/contract_hash.h
   const std::map<std::string, std::string>& cores;   ///< the same without optional commands
   const model::Header& header;                       ///< the one being written

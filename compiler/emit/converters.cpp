@@ -50,6 +50,18 @@ void emitEnumEncoder(Code& code, const Context& context, const model::Enum& type
   code.close("}").line("return ", names.wire, "{};").close("}").blank();
 }
 
+void emitEnumCheck(Code& code, const Context& context, const model::Enum& type) {
+  const EnumNames names(type, context.header.cxxNamespace);
+  code.open("bool ", enumCheck(type.name, context), "(", names.slot, " slot) {");
+  code.open("switch (static_cast<", names.cxx, ">(slot)) {");
+  std::set<std::int64_t> values;
+  for (const model::Enumerator& one : type.enumerators) {
+    if (!values.insert(one.value).second) continue;
+    code.line("case ", names.cxx, "::", one.name, ": return true;");
+  }
+  code.close("}").line("return false;").close("}").blank();
+}
+
 void emitEnumDecoder(Code& code, const Context& context, const model::Enum& type) {
   const EnumNames names(type, context.header.cxxNamespace);
   code.open("Errc fromWire(", names.wire, " in, ", names.slot, "& slot) {");
@@ -105,7 +117,7 @@ void emitStruct(Code& code, const Context& context, const model::Struct& type) {
   code.close("}").blank();
 
   code.open("bool isValid(const ", slot, "&", named("slot", hasConditions(values, context)), ") {");
-  emitValidity(code, values, "true", "false", context);
+  emitValidity(code, values, context);
   code.close("}").blank();
 }
 
@@ -154,6 +166,7 @@ void declare(Code& code, const Context& context, const std::string& name) {
     const model::Enum& one = *context.lookup.findEnum(name);
     const EnumNames names(one, home.cxxNamespace);
     code.line(names.wire, " wire", model::unqualified(name), "(", names.slot, " slot);");
+    code.line("bool isKnown", model::unqualified(name), "(", names.slot, " slot);");
     code.line("suture::Errc fromWire(", names.wire, " in, ", names.slot, "& slot);");
   }
 }
@@ -181,6 +194,7 @@ void emitConverters(Code& code, const Context& context) {
   Code converters;
   for (const model::Enum& type : header.enums) {
     emitEnumEncoder(converters, context, type);
+    emitEnumCheck(converters, context, type);
     emitEnumDecoder(converters, context, type);
   }
   bool any = false;

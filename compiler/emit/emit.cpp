@@ -14,6 +14,7 @@
 #include "compiler/emit/readers.h"
 #include "compiler/emit/remote.h"
 #include "compiler/lock/contract_hash.h"
+#include "compiler/lock/wire_contract.h"
 #include "compiler/model/naming.h"
 
 namespace suture::compiler::emit {
@@ -164,6 +165,7 @@ void emitUsings(Code& code, std::string_view body) {
                                  "Duration",
                                  "Errc",
                                  "EventInfo",
+                                 "checkSlot",
                                  "load",
                                  "newSlot",
                                  "rpc::ProxyPort",
@@ -234,12 +236,13 @@ std::string sourceFile(const Context& context) {
 std::vector<Artefact> emit(const model::Model& declared, const lock::Locks& locks) {
   const model::Model model = ordered(declared, locks);
   const model::Lookup lookup(model);
-  const std::map<std::string, std::string> hashes = lock::contractHashes(model, locks);
-  const std::map<std::string, std::string> cores = lock::coreHashes(model, locks);
+  const std::map<std::string, lock::Lock> schemas = lock::upToDate(model, locks);
+  const std::map<std::string, std::string> hashes = lock::contractHashes(model, schemas);
+  const std::map<std::string, std::string> cores = lock::coreHashes(model, schemas);
   std::vector<Artefact> artefacts;
   for (const model::Header& header : model.headers) {
     if (!header.own) continue;
-    const Context context{model, lookup, locks, hashes, cores, header};
+    const Context context{model, lookup, locks, schemas, hashes, cores, header};
     const std::string stem = model::stemOf(header.path);
     artefacts.push_back({stem + ".suture.h", headerFile(context)});
     artefacts.push_back({stem + ".suture.cpp", sourceFile(context)});

@@ -4,6 +4,7 @@
 
 #include "compiler/emit/parts.h"
 #include "compiler/emit/reached.h"
+#include "compiler/emit/wire_nodes.h"
 #include "compiler/lock/majors.h"
 #include "compiler/lock/wanted.h"
 #include "compiler/lock/wire_type.h"
@@ -101,6 +102,11 @@ Json wireTypeOf(const Type& type) {
   return json;
 }
 
+/// Where it stands among its like on the wire, which peers compare when they connect.
+void addOrdinal(Json& json, const std::optional<unsigned>& ordinal) {
+  if (ordinal) json["ordinal"] = *ordinal;
+}
+
 void addDoc(Json& json, const model::Documentation& doc) {
   if (!doc.text.empty()) json["doc"] = doc.text;
 }
@@ -178,6 +184,7 @@ void addOrigin(Json& json, const std::string& inheritedFrom, const model::Lifecy
 
 Json commandOf(const model::Command& command) {
   Json json{{"name", command.name}, {"kind", kindName(command.kind)}};
+  addOrdinal(json, command.ordinal);
   addWireName(json, command.name, command.wireName);
   addDoc(json, command.doc);
   for (const model::Parameter& parameter : command.parameters) {
@@ -202,6 +209,7 @@ Json commandOf(const model::Command& command) {
 
 Json eventOf(const model::Event& event) {
   Json json{{"name", event.name}, {"kind", event.payload.empty() ? "void" : "write"}};
+  addOrdinal(json, event.ordinal);
   addWireName(json, event.name, event.wireName);
   addDoc(json, event.doc);
   for (std::size_t i = 0; i < event.payload.size(); ++i) {
@@ -290,6 +298,7 @@ std::string describe(const Context& context, const model::Interface& interface) 
   for (const model::Struct* const one : reached.structs()) {
     json["structs"].push_back(structOf(*one));
   }
+  json["wire"] = wireNodes(context, interface);
   return json.dump(2);
 }
 

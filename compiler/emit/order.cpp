@@ -13,6 +13,8 @@
 namespace suture::compiler::emit {
 namespace {
 
+constexpr unsigned kUnknown = std::numeric_limits<unsigned>::max();
+
 const lock::Node* findNode(const lock::Lock& lock, const char* annotation,
                            const std::string& interface) {
   for (const lock::Node& node : lock.nodes) {
@@ -26,7 +28,7 @@ unsigned ordinalOf(const lock::Node& node, const std::string& name) {
   for (const lock::Member& member : node.members) {
     if (member.name == name && !member.removed()) return member.ordinal;
   }
-  return std::numeric_limits<unsigned>::max();
+  return kUnknown;
 }
 
 /// Where a command or event stands: what a base declares comes first, in the base's own order.
@@ -67,10 +69,14 @@ class Order {
       std::size_t depth = 0;
       while (depth + 1 < line.size() && line[depth]->name != home) ++depth;
       const lock::Node* const node = nodeOf(home, annotation);
-      return Place{depth, node == nullptr ? 0 : ordinalOf(*node, one.wireName)};
+      return Place{depth, node == nullptr ? kUnknown : ordinalOf(*node, one.wireName)};
     };
     std::stable_sort(declarations.begin(), declarations.end(),
                      [&](const auto& a, const auto& b) { return place(a) < place(b); });
+    for (auto& one : declarations) {
+      const unsigned ordinal = place(one).ordinal;
+      if (ordinal != kUnknown) one.ordinal = ordinal;
+    }
   }
 
   const lock::Node* nodeOf(const std::string& interface, const char* annotation) const {

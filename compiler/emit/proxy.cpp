@@ -172,6 +172,9 @@ void emitBinding(Code& code, const Context&, const model::Interface& interface) 
             "capnp::Capability::Client subscriber) const override {");
   code.line("return kj::heap<", prefix, "Sink>(subscriber.castAs<wire::", interface.wireName,
             "Events>());");
+  code.close("}");
+  code.open("capnp::InterfaceSchema schema() const override {");
+  code.line("return capnp::Schema::from<wire::", interface.wireName, ">();");
   code.close("}").close("};").blank();
   code.open("const suture::rpc::Binding& ", bindingFunction(interface), "() {");
   code.line("static const ", prefix, "Binding kBinding;").line("return kBinding;");

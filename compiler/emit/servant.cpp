@@ -106,17 +106,27 @@ void emitServantConstructor(Code& code, const model::Interface& interface) {
 
 // --- commands from the client
 
+/// What every lane asks of arguments before a handler sees them.
+void emitArgumentChecks(Code& code, const Context& context, const model::Interface& interface) {
+  for (const model::Command* const command : ownCommands(interface)) {
+    const std::string check = argumentsCheck(interface, *command, context);
+    if (check.empty()) continue;
+    const std::string slot = relative(argumentsStruct(interface, *command), home(context));
+    code.open("bool ", check, "(const ", slot, "& slot) {");
+    emitValidity(code, argumentValues(*command), context);
+    code.close("}").blank();
+  }
+}
+
 /// The lambda that fills the arguments' slot from `in`.
 void emitFill(Code& code, const Context& context, const model::Interface& interface,
               const model::Command& command) {
-  std::vector<WireValue> values;
-  for (const model::Parameter& one : command.parameters) {
-    values.push_back({one.type, one.wireName, "slot." + one.name, one.range});
-  }
+  const std::vector<WireValue> values = argumentValues(command);
+  const std::string check = argumentsCheck(interface, command, context);
   code.open("const auto fill = [&](std::byte* memory) {");
   code.line("auto& slot = ", kBreakText, "newSlot<",
             relative(argumentsStruct(interface, command), home(context)), ">(memory);");
-  if (!hasConditions(values, context)) {
+  if (check.empty()) {
     emitDecodeAndReturn(code, values, "in", "port_->shift()", context);
   } else {
     const std::string outcome = emitDecode(code, values, "in", "port_->shift()", context);
@@ -124,7 +134,7 @@ void emitFill(Code& code, const Context& context, const model::Interface& interf
       emitError(code, outcome);
       code.line("if (error != Errc{}) return error;");
     }
-    emitValidity(code, values, "Errc{}", "Errc::Invalid", context);
+    code.line("return ", check, "(slot) ? Errc{} : Errc::Invalid;");
   }
   code.close("};");
 }
@@ -162,6 +172,7 @@ void emitMethod(Code& code, const Context& context, const model::Interface& inte
 
 void emitServant(Code& code, const Context& context, const model::Interface& interface) {
   const std::string prefix = prefixOf(interface);
+  emitArgumentChecks(code, context, interface);
   code.line("// --- ", prefix, " over Cap'n Proto RPC: the provider's side").blank();
   emitSink(code, context, interface);
   code.line("/// Puts remote calls into the provider's mailbox.");

@@ -1,6 +1,7 @@
 #include "compiler/emit/contract.h"
 #include "compiler/emit/parts.h"
 #include "compiler/emit/remote.h"
+#include "compiler/emit/wire_form.h"
 #include "compiler/model/naming.h"
 
 #include <algorithm>
@@ -59,6 +60,30 @@ std::string packed(const std::string& json) {
   return text + line;
 }
 
+/// The check of arguments that may lie in memory which another process writes.
+std::string sharedCheck(const Context& context, const model::Interface& interface,
+                        const model::Command& command) {
+  const auto& parameters = command.parameters;
+  const bool bounded =
+      std::all_of(parameters.begin(), parameters.end(),
+                  [&](const model::Parameter& one) { return isBounded(one.type, context.lookup); });
+  return bounded ? argumentsCheck(interface, command, context) : "";
+}
+
+/// Those checks are defined behind the converters, which they need.
+void declareChecks(Code& code, const Context& context, const model::Interface& interface) {
+  bool any = false;
+  for (const model::Command* const command : ownCommands(interface)) {
+    const std::string check = sharedCheck(context, interface, *command);
+    if (check.empty()) continue;
+    const std::string slot =
+        relative(argumentsStruct(interface, *command), context.header.cxxNamespace);
+    code.line("bool ", check, "(const ", slot, "& slot);");
+    any = true;
+  }
+  if (any) code.blank();
+}
+
 void emitCommand(Code& code, const Context& context, const model::Interface& interface,
                  const model::Command& command, int column) {
   const std::string& home = context.header.cxxNamespace;
@@ -87,11 +112,16 @@ void emitCommand(Code& code, const Context& context, const model::Interface& int
   }
   if (command.result && isOpen(*command.result)) members.push_back(".sharedResult = true");
   if (command.concurrent || command.direct) members.push_back(".inCallersThread = true");
+  if (const std::string check = sharedCheck(context, interface, command); !check.empty()) {
+    const std::string slot = relative(argumentsStruct(interface, command), home);
+    members.push_back(".accepts = checkSlot<" + slot + ", " + check + ">");
+  }
   emitEntry(code, members);
 }
 
 void emitCommands(Code& code, const Context& context, const model::Interface& interface) {
   if (ownCommands(interface).empty()) return;
+  declareChecks(code, context, interface);
   code.line("constexpr CommandInfo k", prefixOf(interface), "Commands[] = {");
   int columns = 0;
   for (const model::Command& command : interface.commands) {

@@ -99,7 +99,7 @@ std::string condition(const Type& type, const std::string& slot, const Range& ra
       return isReal(type.scalar) ? "isValid(" + slot + ")" : "";
     case Shape::Duration: return durationCondition(type, slot, range);
     case Shape::Struct: return "isValid(" + slot + ")";
-    case Shape::Enum:
+    case Shape::Enum: return enumCheck(type.name, context) + "(" + slot + ")";
     case Shape::Text:
     case Shape::TimePoint:
     case Shape::Nothing: return "";
@@ -112,7 +112,7 @@ std::string condition(const Type& type, const std::string& slot, const Range& ra
     case Shape::Variant: return wholeCondition(type, slot);
     case Shape::Map: return mapCondition(type, slot, range, context, depth);
     case Shape::Optional:
-      if (!range) return wholeCondition(type, slot);
+      if (!range && type.element.front().shape != Shape::Enum) return wholeCondition(type, slot);
       [[fallthrough]];
     case Shape::List:
     case Shape::Array: return sequenceCondition(type, slot, range, context, depth);
@@ -128,24 +128,17 @@ bool hasConditions(const std::vector<WireValue>& values, const Context& context)
   });
 }
 
-void emitValidity(Code& code, const std::vector<WireValue>& values, const std::string& valid,
-                  const std::string& invalid, const Context& context) {
+void emitValidity(Code& code, const std::vector<WireValue>& values, const Context& context) {
   std::string rest;
   for (const WireValue& value : values) {
     const std::string one = condition(value.type, value.slot, value.range, context, 0);
     const bool hasLambda = one.find(kBody) != std::string::npos;
-    if (hasLambda) code.open("if (!", one, ") {").line("return ", invalid, ";").close("}");
+    if (hasLambda) code.open("if (!", one, ") {").line("return false;").close("}");
     if (one.empty() || hasLambda) continue;
     if (!rest.empty()) rest += std::string(" && ") + kBreak;
     rest += one;
   }
-  if (rest.empty()) {
-    code.line("return ", valid, ";");
-  } else if (valid == "true") {
-    code.line("return ", rest, ";");
-  } else {
-    code.line("return ", rest, " ? ", kBreakText, valid, " : ", kBreakText, invalid, ";");
-  }
+  code.line("return ", rest.empty() ? "true" : rest, ";");
 }
 
 }  // namespace suture::compiler::emit

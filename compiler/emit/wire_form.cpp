@@ -204,6 +204,24 @@ std::string enumEncoder(const std::string& enumName, const Context& context) {
   return qualifier(enumName, context) + "wire" + model::unqualified(enumName);
 }
 
+std::string enumCheck(const std::string& enumName, const Context& context) {
+  return qualifier(enumName, context) + "isKnown" + model::unqualified(enumName);
+}
+
+std::vector<WireValue> argumentValues(const model::Command& command) {
+  std::vector<WireValue> values;
+  for (const model::Parameter& one : command.parameters) {
+    values.push_back({one.type, one.wireName, "slot." + one.name, one.range});
+  }
+  return values;
+}
+
+std::string argumentsCheck(const model::Interface& interface, const model::Command& command,
+                           const Context& context) {
+  if (!hasConditions(argumentValues(command), context)) return "";
+  return "accepts" + prefixOf(interface) + model::titleCase(command.wireName);
+}
+
 std::vector<WireValue> payloadValues(const model::Event& event) {
   std::vector<WireValue> values;
   for (std::size_t i = 0; i < event.payload.size(); ++i) {

@@ -19,6 +19,13 @@ struct WireValue {
   std::optional<std::pair<double, double>> range;
 };
 
+/// What a command carries, as the members of `slot`.
+std::vector<WireValue> argumentValues(const model::Command& command);
+
+/// "acceptsArmMove": the check of a command's arguments; empty if any will do.
+std::string argumentsCheck(const model::Interface& interface, const model::Command& command,
+                           const Context& context);
+
 /// What an event carries, in the slot "slot".
 std::vector<WireValue> payloadValues(const model::Event& event);
 
@@ -44,13 +51,14 @@ bool usesShift(const model::Type& type);
 /// Is there anything that emitValidity() would check?
 bool hasConditions(const std::vector<WireValue>& values, const Context& context);
 
-/// Returns expression `valid` if every number is finite and within its range, else `invalid`.
-void emitValidity(Code& code, const std::vector<WireValue>& values, const std::string& valid,
-                  const std::string& invalid, const Context& context);
+/// Returns whether every number is finite and within its range, and every enum known.
+void emitValidity(Code& code, const std::vector<WireValue>& values, const Context& context);
 
 /// "wireMode": the function from an enum's slot to capnp's enum, qualified where it is another
 /// namespace's than the header's.
 std::string enumEncoder(const std::string& enumName, const Context& context);
+/// "isKnownMode", likewise: whether an enum's slot holds one of its values.
+std::string enumCheck(const std::string& enumName, const Context& context);
 
 /// "2" for the second level of nested lambdas, whose parameters must not hide the first's.
 std::string depthSuffix(unsigned depth);

@@ -144,12 +144,6 @@ const char* keyword(Node::Kind kind) {
   return "";
 }
 
-std::string hex(std::uint64_t id) {
-  char text[24];
-  std::snprintf(text, sizeof text, "@0x%016llx", static_cast<unsigned long long>(id));
-  return text;
-}
-
 std::string spellBases(const std::vector<std::string>& bases, const Aliases& aliases) {
   std::string text;
   for (const std::string& base : bases) text += (text.empty() ? "" : ", ") + spell(base, aliases);
@@ -157,8 +151,8 @@ std::string spellBases(const std::vector<std::string>& bases, const Aliases& ali
 }
 
 std::string write(const Node& node, const Aliases& aliases) {
-  std::string text = fill(std::string(keyword(node.kind)) + " " + node.name + " " + hex(node.id) +
-                              spellBases(node.extends, aliases),
+  std::string text = fill(std::string(keyword(node.kind)) + " " + node.name + " " +
+                              idText(node.id) + spellBases(node.extends, aliases),
                           spell(node.annotations), " {\n", "    ");
   text += comment(node.doc, "  ");
   if (!node.doc.empty() && !node.members.empty()) text += "\n";
@@ -173,9 +167,15 @@ std::string write(const Node& node, const Aliases& aliases) {
 
 }  // namespace
 
+std::string idText(std::uint64_t id) {
+  char text[24];
+  std::snprintf(text, sizeof text, "@0x%016llx", static_cast<unsigned long long>(id));
+  return text;
+}
+
 std::string write(const Lock& lock) {
   const Aliases aliases = aliasesOf(lock);
-  std::string text = hex(lock.id) + ";\n# The wire contract of " + lock.header +
+  std::string text = idText(lock.id) + ";\n# The wire contract of " + lock.header +
                      ", written by suturec --update-lock: commit it, never edit it.\n\n";
   text += "using Cxx = import \"/capnp/c++.capnp\";\nusing Meta = import \"/suture/meta.capnp\";\n";
   for (const auto& [path, alias] : aliases) {

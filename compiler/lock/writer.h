@@ -14,4 +14,7 @@ std::string write(const Lock& lock);
 /// One member as a single line, for messages: "speed @2 :Float64 $Meta.unit("m/s")".
 std::string describe(const Member& member);
 
+/// "@0x9b87d70f9fe9600f"
+std::string idText(std::uint64_t id);
+
 }  // namespace suture::compiler::lock

@@ -112,6 +112,7 @@ struct Command {
   bool concurrent = false;
   bool direct = false;
   std::string inheritedFrom;  ///< the contract that declares it, fully qualified; "" = this one
+  std::optional<unsigned> ordinal{};  ///< in the lock of that one, once it is looked up
   Lifecycle lifecycle;
   std::optional<std::string> was;
   Documentation doc;
@@ -130,6 +131,7 @@ struct Event {
   bool latest = false;
   bool latched = false;
   std::string inheritedFrom;  ///< the contract that declares it, fully qualified; "" = this one
+  std::optional<unsigned> ordinal{};  ///< in the lock of that one, once it is looked up
   Lifecycle lifecycle;
   std::optional<std::string> was;
   Documentation doc;

@@ -55,9 +55,10 @@ void declare(CLI::App& app, demo::Options& options) {
       ->capture_default_str()
       ->check(CLI::IsMember({"single", "fig3a", "fig3c"}));
   app.add_option("--lane", options.lane,
-                 "auto: the fastest lane that fits; rpc: Cap'n Proto RPC, even within a process")
+                 "auto: the fastest lane that fits; shm: shared memory, rpc: Cap'n Proto RPC, both "
+                 "even within a process")
       ->capture_default_str()
-      ->check(CLI::IsMember({"auto", "rpc"}));
+      ->check(CLI::IsMember({"auto", "shm", "rpc"}));
   app.add_option("--seconds", options.seconds, "How long to run")
       ->capture_default_str()
       ->check(CLI::Range(1.0, 86400.0));

@@ -18,7 +18,7 @@ std::filesystem::path write(const Options& options, const std::filesystem::path&
   json system = suture::JsonDocument::read(topologies / (options.topology + ".json")).value();
   system.erase("$schema");
   system.erase("manager");
-  if (system.at("processes").size() > 1 || options.lane == "rpc") {
+  if (system.at("processes").size() > 1 || options.lane != "auto") {
     system["manager"] = "unix:" + (folder / "manager.sock").string();
   }
   for (json& process : system.at("processes")) {
@@ -75,10 +75,10 @@ void Plan::findFollowings(const std::filesystem::path& folder) {
 
 void Plan::findLanes() {
   for (const ConnectionEntry& connection : deployment_.connections()) {
-    const bool local =
-        connection.lane == suture::Lane::Auto && connection.from.process == connection.to.process;
+    const char* const fastest = connection.from.process == connection.to.process ? "local" : "shm";
+    const bool forced = connection.lane != suture::Lane::Auto;
     lanes_[connection.from.toString() + " -> " + connection.to.toString()] =
-        local ? "local" : "rpc";
+        forced ? toString(connection.lane) : fastest;
   }
 }
 

@@ -46,6 +46,7 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::checkSlot;
 using suture::newSlot;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
@@ -65,6 +66,12 @@ static_assert(static_cast<std::uint8_t>(ArmWarning::NotEnabled) == 0);
 static_assert(static_cast<std::uint8_t>(ArmWarning::OutOfReach) == 1);
 static_assert(static_cast<std::uint8_t>(ArmWarning::Malformed) == 2);
 
+bool acceptsArmServoCp(const ArmServoCpArguments& slot);
+bool acceptsArmServoJp(const ArmServoJpArguments& slot);
+bool acceptsArmMoveJp(const ArmMoveJpArguments& slot);
+bool acceptsArmForwardKinematics(const ArmForwardKinematicsArguments& slot);
+bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot);
+
 constexpr CommandInfo kArmCommands[] = {
     {.name = "enable", .kind = CommandKind::Void, .depth = 16},
     {.name = "disable", .kind = CommandKind::Void, .depth = 16},
@@ -75,17 +82,20 @@ constexpr CommandInfo kArmCommands[] = {
      .argumentsSize = slotSize<ArmServoCpArguments>,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000)},
+     .ttl = Duration(20'000'000),
+     .accepts = checkSlot<ArmServoCpArguments, acceptsArmServoCp>},
     {.name = "servo_jp",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<ArmServoJpArguments>,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000)},
+     .ttl = Duration(20'000'000),
+     .accepts = checkSlot<ArmServoJpArguments, acceptsArmServoJp>},
     {.name = "move_jp",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<ArmMoveJpArguments>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<ArmMoveJpArguments, acceptsArmMoveJp>},
     {.name = "measured_js",
      .kind = CommandKind::Read,
      .resultSize = slotSize<JointStateSlot>,
@@ -115,12 +125,14 @@ constexpr CommandInfo kArmCommands[] = {
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<ArmForwardKinematicsArguments>,
      .resultSize = slotSize<PoseStampedSlot>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<ArmForwardKinematicsArguments, acceptsArmForwardKinematics>},
     {.name = "inverse_kinematics",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<ArmInverseKinematicsArguments>,
      .resultSize = slotSize<JointSolutionSlot>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<ArmInverseKinematicsArguments, acceptsArmInverseKinematics>},
 };
 
 constexpr EventInfo kArmEvents[] = {
@@ -137,46 +149,48 @@ constexpr char kArmDescription[] = R"json(
 {"name": "robots::Arm",
 "doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. Poses are of the tool tip in the arm's base frame. An arm starts, and restarts, disabled\nand not homed; until it is enabled it ignores motion commands.",
 "hash": "9aa063d6d8764804f45a215cbae980fe", "commands": [{"name": "enable", "kind": "void",
-"doc": "Powers the arm; it holds its position.", "queue": 16}, {"name": "disable", "kind": "void",
-"doc": "Stops at once and ignores motion until enabled again.", "queue": 16}, {"name": "home",
-"kind": "void", "doc": "Moves to the home position; needs an enabled arm. Ends with goal_reached.",
-"queue": 16}, {"name": "hold", "kind": "void",
+"ordinal": 1, "doc": "Powers the arm; it holds its position.", "queue": 16}, {"name": "disable",
+"kind": "void", "ordinal": 2, "doc": "Stops at once and ignores motion until enabled again.",
+"queue": 16}, {"name": "home", "kind": "void", "ordinal": 3,
+"doc": "Moves to the home position; needs an enabled arm. Ends with goal_reached.", "queue": 16}, {
+"name": "hold", "kind": "void", "ordinal": 4,
 "doc": "Drops what is under way; the set-point stays where it is.", "queue": 16}, {
-"name": "servo_cp", "kind": "write", "wire": "servoCp",
+"name": "servo_cp", "kind": "write", "ordinal": 5, "wire": "servoCp",
 "doc": "Streams Cartesian goals, newest wins. A goal out of reach leaves the set-point and says so in\n`warning`. setpoint_cp keeps the goal's stamp.",
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
-"queue": 16, "latest": true, "ttl": 0.02}, {"name": "servo_jp", "kind": "write", "wire": "servoJp",
-"doc": "Streams joint goals, newest wins; cut to the joint limits.", "parameters": [{
-"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "queue": 16,
-"latest": true, "ttl": 0.02}, {"name": "move_jp", "kind": "write", "wire": "moveJp",
+"queue": 16, "latest": true, "ttl": 0.02}, {"name": "servo_jp", "kind": "write", "ordinal": 6,
+"wire": "servoJp", "doc": "Streams joint goals, newest wins; cut to the joint limits.",
+"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
+"queue": 16, "latest": true, "ttl": 0.02}, {"name": "move_jp", "kind": "write", "ordinal": 7,
+"wire": "moveJp",
 "doc": "Plans and executes a smooth motion from the set-point. Ends with goal_reached.",
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
-"queue": 16}, {"name": "measured_js", "kind": "read", "wire": "measuredJs",
+"queue": 16}, {"name": "measured_js", "kind": "read", "ordinal": 8, "wire": "measuredJs",
 "doc": "Where the joints are. Stamp: the arm's cycle.", "result": {"type": {"kind": "struct",
-"name": "robots::JointState"}}, "queue": 16}, {"name": "setpoint_js", "kind": "read",
+"name": "robots::JointState"}}, "queue": 16}, {"name": "setpoint_js", "kind": "read", "ordinal": 9,
 "wire": "setpointJs", "doc": "Where the joints shall be.", "result": {"type": {"kind": "struct",
-"name": "robots::JointState"}}, "queue": 16}, {"name": "measured_cp", "kind": "read",
+"name": "robots::JointState"}}, "queue": 16}, {"name": "measured_cp", "kind": "read", "ordinal": 10,
 "wire": "measuredCp", "doc": "Where the tool tip is. Stamp: the arm's cycle.", "result": {"type": {
 "kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "setpoint_cp",
-"kind": "read", "wire": "setpointCp",
+"kind": "read", "ordinal": 11, "wire": "setpointCp",
 "doc": "Where the tool tip shall be. Stamp: that of the servo_cp goal it came from, else the arm's\ncycle.",
 "result": {"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
-"name": "operating_state", "kind": "read", "wire": "operatingState", "result": {"type": {
-"kind": "struct", "name": "robots::OperatingState"}}, "queue": 16}, {"name": "forward_kinematics",
-"kind": "qualified read", "wire": "forwardKinematics",
+"name": "operating_state", "kind": "read", "ordinal": 12, "wire": "operatingState", "result": {
+"type": {"kind": "struct", "name": "robots::OperatingState"}}, "queue": 16}, {
+"name": "forward_kinematics", "kind": "qualified read", "ordinal": 13, "wire": "forwardKinematics",
 "doc": "The tool tip for a joint vector; not valid if it has the wrong length.", "parameters": [{
 "name": "q", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "result": {"type": {
 "kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "inverse_kinematics",
-"kind": "qualified read", "wire": "inverseKinematics",
+"kind": "qualified read", "ordinal": 14, "wire": "inverseKinematics",
 "doc": "A joint vector for a tool tip, searched from the present set-point.", "parameters": [{
 "name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}], "result": {"type": {
 "kind": "struct", "name": "robots::JointSolution"}}, "queue": 16}], "events": [{
-"name": "operating_state", "kind": "write", "wire": "operatingState",
+"name": "operating_state", "kind": "write", "ordinal": 1, "wire": "operatingState",
 "doc": "Each change of the operating state, and the last one to whoever connects.", "payload": {
 "type": {"kind": "struct", "name": "robots::OperatingState"}}, "queue": 16, "latched": true}, {
-"name": "goal_reached", "kind": "write", "wire": "goalReached",
+"name": "goal_reached", "kind": "write", "ordinal": 2, "wire": "goalReached",
 "doc": "A move ended: true at its goal, false when something else replaced it.", "payload": {
-"type": {"kind": "Bool"}}, "queue": 16}, {"name": "warning", "kind": "write",
+"type": {"kind": "Bool"}}, "queue": 16}, {"name": "warning", "kind": "write", "ordinal": 3,
 "doc": "The arm refuses what it is asked to do; once per reason, until it obeys again.",
 "payload": {"type": {"kind": "enum", "name": "robots::ArmWarning"}}, "queue": 16}], "enums": [{
 "name": "robots::ArmState", "doc": "The states of CRTK.", "underlying": "UInt8", "enumerators": [{
@@ -221,7 +235,74 @@ constexpr char kArmDescription[] = R"json(
 "kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad"}, {"name": "joints",
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "found",
 "doc": "False: no joint vector within limits reaches the pose; `position` is the nearest one found.",
-"type": {"kind": "Bool"}, "default": false}]}]})json";
+"type": {"kind": "Bool"}, "default": false}]}], "wire": [{"id": "@0xd2a6fc6237d6fd07",
+"kind": "interface", "name": "Arm", "members": [{"at": 0, "name": "subscribe", "parameters": [{
+"at": 0, "name": "events", "is": "@0xdcbc184d8af1d03c"}, {"at": 1, "name": "eventMask",
+"is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "enable",
+"is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 2, "name": "disable", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "home", "is": "kind \"void\"", "parameters": [
+{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 4, "name": "hold",
+"is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 5, "name": "servoCp", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal",
+"is": "@0xe84bc0a4b9a0c529"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 6, "name": "servoJp", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal",
+"is": "@0x8943f2eac122865a"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 7, "name": "moveJp", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal",
+"is": "@0x8943f2eac122865a"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 8, "name": "measuredJs", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xac24dfe518a4963f"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 9, "name": "setpointJs",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xac24dfe518a4963f"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 10, "name": "measuredCp", "is": "kind \"read\"", "parameters": [{"at": 0,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0xe84bc0a4b9a0c529"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 11,
+"name": "setpointCp", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 12, "name": "operatingState",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0x8109968bd491318f"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 13, "name": "forwardKinematics", "is": "kind \"qualifiedRead\"",
+"parameters": [{"at": 0, "name": "q", "is": "@0x8943f2eac122865a"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"
+}]}, {"at": 14, "name": "inverseKinematics", "is": "kind \"qualifiedRead\"", "parameters": [{
+"at": 0, "name": "goal", "is": "@0xe84bc0a4b9a0c529"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0x871d0a082eb81ee3"
+}]}]}, {"id": "@0xdcbc184d8af1d03c", "kind": "interface", "name": "ArmEvents", "members": [{
+"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0x8c45d754ae03e800"}]}, {
+"at": 1, "name": "operatingState", "parameters": [{"at": 0, "name": "value",
+"is": "@0x8109968bd491318f"}]}, {"at": 2, "name": "goalReached", "parameters": [{"at": 0,
+"name": "value", "is": "Bool"}]}, {"at": 3, "name": "warning", "parameters": [{"at": 0,
+"name": "value", "is": "@0xa4117f14f97ed1bb"}]}]}, {"id": "@0x8c45d754ae03e800", "kind": "struct",
+"name": "ArmStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "measuredJs", "is": "@0xac24dfe518a4963f"},
+{"at": 3, "name": "setpointJs", "is": "@0xac24dfe518a4963f"}, {"at": 4, "name": "measuredCp",
+"is": "@0xe84bc0a4b9a0c529"}, {"at": 5, "name": "setpointCp", "is": "@0xe84bc0a4b9a0c529"}, {
+"at": 6, "name": "operatingState", "is": "@0x8109968bd491318f"}, {"at": 7, "name": "tooLarge",
+"is": "UInt64"}]}, {"id": "@0xac24dfe518a4963f", "kind": "struct", "name": "JointState",
+"members": [{"at": 0, "name": "name", "is": "List(Text)"}, {"at": 1, "name": "position",
+"is": "List(Float64) unit \"rad\""}, {"at": 2, "name": "velocity",
+"is": "List(Float64) unit \"rad/s\""}, {"at": 3, "name": "effort",
+"is": "List(Float64) unit \"N.m\""}, {"at": 4, "name": "stamp", "is": "Int64 clock \"steady\""}, {
+"at": 5, "name": "valid", "is": "Bool"}]}, {"id": "@0xe84bc0a4b9a0c529", "kind": "struct",
+"name": "PoseStamped", "members": [{"at": 0, "name": "pose",
+"is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 1, "name": "stamp",
+"is": "Int64 clock \"steady\""}, {"at": 2, "name": "valid", "is": "Bool"}]}, {
+"id": "@0x8109968bd491318f", "kind": "struct", "name": "OperatingState", "members": [{"at": 0,
+"name": "state", "is": "@0xc9ed1800ca1df7eb"}, {"at": 1, "name": "subState", "is": "Text"}, {
+"at": 2, "name": "isHomed", "is": "Bool"}, {"at": 3, "name": "isBusy", "is": "Bool"}, {"at": 4,
+"name": "stamp", "is": "Int64 clock \"steady\""}]}, {"id": "@0xc9ed1800ca1df7eb", "kind": "enum",
+"name": "ArmState", "members": [{"at": 0, "name": "undefined"}, {"at": 1, "name": "disabled"}, {
+"at": 2, "name": "enabled"}, {"at": 3, "name": "paused"}, {"at": 4, "name": "fault"}]}, {
+"id": "@0xa4117f14f97ed1bb", "kind": "enum", "name": "ArmWarning", "members": [{"at": 0,
+"name": "notEnabled"}, {"at": 1, "name": "outOfReach"}, {"at": 2, "name": "malformed"}]}, {
+"id": "@0x8943f2eac122865a", "kind": "struct", "name": "JointGoal", "members": [{"at": 0,
+"name": "position", "is": "List(Float64) unit \"rad\""}, {"at": 1, "name": "stamp",
+"is": "Int64 clock \"steady\""}]}, {"id": "@0x871d0a082eb81ee3", "kind": "struct",
+"name": "JointSolution", "members": [{"at": 0, "name": "position",
+"is": "List(Float64) unit \"rad\" shape \"8\""}, {"at": 1, "name": "joints", "is": "UInt32"}, {
+"at": 2, "name": "found", "is": "Bool"}]}]})json";
 
 }  // namespace
 
@@ -248,6 +329,15 @@ wire::ArmWarning wireArmWarning(std::uint8_t slot) {
   return wire::ArmWarning{};
 }
 
+bool isKnownArmWarning(std::uint8_t slot) {
+  switch (static_cast<ArmWarning>(slot)) {
+    case ArmWarning::NotEnabled: return true;
+    case ArmWarning::OutOfReach: return true;
+    case ArmWarning::Malformed: return true;
+  }
+  return false;
+}
+
 Errc fromWire(wire::ArmWarning in, std::uint8_t& slot) {
   switch (in) {
     case wire::ArmWarning::NOT_ENABLED: return slot =
@@ -261,6 +351,26 @@ Errc fromWire(wire::ArmWarning in, std::uint8_t& slot) {
 }
 
 namespace {
+
+bool acceptsArmServoCp(const ArmServoCpArguments& slot) {
+  return isValid(slot.goal);
+}
+
+bool acceptsArmServoJp(const ArmServoJpArguments& slot) {
+  return isValid(slot.goal);
+}
+
+bool acceptsArmMoveJp(const ArmMoveJpArguments& slot) {
+  return isValid(slot.goal);
+}
+
+bool acceptsArmForwardKinematics(const ArmForwardKinematicsArguments& slot) {
+  return isValid(slot.q);
+}
+
+bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot) {
+  return isValid(slot.goal);
+}
 
 // --- Arm over Cap'n Proto RPC: the provider's side
 
@@ -370,7 +480,7 @@ class ArmServant final : public wire::Arm::Server {
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+      return acceptsArmServoCp(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(ArmCommand::servo_cp), in.getSent(), fill);
   }
@@ -382,7 +492,7 @@ class ArmServant final : public wire::Arm::Server {
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+      return acceptsArmServoJp(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(ArmCommand::servo_jp), in.getSent(), fill);
   }
@@ -394,7 +504,7 @@ class ArmServant final : public wire::Arm::Server {
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+      return acceptsArmMoveJp(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(ArmCommand::move_jp), in.getSent(), fill);
   }
@@ -465,7 +575,7 @@ class ArmServant final : public wire::Arm::Server {
       auto& slot = newSlot<ArmForwardKinematicsArguments>(memory);
       const Errc error = in.hasQ() ? fromWire(in.getQ(), slot.q, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.q) ? Errc{} : Errc::Invalid;
+      return acceptsArmForwardKinematics(slot) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<PoseStampedSlot>(result);
@@ -482,7 +592,7 @@ class ArmServant final : public wire::Arm::Server {
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+      return acceptsArmInverseKinematics(slot) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<JointSolutionSlot>(result);
@@ -720,6 +830,9 @@ class ArmBinding final : public suture::rpc::Binding {
   }
   kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
     return kj::heap<ArmSink>(subscriber.castAs<wire::ArmEvents>());
+  }
+  capnp::InterfaceSchema schema() const override {
+    return capnp::Schema::from<wire::Arm>();
   }
 };
 

@@ -74,6 +74,7 @@ bool isValid(const IntervalStatisticsSlot& slot);
 // Defined in robot_types/operating_state.suture.cpp.
 namespace robots {
 wire::ArmState wireArmState(std::uint8_t slot);
+bool isKnownArmState(std::uint8_t slot);
 suture::Errc fromWire(wire::ArmState in, std::uint8_t& slot);
 void toWire(const OperatingStateSlot& slot, wire::OperatingState::Builder out);
 suture::Errc fromWire(wire::OperatingState::Reader in, OperatingStateSlot& slot,
@@ -102,6 +103,7 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::checkSlot;
 using suture::newSlot;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
@@ -115,6 +117,28 @@ using suture::slotSize;
 using suture::store;
 
 namespace {
+
+bool acceptsCrtkArmSetBaseFrame(const CrtkArmSetBaseFrameArguments& slot);
+bool acceptsCrtkArmServoJp(const CrtkArmServoJpArguments& slot);
+bool acceptsCrtkArmServoJr(const CrtkArmServoJrArguments& slot);
+bool acceptsCrtkArmServoJv(const CrtkArmServoJvArguments& slot);
+bool acceptsCrtkArmServoJf(const CrtkArmServoJfArguments& slot);
+bool acceptsCrtkArmServoCp(const CrtkArmServoCpArguments& slot);
+bool acceptsCrtkArmServoCr(const CrtkArmServoCrArguments& slot);
+bool acceptsCrtkArmServoCv(const CrtkArmServoCvArguments& slot);
+bool acceptsCrtkArmBodyServoCf(const CrtkArmBodyServoCfArguments& slot);
+bool acceptsCrtkArmSpatialServoCf(const CrtkArmSpatialServoCfArguments& slot);
+bool acceptsCrtkArmMoveJp(const CrtkArmMoveJpArguments& slot);
+bool acceptsCrtkArmMoveJr(const CrtkArmMoveJrArguments& slot);
+bool acceptsCrtkArmMoveCp(const CrtkArmMoveCpArguments& slot);
+bool acceptsCrtkArmMoveCr(const CrtkArmMoveCrArguments& slot);
+bool acceptsCrtkArmTrajectoryJSetRatio(const CrtkArmTrajectoryJSetRatioArguments& slot);
+bool acceptsCrtkArmTrajectoryJSetRatioV(const CrtkArmTrajectoryJSetRatioVArguments& slot);
+bool acceptsCrtkArmTrajectoryJSetRatioA(const CrtkArmTrajectoryJSetRatioAArguments& slot);
+bool acceptsCrtkArmForwardKinematics(const CrtkArmForwardKinematicsArguments& slot);
+bool acceptsCrtkArmInverseKinematics(const CrtkArmInverseKinematicsArguments& slot);
+bool acceptsCrtkArmQueryCp(const CrtkArmQueryCpArguments& slot);
+bool acceptsCrtkArmLocalQueryCp(const CrtkArmLocalQueryCpArguments& slot);
 
 constexpr CommandInfo kCrtkArmCommands[] = {
     {.name = "configuration_js",
@@ -225,7 +249,8 @@ constexpr CommandInfo kCrtkArmCommands[] = {
     {.name = "set_base_frame",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmSetBaseFrameArguments>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<CrtkArmSetBaseFrameArguments, acceptsCrtkArmSetBaseFrame>},
     {.name = "hold", .kind = CommandKind::Void, .depth = 16},
     {.name = "free", .kind = CommandKind::Void, .depth = 16},
     {.name = "use_gravity_compensation",
@@ -237,81 +262,97 @@ constexpr CommandInfo kCrtkArmCommands[] = {
      .argumentsSize = slotSize<CrtkArmServoJpArguments>,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000)},
+     .ttl = Duration(20'000'000),
+     .accepts = checkSlot<CrtkArmServoJpArguments, acceptsCrtkArmServoJp>},
     {.name = "servo_jr",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmServoJrArguments>,
      .depth = 16,
-     .ttl = Duration(20'000'000)},
+     .ttl = Duration(20'000'000),
+     .accepts = checkSlot<CrtkArmServoJrArguments, acceptsCrtkArmServoJr>},
     {.name = "servo_jv",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmServoJvArguments>,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000)},
+     .ttl = Duration(20'000'000),
+     .accepts = checkSlot<CrtkArmServoJvArguments, acceptsCrtkArmServoJv>},
     {.name = "servo_jf",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmServoJfArguments>,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000)},
+     .ttl = Duration(20'000'000),
+     .accepts = checkSlot<CrtkArmServoJfArguments, acceptsCrtkArmServoJf>},
     {.name = "servo_cp",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmServoCpArguments>,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000)},
+     .ttl = Duration(20'000'000),
+     .accepts = checkSlot<CrtkArmServoCpArguments, acceptsCrtkArmServoCp>},
     {.name = "servo_cr",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmServoCrArguments>,
      .depth = 16,
-     .ttl = Duration(20'000'000)},
+     .ttl = Duration(20'000'000),
+     .accepts = checkSlot<CrtkArmServoCrArguments, acceptsCrtkArmServoCr>},
     {.name = "servo_cv",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmServoCvArguments>,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000)},
+     .ttl = Duration(20'000'000),
+     .accepts = checkSlot<CrtkArmServoCvArguments, acceptsCrtkArmServoCv>},
     {.name = "body_servo_cf",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmBodyServoCfArguments>,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000)},
+     .ttl = Duration(20'000'000),
+     .accepts = checkSlot<CrtkArmBodyServoCfArguments, acceptsCrtkArmBodyServoCf>},
     {.name = "spatial_servo_cf",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmSpatialServoCfArguments>,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000)},
+     .ttl = Duration(20'000'000),
+     .accepts = checkSlot<CrtkArmSpatialServoCfArguments, acceptsCrtkArmSpatialServoCf>},
     {.name = "move_jp",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmMoveJpArguments>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<CrtkArmMoveJpArguments, acceptsCrtkArmMoveJp>},
     {.name = "move_jr",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmMoveJrArguments>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<CrtkArmMoveJrArguments, acceptsCrtkArmMoveJr>},
     {.name = "move_cp",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmMoveCpArguments>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<CrtkArmMoveCpArguments, acceptsCrtkArmMoveCp>},
     {.name = "move_cr",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmMoveCrArguments>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<CrtkArmMoveCrArguments, acceptsCrtkArmMoveCr>},
     {.name = "trajectory_j_set_ratio",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmTrajectoryJSetRatioArguments>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<CrtkArmTrajectoryJSetRatioArguments, acceptsCrtkArmTrajectoryJSetRatio>},
     {.name = "trajectory_j_set_ratio_v",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmTrajectoryJSetRatioVArguments>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<CrtkArmTrajectoryJSetRatioVArguments, acceptsCrtkArmTrajectoryJSetRatioV>},
     {.name = "trajectory_j_set_ratio_a",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmTrajectoryJSetRatioAArguments>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<CrtkArmTrajectoryJSetRatioAArguments, acceptsCrtkArmTrajectoryJSetRatioA>},
     {.name = "trajectory_j_ratio",
      .kind = CommandKind::Read,
      .resultSize = slotSize<double>,
@@ -331,22 +372,26 @@ constexpr CommandInfo kCrtkArmCommands[] = {
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<CrtkArmForwardKinematicsArguments>,
      .resultSize = slotSize<PoseStampedSlot>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<CrtkArmForwardKinematicsArguments, acceptsCrtkArmForwardKinematics>},
     {.name = "inverse_kinematics",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<CrtkArmInverseKinematicsArguments>,
      .resultSize = slotSize<JointSolutionSlot>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<CrtkArmInverseKinematicsArguments, acceptsCrtkArmInverseKinematics>},
     {.name = "query_cp",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<CrtkArmQueryCpArguments>,
      .resultSize = slotSize<PoseStampedSlot>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<CrtkArmQueryCpArguments, acceptsCrtkArmQueryCp>},
     {.name = "local_query_cp",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<CrtkArmLocalQueryCpArguments>,
      .resultSize = slotSize<PoseStampedSlot>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<CrtkArmLocalQueryCpArguments, acceptsCrtkArmLocalQueryCp>},
 };
 
 constexpr EventInfo kCrtkArmEvents[] = {
@@ -370,144 +415,153 @@ constexpr char kCrtkArmDescription[] = R"json(
 {"name": "robots::CrtkArm",
 "doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. `local_` poses are of the tool tip in the arm's base frame, all others in the reference\nframe, in which base_frame() is the arm's base. A servo command replaces the one before it, of\nwhichever space; a stream of velocities or efforts that falls silent for 0.1 s ends as hold().\nRelative goals are relative to the set-point. Status, warning and error are the standard\nmessages; what an arm refuses it tells in `warning`.",
 "hash": "21912ede6b14b2cffbb40ac3131efbec", "base": "suture::Messages", "crtk": true, "commands": [
-{"name": "configuration_js", "kind": "read", "wire": "configurationJs",
+{"name": "configuration_js", "kind": "read", "ordinal": 1, "wire": "configurationJs",
 "doc": "What the joints are and may do.", "result": {"type": {"kind": "struct",
 "name": "robots::JointConfiguration"}}, "queue": 16}, {"name": "operating_state", "kind": "read",
-"wire": "operatingState", "result": {"type": {"kind": "struct", "name": "robots::OperatingState"}},
-"queue": 16}, {"name": "period_statistics", "kind": "read", "wire": "periodStatistics",
+"ordinal": 2, "wire": "operatingState", "result": {"type": {"kind": "struct",
+"name": "robots::OperatingState"}}, "queue": 16}, {"name": "period_statistics", "kind": "read",
+"ordinal": 3, "wire": "periodStatistics",
 "doc": "How regularly the arm's task ran in the last second.", "result": {"type": {
 "kind": "struct", "name": "robots::IntervalStatistics"}}, "queue": 16}, {"name": "enable",
-"kind": "void", "doc": "Powers the arm; it holds its position.", "queue": 16}, {"name": "disable",
-"kind": "void", "doc": "Stops at once and ignores motion until enabled again.", "queue": 16}, {
-"name": "pause", "kind": "void",
+"kind": "void", "ordinal": 4, "doc": "Powers the arm; it holds its position.", "queue": 16}, {
+"name": "disable", "kind": "void", "ordinal": 5,
+"doc": "Stops at once and ignores motion until enabled again.", "queue": 16}, {"name": "pause",
+"kind": "void", "ordinal": 6,
 "doc": "Stops where the joints are and ignores motion until resume().", "queue": 16}, {
-"name": "resume", "kind": "void", "queue": 16}, {"name": "home", "kind": "void",
-"doc": "Moves to the home position; needs an enabled arm. Ends with goal_reached.", "queue": 16}, {
-"name": "unhome", "kind": "void", "doc": "Forgets that it is homed.", "queue": 16}, {
-"name": "state_command", "kind": "write", "wire": "stateCommand",
+"name": "resume", "kind": "void", "ordinal": 7, "queue": 16}, {"name": "home", "kind": "void",
+"ordinal": 8, "doc": "Moves to the home position; needs an enabled arm. Ends with goal_reached.",
+"queue": 16}, {"name": "unhome", "kind": "void", "ordinal": 9, "doc": "Forgets that it is homed.",
+"queue": 16}, {"name": "state_command", "kind": "write", "ordinal": 10, "wire": "stateCommand",
 "doc": "One of the six above, by name; anything else is an `error`.", "parameters": [{
 "name": "name", "type": {"kind": "text", "capacity": 15}}], "queue": 16}, {"name": "measured_js",
-"kind": "read", "wire": "measuredJs", "result": {"type": {"kind": "struct",
-"name": "robots::JointState"}}, "queue": 16}, {"name": "setpoint_js", "kind": "read",
+"kind": "read", "ordinal": 11, "wire": "measuredJs", "result": {"type": {"kind": "struct",
+"name": "robots::JointState"}}, "queue": 16}, {"name": "setpoint_js", "kind": "read", "ordinal": 12,
 "wire": "setpointJs", "result": {"type": {"kind": "struct", "name": "robots::JointState"}},
-"queue": 16}, {"name": "goal_js", "kind": "read", "wire": "goalJs",
+"queue": 16}, {"name": "goal_js", "kind": "read", "ordinal": 13, "wire": "goalJs",
 "doc": "Where the move under way ends; without one, the set-point.", "result": {"type": {
 "kind": "struct", "name": "robots::JointState"}}, "queue": 16}, {"name": "measured_cp",
-"kind": "read", "wire": "measuredCp", "result": {"type": {"kind": "struct",
+"kind": "read", "ordinal": 14, "wire": "measuredCp", "result": {"type": {"kind": "struct",
 "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "setpoint_cp", "kind": "read",
-"wire": "setpointCp", "result": {"type": {"kind": "struct", "name": "robots::PoseStamped"}},
-"queue": 16}, {"name": "goal_cp", "kind": "read", "wire": "goalCp",
-"doc": "Where the move under way ends; without one, the set-point.", "result": {"type": {
-"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "local_measured_cp",
-"kind": "read", "wire": "localMeasuredCp", "result": {"type": {"kind": "struct",
-"name": "robots::PoseStamped"}}, "queue": 16}, {"name": "local_setpoint_cp", "kind": "read",
-"wire": "localSetpointCp", "result": {"type": {"kind": "struct", "name": "robots::PoseStamped"}},
-"queue": 16}, {"name": "measured_cv", "kind": "read", "wire": "measuredCv",
+"ordinal": 15, "wire": "setpointCp", "result": {"type": {"kind": "struct",
+"name": "robots::PoseStamped"}}, "queue": 16}, {"name": "goal_cp", "kind": "read", "ordinal": 16,
+"wire": "goalCp", "doc": "Where the move under way ends; without one, the set-point.", "result": {
+"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
+"name": "local_measured_cp", "kind": "read", "ordinal": 17, "wire": "localMeasuredCp", "result": {
+"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
+"name": "local_setpoint_cp", "kind": "read", "ordinal": 18, "wire": "localSetpointCp", "result": {
+"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "measured_cv",
+"kind": "read", "ordinal": 19, "wire": "measuredCv",
 "doc": "Of the tip, in the directions of the reference frame.", "result": {"type": {
 "kind": "struct", "name": "robots::Twist"}}, "queue": 16}, {"name": "setpoint_cv", "kind": "read",
-"wire": "setpointCv", "result": {"type": {"kind": "struct", "name": "robots::Twist"}}, "queue": 16
-}, {"name": "body_measured_cf", "kind": "read", "wire": "bodyMeasuredCf",
-"doc": "Force on the tip in its own directions.", "result": {"type": {"kind": "struct",
-"name": "robots::Wrench"}}, "queue": 16}, {"name": "spatial_measured_cf", "kind": "read",
-"wire": "spatialMeasuredCf", "doc": "Force on the tip in the directions of the arm's base frame.",
-"result": {"type": {"kind": "struct", "name": "robots::Wrench"}}, "queue": 16}, {
-"name": "measured_cs", "kind": "read", "wire": "measuredCs",
+"ordinal": 20, "wire": "setpointCv", "result": {"type": {"kind": "struct", "name": "robots::Twist"}
+}, "queue": 16}, {"name": "body_measured_cf", "kind": "read", "ordinal": 21,
+"wire": "bodyMeasuredCf", "doc": "Force on the tip in its own directions.", "result": {"type": {
+"kind": "struct", "name": "robots::Wrench"}}, "queue": 16}, {"name": "spatial_measured_cf",
+"kind": "read", "ordinal": 22, "wire": "spatialMeasuredCf",
+"doc": "Force on the tip in the directions of the arm's base frame.", "result": {"type": {
+"kind": "struct", "name": "robots::Wrench"}}, "queue": 16}, {"name": "measured_cs", "kind": "read",
+"ordinal": 23, "wire": "measuredCs",
 "doc": "Pose, velocity and force of one cycle, in the reference frame.", "result": {"type": {
 "kind": "struct", "name": "robots::CartesianState"}}, "queue": 16}, {"name": "body_jacobian",
-"kind": "read", "wire": "bodyJacobian",
+"kind": "read", "ordinal": 24, "wire": "bodyJacobian",
 "doc": "From joint velocities to those of the tip, in its own directions.", "result": {"type": {
 "kind": "struct", "name": "robots::Jacobian"}}, "queue": 16}, {"name": "spatial_jacobian",
-"kind": "read", "wire": "spatialJacobian",
+"kind": "read", "ordinal": 25, "wire": "spatialJacobian",
 "doc": "The same in the directions of the arm's base frame.", "result": {"type": {"kind": "struct",
-"name": "robots::Jacobian"}}, "queue": 16}, {"name": "base_frame", "kind": "read",
+"name": "robots::Jacobian"}}, "queue": 16}, {"name": "base_frame", "kind": "read", "ordinal": 26,
 "wire": "baseFrame", "result": {"type": {"kind": "struct", "name": "robots::PoseStamped"}},
-"queue": 16}, {"name": "set_base_frame", "kind": "write", "wire": "setBaseFrame", "parameters": [{
-"name": "frame", "type": {"kind": "struct", "name": "robots::PoseStamped"}}], "queue": 16}, {
-"name": "hold", "kind": "void", "doc": "Drops what is under way; the set-point stays where it is.",
-"queue": 16}, {"name": "free", "kind": "void",
+"queue": 16}, {"name": "set_base_frame", "kind": "write", "ordinal": 27, "wire": "setBaseFrame",
+"parameters": [{"name": "frame", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
+"queue": 16}, {"name": "hold", "kind": "void", "ordinal": 28,
+"doc": "Drops what is under way; the set-point stays where it is.", "queue": 16}, {"name": "free",
+"kind": "void", "ordinal": 29,
 "doc": "Lets go: the set-point follows the joints until another command.", "queue": 16}, {
-"name": "use_gravity_compensation", "kind": "write", "wire": "useGravityCompensation",
-"parameters": [{"name": "use", "type": {"kind": "Bool"}}], "queue": 16}, {"name": "servo_jp",
-"kind": "write", "wire": "servoJp", "parameters": [{"name": "goal", "type": {"kind": "struct",
-"name": "robots::JointGoal"}}], "queue": 16, "latest": true, "ttl": 0.02}, {"name": "servo_jr",
-"kind": "write", "wire": "servoJr", "parameters": [{"name": "step", "type": {"kind": "struct",
+"name": "use_gravity_compensation", "kind": "write", "ordinal": 30,
+"wire": "useGravityCompensation", "parameters": [{"name": "use", "type": {"kind": "Bool"}}],
+"queue": 16}, {"name": "servo_jp", "kind": "write", "ordinal": 31, "wire": "servoJp",
+"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
+"queue": 16, "latest": true, "ttl": 0.02}, {"name": "servo_jr", "kind": "write", "ordinal": 32,
+"wire": "servoJr", "parameters": [{"name": "step", "type": {"kind": "struct",
 "name": "robots::JointGoal"}}], "queue": 16, "ttl": 0.02}, {"name": "servo_jv", "kind": "write",
-"wire": "servoJv", "parameters": [{"name": "goal", "type": {"kind": "struct",
+"ordinal": 33, "wire": "servoJv", "parameters": [{"name": "goal", "type": {"kind": "struct",
 "name": "robots::JointVelocityGoal"}}], "queue": 16, "latest": true, "ttl": 0.02}, {
-"name": "servo_jf", "kind": "write", "wire": "servoJf", "parameters": [{"name": "goal", "type": {
-"kind": "struct", "name": "robots::JointEffortGoal"}}], "queue": 16, "latest": true, "ttl": 0.02}, {
-"name": "servo_cp", "kind": "write", "wire": "servoCp", "parameters": [{"name": "goal", "type": {
-"kind": "struct", "name": "robots::PoseStamped"}}], "queue": 16, "latest": true, "ttl": 0.02}, {
-"name": "servo_cr", "kind": "write", "wire": "servoCr",
+"name": "servo_jf", "kind": "write", "ordinal": 34, "wire": "servoJf", "parameters": [{
+"name": "goal", "type": {"kind": "struct", "name": "robots::JointEffortGoal"}}], "queue": 16,
+"latest": true, "ttl": 0.02}, {"name": "servo_cp", "kind": "write", "ordinal": 35,
+"wire": "servoCp", "parameters": [{"name": "goal", "type": {"kind": "struct",
+"name": "robots::PoseStamped"}}], "queue": 16, "latest": true, "ttl": 0.02}, {"name": "servo_cr",
+"kind": "write", "ordinal": 36, "wire": "servoCr",
 "doc": "The step's translation in the reference frame; its rotation turns the tip about itself.",
 "parameters": [{"name": "step", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
-"queue": 16, "ttl": 0.02}, {"name": "servo_cv", "kind": "write", "wire": "servoCv", "parameters": [
-{"name": "goal", "type": {"kind": "struct", "name": "robots::TwistGoal"}}], "queue": 16,
-"latest": true, "ttl": 0.02}, {"name": "body_servo_cf", "kind": "write", "wire": "bodyServoCf",
-"doc": "In the tip's own directions.", "parameters": [{"name": "goal", "type": {"kind": "struct",
-"name": "robots::WrenchGoal"}}], "queue": 16, "latest": true, "ttl": 0.02}, {
-"name": "spatial_servo_cf", "kind": "write", "wire": "spatialServoCf",
+"queue": 16, "ttl": 0.02}, {"name": "servo_cv", "kind": "write", "ordinal": 37, "wire": "servoCv",
+"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::TwistGoal"}}],
+"queue": 16, "latest": true, "ttl": 0.02}, {"name": "body_servo_cf", "kind": "write", "ordinal": 38,
+"wire": "bodyServoCf", "doc": "In the tip's own directions.", "parameters": [{"name": "goal",
+"type": {"kind": "struct", "name": "robots::WrenchGoal"}}], "queue": 16, "latest": true, "ttl": 0.02
+}, {"name": "spatial_servo_cf", "kind": "write", "ordinal": 39, "wire": "spatialServoCf",
 "doc": "In the directions of the arm's base frame.", "parameters": [{"name": "goal", "type": {
 "kind": "struct", "name": "robots::WrenchGoal"}}], "queue": 16, "latest": true, "ttl": 0.02}, {
-"name": "move_jp", "kind": "write", "wire": "moveJp",
+"name": "move_jp", "kind": "write", "ordinal": 40, "wire": "moveJp",
 "doc": "Moves plan and execute a smooth motion from the set-point. Each ends with goal_reached.",
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
-"queue": 16}, {"name": "move_jr", "kind": "write", "wire": "moveJr", "parameters": [{
-"name": "step", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "queue": 16}, {
-"name": "move_cp", "kind": "write", "wire": "moveCp", "parameters": [{"name": "goal", "type": {
-"kind": "struct", "name": "robots::PoseStamped"}}], "queue": 16}, {"name": "move_cr",
-"kind": "write", "wire": "moveCr", "parameters": [{"name": "step", "type": {"kind": "struct",
-"name": "robots::PoseStamped"}}], "queue": 16}, {"name": "trajectory_j_set_ratio", "kind": "write",
-"wire": "trajectoryJSetRatio",
+"queue": 16}, {"name": "move_jr", "kind": "write", "ordinal": 41, "wire": "moveJr", "parameters": [
+{"name": "step", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "queue": 16}, {
+"name": "move_cp", "kind": "write", "ordinal": 42, "wire": "moveCp", "parameters": [{
+"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}], "queue": 16}, {
+"name": "move_cr", "kind": "write", "ordinal": 43, "wire": "moveCr", "parameters": [{
+"name": "step", "type": {"kind": "struct", "name": "robots::PoseStamped"}}], "queue": 16}, {
+"name": "trajectory_j_set_ratio", "kind": "write", "ordinal": 44, "wire": "trajectoryJSetRatio",
 "doc": "How fast moves are, of what the joints can do: velocity and acceleration together.",
 "parameters": [{"name": "ratio", "type": {"kind": "Float64"}, "range": [0.01, 1.0]}], "queue": 16},
-{"name": "trajectory_j_set_ratio_v", "kind": "write", "wire": "trajectoryJSetRatioV",
+{"name": "trajectory_j_set_ratio_v", "kind": "write", "ordinal": 45, "wire": "trajectoryJSetRatioV",
 "parameters": [{"name": "ratio", "type": {"kind": "Float64"}, "range": [0.01, 1.0]}], "queue": 16},
-{"name": "trajectory_j_set_ratio_a", "kind": "write", "wire": "trajectoryJSetRatioA",
+{"name": "trajectory_j_set_ratio_a", "kind": "write", "ordinal": 46, "wire": "trajectoryJSetRatioA",
 "parameters": [{"name": "ratio", "type": {"kind": "Float64"}, "range": [0.01, 1.0]}], "queue": 16},
-{"name": "trajectory_j_ratio", "kind": "read", "wire": "trajectoryJRatio",
+{"name": "trajectory_j_ratio", "kind": "read", "ordinal": 47, "wire": "trajectoryJRatio",
 "doc": "The smaller of the two below.", "result": {"type": {"kind": "Float64"}}, "queue": 16}, {
-"name": "trajectory_j_ratio_v", "kind": "read", "wire": "trajectoryJRatioV", "result": {"type": {
-"kind": "Float64"}}, "queue": 16}, {"name": "trajectory_j_ratio_a", "kind": "read",
-"wire": "trajectoryJRatioA", "result": {"type": {"kind": "Float64"}}, "queue": 16}, {
-"name": "forward_kinematics", "kind": "qualified read", "wire": "forwardKinematics",
+"name": "trajectory_j_ratio_v", "kind": "read", "ordinal": 48, "wire": "trajectoryJRatioV",
+"result": {"type": {"kind": "Float64"}}, "queue": 16}, {"name": "trajectory_j_ratio_a",
+"kind": "read", "ordinal": 49, "wire": "trajectoryJRatioA", "result": {"type": {"kind": "Float64"}
+}, "queue": 16}, {"name": "forward_kinematics", "kind": "qualified read", "ordinal": 50,
+"wire": "forwardKinematics",
 "doc": "The tool tip for a joint vector; not valid if it has the wrong length.", "parameters": [{
 "name": "q", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "result": {"type": {
 "kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "inverse_kinematics",
-"kind": "qualified read", "wire": "inverseKinematics",
+"kind": "qualified read", "ordinal": 51, "wire": "inverseKinematics",
 "doc": "A joint vector for a tool tip, searched from the present set-point.", "parameters": [{
 "name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}], "result": {"type": {
 "kind": "struct", "name": "robots::JointSolution"}}, "queue": 16}, {"name": "query_cp",
-"kind": "qualified read", "wire": "queryCp",
+"kind": "qualified read", "ordinal": 52, "wire": "queryCp",
 "doc": "The pose of the link behind as many joints as the vector has, at most all: none, the base.",
 "parameters": [{"name": "q", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "result": {
 "type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
-"name": "local_query_cp", "kind": "qualified read", "wire": "localQueryCp",
+"name": "local_query_cp", "kind": "qualified read", "ordinal": 53, "wire": "localQueryCp",
 "doc": "The same in the arm's base frame.", "parameters": [{"name": "q", "type": {"kind": "struct",
 "name": "robots::JointGoal"}}], "result": {"type": {"kind": "struct", "name": "robots::PoseStamped"
-}}, "queue": 16}], "events": [{"name": "status", "kind": "write",
+}}, "queue": 16}], "events": [{"name": "status", "kind": "write", "ordinal": 1,
 "doc": "All is well; something has been done.", "payload": {"type": {"kind": "struct",
 "name": "suture::Message"}}, "queue": 16, "latched": true, "from": "suture::Messages"}, {
-"name": "warning", "kind": "write",
+"name": "warning", "kind": "write", "ordinal": 2,
 "doc": "Something was refused, or is not as it should be; the component goes on.", "payload": {
 "type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
-"from": "suture::Messages"}, {"name": "error", "kind": "write",
+"from": "suture::Messages"}, {"name": "error", "kind": "write", "ordinal": 3,
 "doc": "Something failed, and somebody should see to it.", "payload": {"type": {"kind": "struct",
 "name": "suture::Message"}}, "queue": 16, "latched": true, "from": "suture::Messages"}, {
-"name": "operating_state", "kind": "write", "wire": "operatingState",
+"name": "operating_state", "kind": "write", "ordinal": 4, "wire": "operatingState",
 "doc": "Each change of the operating state, and the last one to whoever connects.", "payload": {
 "type": {"kind": "struct", "name": "robots::OperatingState"}}, "queue": 16, "latched": true}, {
-"name": "desired_state", "kind": "write", "wire": "desiredState",
+"name": "desired_state", "kind": "write", "ordinal": 5, "wire": "desiredState",
 "doc": "The state that a command asked for.", "payload": {"type": {"kind": "enum",
 "name": "robots::ArmState"}}, "queue": 16, "latched": true}, {"name": "goal_reached",
-"kind": "write", "wire": "goalReached",
+"kind": "write", "ordinal": 6, "wire": "goalReached",
 "doc": "A move ended: true at its goal, false when something else replaced it.", "payload": {
 "type": {"kind": "Bool"}}, "queue": 16}, {"name": "gravity_compensation", "kind": "write",
-"wire": "gravityCompensation", "payload": {"type": {"kind": "Bool"}}, "queue": 16, "latched": true
-}, {"name": "trajectory_j_ratio", "kind": "write", "wire": "trajectoryJRatio", "payload": {
-"type": {"kind": "Float64"}}, "queue": 16, "latched": true}, {"name": "trajectory_j_ratio_v",
-"kind": "write", "wire": "trajectoryJRatioV", "payload": {"type": {"kind": "Float64"}}, "queue": 16,
-"latched": true}, {"name": "trajectory_j_ratio_a", "kind": "write", "wire": "trajectoryJRatioA",
+"ordinal": 7, "wire": "gravityCompensation", "payload": {"type": {"kind": "Bool"}}, "queue": 16,
+"latched": true}, {"name": "trajectory_j_ratio", "kind": "write", "ordinal": 8,
+"wire": "trajectoryJRatio", "payload": {"type": {"kind": "Float64"}}, "queue": 16, "latched": true
+}, {"name": "trajectory_j_ratio_v", "kind": "write", "ordinal": 9, "wire": "trajectoryJRatioV",
+"payload": {"type": {"kind": "Float64"}}, "queue": 16, "latched": true}, {
+"name": "trajectory_j_ratio_a", "kind": "write", "ordinal": 10, "wire": "trajectoryJRatioA",
 "payload": {"type": {"kind": "Float64"}}, "queue": 16, "latched": true}], "enums": [{
 "name": "robots::JointType", "underlying": "UInt8", "enumerators": [{"name": "Undefined",
 "value": 0, "wire": "undefined"}, {"name": "Prismatic", "value": 1, "wire": "prismatic"}, {
@@ -648,7 +702,255 @@ constexpr char kCrtkArmDescription[] = R"json(
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "counter",
 "doc": "Counts the messages of its sender, of all three kinds together, from 1: a gap says that the\nlistener has missed some, a number seen before that the last one has been told again.",
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time",
-"clock": "steady"}}]}]})json";
+"clock": "steady"}}]}], "wire": [{"id": "@0xe327df5d82aa8eea", "kind": "interface",
+"name": "CrtkArm", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
+"name": "events", "is": "@0xeed86c20664eeafb"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
+"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "configurationJs",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xf723b5ed0dc2d63c"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 2, "name": "operatingState", "is": "kind \"read\"", "parameters": [{
+"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0x8109968bd491318f"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 3,
+"name": "periodStatistics", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xff815195ac6343a7"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 4, "name": "enable", "is": "kind \"void\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 5,
+"name": "disable", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 6, "name": "pause", "is": "kind \"void\"", "parameters": [
+{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 7, "name": "resume",
+"is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 8, "name": "home", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 9, "name": "unhome", "is": "kind \"void\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 10,
+"name": "stateCommand", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "name",
+"is": "Text"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 11,
+"name": "measuredJs", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xac24dfe518a4963f"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 12, "name": "setpointJs",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xac24dfe518a4963f"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 13, "name": "goalJs", "is": "kind \"read\"", "parameters": [{"at": 0,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0xac24dfe518a4963f"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 14,
+"name": "measuredCp", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 15, "name": "setpointCp",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 16, "name": "goalCp", "is": "kind \"read\"", "parameters": [{"at": 0,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0xe84bc0a4b9a0c529"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 17,
+"name": "localMeasuredCp", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 18, "name": "localSetpointCp",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 19, "name": "measuredCv", "is": "kind \"read\"", "parameters": [{"at": 0,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0xaa62fba3aef11562"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 20,
+"name": "setpointCv", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xaa62fba3aef11562"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 21, "name": "bodyMeasuredCf",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xdefffdcf07aeb2d1"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 22, "name": "spatialMeasuredCf", "is": "kind \"read\"", "parameters": [{
+"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0xdefffdcf07aeb2d1"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 23,
+"name": "measuredCs", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xe8c20fc8c27161a7"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 24, "name": "bodyJacobian",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0x9172ad0b0a6919ab"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 25, "name": "spatialJacobian", "is": "kind \"read\"", "parameters": [{
+"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0x9172ad0b0a6919ab"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 26,
+"name": "baseFrame", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 27, "name": "setBaseFrame",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "frame", "is": "@0xe84bc0a4b9a0c529"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 28, "name": "hold",
+"is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 29, "name": "free", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 30, "name": "useGravityCompensation",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "use", "is": "Bool"}, {"at": 1,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 31, "name": "servoJp",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0x8943f2eac122865a"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 32, "name": "servoJr",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "step", "is": "@0x8943f2eac122865a"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 33, "name": "servoJv",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0xf166e3d075579061"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 34, "name": "servoJf",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0xd704fc0995280ce6"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 35, "name": "servoCp",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0xe84bc0a4b9a0c529"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 36, "name": "servoCr",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "step", "is": "@0xe84bc0a4b9a0c529"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 37, "name": "servoCv",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0xb9f9a4ea2665be7e"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 38, "name": "bodyServoCf",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0x913714b88c44b8c4"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 39, "name": "spatialServoCf",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0x913714b88c44b8c4"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 40, "name": "moveJp",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0x8943f2eac122865a"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 41, "name": "moveJr",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "step", "is": "@0x8943f2eac122865a"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 42, "name": "moveCp",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0xe84bc0a4b9a0c529"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 43, "name": "moveCr",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "step", "is": "@0xe84bc0a4b9a0c529"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 44,
+"name": "trajectoryJSetRatio", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "ratio",
+"is": "Float64"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 45,
+"name": "trajectoryJSetRatioV", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "ratio",
+"is": "Float64"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 46,
+"name": "trajectoryJSetRatioA", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "ratio",
+"is": "Float64"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 47,
+"name": "trajectoryJRatio", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "Float64"}, {
+"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 48, "name": "trajectoryJRatioV",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "Float64"}, {"at": 1, "name": "stamp", "is": "Int64"}]
+}, {"at": 49, "name": "trajectoryJRatioA", "is": "kind \"read\"", "parameters": [{"at": 0,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "Float64"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 50,
+"name": "forwardKinematics", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "q",
+"is": "@0x8943f2eac122865a"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"}]}, {"at": 51,
+"name": "inverseKinematics", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0,
+"name": "goal", "is": "@0xe84bc0a4b9a0c529"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0x871d0a082eb81ee3"
+}]}, {"at": 52, "name": "queryCp", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0,
+"name": "q", "is": "@0x8943f2eac122865a"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"
+}], "results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"}]}, {"at": 53,
+"name": "localQueryCp", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "q",
+"is": "@0x8943f2eac122865a"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"}]}]}, {
+"id": "@0xb16d80f0d2b50980", "kind": "interface", "name": "Messages", "members": [{"at": 0,
+"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xa02813b154cdd1d8"}, {
+"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}]}, {
+"id": "@0xa02813b154cdd1d8", "kind": "interface", "name": "MessagesEvents", "members": [{"at": 0,
+"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0x814f9864e019fa96"}]}, {"at": 1,
+"name": "status", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {
+"at": 2, "name": "warning", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]
+}, {"at": 3, "name": "error", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"
+}]}]}, {"id": "@0x814f9864e019fa96", "kind": "struct", "name": "MessagesStateRow", "members": [{
+"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}]}, {"id": "@0xbd6bc34f74980c5d", "kind": "struct",
+"name": "Message", "members": [{"at": 0, "name": "text", "is": "Text"}, {"at": 1, "name": "code",
+"is": "UInt32"}, {"at": 2, "name": "counter", "is": "UInt32"}, {"at": 3, "name": "stamp",
+"is": "Int64 clock \"steady\""}]}, {"id": "@0xeed86c20664eeafb", "kind": "interface",
+"name": "CrtkArmEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
+"name": "row", "is": "@0xaf91381bef91dec1"}]}, {"at": 1, "name": "status", "parameters": [{"at": 0,
+"name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 2, "name": "warning", "parameters": [{
+"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 3, "name": "error", "parameters": [
+{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 4, "name": "operatingState",
+"parameters": [{"at": 0, "name": "value", "is": "@0x8109968bd491318f"}]}, {"at": 5,
+"name": "desiredState", "parameters": [{"at": 0, "name": "value", "is": "@0xc9ed1800ca1df7eb"}]}, {
+"at": 6, "name": "goalReached", "parameters": [{"at": 0, "name": "value", "is": "Bool"}]}, {
+"at": 7, "name": "gravityCompensation", "parameters": [{"at": 0, "name": "value", "is": "Bool"}]}, {
+"at": 8, "name": "trajectoryJRatio", "parameters": [{"at": 0, "name": "value", "is": "Float64"}]}, {
+"at": 9, "name": "trajectoryJRatioV", "parameters": [{"at": 0, "name": "value", "is": "Float64"}]},
+{"at": 10, "name": "trajectoryJRatioA", "parameters": [{"at": 0, "name": "value", "is": "Float64"}]
+}]}, {"id": "@0xaf91381bef91dec1", "kind": "struct", "name": "CrtkArmStateRow", "members": [{
+"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "configurationJs",
+"is": "@0xf723b5ed0dc2d63c"}, {"at": 4, "name": "operatingState", "is": "@0x8109968bd491318f"}, {
+"at": 5, "name": "periodStatistics", "is": "@0xff815195ac6343a7"}, {"at": 6, "name": "measuredJs",
+"is": "@0xac24dfe518a4963f"}, {"at": 7, "name": "setpointJs", "is": "@0xac24dfe518a4963f"}, {
+"at": 8, "name": "goalJs", "is": "@0xac24dfe518a4963f"}, {"at": 9, "name": "measuredCp",
+"is": "@0xe84bc0a4b9a0c529"}, {"at": 10, "name": "setpointCp", "is": "@0xe84bc0a4b9a0c529"}, {
+"at": 11, "name": "goalCp", "is": "@0xe84bc0a4b9a0c529"}, {"at": 12, "name": "localMeasuredCp",
+"is": "@0xe84bc0a4b9a0c529"}, {"at": 13, "name": "localSetpointCp", "is": "@0xe84bc0a4b9a0c529"}, {
+"at": 14, "name": "measuredCv", "is": "@0xaa62fba3aef11562"}, {"at": 15, "name": "setpointCv",
+"is": "@0xaa62fba3aef11562"}, {"at": 16, "name": "bodyMeasuredCf", "is": "@0xdefffdcf07aeb2d1"}, {
+"at": 17, "name": "spatialMeasuredCf", "is": "@0xdefffdcf07aeb2d1"}, {"at": 18,
+"name": "measuredCs", "is": "@0xe8c20fc8c27161a7"}, {"at": 19, "name": "bodyJacobian",
+"is": "@0x9172ad0b0a6919ab"}, {"at": 20, "name": "spatialJacobian", "is": "@0x9172ad0b0a6919ab"}, {
+"at": 21, "name": "baseFrame", "is": "@0xe84bc0a4b9a0c529"}, {"at": 22, "name": "trajectoryJRatio",
+"is": "Float64"}, {"at": 23, "name": "trajectoryJRatioV", "is": "Float64"}, {"at": 24,
+"name": "trajectoryJRatioA", "is": "Float64"}]}, {"id": "@0xf723b5ed0dc2d63c", "kind": "struct",
+"name": "JointConfiguration", "members": [{"at": 0, "name": "name", "is": "List(Text)"}, {"at": 1,
+"name": "type", "is": "List(@0x9f3bef15df1181c0)"}, {"at": 2, "name": "positionMin",
+"is": "List(Float64) unit \"rad\""}, {"at": 3, "name": "positionMax",
+"is": "List(Float64) unit \"rad\""}, {"at": 4, "name": "velocityMin",
+"is": "List(Float64) unit \"rad/s\""}, {"at": 5, "name": "velocityMax",
+"is": "List(Float64) unit \"rad/s\""}, {"at": 6, "name": "accelerationMin",
+"is": "List(Float64) unit \"rad/s2\""}, {"at": 7, "name": "accelerationMax",
+"is": "List(Float64) unit \"rad/s2\""}, {"at": 8, "name": "effortMin",
+"is": "List(Float64) unit \"N.m\""}, {"at": 9, "name": "effortMax",
+"is": "List(Float64) unit \"N.m\""}, {"at": 10, "name": "valid", "is": "Bool"}]}, {
+"id": "@0x9f3bef15df1181c0", "kind": "enum", "name": "JointType", "members": [{"at": 0,
+"name": "undefined"}, {"at": 1, "name": "prismatic"}, {"at": 2, "name": "revolute"}, {"at": 3,
+"name": "universal"}, {"at": 4, "name": "ballSocket"}, {"at": 5, "name": "inactive"}]}, {
+"id": "@0x8109968bd491318f", "kind": "struct", "name": "OperatingState", "members": [{"at": 0,
+"name": "state", "is": "@0xc9ed1800ca1df7eb"}, {"at": 1, "name": "subState", "is": "Text"}, {
+"at": 2, "name": "isHomed", "is": "Bool"}, {"at": 3, "name": "isBusy", "is": "Bool"}, {"at": 4,
+"name": "stamp", "is": "Int64 clock \"steady\""}]}, {"id": "@0xc9ed1800ca1df7eb", "kind": "enum",
+"name": "ArmState", "members": [{"at": 0, "name": "undefined"}, {"at": 1, "name": "disabled"}, {
+"at": 2, "name": "enabled"}, {"at": 3, "name": "paused"}, {"at": 4, "name": "fault"}]}, {
+"id": "@0xff815195ac6343a7", "kind": "struct", "name": "IntervalStatistics", "members": [{"at": 0,
+"name": "periodAverage", "is": "Float64 unit \"s\""}, {"at": 1, "name": "periodDeviation",
+"is": "Float64 unit \"s\""}, {"at": 2, "name": "periodMin", "is": "Float64 unit \"s\""}, {"at": 3,
+"name": "periodMax", "is": "Float64 unit \"s\""}, {"at": 4, "name": "samples", "is": "UInt32"}, {
+"at": 5, "name": "stamp", "is": "Int64 clock \"steady\""}, {"at": 6, "name": "valid", "is": "Bool"}
+]}, {"id": "@0xac24dfe518a4963f", "kind": "struct", "name": "JointState", "members": [{"at": 0,
+"name": "name", "is": "List(Text)"}, {"at": 1, "name": "position",
+"is": "List(Float64) unit \"rad\""}, {"at": 2, "name": "velocity",
+"is": "List(Float64) unit \"rad/s\""}, {"at": 3, "name": "effort",
+"is": "List(Float64) unit \"N.m\""}, {"at": 4, "name": "stamp", "is": "Int64 clock \"steady\""}, {
+"at": 5, "name": "valid", "is": "Bool"}]}, {"id": "@0xe84bc0a4b9a0c529", "kind": "struct",
+"name": "PoseStamped", "members": [{"at": 0, "name": "pose",
+"is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 1, "name": "stamp",
+"is": "Int64 clock \"steady\""}, {"at": 2, "name": "valid", "is": "Bool"}]}, {
+"id": "@0xaa62fba3aef11562", "kind": "struct", "name": "Twist", "members": [{"at": 0,
+"name": "linear", "is": "/suture/types.capnp:Vec3 unit \"m/s\""}, {"at": 1, "name": "angular",
+"is": "/suture/types.capnp:Vec3 unit \"rad/s\""}, {"at": 2, "name": "movingFrame", "is": "Text"}, {
+"at": 3, "name": "referenceFrame", "is": "Text"}, {"at": 4, "name": "stamp",
+"is": "Int64 clock \"steady\""}, {"at": 5, "name": "valid", "is": "Bool"}]}, {
+"id": "@0xdefffdcf07aeb2d1", "kind": "struct", "name": "Wrench", "members": [{"at": 0,
+"name": "force", "is": "/suture/types.capnp:Vec3 unit \"N\""}, {"at": 1, "name": "torque",
+"is": "/suture/types.capnp:Vec3 unit \"N.m\""}, {"at": 2, "name": "mask",
+"is": "List(Bool) shape \"6\""}, {"at": 3, "name": "movingFrame", "is": "Text"}, {"at": 4,
+"name": "referenceFrame", "is": "Text"}, {"at": 5, "name": "stamp", "is": "Int64 clock \"steady\""
+}, {"at": 6, "name": "valid", "is": "Bool"}]}, {"id": "@0xe8c20fc8c27161a7", "kind": "struct",
+"name": "CartesianState", "members": [{"at": 0, "name": "movingFrame", "is": "Text"}, {"at": 1,
+"name": "referenceFrame", "is": "Text"}, {"at": 2, "name": "position",
+"is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 3, "name": "positionIsValid", "is": "Bool"}, {
+"at": 4, "name": "linearVelocity", "is": "/suture/types.capnp:Vec3 unit \"m/s\""}, {"at": 5,
+"name": "angularVelocity", "is": "/suture/types.capnp:Vec3 unit \"rad/s\""}, {"at": 6,
+"name": "velocityIsValid", "is": "Bool"}, {"at": 7, "name": "force",
+"is": "/suture/types.capnp:Vec3 unit \"N\""}, {"at": 8, "name": "torque",
+"is": "/suture/types.capnp:Vec3 unit \"N.m\""}, {"at": 9, "name": "forceIsValid", "is": "Bool"}, {
+"at": 10, "name": "stamp", "is": "Int64 clock \"steady\""}]}, {"id": "@0x9172ad0b0a6919ab",
+"kind": "struct", "name": "Jacobian", "members": [{"at": 0, "name": "joints", "is": "UInt32"}, {
+"at": 1, "name": "coefficients", "is": "List(Float64)"}, {"at": 2, "name": "stamp",
+"is": "Int64 clock \"steady\""}, {"at": 3, "name": "valid", "is": "Bool"}]}, {
+"id": "@0x8943f2eac122865a", "kind": "struct", "name": "JointGoal", "members": [{"at": 0,
+"name": "position", "is": "List(Float64) unit \"rad\""}, {"at": 1, "name": "stamp",
+"is": "Int64 clock \"steady\""}]}, {"id": "@0xf166e3d075579061", "kind": "struct",
+"name": "JointVelocityGoal", "members": [{"at": 0, "name": "goal",
+"is": "List(Float64) unit \"rad/s\""}, {"at": 1, "name": "acceleration",
+"is": "List(Float64) unit \"rad/s2\""}, {"at": 2, "name": "deceleration",
+"is": "List(Float64) unit \"rad/s2\""}, {"at": 3, "name": "guard",
+"is": "List(Float64) unit \"rad\""}, {"at": 4, "name": "mask", "is": "List(Bool)"}, {"at": 5,
+"name": "stamp", "is": "Int64 clock \"steady\""}]}, {"id": "@0xd704fc0995280ce6", "kind": "struct",
+"name": "JointEffortGoal", "members": [{"at": 0, "name": "effort",
+"is": "List(Float64) unit \"N.m\""}, {"at": 1, "name": "mask", "is": "List(Bool)"}, {"at": 2,
+"name": "stamp", "is": "Int64 clock \"steady\""}]}, {"id": "@0xb9f9a4ea2665be7e", "kind": "struct",
+"name": "TwistGoal", "members": [{"at": 0, "name": "linear",
+"is": "/suture/types.capnp:Vec3 unit \"m/s\""}, {"at": 1, "name": "angular",
+"is": "/suture/types.capnp:Vec3 unit \"rad/s\""}, {"at": 2, "name": "linearAcceleration",
+"is": "/suture/types.capnp:Vec3 unit \"m/s2\""}, {"at": 3, "name": "angularAcceleration",
+"is": "/suture/types.capnp:Vec3 unit \"rad/s2\""}, {"at": 4, "name": "mask",
+"is": "List(Bool) shape \"6\""}, {"at": 5, "name": "stamp", "is": "Int64 clock \"steady\""}]}, {
+"id": "@0x913714b88c44b8c4", "kind": "struct", "name": "WrenchGoal", "members": [{"at": 0,
+"name": "force", "is": "/suture/types.capnp:Vec3 unit \"N\""}, {"at": 1, "name": "torque",
+"is": "/suture/types.capnp:Vec3 unit \"N.m\""}, {"at": 2, "name": "mask",
+"is": "List(Bool) shape \"6\""}, {"at": 3, "name": "stamp", "is": "Int64 clock \"steady\""}]}, {
+"id": "@0x871d0a082eb81ee3", "kind": "struct", "name": "JointSolution", "members": [{"at": 0,
+"name": "position", "is": "List(Float64) unit \"rad\" shape \"8\""}, {"at": 1, "name": "joints",
+"is": "UInt32"}, {"at": 2, "name": "found", "is": "Bool"}]}]})json";
 
 }  // namespace
 
@@ -725,6 +1027,90 @@ bool store(const JointGoal& q, CrtkArmQueryCpArguments& slot) { return store(q, 
 bool store(const JointGoal& q, CrtkArmLocalQueryCpArguments& slot) { return store(q, slot.q); }
 
 namespace {
+
+bool acceptsCrtkArmSetBaseFrame(const CrtkArmSetBaseFrameArguments& slot) {
+  return isValid(slot.frame);
+}
+
+bool acceptsCrtkArmServoJp(const CrtkArmServoJpArguments& slot) {
+  return isValid(slot.goal);
+}
+
+bool acceptsCrtkArmServoJr(const CrtkArmServoJrArguments& slot) {
+  return isValid(slot.step);
+}
+
+bool acceptsCrtkArmServoJv(const CrtkArmServoJvArguments& slot) {
+  return isValid(slot.goal);
+}
+
+bool acceptsCrtkArmServoJf(const CrtkArmServoJfArguments& slot) {
+  return isValid(slot.goal);
+}
+
+bool acceptsCrtkArmServoCp(const CrtkArmServoCpArguments& slot) {
+  return isValid(slot.goal);
+}
+
+bool acceptsCrtkArmServoCr(const CrtkArmServoCrArguments& slot) {
+  return isValid(slot.step);
+}
+
+bool acceptsCrtkArmServoCv(const CrtkArmServoCvArguments& slot) {
+  return isValid(slot.goal);
+}
+
+bool acceptsCrtkArmBodyServoCf(const CrtkArmBodyServoCfArguments& slot) {
+  return isValid(slot.goal);
+}
+
+bool acceptsCrtkArmSpatialServoCf(const CrtkArmSpatialServoCfArguments& slot) {
+  return isValid(slot.goal);
+}
+
+bool acceptsCrtkArmMoveJp(const CrtkArmMoveJpArguments& slot) {
+  return isValid(slot.goal);
+}
+
+bool acceptsCrtkArmMoveJr(const CrtkArmMoveJrArguments& slot) {
+  return isValid(slot.step);
+}
+
+bool acceptsCrtkArmMoveCp(const CrtkArmMoveCpArguments& slot) {
+  return isValid(slot.goal);
+}
+
+bool acceptsCrtkArmMoveCr(const CrtkArmMoveCrArguments& slot) {
+  return isValid(slot.step);
+}
+
+bool acceptsCrtkArmTrajectoryJSetRatio(const CrtkArmTrajectoryJSetRatioArguments& slot) {
+  return inRange(slot.ratio, 0.01, 1);
+}
+
+bool acceptsCrtkArmTrajectoryJSetRatioV(const CrtkArmTrajectoryJSetRatioVArguments& slot) {
+  return inRange(slot.ratio, 0.01, 1);
+}
+
+bool acceptsCrtkArmTrajectoryJSetRatioA(const CrtkArmTrajectoryJSetRatioAArguments& slot) {
+  return inRange(slot.ratio, 0.01, 1);
+}
+
+bool acceptsCrtkArmForwardKinematics(const CrtkArmForwardKinematicsArguments& slot) {
+  return isValid(slot.q);
+}
+
+bool acceptsCrtkArmInverseKinematics(const CrtkArmInverseKinematicsArguments& slot) {
+  return isValid(slot.goal);
+}
+
+bool acceptsCrtkArmQueryCp(const CrtkArmQueryCpArguments& slot) {
+  return isValid(slot.q);
+}
+
+bool acceptsCrtkArmLocalQueryCp(const CrtkArmLocalQueryCpArguments& slot) {
+  return isValid(slot.q);
+}
 
 // --- CrtkArm over Cap'n Proto RPC: the provider's side
 
@@ -1203,7 +1589,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       const Errc error =
           in.hasFrame() ? fromWire(in.getFrame(), slot.frame, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.frame) ? Errc{} : Errc::Invalid;
+      return acceptsCrtkArmSetBaseFrame(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::set_base_frame), in.getSent(), fill);
   }
@@ -1237,7 +1623,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+      return acceptsCrtkArmServoJp(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::servo_jp), in.getSent(), fill);
   }
@@ -1249,7 +1635,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       const Errc error =
           in.hasStep() ? fromWire(in.getStep(), slot.step, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.step) ? Errc{} : Errc::Invalid;
+      return acceptsCrtkArmServoJr(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::servo_jr), in.getSent(), fill);
   }
@@ -1261,7 +1647,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+      return acceptsCrtkArmServoJv(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::servo_jv), in.getSent(), fill);
   }
@@ -1273,7 +1659,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+      return acceptsCrtkArmServoJf(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::servo_jf), in.getSent(), fill);
   }
@@ -1285,7 +1671,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+      return acceptsCrtkArmServoCp(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::servo_cp), in.getSent(), fill);
   }
@@ -1297,7 +1683,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       const Errc error =
           in.hasStep() ? fromWire(in.getStep(), slot.step, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.step) ? Errc{} : Errc::Invalid;
+      return acceptsCrtkArmServoCr(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::servo_cr), in.getSent(), fill);
   }
@@ -1309,7 +1695,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+      return acceptsCrtkArmServoCv(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::servo_cv), in.getSent(), fill);
   }
@@ -1321,7 +1707,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+      return acceptsCrtkArmBodyServoCf(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::body_servo_cf), in.getSent(), fill);
   }
@@ -1333,7 +1719,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+      return acceptsCrtkArmSpatialServoCf(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::spatial_servo_cf), in.getSent(), fill);
   }
@@ -1345,7 +1731,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+      return acceptsCrtkArmMoveJp(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::move_jp), in.getSent(), fill);
   }
@@ -1357,7 +1743,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       const Errc error =
           in.hasStep() ? fromWire(in.getStep(), slot.step, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.step) ? Errc{} : Errc::Invalid;
+      return acceptsCrtkArmMoveJr(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::move_jr), in.getSent(), fill);
   }
@@ -1369,7 +1755,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+      return acceptsCrtkArmMoveCp(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::move_cp), in.getSent(), fill);
   }
@@ -1381,7 +1767,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       const Errc error =
           in.hasStep() ? fromWire(in.getStep(), slot.step, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.step) ? Errc{} : Errc::Invalid;
+      return acceptsCrtkArmMoveCr(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::move_cr), in.getSent(), fill);
   }
@@ -1391,7 +1777,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<CrtkArmTrajectoryJSetRatioArguments>(memory);
       slot.ratio = in.getRatio();
-      return inRange(slot.ratio, 0.01, 1) ? Errc{} : Errc::Invalid;
+      return acceptsCrtkArmTrajectoryJSetRatio(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::trajectory_j_set_ratio), in.getSent(), fill);
   }
@@ -1401,7 +1787,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<CrtkArmTrajectoryJSetRatioVArguments>(memory);
       slot.ratio = in.getRatio();
-      return inRange(slot.ratio, 0.01, 1) ? Errc{} : Errc::Invalid;
+      return acceptsCrtkArmTrajectoryJSetRatioV(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::trajectory_j_set_ratio_v), in.getSent(), fill);
   }
@@ -1411,7 +1797,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<CrtkArmTrajectoryJSetRatioAArguments>(memory);
       slot.ratio = in.getRatio();
-      return inRange(slot.ratio, 0.01, 1) ? Errc{} : Errc::Invalid;
+      return acceptsCrtkArmTrajectoryJSetRatioA(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::trajectory_j_set_ratio_a), in.getSent(), fill);
   }
@@ -1458,7 +1844,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       auto& slot = newSlot<CrtkArmForwardKinematicsArguments>(memory);
       const Errc error = in.hasQ() ? fromWire(in.getQ(), slot.q, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.q) ? Errc{} : Errc::Invalid;
+      return acceptsCrtkArmForwardKinematics(slot) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<PoseStampedSlot>(result);
@@ -1476,7 +1862,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+      return acceptsCrtkArmInverseKinematics(slot) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<JointSolutionSlot>(result);
@@ -1493,7 +1879,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       auto& slot = newSlot<CrtkArmQueryCpArguments>(memory);
       const Errc error = in.hasQ() ? fromWire(in.getQ(), slot.q, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.q) ? Errc{} : Errc::Invalid;
+      return acceptsCrtkArmQueryCp(slot) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<PoseStampedSlot>(result);
@@ -1509,7 +1895,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
       auto& slot = newSlot<CrtkArmLocalQueryCpArguments>(memory);
       const Errc error = in.hasQ() ? fromWire(in.getQ(), slot.q, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.q) ? Errc{} : Errc::Invalid;
+      return acceptsCrtkArmLocalQueryCp(slot) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<PoseStampedSlot>(result);
@@ -2238,6 +2624,9 @@ class CrtkArmBinding final : public suture::rpc::Binding {
   }
   kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
     return kj::heap<CrtkArmSink>(subscriber.castAs<wire::CrtkArmEvents>());
+  }
+  capnp::InterfaceSchema schema() const override {
+    return capnp::Schema::from<wire::CrtkArm>();
   }
 };
 

@@ -58,6 +58,14 @@ wire::MtmSide wireMtmSide(std::uint8_t slot) {
   return wire::MtmSide{};
 }
 
+bool isKnownMtmSide(std::uint8_t slot) {
+  switch (static_cast<MtmSide>(slot)) {
+    case MtmSide::Left: return true;
+    case MtmSide::Right: return true;
+  }
+  return false;
+}
+
 Errc fromWire(wire::MtmSide in, std::uint8_t& slot) {
   switch (in) {
     case wire::MtmSide::LEFT: return slot = static_cast<std::uint8_t>(MtmSide::Left), Errc{};
@@ -81,7 +89,8 @@ Errc fromWire(wire::MtmParameters::Reader in, MtmParametersSlot& slot, Duration)
 }
 
 bool isValid(const MtmParametersSlot& slot) {
-  return inRange(slot.time_constant, 0.0001, 10) && inRange(slot.angular_rate, 0.01, 20);
+  return isKnownMtmSide(slot.side) && inRange(slot.time_constant, 0.0001, 10) &&
+      inRange(slot.angular_rate, 0.01, 20);
 }
 
 }  // namespace robots

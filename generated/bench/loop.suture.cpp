@@ -23,6 +23,7 @@ using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Errc;
 using suture::EventInfo;
+using suture::checkSlot;
 using suture::newSlot;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
@@ -36,15 +37,20 @@ using suture::store;
 
 namespace {
 
+bool acceptsLoopServerPut(const LoopServerPutArguments& slot);
+bool acceptsLoopServerBounce(const LoopServerBounceArguments& slot);
+
 constexpr CommandInfo kLoopServerCommands[] = {
     {.name = "put",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<LoopServerPutArguments>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<LoopServerPutArguments, acceptsLoopServerPut>},
     {.name = "bounce",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<LoopServerBounceArguments>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<LoopServerBounceArguments, acceptsLoopServerBounce>},
     {.name = "value",
      .kind = CommandKind::Read,
      .resultSize = slotSize<robots::PosePrmSlot>,
@@ -60,15 +66,17 @@ constexpr EventInfo kLoopServerEvents[] = {
 constexpr char kLoopServerDescription[] = R"json(
 {"name": "bench::LoopServer", "doc": "What the server of a loop offers.",
 "hash": "39cfa04c06187358856f788402400ce7", "commands": [{"name": "put", "kind": "write",
+"ordinal": 1,
 "doc": "Server, client, server: takes back what value() answered and measures how long it was away.",
 "parameters": [{"name": "value", "type": {"kind": "struct", "name": "robots::PosePrm"}}],
-"queue": 16}, {"name": "bounce", "kind": "write",
+"queue": 16}, {"name": "bounce", "kind": "write", "ordinal": 2,
 "doc": "Client, server, client: sends the value back as the event echo.", "parameters": [{
 "name": "value", "type": {"kind": "struct", "name": "robots::PosePrm"}}], "queue": 16}, {
-"name": "value", "kind": "read", "doc": "A pose, stamped when it is evaluated.", "result": {
-"type": {"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}], "events": [{"name": "echo",
-"kind": "write", "doc": "The value that bounce() took.", "payload": {"type": {"kind": "struct",
-"name": "robots::PosePrm"}}, "queue": 16}], "enums": [], "structs": [{"name": "robots::PosePrm",
+"name": "value", "kind": "read", "ordinal": 3, "doc": "A pose, stamped when it is evaluated.",
+"result": {"type": {"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}], "events": [{
+"name": "echo", "kind": "write", "ordinal": 1, "doc": "The value that bounce() took.", "payload": {
+"type": {"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}], "enums": [], "structs": [{
+"name": "robots::PosePrm",
 "doc": "The fields of the cisst libraries' prmPositionCartesianGet, the type of the paper's\nmeasurements.",
 "fields": [{"name": "timestamp", "type": {"kind": "time", "clock": "steady"}}, {
 "name": "automatic_timestamp", "wire": "automaticTimestamp",
@@ -77,7 +85,27 @@ constexpr char kLoopServerDescription[] = R"json(
 "wire": "movingFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "reference_frame",
 "wire": "referenceFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "position",
 "doc": "The moving frame in the reference frame.", "type": {"kind": "isometry", "scalar": "Float64"
-}, "unit": "m"}]}]})json";
+}, "unit": "m"}]}], "wire": [{"id": "@0xf31a590efb54d189", "kind": "interface",
+"name": "LoopServer", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
+"name": "events", "is": "@0xa1763febd61d7208"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
+"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "put", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "bounce", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "value", "is": "kind \"read\"", "parameters": [
+{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0xedd17c97b8723561"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xa1763febd61d7208", "kind": "interface", "name": "LoopServerEvents", "members": [{"at": 0,
+"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xcf8261ed0f1fe7b7"}]}, {"at": 1,
+"name": "echo", "parameters": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"}]}]}, {
+"id": "@0xcf8261ed0f1fe7b7", "kind": "struct", "name": "LoopServerStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "value", "is": "@0xedd17c97b8723561"}, {"at": 3, "name": "tooLarge", "is": "UInt64"}]}, {
+"id": "@0xedd17c97b8723561", "kind": "struct", "name": "PosePrm", "members": [{"at": 0,
+"name": "timestamp", "is": "Int64 clock \"steady\""}, {"at": 1, "name": "automaticTimestamp",
+"is": "Bool = true"}, {"at": 2, "name": "valid", "is": "Bool"}, {"at": 3, "name": "movingFrame",
+"is": "Text"}, {"at": 4, "name": "referenceFrame", "is": "Text"}, {"at": 5, "name": "position",
+"is": "/suture/types.capnp:Pose unit \"m\""}]}]})json";
 
 }  // namespace
 
@@ -90,6 +118,14 @@ bool store(const robots::PosePrm& value, LoopServerBounceArguments& slot) {
 }
 
 namespace {
+
+bool acceptsLoopServerPut(const LoopServerPutArguments& slot) {
+  return isValid(slot.value);
+}
+
+bool acceptsLoopServerBounce(const LoopServerBounceArguments& slot) {
+  return isValid(slot.value);
+}
 
 // --- LoopServer over Cap'n Proto RPC: the provider's side
 
@@ -149,7 +185,7 @@ class LoopServerServant final : public wire::LoopServer::Server {
       const Errc error =
           in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+      return acceptsLoopServerPut(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(LoopServerCommand::put), in.getSent(), fill);
   }
@@ -161,7 +197,7 @@ class LoopServerServant final : public wire::LoopServer::Server {
       const Errc error =
           in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+      return acceptsLoopServerBounce(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(LoopServerCommand::bounce), in.getSent(), fill);
   }
@@ -276,6 +312,9 @@ class LoopServerBinding final : public suture::rpc::Binding {
   }
   kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
     return kj::heap<LoopServerSink>(subscriber.castAs<wire::LoopServerEvents>());
+  }
+  capnp::InterfaceSchema schema() const override {
+    return capnp::Schema::from<wire::LoopServer>();
   }
 };
 

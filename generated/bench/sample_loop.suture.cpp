@@ -23,6 +23,7 @@ using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Errc;
 using suture::EventInfo;
+using suture::checkSlot;
 using suture::newSlot;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
@@ -36,15 +37,20 @@ using suture::store;
 
 namespace {
 
+bool acceptsSampleServerPut(const SampleServerPutArguments& slot);
+bool acceptsSampleServerBounce(const SampleServerBounceArguments& slot);
+
 constexpr CommandInfo kSampleServerCommands[] = {
     {.name = "put",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<SampleServerPutArguments>,
-     .depth = 4096},
+     .depth = 4096,
+     .accepts = checkSlot<SampleServerPutArguments, acceptsSampleServerPut>},
     {.name = "bounce",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<SampleServerBounceArguments>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<SampleServerBounceArguments, acceptsSampleServerBounce>},
     {.name = "value",
      .kind = CommandKind::Read,
      .resultSize = slotSize<robots::PoseSampleSlot>,
@@ -59,20 +65,41 @@ constexpr EventInfo kSampleServerEvents[] = {
 // The self-description, as in bench/sample_loop.suture.json.
 constexpr char kSampleServerDescription[] = R"json(
 {"name": "bench::SampleServer", "hash": "fc81c3d6983bed150e4b6eeb178f075c", "commands": [{
-"name": "put", "kind": "write", "doc": "Counted by the provider.", "parameters": [{"name": "value",
-"type": {"kind": "struct", "name": "robots::PoseSample"}}], "queue": 4096}, {"name": "bounce",
-"kind": "write", "doc": "Client, server, client: sends the value back as the event echo.",
-"parameters": [{"name": "value", "type": {"kind": "struct", "name": "robots::PoseSample"}}],
-"queue": 16}, {"name": "value", "kind": "read", "result": {"type": {"kind": "struct",
+"name": "put", "kind": "write", "ordinal": 1, "doc": "Counted by the provider.", "parameters": [{
+"name": "value", "type": {"kind": "struct", "name": "robots::PoseSample"}}], "queue": 4096}, {
+"name": "bounce", "kind": "write", "ordinal": 2,
+"doc": "Client, server, client: sends the value back as the event echo.", "parameters": [{
+"name": "value", "type": {"kind": "struct", "name": "robots::PoseSample"}}], "queue": 16}, {
+"name": "value", "kind": "read", "ordinal": 3, "result": {"type": {"kind": "struct",
 "name": "robots::PoseSample"}}, "queue": 16}], "events": [{"name": "echo", "kind": "write",
-"doc": "The value that bounce() took.", "payload": {"type": {"kind": "struct",
+"ordinal": 1, "doc": "The value that bounce() took.", "payload": {"type": {"kind": "struct",
 "name": "robots::PoseSample"}}, "queue": 16}], "enums": [], "structs": [{
 "name": "robots::PoseSample", "doc": "The pose of the latency figures: 120 bytes and no strings.",
 "fields": [{"name": "rotation", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
 "columns": 3}}, {"name": "position", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
 "columns": 1}, "unit": "m"}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {
 "name": "sequence", "type": {"kind": "UInt64"}, "default": 0}, {"name": "flags", "type": {
-"kind": "UInt64"}, "default": 0}]}]})json";
+"kind": "UInt64"}, "default": 0}]}], "wire": [{"id": "@0xa9d747a8e40c3d30", "kind": "interface",
+"name": "SampleServer", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
+"name": "events", "is": "@0xc71bdb510deae77a"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
+"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "put", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "value", "is": "@0x9dcf31510b46998d"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "bounce", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "value", "is": "@0x9dcf31510b46998d"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "value", "is": "kind \"read\"", "parameters": [
+{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0x9dcf31510b46998d"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xc71bdb510deae77a", "kind": "interface", "name": "SampleServerEvents", "members": [{
+"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xb757a2bfdbcd1cf8"}]}, {
+"at": 1, "name": "echo", "parameters": [{"at": 0, "name": "value", "is": "@0x9dcf31510b46998d"}]}]
+}, {"id": "@0xb757a2bfdbcd1cf8", "kind": "struct", "name": "SampleServerStateRow", "members": [{
+"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "value", "is": "@0x9dcf31510b46998d"}]}, {
+"id": "@0x9dcf31510b46998d", "kind": "struct", "name": "PoseSample", "members": [{"at": 0,
+"name": "rotation", "is": "/suture/types.capnp:Mat3"}, {"at": 1, "name": "position",
+"is": "/suture/types.capnp:Vec3 unit \"m\""}, {"at": 2, "name": "stamp",
+"is": "Int64 clock \"steady\""}, {"at": 3, "name": "sequence", "is": "UInt64"}, {"at": 4,
+"name": "flags", "is": "UInt64"}]}]})json";
 
 }  // namespace
 
@@ -85,6 +112,14 @@ bool store(const robots::PoseSample& value, SampleServerBounceArguments& slot) {
 }
 
 namespace {
+
+bool acceptsSampleServerPut(const SampleServerPutArguments& slot) {
+  return isValid(slot.value);
+}
+
+bool acceptsSampleServerBounce(const SampleServerBounceArguments& slot) {
+  return isValid(slot.value);
+}
 
 // --- SampleServer over Cap'n Proto RPC: the provider's side
 
@@ -144,7 +179,7 @@ class SampleServerServant final : public wire::SampleServer::Server {
       const Errc error =
           in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+      return acceptsSampleServerPut(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(SampleServerCommand::put), in.getSent(), fill);
   }
@@ -156,7 +191,7 @@ class SampleServerServant final : public wire::SampleServer::Server {
       const Errc error =
           in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+      return acceptsSampleServerBounce(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(SampleServerCommand::bounce), in.getSent(), fill);
   }
@@ -271,6 +306,9 @@ class SampleServerBinding final : public suture::rpc::Binding {
   }
   kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
     return kj::heap<SampleServerSink>(subscriber.castAs<wire::SampleServerEvents>());
+  }
+  capnp::InterfaceSchema schema() const override {
+    return capnp::Schema::from<wire::SampleServer>();
   }
 };
 

@@ -15,6 +15,7 @@ namespace loadable {
 using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Errc;
+using suture::checkSlot;
 using suture::newSlot;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
@@ -26,11 +27,14 @@ using suture::store;
 
 namespace {
 
+bool acceptsTurntableTurn(const TurntableTurnArguments& slot);
+
 constexpr CommandInfo kTurntableCommands[] = {
     {.name = "turn",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<TurntableTurnArguments>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<TurntableTurnArguments, acceptsTurntableTurn>},
     {.name = "angle",
      .kind = CommandKind::Read,
      .resultSize = slotSize<double>,
@@ -41,15 +45,32 @@ constexpr CommandInfo kTurntableCommands[] = {
 // The self-description, as in loadable/turntable.suture.json.
 constexpr char kTurntableDescription[] = R"json(
 {"name": "loadable::Turntable", "hash": "1c89821b895e377a0e23c36f654949b9", "commands": [{
-"name": "turn", "kind": "write", "parameters": [{"name": "angle", "type": {"kind": "Float64"},
-"unit": "rad"}], "queue": 16}, {"name": "angle", "kind": "read", "result": {"type": {
-"kind": "Float64"}}, "queue": 16}], "events": [], "enums": [], "structs": []})json";
+"name": "turn", "kind": "write", "ordinal": 1, "parameters": [{"name": "angle", "type": {
+"kind": "Float64"}, "unit": "rad"}], "queue": 16}, {"name": "angle", "kind": "read", "ordinal": 2,
+"result": {"type": {"kind": "Float64"}}, "queue": 16}], "events": [], "enums": [], "structs": [],
+"wire": [{"id": "@0xcb8648112327d0b9", "kind": "interface", "name": "Turntable", "members": [{
+"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xbe9023e02a0b50c9"
+}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]
+}, {"at": 1, "name": "turn", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "angle",
+"is": "Float64 unit \"rad\""}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 2, "name": "angle", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "Float64"}, {
+"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xbe9023e02a0b50c9", "kind": "interface",
+"name": "TurntableEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
+"name": "row", "is": "@0xce3772f691497d20"}]}]}, {"id": "@0xce3772f691497d20", "kind": "struct",
+"name": "TurntableStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
+"name": "angle", "is": "Float64"}]}]})json";
 
 }  // namespace
 
 bool store(const double& angle, TurntableTurnArguments& slot) { return store(angle, slot.angle); }
 
 namespace {
+
+bool acceptsTurntableTurn(const TurntableTurnArguments& slot) {
+  return isValid(slot.angle);
+}
 
 // --- Turntable over Cap'n Proto RPC: the provider's side
 
@@ -96,7 +117,7 @@ class TurntableServant final : public wire::Turntable::Server {
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<TurntableTurnArguments>(memory);
       slot.angle = in.getAngle();
-      return isValid(slot.angle) ? Errc{} : Errc::Invalid;
+      return acceptsTurntableTurn(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(TurntableCommand::turn), in.getSent(), fill);
   }
@@ -194,6 +215,9 @@ class TurntableBinding final : public suture::rpc::Binding {
   }
   kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
     return kj::heap<TurntableSink>(subscriber.castAs<wire::TurntableEvents>());
+  }
+  capnp::InterfaceSchema schema() const override {
+    return capnp::Schema::from<wire::Turntable>();
   }
 };
 

@@ -12,6 +12,7 @@ namespace robots {
 using suture::Duration;
 using suture::Errc;
 using suture::load;
+using suture::rpc::allOf;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
@@ -362,6 +363,20 @@ wire::ServoMode wireServoMode(std::uint8_t slot) {
   return wire::ServoMode{};
 }
 
+bool isKnownServoMode(std::uint8_t slot) {
+  switch (static_cast<ServoMode>(slot)) {
+    case ServoMode::None: return true;
+    case ServoMode::Position: return true;
+    case ServoMode::Velocity: return true;
+    case ServoMode::PositionVelocity: return true;
+    case ServoMode::Effort: return true;
+    case ServoMode::PositionEffort: return true;
+    case ServoMode::VelocityEffort: return true;
+    case ServoMode::All: return true;
+  }
+  return false;
+}
+
 Errc fromWire(wire::ServoMode in, std::uint8_t& slot) {
   switch (in) {
     case wire::ServoMode::NONE: return slot = static_cast<std::uint8_t>(ServoMode::None), Errc{};
@@ -585,6 +600,11 @@ Errc fromWire(wire::ServoCartesian::Reader in, ServoCartesianSlot& slot, Duratio
 }
 
 bool isValid(const ServoCartesianSlot& slot) {
+  if (!allOf(slot.axis_mode, [](const std::uint8_t& element) {
+    return isKnownServoMode(element);
+  })) {
+    return false;
+  }
   return isValid(slot.task_frame) && isValid(slot.position) && isValid(slot.linear_velocity) &&
       isValid(slot.angular_velocity) && isValid(slot.force) && isValid(slot.torque);
 }

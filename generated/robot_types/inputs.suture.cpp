@@ -108,6 +108,17 @@ wire::ButtonAction wireButtonAction(std::uint8_t slot) {
   return wire::ButtonAction{};
 }
 
+bool isKnownButtonAction(std::uint8_t slot) {
+  switch (static_cast<ButtonAction>(slot)) {
+    case ButtonAction::Undefined: return true;
+    case ButtonAction::Pressed: return true;
+    case ButtonAction::Released: return true;
+    case ButtonAction::Clicked: return true;
+    case ButtonAction::DoubleClicked: return true;
+  }
+  return false;
+}
+
 Errc fromWire(wire::ButtonAction in, std::uint8_t& slot) {
   switch (in) {
     case wire::ButtonAction::UNDEFINED: return slot =
@@ -136,8 +147,8 @@ Errc fromWire(wire::ButtonEvent::Reader in, ButtonEventSlot& slot, Duration shif
   return fromWire(in.getType(), slot.type);
 }
 
-bool isValid(const ButtonEventSlot&) {
-  return true;
+bool isValid(const ButtonEventSlot& slot) {
+  return isKnownButtonAction(slot.type);
 }
 
 void toWire(const InputDataSlot& slot, wire::InputData::Builder out) {

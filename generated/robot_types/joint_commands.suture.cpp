@@ -12,6 +12,7 @@ namespace robots {
 using suture::Duration;
 using suture::Errc;
 using suture::load;
+using suture::rpc::allOf;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
@@ -344,6 +345,18 @@ wire::JointType wireJointType(std::uint8_t slot) {
   return wire::JointType{};
 }
 
+bool isKnownJointType(std::uint8_t slot) {
+  switch (static_cast<JointType>(slot)) {
+    case JointType::Undefined: return true;
+    case JointType::Prismatic: return true;
+    case JointType::Revolute: return true;
+    case JointType::Universal: return true;
+    case JointType::BallSocket: return true;
+    case JointType::Inactive: return true;
+  }
+  return false;
+}
+
 Errc fromWire(wire::JointType in, std::uint8_t& slot) {
   switch (in) {
     case wire::JointType::UNDEFINED: return slot =
@@ -503,6 +516,9 @@ Errc fromWire(wire::JointConfiguration::Reader in, JointConfigurationSlot& slot,
 }
 
 bool isValid(const JointConfigurationSlot& slot) {
+  if (!allOf(slot.type, [](const std::uint8_t& element) { return isKnownJointType(element); })) {
+    return false;
+  }
   return isValid(slot.position_min) && isValid(slot.position_max) && isValid(slot.velocity_min) &&
       isValid(slot.velocity_max) && isValid(slot.acceleration_min) &&
       isValid(slot.acceleration_max) && isValid(slot.effort_min) && isValid(slot.effort_max);

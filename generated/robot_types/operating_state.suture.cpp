@@ -71,6 +71,17 @@ wire::ArmState wireArmState(std::uint8_t slot) {
   return wire::ArmState{};
 }
 
+bool isKnownArmState(std::uint8_t slot) {
+  switch (static_cast<ArmState>(slot)) {
+    case ArmState::Undefined: return true;
+    case ArmState::Disabled: return true;
+    case ArmState::Enabled: return true;
+    case ArmState::Paused: return true;
+    case ArmState::Fault: return true;
+  }
+  return false;
+}
+
 Errc fromWire(wire::ArmState in, std::uint8_t& slot) {
   switch (in) {
     case wire::ArmState::UNDEFINED: return slot =
@@ -103,8 +114,8 @@ Errc fromWire(wire::OperatingState::Reader in, OperatingStateSlot& slot, Duratio
   });
 }
 
-bool isValid(const OperatingStateSlot&) {
-  return true;
+bool isValid(const OperatingStateSlot& slot) {
+  return isKnownArmState(slot.state);
 }
 
 }  // namespace robots

@@ -66,20 +66,22 @@ constexpr EventInfo kTeleoperationEvents[] = {
 // The self-description, as in teleop/teleoperation.suture.json.
 constexpr char kTeleoperationDescription[] = R"json(
 {"name": "robots::Teleoperation", "hash": "393a877d8e6228f4888818f28ef2cb8a", "commands": [{
-"name": "enable", "kind": "void", "doc": "Enables and homes arms that are not, then follows.",
-"queue": 16}, {"name": "disable", "kind": "void", "doc": "Stops following; the slave holds.",
-"queue": 16}, {"name": "teleop_state", "kind": "read", "wire": "teleopState", "result": {"type": {
+"name": "enable", "kind": "void", "ordinal": 1,
+"doc": "Enables and homes arms that are not, then follows.", "queue": 16}, {"name": "disable",
+"kind": "void", "ordinal": 2, "doc": "Stops following; the slave holds.", "queue": 16}, {
+"name": "teleop_state", "kind": "read", "ordinal": 3, "wire": "teleopState", "result": {"type": {
 "kind": "enum", "name": "robots::TeleopState"}}, "queue": 16}, {"name": "anchors", "kind": "read",
-"doc": "Of the present or last time of following.", "result": {"type": {"kind": "struct",
-"name": "robots::FollowAnchors"}}, "queue": 16}], "events": [{"name": "teleop_state",
-"kind": "write", "wire": "teleopState", "payload": {"type": {"kind": "enum",
-"name": "robots::TeleopState"}}, "queue": 16, "latched": true}, {"name": "followed",
-"kind": "write", "doc": "Following begins.", "payload": {"type": {"kind": "struct",
-"name": "robots::FollowAnchors"}}, "queue": 16, "latched": true}], "enums": [{
-"name": "robots::TeleopState", "underlying": "UInt8", "enumerators": [{"name": "Disabled",
-"value": 0, "wire": "disabled", "doc": "until enable()"}, {"name": "Preparing", "value": 1,
-"wire": "preparing", "doc": "waits for both arms: connected, enabled, homed, and fresh data of both"
-}, {"name": "Following", "value": 2, "wire": "following"}]}], "structs": [{
+"ordinal": 4, "doc": "Of the present or last time of following.", "result": {"type": {
+"kind": "struct", "name": "robots::FollowAnchors"}}, "queue": 16}], "events": [{
+"name": "teleop_state", "kind": "write", "ordinal": 1, "wire": "teleopState", "payload": {"type": {
+"kind": "enum", "name": "robots::TeleopState"}}, "queue": 16, "latched": true}, {
+"name": "followed", "kind": "write", "ordinal": 2, "doc": "Following begins.", "payload": {
+"type": {"kind": "struct", "name": "robots::FollowAnchors"}}, "queue": 16, "latched": true}],
+"enums": [{"name": "robots::TeleopState", "underlying": "UInt8", "enumerators": [{
+"name": "Disabled", "value": 0, "wire": "disabled", "doc": "until enable()"}, {"name": "Preparing",
+"value": 1, "wire": "preparing",
+"doc": "waits for both arms: connected, enabled, homed, and fresh data of both"}, {
+"name": "Following", "value": 2, "wire": "following"}]}], "structs": [{
 "name": "robots::FollowAnchors",
 "doc": "Where following began: with it and the master's poses, anyone can compute what the slave should\ndo.",
 "fields": [{"name": "master_stamp", "wire": "masterStamp",
@@ -91,7 +93,33 @@ constexpr char kTeleoperationDescription[] = R"json(
 "type": {"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "scale",
 "doc": "Slave metres a master metre.", "type": {"kind": "Float64"}, "default": 0.0}, {
 "name": "entry", "doc": "How many times following began, this one included; 0: never.", "type": {
-"kind": "UInt64"}, "default": 0}]}]})json";
+"kind": "UInt64"}, "default": 0}]}], "wire": [{"id": "@0x9c2044876661808e", "kind": "interface",
+"name": "Teleoperation", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
+"name": "events", "is": "@0xe8de6e374cc63239"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
+"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "enable", "is": "kind \"void\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2,
+"name": "disable", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "teleopState", "is": "kind \"read\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "@0x82c72c556eb58a10"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 4, "name": "anchors", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0x8cdd0eb841f978ce"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xe8de6e374cc63239", "kind": "interface",
+"name": "TeleoperationEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
+"name": "row", "is": "@0xbc0e291de17cadad"}]}, {"at": 1, "name": "teleopState", "parameters": [{
+"at": 0, "name": "value", "is": "@0x82c72c556eb58a10"}]}, {"at": 2, "name": "followed",
+"parameters": [{"at": 0, "name": "value", "is": "@0x8cdd0eb841f978ce"}]}]}, {
+"id": "@0xbc0e291de17cadad", "kind": "struct", "name": "TeleoperationStateRow", "members": [{
+"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "teleopState", "is": "@0x82c72c556eb58a10"}, {"at": 3, "name": "anchors",
+"is": "@0x8cdd0eb841f978ce"}, {"at": 4, "name": "tooLarge", "is": "UInt64"}]}, {
+"id": "@0x82c72c556eb58a10", "kind": "enum", "name": "TeleopState", "members": [{"at": 0,
+"name": "disabled"}, {"at": 1, "name": "preparing"}, {"at": 2, "name": "following"}]}, {
+"id": "@0x8cdd0eb841f978ce", "kind": "struct", "name": "FollowAnchors", "members": [{"at": 0,
+"name": "masterStamp", "is": "Int64 clock \"steady\""}, {"at": 1, "name": "master",
+"is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 2, "name": "slaveSetpoint",
+"is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 3, "name": "scale", "is": "Float64"}, {
+"at": 4, "name": "entry", "is": "UInt64"}]}]})json";
 
 }  // namespace
 
@@ -122,6 +150,15 @@ wire::TeleopState wireTeleopState(std::uint8_t slot) {
     case TeleopState::Following: return wire::TeleopState::FOLLOWING;
   }
   return wire::TeleopState{};
+}
+
+bool isKnownTeleopState(std::uint8_t slot) {
+  switch (static_cast<TeleopState>(slot)) {
+    case TeleopState::Disabled: return true;
+    case TeleopState::Preparing: return true;
+    case TeleopState::Following: return true;
+  }
+  return false;
 }
 
 Errc fromWire(wire::TeleopState in, std::uint8_t& slot) {
@@ -373,6 +410,9 @@ class TeleoperationBinding final : public suture::rpc::Binding {
   }
   kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
     return kj::heap<TeleoperationSink>(subscriber.castAs<wire::TeleoperationEvents>());
+  }
+  capnp::InterfaceSchema schema() const override {
+    return capnp::Schema::from<wire::Teleoperation>();
   }
 };
 

@@ -17,13 +17,14 @@ const char* toString(Errc error) {
     case Errc::Invalid: return "value outside its declared limits";
     case Errc::TooManyCalls: return "too many unfinished calls";
     case Errc::WrongThread: return "called from another thread than the component's own";
-    case Errc::NotImplemented: return "the provider does not have this optional command";
+    case Errc::NotImplemented: return "the provider does not have this command";
     case Errc::TooOld: return "older than the state table's oldest row";
     case Errc::Suspended: return "the provider is suspended";
     case Errc::Stale: return "older than the connection's max_age";
     case Errc::AwaitingOperator: return "the connection waits for an operator to resume it";
     case Errc::Cancelled: return "cancelled before it was executed";
     case Errc::CannotWait: return "an event cannot be awaited here, or has a direct handler";
+    case Errc::NotPermitted: return "the provider's policy lets this process read, not command";
   }
   return "unknown error";
 }

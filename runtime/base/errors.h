@@ -28,13 +28,14 @@ enum class Errc : std::uint8_t {
   Invalid,           ///< a value is outside what its header allows
   TooManyCalls,      ///< this required interface has as many unfinished calls as it can follow
   WrongThread,       ///< calls and events belong to the component's thread, and this is another
-  NotImplemented,    ///< an optional command that this provider does not have
+  NotImplemented,    ///< a command that this provider does not have: optional, or newer than it
   TooOld,            ///< the state table does not reach back that far; configure more rows
   Suspended,         ///< the provider is suspended; the command was not executed
   Stale,             ///< older than the connection's max_age
   AwaitingOperator,  ///< after a loss, until Manager::resumeConnection(); nothing was sent
   Cancelled,         ///< its sender cancelled it in time; not executed
   CannotWait,        ///< an event is not awaited in an event's handler, nor if its own is direct
+  NotPermitted,      ///< the provider's policy lets this process read, not command; not executed
 };
 
 /// The error in words, for people. Any thread; static storage.

@@ -1,7 +1,9 @@
 #pragma once
-// Prefaulted memory of a fixed size that another process can map later: a sealed memfd.
+// Prefaulted memory of a fixed size that another process can map: a sealed memfd.
 
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 
 namespace suture {
 
@@ -9,17 +11,28 @@ namespace suture {
 /// that maps it can never be made to fault by a truncation). Not copyable; the address is stable.
 class MemoryBlock {
  public:
+  /// What whoever is handed the descriptor may do.
+  enum class Others : std::uint8_t { Write, Read };
+
   /// `name` shows in /proc/<pid>/maps. Throws SetupError if the kernel refuses.
-  MemoryBlock(const char* name, std::size_t size);
+  MemoryBlock(const char* name, std::size_t size, Others others = Others::Write);
   ~MemoryBlock();
   MemoryBlock(const MemoryBlock&) = delete;
   MemoryBlock& operator=(const MemoryBlock&) = delete;
+
+  /// Another process's block, of which `descriptor` (kept by the caller) is a handle; `others`:
+  /// what that has granted. Throws SetupError: no memfd, not sealed against shrinking, of fewer
+  /// than `size` bytes.
+  static std::shared_ptr<MemoryBlock> open(int descriptor, std::size_t size, Others others);
 
   std::byte* data() const { return data_; }
   std::size_t size() const { return size_; }
   int descriptor() const { return descriptor_; }
 
  private:
+  MemoryBlock(int descriptor, std::size_t size) : size_(size), descriptor_(descriptor) {}
+  void map(const char* name, int protection);
+
   std::byte* data_ = nullptr;
   std::size_t size_;
   int descriptor_;

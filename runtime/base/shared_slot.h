@@ -87,6 +87,12 @@ const Slot& slotIn(const std::byte* memory) {
   }
 }
 
+/// What `check` says of the slot in a record.
+template <class Slot, bool (*check)(const Slot&)>
+bool checkSlot(const std::byte* memory) {
+  return check(slotIn<Slot>(memory));
+}
+
 /// A slot outside any record, with what a record of it holds.
 template <class Slot>
 class LooseSlot {

@@ -66,13 +66,24 @@ void RequiredBase::closeCall(PendingCall& call) {
 
 void RequiredBase::collectReplies() {
   if (channel_ == nullptr) return;
-  while (ReplyRecord* const reply = channel_->nextReply()) {
+  noteTaking();
+  // As many as there may be calls: a foreign provider may write without end.
+  for (unsigned i = 0; i < Channel::kMaxCalls; ++i) {
+    ReplyRecord* const reply = channel_->nextReply();
+    if (reply == nullptr) return;
     collect(*reply, channel_->replies.frontSize() - sizeof(ReplyRecord));
     channel_->popReply();
   }
 }
 
+// Before it looks: what comes later is rung for.
+void RequiredBase::noteTaking() {
+  if (!channel_->untaken.load(std::memory_order_relaxed)) return;
+  channel_->untaken.exchange(false, std::memory_order_acq_rel);
+}
+
 void RequiredBase::collect(ReplyRecord& reply, std::size_t size) {
+  channel_->countReceived(rt::SpscRing::recordSize(sizeof(reply) + size));
   PendingCall& call = books_->calls[reply.call % Channel::kMaxCalls];
   if (call.number != reply.call) return;
   call.done = true;

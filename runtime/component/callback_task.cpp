@@ -9,6 +9,7 @@ void CallbackTask::start() {
   if (running_) requireLegal(name(), state(), Transition::Start);
   prepare();
   enter();
+  restUntilTriggered();
   releaseThread();
   running_ = true;
 }
@@ -20,7 +21,17 @@ void CallbackTask::stop() {
   }
   claimThread();
   leave();
+  mutablePulse().suspend();
   cycling_.clear(std::memory_order_release);
+}
+
+// When it is called next, nobody here knows.
+void CallbackTask::restUntilTriggered() {
+  if (allRest()) {
+    mutablePulse().suspend();
+  } else {
+    mutablePulse().sleep();
+  }
 }
 
 bool CallbackTask::trigger() {
@@ -33,6 +44,7 @@ bool CallbackTask::trigger() {
   if (started) {
     claimThread();
     cycle();
+    restUntilTriggered();
   }
   cycling_.clear(std::memory_order_release);
   return runs;

@@ -21,6 +21,8 @@ class CallbackTask : public Task {
   bool trigger();
 
  private:
+  void restUntilTriggered();
+
   std::atomic<bool> running_{false};
   std::atomic_flag cycling_ = ATOMIC_FLAG_INIT;
 };

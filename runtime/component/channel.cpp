@@ -2,6 +2,7 @@
 #include <suture/component/provided.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace suture {
@@ -39,27 +40,43 @@ std::size_t replyBytes(const InterfaceInfo& info) {
 }  // namespace
 
 Channel::Channel(const InterfaceInfo& contract, std::string channelName, std::string laneName,
-                 Ends bothEnds, std::shared_ptr<rt::StateTable> table, EventSet subscribedEvents)
+                 Ends bothEnds, std::shared_ptr<rt::StateTable> table, EventSet subscribedEvents,
+                 Arena memory)
     : info(contract),
       name(std::move(channelName)),
       lane(std::move(laneName)),
       ends(bothEnds),
       state(std::move(table)),
+      foreign(memory.foreign()),
       offered(contract.commands.size()),
-      commands(commandLimits(contract)),
-      replies(replyBytes(contract)),
-      events(eventLimits(contract), eventProducers(bothEnds)),
+      words_(memory.make<Words>()),
+      commands(commandLimits(contract), memory),
+      replies(replyBytes(contract), memory),
+      events(eventLimits(contract), eventProducers(bothEnds), memory),
       direct(contract.events.size()),
-      subscribed_(subscribedEvents),
-      joining_(subscribedEvents) {}
+      wantsRows(words_->wantsRows),
+      untaken(words_->untaken) {
+  if (!memory.fresh()) return;
+  words_->subscribed.store(subscribedEvents, std::memory_order_relaxed);
+  words_->joining.store(subscribedEvents, std::memory_order_relaxed);
+}
+
+std::size_t Channel::bytesFor(const InterfaceInfo& info) {
+  Arena memory;
+  memory.take(sizeof(Words));
+  const rt::Mailbox commands(commandLimits(info), memory);
+  const rt::SpscRing replies(replyBytes(info), memory);
+  const rt::EventQueue events(eventLimits(info), rt::Producers::Any, memory);
+  return memory.used();
+}
 
 void Channel::subscribe(EventSet wanted, EventSet newlyWanted) {
-  subscribed_.store(wanted, std::memory_order_release);
-  if (newlyWanted != 0) joining_.fetch_or(newlyWanted, std::memory_order_release);
+  words_->subscribed.store(wanted, std::memory_order_release);
+  if (newlyWanted != 0) words_->joining.fetch_or(newlyWanted, std::memory_order_release);
 }
 
 EventSet Channel::takeJoining() {
-  return joining() ? joining_.exchange(0, std::memory_order_acquire) : 0;
+  return joining() ? words_->joining.exchange(0, std::memory_order_acquire) : 0;
 }
 
 void Channel::tell(ChannelStatus news) {
@@ -71,18 +88,33 @@ void Channel::tell(ChannelStatus news) {
   } while (!status.compare_exchange_weak(present, news));
   if (news == ChannelStatus::Faulted) faults.fetch_add(1, std::memory_order_release);
   ends.client->ring();
+  if (ends.watcher != nullptr) ends.watcher->ring();
 }
 
 void Channel::replyError(std::uint32_t call, Errc error) {
   reply(call, {}, [error](std::byte*) { return error; });
 }
 
+// In foreign memory no result owns any.
 Channel::~Channel() {
-  while (nextReply() != nullptr) popReply();
+  while (!foreign && nextReply() != nullptr) popReply();
 }
 
 ReplyRecord* Channel::nextReply() {
-  return reinterpret_cast<ReplyRecord*>(const_cast<std::byte*>(replies.front()));
+  for (;;) {
+    std::byte* const memory = const_cast<std::byte*>(replies.front());
+    if (memory == nullptr || !foreign) return reinterpret_cast<ReplyRecord*>(memory);
+    if (replies.frontSize() >= sizeof(ReplyRecord)) return makePossible(memory);
+    replies.pop();
+  }
+}
+
+// Nobody else's memory may be released here, and nothing has been answered later than now.
+ReplyRecord* Channel::makePossible(std::byte* memory) {
+  memory[offsetof(ReplyRecord, shared)] = std::byte{0};
+  auto* const reply = reinterpret_cast<ReplyRecord*>(memory);
+  reply->stamp = std::clamp(reply->stamp, Time{}, now());
+  return reply;
 }
 
 void Channel::popReply() {

@@ -3,6 +3,7 @@
 // is one channel shared by two tasks; every other lane carries what it finds in one channel to
 // another.
 
+#include <suture/base/arena.h>
 #include <suture/base/shared_slot.h>
 #include <suture/component/connection_contract.h>
 #include <suture/component/direct_handlers.h>
@@ -63,13 +64,18 @@ class Channel {
     rt::Doorbell* provider;          ///< rung when commands are there
     ProvidedBase* device = nullptr;  ///< of a device in this process: the client calls it directly
     ProvidedBase* here = nullptr;    ///< in this process, for what runs in the caller's thread
+    /// Rung too when the status changes: whoever passes that on to another process.
+    rt::Doorbell* watcher = nullptr;
   };
 
   /// `state`: the provider's table or, at the near end of a lane, the mirror. `subscribed`: the
-  /// events the client wants. `lane`: its name, for people.
+  /// events the client wants. `lane`: its name, for people. In foreign memory each process has an
+  /// object of its own, and uses it as one of the two endpoints.
   Channel(const InterfaceInfo& info, std::string name, std::string lane, Ends ends,
-          std::shared_ptr<rt::StateTable> state, EventSet subscribed);
+          std::shared_ptr<rt::StateTable> state, EventSet subscribed, Arena memory = {});
   ~Channel();
+  /// How much memory it needs.
+  static std::size_t bytesFor(const InterfaceInfo& info);
   Channel(const Channel&) = delete;
   Channel& operator=(const Channel&) = delete;
 
@@ -78,16 +84,35 @@ class Channel {
   const std::string lane;
   const Ends ends;
   const std::shared_ptr<rt::StateTable> state;
+  /// The other end is another process, and may write anything at any time: what comes from it is a
+  /// copy, and nothing in that is believed.
+  const bool foreign;
   /// How many commands of `info`, from the first, the provider has: fewer than all where it lacks
   /// optional ones. Set before either end is attached.
   std::size_t offered;
   /// Of the connection that this is a channel of; nullptr: it has no contract. Set before the
   /// client is attached.
   std::shared_ptr<ConnectionWatch> watch;
-  /// What `ends.client` belongs to, so that it can be rung as long as somebody has this. Set
+  /// Why it is not a faster lane that had been hoped for; "" if there was none. Set before either
+  /// end is attached.
+  std::string laneReason;
+  /// What `ends.client` belongs to, so that it can be rung as long as somebody has this; of a
+  /// provider in another process, what `ends.provider` does. Set before either end is attached.
+  std::shared_ptr<rt::Doorbell> clientsBell, providersBell;
+  /// Of a client in another process that reads the provider's table: what it asks for there. Set
   /// before either end is attached.
-  std::shared_ptr<rt::Doorbell> clientsBell;
+  std::shared_ptr<std::atomic<rt::ColumnSet>> asked;
 
+ private:
+  /// What the ends tell each other beside the queues; first in the memory.
+  struct Words {
+    std::atomic<EventSet> subscribed{0}, joining{0};
+    std::array<std::atomic<std::uint32_t>, kMaxCalls> claims{};  // 0 is no call's number
+    std::atomic<bool> wantsRows{false}, untaken{false};
+  };
+  const std::shared_ptr<Words> words_;
+
+ public:
   rt::Mailbox commands;
   rt::SpscRing replies;
   rt::EventQueue events;
@@ -97,13 +122,18 @@ class Channel {
   std::atomic<std::uint32_t> faults{0};
   /// Set by a client endpoint that must be rung whenever a row has been published: the far side of
   /// a lane.
-  std::atomic<bool> wantsRows{false};
+  std::atomic<bool>& wantsRows;
 
   /// client: age of the values read, when they were read: of each row when it is first read, and
   /// of every 16th read of a row that has been read before
   rt::Histogram readAge;
   rt::Histogram commandAge;  ///< provider: age of each command, when it was executed
   std::atomic<std::uint64_t> bytesSent{0}, bytesReceived{0};  ///< on the lane's wire; 0 on `local`
+
+  /// Of foreign memory, where nobody else counts: this endpoint has put so many bytes in, or taken
+  /// them out, with what the queues add.
+  void countSent(std::size_t bytes) { count(bytesSent, bytes); }
+  void countReceived(std::size_t bytes) { count(bytesReceived, bytes); }
 
   /// Client endpoint: keeps the age of a value that has just been read from the row of `stamp`.
   void noteRead(Time stamp) {
@@ -116,11 +146,11 @@ class Channel {
   /// Client endpoint: from now on it wants `wanted`, of `newlyWanted` the last value first if they
   /// are latched. Whoever calls this rings the provider. Commands that are sent later meet it done.
   void subscribe(EventSet wanted, EventSet newlyWanted);
-  EventSet subscribed() const { return subscribed_.load(std::memory_order_acquire); }
+  EventSet subscribed() const { return words_->subscribed.load(std::memory_order_acquire); }
   /// Provider endpoint, before subscribed(): whose last value the client is to be given now.
   EventSet takeJoining();
   /// True if takeJoining() has something to give.
-  bool joining() const { return joining_.load(std::memory_order_relaxed) != 0; }
+  bool joining() const { return words_->joining.load(std::memory_order_relaxed) != 0; }
 
   /// Any thread: how it stands with the provider, unless the connection is past that; the client
   /// is rung if that is news.
@@ -129,7 +159,7 @@ class Channel {
   /// Either endpoint, as its claim on a call: the client's to cancel it, the provider's to execute
   /// it. True for the one that claims it first.
   bool claimCall(std::uint32_t call) {
-    return claims_[call % kMaxCalls].exchange(call, std::memory_order_acq_rel) != call;
+    return words_->claims[call % kMaxCalls].exchange(call, std::memory_order_acq_rel) != call;
   }
 
   /// Provider endpoint: answers call `call` with an error.
@@ -139,14 +169,21 @@ class Channel {
   template <class Produce>
   void reply(std::uint32_t call, ResultForm form, const Produce& produce, Time stamp = now());
 
+  /// A reply or an event has been put in since the client end last looked. Who sets it to false
+  /// looks into both before it sleeps.
+  std::atomic<bool>& untaken;
+
   /// Client endpoint: the oldest answer, or nullptr; and lets go of it, unless its result has been
   /// moved elsewhere and is null now.
   ReplyRecord* nextReply();
   void popReply();
 
  private:
-  std::atomic<EventSet> subscribed_, joining_;
-  std::array<std::atomic<std::uint32_t>, kMaxCalls> claims_{};  // 0 is no call's number
+  static ReplyRecord* makePossible(std::byte* memory);
+  void count(std::atomic<std::uint64_t>& counter, std::size_t bytes) const {
+    if (foreign) counter.fetch_add(bytes, std::memory_order_relaxed);
+  }
+
   Time lastRead_{};
   std::uint32_t repeatedReads_ = 0;
 };
@@ -165,6 +202,7 @@ void Channel::reply(std::uint32_t call, ResultForm form, const Produce& produce,
     throw;
   }
   replies.commit();
+  countSent(rt::SpscRing::recordSize(sizeof(ReplyRecord) + form.size));
 }
 
 /// The error that a call through a channel of this status meets; 0 if it is connected.

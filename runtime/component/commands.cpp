@@ -7,6 +7,18 @@
 #include <string>
 
 namespace suture {
+namespace {
+
+// What arrives at a client is counted by its own thread alone, so a read need not pay for an
+// addition that others could join.
+void countRead(Channel& channel, unsigned column) {
+  if (!channel.foreign) return;
+  const std::uint64_t before = channel.bytesReceived.load(std::memory_order_relaxed);
+  channel.bytesReceived.store(before + channel.state->columnSize(column),
+                              std::memory_order_relaxed);
+}
+
+}  // namespace
 
 Duration RequiredBase::deadlineOf(std::uint16_t command) const {
   const ConnectionWatch* const watch = channel_->watch.get();
@@ -66,7 +78,7 @@ Errc RequiredBase::commit(bool fits) {
     channel_->commands.counters.tooLarge.fetch_add(1, std::memory_order_relaxed);
     return Errc::TooLarge;
   }
-  channel_->commands.commit();
+  channel_->countSent(channel_->commands.commit());
   owner_.ringLater(*channel_->ends.provider);
   return Errc{};
 }
@@ -87,6 +99,7 @@ Sample<void> RequiredBase::read(std::uint16_t command, std::byte* slot, bool& de
   const auto column = static_cast<unsigned>(info_.commands[command].column);
   const Result<Time> stamp = channel_->state->read(column, slot);
   if (!stamp) return stamp.error();
+  countRead(*channel_, column);
   channel_->noteRead(*stamp);
   return judgeAge(*stamp);
 }

@@ -18,7 +18,7 @@ const void* thisThread() { return reinterpret_cast<const void*>(pthread_self());
 
 // What nobody else compiles; and what may be rung when the component is gone.
 struct Component::Aside {
-  rt::Doorbell doorbell;
+  rt::Doorbell doorbell{std::make_shared<MemoryBlock>("suture-doorbell", sizeof(std::uint64_t))};
   std::mutex mutex;  // of the next two: taken by who parks, and by who asks why
   std::string fault;
   FaultCause cause = FaultCause::Code;
@@ -36,11 +36,21 @@ std::shared_ptr<rt::Doorbell> Component::sharedDoorbell() {
   return {aside_, &doorbell_};
 }
 
-void Component::ringLater(rt::Doorbell& bell, rt::RungFor what) {
+void Component::ringLater(rt::Doorbell& bell) {
   if (!ownsThread()) {
-    bell.ring(what);
+    bell.ring();
   } else {
-    dueBells_.add(bell, what);
+    dueBells_.add(bell);
+  }
+}
+
+void Component::ringForArrival(Channel& channel) {
+  channel.untaken.store(true, std::memory_order_release);
+  rt::Doorbell& bell = *channel.ends.client;
+  if (!ownsThread()) {
+    bell.ring(rt::RungFor::Arrival);
+  } else {
+    dueBells_.add(bell, rt::RungFor::Arrival, &channel.untaken);
   }
 }
 

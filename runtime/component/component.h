@@ -17,6 +17,7 @@
 
 namespace suture {
 
+class Channel;
 class ProvidedBase;
 class RequiredBase;
 
@@ -81,7 +82,10 @@ class Component {
   std::shared_ptr<rt::Doorbell> sharedDoorbell();
   /// From the component's own thread: rings `bell` once at the end of the cycle; from a device, at
   /// once.
-  void ringLater(rt::Doorbell& bell, rt::RungFor what = rt::RungFor::Work);
+  void ringLater(rt::Doorbell& bell);
+  /// The same for the client of `channel`, in which an answer or an event has just been put. Not
+  /// rung if it has been taken by then.
+  void ringForArrival(Channel& channel);
   /// From the component's own thread: rings what ringLater() collected. Called before anything that
   /// blocks.
   void ringNow();

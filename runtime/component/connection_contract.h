@@ -20,13 +20,21 @@ enum class Fallback : std::uint8_t {
 /// Who lets commands through again after a loss or a read that was too old.
 enum class Resume : std::uint8_t { Automatic, Operator };
 
-/// A value; 0 in a duration: no such limit.
+/// A value; 0 in a duration: no such limit, unless it says otherwise.
 struct ConnectionContract {
+  static constexpr Duration kDefaultSilence = std::chrono::seconds(2);
+  static constexpr Duration kShortestSilence = std::chrono::milliseconds(10);
+
   Duration maxAge{0};    ///< of what reads answer
   Duration deadline{0};  ///< of calls: what within() waits, in place of what the commands state
   Fallback onStale = Fallback::Hold;
   Fallback onLoss = Fallback::Hold;
   Resume resume = Resume::Automatic;
+  /// How long another process may say nothing, or the provider's task hang, before it counts as
+  /// lost; 0: kDefaultSilence.
+  Duration silence{0};
+
+  Duration longestSilence() const { return silence == Duration{0} ? kDefaultSilence : silence; }
 
   bool operator==(const ConnectionContract&) const = default;
 };

@@ -3,11 +3,13 @@
 namespace suture {
 
 bool EventTask::awaitCycle() {
-  const Time latest = now() + longestSleep_;
-  while (!stopping() && !workPending()) {
-    // What arrived may have been taken in the cycle before, by a wait or a poll.
-    if (doorbell().waitUntil(latest) != rt::RungFor::Arrival) break;
-  }
+  if (stopping() || workPending()) return !stopping();
+  // What was rung for during the cycle may have been taken in it, by a wait or a poll.
+  const bool work = doorbell().takeRing() == rt::RungFor::Work;
+  if (work || workPending()) return !stopping();
+  const Time due = now() + longestSleep_;
+  mutablePulse().sleep(due);
+  doorbell().waitUntil(due);
   return !stopping();
 }
 

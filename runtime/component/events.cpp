@@ -85,8 +85,12 @@ void RequiredBase::passSubscriptionsOn(EventSet joining) {
 std::size_t RequiredBase::handleQueuedEvents() {
   const std::shared_ptr<Channel> channel = channel_;  // a handler of a device may take over another
   if (channel == nullptr) return 0;
+  noteTaking();
   std::size_t handled = 0;
-  while (const rt::EventRecord* record = channel->events.next()) {
+  // A provider that emits faster than they are handled must not keep the task from its cycle.
+  while (handled < channel->events.capacity()) {
+    const rt::EventRecord* const record = channel->events.next();
+    if (record == nullptr) break;
     // Released even if the handler throws: it must not meet the same event again.
     struct Release {
       rt::EventQueue& events;
@@ -104,6 +108,7 @@ std::size_t RequiredBase::handleQueuedEvents() {
 }
 
 void RequiredBase::deliver(const rt::EventRecord& record) {
+  channel_->countReceived(sizeof(record) + info_.events[record.event].payloadSize);
   satisfyAwaited(record);
   const Books::HeardEvent& heard = books_->events[record.event];
   // Of a latched event the value may be older than its subscription: a replay.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -34,6 +35,9 @@ struct CommandInfo {
   /// concurrent() or direct(): a client in the provider's process, without delay between the two,
   /// calls it in its own thread.
   bool inCallersThread = false;
+  /// False for arguments that no client of this contract can have sent: NaN, out of range(). Of a
+  /// slot with any bytes. Null: there are none.
+  bool (*accepts)(const std::byte* arguments) = nullptr;
 };
 
 /// A set of a contract's events, one bit each.

@@ -34,7 +34,7 @@ class Turn {
     if (channel_.wantsRows.load(std::memory_order_relaxed)) {  // what has been taken, too
       owner_.ringLater(*channel_.ends.client);
     } else if (call_ != 0) {
-      owner_.ringLater(*channel_.ends.client, rt::RungFor::Arrival);
+      owner_.ringForArrival(channel_);
     }
   }
 
@@ -145,6 +145,7 @@ void ProvidedBase::drain() {
   const Errc refusal = inService() ? Errc{} : errorOf(statusIn(owner_.state()));
   channels_.forEach([this, refusal](ChannelList::Node& node) {
     Channel& channel = *node.channel;
+    if (channel.asked != nullptr) state_->askAll(channel.asked->load(std::memory_order_acquire));
     const bool any = channel.commands.pending();
     // Fixed first: the events of a command meet those who subscribed before they sent it.
     if (any) channel.commands.fixCut();
@@ -195,6 +196,7 @@ void ProvidedBase::turnAway(Channel& channel, const rt::CommandRecord& record, E
 void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time drainStart) {
   const CommandInfo& command = info_.commands[record.command];
   Turn turn(channel, owner_, record);
+  channel.countReceived(rt::SpscRing::recordSize(sizeof(record) + command.argumentsSize));
   if (command.ttl > Duration{0} && drainStart - record.stamp > command.ttl) {
     increment(channel.commands.counters.late);
     turn.error = Errc::Late;
@@ -203,6 +205,12 @@ void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time d
   if (record.call != 0 && !channel.claimCall(record.call)) {
     increment(channel.commands.counters.refused);
     turn.error = Errc::Cancelled;
+    return;
+  }
+  // On other lanes they were looked at when they arrived.
+  if (channel.foreign && command.accepts != nullptr && !command.accepts(record.arguments())) {
+    increment(channel.commands.counters.failed);
+    turn.error = Errc::Invalid;
     return;
   }
   channel.commandAge.record(drainStart - record.stamp);
@@ -278,8 +286,10 @@ Errc ProvidedBase::emit(std::uint16_t event, const std::byte* slot, bool fits) {
 void ProvidedBase::deliver(Channel& channel, std::uint16_t event, Time stamp,
                            std::span<const std::byte> payload, EventSet direct) {
   if ((direct >> event & 1) != 0 && channel.direct.call(event, payload.data())) return;
-  channel.events.push(event, stamp, payload);
-  owner_.ringLater(*channel.ends.client, rt::RungFor::Arrival);
+  if (channel.events.push(event, stamp, payload)) {
+    channel.countSent(sizeof(rt::EventRecord) + payload.size());
+  }
+  owner_.ringForArrival(channel);
 }
 
 void ProvidedBase::keepLatched(std::uint16_t event, Time stamp,

@@ -71,6 +71,7 @@ void RequiredBase::adopt() {
   if (madeAnew) noticeLoss();
   if (channel_ != nullptr) loseAwaited();
   close(channel_);
+  owner_.ringNow();  // a bell that is due may go with its channel
   channel_ = std::move(*arrived);
   for (std::uint16_t event = 0; event < books_->events.size(); ++event) lendHandler(event);
   // What has been subscribed to since the channel was made.

@@ -160,6 +160,7 @@ class RequiredBase {
   PendingCall* openCall();
   void closeCall(PendingCall& call);
   void collectReplies();
+  void noteTaking();
   void collect(ReplyRecord& reply, std::size_t size);
   /// How long within() waits for the answer of `command`.
   Duration deadlineOf(std::uint16_t command) const;

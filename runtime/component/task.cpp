@@ -37,6 +37,7 @@ void Task::prepare() {
 
 void Task::enter() {
   claimForThisThread();
+  pulse_.run(now());
   if (after(state(), Transition::Start)) makeTransition(Transition::Start);
   makeSafe();
   ringNow();
@@ -66,6 +67,7 @@ void Task::makeRequestedTransition() {
   if (!requested_.load(std::memory_order_relaxed)) return;
   const auto requested = requested_.exchange(std::nullopt, std::memory_order_acquire);
   if (!after(state(), *requested)) return;  // it has been parked since it was asked
+  pulse_.run(now());
   makeTransition(*requested);
   if (state() != ComponentState::Running) rest();
 }
@@ -93,6 +95,7 @@ void Task::restartAfterFaults(const RestartBudget& budget) {
 void Task::makeSafe() {
   while (state() == ComponentState::Faulted && safeAfter_ != faults()) {
     safeAfter_ = faults();
+    pulse_.run(now());
     const bool restarted = tryOnFault() && mayRestart();
     if (restarted) restart();
     staysFaulted_.store(!restarted, std::memory_order_release);
@@ -121,6 +124,7 @@ bool Task::mayRestart() {
 
 void Task::work() {
   const Time begin = now();
+  pulse_.run(begin);
   handleEvents();
   if (state() != ComponentState::Running) return;
   for (ProvidedBase* interface : provided()) interface->drain();

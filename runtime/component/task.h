@@ -2,6 +2,7 @@
 // An active component: the common part of all tasks.
 
 #include <suture/component/component.h>
+#include <suture/component/pulse.h>
 #include <suture/component/task_window.h>
 #include <suture/rt/histogram.h>
 
@@ -57,6 +58,10 @@ class Task : public Component {
   void lend(GuestTask& guest);
 
   const TaskStatistics& statistics() const { return statistics_; }
+  /// Whether its thread works, sleeps or hangs: that of its host, if it is a guest. Any thread.
+  const Pulse& pulse() const {
+    return lender_ == nullptr ? pulse_ : static_cast<const Task*>(lender_)->pulse();
+  }
   /// Before start(): a fault is followed by onFault() and then by a restart, as long as the budget
   /// lasts; then the task stays faulted. Without, it stays so at once. Throws SetupError for more
   /// than RestartBudget::kMost.
@@ -98,6 +103,8 @@ class Task : public Component {
   /// True if neither this task nor any guest has a run() to call: suspended, or its code threw.
   bool allRest() const;
   TaskStatistics& mutableStatistics() { return statistics_; }
+  /// For its thread, around each sleep; a cycle says itself when it begins.
+  Pulse& mutablePulse() { return pulse_; }
 
  private:
   friend class GuestTask;
@@ -121,6 +128,7 @@ class Task : public Component {
   std::string failure_;
   std::atomic<bool> failed_{false};  // failure_ says why
   TaskStatistics statistics_;
+  Pulse pulse_;
   std::uint64_t safeAfter_ = 0;  // the fault that onFault() was called for
   std::atomic<bool> staysFaulted_{false};
   RestartBudget restarts_;

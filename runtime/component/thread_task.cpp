@@ -49,6 +49,7 @@ void ThreadTask::loop() {
   beginCycles();
   while (!stopping()) {
     if (allRest()) {
+      mutablePulse().suspend();
       awaitWork();
       cycle();
       if (!allRest()) beginCycles();
@@ -57,6 +58,7 @@ void ThreadTask::loop() {
     }
   }
   leave();
+  mutablePulse().suspend();
 }
 
 // A ring may announce what is not work pending: somebody asks for the first time for a read of an

@@ -101,10 +101,10 @@ void Deployment::readConnections() {
   const json connections = document_.value().value("connections", json::array());
   for (std::size_t i = 0; i < connections.size(); ++i) {
     const std::string pointer = "/connections/" + std::to_string(i);
-    const Lane lane = connections[i].value("lane", "auto") == "rpc" ? Lane::Rpc : Lane::Auto;
     connections_.push_back(
         {readEndpoint(connections[i], pointer, "from"), readEndpoint(connections[i], pointer, "to"),
-         lane, readDelay(connections[i], pointer), readContract(connections[i], pointer), pointer});
+         laneNamed(connections[i].value("lane", "auto")), readDelay(connections[i], pointer),
+         readContract(connections[i], pointer), pointer});
   }
 }
 
@@ -133,7 +133,8 @@ ConnectionContract Deployment::readContract(const json& connection, const std::s
           .onStale = kFallbacks.at(given->value("on_stale", "hold")),
           .onLoss = kFallbacks.at(given->value("on_loss", "hold")),
           .resume = given->value("resume", "automatic") == "operator" ? Resume::Operator
-                                                                      : Resume::Automatic};
+                                                                      : Resume::Automatic,
+          .silence = readDuration(given->value("silence", "0s"), where + "/silence")};
 }
 
 // A number and its unit, as the schema has checked.
@@ -250,6 +251,11 @@ void Deployment::checkSingleProviders() {
 }
 
 void Deployment::checkManager() {
+  if (manager_.starts_with("tls://") && keys().empty()) {
+    report("/manager", "'" + manager_ +
+                           "' needs keys, and key 'keys' is missing; make them with suture keys "
+                           "and give their folder, for example \"keys\": \"keys\"");
+  }
   if (!manager_.empty()) return;
   if (processes_.size() > 1) {
     report("", std::to_string(processes_.size()) +
@@ -257,10 +263,11 @@ void Deployment::checkManager() {
                    "missing; give its address, for example \"unix:/tmp/suture.sock\"");
   }
   for (const ConnectionEntry& connection : connections_) {
-    if (connection.lane != Lane::Rpc) continue;
+    if (connection.lane == Lane::Auto) continue;
     report(connection.pointer + "/lane",
-           "lane \"rpc\" needs a global manager, and key 'manager' is missing; give its address, "
-           "or use lane \"auto\"");
+           std::string("lane \"") + toString(connection.lane) +
+               "\" needs a global manager, and key 'manager' is missing; give its address, "
+               "or use lane \"auto\"");
   }
 }
 

@@ -57,6 +57,9 @@ class Deployment {
   const JsonDocument& document() const { return document_; }
   /// Address of the global manager; "" if the file names none.
   const std::string& manager() const { return manager_; }
+  /// The folder of keys and the policy file; "" if the file names none.
+  std::filesystem::path keys() const { return besideIt(document_.value().value("keys", "")); }
+  std::filesystem::path policy() const { return besideIt(document_.value().value("policy", "")); }
   const std::vector<ProcessEntry>& processes() const { return processes_; }
   const std::vector<ConnectionEntry>& connections() const { return connections_; }
 

@@ -3,6 +3,8 @@
 #include <suture/component/required.h>
 #include <suture/component/task.h>
 #include <suture/deploy/host.h>
+#include <suture/deploy/policy_file.h>
+#include <suture/transport/tls/keys.h>
 
 #include <algorithm>
 #include <utility>
@@ -111,11 +113,24 @@ std::unique_ptr<Component> Host::create(const ComponentEntry& entry,
   return component;
 }
 
+Security Host::security() const {
+  Security ours;
+  if (!deployment_.policy().empty()) ours.policy = readPolicy(deployment_.policy());
+  if (deployment_.keys().empty()) return ours;
+  try {
+    ours.keys = std::make_shared<const tls::Keys>(deployment_.keys(), process_.name);
+  } catch (const SetupError& error) {
+    throw DocumentError({deployment_.document().locate("/keys", error.what())});
+  }
+  return ours;
+}
+
 void Host::createManager() {
   const std::string& address = deployment_.manager();
+  const Security ours = security();
   try {
     manager_ = address.empty() ? std::make_unique<Manager>(process_.name)
-                               : std::make_unique<Manager>(process_.name, address, patience_);
+                               : std::make_unique<Manager>(process_.name, address, ours, patience_);
     for (std::size_t i = 0; i < components_.size(); ++i) {
       manager_->add(process_.components[i].name, *components_[i]);
     }

@@ -8,6 +8,7 @@
 #include <suture/deploy/message_listener.h>
 #include <suture/deploy/shared_library.h>
 #include <suture/manager/manager.h>
+#include <suture/manager/security.h>
 
 #include <map>
 #include <memory>
@@ -70,6 +71,7 @@ class Host {
                                std::vector<std::string>& problems);
   const SharedLibrary& library(const std::filesystem::path& file);
   void createManager();
+  Security security() const;
   void checkRequired() const;
   void configure();
   std::vector<Trouble> componentTroubles() const;

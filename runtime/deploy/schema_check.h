@@ -9,8 +9,9 @@
 
 namespace suture {
 
-/// The text of schemas/deployment.schema.json.
+/// The text of schemas/deployment.schema.json, and of schemas/policy.schema.json.
 const char* deploymentSchema();
+const char* policySchema();
 
 /// Every place where `value` breaks `schema`; a pointer and a text each. The schema may use type,
 /// required, properties, items, enum, pattern and bounds of numbers and lengths, and describes each

@@ -36,7 +36,9 @@ bool DeviceExecutor::awaitCycle() {
   const bool waiting = std::any_of(served_.begin(), served_.end(), [](const Served& served) {
     return served.interface->pending();
   });
-  if (!stopping() && !waiting) doorbell().waitUntil(due);
+  if (stopping() || waiting) return !stopping();
+  mutablePulse().sleep(due);
+  doorbell().waitUntil(due);
   return !stopping();
 }
 

@@ -2,6 +2,7 @@
 #include <suture/manager/global_manager.h>
 #include <suture/manager/manager_session.h>
 #include <suture/transport/rpc/control_thread.h>
+#include <suture/transport/rpc/failure.h>
 #include <suture/transport/rpc/link_server.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -15,30 +16,45 @@ namespace suture {
 namespace {
 
 constexpr Duration kPatience = std::chrono::seconds(10);
+constexpr std::size_t kMostLinks = 4096;  // as many as there are names
 
 }  // namespace
 
 class GlobalManager::Impl {
  public:
-  Impl(rpc::ControlThread& control, const rpc::Address& address)
+  Impl(rpc::ControlThread& control, const rpc::Address& address, const Security& security)
       : names_(kj::refcounted<NameService>(control.timer())),
-        server_(control.port(), address, [this](const auto&) -> capnp::Capability::Client {
-          return makeGlobalManager(kj::addRef(*names_));
-        }) {}
+        policy_(security.policy),
+        server_(
+            control.port(), address,
+            [this](std::shared_ptr<rpc::Caller> caller) { return offerTo(std::move(caller)); }, {},
+            kMostLinks, security.trust()) {}
 
   std::string address() const { return server_.address().text(); }
 
  private:
+  capnp::Capability::Client offerTo(std::shared_ptr<rpc::Caller> caller) {
+    if (policy_.admits(caller->identity)) {
+      return makeGlobalManager(kj::addRef(*names_), std::move(caller));
+    }
+    return capnp::Capability::Client(rpc::failure(
+        kj::Exception::Type::FAILED, "talk to the global manager: its policy has no rule for " +
+                                         caller->identity.text() + ". Add one."));
+  }
+
   kj::Own<NameService> names_;
+  const Policy policy_;
   rpc::LinkServer server_;
 };
 
-GlobalManager::GlobalManager(rpc::ControlThread& control, const std::string& address)
+GlobalManager::GlobalManager(rpc::ControlThread& control, const std::string& address,
+                             const Security& security)
     : control_(control) {
   const auto parsed = rpc::Address::parse(address);
   try {
-    impl_ = control.run(kPatience,
-                        [&control, parsed] { return std::make_unique<Impl>(control, parsed); });
+    impl_ = control.run(kPatience, [&control, parsed, security] {
+      return std::make_unique<Impl>(control, parsed, security);
+    });
   } catch (const rpc::ControlFailure& failure) {
     throw SetupError(failure.what());
   }

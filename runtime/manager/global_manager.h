@@ -1,6 +1,8 @@
 #pragma once
 // The process that knows names, or any process that plays its part.
 
+#include <suture/manager/security.h>
+
 #include <memory>
 #include <string>
 
@@ -14,8 +16,10 @@ class ControlThread;
 /// through it. Made and destroyed by any thread but the control thread, which outlives it.
 class GlobalManager {
  public:
-  /// Throws SetupError: not an address, in use, no permission.
-  GlobalManager(rpc::ControlThread& control, const std::string& address);
+  /// Throws SetupError: not an address, in use, no permission, no keys for tls://. `security`: its
+  /// keys are those of tls::kManagerName; whom its policy admits may ask and register.
+  GlobalManager(rpc::ControlThread& control, const std::string& address,
+                const Security& security = {});
   ~GlobalManager();
   GlobalManager(const GlobalManager&) = delete;
   GlobalManager& operator=(const GlobalManager&) = delete;

@@ -32,6 +32,17 @@ std::shared_ptr<ConnectionWatch> watchOf(ConnectionContract contract,
   return std::make_shared<ConnectionWatch>(contract);
 }
 
+// Heartbeats come ten times as often.
+void requireSilenceThatCanBeTold(const ConnectionContract& contract,
+                                 const std::string& connection) {
+  constexpr Duration kShortest = ConnectionContract::kShortestSilence;
+  if (contract.silence == Duration{0} || contract.silence >= kShortest) return;
+  throw SetupError(
+      "connecting " + connection,
+      "a longest silence of " + std::to_string(contract.silence.count()) + " ns",
+      "Allow at least " + std::to_string(kShortest / std::chrono::milliseconds(1)) + " ms");
+}
+
 // By hash: a shared library has tables of its own.
 bool collects(const Component& component) {
   const std::string_view collecting = interfaceInfo<Collecting>().hash;
@@ -53,10 +64,15 @@ void startOne(Component& component) {
 Manager::Manager(std::string process) : directory_(std::move(process)) {}
 
 Manager::Manager(std::string process, const std::string& address, Duration patience)
+    : Manager(std::move(process), address, Security{}, patience) {}
+
+Manager::Manager(std::string process, const std::string& address, const Security& security,
+                 Duration patience)
     : directory_(std::move(process)) {
   network_ = std::make_unique<Network>(
       directory_, address,
-      [this](ProvidedBase& provided) -> rt::Doorbell& { return serverOf(provided); }, patience);
+      [this](ProvidedBase& provided) -> rt::Doorbell& { return serverOf(provided); },
+      [this](const Component& component) { return taskServing(component); }, patience, security);
 }
 
 // Who serves an interface for those that cannot call it directly: its task, or an executor. Any
@@ -67,6 +83,13 @@ rt::Doorbell& Manager::serverOf(ProvidedBase& provided) {
   if (executor_ == nullptr) executor_ = std::make_unique<DeviceExecutor>();
   executor_->serve(provided);
   return executor_->doorbell();
+}
+
+// The same, if there is one already.
+const Task* Manager::taskServing(const Component& component) {
+  if (component.ownsThread()) return static_cast<const Task*>(&component);
+  const std::lock_guard lock(executorMutex_);
+  return executor_.get();
 }
 
 DelayThread* Manager::delaysFor(const ConnectionDelay& delay) {
@@ -238,6 +261,7 @@ void Manager::connect(RequiredBase& required, const Endpoint& from, std::string_
     throw SetupError("connecting " + connection, "it is already connected: " + existing->name,
                      "A required interface has one provider; add another required interface");
   }
+  requireSilenceThatCanBeTold(contract, connection);
   if (delay.any()) DelayThread::requireBounded(required.info());
   const auto watch = watchOf(contract, required);
   const bool sameProcess = to.process.empty() || to.process == process();
@@ -250,7 +274,7 @@ void Manager::connect(RequiredBase& required, const Endpoint& from, std::string_
     throw SetupError("connecting " + connection, "this process has no global manager",
                      "Give the manager's address when constructing suture::Manager");
   }
-  network_->connect(required, from, to, patience, {delaysFor(delay), delay}, watch);
+  network_->connect(required, from, to, lane, patience, {delaysFor(delay), delay}, watch);
 }
 
 void Manager::disconnect(std::string_view requiredName) {
@@ -314,6 +338,10 @@ std::shared_ptr<Channel> Manager::connectionOf(const std::string& required) cons
 
 std::string Manager::missingGlobalManager() const {
   return network_ == nullptr ? "" : network_->missingManager();
+}
+
+std::map<std::string, std::string> Manager::whyLost() const {
+  return network_ == nullptr ? std::map<std::string, std::string>{} : network_->whyLost();
 }
 
 std::vector<std::shared_ptr<Channel>> Manager::channels() const {

@@ -3,6 +3,7 @@
 
 #include <suture/component/component.h>
 #include <suture/component/connection_contract.h>
+#include <suture/manager/lane.h>
 #include <suture/transport/delay/connection_delay.h>
 #include <suture/wiring/directory.h>
 
@@ -21,12 +22,8 @@ class DelayThread;
 class DeviceExecutor;
 class HandleBase;
 class Network;
-
-/// How a connection may travel.
-enum class Lane : std::uint8_t {
-  Auto,  ///< `local` within the process, `rpc` to another one
-  Rpc,   ///< Cap'n Proto RPC, even within the process
-};
+class Task;
+struct Security;
 
 /// Adds components, connects their interfaces and leads them through their lives. Used by one
 /// thread, which is none of the tasks'. Does not own the components; they outlive it or stop()
@@ -43,10 +40,13 @@ class Manager {
 
   /// A process on its own.
   explicit Manager(std::string process);
-  /// A process that is known at the global manager at `address` ("unix:/path" or
+  /// A process that is known at the global manager at `address` ("unix:/path", "tls://host:port" or
   /// "tcp://host:port"). Throws SetupError if nobody answers there within `patience`, or if the
   /// name is taken.
   Manager(std::string process, const std::string& address, Duration patience = kDefaultPatience);
+  /// The same with keys, which tls:// needs, or with a policy (suture/manager/security.h).
+  Manager(std::string process, const std::string& address, const Security& security,
+          Duration patience = kDefaultPatience);
   ~Manager();
   Manager(const Manager&) = delete;
   Manager& operator=(const Manager&) = delete;
@@ -112,6 +112,9 @@ class Manager {
   /// Every connection that has an end in this process, as it is now: one that has been lost and
   /// made anew is a channel of its own.
   std::vector<std::shared_ptr<Channel>> channels() const;
+  /// Why the provider in another process was lost last, in words, by the name of the connection:
+  /// whether it closed the connection, fell silent or hung. Kept when it is back.
+  std::map<std::string, std::string> whyLost() const;
 
  private:
   friend class HandleBase;
@@ -127,6 +130,7 @@ class Manager {
   std::string missingFor(const RequiredBase& required) const;
   std::vector<std::string> missing() const;
   rt::Doorbell& serverOf(ProvidedBase& provided);
+  const Task* taskServing(const Component& component);
   DelayThread* delaysFor(const ConnectionDelay& delay);
   std::shared_ptr<Channel> connectHere(RequiredBase& required, ProvidedBase& provided,
                                        const std::string& connection, const ConnectionDelay& delay,

@@ -1,6 +1,6 @@
 #include <suture/manager/manager_link.h>
 #include <suture/transport/rpc/deadline.h>
-#include <suture/transport/rpc/dialer.h>
+#include <suture/transport/tls/keys.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -13,13 +13,21 @@ using Type = kj::Exception::Type;
 
 constexpr Duration kAnswerLimit = std::chrono::seconds(2);
 constexpr Duration kFirstPause = std::chrono::milliseconds(50);
-constexpr Duration kLongestPause = std::chrono::seconds(1);
+constexpr Duration kLongestPause = std::chrono::milliseconds(250);
+
+const char* keysFor(const rpc::Address& address) {
+  return address.kind == rpc::Address::Kind::Tls ? " --keys FOLDER" : "";
+}
 
 }  // namespace
 
 ManagerLink::ManagerLink(rpc::ControlThread& control, const rpc::Address& manager,
-                         std::string program)
-    : control_(control), manager_(manager), program_(std::move(program)) {}
+                         std::string program, rpc::Trust trust)
+    : control_(control),
+      manager_(manager),
+      program_(std::move(program)),
+      trust_(std::move(trust)),
+      here_(manager) {}
 
 kj::Promise<void> ManagerLink::open(Duration patience) {
   const auto deadline = now() + patience;
@@ -29,7 +37,7 @@ kj::Promise<void> ManagerLink::open(Duration patience) {
     if (left <= Duration{0}) {
       return rpc::failure(Type::FAILED, "reach the global manager: " + rpc::describe(e) +
                                             " Start it with: suture-manager --listen " +
-                                            manager_.text());
+                                            manager_.text() + keysFor(manager_));
     }
     return control_.timer()
         .afterDelay(rpc::toKj(std::min(left, kFirstPause)))
@@ -38,8 +46,10 @@ kj::Promise<void> ManagerLink::open(Duration patience) {
 }
 
 kj::Promise<void> ManagerLink::connect() {
-  return rpc::dial(control_.port(), manager_, kAnswerLimit).then([this](kj::AutoCloseFd socket) {
-    auto stream = kj::heap<rpc::MessageStream>(control_.port(), kj::mv(socket));
+  auto reached = rpc::reach(control_.port(), manager_, trust_, tls::kManagerName, kAnswerLimit);
+  return reached.then([this](rpc::ByteStream bytes) {
+    here_ = rpc::localAddress(manager_, bytes.socket());
+    auto stream = kj::heap<rpc::MessageStream>(control_.port(), kj::mv(bytes));
     auto link = kj::heap<Link>(kj::mv(stream), capnp::rpc::twoparty::Side::CLIENT);
     auto request = link->bootstrap<wire::GlobalManager>().helloRequest();
     request.setVersion(wire::PROTOCOL_VERSION);
@@ -118,6 +128,21 @@ kj::Promise<ProcessRecord> ManagerLink::resolve(const std::string& process, Dura
   }
   return rpc::disconnected("find process '" + process + "': the global manager at " +
                            manager_.text() + " is gone. Start it again.");
+}
+
+kj::Promise<rpc::ByteStream> ManagerLink::reach(const ProcessRecord& process, Duration deadline) {
+  if (process.addresses.empty()) {
+    return rpc::failure(Type::FAILED, "process '" + process.name + "' has no address. Restart it.");
+  }
+  const auto address = rpc::Address::parse(process.addresses.front());
+  const bool leavesTls = manager_.kind == rpc::Address::Kind::Tls && address.kind != manager_.kind;
+  if (leavesTls || (address.insecure && !manager_.insecure)) {
+    return rpc::failure(
+        Type::FAILED, "connect to process '" + process.name + "': it listens at " + address.text() +
+                          ", and the global manager is reached at " + manager_.text() +
+                          ". Start that process with the same address.");
+  }
+  return rpc::reach(control_.port(), address, trust_, process.name, deadline);
 }
 
 kj::Promise<std::vector<ProcessRecord>> ManagerLink::list() {

@@ -5,6 +5,7 @@
 #include <suture/transport/rpc/address.h>
 #include <suture/transport/rpc/control_thread.h>
 #include <suture/transport/rpc/link.h>
+#include <suture/transport/rpc/secure.h>
 
 #include <atomic>
 #include <string>
@@ -17,7 +18,8 @@ namespace suture {
 /// thread; outlives its promises.
 class ManagerLink {
  public:
-  ManagerLink(rpc::ControlThread& control, const rpc::Address& manager, std::string program);
+  ManagerLink(rpc::ControlThread& control, const rpc::Address& manager, std::string program,
+              rpc::Trust trust = {});
 
   /// Reaches the manager, trying again for `patience`. Rejects with what was found and what to do.
   kj::Promise<void> open(Duration patience);
@@ -31,6 +33,11 @@ class ManagerLink {
   kj::Promise<std::vector<ProcessRecord>> list();
 
   const rpc::Address& address() const { return manager_; }
+  /// Once open: where peers of the network of the manager reach this machine; port 0.
+  const rpc::Address& here() const { return here_; }
+  /// A stream to a process that the manager knows, no less safe than this link: what the manager
+  /// was told by others does not lead out of TLS.
+  kj::Promise<rpc::ByteStream> reach(const ProcessRecord& process, Duration deadline);
   /// Any thread: the manager answers and knows this process.
   bool enrolled() const { return enrolled_.load(std::memory_order_relaxed); }
 
@@ -43,6 +50,8 @@ class ManagerLink {
   rpc::ControlThread& control_;
   const rpc::Address manager_;
   const std::string program_;
+  const rpc::Trust trust_;
+  rpc::Address here_;
   kj::Maybe<kj::Own<rpc::Link>> link_;
   kj::Maybe<wire::Session::Client> session_;
   kj::Maybe<wire::Lease::Client> lease_;

@@ -30,12 +30,20 @@ class LeaseServer final : public wire::Lease::Server {
 
 class SessionServer final : public wire::Session::Server {
  public:
-  explicit SessionServer(kj::Own<NameService> names) : names_(kj::mv(names)) {}
+  SessionServer(kj::Own<NameService> names, rpc::PeerIdentity who)
+      : names_(kj::mv(names)), who_(std::move(who)) {}
 
  protected:
   kj::Promise<void> register_(RegisterContext context) override {
     ProcessRecord process = fromWire(context.getParams().getProcess());
     const std::string name = process.name;
+    if (!who_.mayBe(name)) {
+      toWire({Kind::NOT_PERMITTED, "register process '" + name +
+                                       "': the caller has the certificate of " + who_.text() +
+                                       ". Give it its own name or its own keys."},
+             context.getResults().initRefused());
+      return kj::READY_NOW;
+    }
     const auto generation = names_->registry().add(std::move(process));
     auto results = context.getResults();
     if (!generation) {
@@ -71,18 +79,22 @@ class SessionServer final : public wire::Session::Server {
 
  private:
   kj::Own<NameService> names_;
+  const rpc::PeerIdentity who_;
 };
 
 class GlobalManagerServer final : public wire::GlobalManager::Server {
  public:
-  explicit GlobalManagerServer(kj::Own<NameService> names) : names_(kj::mv(names)) {}
+  GlobalManagerServer(kj::Own<NameService> names, std::shared_ptr<rpc::Caller> caller)
+      : names_(kj::mv(names)), caller_(std::move(caller)) {}
 
  protected:
   kj::Promise<void> hello(HelloContext context) override {
     const std::uint16_t theirs = context.getParams().getVersion();
     const std::uint16_t ours = wire::PROTOCOL_VERSION;
     if (theirs == ours) {
-      context.getResults().setSession(kj::heap<SessionServer>(kj::addRef(*names_)));
+      caller_->known = true;
+      context.getResults().setSession(
+          kj::heap<SessionServer>(kj::addRef(*names_), caller_->identity));
     } else {
       toWire({Kind::VERSION_MISMATCH, "talk to the global manager: it speaks version " +
                                           std::to_string(ours) + " of the protocol and '" +
@@ -96,32 +108,40 @@ class GlobalManagerServer final : public wire::GlobalManager::Server {
 
  private:
   kj::Own<NameService> names_;
+  const std::shared_ptr<rpc::Caller> caller_;
 };
 
 }  // namespace
 
 void NameService::announce(const std::string& name) {
+  for (Waiting& one : waiting_) {
+    if (one.name == name) one.arrived->fulfill();
+  }
+  forgetAnswered();
+}
+
+// Also those whose time is up, or who are gone.
+void NameService::forgetAnswered() {
   kj::Vector<Waiting> others;
   for (Waiting& one : waiting_) {
-    if (one.name == name) {
-      one.arrived->fulfill();
-    } else if (one.arrived->isWaiting()) {
-      others.add(kj::mv(one));
-    }
+    if (one.arrived->isWaiting()) others.add(kj::mv(one));
   }
   waiting_ = kj::mv(others);
 }
 
 kj::Promise<void> NameService::whenKnown(const std::string& name, std::uint32_t waitMilliseconds) {
   if (waitMilliseconds == 0 || registry_.find(name) != nullptr) return kj::READY_NOW;
+  if (waiting_.size() >= kMostWaiting) forgetAnswered();
+  if (waiting_.size() >= kMostWaiting) return kj::READY_NOW;
   auto pair = kj::newPromiseAndFulfiller<void>();
   waiting_.add(Waiting{name, kj::mv(pair.fulfiller)});
   const auto wait = std::min(waitMilliseconds, kLongestWaitMilliseconds) * kj::MILLISECONDS;
   return pair.promise.exclusiveJoin(timer_.afterDelay(wait));
 }
 
-wire::GlobalManager::Client makeGlobalManager(kj::Own<NameService> names) {
-  return kj::heap<GlobalManagerServer>(kj::mv(names));
+wire::GlobalManager::Client makeGlobalManager(kj::Own<NameService> names,
+                                              std::shared_ptr<rpc::Caller> caller) {
+  return kj::heap<GlobalManagerServer>(kj::mv(names), std::move(caller));
 }
 
 }  // namespace suture

@@ -7,7 +7,9 @@
 #include <kj/vector.h>
 #include <suture/manager.capnp.h>
 #include <suture/manager/registry.h>
+#include <suture/transport/rpc/link_server.h>
 
+#include <memory>
 #include <string>
 
 namespace suture {
@@ -16,6 +18,9 @@ namespace suture {
 /// sessions.
 class NameService final : public kj::Refcounted {
  public:
+  /// How many may wait for names at a time; who comes then is answered at once.
+  static constexpr std::size_t kMostWaiting = 4096;
+
   explicit NameService(kj::Timer& timer) : timer_(timer) {}
 
   Registry& registry() { return registry_; }
@@ -30,12 +35,16 @@ class NameService final : public kj::Refcounted {
     kj::Own<kj::PromiseFulfiller<void>> arrived;
   };
 
+  void forgetAnswered();
+
   kj::Timer& timer_;
   Registry registry_;
   kj::Vector<Waiting> waiting_;
 };
 
-/// The bootstrap capability of the global manager: hands a session to who speaks its version.
-wire::GlobalManager::Client makeGlobalManager(kj::Own<NameService> names);
+/// The bootstrap capability of the global manager on the link of `caller`: hands a session to who
+/// speaks its version.
+wire::GlobalManager::Client makeGlobalManager(kj::Own<NameService> names,
+                                              std::shared_ptr<rpc::Caller> caller);
 
 }  // namespace suture

@@ -2,12 +2,12 @@
 #include <suture/manager/describe.h>
 #include <suture/manager/manager_link.h>
 #include <suture/manager/network.h>
+#include <suture/manager/peer_address.h>
 #include <suture/manager/peer_host.h>
 #include <suture/manager/remote_connection.h>
 #include <suture/transport/rpc/deadline.h>
 #include <unistd.h>
 
-#include <filesystem>
 #include <mutex>
 
 namespace suture {
@@ -31,28 +31,18 @@ std::string hostName() {
   return name;
 }
 
-/// Next to the manager: a socket in the same directory, or a free port of the same interface.
-rpc::Address peerAddress(rpc::Address manager, const std::string& process) {
-  if (manager.kind == rpc::Address::Kind::Tcp) {
-    manager.port = 0;
-    return manager;
-  }
-  const auto directory = std::filesystem::path(manager.path).parent_path();
-  return rpc::Address::parse(
-      "unix:" + (directory / (process + "." + std::to_string(getpid()) + ".sock")).string());
-}
-
 }  // namespace
 
 class Network::Impl {
  public:
   Impl(const Directory& directory, const std::string& managerAddress, ServerOf serverOf,
-       Duration patience)
-      : directory_(directory), manager_(rpc::Address::parse(managerAddress)) {
+       TaskOf taskOf, Duration patience, const Security& security)
+      : directory_(directory), manager_(rpc::Address::parse(managerAddress)), security_(security) {
+    rpc::requireKeys(manager_, security_.trust());
     try {
       run(control_, patience + kLocalWork,
-          [this, serverOf = std::move(serverOf), patience]() mutable {
-            return join(std::move(serverOf), patience);
+          [this, serverOf = std::move(serverOf), taskOf = std::move(taskOf), patience]() mutable {
+            return join(std::move(serverOf), std::move(taskOf), patience);
           });
     } catch (const SetupError&) {
       leave();
@@ -69,19 +59,25 @@ class Network::Impl {
     });
   }
 
-  void connect(RequiredBase& required, Endpoint from, Endpoint to, Duration patience,
+  void connect(RequiredBase& required, Endpoint from, Endpoint to, Lane lane, Duration patience,
                const Interposer& interposer, std::shared_ptr<ConnectionWatch> watch) {
     const std::string name = from.toString();
     if (from.process.empty()) from.process = directory_.process();
     if (to.process.empty()) to.process = directory_.process();
     run(control_, patience + kLocalWork, [=, this, &required] {
-      const auto made = [this, name](std::shared_ptr<Channel> channel) {
-        std::lock_guard lock(mutex_);
-        connected_[name] = std::move(channel);
-      };
+      const RemoteConnection::Told told{.made =
+                                            [this, name](std::shared_ptr<Channel> channel) {
+                                              std::lock_guard lock(mutex_);
+                                              connected_[name] = std::move(channel);
+                                            },
+                                        .lost =
+                                            [this](const std::string& channel, std::string why) {
+                                              std::lock_guard lock(mutex_);
+                                              whyLost_[channel] = std::move(why);
+                                            }};
       auto& connection = connections_[name];
-      connection = std::make_unique<RemoteConnection>(control_, *link_, required, from, to, made,
-                                                      interposer, watch);
+      connection = std::make_unique<RemoteConnection>(control_, *link_, required, from, to, lane,
+                                                      told, interposer, watch);
       // What could not be connected may be gone before this is.
       return connection->open(patience)
           .exclusiveJoin(untilGivenUp())
@@ -114,6 +110,11 @@ class Network::Impl {
     return connected_;
   }
 
+  std::map<std::string, std::string> whyLost() const {
+    std::lock_guard lock(mutex_);
+    return whyLost_;
+  }
+
   /// What lives on the control thread ends there.
   void leave() {
     control_.run(kLocalWork, [this] {
@@ -130,14 +131,17 @@ class Network::Impl {
   }
 
  private:
-  kj::Promise<void> join(ServerOf serverOf, Duration patience) {
+  kj::Promise<void> join(ServerOf serverOf, TaskOf taskOf, Duration patience) {
     auto givenUp = kj::newPromiseAndFulfiller<void>();
     givenUp_ = givenUp.promise.fork();
     giveUp_ = kj::mv(givenUp.fulfiller);
-    link_ = std::make_unique<ManagerLink>(control_, manager_, directory_.process());
-    return link_->open(patience).then([this, serverOf = std::move(serverOf)]() mutable {
-      host_ = std::make_unique<PeerHost>(control_, directory_, std::move(serverOf),
-                                         peerAddress(manager_, directory_.process()));
+    link_ =
+        std::make_unique<ManagerLink>(control_, manager_, directory_.process(), security_.trust());
+    return link_->open(patience).then([this, serverOf = std::move(serverOf),
+                                       taskOf = std::move(taskOf)]() mutable {
+      host_ =
+          std::make_unique<PeerHost>(control_, directory_, std::move(serverOf), std::move(taskOf),
+                                     peerAddress(*link_, directory_.process()), security_);
       return link_->enrol({.name = directory_.process(),
                            .addresses = {host_->address().text()},
                            .pid = getpid(),
@@ -156,6 +160,7 @@ class Network::Impl {
 
   const Directory& directory_;
   const rpc::Address manager_;
+  const Security security_;
   rpc::ControlThread control_;
   std::unique_ptr<ManagerLink> link_;
   std::unique_ptr<PeerHost> host_;
@@ -164,11 +169,13 @@ class Network::Impl {
   std::map<std::string, std::unique_ptr<RemoteConnection>> connections_;  // by required interface
   mutable std::mutex mutex_;  // never taken by a task thread
   std::map<std::string, std::shared_ptr<Channel>> connected_;
+  std::map<std::string, std::string> whyLost_;
 };
 
 Network::Network(const Directory& directory, const std::string& managerAddress, ServerOf serverOf,
-                 Duration patience)
-    : impl_(std::make_unique<Impl>(directory, managerAddress, std::move(serverOf), patience)) {}
+                 TaskOf taskOf, Duration patience, const Security& security)
+    : impl_(std::make_unique<Impl>(directory, managerAddress, std::move(serverOf),
+                                   std::move(taskOf), patience, security)) {}
 
 Network::~Network() = default;
 
@@ -176,10 +183,10 @@ void Network::leave() { impl_->leave(); }
 
 void Network::publish() { impl_->publish(); }
 
-void Network::connect(RequiredBase& required, const Endpoint& from, const Endpoint& to,
+void Network::connect(RequiredBase& required, const Endpoint& from, const Endpoint& to, Lane lane,
                       Duration patience, const Interposer& interposer,
                       std::shared_ptr<ConnectionWatch> watch) {
-  impl_->connect(required, from, to, patience, interposer, std::move(watch));
+  impl_->connect(required, from, to, lane, patience, interposer, std::move(watch));
 }
 
 void Network::disconnect(const std::string& required) { impl_->disconnect(required); }
@@ -191,6 +198,8 @@ std::string Network::missingManager() const { return impl_->missingManager(); }
 std::map<std::string, std::shared_ptr<Channel>> Network::connected() const {
   return impl_->connected();
 }
+
+std::map<std::string, std::string> Network::whyLost() const { return impl_->whyLost(); }
 
 std::vector<std::shared_ptr<Channel>> Network::served() const { return impl_->served(); }
 

@@ -5,6 +5,8 @@
 #include <suture/component/channel.h>
 #include <suture/component/provided.h>
 #include <suture/component/required.h>
+#include <suture/manager/lane.h>
+#include <suture/manager/security.h>
 #include <suture/transport/delay/connection_delay.h>
 #include <suture/wiring/directory.h>
 
@@ -17,6 +19,7 @@
 namespace suture {
 
 class DelayThread;
+class Task;
 
 /// Who stands between a required interface and the link, if anybody does.
 struct Interposer {
@@ -30,10 +33,12 @@ class Network {
   /// Tells which doorbell and thread serve an interface for remote clients: the task's, or an
   /// executor's.
   using ServerOf = std::function<rt::Doorbell&(ProvidedBase&)>;
+  /// The task whose thread that is; nullptr: a device that no remote client has asked for yet.
+  using TaskOf = std::function<const Task*(const Component&)>;
 
   /// Listens, and registers the process at the global manager. Throws SetupError.
   Network(const Directory& directory, const std::string& managerAddress, ServerOf serverOf,
-          Duration patience);
+          TaskOf taskOf, Duration patience, const Security& security = {});
   ~Network();
   Network(const Network&) = delete;
   Network& operator=(const Network&) = delete;
@@ -41,9 +46,10 @@ class Network {
   /// Makes the directory's present components known, and lets peers connect to them.
   void publish();
 
-  /// Connects over Cap'n Proto RPC, also to this process itself. Throws SetupError.
-  void connect(RequiredBase& required, const Endpoint& from, const Endpoint& to, Duration patience,
-               const Interposer& interposer, std::shared_ptr<ConnectionWatch> watch);
+  /// Connects by way of the control connection, also to this process itself. Throws SetupError.
+  void connect(RequiredBase& required, const Endpoint& from, const Endpoint& to, Lane lane,
+               Duration patience, const Interposer& interposer,
+               std::shared_ptr<ConnectionWatch> watch);
   /// Any thread: a connect() under way throws now, and so do later ones.
   void giveUp();
   /// Takes down a connection made by connect(); from then on nobody attaches to the required
@@ -59,6 +65,8 @@ class Network {
 
   /// The client ends of what has been connected, by required interface ("Teleop/Slave").
   std::map<std::string, std::shared_ptr<Channel>> connected() const;
+  /// Why each that has been lost was, the last time, in words, by the channel's name.
+  std::map<std::string, std::string> whyLost() const;
   /// The provider ends of what peers have connected to this process.
   std::vector<std::shared_ptr<Channel>> served() const;
 

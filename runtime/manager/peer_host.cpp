@@ -1,29 +1,62 @@
 #include <suture/manager/peer_host.h>
 #include <suture/manager/peer_server.h>
+#include <suture/transport/rpc/failure.h>
 
 #include <fstream>
 
 namespace suture {
+namespace {
+
+constexpr std::size_t kMostCallers = 1024;
+
+}  // namespace
 
 PeerHost::PeerHost(rpc::ControlThread& control, const Directory& directory,
-                   Network::ServerOf serverOf, const rpc::Address& address)
+                   Network::ServerOf serverOf, Network::TaskOf taskOf, const rpc::Address& address,
+                   const Security& security)
     : control_(control),
       directory_(directory),
       serverOf_(std::move(serverOf)),
+      taskOf_(std::move(taskOf)),
+      policy_(security.policy),
       whenPublished_(nullptr),
       server_(
           control.port(), address,
-          [this](std::shared_ptr<const rpc::LinkCounters> counters) -> capnp::Capability::Client {
-            return wire::Peer::Client(kj::heap<PeerServer>(*this, std::move(counters)));
-          }) {
+          [this](std::shared_ptr<rpc::Caller> caller) { return offerTo(std::move(caller)); }, {},
+          kMostCallers, security.trust()) {
   auto pair = kj::newPromiseAndFulfiller<void>();
   published_ = kj::mv(pair.fulfiller);
   whenPublished_ = pair.promise.fork();
 }
 
+capnp::Capability::Client PeerHost::offerTo(std::shared_ptr<rpc::Caller> caller) {
+  if (policy_.admits(caller->identity)) {
+    return wire::Peer::Client(kj::heap<PeerServer>(*this, std::move(caller)));
+  }
+  return capnp::Capability::Client(rpc::failure(
+      kj::Exception::Type::FAILED, "talk to process '" + directory_.process() +
+                                       "': its policy has no rule for " + caller->identity.text() +
+                                       ". Add one, or use another process."));
+}
+
 std::vector<std::shared_ptr<Channel>> PeerHost::served() const {
   const std::lock_guard lock(mutex_);
   return served_;
+}
+
+bool PeerHost::isSuperseded(const std::string& client, const std::string& bootId,
+                            std::int64_t epoch) const {
+  const auto held = latest_.find(client);
+  return epoch != 0 && held != latest_.end() && held->second.bootId == bootId &&
+         epoch < held->second.epoch;
+}
+
+void PeerHost::endLatest(const std::string& client) {
+  if (const auto held = latest_.find(client); held != latest_.end()) held->second.end->end();
+}
+
+void PeerHost::forget(const rpc::ProviderEnd& end) {
+  std::erase_if(latest_, [&](const auto& one) { return one.second.end == &end; });
 }
 
 void PeerHost::remember(std::shared_ptr<Channel> channel) {

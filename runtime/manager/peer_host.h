@@ -2,12 +2,15 @@
 // What a process is to its peers: an address at which they connect to its provided interfaces.
 
 #include <suture/manager/network.h>
+#include <suture/manager/security.h>
 #include <suture/peer.capnp.h>
 #include <suture/transport/rpc/control_thread.h>
 #include <suture/transport/rpc/link_server.h>
 #include <suture/transport/rpc/servant_port.h>
 #include <suture/wiring/directory.h>
 
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -20,7 +23,7 @@ class PeerHost {
  public:
   /// Throws SetupError as LinkServer does.
   PeerHost(rpc::ControlThread& control, const Directory& directory, Network::ServerOf serverOf,
-           const rpc::Address& address);
+           Network::TaskOf taskOf, const rpc::Address& address, const Security& security);
 
   const rpc::Address& address() const { return server_.address(); }
 
@@ -33,14 +36,34 @@ class PeerHost {
  private:
   friend class PeerServer;
 
+  /// What serves a new link: this process, or the reason why not.
+  capnp::Capability::Client offerTo(std::shared_ptr<rpc::Caller> caller);
+
+  /// The latest connection of a required interface of a peer.
+  struct Latest {
+    std::string bootId;  // of the peer's machine: its clock gave the epoch
+    std::int64_t epoch;
+    rpc::ProviderEnd* end;
+  };
+
+  /// True if there is a later one than a connection of this epoch, which may be 0: it has none.
+  bool isSuperseded(const std::string& client, const std::string& bootId, std::int64_t epoch) const;
+  /// Ends it, ahead of a later one.
+  void endLatest(const std::string& client);
+  void setLatest(const std::string& client, const Latest& latest) { latest_[client] = latest; }
+  void forget(const rpc::ProviderEnd& end);
+
   /// Adds to served(), and forgets those that have been closed.
   void remember(std::shared_ptr<Channel> channel);
 
   rpc::ControlThread& control_;
   const Directory& directory_;
   const Network::ServerOf serverOf_;
+  const Network::TaskOf taskOf_;
+  const Policy policy_;
   kj::Own<kj::PromiseFulfiller<void>> published_;
   kj::ForkedPromise<void> whenPublished_;
+  std::map<std::string, Latest> latest_;  // by required interface, with its process
   mutable std::mutex mutex_;
   std::vector<std::shared_ptr<Channel>> served_;
   rpc::LinkServer server_;  // last: its links use the rest

@@ -1,7 +1,13 @@
+#include <suture/component/task.h>
 #include <suture/manager/describe.h>
+#include <suture/manager/explain.h>
+#include <suture/manager/heartbeat.h>
 #include <suture/manager/peer_server.h>
+#include <suture/manager/shared_memory.h>
 #include <suture/rt/state_table.h>
+#include <suture/transport/rpc/failure.h>
 #include <suture/transport/rpc/stamps.h>
+#include <suture/transport/shm/memory_layout.h>
 #include <suture/wiring/connect.h>
 
 #include <algorithm>
@@ -11,18 +17,21 @@ namespace {
 
 using Kind = wire::Refusal::Kind;
 
+// Each has a mailbox of its own, for as long as the link stands.
+constexpr std::size_t kMostPorts = 256;
+
 /// Ends the connection when the client lets go of it.
 class ConnectionServer final : public wire::Connection::Server {
  public:
-  explicit ConnectionServer(kj::Own<rpc::ServantPort> port) : port_(kj::mv(port)) {}
-  ~ConnectionServer() noexcept(false) { port_->close(); }
+  explicit ConnectionServer(kj::Own<rpc::ProviderEnd> end) : end_(kj::mv(end)) {}
+  ~ConnectionServer() noexcept(false) { end_->close(); }
 
  private:
-  kj::Own<rpc::ServantPort> port_;
+  kj::Own<rpc::ProviderEnd> end_;
 };
 
 /// Tells the client what befalls its provider. Whether it hears does not matter here.
-class NoticesSender final : public rpc::ServantPort::Listener {
+class NoticesSender final : public rpc::ProviderEnd::Listener {
  public:
   NoticesSender(rpc::ControlThread& control, wire::Notices::Client client)
       : control_(control), client_(kj::mv(client)) {}
@@ -65,13 +74,33 @@ InterfaceInfo requiredInfo(const std::string& contract, const std::string& hash,
           .binding = nullptr};
 }
 
+/// The provider's contract or the one of its bases that is the client's; null if they are not from
+/// one build.
+const InterfaceInfo* sameContract(const InterfaceInfo& provided, const std::string& hash) {
+  for (const InterfaceInfo* one = &provided;; one = &one->base()) {
+    if (one->hash == hash) return one;
+    if (one->base == nullptr) return nullptr;
+  }
+}
+
+/// Why the two processes cannot share memory; "" if they can.
+std::string whyNoMemory(const InterfaceInfo* contract, wire::MemoryRequest::Reader asked) {
+  if (contract == nullptr) return "the two were built from different versions of the contract";
+  if (const std::string reason = shm::whyNotShared(*contract); !reason.empty()) return reason;
+  if (stringOf(asked.getLayout()) == shm::memoryLayout(*contract)) return "";
+  return "the contract's values lie in memory in another way there";
+}
+
 }  // namespace
 
-PeerServer::PeerServer(PeerHost& host, std::shared_ptr<const rpc::LinkCounters> counters)
-    : host_(host), counters_(std::move(counters)) {}
+PeerServer::PeerServer(PeerHost& host, std::shared_ptr<rpc::Caller> caller)
+    : host_(host), caller_(std::move(caller)) {}
 
 PeerServer::~PeerServer() noexcept(false) {
-  for (auto& port : ports_) port->close();
+  for (auto& end : ends_) {
+    host_.forget(*end);
+    end->close();
+  }
 }
 
 kj::Promise<void> PeerServer::hello(HelloContext context) {
@@ -79,8 +108,12 @@ kj::Promise<void> PeerServer::hello(HelloContext context) {
   results.setReceived(toNanoseconds(now()));
   results.setProcess(textOf(host_.directory_.process()));
   results.setBootId(textOf(bootId()));
+  bootId_ = stringOf(context.getParams().getBootId());
   const std::uint16_t theirs = context.getParams().getVersion();
-  if (theirs == wire::PROTOCOL_VERSION) {
+  if (const auto refusal = whyNotProcess(stringOf(context.getParams().getProcess()))) {
+    toWire(*refusal, results.initRefused());
+  } else if (theirs == wire::PROTOCOL_VERSION) {
+    caller_->known = true;
     results.setAccepted();
   } else {
     toWire({Kind::VERSION_MISMATCH,
@@ -94,9 +127,22 @@ kj::Promise<void> PeerServer::hello(HelloContext context) {
 }
 
 kj::Promise<void> PeerServer::ping(PingContext context) {
-  context.getResults().setReceived(toNanoseconds(now()));
-  context.getResults().setSent(toNanoseconds(now()));
+  auto results = context.getResults();
+  results.setReceived(toNanoseconds(now()));
+  putTasks(results);
+  results.setSent(toNanoseconds(now()));
   return kj::READY_NOW;
+}
+
+void PeerServer::putTasks(wire::Peer::PingResults::Builder results) const {
+  const std::vector<Component*> components = host_.directory_.components();
+  auto tasks = results.initTasks(static_cast<unsigned>(components.size()));
+  for (unsigned i = 0; i < tasks.size(); ++i) {
+    const Task* const task = host_.taskOf_(*components[i]);
+    tasks[i].setComponent(textOf(components[i]->name()));
+    toWire(task == nullptr ? Pulse::Reading{} : task->pulse().read(), tasks[i]);
+    if (task != nullptr) tasks[i].setCycles(task->statistics().cycles);
+  }
 }
 
 kj::Promise<void> PeerServer::describe(DescribeContext context) {
@@ -107,89 +153,219 @@ kj::Promise<void> PeerServer::describe(DescribeContext context) {
   });
 }
 
-template <class Answer, class Refuse>
-kj::Promise<void> PeerServer::withInterface(const Endpoint& endpoint, Answer answer,
-                                            Refuse refuse) {
+template <class Attempt, class Refuse>
+kj::Promise<void> PeerServer::whenThere(Attempt attempt, Refuse refuse) {
   try {
-    answer(host_.directory_.provided(endpoint));
-    return kj::READY_NOW;
+    return attempt();
   } catch (const SetupError&) {
     // It may come: the process is perhaps still adding components.
   }
-  return host_.whenPublished_.addBranch().then([this, endpoint, answer, refuse]() mutable {
+  return host_.whenPublished_.addBranch().then([attempt, refuse]() mutable -> kj::Promise<void> {
     try {
-      answer(host_.directory_.provided(endpoint));
+      return attempt();
     } catch (const SetupError& error) {
       refuse(Refusal{Kind::NO_SUCH_INTERFACE, error.what()});
+      return kj::READY_NOW;
     }
   });
 }
 
+std::optional<Refusal> PeerServer::whyNotProcess(const std::string& name) const {
+  if (caller_->identity.mayBe(name)) return std::nullopt;
+  return Refusal{Kind::NOT_PERMITTED,
+                 "talk to process '" + host_.directory_.process() +
+                     "': the caller says that it is '" + name + "' and has the certificate of " +
+                     caller_->identity.text() + ". Give it its own name or its own keys."};
+}
+
+std::optional<Refusal> PeerServer::whyNotGiven(const Endpoint& endpoint) const {
+  const rpc::PeerIdentity& who = caller_->identity;
+  if (ends_.size() == kMostPorts) {
+    return Refusal{Kind::LIMIT_REACHED, "use '" + endpoint.toString() +
+                                            "': this link has been given " +
+                                            std::to_string(kMostPorts) +
+                                            " interfaces, and no link is given more. Use another."};
+  }
+  if (host_.policy_.access(who, endpoint) != Access::None) return std::nullopt;
+  return Refusal{Kind::NOT_PERMITTED, "use '" + endpoint.toString() + "': the policy of process '" +
+                                          endpoint.process + "' does not give it to " + who.text() +
+                                          ". Add it to the role of that rule."};
+}
+
+bool PeerServer::mayOnlyRead(const Endpoint& endpoint) const {
+  return host_.policy_.access(caller_->identity, endpoint) == Access::Read;
+}
+
 kj::Promise<void> PeerServer::connect(ConnectContext context) {
   auto in = context.getParams();
-  const Endpoint endpoint{host_.directory_.process(), stringOf(in.getToComponent()),
-                          stringOf(in.getProvided())};
-  return withInterface(
-      endpoint,
-      [this, context, endpoint](ProvidedBase& provided) mutable {
-        accept(provided, endpoint, context);
+  const Endpoint endpoint = endpointOf(in.getToComponent(), in.getProvided());
+  auto withheld = whyNotProcess(stringOf(in.getFromProcess()));
+  if (!withheld) withheld = whyNotGiven(endpoint);
+  if (withheld) {
+    toWire(*withheld, context.getResults().initRefused());
+    return kj::READY_NOW;
+  }
+  caller_->known = true;
+  return whenThere(
+      [this, context, endpoint]() mutable {
+        return decide(host_.directory_.provided(endpoint), endpoint, context);
       },
       [context](const Refusal& refusal) mutable {
         toWire(refusal, context.getResults().initRefused());
       });
 }
 
-void PeerServer::accept(ProvidedBase& provided, const Endpoint& endpoint, ConnectContext& context) {
+/// A request that will be accepted.
+struct PeerServer::Asked {
+  ProvidedBase& provided;
+  std::string client;  // the required interface, with its process
+  Endpoint endpoint;
+  std::string name;
+  std::size_t offered;
+  ConnectContext context;
+};
+
+kj::Promise<void> PeerServer::decide(ProvidedBase& provided, const Endpoint& endpoint,
+                                     ConnectContext& context) {
   auto in = context.getParams();
   const Endpoint client{stringOf(in.getFromProcess()), stringOf(in.getFromComponent()),
                         stringOf(in.getRequired())};
   const std::string name = client.toString() + " -> " + endpoint.toString();
   const std::string contract = stringOf(in.getContract()), hash = stringOf(in.getHash()),
                     description = stringOf(in.getDescription());
-  std::size_t offered = 0;
   try {
-    offered = requireSameContract(requiredInfo(contract, hash, description), provided.info(), name);
+    const std::size_t offered =
+        requireCompatibleContract(requiredInfo(contract, hash, description), provided.info(), name);
+    if (in.getEpoch() == 0 || takesOver(client.toString(), name, context)) {
+      return accept({provided, client.toString(), endpoint, name, offered, context});
+    }
+    return kj::READY_NOW;
   } catch (const SetupError& error) {
     toWire({Kind::CONTRACT_MISMATCH, error.what()}, context.getResults().initRefused());
-    return;
+    return kj::READY_NOW;
   }
+}
+
+// Of the connections of one required interface the latest stands.
+bool PeerServer::takesOver(const std::string& client, const std::string& name,
+                           ConnectContext& context) {
+  if (host_.isSuperseded(client, bootId_, context.getParams().getEpoch())) {
+    toWire({Kind::ALREADY_CONNECTED,
+            "connecting " + name +
+                ": a later attempt of the same interface has come first. Nothing has to be done."},
+           context.getResults().initRefused());
+    return false;
+  }
+  host_.endLatest(client);
+  return true;
+}
+
+kj::Promise<void> PeerServer::accept(Asked asked) {
+  auto in = asked.context.getParams();
+  if (!in.hasMemory()) return serveCalls(asked, "");
+  const InterfaceInfo* const contract = sameContract(asked.provided.info(), stringOf(in.getHash()));
+  const std::string reason = mayOnlyRead(asked.endpoint) ? "the policy gives it for reading only"
+                                                         : whyNoMemory(contract, in.getMemory());
+  if (!reason.empty()) return serveCalls(asked, reason);
+  return receive(in.getMemory().getBell(), sizeof(std::uint64_t), MemoryBlock::Others::Write)
+      .then([this, asked, contract](std::shared_ptr<MemoryBlock> bell) mutable {
+        shareMemory(asked, *contract, std::move(bell));
+      })
+      .catch_([this, asked](kj::Exception&& failure) mutable {
+        return serveCalls(asked, rpc::describe(failure));
+      });
+}
+
+wire::ConnectResults::Accepted::Builder PeerServer::accepted(Asked& asked, rpc::ProviderEnd& end) {
+  const auto in = asked.context.getParams();
+  if (in.getEpoch() != 0) host_.setLatest(asked.client, {bootId_, in.getEpoch(), &end});
+  end.setListener(kj::heap<NoticesSender>(host_.control_, in.getNotices()));
+  ends_.add(kj::addRef(end));
+  auto out = asked.context.getResults().initAccepted();
+  out.setOffered(static_cast<std::uint16_t>(asked.offered));
+  out.setRows(static_cast<std::uint32_t>(asked.provided.state()->capacity()));
+  out.setConnection(kj::heap<ConnectionServer>(kj::addRef(end)));
+  return out;
+}
+
+kj::Promise<void> PeerServer::serveCalls(Asked& asked, const std::string& laneReason) {
+  auto in = asked.context.getParams();
   // A stamp of the caller, minus how far its clock is ahead, is a stamp of ours.
-  auto port = serve(provided, name, in.getEvents(), Duration(-rpc::bounded(in.getClockOffset())));
-  port->setListener(kj::heap<NoticesSender>(host_.control_, in.getNotices()));
-  auto accepted = context.getResults().initAccepted();
-  accepted.setOffered(static_cast<std::uint16_t>(offered));
-  accepted.setRows(static_cast<std::uint32_t>(provided.state()->capacity()));
-  accepted.setConnection(kj::heap<ConnectionServer>(kj::addRef(*port)));
-  accepted.setContract(provided.info().binding().makeServant(kj::mv(port)));
+  const Duration shift(-rpc::bounded(in.getClockOffset()));
+  auto port = serve(asked.provided, asked.endpoint, asked.name, in.getEvents(), shift);
+  auto out = accepted(asked, *port);
+  if (!laneReason.empty()) out.setLaneReason(textOf(laneReason));
+  out.setContract(asked.provided.info().binding().makeServant(kj::mv(port)));
+  return kj::READY_NOW;
+}
+
+// Of one machine, both have the same clock.
+void PeerServer::shareMemory(Asked& asked, const InterfaceInfo& contract,
+                             std::shared_ptr<MemoryBlock> bell) {
+  shm::SharedOffer offer =
+      shm::offerShared(asked.provided, contract, asked.name, asked.context.getParams().getEvents(),
+                       host_.serverOf_(asked.provided), std::move(bell), host_.control_.doorbell());
+  auto out = accepted(asked, *kj::refcounted<SharedPort>(host_.control_, offer.channel));
+  toWire(offer.parts, out.initMemory());
+  asked.provided.attach(offer.channel);
+  host_.remember(std::move(offer.channel));
 }
 
 kj::Promise<void> PeerServer::open(OpenContext context) {
   auto in = context.getParams();
-  const Endpoint endpoint{host_.directory_.process(), stringOf(in.getComponent()),
-                          stringOf(in.getInterface())};
-  return withInterface(
-      endpoint,
-      [this, context, endpoint](ProvidedBase& provided) mutable {
+  const Endpoint endpoint = endpointOf(in.getComponent(), in.getInterface());
+  if (const auto withheld = whyNotGiven(endpoint)) {
+    toWire(*withheld, context.getResults().initRefused());
+    return kj::READY_NOW;
+  }
+  caller_->known = true;
+  return whenThere(
+      [this, context, endpoint]() mutable -> kj::Promise<void> {
+        ProvidedBase& provided = host_.directory_.provided(endpoint);
         const std::string name = "(a plain client) -> " + endpoint.toString();
-        auto port = serve(provided, name, ~EventSet{0}, Duration{0});
+        auto port = serve(provided, endpoint, name, ~EventSet{0}, Duration{0});
+        ends_.add(kj::addRef(*port));
         context.getResults().setContract(provided.info().binding().makeServant(kj::mv(port)));
+        return kj::READY_NOW;
       },
       [context](const Refusal& refusal) mutable {
         toWire(refusal, context.getResults().initRefused());
       });
 }
 
-kj::Own<rpc::ServantPort> PeerServer::serve(ProvidedBase& provided, const std::string& name,
-                                            EventSet events, Duration shift) {
+kj::Promise<void> PeerServer::explain(ExplainContext context) {
+  auto in = context.getParams();
+  const Endpoint endpoint = endpointOf(in.getComponent(), in.getInterface());
+  const bool required = in.getSide() == wire::Peer::Side::REQUIRED;
+  return whenThere(
+      [this, context, endpoint, required]() mutable -> kj::Promise<void> {
+        const InterfaceInfo& info = required ? host_.directory_.required(endpoint).info()
+                                             : host_.directory_.provided(endpoint).info();
+        suture::explain(info, context.getResults().initExplained());
+        return kj::READY_NOW;
+      },
+      [context](const Refusal& refusal) mutable {
+        toWire(refusal, context.getResults().initRefused());
+      });
+}
+
+Endpoint PeerServer::endpointOf(capnp::Text::Reader component,
+                                capnp::Text::Reader interface) const {
+  return {host_.directory_.process(), stringOf(component), stringOf(interface)};
+}
+
+kj::Own<rpc::ServantPort> PeerServer::serve(ProvidedBase& provided, const Endpoint& endpoint,
+                                            const std::string& name, EventSet events,
+                                            Duration shift) {
   const std::shared_ptr<rt::Doorbell> bell = host_.control_.sharedDoorbell();
   const Channel::Ends ends{.client = bell.get(), .provider = &host_.serverOf_(provided)};
   auto channel =
       std::make_shared<Channel>(provided.info(), name, "rpc", ends, provided.state(), events);
   channel->clientsBell = bell;
-  auto port = kj::refcounted<rpc::ServantPort>(host_.control_, channel, shift, counters_);
+  auto port = kj::refcounted<rpc::ServantPort>(host_.control_, channel, shift, caller_->counters);
+  if (mayOnlyRead(endpoint)) port->setReadOnly();
   provided.attach(channel);
   host_.remember(std::move(channel));
-  ports_.add(kj::addRef(*port));
   return port;
 }
 

@@ -4,12 +4,14 @@
 #include <suture/manager/peer_host.h>
 #include <suture/manager/records.h>
 
+#include <optional>
+
 namespace suture {
 
 /// The bootstrap capability of one link. When the link goes, so do the connections made through it.
 class PeerServer final : public wire::Peer::Server {
  public:
-  PeerServer(PeerHost& host, std::shared_ptr<const rpc::LinkCounters> counters);
+  PeerServer(PeerHost& host, std::shared_ptr<rpc::Caller> caller);
   ~PeerServer() noexcept(false);
 
  protected:
@@ -18,20 +20,37 @@ class PeerServer final : public wire::Peer::Server {
   kj::Promise<void> describe(DescribeContext context) override;
   kj::Promise<void> ping(PingContext context) override;
   kj::Promise<void> open(OpenContext context) override;
+  kj::Promise<void> explain(ExplainContext context) override;
 
  private:
-  /// Calls `answer(provided)`, after the process has published if the interface is not there yet;
-  /// `refuse(refusal)` if it does not exist then.
-  template <class Answer, class Refuse>
-  kj::Promise<void> withInterface(const Endpoint& endpoint, Answer answer, Refuse refuse);
+  struct Asked;
 
-  void accept(ProvidedBase& provided, const Endpoint& endpoint, ConnectContext& context);
-  kj::Own<rpc::ServantPort> serve(ProvidedBase& provided, const std::string& name, EventSet events,
-                                  Duration shift);
+  /// What `attempt()` returns; if it throws SetupError, it is called once more when the process has
+  /// published, and `refuse(refusal)` if it still does.
+  template <class Attempt, class Refuse>
+  kj::Promise<void> whenThere(Attempt attempt, Refuse refuse);
+
+  Endpoint endpointOf(capnp::Text::Reader component, capnp::Text::Reader interface) const;
+  kj::Promise<void> decide(ProvidedBase& provided, const Endpoint& endpoint,
+                           ConnectContext& context);
+  bool takesOver(const std::string& client, const std::string& name, ConnectContext& context);
+  kj::Promise<void> accept(Asked asked);
+  /// What every lane answers.
+  wire::ConnectResults::Accepted::Builder accepted(Asked& asked, rpc::ProviderEnd& end);
+  kj::Promise<void> serveCalls(Asked& asked, const std::string& laneReason);
+  void shareMemory(Asked& asked, const InterfaceInfo& contract, std::shared_ptr<MemoryBlock> bell);
+  void putTasks(wire::Peer::PingResults::Builder results) const;
+  kj::Own<rpc::ServantPort> serve(ProvidedBase& provided, const Endpoint& endpoint,
+                                  const std::string& name, EventSet events, Duration shift);
+  /// Why the caller is not the process that it says it is, or is not to have that interface.
+  std::optional<Refusal> whyNotProcess(const std::string& name) const;
+  std::optional<Refusal> whyNotGiven(const Endpoint& endpoint) const;
+  bool mayOnlyRead(const Endpoint& endpoint) const;
 
   PeerHost& host_;
-  std::shared_ptr<const rpc::LinkCounters> counters_;
-  kj::Vector<kj::Own<rpc::ServantPort>> ports_;
+  const std::shared_ptr<rpc::Caller> caller_;
+  std::string bootId_;  // the peer's, as it said in hello
+  kj::Vector<kj::Own<rpc::ProviderEnd>> ends_;
 };
 
 }  // namespace suture

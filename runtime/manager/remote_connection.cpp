@@ -1,9 +1,14 @@
+#include <suture/manager/heartbeat.h>
 #include <suture/manager/peer_host.h>
 #include <suture/manager/remote_connection.h>
+#include <suture/manager/shared_memory.h>
 #include <suture/transport/delay/delay_thread.h>
 #include <suture/transport/rpc/deadline.h>
-#include <suture/transport/rpc/dialer.h>
+#include <suture/transport/rpc/failure.h>
+#include <suture/transport/rpc/proxy_port.h>
+#include <suture/transport/rpc/socket.h>
 #include <suture/transport/rpc/stamps.h>
+#include <suture/transport/shm/memory_layout.h>
 
 #include <algorithm>
 
@@ -14,10 +19,11 @@ using Type = kj::Exception::Type;
 
 constexpr Duration kDialLimit = std::chrono::seconds(2);
 constexpr Duration kFirstRedialPause = std::chrono::milliseconds(50);
-constexpr Duration kLongestRedialPause = std::chrono::seconds(2);
+// A pause and an attempt that came to nothing together are shorter than the second within which the
+// connection is to be back after a fault.
+constexpr Duration kLongestRedialPause = std::chrono::milliseconds(250);
+constexpr Duration kAnswerLimit = std::chrono::milliseconds(500);
 constexpr Duration kComeBackPatience = std::chrono::seconds(5);
-constexpr Duration kHeartbeat = std::chrono::milliseconds(500);
-constexpr Duration kSilence = std::chrono::seconds(2);
 
 // As far back as the provider's own table; a peer must not make this process take more memory.
 void mirrorRows(std::uint32_t rows, rt::StateTable& mirror) {
@@ -29,70 +35,102 @@ void mirrorRows(std::uint32_t rows, rt::StateTable& mirror) {
 
 }  // namespace
 
-/// Hears what befalls the provider.
+/// What befalls the provider, also before the connection stands.
+class RemoteConnection::Notified final : public kj::Refcounted {
+ public:
+  void tell(ChannelStatus status) {
+    status_ = status;
+    KJ_IF_MAYBE (end, end_) (*end)->tell(status);
+  }
+  void close() {
+    closed_ = true;
+    KJ_IF_MAYBE (end, end_) (*end)->close(ChannelStatus::Lost);
+  }
+  void noteReplay(std::uint16_t event, std::int64_t stamp) {
+    KJ_IF_MAYBE (end, end_) (*end)->noteReplay(event, stamp);
+  }
+  void passOnTo(kj::Own<rpc::ClientEnd> end) {
+    end->tell(status_);
+    if (closed_) end->close(ChannelStatus::Lost);
+    end_ = kj::mv(end);
+  }
+
+ private:
+  ChannelStatus status_ = ChannelStatus::Connected;
+  bool closed_ = false;
+  kj::Maybe<kj::Own<rpc::ClientEnd>> end_;
+};
+
 class RemoteConnection::NoticesReceiver final : public wire::Notices::Server {
  public:
-  explicit NoticesReceiver(kj::Own<rpc::ProxyPort> port) : port_(kj::mv(port)) {}
+  NoticesReceiver(kj::Own<Notified> notified, std::function<void(std::string)> lost)
+      : notified_(kj::mv(notified)), lost_(std::move(lost)) {}
 
  protected:
   kj::Promise<void> faulted(FaultedContext) override {
-    port_->tell(ChannelStatus::Faulted);
+    notified_->tell(ChannelStatus::Faulted);
     return kj::READY_NOW;
   }
   kj::Promise<void> suspended(SuspendedContext) override {
-    port_->tell(ChannelStatus::Suspended);
+    notified_->tell(ChannelStatus::Suspended);
     return kj::READY_NOW;
   }
   kj::Promise<void> resumed(ResumedContext) override {
-    port_->tell(ChannelStatus::Connected);
+    notified_->tell(ChannelStatus::Connected);
     return kj::READY_NOW;
   }
   kj::Promise<void> replayed(ReplayedContext context) override {
     const auto in = context.getParams();
-    port_->noteReplay(in.getEvent(), in.getStamp());
+    notified_->noteReplay(in.getEvent(), in.getStamp());
     return kj::READY_NOW;
   }
   kj::Promise<void> closed(ClosedContext) override {
-    port_->close(ChannelStatus::Lost);
+    lost_("closed: its component has ended, or a later connection of this interface stands");
+    notified_->close();
     return kj::READY_NOW;
   }
 
  private:
-  kj::Own<rpc::ProxyPort> port_;
+  kj::Own<Notified> notified_;
+  std::function<void(std::string)> lost_;
 };
 
 RemoteConnection::RemoteConnection(rpc::ControlThread& control, ManagerLink& manager,
-                                   RequiredBase& required, Endpoint from, Endpoint to, Made made,
-                                   const Interposer& interposer,
+                                   RequiredBase& required, Endpoint from, Endpoint to, Lane lane,
+                                   Told told, const Interposer& interposer,
                                    std::shared_ptr<ConnectionWatch> watch)
     : control_(control),
       manager_(manager),
       required_(required),
       from_(std::move(from)),
       to_(std::move(to)),
-      made_(std::move(made)),
+      lane_(lane),
+      told_(std::move(told)),
       interposer_(interposer),
-      watch_(std::move(watch)) {}
+      watch_(std::move(watch)),
+      longestSilence_(watch_ == nullptr ? ConnectionContract::kDefaultSilence
+                                        : watch_->contract.longestSilence()) {}
 
 RemoteConnection::~RemoteConnection() noexcept(false) {
   keeping_ = kj::READY_NOW;
-  KJ_IF_MAYBE (port, port_) (*port)->close(ChannelStatus::Lost);
+  KJ_IF_MAYBE (end, end_) (*end)->close(ChannelStatus::Lost);
 }
 
 kj::Promise<void> RemoteConnection::open(Duration patience) {
-  return connect(patience).then([this] { keeping_ = keep().eagerlyEvaluate(nullptr); });
+  return connect(patience, patience + kDialLimit).then([this] {
+    keeping_ = keep().eagerlyEvaluate(nullptr);
+  });
 }
 
 void RemoteConnection::end() {
   keeping_ = kj::READY_NOW;
-  KJ_IF_MAYBE (port, port_) (*port)->close(ChannelStatus::Closed);
+  KJ_IF_MAYBE (end, end_) (*end)->close(ChannelStatus::Closed);
 }
 
-kj::Promise<void> RemoteConnection::connect(Duration patience) {
+kj::Promise<void> RemoteConnection::connect(Duration patience, Duration limit) {
   auto connected = manager_.resolve(to_.process, patience)
-                       .then([this](ProcessRecord process) { return dial(process); })
-                       .then([this] { return greet(); })
-                       .then([this] { return ask(); });
+                       .then([this, limit](ProcessRecord process) { return dial(process, limit); })
+                       .then([this, limit] { return introduce(limit); });
   // The manager answers in time itself; what is left is the peer.
   return rpc::within(control_.timer(), patience + kDialLimit, kj::mv(connected),
                      "process '" + to_.process +
@@ -100,16 +138,25 @@ kj::Promise<void> RemoteConnection::connect(Duration patience) {
                          "components known. Look at what it is doing.");
 }
 
-kj::Promise<void> RemoteConnection::dial(const ProcessRecord& process) {
-  if (process.addresses.empty()) {
-    return rpc::failure(Type::FAILED, "process '" + process.name + "' has no address. Restart it.");
-  }
-  const auto address = rpc::Address::parse(process.addresses.front());
-  return rpc::dial(control_.port(), address, kDialLimit).then([this](kj::AutoCloseFd socket) {
-    auto stream = kj::heap<rpc::MessageStream>(control_.port(), kj::mv(socket));
+kj::Promise<void> RemoteConnection::dial(const ProcessRecord& process, Duration limit) {
+  return manager_.reach(process, std::min(limit, kDialLimit)).then([this](rpc::ByteStream bytes) {
+    sharesMachine_ = bytes.carriesDescriptors();
+    if (!sharesMachine_) rpc::breakWhenUnanswered(bytes.socket(), longestSilence_);
+    auto stream = kj::heap<rpc::MessageStream>(control_.port(), kj::mv(bytes));
     link_ = kj::heap<rpc::Link>(kj::mv(stream), capnp::rpc::twoparty::Side::CLIENT);
     peer_ = KJ_ASSERT_NONNULL(link_)->bootstrap<wire::Peer>();
   });
+}
+
+// A provider that hangs says so before the question is asked: it is not connected, to be lost
+// again.
+kj::Promise<void> RemoteConnection::introduce(Duration limit) {
+  auto lost = whenLost(limit).then([this](std::string&& why) -> kj::Promise<void> {
+    return rpc::failure(Type::FAILED, "connecting " + from_.toString() + " -> " + to_.toString() +
+                                          ": the provider is " + why +
+                                          ". Look at what it is doing.");
+  });
+  return lost.exclusiveJoin(greet().then([this] { return ask(); }));
 }
 
 kj::Promise<void> RemoteConnection::greet() {
@@ -129,16 +176,32 @@ kj::Promise<void> RemoteConnection::greet() {
   });
 }
 
+Component& RemoteConnection::client() const {
+  return interposer_.delays == nullptr ? required_.owner() : *interposer_.delays;
+}
+
+std::string RemoteConnection::whyNoMemory() const {
+  if (!sharesMachine_) return "the two processes are not reached by a Unix socket";
+  return shm::whyNotShared(required_.info());
+}
+
+// What cannot be shared after all goes by calls.
 kj::Promise<void> RemoteConnection::ask() {
-  Component& client = interposer_.delays == nullptr ? required_.owner() : *interposer_.delays;
-  const Channel::Ends ends{.client = &client.doorbell(), .provider = &control_.doorbell()};
-  channel_ =
-      std::make_shared<Channel>(required_.info(), from_.toString() + " -> " + to_.toString(), "rpc",
-                                ends, makeStateTable(required_.info()), required_.subscribed());
-  channel_->clientsBell = client.sharedDoorbell();
-  channel_->watch = watch_;
-  auto port = kj::refcounted<rpc::ProxyPort>(control_, channel_, -clockOffset_,
-                                             KJ_ASSERT_NONNULL(link_)->counters());
+  laneReason_.clear();
+  if (lane_ == Lane::Rpc) return ask("calls are asked for");
+  const std::string reason = whyNoMemory();
+  if (!reason.empty()) {
+    laneReason_ = reason;
+    return ask(reason);
+  }
+  return ask("").catch_([this](kj::Exception&& failure) -> kj::Promise<void> {
+    if (laneReason_.empty()) return kj::mv(failure);
+    return ask(laneReason_);
+  });
+}
+
+kj::Promise<void> RemoteConnection::ask(std::string whyNoMemory) {
+  auto notified = kj::refcounted<Notified>();
   auto request = KJ_ASSERT_NONNULL(peer_).connectRequest();
   request.setFromProcess(textOf(from_.process));
   request.setFromComponent(textOf(from_.component));
@@ -150,53 +213,95 @@ kj::Promise<void> RemoteConnection::ask() {
   request.setDescription(required_.info().description);
   request.setEvents(required_.subscribed());
   request.setClockOffset(-clockOffset_.count());
-  request.setNotices(kj::heap<NoticesReceiver>(kj::addRef(*port)));
-  port_ = kj::mv(port);
+  request.setEpoch(toNanoseconds(now()));
+  request.setNotices(kj::heap<NoticesReceiver>(
+      kj::addRef(*notified),
+      [tell = told_.lost, name = name()](std::string why) { tell(name, std::move(why)); }));
+  if (whyNoMemory.empty()) {
+    auto memory = request.initMemory();
+    memory.setLayout(textOf(shm::memoryLayout(required_.info())));
+    memory.setBell(handOut(client().doorbell().memory()));
+  }
+  notified_ = kj::mv(notified);
   return request.send().then([this](auto&& results) -> kj::Promise<void> {
     if (results.isRefused()) return refused(results.getRefused());
-    begin(results.getAccepted());
-    return kj::READY_NOW;
+    return begin(results.getAccepted());
   });
 }
 
-void RemoteConnection::begin(wire::ConnectResults::Accepted::Reader accepted) {
+kj::Promise<void> RemoteConnection::begin(wire::ConnectResults::Accepted::Reader accepted) {
   connection_ = accepted.getConnection();
-  channel_->offered = std::min<std::size_t>(accepted.getOffered(), channel_->info.commands.size());
-  mirrorRows(accepted.getRows(), *channel_->state);
-  auto& port = *KJ_ASSERT_NONNULL(port_);
-  port.open(required_.info().binding().makeProxy(accepted.getContract(), port));
-  std::shared_ptr<Channel> clients = channel_;
-  if (interposer_.delays != nullptr) {
-    clients = interposer_.delays->interpose(required_, channel_, interposer_.delay);
+  if (!accepted.hasMemory()) {
+    if (accepted.hasLaneReason()) laneReason_ = stringOf(accepted.getLaneReason());
+    beginCalls(accepted);
+    return kj::READY_NOW;
   }
-  made_(clients);  // known before it is used
-  required_.attach(std::move(clients));
+  return receive(accepted.getMemory(), required_.info())
+      .then([this](shm::SharedParts parts) { beginSharing(parts); })
+      .catch_([this](kj::Exception&& failure) -> kj::Promise<void> {
+        laneReason_ = rpc::describe(failure);
+        connection_ = nullptr;
+        return kj::mv(failure);
+      });
+}
+
+void RemoteConnection::beginCalls(wire::ConnectResults::Accepted::Reader accepted) {
+  const Channel::Ends ends{.client = &client().doorbell(), .provider = &control_.doorbell()};
+  auto channel =
+      std::make_shared<Channel>(required_.info(), name(), "rpc", ends,
+                                makeStateTable(required_.info()), required_.subscribed());
+  channel->clientsBell = client().sharedDoorbell();
+  channel->laneReason = laneReason_;
+  channel->offered = std::min<std::size_t>(accepted.getOffered(), channel->info.commands.size());
+  mirrorRows(accepted.getRows(), *channel->state);
+  auto port = kj::refcounted<rpc::ProxyPort>(control_, channel, -clockOffset_,
+                                             KJ_ASSERT_NONNULL(link_)->counters());
+  end_ = kj::addRef(*port);
+  port->open(required_.info().binding().makeProxy(accepted.getContract(), *port));
+  use(std::move(channel));
+}
+
+void RemoteConnection::beginSharing(const shm::SharedParts& parts) {
+  auto channel = shm::takeShared(required_.info(), name(), client().sharedDoorbell(), parts);
+  end_ = kj::refcounted<rpc::ClientEnd>(channel);
+  use(std::move(channel));
+}
+
+void RemoteConnection::use(std::shared_ptr<Channel> channel) {
+  channel->watch = watch_;
+  KJ_ASSERT_NONNULL(notified_)->passOnTo(kj::addRef(*KJ_ASSERT_NONNULL(end_)));
+  if (interposer_.delays != nullptr) {
+    channel = interposer_.delays->interpose(required_, std::move(channel), interposer_.delay);
+  }
+  told_.made(channel);  // known before it is used
+  required_.attach(std::move(channel));
 }
 
 kj::Promise<void> RemoteConnection::keep() {
-  return KJ_ASSERT_NONNULL(link_)
-      ->onDisconnect()
-      .exclusiveJoin(whenSilent())
-      .then([this] {
-        lost();
+  auto closed = KJ_ASSERT_NONNULL(link_)->onDisconnect().then(
+      [] { return std::string("closed: its process has ended, or the link is broken"); });
+  return closed.exclusiveJoin(whenLost(longestSilence_))
+      .then([this](std::string&& why) {
+        told_.lost(name(), std::move(why));
+        drop();
         return comeBack(kFirstRedialPause);
       })
       .then([this] { return keep(); });
 }
 
 // A peer that is stopped, or behind a cable that was pulled, says nothing; so it is asked.
-kj::Promise<void> RemoteConnection::whenSilent() {
-  return control_.timer().afterDelay(rpc::toKj(kHeartbeat)).then([this] {
-    auto ping = KJ_ASSERT_NONNULL(peer_).pingRequest().send().ignoreResult();
-    return rpc::within(control_.timer(), kSilence, kj::mv(ping), "silent")
-        .then([this] { return whenSilent(); },
-              [](kj::Exception&&) -> kj::Promise<void> { return kj::READY_NOW; });
-  });
+kj::Promise<std::string> RemoteConnection::whenLost(Duration silence) {
+  auto heartbeat =
+      kj::heap<Heartbeat>(control_.timer(), KJ_ASSERT_NONNULL(peer_), to_.component,
+                          Heartbeat::Bounds{.silence = silence, .hang = longestSilence_});
+  auto lost = heartbeat->whenLost();
+  return lost.attach(kj::mv(heartbeat));
 }
 
-void RemoteConnection::lost() {
-  KJ_IF_MAYBE (port, port_) (*port)->close(ChannelStatus::Lost);
-  port_ = nullptr;
+void RemoteConnection::drop() {
+  KJ_IF_MAYBE (end, end_) (*end)->close(ChannelStatus::Lost);
+  end_ = nullptr;
+  notified_ = nullptr;
   connection_ = nullptr;
   peer_ = nullptr;
   link_ = nullptr;
@@ -205,9 +310,9 @@ void RemoteConnection::lost() {
 kj::Promise<void> RemoteConnection::comeBack(Duration pause) {
   return control_.timer()
       .afterDelay(rpc::toKj(pause))
-      .then([this] { return connect(kComeBackPatience); })
+      .then([this] { return connect(kComeBackPatience, kAnswerLimit); })
       .catch_([this, pause](kj::Exception&&) {
-        lost();
+        drop();
         return comeBack(std::min(2 * pause, kLongestRedialPause));
       });
 }

@@ -1,11 +1,15 @@
 #pragma once
-// One required interface of this process, connected to a provided one over Cap'n Proto RPC.
+// One required interface of this process, connected to a provided one of another.
 
 #include <suture/component/required.h>
+#include <suture/manager/lane.h>
 #include <suture/manager/manager_link.h>
 #include <suture/manager/network.h>
 #include <suture/peer.capnp.h>
-#include <suture/transport/rpc/proxy_port.h>
+#include <suture/transport/rpc/address.h>
+#include <suture/transport/rpc/client_end.h>
+#include <suture/transport/rpc/link.h>
+#include <suture/transport/shm/shared_channel.h>
 #include <suture/wiring/endpoint.h>
 
 #include <functional>
@@ -19,12 +23,17 @@ namespace suture {
 /// as this lives. Belongs to the control thread; outlives its promises.
 class RemoteConnection {
  public:
-  /// Told each channel, when the connection has been made or made anew.
-  using Made = std::function<void(std::shared_ptr<Channel>)>;
+  /// Who wants to know of it, on the control thread.
+  struct Told {
+    /// Each channel, when the connection has been made or made anew.
+    std::function<void(std::shared_ptr<Channel>)> made;
+    /// By the channel's name why it is lost, in words, before it is.
+    std::function<void(const std::string& channel, std::string why)> lost;
+  };
 
   /// `from` and `to` with their processes.
   RemoteConnection(rpc::ControlThread& control, ManagerLink& manager, RequiredBase& required,
-                   Endpoint from, Endpoint to, Made made, const Interposer& interposer,
+                   Endpoint from, Endpoint to, Lane lane, Told told, const Interposer& interposer,
                    std::shared_ptr<ConnectionWatch> watch);
   ~RemoteConnection() noexcept(false);
 
@@ -35,30 +44,44 @@ class RemoteConnection {
   void end();
 
  private:
+  class Notified;
   class NoticesReceiver;
 
-  kj::Promise<void> connect(Duration patience);
-  kj::Promise<void> dial(const ProcessRecord& process);
+  /// `limit`: how long the peer may take for each answer.
+  kj::Promise<void> connect(Duration patience, Duration limit);
+  kj::Promise<void> dial(const ProcessRecord& process, Duration limit);
+  kj::Promise<void> introduce(Duration limit);
   kj::Promise<void> greet();
   kj::Promise<void> ask();
-  void begin(wire::ConnectResults::Accepted::Reader accepted);
+  kj::Promise<void> ask(std::string whyNoMemory);
+  std::string whyNoMemory() const;
+  kj::Promise<void> begin(wire::ConnectResults::Accepted::Reader accepted);
+  void beginCalls(wire::ConnectResults::Accepted::Reader accepted);
+  void beginSharing(const shm::SharedParts& parts);
+  void use(std::shared_ptr<Channel> channel);
+  Component& client() const;
+  std::string name() const { return from_.toString() + " -> " + to_.toString(); }
   kj::Promise<void> keep();
   kj::Promise<void> comeBack(Duration pause);
-  kj::Promise<void> whenSilent();
-  void lost();
+  kj::Promise<std::string> whenLost(Duration silence);
+  void drop();
 
   rpc::ControlThread& control_;
   ManagerLink& manager_;
   RequiredBase& required_;
   const Endpoint from_, to_;
-  const Made made_;
+  const Lane lane_;
+  const Told told_;
   const Interposer interposer_;
   const std::shared_ptr<ConnectionWatch> watch_;  // of all its channels
-  std::shared_ptr<Channel> channel_;
+  const Duration longestSilence_;
+  bool sharesMachine_ = false;  // with the peer, by a Unix socket
+  std::string laneReason_;      // why it is not a faster one
   kj::Maybe<kj::Own<rpc::Link>> link_;
   kj::Maybe<wire::Peer::Client> peer_;
   kj::Maybe<wire::Connection::Client> connection_;
-  kj::Maybe<kj::Own<rpc::ProxyPort>> port_;
+  kj::Maybe<kj::Own<Notified>> notified_;
+  kj::Maybe<kj::Own<rpc::ClientEnd>> end_;
   Duration clockOffset_{0};                    // the peer's clock minus ours
   kj::Promise<void> keeping_ = kj::READY_NOW;  // last: cancelled first
 };

@@ -3,10 +3,14 @@
 #include <suture/base/errors.h>
 #include <suture/manager/global_manager.h>
 #include <suture/transport/rpc/control_thread.h>
+#include <suture/transport/tls/keys.h>
 
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -20,11 +24,30 @@ sigset_t blockEndSignals() {
   return signals;
 }
 
-void serve(const std::string& address) {
+struct Options {
+  std::string address = suture::GlobalManager::defaultAddress();
+  std::string keys;
+  std::vector<unsigned> users;
+};
+
+suture::Security securityOf(const Options& options) {
+  suture::Security security;
+  if (!options.keys.empty()) {
+    security.keys =
+        std::make_shared<const suture::tls::Keys>(options.keys, suture::tls::kManagerName);
+  }
+  if (options.users.empty()) return security;
+  std::vector<suture::Rule> rules{{"user:same", {}}, {"process:*", {}}, {"tcp", {}}};
+  for (const unsigned user : options.users) rules.push_back({"user:" + std::to_string(user), {}});
+  security.policy = suture::Policy(rules);
+  return security;
+}
+
+void serve(const Options& options) {
   const sigset_t signals = blockEndSignals();
-  suture::GlobalManager::makeDirectory(address);
+  suture::GlobalManager::makeDirectory(options.address);
   suture::rpc::ControlThread control;
-  const suture::GlobalManager manager(control, address);
+  const suture::GlobalManager manager(control, options.address, securityOf(options));
   std::printf("suture-manager: ready on %s\n", manager.address().c_str());
   std::fflush(stdout);
   int received = 0;
@@ -36,12 +59,18 @@ void serve(const std::string& address) {
 int main(int argc, char** argv) {
   CLI::App app{
       "Knows the names of the processes of a Suture system, so that they find each other."};
-  std::string address = suture::GlobalManager::defaultAddress();
-  app.add_option("--listen", address, "unix:/path or tcp://127.0.0.1:port; port 0 picks one")
+  Options options;
+  app.add_option("--listen", options.address,
+                 "unix:/path, tls://host:port or tcp://127.0.0.1:port; port 0 picks one")
       ->capture_default_str();
+  app.add_option(
+      "--keys", options.keys,
+      "The folder of keys that tls:// needs: that of 'suture-manager', from suture keys");
+  app.add_option("--user", options.users,
+                 "unix: a user (by number) whose processes may come too; more than once for more");
   CLI11_PARSE(app, argc, argv);
   try {
-    serve(address);
+    serve(options);
   } catch (const suture::SetupError& error) {
     std::fprintf(stderr, "suture-manager: %s\n", error.what());
     return 1;

@@ -33,28 +33,42 @@ std::optional<ContractReport> contractOf(const Channel& channel, ConnectionEnd e
       .awaitsOperator = channel.watch->awaitsOperator.load(std::memory_order_relaxed)};
 }
 
+// Where both ends see all counts, each reports what it would see on another lane, so that nothing
+// is counted twice.
+void leaveToOtherEnd(ConnectionReport& report) {
+  if (report.end == ConnectionEnd::Client) {
+    report.superseded = report.late = report.failed = report.refused = 0;
+  } else {
+    report.full = report.tooLarge = report.replaced = 0;
+  }
+}
+
 ConnectionReport reportOf(const Channel& channel, ConnectionEnd end) {
   const rt::MailboxCounters& counters = channel.commands.counters;
-  return {.name = channel.name,
-          .lane = channel.lane,
-          .end = end,
-          .status = channel.status.load(std::memory_order_acquire),
-          .bytesSent = count(channel.bytesSent),
-          .bytesReceived = count(channel.bytesReceived),
-          .contract = contractOf(channel, end),
-          .sent = count(counters.sent),
-          .executed = count(counters.executed),
-          .full = count(counters.full),
-          .tooLarge = count(counters.tooLarge),
-          .replaced = count(counters.replaced),
-          .superseded = count(counters.superseded),
-          .late = count(counters.late),
-          .failed = count(counters.failed),
-          .refused = count(counters.refused),
-          .eventsDelivered = channel.events.delivered(),
-          .eventsDropped = channel.events.dropped(),
-          .readAge = distribution(channel.readAge),
-          .commandAge = distribution(channel.commandAge)};
+  ConnectionReport report{.name = channel.name,
+                          .lane = channel.lane,
+                          .laneReason = channel.laneReason,
+                          .end = end,
+                          .status = channel.status.load(std::memory_order_acquire),
+                          .whyLost = "",
+                          .bytesSent = count(channel.bytesSent),
+                          .bytesReceived = count(channel.bytesReceived),
+                          .contract = contractOf(channel, end),
+                          .sent = count(counters.sent),
+                          .executed = count(counters.executed),
+                          .full = count(counters.full),
+                          .tooLarge = count(counters.tooLarge),
+                          .replaced = count(counters.replaced),
+                          .superseded = count(counters.superseded),
+                          .late = count(counters.late),
+                          .failed = count(counters.failed),
+                          .refused = count(counters.refused),
+                          .eventsDelivered = channel.events.delivered(),
+                          .eventsDropped = channel.events.dropped(),
+                          .readAge = distribution(channel.readAge),
+                          .commandAge = distribution(channel.commandAge)};
+  if (channel.foreign) leaveToOtherEnd(report);
+  return report;
 }
 
 WindowReport reportOf(const TaskWindow& window) {
@@ -92,8 +106,12 @@ DeviceReport reportOf(const Component& device) {
 Report observe(const Manager& manager, Time began) {
   Report report{manager.process(), now() - began, {}, {}, {}};
   const std::vector<Component*> components = manager.directory().components();
+  const auto whyLost = manager.whyLost();
   for (const auto& channel : manager.channels()) {
-    report.connections.push_back(reportOf(*channel, endOf(*channel, components)));
+    ConnectionReport& one =
+        report.connections.emplace_back(reportOf(*channel, endOf(*channel, components)));
+    const auto why = whyLost.find(channel->name);
+    if (one.end != ConnectionEnd::Provider && why != whyLost.end()) one.whyLost = why->second;
   }
   for (const Component* component : components) {
     if (component->ownsThread()) {

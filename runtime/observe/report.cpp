@@ -64,8 +64,10 @@ void eachField(Connection& value, const Visit& visit) requires
     std::is_same_v<std::remove_const_t<Connection>, ConnectionReport> {
   visit("name", value.name);
   visit("lane", value.lane);
+  visit("lane_reason", value.laneReason);
   visit("end", value.end);
   visit("status", value.status);
+  visit("why_lost", value.whyLost);
   visit("bytes_sent", value.bytesSent);
   visit("bytes_received", value.bytesReceived);
   visit("contract", value.contract);

@@ -36,8 +36,10 @@ struct ContractReport {
 struct ConnectionReport {
   std::string name;  ///< "left:Teleop/Slave -> right:PSM1/Arm": the same at both ends
   std::string lane;
+  std::string laneReason;  ///< why it is not a faster one that had been hoped for
   ConnectionEnd end = ConnectionEnd::Both;
   ChannelStatus status = ChannelStatus::Connected;
+  std::string whyLost;  ///< the last time, at the client's end: "silent: ..."; "" if it never was
   std::uint64_t bytesSent = 0, bytesReceived = 0;  ///< on the wire; 0 within a process
 
   /// Of the client's end; none at the provider's alone, and of a connection without a contract.

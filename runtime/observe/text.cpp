@@ -80,6 +80,8 @@ std::string lines(const ConnectionReport& one) {
   text += keptContract(one);
   if (one.failed > 0) text += ", " + counted("failed", one.failed);
   if (one.eventsDropped > 0) text += ", " + counted("events dropped", one.eventsDropped);
+  if (!one.laneReason.empty()) text += "\n    no faster lane: " + one.laneReason;
+  if (!one.whyLost.empty()) text += ", last loss: " + one.whyLost;
   return text + distributed("age of reads", one.readAge) +
          distributed("age of commands", one.commandAge) + "\n";
 }

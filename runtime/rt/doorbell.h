@@ -1,10 +1,12 @@
 #pragma once
 // How a sleeping thread is woken: one word, one system call, and none if it is awake.
 
+#include <suture/base/memory_block.h>
 #include <suture/base/time.h>
 
 #include <atomic>
 #include <cstdint>
+#include <memory>
 
 namespace suture::rt {
 
@@ -24,7 +26,10 @@ class Doorbell {
  public:
   /// `eventDescriptor`: an eventfd to write instead of waking a futex, for a sleeper that sits in
   /// epoll.
-  explicit Doorbell(int eventDescriptor = -1) : eventDescriptor_(eventDescriptor) {}
+  explicit Doorbell(int eventDescriptor = -1);
+  /// In memory that other processes map: its sleeper's, or for ringing one of theirs. What they
+  /// write there can wake it for nothing, or make it sleep until its deadline.
+  explicit Doorbell(std::shared_ptr<MemoryBlock> memory);
   Doorbell(const Doorbell&) = delete;
   Doorbell& operator=(const Doorbell&) = delete;
 
@@ -43,11 +48,18 @@ class Doorbell {
   /// For an owner that sleeps in epoll: what it has been rung for since it last asked.
   RungFor takeRing();
 
+  /// What other processes need to ring it; null if they cannot.
+  const std::shared_ptr<MemoryBlock>& memory() const { return memory_; }
+
  private:
   static constexpr std::uint32_t kAwake = 0, kAsleep = 4;  // beside the bits of RungFor
 
-  std::atomic<std::uint32_t> word_{kAwake};
-  int eventDescriptor_;
+  using Word = std::atomic<std::uint32_t>;
+
+  const std::shared_ptr<MemoryBlock> memory_;
+  Word own_{kAwake};
+  Word& word_;
+  int eventDescriptor_ = -1;
 };
 
 }  // namespace suture::rt

@@ -9,12 +9,13 @@ std::size_t DueBells::firstSlot(const Doorbell& bell) {
   return reinterpret_cast<std::uintptr_t>(&bell) * kGoldenRatio >> (64 - kSlotBits);
 }
 
-void DueBells::add(Doorbell& bell, RungFor what) {
+void DueBells::add(Doorbell& bell, RungFor what, std::atomic<bool>* untaken) {
   std::size_t slot = firstSlot(bell);
   while (slots_[slot] < count_ && due_[slots_[slot]].slot == slot) {
     Due& due = due_[slots_[slot]];
     if (due.bell == &bell) {
       due.what = std::max(due.what, what);
+      if (due.untaken != untaken) due.untaken = nullptr;
       return;
     }
     slot = (slot + 1) % kSlots;
@@ -24,11 +25,16 @@ void DueBells::add(Doorbell& bell, RungFor what) {
     return;
   }
   slots_[slot] = static_cast<std::uint16_t>(count_);
-  due_[count_++] = {&bell, static_cast<std::uint32_t>(slot), what};
+  due_[count_++] = {&bell, static_cast<std::uint32_t>(slot), what, untaken};
 }
 
 void DueBells::ringAll() {
-  for (std::size_t i = 0; i < count_; ++i) due_[i].bell->ring(due_[i].what);
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Due& due = due_[i];
+    const bool wanted =
+        due.untaken == nullptr || due.untaken->exchange(false, std::memory_order_acq_rel);
+    if (wanted) due.bell->ring(due.what);
+  }
   count_ = 0;
 }
 

@@ -4,6 +4,7 @@
 #include <suture/rt/doorbell.h>
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 
@@ -16,7 +17,9 @@ class DueBells {
   static constexpr std::size_t kCapacity = 256;
 
   /// If kCapacity others are due, rings at once.
-  void add(Doorbell& bell, RungFor what = RungFor::Work);
+  /// `untaken`: nobody is rung if that is false by then, for the sleeper has come upon it himself;
+  /// null, or two different ones for a bell: it is rung in any case.
+  void add(Doorbell& bell, RungFor what = RungFor::Work, std::atomic<bool>* untaken = nullptr);
   void ringAll();
 
  private:
@@ -28,6 +31,7 @@ class DueBells {
     Doorbell* bell;
     std::uint32_t slot;
     RungFor what;
+    std::atomic<bool>* untaken;
   };
 
   static std::size_t firstSlot(const Doorbell& bell);

@@ -27,17 +27,21 @@ void write(std::byte* memory, const EventRecord& record, std::span<const std::by
 
 }  // namespace
 
-EventQueue::EventQueue(std::span<const EventLimits> events, Producers producers)
-    : producers_(producers), ring_(totalDepth(events), largestRecord(events)) {
+EventQueue::EventQueue(std::span<const EventLimits> events, Producers producers, Arena& arena)
+    : producers_(producers),
+      foreign_(arena.foreign()),
+      ring_(totalDepth(events), largestRecord(events), arena) {
   for (const auto& event : events) {
-    cells_.push_back(event.latest ? std::make_unique<Cell>(event) : nullptr);
+    cells_.push_back(event.latest ? std::make_unique<Cell>(event, arena) : nullptr);
     const std::uint64_t bit = std::uint64_t{1} << (cells_.size() - 1);
     if (event.shared) shared_ |= bit;
     if (!event.shared && !event.latest) plain_ |= bit;
   }
 }
 
+// In foreign memory no payload owns any.
 EventQueue::~EventQueue() {
+  if (foreign_) return;
   while (next() != nullptr) pop();
   for (const auto& cell : cells_) {
     if (cell == nullptr || !cell->shared) continue;
@@ -89,13 +93,33 @@ bool EventQueue::push(std::uint16_t event, Time stamp, std::span<const std::byte
   return false;
 }
 
-const EventRecord* EventQueue::next() {
+EventRecord* EventQueue::oldest() {
   const std::byte* memory = ring_.front();
   fromRing_ = memory != nullptr;
-  for (std::size_t i = 0; memory == nullptr && i < cells_.size(); ++i) {
-    if (cells_[i] != nullptr && cells_[i]->values.take()) memory = cells_[i]->values.front();
+  for (cell_ = 0; memory == nullptr && cell_ < cells_.size(); ++cell_) {
+    if (cells_[cell_] != nullptr && cells_[cell_]->values.take()) {
+      memory = cells_[cell_]->values.front();
+      break;
+    }
   }
-  next_ = reinterpret_cast<EventRecord*>(const_cast<std::byte*>(memory));
+  return reinterpret_cast<EventRecord*>(const_cast<std::byte*>(memory));
+}
+
+// As the provider would have written it. Of a cell, its payload has room for one event only.
+bool EventQueue::makePossible(EventRecord& record) const {
+  record.stamp = std::clamp(record.stamp, Time{}, now());
+  if (!fromRing_) return record.event == cell_;
+  return record.event < cells_.size() && cells_[record.event] == nullptr;
+}
+
+const EventRecord* EventQueue::next() {
+  next_ = oldest();
+  // As many as the ring has room for, and no more: the provider may write faster than this reads.
+  for (std::size_t left = ring_.cells(); next_ != nullptr && foreign_; --left) {
+    if (makePossible(*next_)) break;
+    if (fromRing_) ring_.pop();
+    next_ = left == 0 ? nullptr : oldest();
+  }
   return next_;
 }
 
@@ -106,9 +130,9 @@ void EventQueue::pop() {
 }
 
 bool EventQueue::pending() const {
-  return ring_.front() != nullptr ||
-         std::any_of(cells_.begin(), cells_.end(),
-                     [](const auto& cell) { return cell != nullptr && cell->values.fresh(); });
+  return ring_.pending() || std::any_of(cells_.begin(), cells_.end(), [](const auto& cell) {
+           return cell != nullptr && cell->values.fresh();
+         });
 }
 
 }  // namespace suture::rt

@@ -44,9 +44,14 @@ enum class Producers : std::uint8_t {
 
 /// One consumer thread. No allocation after construction, no locks. A full queue drops the new
 /// event and counts it, so a slow subscriber delays nobody.
+///
+/// In foreign memory each process has an object of its own and uses one end. What cannot be an
+/// event is left out.
 class EventQueue {
  public:
-  EventQueue(std::span<const EventLimits> events, Producers producers);
+  EventQueue(std::span<const EventLimits> events, Producers producers, Arena& arena);
+  EventQueue(std::span<const EventLimits> events, Producers producers, Arena&& arena = {})
+      : EventQueue(events, producers, arena) {}
   ~EventQueue();
   EventQueue(const EventQueue&) = delete;
   EventQueue& operator=(const EventQueue&) = delete;
@@ -61,6 +66,9 @@ class EventQueue {
   /// Consumer: true if next() would return something.
   bool pending() const;
 
+  /// How many may wait.
+  std::size_t capacity() const { return ring_.cells() + cells_.size(); }
+
   /// Any thread: one more event has been lost, behind this queue.
   void countDropped() { dropped_.fetch_add(1, std::memory_order_relaxed); }
 
@@ -70,8 +78,8 @@ class EventQueue {
  private:
   // A newest-wins event.
   struct Cell {
-    explicit Cell(const EventLimits& event)
-        : values(sizeof(EventRecord) + event.payloadSize), shared(event.shared) {}
+    Cell(const EventLimits& event, Arena& arena)
+        : values(sizeof(EventRecord) + event.payloadSize, arena), shared(event.shared) {}
     LatestCell values;
     const bool shared;
     std::atomic_flag writing = ATOMIC_FLAG_INIT;
@@ -83,15 +91,19 @@ class EventQueue {
   bool pushSpecial(const EventRecord& record, std::span<const std::byte> payload);
   bool pushLatest(Cell& cell, const EventRecord& record, std::span<const std::byte> payload);
   void replace(Cell& cell, const EventRecord& record, std::span<const std::byte> payload);
+  EventRecord* oldest();
+  bool makePossible(EventRecord& record) const;
 
   const Producers producers_;
   std::vector<std::unique_ptr<Cell>> cells_;  // by event; null: queued
   // A bit an event: at most 64 in a contract.
   std::uint64_t shared_ = 0;
   std::uint64_t plain_ = 0;  // neither newest-wins nor shared: all that a sender has to look at
+  const bool foreign_;
   MpscRing ring_;
   EventRecord* next_ = nullptr;  // what the last next() returned
   bool fromRing_ = false;
+  std::size_t cell_ = 0;  // if it is not from the ring
   std::atomic<std::uint64_t> delivered_{0}, dropped_{0};
 };
 

@@ -30,20 +30,27 @@ std::size_t Mailbox::ringBytes(std::span<const CommandLimits> commands) {
   return bytes;
 }
 
-Mailbox::Mailbox(std::span<const CommandLimits> commands)
-    : limits_(commands.begin(), commands.end()),
+Mailbox::Mailbox(std::span<const CommandLimits> commands, Arena& arena)
+    : counters_(arena.make<MailboxCounters>()),
+      limits_(commands.begin(), commands.end()),
       cellOf_(commands.size(), -1),
-      ring_(ringBytes(commands)),
+      ring_(ringBytes(commands), arena),
       taken_(commands.size(), 0),
-      returned_(commands.size()) {
+      published_(arena.make<std::atomic<std::uint64_t>>()),
+      returned_(arena.make<Credits>(commands.size())),
+      foreign_(arena.foreign()) {
   for (std::size_t i = 0; i < limits_.size(); ++i) {
+    mostWaiting_ += limits_[i].depth;
     if (!limits_[i].latest) continue;
+    ++mostWaiting_;
     cellOf_[i] = static_cast<int>(cells_.size());
-    cells_.emplace_back(recordBytes(limits_[i]));
+    cells_.emplace_back(recordBytes(limits_[i]), arena);
   }
 }
 
+// In foreign memory no argument owns any.
 Mailbox::~Mailbox() {
+  if (foreign_) return;
   while (const std::byte* memory = ring_.front()) {
     releaseArguments(*ownRecord(memory));
     ring_.pop();
@@ -70,8 +77,7 @@ Result<std::byte*> Mailbox::claim(std::uint16_t command, Time stamp, std::uint32
     if (limits.shared) releaseSharedSlot(memory + sizeof(CommandRecord));
   } else {
     claimedCell_ = nullptr;
-    const std::uint32_t waiting =
-        taken_[command] - returned_[command].load(std::memory_order_acquire);
+    const std::uint32_t waiting = this->waiting(command);
     // The ring holds every credit's record; a provider that gives back more than it took cannot
     // overrun it.
     memory = waiting < limits.depth ? ring_.claim(recordBytes(limits)) : nullptr;
@@ -87,48 +93,69 @@ Result<std::byte*> Mailbox::claim(std::uint16_t command, Time stamp, std::uint32
 
 void Mailbox::abandon() { releaseArguments(*claimed_); }
 
-void Mailbox::commit() {
+std::size_t Mailbox::commit() {
   if (claimedCell_ != nullptr) {
     if (claimedCell_->values.commit()) increment(counters.replaced);
   } else {
     ++taken_[claimedCommand_];
     ring_.commit();
   }
-  published_.store(nextSequence_++, std::memory_order_release);
+  published_->store(nextSequence_++, std::memory_order_release);
   increment(counters.sent);
+  return SpscRing::recordSize(recordBytes(limits_[claimedCommand_]));
 }
 
 void Mailbox::fixCut() {
   // The cut first, the cells after it: a cell then holds its command up to the cut or something
   // newer.
-  cut_ = published_.load(std::memory_order_acquire);
+  cut_ = published_->load(std::memory_order_acquire);
+  left_ = mostWaiting_;
   for (Cell& cell : cells_) cell.held = cell.values.take() || cell.held;
 }
 
+// Of what has been taken out of the ring and the cells, the one that was sent first.
+CommandRecord* Mailbox::earliest() {
+  CommandRecord* earliest = ownRecord(ring_.front());
+  nextCell_ = nullptr;
+  for (Cell& cell : cells_) {
+    if (!cell.held) continue;
+    CommandRecord* const record = ownRecord(cell.values.front());
+    if (earliest == nullptr || record->sequence < earliest->sequence) {
+      earliest = record;
+      nextCell_ = &cell;
+    }
+  }
+  return earliest;
+}
+
+// As the producer would have written it.
+bool Mailbox::isPossible(const CommandRecord& record) const {
+  if (record.command >= limits_.size()) return false;
+  if (nextCell_ == nullptr) return ring_.frontSize() == recordBytes(limits_[record.command]);
+  const int cell = cellOf_[record.command];
+  return cell >= 0 && nextCell_ == &cells_[static_cast<std::size_t>(cell)];
+}
+
 const CommandRecord* Mailbox::next() {
-  while (true) {
-    CommandRecord* earliest = ownRecord(ring_.front());
-    nextCell_ = nullptr;
-    for (Cell& cell : cells_) {
-      if (!cell.held) continue;
-      CommandRecord* const record = ownRecord(cell.values.front());
-      if (earliest == nullptr || record->sequence < earliest->sequence) {
-        earliest = record;
-        nextCell_ = &cell;
-      }
+  while (!broken_) {
+    next_ = earliest();
+    if (next_ == nullptr || next_->sequence > cut_) return nullptr;
+    if (foreign_) {
+      broken_ = !isPossible(*next_);
+      if (broken_ || left_-- == 0) break;
+      next_->stamp = std::clamp(next_->stamp, Time{}, now());
     }
-    if (earliest == nullptr || earliest->sequence > cut_) return nullptr;
-    next_ = earliest;
-    if (earliest->sequence > lastReturned_.load(std::memory_order_relaxed)) {
-      lastReturned_.store(earliest->sequence, std::memory_order_relaxed);
-      return earliest;
+    if (next_->sequence > lastReturned_.load(std::memory_order_relaxed)) {
+      lastReturned_.store(next_->sequence, std::memory_order_relaxed);
+      return next_;
     }
-    const std::uint16_t command = earliest->command;
+    const std::uint16_t command = next_->command;
     const bool fromRing = nextCell_ == nullptr;
     pop();
     if (fromRing) returnCredit(command);
     increment(counters.superseded);
   }
+  return nullptr;
 }
 
 void Mailbox::pop() {
@@ -141,12 +168,13 @@ void Mailbox::pop() {
 }
 
 void Mailbox::returnCredit(std::uint16_t command) {
-  auto& returned = returned_[command];
-  returned.store(returned.load(std::memory_order_relaxed) + 1, std::memory_order_release);
+  Credits& credits = returned(command);
+  credits.store(credits.load(std::memory_order_relaxed) + 1, std::memory_order_release);
 }
 
 bool Mailbox::pending() const {
-  return published_.load(std::memory_order_acquire) > lastReturned_.load(std::memory_order_relaxed);
+  return published_->load(std::memory_order_acquire) >
+         lastReturned_.load(std::memory_order_relaxed);
 }
 
 }  // namespace suture::rt

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -48,9 +49,16 @@ struct MailboxCounters {
 /// A drain first fixes a cut, the last sequence published so far, and then executes what is at or
 /// before the cut in sequence order; what comes later waits for the next drain. So an old servo_cp
 /// never runs after a newer hold(), whichever of ring and cell they travelled in.
+///
+/// In foreign memory each process has an object of its own and uses one end. A record that cannot
+/// be is the last: nothing is taken any more.
 class Mailbox {
+  const std::shared_ptr<MailboxCounters> counters_;
+
  public:
-  explicit Mailbox(std::span<const CommandLimits> commands);
+  Mailbox(std::span<const CommandLimits> commands, Arena& arena);
+  explicit Mailbox(std::span<const CommandLimits> commands, Arena&& arena = {})
+      : Mailbox(commands, arena) {}
   ~Mailbox();
   Mailbox(const Mailbox&) = delete;
   Mailbox& operator=(const Mailbox&) = delete;
@@ -60,12 +68,13 @@ class Mailbox {
   /// Memory for the arguments of `command`, to be filled before commit(). `call` other than 0 asks
   /// for an answer. Errc::Full if as many of this command wait as its depth allows.
   Result<std::byte*> claim(std::uint16_t command, Time stamp, std::uint32_t call);
-  /// Publishes the command of the last successful claim(), or gives it up.
-  void commit();
+  /// Publishes the command of the last successful claim(), and tells what it takes up; or gives it
+  /// up.
+  std::size_t commit();
   void abandon();
   /// How many of `command` use a credit that the consumer has not returned yet.
   std::uint32_t waiting(std::uint16_t command) const {
-    return taken_[command] - returned_[command].load(std::memory_order_acquire);
+    return taken_[command] - returned(command).load(std::memory_order_acquire);
   }
 
   // --- consumer ---
@@ -82,17 +91,23 @@ class Mailbox {
   /// Any thread: true if something is waiting that next() has not returned.
   bool pending() const;
 
-  MailboxCounters counters;
+  /// Of foreign memory both processes see them, and either may be wrong about them.
+  MailboxCounters& counters = *counters_;
 
  private:
   struct Cell {
-    explicit Cell(std::size_t size) : values(size) {}
+    Cell(std::size_t size, Arena& arena) : values(size, arena) {}
 
     LatestCell values;
     bool held = false;  // taken from the producer, not yet returned by next()
   };
 
+  using Credits = std::atomic<std::uint32_t>;
+
   static std::size_t ringBytes(std::span<const CommandLimits> commands);
+  Credits& returned(std::uint16_t command) const { return returned_.get()[command]; }
+  CommandRecord* earliest();
+  bool isPossible(const CommandRecord& record) const;
   /// Of a counted pointer in a record: releases it.
   void releaseArguments(CommandRecord& record) const;
 
@@ -107,10 +122,16 @@ class Mailbox {
   std::uint16_t claimedCommand_ = 0;
   CommandRecord* claimed_ = nullptr;
   Cell* claimedCell_ = nullptr;
-  std::atomic<std::uint64_t> published_{0};
+
+  // Of both: written by the producer, and by the consumer.
+  const std::shared_ptr<std::atomic<std::uint64_t>> published_;
+  const std::shared_ptr<Credits> returned_;  // given back so far, by command
 
   // Consumer's side.
-  std::vector<std::atomic<std::uint32_t>> returned_;  // credits given back so far, by command
+  const bool foreign_;
+  std::size_t mostWaiting_ = 0;  // as the credits allow
+  std::size_t left_ = 0;  // of them, in this drain: it ends, whatever a foreign producer does
+  bool broken_ = false;   // there has been a record that cannot be
   std::uint64_t cut_ = 0;
   std::atomic<std::uint64_t> lastReturned_{0};  // written by the consumer only
   CommandRecord* next_ = nullptr;               // what the last next() returned

@@ -1,20 +1,31 @@
 #pragma once
 // A bounded queue of equal cells with any number of producers and one consumer.
 
+#include <suture/base/arena.h>
+
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace suture::rt {
 
 /// Any thread may claim() and commit() (in pairs, one pair at a time a thread); one consumer thread
 /// calls front() and pop(). Lock-free, no allocation after construction. A producer that is stopped
 /// between claim and commit holds up the consumer at its cell, never the other producers.
+///
+/// In foreign memory the producers are of one process and the consumer of another, each process
+/// with an object of its own; front() then is a copy, and whatever the other side writes harms
+/// itself alone.
 class MpscRing {
  public:
   /// At least `cells` cells of `cellSize` bytes each.
-  MpscRing(std::size_t cells, std::size_t cellSize);
+  MpscRing(std::size_t cells, std::size_t cellSize, Arena& arena);
+  MpscRing(std::size_t cells, std::size_t cellSize, Arena&& arena = {})
+      : MpscRing(cells, cellSize, arena) {}
+
+  std::size_t cells() const { return mask_ + 1; }
 
   /// Producer: a cell to fill, or nullptr if all are taken.
   std::byte* claim();
@@ -24,8 +35,10 @@ class MpscRing {
   /// Producer: publishes what claim() returned.
   void commit(std::byte* cell);
 
+  /// Consumer: true if front() has a cell to return.
+  bool pending() const;
   /// Consumer: the oldest published cell, or nullptr. Stays valid until pop().
-  const std::byte* front() const;
+  const std::byte* front();
   /// Consumer: releases the cell that front() returned.
   void pop();
 
@@ -37,9 +50,11 @@ class MpscRing {
 
   std::size_t mask_;
   std::size_t stride_;
-  std::unique_ptr<std::byte[]> data_;
+  std::shared_ptr<std::byte> data_;
   alignas(64) std::atomic<std::uint64_t> tail_{0};
   alignas(64) std::uint64_t head_ = 0;
+  std::vector<std::byte> copy_;  // in foreign memory: the front cell's
+  bool copied_ = false;
 };
 
 // Each cell carries the position at which it may be used next: equal to a producer's position it is
@@ -58,7 +73,10 @@ inline std::byte* MpscRing::claim() {
     } else if (turn < position) {
       return nullptr;
     } else {
-      position = tail_.load(std::memory_order_relaxed);
+      const std::uint64_t next = tail_.load(std::memory_order_relaxed);
+      // Nobody else has claimed it: the consumer's process has written what cannot be.
+      if (next == position) return nullptr;
+      position = next;
     }
   }
 }

@@ -7,45 +7,70 @@ namespace suture::rt {
 
 // A record that does not fit before the end starts at the beginning, so up to one record's length
 // is lost there: twice the bytes asked for always suffice.
-SpscRing::SpscRing(std::size_t bytes)
-    : mask_(std::bit_ceil(2 * bytes + 64) - 1), data_(new std::byte[mask_ + 1]) {
-  std::memset(data_.get(), 0, mask_ + 1);  // touches every page now, not in a control loop
+SpscRing::SpscRing(std::size_t bytes, Arena& arena)
+    : mask_(std::bit_ceil(2 * bytes + 64) - 1),
+      shared_(arena.make<Shared>()),
+      data_(arena.take(mask_ + 1)) {
+  if (arena.foreign()) copy_.resize(mask_ + 1);
 }
 
 std::byte* SpscRing::claim(std::size_t size) {
-  const std::uint64_t tail = tail_.load(std::memory_order_relaxed);
   const std::size_t needed = recordSize(size);
-  const std::size_t untilEnd = mask_ + 1 - (tail & mask_);
-  const std::size_t skipped = needed <= untilEnd ? 0 : untilEnd;
-  const std::uint64_t newTail = tail + skipped + needed;
+  const std::size_t skipped = needed <= untilEnd(tail_) ? 0 : untilEnd(tail_);
+  const std::uint64_t newTail = tail_ + skipped + needed;
   if (newTail - knownHead_ > mask_ + 1) {
-    knownHead_ = head_.load(std::memory_order_acquire);
+    knownHead_ = shared_->head.load(std::memory_order_acquire);
     if (newTail - knownHead_ > mask_ + 1) return nullptr;
   }
-  if (skipped > 0) headerAt(tail) = kSkip;
-  headerAt(tail + skipped) = size;
+  if (skipped > 0) headerAt(tail_) = kSkip;
+  headerAt(tail_ + skipped) = size;
   claimedTail_ = newTail;
-  return data_.get() + ((tail + skipped) & mask_) + sizeof(std::uint64_t);
+  return data_.get() + ((tail_ + skipped) & mask_) + sizeof(std::uint64_t);
 }
 
 const std::byte* SpscRing::front() {
-  std::uint64_t head = head_.load(std::memory_order_relaxed);
-  if (head == knownTail_) {
-    knownTail_ = tail_.load(std::memory_order_acquire);
-    if (head == knownTail_) return nullptr;
+  if (copied_) return copy_.data();
+  if (head_ == knownTail_) {
+    knownTail_ = shared_->tail.load(std::memory_order_acquire);
+    if (head_ == knownTail_) return nullptr;
   }
-  if (headerAt(head) == kSkip) {
-    head += mask_ + 1 - (head & mask_);
-    head_.store(head, std::memory_order_release);
+  if (!copy_.empty()) return copyFront() ? copy_.data() : nullptr;
+  if (headerAt(head_) == kSkip) {
+    head_ += untilEnd(head_);
+    shared_->head.store(head_, std::memory_order_release);
   }
-  return data_.get() + (head & mask_) + sizeof(std::uint64_t);
+  return data_.get() + (head_ & mask_) + sizeof(std::uint64_t);
 }
 
-std::size_t SpscRing::frontSize() const { return headerAt(head_.load(std::memory_order_relaxed)); }
+// Every number is read once, and believed only within the ring.
+bool SpscRing::copyFront() {
+  const std::uint64_t published = knownTail_ - head_;
+  std::uint64_t position = head_, size;
+  std::memcpy(&size, &headerAt(position), sizeof(size));
+  if (size == kSkip) {
+    position += untilEnd(position);
+    std::memcpy(&size, &headerAt(position), sizeof(size));
+  }
+  const std::uint64_t skipped = position - head_;
+  const bool fits = published <= mask_ + 1 && published % sizeof(size) == 0 &&
+                    skipped + sizeof(size) <= published && size <= mask_ &&
+                    recordSize(size) <= published - skipped &&
+                    recordSize(size) <= untilEnd(position);
+  broken_ = broken_ || !fits;
+  if (broken_) return false;
+  std::memcpy(copy_.data(), data_.get() + (position & mask_) + sizeof(size), size);
+  head_ = position;
+  copySize_ = size;
+  copied_ = true;
+  return true;
+}
+
+std::size_t SpscRing::frontSize() const { return copied_ ? copySize_ : headerAt(head_); }
 
 void SpscRing::pop() {
-  const std::uint64_t head = head_.load(std::memory_order_relaxed);
-  head_.store(head + recordSize(headerAt(head)), std::memory_order_release);
+  head_ += recordSize(frontSize());
+  copied_ = false;
+  shared_->head.store(head_, std::memory_order_release);
 }
 
 }  // namespace suture::rt

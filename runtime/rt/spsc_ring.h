@@ -2,20 +2,28 @@
 // A bounded queue of variable-length records between exactly one producer and one consumer, written
 // and read in place.
 
+#include <suture/base/arena.h>
+
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace suture::rt {
 
 /// One producer thread calls claim() and commit(), one consumer thread calls front() and pop().
 /// Wait-free, no allocation after construction. Records are 8-byte aligned and never wrap around
 /// the end.
+///
+/// In foreign memory each process has an object of its own and uses one end. What the other may
+/// have written is checked, and read once: front() then is a copy. A ring that cannot be right is
+/// empty for ever.
 class SpscRing {
  public:
   /// Room for at least `bytes` of records, each counted as recordSize(its size).
-  explicit SpscRing(std::size_t bytes);
+  SpscRing(std::size_t bytes, Arena& arena);
+  explicit SpscRing(std::size_t bytes, Arena&& arena = {}) : SpscRing(bytes, arena) {}
 
   /// What a record of `size` bytes takes up in the ring.
   static constexpr std::size_t recordSize(std::size_t size) {
@@ -25,7 +33,10 @@ class SpscRing {
   /// Producer: memory for a record, or nullptr if there is no room. Invisible until commit().
   std::byte* claim(std::size_t size);
   /// Producer: publishes the record of the last claim().
-  void commit() { tail_.store(claimedTail_, std::memory_order_release); }
+  void commit() {
+    tail_ = claimedTail_;
+    shared_->tail.store(tail_, std::memory_order_release);
+  }
 
   /// Consumer: the oldest record, or nullptr. Stays valid until pop().
   const std::byte* front();
@@ -39,20 +50,33 @@ class SpscRing {
   // is unused.
   static constexpr std::uint64_t kSkip = ~std::uint64_t{0};
 
+  // Positions count bytes for ever; the index is the position modulo the size.
+  struct Shared {
+    alignas(64) std::atomic<std::uint64_t> tail{0};
+    alignas(64) std::atomic<std::uint64_t> head{0};
+  };
+
   std::uint64_t& headerAt(std::uint64_t position) const {
     return *reinterpret_cast<std::uint64_t*>(data_.get() + (position & mask_));
   }
+  std::size_t untilEnd(std::uint64_t position) const { return mask_ + 1 - (position & mask_); }
+  bool copyFront();
 
   std::size_t mask_;
-  std::unique_ptr<std::byte[]> data_;
-  // Positions count bytes for ever; the index is the position modulo the size. Each side keeps a
-  // copy of the other's last known position, so that the shared lines move only when a side runs
-  // out.
-  alignas(64) std::atomic<std::uint64_t> tail_{0};
+  std::shared_ptr<Shared> shared_;
+  std::shared_ptr<std::byte> data_;
+  // Each side keeps its own position, and a copy of the other's last known one, so that the shared
+  // lines move only when a side runs out.
+  alignas(64) std::uint64_t tail_ = 0;
   std::uint64_t claimedTail_ = 0;
   std::uint64_t knownHead_ = 0;
-  alignas(64) std::atomic<std::uint64_t> head_{0};
+  alignas(64) std::uint64_t head_ = 0;
   std::uint64_t knownTail_ = 0;
+  // Of a consumer in foreign memory: the front record.
+  std::vector<std::byte> copy_;
+  std::size_t copySize_ = 0;
+  bool copied_ = false;
+  bool broken_ = false;
 };
 
 }  // namespace suture::rt

@@ -5,9 +5,13 @@
 #include <bit>
 #include <cstring>
 #include <new>
+#include <string>
 
 namespace suture::rt {
 namespace {
+
+// Of the block, before the first row.
+constexpr std::size_t kHeaderBytes = 64;
 
 constexpr std::size_t wordsFor(std::size_t bytes) { return (bytes + 7) / 8; }
 
@@ -45,25 +49,63 @@ std::size_t payloadBytes(std::span<const std::uint32_t> columnSizes) {
 }  // namespace
 
 StateTable::StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows, ColumnSet shared)
-    : rowBytes_((sizeof(RowHeader) + payloadBytes(columnSizes) + 63) & ~std::size_t{63}),
+    : rowBytes_(bytesOfRow(columnSizes)),
       draft_(payloadBytes(columnSizes)),
-      shared_(shared, columnSizes.size()) {
+      shared_(shared, columnSizes.size()),
+      demand_(std::make_shared<std::atomic<ColumnSet>>(0)) {
+  addColumns(columnSizes);
+  resize(rows);
+}
+
+StateTable::StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows,
+                       std::shared_ptr<MemoryBlock> memory,
+                       std::shared_ptr<std::atomic<ColumnSet>> demand)
+    : rowBytes_(bytesOfRow(columnSizes)),
+      rowMask_(std::bit_ceil(rows) - 1),
+      shared_(0, columnSizes.size()),
+      demand_(std::move(demand)) {
+  addColumns(columnSizes);
+  if (const std::size_t needed = bytesFor(columnSizes, rows); memory->size() < needed) {
+    throw SetupError(
+        "read a state table of " + std::to_string(rows) + " rows",
+        "the memory has " + std::to_string(memory->size()) + " bytes of " + std::to_string(needed),
+        "Build both processes from the same release");
+  }
+  layOut(std::move(memory));
+}
+
+void StateTable::addColumns(std::span<const std::uint32_t> sizes) {
   std::uint32_t offset = 0;
-  for (const std::uint32_t size : columnSizes) {
+  for (const std::uint32_t size : sizes) {
     columns_.push_back({offset, size});
     offset += static_cast<std::uint32_t>(8 * wordsFor(size));
   }
-  resize(rows);
+}
+
+std::size_t StateTable::bytesOfRow(std::span<const std::uint32_t> columnSizes) {
+  return (sizeof(RowHeader) + payloadBytes(columnSizes) + 63) & ~std::size_t{63};
+}
+
+std::size_t StateTable::bytesFor(std::span<const std::uint32_t> columnSizes, unsigned rows) {
+  return kHeaderBytes + bytesOfRow(columnSizes) * std::bit_ceil(rows);
+}
+
+void StateTable::layOut(std::shared_ptr<MemoryBlock> memory) {
+  memory_ = std::move(memory);
+  newest_ = reinterpret_cast<Word*>(memory_->data());
+  rows_ = memory_->data() + kHeaderBytes;
 }
 
 void StateTable::resize(unsigned rows) {
   rowMask_ = std::bit_ceil(rows) - 1;
-  memory_ = std::make_unique<MemoryBlock>("suture-state", rowBytes_ * (rowMask_ + 1));
-  rows_ = memory_->data();
+  layOut(std::make_shared<MemoryBlock>("suture-state", kHeaderBytes + rowBytes_ * (rowMask_ + 1),
+                                       MemoryBlock::Others::Read));
+  new (newest_) Word{0};
   for (std::size_t i = 0; i <= rowMask_; ++i) new (rows_ + i * rowBytes_) RowHeader{};
 }
 
 StateTable::~StateTable() {
+  if (draft_.empty()) return;
   for (unsigned i = 0; i < columns_.size(); ++i) draft(i);
 }
 
@@ -98,7 +140,7 @@ StateTable::RowHeader& StateTable::headerAt(std::uint64_t sequence) const {
 
 void StateTable::publish(Time stamp, ColumnSet valid, ColumnSet tooLarge) {
   const auto lock = shared_.lock();
-  const std::uint64_t sequence = newest_.load(std::memory_order_relaxed) + 1;
+  const std::uint64_t sequence = newest_->load(std::memory_order_relaxed) + 1;
   lastStamp_ = std::max(lastStamp_, stamp);
   RowHeader& header = headerAt(sequence);
   header.sequence.store(0, std::memory_order_relaxed);
@@ -110,12 +152,12 @@ void StateTable::publish(Time stamp, ColumnSet valid, ColumnSet tooLarge) {
     if (valid >> i & 1) storeColumn(i, header);
   }
   header.sequence.store(sequence, std::memory_order_release);
-  newest_.store(sequence, std::memory_order_release);
+  newest_->store(sequence, std::memory_order_release);
 }
 
 bool StateTable::askAll(ColumnSet columns) {
-  if ((columns & ~demand_.load(std::memory_order_relaxed)) == 0) return false;
-  return (columns & ~demand_.fetch_or(columns, std::memory_order_acq_rel)) != 0;
+  if ((columns & ~demand_->load(std::memory_order_relaxed)) == 0) return false;
+  return (columns & ~demand_->fetch_or(columns, std::memory_order_acq_rel)) != 0;
 }
 
 Errc StateTable::Row::missing(unsigned column) const {
@@ -135,7 +177,7 @@ bool StateTable::tryRead(Row& row, const Copy& copy) const {
       fromNanoseconds(static_cast<std::int64_t>(header.stamp.load(std::memory_order_acquire)));
   row.valid = header.valid.load(std::memory_order_acquire);
   row.tooLarge = header.tooLarge.load(std::memory_order_acquire);
-  if (shared_.which() != 0 && sequence != newest_.load(std::memory_order_relaxed)) {
+  if (shared_.which() != 0 && sequence != newest_->load(std::memory_order_relaxed)) {
     row.tooOld = (row.valid & shared_.which()) != 0;
     row.valid &= ~shared_.which();
   }
@@ -152,7 +194,7 @@ StateTable::Row StateTable::readNewest(const Copy& copy) const {
   Row row;  // the only one: a copy of what has just been written costs as much as all the rest
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     row.tooOld = false;
-    row.sequence = newest_.load(std::memory_order_acquire);
+    row.sequence = newest_->load(std::memory_order_acquire);
     if (row.sequence == 0 || tryRead(row, copy)) return row;
   }
   row = Row{};
@@ -174,7 +216,7 @@ bool StateTable::stampOf(std::uint64_t sequence, Time& stamp) const {
 
 // Stamps ascend with the numbers, and what has been overwritten is older than what has not.
 StateTable::Row StateTable::findAt(Time at) const {
-  std::uint64_t last = newest_.load(std::memory_order_acquire);
+  std::uint64_t last = newest_->load(std::memory_order_acquire);
   std::uint64_t first = oldest(last);
   Row found{.tooOld = first > 1};
   while (first <= last) {
@@ -231,7 +273,7 @@ StateTable::Row StateTable::readRowAt(Time at, std::span<std::byte* const> slots
 StateTable::Row StateTable::readRowNumber(std::uint64_t sequence,
                                           std::span<std::byte* const> slots) const {
   const auto lock = shared_.lock();
-  const std::uint64_t newest = newest_.load(std::memory_order_acquire);
+  const std::uint64_t newest = newest_->load(std::memory_order_acquire);
   Row row{.sequence = sequence};
   if (sequence > newest) return Row{};
   if (sequence >= oldest(newest) && tryRead(row, copying(slots))) return row;

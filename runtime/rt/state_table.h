@@ -6,6 +6,7 @@
 #include <suture/base/time.h>
 #include <suture/rt/shared_columns.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -33,6 +34,11 @@ class StateTable {
   /// is kept, and the table is used under a lock.
   explicit StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows = kDefaultRows,
                       ColumnSet shared = 0);
+  /// A table that another process writes, in memory() of it: for readers only. What is asked of it
+  /// is put into `demand`, for somebody to ask there. Throws SetupError: the memory has not room
+  /// for `rows` rows.
+  StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows,
+             std::shared_ptr<MemoryBlock> memory, std::shared_ptr<std::atomic<ColumnSet>> demand);
   ~StateTable();
   StateTable(const StateTable&) = delete;
   StateTable& operator=(const StateTable&) = delete;
@@ -49,7 +55,7 @@ class StateTable {
   /// counts as that of the row before.
   void publish(Time stamp, ColumnSet valid, ColumnSet tooLarge);
   /// Columns that somebody has asked for. Never shrinks.
-  ColumnSet demand() const { return demand_.load(std::memory_order_acquire); }
+  ColumnSet demand() const { return demand_->load(std::memory_order_acquire); }
 
   // --- readers, any thread ---
 
@@ -80,8 +86,11 @@ class StateTable {
   Row readRowAt(Time at, std::span<std::byte* const> slots) const;
   /// The same of row number `sequence`, from 1.
   Row readRowNumber(std::uint64_t sequence, std::span<std::byte* const> slots) const;
-  /// Number of rows published so far.
-  std::uint64_t rows() const { return newest_.load(std::memory_order_acquire); }
+  /// Number of rows published so far; at most kMostRows, whatever another process has written.
+  static constexpr std::uint64_t kMostRows = std::uint64_t{1} << 62;
+  std::uint64_t rows() const {
+    return std::min(newest_->load(std::memory_order_acquire), kMostRows);
+  }
   /// How many rows it keeps, of which the oldest may be under the writer's pen.
   std::uint64_t capacity() const { return rowMask_ + 1; }
 
@@ -90,6 +99,10 @@ class StateTable {
   std::uint32_t columnSize(unsigned column) const { return columns_[column].size; }
   /// Does a copy of the column have to be released?
   bool isShared(unsigned column) const { return shared_.contains(column); }
+  /// Where the rows lie, for other processes to read. Not if a column is shared.
+  const std::shared_ptr<MemoryBlock>& memory() const { return memory_; }
+  /// How much memory a table takes up.
+  static std::size_t bytesFor(std::span<const std::uint32_t> columnSizes, unsigned rows);
 
  private:
   using Word = std::atomic<std::uint64_t>;
@@ -101,6 +114,9 @@ class StateTable {
     Word stamp, valid, tooLarge;
   };
 
+  static std::size_t bytesOfRow(std::span<const std::uint32_t> columnSizes);
+  void addColumns(std::span<const std::uint32_t> sizes);
+  void layOut(std::shared_ptr<MemoryBlock> memory);
   void storeColumn(unsigned column, RowHeader& header);
   void loadColumn(unsigned column, RowHeader& header, std::byte* slot) const;
   RowHeader& headerAt(std::uint64_t sequence) const;
@@ -122,11 +138,11 @@ class StateTable {
   std::size_t rowMask_ = 0;
   std::vector<std::byte> draft_;
   SharedColumns shared_;
-  std::unique_ptr<MemoryBlock> memory_;
-  std::byte* rows_ = nullptr;  // in memory_
+  std::shared_ptr<MemoryBlock> memory_;
+  Word* newest_ = nullptr;     // at the beginning of memory_
+  std::byte* rows_ = nullptr;  // behind it
   Time lastStamp_{};           // the writer's
-  std::atomic<std::uint64_t> newest_{0};
-  std::atomic<ColumnSet> demand_{0};
+  std::shared_ptr<std::atomic<ColumnSet>> demand_;
 };
 
 }  // namespace suture::rt

@@ -1,29 +1,77 @@
 #include <suture/component/channel.h>
+#include <suture/wiring/compatibility.h>
 #include <suture/wiring/connect.h>
 #include <suture/wiring/differences.h>
 #include <suture/wiring/optional_commands.h>
 
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace suture {
 
-std::size_t requireSameContract(const InterfaceInfo& required, const InterfaceInfo& provided,
-                                const std::string& connection) {
+namespace {
+
+/// `common(one)` of the provided contract or the first of its bases that has any.
+template <class Common>
+std::optional<std::size_t> firstCommon(const InterfaceInfo& provided, const Common& common) {
   for (const InterfaceInfo* one = &provided;; one = &one->base()) {
-    if (std::string_view(required.hash) == one->hash) return kAllCommands;
-    if (const auto common = commonCommands(required.description, one->description)) return *common;
-    if (one->base == nullptr) break;
+    if (const std::optional<std::size_t> commands = common(*one)) return commands;
+    if (one->base == nullptr) return std::nullopt;
   }
+}
+
+std::optional<std::size_t> sameCommands(const InterfaceInfo& required,
+                                        const InterfaceInfo& provided) {
+  if (std::string_view(required.hash) == provided.hash) return kAllCommands;
+  return commonCommands(required.description, provided.description);
+}
+
+std::optional<std::size_t> compatibleCommands(const InterfaceInfo& required,
+                                              const InterfaceInfo& provided) {
+  const Compatibility found = compatibility(required.description, provided.description);
+  return found.breaks.empty() ? std::optional(found.commands) : std::nullopt;
+}
+
+[[noreturn]] void refuse(const InterfaceInfo& required, const InterfaceInfo& provided,
+                         const std::string& connection, const std::vector<std::string>& reasons) {
   std::string found =
       "it requires " + std::string(required.name) + " and is offered " + provided.name;
-  for (const std::string& line : differences(required.description, provided.description)) {
-    found += "\n    " + line;
-  }
+  for (const std::string& line : reasons) found += "\n    " + line;
   throw SetupError("connecting " + connection, found + "\n  ",
                    std::string_view(required.name) == provided.name
                        ? "Build both sides from the same header"
                        : "Connect interfaces of the same contract");
+}
+
+}  // namespace
+
+std::size_t requireSameContract(const InterfaceInfo& required, const InterfaceInfo& provided,
+                                const std::string& connection) {
+  const auto common =
+      firstCommon(provided, [&](const InterfaceInfo& one) { return sameCommands(required, one); });
+  if (common) return *common;
+  refuse(required, provided, connection, differences(required.description, provided.description));
+}
+
+std::size_t requireCompatibleContract(const InterfaceInfo& required, const InterfaceInfo& provided,
+                                      const std::string& connection) {
+  const auto common = firstCommon(provided, [&](const InterfaceInfo& one) {
+    const auto same = sameCommands(required, one);
+    return same ? same : compatibleCommands(required, one);
+  });
+  if (common) return *common;
+  refuse(required, provided, connection, contractDifferences(required, provided));
+}
+
+std::vector<std::string> contractDifferences(const InterfaceInfo& required,
+                                             const InterfaceInfo& provided) {
+  Compatibility found = compatibility(required.description, provided.description);
+  const bool same = std::string_view(required.name) == provided.name;
+  return same && found.comparable ? std::move(found.breaks)
+                                  : differences(required.description, provided.description);
 }
 
 namespace {

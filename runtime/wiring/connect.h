@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace suture {
 
@@ -14,6 +15,15 @@ namespace suture {
 /// commands, from the first, the provider has.
 std::size_t requireSameContract(const InterfaceInfo& required, const InterfaceInfo& provided,
                                 const std::string& connection);
+
+/// The same for two ends of which each has its own memory: they may also have been built from the
+/// contract at different times, if what both know means the same.
+std::size_t requireCompatibleContract(const InterfaceInfo& required, const InterfaceInfo& provided,
+                                      const std::string& connection);
+
+/// What the two say differently, a line each, for people.
+std::vector<std::string> contractDifferences(const InterfaceInfo& required,
+                                             const InterfaceInfo& provided);
 
 /// A channel of this process whose provider end is `provided`'s, for somebody else to carry on to
 /// `required`. `client`, `provider`: the doorbells of its two ends; a provider may ring the first

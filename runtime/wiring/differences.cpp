@@ -1,5 +1,6 @@
 #include <suture/wiring/differences.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -7,6 +8,9 @@ namespace suture {
 namespace {
 
 using Leaves = std::map<std::string, std::string>;
+
+// For people, or told by the rest in words of the header.
+constexpr std::string_view kLeftOut[] = {"doc", "hash", "core", "ordinal", "wire"};
 
 // Elements of a list are known by their name where they have one, so that an inserted one is one
 // difference.
@@ -17,15 +21,20 @@ std::string keyOf(const nlohmann::json& element, std::size_t index) {
   return std::to_string(index);
 }
 
-void flatten(const nlohmann::json& json, const std::string& path, Leaves& leaves) {
+// A peer may send any depth; no description has as much.
+constexpr int kMostLevels = 32;
+
+void flatten(const nlohmann::json& json, const std::string& path, Leaves& leaves, int level = 0) {
   const std::string prefix = path.empty() ? "" : path + ".";
-  if (json.is_object()) {
+  if (level == kMostLevels) {
+    leaves[path] = "too deep";
+  } else if (json.is_object()) {
     for (const auto& [key, value] : json.items()) {
-      if (key != "doc" && key != "hash") flatten(value, prefix + key, leaves);
+      if (!std::ranges::count(kLeftOut, key)) flatten(value, prefix + key, leaves, level + 1);
     }
   } else if (json.is_array()) {
     for (std::size_t i = 0; i < json.size(); ++i) {
-      flatten(json[i], prefix + keyOf(json[i], i), leaves);
+      flatten(json[i], prefix + keyOf(json[i], i), leaves, level + 1);
     }
   } else {
     leaves[path] = json.is_string() ? "'" + json.get<std::string>() + "'" : json.dump();

@@ -26,6 +26,7 @@ struct Refusal {
     notReady @9;
     noHello @10;
     limitReached @11;
+    notPermitted @12;
   }
 }
 

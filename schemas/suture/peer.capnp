@@ -5,6 +5,7 @@ using Cxx = import "/capnp/c++.capnp";
 $Cxx.namespace("suture::wire");
 
 using Manager = import "/suture/manager.capnp";
+using Schema = import "/capnp/schema.capnp";
 
 interface Peer {
   # The bootstrap interface of a process.
@@ -27,8 +28,8 @@ interface Peer {
 
   describe @2 () -> (components :List(Manager.ComponentRecord));
 
-  ping @3 () -> (received :Int64, sent :Int64);
-  # Clock stamps as in hello, at any time; also the heartbeat of a silent link.
+  ping @3 () -> (received :Int64, sent :Int64, tasks :List(TaskPulse));
+  # Clock stamps as in hello, at any time; also the heartbeat of a link.
 
   open @4 (component :Text, interface :Text) -> OpenResults;
   # A provided interface as its plain typed capability, for programs that know only its schema.
@@ -37,6 +38,43 @@ interface Peer {
       contract @0 :Capability;
       refused @1 :Manager.Refusal;
     }
+  }
+
+  explain @5 (component :Text, interface :Text, side :Side) -> ExplainResults;
+  # What an interface is, for programs that know nothing of it.
+  enum Side {
+    provided @0;
+    required @1;
+  }
+  struct ExplainResults {
+    union {
+      explained @0 :Explanation;
+      refused @1 :Manager.Refusal;
+    }
+  }
+}
+
+struct Explanation {
+  description @0 :Text;  # the self-description (JSON): kinds, types, units, documentation
+  contract @1 :UInt64;   # id of the contract's own interface; its events interface is what subscribe() takes
+  nodes @2 :List(Schema.Node);
+  # That interface and everything it is made of, complete. Named without the files they were written in.
+  bases @3 :List(Text);  # descriptions of the contracts it derives from, the nearest first
+}
+
+struct TaskPulse {
+  # How the thread that serves a component does: one that is running, or due, for too long hangs.
+  component @0 :Text;
+  activity @1 :Activity;
+  due @2 :Int64;
+  # Running: since when. Asleep: the latest time of the next cycle, 0 if there is none. The responder's
+  # steady clock, ns.
+  cycles @3 :UInt64;  # so far
+
+  enum Activity {
+    running @0;
+    asleep @1;
+    suspended @2;
   }
 }
 
@@ -52,6 +90,28 @@ struct ConnectRequest {
   events @8 :UInt64;      # bit i: wants event i of the contract
   clockOffset @9 :Int64;  # caller's clock minus responder's, ns, as the caller measured it
   notices @10 :Notices;   # how the caller learns what befalls the connection
+  epoch @11 :Int64;
+  # Higher for each connection that a required interface makes (the caller's steady clock, ns). A higher
+  # one ends those before, whose commands may still be on their way; a lower one comes too late itself.
+  # 0: neither.
+  memory @12 :MemoryRequest;  # not there: the caller does not share memory
+}
+
+struct MemoryRequest {
+  layout @0 :Text;         # of the contract's slots and queues; equal layouts may share memory
+  bell @1 :SharedMemory;   # wakes the caller's thread
+}
+
+interface SharedMemory {
+  # A sealed memfd: the capability's file descriptor. It has no methods.
+}
+
+struct SharedChannel {
+  channel @0 :SharedMemory;   # the queues; both sides write
+  state @1 :SharedMemory;     # the provider's state table; sealed against other writers
+  bell @2 :SharedMemory;      # wakes the provider's thread
+  columns @3 :List(UInt32);   # sizes of the table's columns
+  rows @4 :UInt32;
 }
 
 struct ConnectResults {
@@ -64,6 +124,10 @@ struct ConnectResults {
       # How many of the caller's commands, from the first, the provider has: it may lack optional ones.
       rows @4 :UInt32 = 64;
       # How many rows of state the provider keeps; so does the caller, of those that arrive.
+      memory @5 :SharedChannel;
+      # Everything goes through it, and nothing through `contract`. Not there: the other way round.
+      laneReason @6 :Text;
+      # Why the provider shares no memory although the caller asked for it.
     }
     refused @2 :Manager.Refusal;
   }

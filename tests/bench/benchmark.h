@@ -26,5 +26,7 @@ std::unique_ptr<Benchmark> makeTable2();
 std::unique_ptr<Benchmark> makeCompiler();
 /// What carries the traffic within one process.
 std::unique_ptr<Benchmark> makeLocal();
+/// What carries the traffic between processes.
+std::unique_ptr<Benchmark> makeNetwork();
 
 }  // namespace bench

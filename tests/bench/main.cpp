@@ -11,6 +11,7 @@
 #include "bench/benchmark.h"
 #include "bench/bounds.h"
 #include "bench/machine.h"
+#include "bench/network/sample_process.h"
 #include "bench/table2/server_process.h"
 
 namespace {
@@ -64,13 +65,15 @@ int main(int argc, char** argv) try {
       "Measures Suture. Each subcommand prints tables; --check compares them with their bounds."};
   program.require_subcommand(1);
   bench::addServerProcess(program);
+  bench::addSampleProcess(program);
 
   int status = 0;
   const auto table2 = bench::makeTable2();
   const auto local = bench::makeLocal();
+  const auto network = bench::makeNetwork();
   const auto compiler = bench::makeCompiler();
   CommonOptions options;
-  for (Benchmark* benchmark : {table2.get(), local.get(), compiler.get()}) {
+  for (Benchmark* benchmark : {table2.get(), local.get(), network.get(), compiler.get()}) {
     CLI::App* subcommand = program.add_subcommand(benchmark->name(), benchmark->description());
     subcommand->add_option("--json", options.jsonFile, "writes every figure to this file");
     subcommand->add_flag("--check", options.check,

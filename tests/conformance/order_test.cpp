@@ -110,7 +110,8 @@ TEST_P(Order, EndsInTheLastCommandSentHoweverTheyRace) {
 
 INSTANTIATE_TEST_SUITE_P(
     Lanes, Order,
-    testing::Combine(testing::Values(LaneUnderTest::Local, LaneUnderTest::DelayedLocal,
+    testing::Combine(testing::Values(LaneUnderTest::Local, LaneUnderTest::Shm,
+                                     LaneUnderTest::DelayedLocal, LaneUnderTest::DelayedShm,
                                      LaneUnderTest::DelayedRpc, LaneUnderTest::RpcUnix,
                                      LaneUnderTest::RpcTcp),
                      testing::Values(ProviderKind::Periodic, ProviderKind::EventDriven),

@@ -70,7 +70,8 @@ void Conformance::connect(const std::string& required, const std::string& provid
   const std::chrono::milliseconds each(isDelayed() ? 2 : 0);
   clientManager_->connect(
       "Console/" + required, (withinOneProcess() ? "PSM/" : "provider:PSM/") + provided,
-      suture::Lane::Auto, suture::Manager::kDefaultPatience, {.commands = each, .answers = each});
+      withinOneProcess() || sharesMemory() ? suture::Lane::Auto : suture::Lane::Rpc,
+      suture::Manager::kDefaultPatience, {.commands = each, .answers = each});
   const auto with = [&](const std::function<void(Arm&)>& work) {
     if (required == "Gripper") return client->withGripper(work);
     client->with(work);
@@ -104,8 +105,8 @@ void Conformance::stopProvider() {
 }
 
 std::string nameOf(const testing::TestParamInfo<Combination>& info) {
-  static constexpr const char* kLanes[] = {"Local", "RpcUnix", "RpcTcp", "DelayedLocal",
-                                           "DelayedRpc"};
+  static constexpr const char* kLanes[] = {"Local",        "Shm",        "RpcUnix",   "RpcTcp",
+                                           "DelayedLocal", "DelayedShm", "DelayedRpc"};
   static constexpr const char* kProviders[] = {"Periodic", "EventDriven", "Device"};
   static constexpr const char* kClients[] = {"Task", "Device"};
   const auto [lane, provider, client] = info.param;

@@ -15,7 +15,7 @@
 
 namespace conformance {
 
-enum class LaneUnderTest { Local, RpcUnix, RpcTcp, DelayedLocal, DelayedRpc };
+enum class LaneUnderTest { Local, Shm, RpcUnix, RpcTcp, DelayedLocal, DelayedShm, DelayedRpc };
 enum class ProviderKind { Periodic, EventDriven, Device };
 enum class ClientKind { Task, Device };
 
@@ -40,7 +40,12 @@ class Conformance : public testing::TestWithParam<Combination> {
   }
   bool isDelayed() const {
     const LaneUnderTest lane = std::get<0>(GetParam());
-    return lane == LaneUnderTest::DelayedLocal || lane == LaneUnderTest::DelayedRpc;
+    return lane == LaneUnderTest::DelayedLocal || lane == LaneUnderTest::DelayedShm ||
+           lane == LaneUnderTest::DelayedRpc;
+  }
+  bool sharesMemory() const {
+    const LaneUnderTest lane = std::get<0>(GetParam());
+    return lane == LaneUnderTest::Shm || lane == LaneUnderTest::DelayedShm;
   }
   bool runsInCallersThread() const {
     return providerIsDevice() && std::get<0>(GetParam()) == LaneUnderTest::Local;
@@ -72,8 +77,9 @@ class Conformance : public testing::TestWithParam<Combination> {
 /// Every lane, every kind of provider, every kind of client.
 inline auto allCombinations() {
   return testing::Combine(
-      testing::Values(LaneUnderTest::Local, LaneUnderTest::RpcUnix, LaneUnderTest::RpcTcp,
-                      LaneUnderTest::DelayedLocal, LaneUnderTest::DelayedRpc),
+      testing::Values(LaneUnderTest::Local, LaneUnderTest::Shm, LaneUnderTest::RpcUnix,
+                      LaneUnderTest::RpcTcp, LaneUnderTest::DelayedLocal, LaneUnderTest::DelayedShm,
+                      LaneUnderTest::DelayedRpc),
       testing::Values(ProviderKind::Periodic, ProviderKind::EventDriven, ProviderKind::Device),
       testing::Values(ClientKind::Task, ClientKind::Device));
 }

@@ -16,6 +16,7 @@ void toWire(const JointStateSlot& slot, wire::JointState::Builder out);
 suture::Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, suture::Duration shift);
 bool isValid(const JointStateSlot& slot);
 wire::Mode wireMode(std::uint8_t slot);
+bool isKnownMode(std::uint8_t slot);
 suture::Errc fromWire(wire::Mode in, std::uint8_t& slot);
 void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out);
 suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, suture::Duration shift);
@@ -29,6 +30,7 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::checkSlot;
 using suture::load;
 using suture::newSlot;
 using suture::rpc::ProxyPort;
@@ -45,23 +47,33 @@ using suture::store;
 
 namespace {
 
+bool acceptsArmLikeServoCp(const ArmLikeServoCpArguments& slot);
+bool acceptsArmLikeServoJp(const ArmLikeServoJpArguments& slot);
+bool acceptsArmLikeSetMode(const ArmLikeSetModeArguments& slot);
+bool acceptsArmLikeDistance(const ArmLikeDistanceArguments& slot);
+bool acceptsArmLikeMove(const ArmLikeMoveArguments& slot);
+bool acceptsArmLikeLimit(const ArmLikeLimitArguments& slot);
+
 constexpr CommandInfo kArmLikeCommands[] = {
     {.name = "servo_cp",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<ArmLikeServoCpArguments>,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(500'000'000)},
+     .ttl = Duration(500'000'000),
+     .accepts = checkSlot<ArmLikeServoCpArguments, acceptsArmLikeServoCp>},
     {.name = "servo_jp",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<ArmLikeServoJpArguments>,
      .depth = 16,
-     .latest = true},
+     .latest = true,
+     .accepts = checkSlot<ArmLikeServoJpArguments, acceptsArmLikeServoJp>},
     {.name = "hold", .kind = CommandKind::Void, .depth = 4},
     {.name = "set_mode",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<ArmLikeSetModeArguments>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<ArmLikeSetModeArguments, acceptsArmLikeSetMode>},
     {.name = "measured_cp",
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
@@ -76,13 +88,15 @@ constexpr CommandInfo kArmLikeCommands[] = {
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<ArmLikeDistanceArguments>,
      .resultSize = slotSize<double>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<ArmLikeDistanceArguments, acceptsArmLikeDistance>},
     {.name = "move",
      .kind = CommandKind::WriteReturn,
      .argumentsSize = slotSize<ArmLikeMoveArguments>,
      .resultSize = slotSize<std::uint8_t>,
      .depth = 16,
-     .deadline = Duration(200'000'000)},
+     .deadline = Duration(200'000'000),
+     .accepts = checkSlot<ArmLikeMoveArguments, acceptsArmLikeMove>},
     {.name = "reset",
      .kind = CommandKind::VoidReturn,
      .resultSize = slotSize<std::uint32_t>,
@@ -90,7 +104,8 @@ constexpr CommandInfo kArmLikeCommands[] = {
     {.name = "limit",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<ArmLikeLimitArguments>,
-     .depth = 2},
+     .depth = 2,
+     .accepts = checkSlot<ArmLikeLimitArguments, acceptsArmLikeLimit>},
     {.name = "park", .kind = CommandKind::Void, .depth = 16},
 };
 
@@ -135,6 +150,30 @@ void load(const ArmLikeMovedPayload& slot, PoseStamped& value, double& value2) {
 }
 
 namespace {
+
+bool acceptsArmLikeServoCp(const ArmLikeServoCpArguments& slot) {
+  return isValid(slot.goal);
+}
+
+bool acceptsArmLikeServoJp(const ArmLikeServoJpArguments& slot) {
+  return isValid(slot.goal);
+}
+
+bool acceptsArmLikeSetMode(const ArmLikeSetModeArguments& slot) {
+  return isKnownMode(slot.mode);
+}
+
+bool acceptsArmLikeDistance(const ArmLikeDistanceArguments& slot) {
+  return isValid(slot.to);
+}
+
+bool acceptsArmLikeMove(const ArmLikeMoveArguments& slot) {
+  return isValid(slot.goal) && inRange(slot.speed, 0, 1);
+}
+
+bool acceptsArmLikeLimit(const ArmLikeLimitArguments& slot) {
+  return isValid(slot.speed) && isKnownMode(slot.mode);
+}
 
 // --- ArmLike over Cap'n Proto RPC: the provider's side
 
@@ -212,7 +251,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+      return acceptsArmLikeServoCp(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(ArmLikeCommand::servo_cp), in.getSent(), fill);
   }
@@ -224,7 +263,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+      return acceptsArmLikeServoJp(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(ArmLikeCommand::servo_jp), in.getSent(), fill);
   }
@@ -239,7 +278,9 @@ class ArmLikeServant final : public wire::ArmLike::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<ArmLikeSetModeArguments>(memory);
-      return fromWire(in.getMode(), slot.mode);
+      const Errc error = fromWire(in.getMode(), slot.mode);
+      if (error != Errc{}) return error;
+      return acceptsArmLikeSetMode(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(ArmLikeCommand::set_mode), in.getSent(), fill);
   }
@@ -274,7 +315,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
       auto& slot = newSlot<ArmLikeDistanceArguments>(memory);
       const Errc error = in.hasTo() ? fromWire(in.getTo(), slot.to, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.to) ? Errc{} : Errc::Invalid;
+      return acceptsArmLikeDistance(slot) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<double>(result);
@@ -294,7 +335,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
           fromWire(in.getReason(), slot.reason),
       });
       if (error != Errc{}) return error;
-      return isValid(slot.goal) && inRange(slot.speed, 0, 1) ? Errc{} : Errc::Invalid;
+      return acceptsArmLikeMove(slot) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<std::uint8_t>(result);
@@ -322,7 +363,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
       slot.speed = in.getSpeed();
       const Errc error = fromWire(in.getMode(), slot.mode);
       if (error != Errc{}) return error;
-      return isValid(slot.speed) ? Errc{} : Errc::Invalid;
+      return acceptsArmLikeLimit(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(ArmLikeCommand::limit), in.getSent(), fill);
   }
@@ -527,6 +568,9 @@ class ArmLikeBinding final : public suture::rpc::Binding {
   }
   kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
     return kj::heap<ArmLikeSink>(subscriber.castAs<wire::ArmLikeEvents>());
+  }
+  capnp::InterfaceSchema schema() const override {
+    return capnp::Schema::from<wire::ArmLike>();
   }
 };
 

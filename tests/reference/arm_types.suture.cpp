@@ -73,6 +73,14 @@ wire::Mode wireMode(std::uint8_t slot) {
   return wire::Mode{};
 }
 
+bool isKnownMode(std::uint8_t slot) {
+  switch (static_cast<Mode>(slot)) {
+    case Mode::Disabled: return true;
+    case Mode::Enabled: return true;
+  }
+  return false;
+}
+
 Errc fromWire(wire::Mode in, std::uint8_t& slot) {
   switch (in) {
     case wire::Mode::DISABLED: return slot = static_cast<std::uint8_t>(Mode::Disabled), Errc{};

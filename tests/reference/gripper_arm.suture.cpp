@@ -16,6 +16,7 @@ void toWire(const JointStateSlot& slot, wire::JointState::Builder out);
 suture::Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, suture::Duration shift);
 bool isValid(const JointStateSlot& slot);
 wire::Mode wireMode(std::uint8_t slot);
+bool isKnownMode(std::uint8_t slot);
 suture::Errc fromWire(wire::Mode in, std::uint8_t& slot);
 void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out);
 suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, suture::Duration shift);
@@ -28,6 +29,7 @@ using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Errc;
 using suture::EventInfo;
+using suture::checkSlot;
 using suture::newSlot;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
@@ -41,12 +43,16 @@ using suture::store;
 
 namespace {
 
+bool acceptsGripperArmClose(const GripperArmCloseArguments& slot);
+bool acceptsGripperArmFits(const GripperArmFitsArguments& slot);
+
 constexpr CommandInfo kGripperArmCommands[] = {
     {.name = "close",
      .kind = CommandKind::WriteReturn,
      .argumentsSize = slotSize<GripperArmCloseArguments>,
      .resultSize = slotSize<double>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<GripperArmCloseArguments, acceptsGripperArmClose>},
     {.name = "opening",
      .kind = CommandKind::Read,
      .resultSize = slotSize<double>,
@@ -58,7 +64,8 @@ constexpr CommandInfo kGripperArmCommands[] = {
      .argumentsSize = slotSize<GripperArmFitsArguments>,
      .resultSize = slotSize<std::uint8_t>,
      .depth = 16,
-     .inCallersThread = true},
+     .inCallersThread = true,
+     .accepts = checkSlot<GripperArmFitsArguments, acceptsGripperArmFits>},
 };
 
 constexpr EventInfo kGripperArmEvents[] = {
@@ -75,6 +82,14 @@ bool store(const double& width, GripperArmCloseArguments& slot) { return store(w
 bool store(const double& width, GripperArmFitsArguments& slot) { return store(width, slot.width); }
 
 namespace {
+
+bool acceptsGripperArmClose(const GripperArmCloseArguments& slot) {
+  return isValid(slot.width);
+}
+
+bool acceptsGripperArmFits(const GripperArmFitsArguments& slot) {
+  return isValid(slot.width);
+}
 
 // --- GripperArm over Cap'n Proto RPC: the provider's side
 
@@ -172,7 +187,7 @@ class GripperArmServant final : public wire::GripperArm::Server {
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<GripperArmCloseArguments>(memory);
       slot.width = in.getWidth();
-      return isValid(slot.width) ? Errc{} : Errc::Invalid;
+      return acceptsGripperArmClose(slot) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<double>(result);
@@ -205,7 +220,7 @@ class GripperArmServant final : public wire::GripperArm::Server {
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<GripperArmFitsArguments>(memory);
       slot.width = in.getWidth();
-      return isValid(slot.width) ? Errc{} : Errc::Invalid;
+      return acceptsGripperArmFits(slot) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<std::uint8_t>(result);
@@ -370,6 +385,9 @@ class GripperArmBinding final : public suture::rpc::Binding {
   }
   kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
     return kj::heap<GripperArmSink>(subscriber.castAs<wire::GripperArmEvents>());
+  }
+  capnp::InterfaceSchema schema() const override {
+    return capnp::Schema::from<wire::GripperArm>();
   }
 };
 

@@ -23,6 +23,7 @@ using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Errc;
 using suture::EventInfo;
+using suture::checkSlot;
 using suture::newSlot;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
@@ -36,20 +37,33 @@ using suture::store;
 
 namespace {
 
+bool acceptsAllKindsSetScalar(const AllKindsSetScalarArguments& slot);
+bool acceptsAllKindsSetVector(const AllKindsSetVectorArguments& slot);
+bool acceptsAllKindsSetRecord(const AllKindsSetRecordArguments& slot);
+bool acceptsAllKindsTwiceScalar(const AllKindsTwiceScalarArguments& slot);
+bool acceptsAllKindsTwiceVector(const AllKindsTwiceVectorArguments& slot);
+bool acceptsAllKindsTwiceRecord(const AllKindsTwiceRecordArguments& slot);
+bool acceptsAllKindsSwapScalar(const AllKindsSwapScalarArguments& slot);
+bool acceptsAllKindsSwapVector(const AllKindsSwapVectorArguments& slot);
+bool acceptsAllKindsSwapRecord(const AllKindsSwapRecordArguments& slot);
+
 constexpr CommandInfo kAllKindsCommands[] = {
     {.name = "clear", .kind = CommandKind::Void, .depth = 16},
     {.name = "set_scalar",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<AllKindsSetScalarArguments>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<AllKindsSetScalarArguments, acceptsAllKindsSetScalar>},
     {.name = "set_vector",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<AllKindsSetVectorArguments>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<AllKindsSetVectorArguments, acceptsAllKindsSetVector>},
     {.name = "set_record",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<AllKindsSetRecordArguments>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<AllKindsSetRecordArguments, acceptsAllKindsSetRecord>},
     {.name = "set_text",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<AllKindsSetTextArguments>,
@@ -78,17 +92,20 @@ constexpr CommandInfo kAllKindsCommands[] = {
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<AllKindsTwiceScalarArguments>,
      .resultSize = slotSize<double>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<AllKindsTwiceScalarArguments, acceptsAllKindsTwiceScalar>},
     {.name = "twice_vector",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<AllKindsTwiceVectorArguments>,
      .resultSize = slotSize<std::array<double, 3>>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<AllKindsTwiceVectorArguments, acceptsAllKindsTwiceVector>},
     {.name = "twice_record",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<AllKindsTwiceRecordArguments>,
      .resultSize = slotSize<robots::PosePrmSlot>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<AllKindsTwiceRecordArguments, acceptsAllKindsTwiceRecord>},
     {.name = "twice_text",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<AllKindsTwiceTextArguments>,
@@ -114,17 +131,20 @@ constexpr CommandInfo kAllKindsCommands[] = {
      .kind = CommandKind::WriteReturn,
      .argumentsSize = slotSize<AllKindsSwapScalarArguments>,
      .resultSize = slotSize<double>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<AllKindsSwapScalarArguments, acceptsAllKindsSwapScalar>},
     {.name = "swap_vector",
      .kind = CommandKind::WriteReturn,
      .argumentsSize = slotSize<AllKindsSwapVectorArguments>,
      .resultSize = slotSize<std::array<double, 3>>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<AllKindsSwapVectorArguments, acceptsAllKindsSwapVector>},
     {.name = "swap_record",
      .kind = CommandKind::WriteReturn,
      .argumentsSize = slotSize<AllKindsSwapRecordArguments>,
      .resultSize = slotSize<robots::PosePrmSlot>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<AllKindsSwapRecordArguments, acceptsAllKindsSwapRecord>},
     {.name = "swap_text",
      .kind = CommandKind::WriteReturn,
      .argumentsSize = slotSize<AllKindsSwapTextArguments>,
@@ -143,58 +163,61 @@ constexpr EventInfo kAllKindsEvents[] = {
 // The self-description, as in rt/scenarios/all_kinds.suture.json.
 constexpr char kAllKindsDescription[] = R"json(
 {"name": "scenarios::AllKinds", "hash": "6c3eb0727bcc74c29cb02c916019eb6c", "commands": [{
-"name": "clear", "kind": "void", "doc": "Forgets all values. void", "queue": 16}, {
-"name": "set_scalar", "kind": "write", "wire": "setScalar",
+"name": "clear", "kind": "void", "ordinal": 1, "doc": "Forgets all values. void", "queue": 16}, {
+"name": "set_scalar", "kind": "write", "ordinal": 2, "wire": "setScalar",
 "doc": "Write: keep a value and tell it.", "parameters": [{"name": "value", "type": {
-"kind": "Float64"}}], "queue": 16}, {"name": "set_vector", "kind": "write", "wire": "setVector",
+"kind": "Float64"}}], "queue": 16}, {"name": "set_vector", "kind": "write", "ordinal": 3,
+"wire": "setVector", "parameters": [{"name": "value", "type": {"kind": "matrix",
+"scalar": "Float64", "rows": 3, "columns": 1}}], "queue": 16}, {"name": "set_record",
+"kind": "write", "ordinal": 4, "wire": "setRecord", "parameters": [{"name": "value", "type": {
+"kind": "struct", "name": "robots::PosePrm"}}], "queue": 16}, {"name": "set_text", "kind": "write",
+"ordinal": 5, "wire": "setText", "parameters": [{"name": "value", "type": {"kind": "text",
+"capacity": 31}}], "queue": 16}, {"name": "scalar", "kind": "read", "ordinal": 6,
+"doc": "Read: the value kept.", "result": {"type": {"kind": "Float64"}}, "queue": 16}, {
+"name": "vector", "kind": "read", "ordinal": 7, "result": {"type": {"kind": "matrix",
+"scalar": "Float64", "rows": 3, "columns": 1}}, "queue": 16}, {"name": "record", "kind": "read",
+"ordinal": 8, "result": {"type": {"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}, {
+"name": "text", "kind": "read", "ordinal": 9, "result": {"type": {"kind": "text", "capacity": 31}},
+"queue": 16}, {"name": "twice_scalar", "kind": "qualified read", "ordinal": 10,
+"wire": "twiceScalar", "doc": "Qualified read: twice the value given.", "parameters": [{
+"name": "value", "type": {"kind": "Float64"}}], "result": {"type": {"kind": "Float64"}}, "queue": 16
+}, {"name": "twice_vector", "kind": "qualified read", "ordinal": 11, "wire": "twiceVector",
 "parameters": [{"name": "value", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
-"columns": 1}}], "queue": 16}, {"name": "set_record", "kind": "write", "wire": "setRecord",
-"parameters": [{"name": "value", "type": {"kind": "struct", "name": "robots::PosePrm"}}],
-"queue": 16}, {"name": "set_text", "kind": "write", "wire": "setText", "parameters": [{
-"name": "value", "type": {"kind": "text", "capacity": 31}}], "queue": 16}, {"name": "scalar",
-"kind": "read", "doc": "Read: the value kept.", "result": {"type": {"kind": "Float64"}}, "queue": 16
-}, {"name": "vector", "kind": "read", "result": {"type": {"kind": "matrix", "scalar": "Float64",
-"rows": 3, "columns": 1}}, "queue": 16}, {"name": "record", "kind": "read", "result": {"type": {
-"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}, {"name": "text", "kind": "read",
-"result": {"type": {"kind": "text", "capacity": 31}}, "queue": 16}, {"name": "twice_scalar",
-"kind": "qualified read", "wire": "twiceScalar", "doc": "Qualified read: twice the value given.",
+"columns": 1}}], "result": {"type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1
+}}, "queue": 16}, {"name": "twice_record", "kind": "qualified read", "ordinal": 12,
+"wire": "twiceRecord", "parameters": [{"name": "value", "type": {"kind": "struct",
+"name": "robots::PosePrm"}}], "result": {"type": {"kind": "struct", "name": "robots::PosePrm"}},
+"queue": 16}, {"name": "twice_text", "kind": "qualified read", "ordinal": 13, "wire": "twiceText",
+"parameters": [{"name": "value", "type": {"kind": "text", "capacity": 15}}], "result": {"type": {
+"kind": "text", "capacity": 31}}, "queue": 16}, {"name": "take_scalar", "kind": "void with return",
+"ordinal": 14, "wire": "takeScalar", "doc": "Void with return: the value kept, and forgets it.",
+"result": {"type": {"kind": "Float64"}}, "queue": 16}, {"name": "take_vector",
+"kind": "void with return", "ordinal": 15, "wire": "takeVector", "result": {"type": {
+"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}}, "queue": 16}, {
+"name": "take_record", "kind": "void with return", "ordinal": 16, "wire": "takeRecord", "result": {
+"type": {"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}, {"name": "take_text",
+"kind": "void with return", "ordinal": 17, "wire": "takeText", "result": {"type": {"kind": "text",
+"capacity": 31}}, "queue": 16}, {"name": "swap_scalar", "kind": "write with return", "ordinal": 18,
+"wire": "swapScalar", "doc": "Write with return: keep a value, answer the one before.",
 "parameters": [{"name": "value", "type": {"kind": "Float64"}}], "result": {"type": {
-"kind": "Float64"}}, "queue": 16}, {"name": "twice_vector", "kind": "qualified read",
-"wire": "twiceVector", "parameters": [{"name": "value", "type": {"kind": "matrix",
+"kind": "Float64"}}, "queue": 16}, {"name": "swap_vector", "kind": "write with return",
+"ordinal": 19, "wire": "swapVector", "parameters": [{"name": "value", "type": {"kind": "matrix",
 "scalar": "Float64", "rows": 3, "columns": 1}}], "result": {"type": {"kind": "matrix",
-"scalar": "Float64", "rows": 3, "columns": 1}}, "queue": 16}, {"name": "twice_record",
-"kind": "qualified read", "wire": "twiceRecord", "parameters": [{"name": "value", "type": {
-"kind": "struct", "name": "robots::PosePrm"}}], "result": {"type": {"kind": "struct",
-"name": "robots::PosePrm"}}, "queue": 16}, {"name": "twice_text", "kind": "qualified read",
-"wire": "twiceText", "parameters": [{"name": "value", "type": {"kind": "text", "capacity": 15}}],
-"result": {"type": {"kind": "text", "capacity": 31}}, "queue": 16}, {"name": "take_scalar",
-"kind": "void with return", "wire": "takeScalar",
-"doc": "Void with return: the value kept, and forgets it.", "result": {"type": {"kind": "Float64"}
-}, "queue": 16}, {"name": "take_vector", "kind": "void with return", "wire": "takeVector",
-"result": {"type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}}, "queue": 16},
-{"name": "take_record", "kind": "void with return", "wire": "takeRecord", "result": {"type": {
-"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}, {"name": "take_text",
-"kind": "void with return", "wire": "takeText", "result": {"type": {"kind": "text", "capacity": 31}
-}, "queue": 16}, {"name": "swap_scalar", "kind": "write with return", "wire": "swapScalar",
-"doc": "Write with return: keep a value, answer the one before.", "parameters": [{"name": "value",
-"type": {"kind": "Float64"}}], "result": {"type": {"kind": "Float64"}}, "queue": 16}, {
-"name": "swap_vector", "kind": "write with return", "wire": "swapVector", "parameters": [{
-"name": "value", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}}],
-"result": {"type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}}, "queue": 16},
-{"name": "swap_record", "kind": "write with return", "wire": "swapRecord", "parameters": [{
-"name": "value", "type": {"kind": "struct", "name": "robots::PosePrm"}}], "result": {"type": {
-"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}, {"name": "swap_text",
-"kind": "write with return", "wire": "swapText", "parameters": [{"name": "value", "type": {
-"kind": "text", "capacity": 31}}], "result": {"type": {"kind": "text", "capacity": 31}}, "queue": 16
-}], "events": [{"name": "cleared", "kind": "void", "doc": "All values are forgotten. void",
-"queue": 16}, {"name": "scalar_set", "kind": "write", "wire": "scalarSet",
+"scalar": "Float64", "rows": 3, "columns": 1}}, "queue": 16}, {"name": "swap_record",
+"kind": "write with return", "ordinal": 20, "wire": "swapRecord", "parameters": [{"name": "value",
+"type": {"kind": "struct", "name": "robots::PosePrm"}}], "result": {"type": {"kind": "struct",
+"name": "robots::PosePrm"}}, "queue": 16}, {"name": "swap_text", "kind": "write with return",
+"ordinal": 21, "wire": "swapText", "parameters": [{"name": "value", "type": {"kind": "text",
+"capacity": 31}}], "result": {"type": {"kind": "text", "capacity": 31}}, "queue": 16}], "events": [
+{"name": "cleared", "kind": "void", "ordinal": 1, "doc": "All values are forgotten. void",
+"queue": 16}, {"name": "scalar_set", "kind": "write", "ordinal": 2, "wire": "scalarSet",
 "doc": "Write: a value has been set.", "payload": {"type": {"kind": "Float64"}}, "queue": 16}, {
-"name": "vector_set", "kind": "write", "wire": "vectorSet", "payload": {"type": {"kind": "matrix",
-"scalar": "Float64", "rows": 3, "columns": 1}}, "queue": 16}, {"name": "record_set",
-"kind": "write", "wire": "recordSet", "payload": {"type": {"kind": "struct",
-"name": "robots::PosePrm"}}, "queue": 16}, {"name": "text_set", "kind": "write", "wire": "textSet",
-"payload": {"type": {"kind": "text", "capacity": 31}}, "queue": 16}], "enums": [], "structs": [{
-"name": "robots::PosePrm",
+"name": "vector_set", "kind": "write", "ordinal": 3, "wire": "vectorSet", "payload": {"type": {
+"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}}, "queue": 16}, {
+"name": "record_set", "kind": "write", "ordinal": 4, "wire": "recordSet", "payload": {"type": {
+"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}, {"name": "text_set", "kind": "write",
+"ordinal": 5, "wire": "textSet", "payload": {"type": {"kind": "text", "capacity": 31}}, "queue": 16
+}], "enums": [], "structs": [{"name": "robots::PosePrm",
 "doc": "The fields of the cisst libraries' prmPositionCartesianGet, the type of the paper's\nmeasurements.",
 "fields": [{"name": "timestamp", "type": {"kind": "time", "clock": "steady"}}, {
 "name": "automatic_timestamp", "wire": "automaticTimestamp",
@@ -203,7 +226,77 @@ constexpr char kAllKindsDescription[] = R"json(
 "wire": "movingFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "reference_frame",
 "wire": "referenceFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "position",
 "doc": "The moving frame in the reference frame.", "type": {"kind": "isometry", "scalar": "Float64"
-}, "unit": "m"}]}]})json";
+}, "unit": "m"}]}], "wire": [{"id": "@0xf6dce3f368753cbc", "kind": "interface", "name": "AllKinds",
+"members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events",
+"is": "@0xdccb6d872bbaa8db"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2,
+"name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "clear", "is": "kind \"void\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2,
+"name": "setScalar", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "value",
+"is": "Float64"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 3,
+"name": "setVector", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "value",
+"is": "/suture/types.capnp:Vec3"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 4, "name": "setRecord", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "value",
+"is": "@0xedd17c97b8723561"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 5, "name": "setText", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "value",
+"is": "Text"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 6,
+"name": "scalar", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "Float64"}, {
+"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 7, "name": "vector", "is": "kind \"read\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "/suture/types.capnp:Vec3"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 8, "name": "record", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 9, "name": "text", "is": "kind \"read\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "Text"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 10,
+"name": "twiceScalar", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "value",
+"is": "Float64"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "Float64"}]}, {"at": 11, "name": "twiceVector",
+"is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "value",
+"is": "/suture/types.capnp:Vec3"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "/suture/types.capnp:Vec3"}]}, {"at": 12,
+"name": "twiceRecord", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "value",
+"is": "@0xedd17c97b8723561"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"}]}, {"at": 13,
+"name": "twiceText", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "value",
+"is": "Text"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "Text"}]}, {"at": 14, "name": "takeScalar", "is": "kind \"voidReturn\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "Float64"}]}, {"at": 15, "name": "takeVector", "is": "kind \"voidReturn\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "/suture/types.capnp:Vec3"}]}, {"at": 16, "name": "takeRecord",
+"is": "kind \"voidReturn\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"
+}], "results": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"}]}, {"at": 17,
+"name": "takeText", "is": "kind \"voidReturn\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "Text"}]}, {
+"at": 18, "name": "swapScalar", "is": "kind \"writeReturn\"", "parameters": [{"at": 0,
+"name": "value", "is": "Float64"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "Float64"}]}, {"at": 19, "name": "swapVector",
+"is": "kind \"writeReturn\"", "parameters": [{"at": 0, "name": "value",
+"is": "/suture/types.capnp:Vec3"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "/suture/types.capnp:Vec3"}]}, {"at": 20,
+"name": "swapRecord", "is": "kind \"writeReturn\"", "parameters": [{"at": 0, "name": "value",
+"is": "@0xedd17c97b8723561"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"}]}, {"at": 21,
+"name": "swapText", "is": "kind \"writeReturn\"", "parameters": [{"at": 0, "name": "value",
+"is": "Text"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "Text"}]}]}, {"id": "@0xdccb6d872bbaa8db", "kind": "interface",
+"name": "AllKindsEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
+"name": "row", "is": "@0xf9cad0ab043d03c9"}]}, {"at": 1, "name": "cleared"}, {"at": 2,
+"name": "scalarSet", "parameters": [{"at": 0, "name": "value", "is": "Float64"}]}, {"at": 3,
+"name": "vectorSet", "parameters": [{"at": 0, "name": "value", "is": "/suture/types.capnp:Vec3"}]},
+{"at": 4, "name": "recordSet", "parameters": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"
+}]}, {"at": 5, "name": "textSet", "parameters": [{"at": 0, "name": "value", "is": "Text"}]}]}, {
+"id": "@0xf9cad0ab043d03c9", "kind": "struct", "name": "AllKindsStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "scalar", "is": "Float64"}, {"at": 4,
+"name": "vector", "is": "/suture/types.capnp:Vec3"}, {"at": 5, "name": "record",
+"is": "@0xedd17c97b8723561"}, {"at": 6, "name": "text", "is": "Text"}]}, {
+"id": "@0xedd17c97b8723561", "kind": "struct", "name": "PosePrm", "members": [{"at": 0,
+"name": "timestamp", "is": "Int64 clock \"steady\""}, {"at": 1, "name": "automaticTimestamp",
+"is": "Bool = true"}, {"at": 2, "name": "valid", "is": "Bool"}, {"at": 3, "name": "movingFrame",
+"is": "Text"}, {"at": 4, "name": "referenceFrame", "is": "Text"}, {"at": 5, "name": "position",
+"is": "/suture/types.capnp:Pose unit \"m\""}]}]})json";
 
 }  // namespace
 
@@ -256,6 +349,42 @@ bool store(const std::string& value, AllKindsSwapTextArguments& slot) {
 }
 
 namespace {
+
+bool acceptsAllKindsSetScalar(const AllKindsSetScalarArguments& slot) {
+  return isValid(slot.value);
+}
+
+bool acceptsAllKindsSetVector(const AllKindsSetVectorArguments& slot) {
+  return isValid(slot.value);
+}
+
+bool acceptsAllKindsSetRecord(const AllKindsSetRecordArguments& slot) {
+  return isValid(slot.value);
+}
+
+bool acceptsAllKindsTwiceScalar(const AllKindsTwiceScalarArguments& slot) {
+  return isValid(slot.value);
+}
+
+bool acceptsAllKindsTwiceVector(const AllKindsTwiceVectorArguments& slot) {
+  return isValid(slot.value);
+}
+
+bool acceptsAllKindsTwiceRecord(const AllKindsTwiceRecordArguments& slot) {
+  return isValid(slot.value);
+}
+
+bool acceptsAllKindsSwapScalar(const AllKindsSwapScalarArguments& slot) {
+  return isValid(slot.value);
+}
+
+bool acceptsAllKindsSwapVector(const AllKindsSwapVectorArguments& slot) {
+  return isValid(slot.value);
+}
+
+bool acceptsAllKindsSwapRecord(const AllKindsSwapRecordArguments& slot) {
+  return isValid(slot.value);
+}
 
 // --- AllKinds over Cap'n Proto RPC: the provider's side
 
@@ -351,7 +480,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<AllKindsSetScalarArguments>(memory);
       slot.value = in.getValue();
-      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+      return acceptsAllKindsSetScalar(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(AllKindsCommand::set_scalar), in.getSent(), fill);
   }
@@ -362,7 +491,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
       auto& slot = newSlot<AllKindsSetVectorArguments>(memory);
       const Errc error = in.hasValue() ? fromWire(in.getValue(), slot.value) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+      return acceptsAllKindsSetVector(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(AllKindsCommand::set_vector), in.getSent(), fill);
   }
@@ -374,7 +503,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
       const Errc error =
           in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+      return acceptsAllKindsSetRecord(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(AllKindsCommand::set_record), in.getSent(), fill);
   }
@@ -441,7 +570,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<AllKindsTwiceScalarArguments>(memory);
       slot.value = in.getValue();
-      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+      return acceptsAllKindsTwiceScalar(slot) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<double>(result);
@@ -457,7 +586,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
       auto& slot = newSlot<AllKindsTwiceVectorArguments>(memory);
       const Errc error = in.hasValue() ? fromWire(in.getValue(), slot.value) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+      return acceptsAllKindsTwiceVector(slot) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<std::array<double, 3>>(result);
@@ -474,7 +603,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
       const Errc error =
           in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+      return acceptsAllKindsTwiceRecord(slot) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<robots::PosePrmSlot>(result);
@@ -547,7 +676,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<AllKindsSwapScalarArguments>(memory);
       slot.value = in.getValue();
-      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+      return acceptsAllKindsSwapScalar(slot) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<double>(result);
@@ -563,7 +692,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
       auto& slot = newSlot<AllKindsSwapVectorArguments>(memory);
       const Errc error = in.hasValue() ? fromWire(in.getValue(), slot.value) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+      return acceptsAllKindsSwapVector(slot) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<std::array<double, 3>>(result);
@@ -580,7 +709,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
       const Errc error =
           in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+      return acceptsAllKindsSwapRecord(slot) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<robots::PosePrmSlot>(result);
@@ -924,6 +1053,9 @@ class AllKindsBinding final : public suture::rpc::Binding {
   }
   kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
     return kj::heap<AllKindsSink>(subscriber.castAs<wire::AllKindsEvents>());
+  }
+  capnp::InterfaceSchema schema() const override {
+    return capnp::Schema::from<wire::AllKinds>();
   }
 };
 

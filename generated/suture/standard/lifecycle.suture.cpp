@@ -71,19 +71,19 @@ constexpr char kLifecycleDescription[] = R"json(
 {"name": "suture::Lifecycle",
 "doc": "The provided interface \"component\" of every component that a manager has. It is served also\nwhile the component is suspended or faulted.",
 "hash": "7db3691945a4c1c8da8b8f83ec94f03b", "commands": [{"name": "suspend",
-"kind": "void with return",
+"kind": "void with return", "ordinal": 1,
 "doc": "Lets the component do nothing from its next cycle on. False: it is not running.",
 "result": {"type": {"kind": "Bool"}}, "queue": 16}, {"name": "resume", "kind": "void with return",
-"doc": "Lets it go on. False: it is not suspended.", "result": {"type": {"kind": "Bool"}},
-"queue": 16}, {"name": "component_state", "kind": "read", "wire": "componentState", "result": {
-"type": {"kind": "enum", "name": "suture::ComponentState"}}, "queue": 16}], "events": [{
-"name": "state_changed", "kind": "write", "wire": "stateChanged",
-"doc": "Once for each transition; whoever subscribes later gets the last.", "payload": {"type": {
-"kind": "struct", "name": "suture::StateChange"}}, "queue": 16, "latched": true}], "enums": [{
-"name": "suture::ComponentState", "underlying": "UInt8", "enumerators": [{"name": "Constructed",
-"value": 0, "wire": "constructed"}, {"name": "Configured", "value": 1, "wire": "configured"}, {
-"name": "Running", "value": 2, "wire": "running"}, {"name": "Suspended", "value": 3,
-"wire": "suspended",
+"ordinal": 2, "doc": "Lets it go on. False: it is not suspended.", "result": {"type": {
+"kind": "Bool"}}, "queue": 16}, {"name": "component_state", "kind": "read", "ordinal": 3,
+"wire": "componentState", "result": {"type": {"kind": "enum", "name": "suture::ComponentState"}},
+"queue": 16}], "events": [{"name": "state_changed", "kind": "write", "ordinal": 1,
+"wire": "stateChanged", "doc": "Once for each transition; whoever subscribes later gets the last.",
+"payload": {"type": {"kind": "struct", "name": "suture::StateChange"}}, "queue": 16, "latched": true
+}], "enums": [{"name": "suture::ComponentState", "underlying": "UInt8", "enumerators": [{
+"name": "Constructed", "value": 0, "wire": "constructed"}, {"name": "Configured", "value": 1,
+"wire": "configured"}, {"name": "Running", "value": 2, "wire": "running"}, {"name": "Suspended",
+"value": 3, "wire": "suspended",
 "doc": "keeps its thread and its connections, and does nothing but wait for resume"}, {
 "name": "Faulted", "value": 4, "wire": "faulted",
 "doc": "a handler or hook threw; the end of this component, not of its process"}, {
@@ -92,7 +92,28 @@ constexpr char kLifecycleDescription[] = R"json(
 "name": "suture::ComponentState"}, "default": "Constructed"}, {"name": "fault",
 "doc": "What was thrown, if the state is Faulted; its end may be cut off.", "type": {
 "kind": "text", "capacity": 255}}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]}
-]})json";
+], "wire": [{"id": "@0xc0c56c9588a77b40", "kind": "interface", "name": "Lifecycle", "members": [{
+"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xa4c750cb89591cca"
+}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]
+}, {"at": 1, "name": "suspend", "is": "kind \"voidReturn\"", "parameters": [{"at": 0,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "Bool"}]}, {"at": 2, "name": "resume", "is": "kind \"voidReturn\"", "parameters": [{"at": 0,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "Bool"}]}, {"at": 3, "name": "componentState", "is": "kind \"read\"", "parameters": [{
+"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0x8e5bed957aeeb624"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xa4c750cb89591cca", "kind": "interface", "name": "LifecycleEvents", "members": [{"at": 0,
+"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xf777f0543682aa19"}]}, {"at": 1,
+"name": "stateChanged", "parameters": [{"at": 0, "name": "value", "is": "@0x94110f1e97b939a5"}]}]},
+{"id": "@0xf777f0543682aa19", "kind": "struct", "name": "LifecycleStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "componentState", "is": "@0x8e5bed957aeeb624"
+}]}, {"id": "@0x8e5bed957aeeb624", "kind": "enum", "name": "ComponentState", "members": [{"at": 0,
+"name": "constructed"}, {"at": 1, "name": "configured"}, {"at": 2, "name": "running"}, {"at": 3,
+"name": "suspended"}, {"at": 4, "name": "faulted"}, {"at": 5, "name": "stopped"}]}, {
+"id": "@0x94110f1e97b939a5", "kind": "struct", "name": "StateChange", "members": [{"at": 0,
+"name": "state", "is": "@0x8e5bed957aeeb624"}, {"at": 1, "name": "fault", "is": "Text"}, {"at": 2,
+"name": "stamp", "is": "Int64 clock \"steady\""}]}]})json";
 
 }  // namespace
 
@@ -128,6 +149,18 @@ wire::ComponentState wireComponentState(std::uint8_t slot) {
   return wire::ComponentState{};
 }
 
+bool isKnownComponentState(std::uint8_t slot) {
+  switch (static_cast<ComponentState>(slot)) {
+    case ComponentState::Constructed: return true;
+    case ComponentState::Configured: return true;
+    case ComponentState::Running: return true;
+    case ComponentState::Suspended: return true;
+    case ComponentState::Faulted: return true;
+    case ComponentState::Stopped: return true;
+  }
+  return false;
+}
+
 Errc fromWire(wire::ComponentState in, std::uint8_t& slot) {
   switch (in) {
     case wire::ComponentState::CONSTRUCTED: return slot =
@@ -160,8 +193,8 @@ Errc fromWire(wire::StateChange::Reader in, StateChangeSlot& slot, Duration shif
   });
 }
 
-bool isValid(const StateChangeSlot&) {
-  return true;
+bool isValid(const StateChangeSlot& slot) {
+  return isKnownComponentState(slot.state);
 }
 
 namespace {
@@ -351,6 +384,9 @@ class LifecycleBinding final : public suture::rpc::Binding {
   }
   kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
     return kj::heap<LifecycleSink>(subscriber.castAs<wire::LifecycleEvents>());
+  }
+  capnp::InterfaceSchema schema() const override {
+    return capnp::Schema::from<wire::Lifecycle>();
   }
 };
 

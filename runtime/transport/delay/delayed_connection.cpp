@@ -158,7 +158,7 @@ void DelayedConnection::deliver(const rt::CommandRecord& record) {
     return;
   }
   std::memcpy(*slot, record.arguments(), near_->info.commands[record.command].argumentsSize);
-  far_->commands.commit();
+  far_->countSent(far_->commands.commit());
 }
 
 void DelayedConnection::returnCredits() {
@@ -193,6 +193,7 @@ void DelayedConnection::takeAnswers() {
     if (memory == nullptr) return;
     std::memcpy(memory, answer, size);
     answers_.commit();
+    far_->countReceived(rt::SpscRing::recordSize(size));
     far_->replies.pop();
   }
 }
@@ -223,6 +224,7 @@ void DelayedConnection::takeEvents() {
     memory = events_.claim(record->stamp + delay_.answers, sizeof(*record) + size);
     std::memcpy(memory, record, sizeof(*record) + size);
     events_.commit();
+    far_->countReceived(sizeof(*record) + size);
     far_->events.pop();
   }
 }
@@ -240,9 +242,13 @@ void DelayedConnection::deliverEvents(Time now) {
 }
 
 void DelayedConnection::takeRows() {
-  for (const std::uint64_t newest = far_->state->rows(); nextRow_ <= newest; ++nextRow_) {
+  const std::uint64_t newest = far_->state->rows(), capacity = far_->state->capacity();
+  if (newest > capacity) nextRow_ = std::max(nextRow_, newest - capacity + 1);  // of those kept
+  for (; nextRow_ <= newest; ++nextRow_) {
     const rt::StateTable::Row row = far_->state->readRowNumber(nextRow_, slotPointers_);
-    if (row.sequence != 0) keepRow(row, now() + delay_.answers);
+    if (row.sequence == 0) continue;
+    far_->countReceived(far_->state->rowBytes());
+    keepRow(row, now() + delay_.answers);
   }
 }
 

@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::string_view kUnix = "unix:";
 constexpr std::string_view kTcp = "tcp://";
+constexpr std::string_view kTls = "tls://";
+constexpr std::string_view kInsecure = "?insecure";
 
 [[noreturn]] void refuse(const std::string& text, const std::string& found, const char* remedy) {
   throw SetupError("use the address '" + text + "'", found, remedy);
@@ -41,28 +43,44 @@ Address parseUnix(const std::string& text) {
   return address;
 }
 
-Address parseTcp(const std::string& text) {
-  Address address;
-  address.kind = Address::Kind::Tcp;
-  const std::string rest = text.substr(kTcp.size());
-  const std::size_t colon = rest.rfind(':');
-  const char* end = rest.data() + rest.size();
-  const char* digits = colon == std::string::npos ? end : rest.data() + colon + 1;
+void parsePort(Address& address, const std::string& text, std::string_view hostAndPort) {
+  const std::size_t colon = hostAndPort.rfind(':');
+  const char* const end = hostAndPort.data() + hostAndPort.size();
+  const char* const digits = colon == std::string_view::npos ? end : hostAndPort.data() + colon + 1;
   const auto [stop, error] = std::from_chars(digits, end, address.port);
   if (error != std::errc{} || stop != end) {
     refuse(text, "it has no port between 0 and 65535", "Write tcp://127.0.0.1:7700.");
   }
-  address.host = rest.substr(0, colon);
+  address.host = hostAndPort.substr(0, colon);
   if (address.host.starts_with('[') && address.host.ends_with(']')) {
     address.host = address.host.substr(1, address.host.size() - 2);
   }
   if (address.host == "localhost") address.host = "127.0.0.1";
-  if (isLoopback(address.host)) return address;
-  refuse(text,
-         isNumeric(address.host)
-             ? "plain TCP carries no proof of who is talking, and this is not a loopback address"
-             : "its host is neither localhost nor a numeric address",
-         "Use 127.0.0.1, or unix:/path, and a tunnel between machines.");
+  if (isNumeric(address.host)) return;
+  refuse(text, "its host is neither localhost nor a numeric address",
+         "Use 127.0.0.1, the number of the other machine, or unix:/path.");
+}
+
+Address parseTls(const std::string& text) {
+  Address address;
+  address.kind = Address::Kind::Tls;
+  parsePort(address, text, std::string_view(text).substr(kTls.size()));
+  return address;
+}
+
+Address parseTcp(const std::string& text) {
+  Address address;
+  address.kind = Address::Kind::Tcp;
+  std::string_view rest = std::string_view(text).substr(kTcp.size());
+  if (rest.ends_with(kInsecure)) {
+    address.insecure = true;
+    rest.remove_suffix(kInsecure.size());
+  }
+  parsePort(address, text, rest);
+  if (address.insecure || isLoopback(address.host)) return address;
+  refuse(text, "plain TCP carries no proof of who is talking, and this is not a loopback address",
+         "Use tls:// with keys from suture keys, 127.0.0.1, or unix:/path. On a network that only "
+         "you can reach, and where everybody may command the robot, add ?insecure.");
 }
 
 }  // namespace
@@ -70,14 +88,34 @@ Address parseTcp(const std::string& text) {
 Address Address::parse(const std::string& text) {
   if (text.starts_with(kUnix)) return parseUnix(text);
   if (text.starts_with(kTcp)) return parseTcp(text);
-  refuse(text, "it begins with neither unix: nor tcp://",
-         "Write unix:/path or tcp://127.0.0.1:7700.");
+  if (text.starts_with(kTls)) return parseTls(text);
+  refuse(text, "it begins with neither unix:, tls:// nor tcp://",
+         "Write unix:/path, tls://host:7700 or tcp://127.0.0.1:7700.");
 }
 
 std::string Address::text() const {
   if (kind == Kind::Unix) return std::string(kUnix) + path;
   const bool six = host.find(':') != std::string::npos;
-  return std::string(kTcp) + (six ? "[" + host + "]" : host) + ":" + std::to_string(port);
+  return std::string(kind == Kind::Tls ? kTls : kTcp) + (six ? "[" + host + "]" : host) + ":" +
+         std::to_string(port) + std::string(insecure ? kInsecure : "");
+}
+
+Address localAddress(const Address& far, int socket) {
+  Address here = far;
+  here.port = 0;
+  sockaddr_storage bound{};
+  socklen_t length = sizeof(bound);
+  char host[INET6_ADDRSTRLEN] = "";
+  if (far.kind == Address::Kind::Unix ||
+      getsockname(socket, reinterpret_cast<sockaddr*>(&bound), &length) != 0) {
+    return here;
+  }
+  const void* const number =
+      bound.ss_family == AF_INET6
+          ? static_cast<const void*>(&reinterpret_cast<sockaddr_in6&>(bound).sin6_addr)
+          : &reinterpret_cast<sockaddr_in&>(bound).sin_addr;
+  if (inet_ntop(bound.ss_family, number, host, sizeof(host)) != nullptr) here.host = host;
+  return here;
 }
 
 SocketAddress::SocketAddress(const Address& address) {

@@ -1,5 +1,5 @@
 #pragma once
-// Where a process can be reached: "unix:/path" or "tcp://host:port".
+// Where a process can be reached: "unix:/path", "tls://host:port" or "tcp://host:port".
 
 #include <suture/base/errors.h>
 #include <sys/socket.h>
@@ -12,11 +12,11 @@ namespace suture::rpc {
 
 /// A parsed address. A value.
 struct Address {
-  enum class Kind : std::uint8_t { Unix, Tcp };
+  enum class Kind : std::uint8_t { Unix, Tcp, Tls };
 
-  /// Throws SetupError: not of either form, a path longer than a socket can have, a host that is
-  /// neither a number nor localhost, or (plain TCP is for one machine only) a host that is not
-  /// loopback.
+  /// Throws SetupError: of no such form, a path longer than a socket can have, a host that is
+  /// neither a number nor localhost, or plain TCP beyond this machine, unless that is asked for:
+  /// "tcp://192.168.1.5:7700?insecure".
   static Address parse(const std::string& text);
 
   /// The form that parse() takes.
@@ -24,9 +24,14 @@ struct Address {
 
   Kind kind = Kind::Unix;
   std::string path;  ///< Unix
-  std::string host;  ///< Tcp, numeric
+  std::string host;  ///< Tcp and Tls, numeric
   std::uint16_t port = 0;
+  bool insecure = false;  ///< Tcp: may lead beyond this machine
 };
+
+/// Where this end of `socket`, which leads to `far`, is: of the same kind, with port 0. Unix:
+/// `far`.
+Address localAddress(const Address& far, int socket);
 
 /// The kernel's form of an Address.
 struct SocketAddress {

@@ -5,6 +5,7 @@
 #include <suture/transport/rpc/kj_comparisons.h>  // first
 
 #include <capnp/capability.h>
+#include <capnp/schema.h>
 #include <suture/component/channel.h>
 #include <suture/rt/mailbox.h>
 
@@ -58,6 +59,8 @@ class Binding {
   virtual kj::Own<Proxy> makeProxy(capnp::Capability::Client contract, ProxyPort& port) const = 0;
   /// Speaks to `subscriber`, which must be of the contract's events interface.
   virtual kj::Own<EventSink> makeSink(capnp::Capability::Client subscriber) const = 0;
+  /// Any thread: the contract's own interface; its events interface is what `subscribe` takes.
+  virtual capnp::InterfaceSchema schema() const = 0;
 
  protected:
   ~Binding() = default;

@@ -97,8 +97,10 @@ bool allOf(const OpenOptional<S>& slot, const Check& check) {
 }
 template <Number S, std::uint32_t R, std::uint32_t C, class Check>
 bool allOf(const BoundedMatrix<S, R, C>& slot, const Check& check) {
+  const auto [rows, columns] = extentOf(slot);
+  if (rows != slot.rows || columns != slot.columns) return false;
   const S* const begin = elements(slot);
-  return std::all_of(begin, begin + std::size_t{slot.rows} * slot.columns, check);
+  return std::all_of(begin, begin + std::size_t{rows} * columns, check);
 }
 
 template <std::uint32_t N>

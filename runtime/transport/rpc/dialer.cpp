@@ -38,7 +38,7 @@ kj::Promise<kj::AutoCloseFd> finish(kj::UnixEventPort& port, kj::AutoCloseFd soc
 /// A Unix socket whose listener is busy refuses for the moment.
 kj::Promise<kj::AutoCloseFd> tryConnect(kj::UnixEventPort& port, const Address& address) {
   kj::AutoCloseFd socket = openSocket(address);
-  if (address.kind == Address::Kind::Tcp) sendWithoutDelay(socket);
+  if (address.kind != Address::Kind::Unix) sendWithoutDelay(socket);
   const SocketAddress target(address);
   if (connect(socket, target.get(), target.length) == 0) return kj::mv(socket);
   if (errno == EINPROGRESS) return finish(port, kj::mv(socket), address);

@@ -24,6 +24,8 @@ struct StreamLimits {
   std::int64_t partialMilliseconds = 5'000;  ///< from the first byte of a message to its last
   std::int64_t firstMilliseconds =
       5'000;  ///< from the connection to its first whole message; 0: no bound
+  std::int64_t handshakeMilliseconds = 5'000;  ///< accepted links: for TLS
+  std::int64_t helloMilliseconds = 10'000;     ///< accepted links: until the peer is known
 };
 
 /// Where the parts of a frame lie. Sizes in bytes.

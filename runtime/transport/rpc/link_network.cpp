@@ -27,8 +27,11 @@ class LinkNetwork::Outgoing final : public capnp::OutgoingRpcMessage {
     // The caller's last word on a call that has returned only frees memory at the peer.
     const bool finish = message_.getRoot<capnp::rpc::Message>().isFinish();
     stream_.write(message_.getSegmentsForOutput(),
-                  finish ? MessageStream::Leaves::WithTheNext : MessageStream::Leaves::WithTheTurn);
+                  finish ? MessageStream::Leaves::WithTheNext : MessageStream::Leaves::WithTheTurn,
+                  descriptors_);
   }
+
+  void setFds(kj::Array<int> descriptors) override { descriptors_ = kj::mv(descriptors); }
 
   std::size_t sizeInWords() override {
     std::size_t words = 0;
@@ -43,6 +46,7 @@ class LinkNetwork::Outgoing final : public capnp::OutgoingRpcMessage {
   MessageStream& stream_;
   capnp::word room_[kRoom] = {};
   capnp::MallocMessageBuilder message_;
+  kj::Array<int> descriptors_;
 };
 
 class LinkNetwork::Only final : public Base::Connection, public kj::Refcounted {

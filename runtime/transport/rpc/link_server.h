@@ -3,33 +3,52 @@
 
 #include <suture/transport/rpc/link.h>
 #include <suture/transport/rpc/listener.h>
+#include <suture/transport/rpc/secure.h>
+
+#include <memory>
 
 namespace suture::rpc {
+
+/// Who is at the other end of an accepted link. Belongs to the control thread.
+struct Caller {
+  PeerIdentity identity;
+  std::shared_ptr<const LinkCounters> counters;  ///< of the link, for reports
+  /// Set by who serves it once it has said what it wants. A link on which nobody does so is closed
+  /// after StreamLimits::helloMilliseconds.
+  bool known = false;
+};
 
 /// Accepts until it is destroyed, which closes all its links. Belongs to the control thread.
 class LinkServer final : private kj::TaskSet::ErrorHandler {
  public:
-  /// `offer` makes the bootstrap capability of each new link; it learns the link's counters, for
-  /// reports.
-  using Offer = kj::Function<capnp::Capability::Client(std::shared_ptr<const LinkCounters>)>;
+  /// Makes the bootstrap capability of each new link.
+  using Offer = kj::Function<capnp::Capability::Client(std::shared_ptr<Caller>)>;
 
-  /// Throws SetupError as Listener does. More than `maxLinks` connections at a time are closed
-  /// unheard.
+  /// Throws SetupError as Listener does, or if the address needs keys and `trust` has none. More
+  /// than `maxLinks` connections at a time are closed unheard. At tls:// a peer without a
+  /// certificate of the CA gets no link; at unix: one that is run by a user who is not trusted gets
+  /// a link on which it only hears why it is refused.
   LinkServer(EventPort& port, const Address& address, Offer offer, StreamLimits limits = {},
-             std::size_t maxLinks = 1024);
+             std::size_t maxLinks = 1024, Trust trust = {});
 
   const Address& address() const { return listener_.address(); }
 
  private:
   void accept(kj::AutoCloseFd socket);
+  kj::Promise<void> secure(kj::AutoCloseFd socket);
+  kj::Promise<void> serve(ByteStream bytes);
+  capnp::Capability::Client offerTo(const std::shared_ptr<Caller>& caller);
+  kj::Promise<void> whenStranger(std::shared_ptr<Caller> caller);
   void taskFailed(kj::Exception&& exception) override;
 
   EventPort& port_;
+  const Trust trust_;
   Listener listener_;
   Offer offer_;
   StreamLimits limits_;
   std::size_t maxLinks_;
   std::size_t links_ = 0;
+  kj::TimePoint mayTell_;
   kj::TaskSet tasks_;  // last: cancelled first
 };
 

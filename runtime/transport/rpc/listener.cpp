@@ -12,6 +12,9 @@ namespace suture::rpc {
 namespace {
 
 constexpr int kBacklog = 128;
+constexpr mode_t kEverybodys = S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;
+// A caller that says nothing for so long is gone: it has a shorter bound of its own, and is back.
+constexpr Duration kForgotten = std::chrono::seconds(60);
 
 [[noreturn]] void cannotListen(const Address& address, int error) {
   const std::string asked = "listen at " + address.text();
@@ -25,33 +28,21 @@ constexpr int kBacklog = 128;
                        : "Choose another address or port.");
 }
 
-/// A socket file that nobody answers at. Leaves errno as it was.
-bool isStale(const Address& address) {
-  struct stat status {};
-  if (address.kind != Address::Kind::Unix || stat(address.path.c_str(), &status) != 0) return false;
-  if (!S_ISSOCK(status.st_mode)) return false;
-  const int before = errno;
-  const kj::AutoCloseFd probe = openSocket(address);
-  const SocketAddress target(address);
-  const bool refused = connect(probe, target.get(), target.length) != 0 && errno == ECONNREFUSED;
-  errno = before;
-  return refused;
-}
-
-kj::AutoCloseFd bindTo(const Address& address) {
+kj::AutoCloseFd bindTo(const Address& address, Listener::Opens opens) {
   kj::AutoCloseFd listening = openSocket(address);
   const int on = 1;
-  if (address.kind == Address::Kind::Tcp) {
+  if (address.kind != Address::Kind::Unix) {
     setsockopt(listening, SOL_SOCKET, SO_REUSEADDR, &on, sizeof(on));
   } else {
     fchmod(listening, S_IRUSR | S_IWUSR);  // the file that bind() makes inherits it
   }
   const SocketAddress target(address);
   if (bind(listening, target.get(), target.length) != 0) {
-    if (errno != EADDRINUSE || !isStale(address)) cannotListen(address, errno);
+    if (errno != EADDRINUSE || !Listener::isStale(address)) cannotListen(address, errno);
     unlink(address.path.c_str());
     if (bind(listening, target.get(), target.length) != 0) cannotListen(address, errno);
   }
+  if (opens == Listener::Opens::ToOthers) chmod(address.path.c_str(), kEverybodys);
   if (::listen(listening, kBacklog) != 0) cannotListen(address, errno);
   return listening;
 }
@@ -71,12 +62,25 @@ ino_t inodeOf(const std::string& path) {
 
 }  // namespace
 
-Listener::Listener(kj::UnixEventPort& port, const Address& address)
+// Leaves errno as it was.
+bool Listener::isStale(const Address& address) {
+  struct stat status {};
+  if (address.kind != Address::Kind::Unix || stat(address.path.c_str(), &status) != 0) return false;
+  if (!S_ISSOCK(status.st_mode)) return false;
+  const int before = errno;
+  const kj::AutoCloseFd probe = openSocket(address);
+  const SocketAddress target(address);
+  const bool refused = connect(probe, target.get(), target.length) != 0 && errno == ECONNREFUSED;
+  errno = before;
+  return refused;
+}
+
+Listener::Listener(kj::UnixEventPort& port, const Address& address, Opens opens)
     : port_(port),
       address_(address),
-      socket_(bindTo(address)),
+      socket_(bindTo(address, opens)),
       observer_(port, socket_, kj::UnixEventPort::FdObserver::OBSERVE_READ) {
-  if (address_.kind == Address::Kind::Tcp) {
+  if (address_.kind != Address::Kind::Unix) {
     address_.port = boundPort(socket_, address.port);
   } else {
     inode_ = inodeOf(address_.path);
@@ -98,7 +102,10 @@ kj::Promise<void> Listener::acceptAll() {
     const int accepted = accept4(socket_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
     if (accepted >= 0) {
       kj::AutoCloseFd connection(accepted);
-      if (address_.kind == Address::Kind::Tcp) sendWithoutDelay(connection);
+      if (address_.kind != Address::Kind::Unix) {
+        sendWithoutDelay(connection);
+        breakWhenUnanswered(connection, kForgotten);
+      }
       accept_(kj::mv(connection));
     } else if (errno == EAGAIN) {
       return observer_.whenBecomesReadable().then([this] { return acceptAll(); });

@@ -12,16 +12,22 @@ namespace suture::rpc {
 
 /// A listening socket. Belongs to the control thread.
 ///
-/// Unix: the socket file is readable and writable by its owner only; one that a dead process left
-/// behind is replaced, one that somebody answers at is an error. It is removed at the end. TCP:
-/// port 0 picks a free port.
+/// Unix: the socket file is readable and writable by its owner only, unless it opens to others; one
+/// that a dead process left behind is replaced, one that somebody answers at is an error. It is
+/// removed at the end. TCP: port 0 picks a free port.
 class Listener {
  public:
+  /// Unix: whose processes can connect. Whoever accepts others asks who they are.
+  enum class Opens { ToOwner, ToOthers };
+
   /// Throws SetupError: in use, no such directory, no permission.
-  Listener(kj::UnixEventPort& port, const Address& address);
+  Listener(kj::UnixEventPort& port, const Address& address, Opens opens = Opens::ToOwner);
   ~Listener() noexcept(false);
   Listener(const Listener&) = delete;
   Listener& operator=(const Listener&) = delete;
+
+  /// True for the address of a socket file that nobody answers at. Any thread.
+  static bool isStale(const Address& address);
 
   /// Where it really listens.
   const Address& address() const { return address_; }

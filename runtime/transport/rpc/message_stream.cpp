@@ -2,10 +2,9 @@
 
 #include <suture/transport/rpc/failure.h>
 #include <suture/transport/rpc/received_message.h>
-#include <sys/socket.h>
 
 #include <cerrno>
-#include <cstring>
+#include <span>
 
 namespace suture::rpc {
 namespace {
@@ -15,23 +14,28 @@ constexpr std::size_t kSendAtOnce = 1u << 16;
 // A buffer that has grown beyond this is given back when it is empty.
 constexpr std::size_t kKept = 1u << 20;
 
+constexpr const char* kOtherSpeaksTls =
+    "it speaks TLS, and this end does not. Correct the address: tls:// at both ends, or at neither";
+
 capnp::ReaderOptions readerOptions(const StreamLimits& limits) {
   capnp::ReaderOptions options;
   options.traversalLimitInWords = limits.messageBytes / sizeof(capnp::word);
   return options;
 }
 
-kj::Exception lost(int error) {
-  return disconnected(std::string("connection lost: ") + std::strerror(error));
+// The first bytes of a ClientHello or of an alert.
+bool isTls(std::span<const std::byte> bytes) {
+  return bytes.size() >= 2 && (bytes[0] == std::byte{0x16} || bytes[0] == std::byte{0x15}) &&
+         bytes[1] == std::byte{0x03};
 }
 
 }  // namespace
 
-MessageStream::MessageStream(EventPort& port, kj::AutoCloseFd socket, StreamLimits limits)
+MessageStream::MessageStream(EventPort& port, ByteStream bytes, StreamLimits limits)
     : port_(port),
-      socket_(kj::mv(socket)),
+      bytes_(kj::mv(bytes)),
       limits_(limits),
-      readObserver_(port, socket_, kj::UnixEventPort::FdObserver::OBSERVE_READ),
+      readObserver_(port, bytes_.socket(), kj::UnixEventPort::FdObserver::OBSERVE_READ),
       opened_(port.getTimer().now()) {}
 
 MessageStream::~MessageStream() noexcept(false) { port_.forget(*this); }
@@ -71,33 +75,50 @@ kj::Maybe<kj::Own<capnp::IncomingRpcMessage>> MessageStream::takeMessage() {
   const auto bytes = incoming_.bytes();
   const FrameParse parse = parseFrameHeader(bytes, limits_);
   if (parse.fault != FrameFault::None) {
-    kj::throwFatalException(disconnected(toString(parse.fault)));
+    kj::throwFatalException(
+        disconnected(!anyMessage_ && isTls(bytes) ? kOtherSpeaksTls : toString(parse.fault)));
   }
   if (!parse.header || bytes.size() < parse.header->totalBytes) return nullptr;
   anyMessage_ = true;
   partialSince_ = nullptr;
-  return kj::Own<capnp::IncomingRpcMessage>(kj::heap<ReceivedMessage>(
-      incoming_.take(parse.header->totalBytes), *parse.header, readerOptions(limits_)));
+  auto frame = incoming_.take(parse.header->totalBytes);
+  return kj::Own<capnp::IncomingRpcMessage>(
+      kj::heap<ReceivedMessage>(kj::mv(frame), *parse.header, readerOptions(limits_),
+                                arrivedDescriptors_.takeUntil(taken())));
+}
+
+// How many bytes have been taken out so far.
+std::uint64_t MessageStream::taken() const {
+  return counters_->receivedBytes.load(std::memory_order_relaxed) - incoming_.bytes().size();
 }
 
 MessageStream::Received MessageStream::receive() {
   const auto space = incoming_.space();
-  const ssize_t count = recv(socket_, space.data(), space.size(), 0);
+  Descriptors descriptors;
+  const ssize_t count = bytes_.receive(space, descriptors);
   if (count == 0) return Received::End;
   if (count < 0 && errno == EINTR) return Received::Some;
-  if (count < 0 && errno != EAGAIN) kj::throwFatalException(lost(errno));
+  if (count < 0 && errno != EAGAIN) kj::throwFatalException(bytes_.lost(errno));
 
-  // The socket is known to be empty after EAGAIN, and after a short read unless the end has been
-  // seen: then only another receive reports it. An edge that fires while no promise waits is
-  // dropped, so make it now.
+  // The socket is known to be empty after EAGAIN, and after a short read unless it ended with
+  // descriptors, or the end has been seen: then only another receive reports it. An edge that fires
+  // while no promise waits is dropped, so make it now.
   bool ended = true;
   KJ_IF_MAYBE (hint, readObserver_.atEndHint()) ended = *hint;
-  const bool shortRead = count > 0 && static_cast<std::size_t>(count) < space.size();
+  const bool shortRead = count > 0 && static_cast<std::size_t>(count) < space.size() &&
+                         bytes_.shortMeansEmpty() && descriptors.empty();
   if (count < 0 || (shortRead && !ended)) readable_ = readObserver_.whenBecomesReadable();
   if (count < 0) return Received::Nothing;
 
   incoming_.arrived(static_cast<std::size_t>(count));
   counters_->receivedBytes.fetch_add(static_cast<std::uint64_t>(count), std::memory_order_relaxed);
+  if (!descriptors.empty()) {
+    const std::uint64_t end = counters_->receivedBytes.load(std::memory_order_relaxed);
+    arrivedDescriptors_.add({end - 1, end, kj::mv(descriptors)});
+    if (arrivedDescriptors_.size() > kMostDescriptors) {
+      kj::throwFatalException(disconnected("the peer sends more descriptors than messages"));
+    }
+  }
   return Received::Some;
 }
 
@@ -112,10 +133,15 @@ kj::Maybe<kj::TimePoint> MessageStream::readDeadline() {
 
 // ---- writing
 
-void MessageStream::write(Segments message, Leaves when) {
+void MessageStream::write(Segments message, Leaves when, kj::ArrayPtr<const int> descriptors) {
   if (writeFailure_ != nullptr) return;
+  const std::uint64_t begin = counters_->sentBytes + outgoing_.size() - outgoingBegin_;
   // The bytes are copied, so that what is written next leaves in the same send.
   appendFrame(message, outgoing_);
+  if (descriptors.size() > 0) {
+    const std::uint64_t end = counters_->sentBytes + outgoing_.size() - outgoingBegin_;
+    outgoingDescriptors_.add({begin, end, duplicate(descriptors)});
+  }
   const std::size_t unsent = outgoing_.size() - outgoingBegin_;
   if (unsent > limits_.unsentBytes) {
     fail(disconnected("the peer does not take what is sent"));
@@ -144,24 +170,36 @@ void MessageStream::scheduleRide() {
 void MessageStream::flush() {
   if (awaitingRoom_) return;
   while (outgoingBegin_ < outgoing_.size()) {
-    const ssize_t count = send(socket_, outgoing_.data() + outgoingBegin_,
-                               outgoing_.size() - outgoingBegin_, MSG_NOSIGNAL);
+    const ssize_t count = sendSome();
     if (count >= 0) {
       outgoingBegin_ += static_cast<std::size_t>(count);
       counters_->sentBytes.fetch_add(static_cast<std::uint64_t>(count), std::memory_order_relaxed);
     } else if (errno == EAGAIN) {
       return awaitRoom();
     } else if (errno != EINTR) {
-      return fail(lost(errno));
+      return fail(bytes_.lost(errno));
     }
   }
   drained();
 }
 
+// A message with descriptors leaves in a send of its own, so that the receiver knows whose they
+// are.
+ssize_t MessageStream::sendSome() {
+  const std::span<const std::byte> unsent = std::span(outgoing_).subspan(outgoingBegin_);
+  if (outgoingDescriptors_.empty()) return bytes_.send(unsent, {});
+  const auto& [begin, end, descriptors] = outgoingDescriptors_.front();
+  const std::uint64_t sent = counters_->sentBytes.load(std::memory_order_relaxed);
+  if (sent < begin) return bytes_.send(unsent.first(begin - sent), {});
+  const ssize_t count = bytes_.send(unsent.first(end - sent), descriptors);
+  if (count > 0) outgoingDescriptors_.pop();
+  return count;
+}
+
 void MessageStream::awaitRoom() {
   discardSent();
   awaitingRoom_ = true;
-  if (writeObserver_ == nullptr) writeObserver_ = kj::heap<WriteObserver>(port_, socket_);
+  if (writeObserver_ == nullptr) writeObserver_ = kj::heap<WriteObserver>(port_, bytes_.socket());
   roomTask_ = KJ_ASSERT_NONNULL(writeObserver_)
                   ->whenWritable()
                   .then([this] {
@@ -185,10 +223,11 @@ void MessageStream::drained() {
 
 // The reader hears of it from the socket.
 void MessageStream::fail(kj::Exception exception) {
-  shutdown(socket_, SHUT_RDWR);
+  bytes_.cut();
   KJ_IF_MAYBE (waiting, ending_) (*waiting)->reject(kj::cp(exception));
   outgoing_.clear();
   outgoingBegin_ = 0;
+  outgoingDescriptors_ = {};
   writeFailure_ = kj::mv(exception);
 }
 
@@ -197,7 +236,7 @@ kj::Promise<void> MessageStream::end() {
   auto pair = kj::newPromiseAndFulfiller<void>();
   ending_ = kj::mv(pair.fulfiller);
   port_.flushBeforeSleep(*this);
-  return pair.promise.then([this] { shutdown(socket_, SHUT_WR); });
+  return pair.promise.then([this] { bytes_.end(); });
 }
 
 }  // namespace suture::rpc

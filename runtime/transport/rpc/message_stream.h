@@ -5,6 +5,8 @@
 
 #include <capnp/rpc.h>
 #include <kj/async-unix.h>
+#include <suture/transport/rpc/byte_stream.h>
+#include <suture/transport/rpc/descriptor_passing.h>
 #include <suture/transport/rpc/event_port.h>
 #include <suture/transport/rpc/frame_header.h>
 #include <suture/transport/rpc/receive_buffer.h>
@@ -17,21 +19,21 @@
 
 namespace suture::rpc {
 
-/// Bytes that crossed a link. Written by the control thread, read by any.
+/// Bytes that crossed a link, without what TLS adds. Written by the control thread, read by any.
 struct LinkCounters {
   std::atomic<std::uint64_t> sentBytes{0};
   std::atomic<std::uint64_t> receivedBytes{0};
 };
 
-/// Messages over a connected, non-blocking stream socket (Unix or TCP). Belongs to the control
-/// thread.
+/// Messages over a connected, non-blocking stream socket (Unix or TCP), plain or inside TLS.
+/// Belongs to the control thread.
 ///
 /// One receive brings as many messages as have arrived; messages written during one turn of the
 /// event loop leave in one send. A peer that breaks the limits gets its connection ended with a
 /// kj::Exception from the pending read; nothing it sent beyond that point is looked at.
 class MessageStream final : private EventPort::Output {
  public:
-  MessageStream(EventPort& port, kj::AutoCloseFd socket, StreamLimits limits = {});
+  MessageStream(EventPort& port, ByteStream bytes, StreamLimits limits = {});
   ~MessageStream() noexcept(false);
 
   const StreamLimits& limits() const { return limits_; }
@@ -51,8 +53,10 @@ class MessageStream final : private EventPort::Output {
   };
   static constexpr int kLongestRideMilliseconds = 5;
 
-  /// Copies the message. If the connection is lost, nothing happens: the reader hears of it.
-  void write(Segments message, Leaves when = Leaves::WithTheTurn);
+  /// Copies the message, and of `descriptors` (Unix sockets only) the handles. If the connection is
+  /// lost, nothing happens: the reader hears of it.
+  void write(Segments message, Leaves when = Leaves::WithTheTurn,
+             kj::ArrayPtr<const int> descriptors = nullptr);
   /// Sends what has been written, then closes this direction. Rejects if the connection is lost.
   kj::Promise<void> end();
 
@@ -67,28 +71,32 @@ class MessageStream final : private EventPort::Output {
   kj::Maybe<kj::Own<capnp::IncomingRpcMessage>> takeMessage();
   Received receive();
   kj::Maybe<kj::TimePoint> readDeadline();
+  std::uint64_t taken() const;
 
   void scheduleRide();
   void flush() override;
+  ssize_t sendSome();
   void awaitRoom();
   void discardSent();
   void drained();
   void fail(kj::Exception exception);
 
   EventPort& port_;
-  kj::AutoCloseFd socket_;  // before the observers: they must go first
+  ByteStream bytes_;  // before the observers: they must go first
   StreamLimits limits_;
   std::shared_ptr<LinkCounters> counters_ = std::make_shared<LinkCounters>();
 
   kj::UnixEventPort::FdObserver readObserver_;
   kj::Maybe<kj::Promise<void>> readable_;  // set: the socket was empty when this was made
   ReceiveBuffer incoming_;
+  AttachedDescriptors arrivedDescriptors_;
   bool anyMessage_ = false;
   kj::TimePoint opened_;
   kj::Maybe<kj::TimePoint> partialSince_;
 
   std::vector<std::byte> outgoing_;
   std::size_t outgoingBegin_ = 0;
+  AttachedDescriptors outgoingDescriptors_;
   bool awaitingRoom_ = false;  // the socket is full
   bool rideScheduled_ = false;
   kj::Maybe<kj::Exception> writeFailure_;

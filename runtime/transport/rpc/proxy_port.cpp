@@ -14,8 +14,8 @@ void increment(std::atomic<std::uint64_t>& counter) {
 
 ProxyPort::ProxyPort(ControlThread& control, std::shared_ptr<Channel> channel, Duration shift,
                      std::shared_ptr<const LinkCounters> counters)
-    : control_(control),
-      channel_(std::move(channel)),
+    : ClientEnd(std::move(channel)),
+      control_(control),
       shift_(shift),
       counters_(std::move(counters)),
       replays_(channel_->info.events.size()),
@@ -31,14 +31,10 @@ void ProxyPort::open(kj::Own<Proxy> proxy) {
   pump();
 }
 
-void ProxyPort::close(ChannelStatus why) {
-  if (closed_) return;
-  closed_ = true;
+// The proxy stays: an answer that has arrived already may be on its way through it.
+void ProxyPort::ending() {
   control_.remove(*this);
   releaseAcknowledgement();
-  // The proxy stays: an answer that has arrived already may be on its way through it.
-  channel_->status.store(why, std::memory_order_release);
-  channel_->ends.client->ring();
 }
 
 // What has not happened yet would have a negative age.
@@ -48,14 +44,14 @@ Time ProxyPort::here(std::int64_t stamp) const {
 }
 
 void ProxyPort::publish(std::int64_t stamp, rt::ColumnSet valid, rt::ColumnSet tooLarge) {
-  if (closed_) return;
+  if (isClosed()) return;
   channel_->state->publish(here(stamp), valid, tooLarge);
   if (channel_->wantsRows.load(std::memory_order_relaxed)) channel_->ends.client->ring();
 }
 
 void ProxyPort::push(std::uint16_t event, const std::byte* slot) {
   const Time stamp = here(std::exchange(replays_[event], 0));
-  if (closed_ || (leaving_ >> event & 1) != 0) return;
+  if (isClosed() || (leaving_ >> event & 1) != 0) return;
   channel_->events.push(event, stamp, {slot, channel_->info.events[event].payloadSize});
   channel_->ends.client->ring(rt::RungFor::Arrival);
 }
@@ -66,7 +62,7 @@ void ProxyPort::noteReplay(std::uint16_t event, std::int64_t stamp) {
 
 kj::Promise<void> ProxyPort::acknowledge() {
   releaseAcknowledgement();
-  if (closed_) return kj::READY_NOW;
+  if (isClosed()) return kj::READY_NOW;
   auto pair = kj::newPromiseAndFulfiller<void>();
   acknowledgement_ = kj::mv(pair.fulfiller);
   return kj::mv(pair.promise);
@@ -87,7 +83,7 @@ void ProxyPort::pump() {
 void ProxyPort::pumpSubscription() {
   const rt::ColumnSet columns = channel_->state->demand();
   const EventSet joining = channel_->takeJoining(), events = channel_->subscribed();
-  if (closed_ || (columns == columns_ && events == events_ && joining == 0)) return;
+  if (isClosed() || (columns == columns_ && events == events_ && joining == 0)) return;
   if (const EventSet again = joining & events_; again != 0) leave(again);
   subscribe(events, columns);
 }
@@ -111,7 +107,7 @@ void ProxyPort::subscribe(EventSet events, rt::ColumnSet columns) {
 
 void ProxyPort::pumpCommands() {
   rt::Mailbox& commands = channel_->commands;
-  if (closed_ || latestInFlight_ >= kWindow || !commands.pending()) return;
+  if (isClosed() || latestInFlight_ >= kWindow || !commands.pending()) return;
   commands.fixCut();
   pumpSubscription();  // ahead of commands that were sent later
   while (const rt::CommandRecord* record = commands.next()) {

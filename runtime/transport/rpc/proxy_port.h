@@ -3,10 +3,10 @@
 // calls.
 
 #include <kj/async.h>
-#include <kj/refcount.h>
 #include <suture/base/shared_slot.h>
 #include <suture/component/channel.h>
 #include <suture/transport/rpc/binding.h>
+#include <suture/transport/rpc/client_end.h>
 #include <suture/transport/rpc/control_thread.h>
 #include <suture/transport/rpc/message_stream.h>
 #include <suture/transport/rpc/remote_error.h>
@@ -21,7 +21,7 @@ namespace suture::rpc {
 /// Takes the commands of one client out of its mailbox in their order and sends each as a call;
 /// puts answers, events and rows that arrive where the client looks for them. Belongs to the
 /// control thread; shared by the connection and by the capability that receives events.
-class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet::ErrorHandler {
+class ProxyPort final : public ClientEnd, private Pump, private kj::TaskSet::ErrorHandler {
  public:
   /// More newest-wins commands than this under way, and the next wait in their cells, where newer
   /// replace them.
@@ -35,13 +35,7 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
 
   /// Begins: subscribes and sends what waits.
   void open(kj::Own<Proxy> proxy);
-  /// The connection is over: the client is told `why`, calls under way end with their outcome
-  /// unknown. May be called again.
-  void close(ChannelStatus why);
-  /// How it stands with the provider's component.
-  void tell(ChannelStatus status) { channel_->tell(status); }
-  /// The next such event was emitted at `stamp`, on the provider's clock, ns: it is a replay.
-  void noteReplay(std::uint16_t event, std::int64_t stamp);
+  void noteReplay(std::uint16_t event, std::int64_t stamp) override;
 
   // --- for generated code
 
@@ -90,7 +84,7 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
  private:
   template <class Produce>
   void reply(std::uint32_t call, ResultForm form, const Produce& produce, Time stamp = now()) {
-    if (closed_) return;
+    if (isClosed()) return;
     channel_->reply(call, form, produce, stamp);
     channel_->ends.client->ring(rt::RungFor::Arrival);
   }
@@ -102,6 +96,7 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
   /// ServantPort::kWindow of them.
   kj::Promise<void> acknowledge();
   void releaseAcknowledgement();
+  void ending() override;
   void pump() override;
   void pumpSubscription();
   void leave(EventSet events);
@@ -112,11 +107,9 @@ class ProxyPort final : public kj::Refcounted, private Pump, private kj::TaskSet
   void taskFailed(kj::Exception&& exception) override;
 
   ControlThread& control_;
-  const std::shared_ptr<Channel> channel_;
   const Duration shift_;
   const std::shared_ptr<const LinkCounters> counters_;
   kj::Maybe<kj::Own<Proxy>> proxy_;
-  bool closed_ = false;
   unsigned latestInFlight_ = 0;
   EventSet events_ = 0;
   rt::ColumnSet columns_ = 0;

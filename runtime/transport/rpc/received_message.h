@@ -5,6 +5,7 @@
 
 #include <capnp/message.h>
 #include <capnp/rpc.h>
+#include <kj/io.h>
 #include <suture/transport/rpc/frame_header.h>
 
 namespace suture::rpc {
@@ -14,8 +15,11 @@ class ReceivedMessage final : public capnp::MessageReader, public capnp::Incomin
  public:
   /// `frame`: a whole frame, starting with its header.
   ReceivedMessage(kj::Array<capnp::word> frame, const FrameHeader& header,
-                  capnp::ReaderOptions limits)
-      : MessageReader(limits), frame_(kj::mv(frame)), header_(header) {}
+                  capnp::ReaderOptions limits, kj::Array<kj::AutoCloseFd> descriptors = nullptr)
+      : MessageReader(limits),
+        frame_(kj::mv(frame)),
+        header_(header),
+        descriptors_(kj::mv(descriptors)) {}
 
   kj::ArrayPtr<const capnp::word> getSegment(capnp::uint id) override {
     if (id >= header_.segments) return nullptr;
@@ -27,10 +31,12 @@ class ReceivedMessage final : public capnp::MessageReader, public capnp::Incomin
 
   capnp::AnyPointer::Reader getBody() override { return getRoot<capnp::AnyPointer>(); }
   std::size_t sizeInWords() override { return frame_.size(); }
+  kj::ArrayPtr<kj::AutoCloseFd> getAttachedFds() override { return descriptors_; }
 
  private:
   kj::Array<capnp::word> frame_;
   FrameHeader header_;
+  kj::Array<kj::AutoCloseFd> descriptors_;
 };
 
 }  // namespace suture::rpc

@@ -27,8 +27,14 @@ Errc errcOf(const kj::Exception& exception) {
     std::from_chars(text.data() + kPrefix.size(), text.data() + text.size(), number);
   }
   const bool known = number >= static_cast<unsigned>(Errc::NotConnected) &&
-                     number <= static_cast<unsigned>(Errc::Cancelled);
+                     number <= static_cast<unsigned>(Errc::NotPermitted);
   return known ? static_cast<Errc>(number) : Errc::Invalid;
+}
+
+std::string reasonOf(const kj::Exception& exception) {
+  const Errc error = errcOf(exception);
+  const std::string text = describe(exception);
+  return error == Errc::Invalid && !text.starts_with(kPrefix) ? text : toString(error);
 }
 
 }  // namespace suture::rpc

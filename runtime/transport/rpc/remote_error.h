@@ -4,6 +4,8 @@
 #include <kj/exception.h>
 #include <suture/base/errors.h>
 
+#include <string>
+
 namespace suture::rpc {
 
 /// The rejection that tells `error` to the caller, as a number and in words.
@@ -12,5 +14,8 @@ kj::Exception remoteError(Errc error);
 /// What a remote call ended in. A broken connection is OutcomeUnknown, anything else that did not
 /// come from remoteError() is Invalid.
 Errc errcOf(const kj::Exception& exception);
+
+/// The same in words: the peer's own where it has said more than an Errc.
+std::string reasonOf(const kj::Exception& exception);
 
 }  // namespace suture::rpc

@@ -15,8 +15,8 @@ void throwUnlessTooLarge(kj::Exception&& failure) {
 
 ServantPort::ServantPort(ControlThread& control, std::shared_ptr<Channel> channel, Duration shift,
                          std::shared_ptr<const LinkCounters> counters)
-    : control_(control),
-      channel_(std::move(channel)),
+    : ProviderEnd(std::move(channel)),
+      control_(control),
       shift_(shift),
       counters_(std::move(counters)),
       taken_(channel_->info.commands.size()),
@@ -33,16 +33,15 @@ ServantPort::ServantPort(ControlThread& control, std::shared_ptr<Channel> channe
 
 ServantPort::~ServantPort() noexcept(false) { close(); }
 
-void ServantPort::close() {
-  if (closed_) return;
-  closed_ = true;
+void ServantPort::ending() {
   control_.remove(*this);
   sink_ = nullptr;
   for (auto& waiting : taken_) waiting.clear();
   for (PendingCall& call : calls_) call = PendingCall{};
-  channel_->status = ChannelStatus::Closed;
-  channel_->ends.provider->ring();
 }
+
+// The provider may be at one of the calls.
+void ServantPort::overtaken() { failAll(Errc::OutcomeUnknown); }
 
 void ServantPort::subscribe(kj::Own<EventSink> sink, EventSet events, rt::ColumnSet columns) {
   sink_ = kj::mv(sink);
@@ -209,21 +208,10 @@ void ServantPort::releaseRow() {
   }
 }
 
-void ServantPort::pumpStatus() {
-  const std::uint32_t faults = channel_->faults.load(std::memory_order_acquire);
-  const ChannelStatus status = channel_->status.load(std::memory_order_acquire);
-  // Restarted before anybody looked: the client is to know all the same.
-  if (faults != faultsTold_ && told_ != ChannelStatus::Faulted) passOn(ChannelStatus::Faulted);
-  faultsTold_ = faults;
-  if (status != told_) passOn(status);
-}
-
-void ServantPort::passOn(ChannelStatus status) {
-  told_ = status;
+void ServantPort::changed(ChannelStatus status) {
   // A suspended provider answers what it was sent.
   const Errc error = errorOf(status);
   if (error != Errc{} && error != Errc::Suspended) failAll(error);
-  KJ_IF_MAYBE (listener, listener_) (*listener)->told(status);
 }
 
 void ServantPort::failAll(Errc error) {

@@ -5,12 +5,11 @@
 
 #include <kj/async.h>
 #include <kj/function.h>
-#include <kj/refcount.h>
-#include <suture/component/channel.h>
 #include <suture/rpc.capnp.h>
 #include <suture/transport/rpc/binding.h>
 #include <suture/transport/rpc/control_thread.h>
 #include <suture/transport/rpc/message_stream.h>
+#include <suture/transport/rpc/provider_end.h>
 #include <suture/transport/rpc/remote_error.h>
 
 #include <array>
@@ -24,18 +23,9 @@ namespace suture::rpc {
 /// returns the answers, and sends events and rows with at most kWindow of each unacknowledged, so
 /// that a slow client holds up nobody. Belongs to the control thread; shared by the generated
 /// servant and the connection.
-class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskSet::ErrorHandler {
+class ServantPort final : public ProviderEnd, private Pump, private kj::TaskSet::ErrorHandler {
  public:
   static constexpr unsigned kWindow = 4;
-
-  /// Told each change of how it stands with the provider's component, and what a client cannot see
-  /// of an event.
-  struct Listener {
-    virtual ~Listener() noexcept(false) = default;
-    virtual void told(ChannelStatus status) = 0;
-    /// The next such event repeats one that was emitted at `stamp`, for a new subscriber.
-    virtual void replays(std::uint16_t event, Time stamp) = 0;
-  };
 
   /// `channel` has been, or is about to be, attached to the provider; its client doorbell is the
   /// control thread's. `shift` turns the client's steady clock into this process's.
@@ -43,7 +33,8 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
               std::shared_ptr<const LinkCounters> counters);
   ~ServantPort() noexcept(false);
 
-  void setListener(kj::Own<Listener> listener) { listener_ = kj::mv(listener); }
+  /// From now on only what reads is taken: a command is refused (Errc::NotPermitted).
+  void setReadOnly() { readOnly_ = true; }
   const InterfaceInfo& info() const { return channel_->info; }
   Duration shift() const { return shift_; }
 
@@ -75,9 +66,6 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
   /// Replaces the subscription.
   void subscribe(kj::Own<EventSink> sink, EventSet events, rt::ColumnSet columns);
 
-  /// The connection is over: pending calls fail, the channel is closed. May be called again.
-  void close();
-
  private:
   using Take = kj::Function<void(const std::byte*, Time)>;
   struct PendingCall {
@@ -93,6 +81,7 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
         error != Errc{}) {
       return error;
     }
+    if (readOnly_ && !isRead(channel_->info.commands[command].kind)) return Errc::NotPermitted;
     const auto slot = channel_->commands.claim(command, stampOf(sent), call);
     if (!slot) return slot.error();
     if (const Errc error = fill(*slot); error != Errc{}) {
@@ -104,11 +93,17 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
     return Errc{};
   }
 
+  static bool isRead(CommandKind kind) {
+    return kind == CommandKind::Read || kind == CommandKind::QualifiedRead;
+  }
+
   Time stampOf(wire::Sent::Reader sent) const;
   kj::Promise<void> whenTaken(std::uint16_t command);
   PendingCall* openCall();
   kj::Promise<void> whenAnswered(PendingCall& call, Take take);
 
+  void ending() override;
+  void overtaken() override;
   void pump() override;
   void pumpCredits();
   void pumpReplies();
@@ -119,19 +114,14 @@ class ServantPort final : public kj::Refcounted, private Pump, private kj::TaskS
   void eventSent();
   void sendRow(EventSink& sink, const rt::StateTable::Row& row);
   void releaseRow();
-  void pumpStatus();
-  void passOn(ChannelStatus status);
+  void changed(ChannelStatus status) override;
   void failAll(Errc error);
   void taskFailed(kj::Exception&& exception) override;
 
   ControlThread& control_;
-  const std::shared_ptr<Channel> channel_;
   const Duration shift_;
   const std::shared_ptr<const LinkCounters> counters_;
-  kj::Maybe<kj::Own<Listener>> listener_;
-  bool closed_ = false;
-  ChannelStatus told_ = ChannelStatus::Connected;
-  std::uint32_t faultsTold_ = 0;
+  bool readOnly_ = false;
 
   std::vector<std::deque<Taken>>
       taken_;  // by command: calls that wait for their credit, oldest first

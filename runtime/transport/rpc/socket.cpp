@@ -22,4 +22,15 @@ void sendWithoutDelay(int socket) {
   setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof(on));
 }
 
+void breakWhenUnanswered(int socket, Duration limit) {
+  using std::chrono::ceil, std::chrono::milliseconds, std::chrono::seconds;
+  const int on = 1;
+  const auto longest = static_cast<unsigned>(ceil<milliseconds>(limit).count());
+  const auto idle = static_cast<int>(ceil<seconds>(limit).count());
+  setsockopt(socket, IPPROTO_TCP, TCP_USER_TIMEOUT, &longest, sizeof(longest));
+  setsockopt(socket, SOL_SOCKET, SO_KEEPALIVE, &on, sizeof(on));
+  setsockopt(socket, IPPROTO_TCP, TCP_KEEPIDLE, &idle, sizeof(idle));
+  setsockopt(socket, IPPROTO_TCP, TCP_KEEPINTVL, &on, sizeof(on));  // 1 s
+}
+
 }  // namespace suture::rpc

@@ -2,6 +2,7 @@
 // Sockets as the links want them.
 
 #include <kj/io.h>
+#include <suture/base/time.h>
 #include <suture/transport/rpc/address.h>
 
 namespace suture::rpc {
@@ -12,5 +13,9 @@ kj::AutoCloseFd openSocket(const Address& address);
 
 /// TCP only: every send leaves at once.
 void sendWithoutDelay(int socket);
+
+/// TCP only: the connection breaks when the other machine has acknowledged nothing for `limit`,
+/// also of what the kernel asks it while there is nothing to send.
+void breakWhenUnanswered(int socket, Duration limit);
 
 }  // namespace suture::rpc

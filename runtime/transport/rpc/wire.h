@@ -158,14 +158,15 @@ bool inRange(T value, double lowest, double highest) {
   return static_cast<double>(value) >= lowest && static_cast<double>(value) <= highest;
 }
 
-/// Of each element, by `check(element)`.
+/// Of each element, by `check(element)`; false for a list of more than it has room for.
 template <class T, std::size_t N, class Check>
 bool allOf(const std::array<T, N>& slot, const Check& check) {
   return std::all_of(slot.begin(), slot.end(), check);
 }
 template <class T, std::uint32_t N, class Check>
 bool allOf(const BoundedList<T, N>& slot, const Check& check) {
-  return std::all_of(elements(slot), elements(slot) + slot.size, check);
+  return sizeOf(slot) == slot.size &&
+         std::all_of(elements(slot), elements(slot) + sizeOf(slot), check);
 }
 template <Number T, std::size_t N>
 bool isValid(const std::array<T, N>& slot) {

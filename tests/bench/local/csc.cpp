@@ -4,10 +4,10 @@
 #include <suture/wiring/connect.h>
 
 #include <cstring>
-#include <future>
 #include <thread>
 
 #include "bench/local/rows.h"
+#include "bench/local/sample_client.h"
 #include "bench/local/sample_server.h"
 #include "bench/placement.h"
 #include "bench/table.h"
@@ -22,44 +22,9 @@ using suture::now;
 constexpr suture::Duration kPatience = std::chrono::seconds(1);
 constexpr std::size_t kSkipped = 100;
 
-/// Sends a pose and, when it is back, the next one.
-class Client final : public suture::EventTask {
- public:
-  Client(int cpu, std::size_t samples) : EventTask({.scheduling = {.cpu = cpu}}) {
-    elapsed_.reserve(kSkipped + samples);
-    server.on().echo([this](const PoseSample& value) {
-      elapsed_.push_back((now() - value.stamp).count());
-      if (elapsed_.size() < elapsed_.capacity()) {
-        send();
-      } else {
-        finished_.set_value(Samples(elapsed_.begin() + kSkipped, elapsed_.end()));
-      }
-    });
-  }
-  ~Client() override { stop(); }
-
-  void run() override {
-    if (!std::exchange(begun_, true)) send();
-  }
-  std::future<Samples> samples() { return finished_.get_future(); }
-
-  suture::Required<SampleServer> server{*this, "Server"};
-
- private:
-  void send() {
-    pose_.stamp = now();
-    server.bounce(pose_);
-  }
-
-  PoseSample pose_ = poseSample();
-  bool begun_ = false;
-  Samples elapsed_;
-  std::promise<Samples> finished_;
-};
-
 Samples taskRounds(int cpu, std::size_t count) {
   SampleTask server(cpu);
-  Client client(cpu, count);
+  SampleClient client(cpu, kSkipped, count);
   auto samples = client.samples();
   suture::connectLocally(client.server, server.provided(), "bench");
   server.start();

@@ -92,7 +92,7 @@ LoopResult measureAcross(const LoopSetup& setup, Transport transport) {
   manager.add("Client", client->task());
   auto finished = client->finished();
   manager.start();
-  manager.connect("Client/Server", "server:Server/Loop");
+  manager.connect("Client/Server", "server:Server/Loop", suture::Lane::Rpc);
   await(std::move(finished), setup);
   const auto channel = manager.channels().at(0);
   manager.stop();

@@ -85,7 +85,7 @@ def robots(arguments):
 
 def installed_tree(arguments):
     prefix = arguments.package
-    for program in ("suturec", "suture-manager", "suture-workstation"):
+    for program in ("suturec", "suture", "suture-manager", "suture-workstation"):
         succeed(f"{program} starts", [prefix / "bin" / program, "--help"])
     ours = [file for ending in ("cmake", "h", "capnp", "md") for file in prefix.rglob(f"*.{ending}")
             if "clang" not in file.parts]
@@ -108,7 +108,7 @@ def shared_cross_build(arguments):
              "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DSUTURE_BUILD_COMPILER=OFF", "-DSUTURE_BUILD_TESTS=OFF",
              f"-DSUTUREC_EXECUTABLE={arguments.package}/bin/suturec",
              "-DCMAKE_SYSTEM_NAME=Linux", f"-DCMAKE_SYSTEM_PROCESSOR={os.uname().machine}"])
-    text = succeed("builds it", ["cmake", "--build", build, "-j", "2", "--target", "suture-manager", "01_counter"])
+    text = succeed("builds it", ["cmake", "--build", build, "-j", "2", "--target", "suture-manager", "suture_cli", "01_counter"])
     expect("suturec 01_counter" in text and not (build / "bin/suturec").exists(), "with the given suturec", text[-2000:])
     libraries = succeed("readelf", ["readelf", "-d", build / "bin/01_counter"])
     expect("libsuture_manager.so" in libraries, "as shared libraries", libraries)

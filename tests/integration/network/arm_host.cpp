@@ -1,21 +1,27 @@
-// A process that provides PSM/Arm: arm_host <manager address> <process name>. Ends on SIGTERM.
+// A process that provides PSM/Arm: arm_host <manager address> <process name> [<folder of keys>].
+// Ends on SIGTERM.
 
 #include <suture/base/errors.h>
 #include <suture/manager/manager.h>
+#include <suture/manager/security.h>
+#include <suture/transport/tls/keys.h>
 
 #include <csignal>
 #include <cstdio>
+#include <memory>
 
 #include "integration/network/arm.h"
 
-int main(int, char** argv) {
+int main(int count, char** argv) {
   sigset_t signals;
   sigemptyset(&signals);
   sigaddset(&signals, SIGTERM);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   try {
     reference::HostedArm arm;
-    suture::Manager manager(argv[2], argv[1]);
+    suture::Security security;
+    if (count > 3) security.keys = std::make_shared<const suture::tls::Keys>(argv[3], argv[2]);
+    suture::Manager manager(argv[2], argv[1], security);
     manager.add("PSM", arm);
     manager.start();
     std::puts("ready");

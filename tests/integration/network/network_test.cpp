@@ -1,18 +1,20 @@
 #include <gtest/gtest.h>
-#include <poll.h>
 #include <suture/component/channel.h>
 #include <suture/component/device.h>
 #include <suture/manager/global_manager.h>
 #include <suture/manager/manager.h>
 #include <suture/manager/manager_link.h>
+#include <suture/manager/security.h>
 #include <suture/transport/rpc/control_thread.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <suture/transport/tls/key_maker.h>
 
 #include <csignal>
+#include <filesystem>
 #include <thread>
 
 #include "integration/network/arm.h"
+#include "integration/network/console.h"
+#include "support/child.h"
 #include "support/eventually.h"
 #include "support/refusal.h"
 #include "support/temporary_directory.h"
@@ -23,62 +25,6 @@ namespace {
 using namespace std::chrono_literals;
 using reference::ArmLike;
 using reference::Mode;
-using reference::PoseStamped;
-
-/// A child process with what it prints.
-class Child {
- public:
-  explicit Child(std::vector<std::string> arguments) {
-    std::vector<char*> raw;
-    for (auto& argument : arguments) raw.push_back(argument.data());
-    raw.push_back(nullptr);
-    int out[2];
-    if (pipe(out) != 0) std::abort();
-    pid_ = fork();
-    if (pid_ == 0) {
-      dup2(out[1], STDOUT_FILENO);
-      execv(raw[0], raw.data());
-      _exit(127);
-    }
-    close(out[1]);
-    output_ = out[0];
-  }
-  ~Child() {
-    if (pid_ > 0) end(SIGKILL);
-    close(output_);
-  }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-
-  std::string line() {
-    std::string text;
-    char one;
-    pollfd readable{output_, POLLIN, 0};
-    while (poll(&readable, 1, 60'000) > 0 && read(output_, &one, 1) == 1 && one != '\n')
-      text += one;
-    return text;
-  }
-  void signal(int number) const { kill(pid_, number); }
-  int end(int number) {
-    if (number != 0) signal(number);
-    int status = 0;
-    waitpid(pid_, &status, 0);
-    pid_ = 0;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-  }
-
- private:
-  pid_t pid_ = 0;
-  int output_ = -1;
-};
-
-struct Console final : Device {
-  Console() {
-    arm.on().mode([this](const Mode& mode) { modes.push_back(mode); });
-  }
-  Required<ArmLike> arm{*this, "Arm"};
-  std::vector<Mode> modes;
-};
 
 /// Requires something that has the arm's name but not its form.
 struct Stranger final : Device {
@@ -97,27 +43,32 @@ struct Stranger final : Device {
   Other arm{*this};
 };
 
-PoseStamped poseAt(double x) {
-  PoseStamped pose;
-  pose.pose.translation().x() = x;
-  pose.stamp = now();
-  pose.valid = true;
-  return pose;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 class NetworkTest : public testing::TestWithParam<const char*> {
  protected:
   NetworkTest()
-      : names_(control_, std::string(GetParam()) == "unix" ? "unix:" + directory_.file("m.sock")
-                                                           : "tcp://127.0.0.1:0") {}
+      : keys_(directory_.path() / "keys"),
+        names_(control_, freshAddress("m.sock"), securityOf(tls::kManagerName)) {}
+
+  std::string freshAddress(const std::string& file) const {
+    const std::string kind = GetParam();
+    return kind == "unix" ? "unix:" + directory_.file(file) : kind + "://127.0.0.1:0";
+  }
+  /// Keys, made when they are first needed.
+  Security securityOf(const std::string& process) {
+    if (std::string(GetParam()) != "tls") return {};
+    if (!std::filesystem::exists(keys_ / (process + ".key"))) tls::makeKeys(keys_, {process});
+    return {.keys = std::make_shared<const tls::Keys>(keys_, process)};
+  }
+  Manager process(const std::string& name) { return Manager(name, address(), securityOf(name)); }
 
   const std::string& address() const { return names_.address(); }
-  std::unique_ptr<Child> host(const std::string& name) const {
-    auto child = std::make_unique<Child>(std::vector<std::string>{ARM_HOST, address(), name});
+  std::vector<std::string> armHost(const std::string& manager, const std::string& name) {
+    std::vector<std::string> line{ARM_HOST, manager, name};
+    if (securityOf(name).keys != nullptr) line.push_back(keys_.string());
+    return line;
+  }
+  std::unique_ptr<Child> host(const std::string& name) {
+    auto child = std::make_unique<Child>(armHost(address(), name));
     EXPECT_EQ(child->line(), "ready");
     return child;
   }
@@ -125,8 +76,8 @@ class NetworkTest : public testing::TestWithParam<const char*> {
   std::string addressOf(const std::string& process) {
     rpc::ControlThread control;
     const auto manager = rpc::Address::parse(address());
-    return control.run(20s, [&control, manager, process] {
-      auto link = kj::heap<ManagerLink>(control, manager, "test");
+    return control.run(20s, [&control, manager, process, trust = securityOf("test").trust()] {
+      auto link = kj::heap<ManagerLink>(control, manager, "test", trust);
       auto& held = *link;
       return held.open(5s)
           .then([&held, process] { return held.resolve(process, 5s); })
@@ -134,25 +85,19 @@ class NetworkTest : public testing::TestWithParam<const char*> {
           .attach(kj::mv(link));
     });
   }
-  static bool reaches(Console& console, double x) {
-    return console.arm.servo_cp.start(poseAt(x)).within(5s).has_value() && eventually([&] {
-             const auto pose = console.arm.measured_cp();
-             return pose && pose->pose.translation().x() == x;
-           });
-  }
-
   TemporaryDirectory directory_;
+  const std::filesystem::path keys_;
   rpc::ControlThread control_;
   GlobalManager names_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Sockets, NetworkTest, testing::Values("unix", "tcp"),
+INSTANTIATE_TEST_SUITE_P(Sockets, NetworkTest, testing::Values("unix", "tcp", "tls"),
                          [](const auto& test) { return std::string(test.param); });
 
 TEST_P(NetworkTest, AKilledPeerIsLostAndItsSuccessorFound) {
   auto child = host("left");
   Console console;
-  Manager manager("right", address());
+  Manager manager = process("right");
   manager.add("Console", console);
   manager.start();
   manager.connect("Console/Arm", "left:PSM/Arm");
@@ -181,7 +126,7 @@ TEST_P(NetworkTest, AKilledPeerIsLostAndItsSuccessorFound) {
 TEST_P(NetworkTest, AStoppedPeerIsLostAndComesBack) {
   auto child = host("left");
   Console console;
-  Manager manager("right", address());
+  Manager manager = process("right");
   manager.add("Console", console);
   manager.start();
   manager.connect("Console/Arm", "left:PSM/Arm");
@@ -194,13 +139,12 @@ TEST_P(NetworkTest, AStoppedPeerIsLostAndComesBack) {
 }
 
 TEST_P(NetworkTest, TheConnectionLivesOnWithoutTheGlobalManager) {
-  auto names = std::make_unique<GlobalManager>(
-      control_, std::string(GetParam()) == "unix" ? "unix:" + directory_.file("other.sock")
-                                                  : "tcp://127.0.0.1:0");
-  Child child({ARM_HOST, names->address(), "left"});
+  auto names = std::make_unique<GlobalManager>(control_, freshAddress("other.sock"),
+                                               securityOf(tls::kManagerName));
+  Child child(armHost(names->address(), "left"));
   ASSERT_EQ(child.line(), "ready");
   Console console;
-  Manager manager("right", names->address());
+  Manager manager("right", names->address(), securityOf("right"));
   manager.add("Console", console);
   manager.start();
   manager.connect("Console/Arm", "left:PSM/Arm");
@@ -211,10 +155,10 @@ TEST_P(NetworkTest, TheConnectionLivesOnWithoutTheGlobalManager) {
   EXPECT_TRUE(reaches(console, 2));
   EXPECT_TRUE(eventually([&] { return manager.missingGlobalManager() == asked; }));
 
-  const GlobalManager successor(control_, asked);
+  const GlobalManager successor(control_, asked, securityOf(tls::kManagerName));
   EXPECT_TRUE(eventually([&] { return manager.missingGlobalManager().empty(); }));
   Console another;
-  Manager third("third", asked);
+  Manager third("third", asked, securityOf("third"));
   third.add("Console", another);
   third.start();
   third.connect("Console/Arm", "left:PSM/Arm");
@@ -223,13 +167,13 @@ TEST_P(NetworkTest, TheConnectionLivesOnWithoutTheGlobalManager) {
 
 TEST_P(NetworkTest, StartingAndKillingOverAndOver) {
   Console console;
-  Manager manager("right", address());
+  Manager manager = process("right");
   manager.add("Console", console);
   manager.start();
   for (int round = 0; round < 10; ++round) {
     const auto child = host("left" + std::to_string(round));
     Console another;
-    Manager local("round" + std::to_string(round), address());
+    Manager local = process("round" + std::to_string(round));
     local.add("Console", another);
     local.start();
     local.connect("Console/Arm", "left" + std::to_string(round) + ":PSM/Arm");
@@ -241,7 +185,7 @@ TEST_P(NetworkTest, StartingAndKillingOverAndOver) {
 TEST_P(NetworkTest, WhatDoesNotExistIsRefusedWithWhatDoes) {
   const auto child = host("left");
   Console console;
-  Manager manager("right", address());
+  Manager manager = process("right");
   manager.add("Console", console);
   manager.start();
   const auto answer = [&](const char* provided) {
@@ -264,7 +208,7 @@ TEST_P(NetworkTest, WhatDoesNotExistIsRefusedWithWhatDoes) {
 TEST_P(NetworkTest, AnotherContractIsRefusedWithTheDifference) {
   const auto child = host("left");
   Stranger stranger;
-  Manager manager("right", address());
+  Manager manager = process("right");
   manager.add("Stranger", stranger);
   manager.start();
   const std::string error = refusal([&] { manager.connect("Stranger/Arm", "left:PSM/Arm"); });
@@ -274,7 +218,7 @@ TEST_P(NetworkTest, AnotherContractIsRefusedWithTheDifference) {
 
 TEST_P(NetworkTest, ATakenProcessNameIsRefused) {
   const auto child = host("left");
-  const std::string error = refusal([&] { Manager second("left", address()); });
+  const std::string error = refusal([&] { Manager second = process("left"); });
   EXPECT_TRUE(contains(error, "register process 'left'")) << error;
 }
 
@@ -282,14 +226,14 @@ TEST_P(NetworkTest, TwoProcessesThatRequireEachOtherStartInAnyOrder) {
   reference::HostedArm leftArm, rightArm;
   Console leftConsole, rightConsole;
   std::thread other([&] {
-    Manager left("left", address());
+    Manager left = process("left");
     left.add("PSM", leftArm);
     left.add("Console", leftConsole);
     left.connect("Console/Arm", "right:PSM/Arm");
     left.start();
     EXPECT_TRUE(reaches(leftConsole, 3));
   });
-  Manager right("right", address());
+  Manager right = process("right");
   right.add("PSM", rightArm);
   right.add("Console", rightConsole);
   right.connect("Console/Arm", "left:PSM/Arm");
@@ -297,7 +241,11 @@ TEST_P(NetworkTest, TwoProcessesThatRequireEachOtherStartInAnyOrder) {
   other.join();
 }
 
-TEST_P(NetworkTest, APlainCapnpClientReadsAndCommandsAnArm) {
+class PlainNetworkTest : public NetworkTest {};
+INSTANTIATE_TEST_SUITE_P(Sockets, PlainNetworkTest, testing::Values("unix", "tcp"),
+                         [](const auto& test) { return std::string(test.param); });
+
+TEST_P(PlainNetworkTest, APlainCapnpClientReadsAndCommandsAnArm) {
   const auto arm = host("left");
   std::string peer = addressOf("left");
   if (peer.starts_with("tcp://")) peer = peer.substr(6);

@@ -25,27 +25,30 @@ suture_planted(ring_overrun PART spsc_ring SCENARIO SpscRing FINDS "a r"
   TEXT "if (newTail - knownHead_ > mask_ + 1) return nullptr;"
   REPLACEMENT "if (newTail - knownHead_ > mask_ + 49) return nullptr;")
 suture_planted(ring_unordered_read PART spsc_ring SCENARIO SpscRing FINDS "a race on plain memory: written unordered"
-  TEXT "knownTail_ = tail_.load(std::memory_order_acquire)" REPLACEMENT "knownTail_ = tail_.load(std::memory_order_relaxed)")
+  TEXT "knownTail_ = shared_->tail.load(std::memory_order_acquire)" REPLACEMENT "knownTail_ = shared_->tail.load(std::memory_order_relaxed)")
 suture_planted(ring_unordered_reuse PART spsc_ring SCENARIO SpscRing FINDS "a race on plain memory: overwritten"
-  TEXT "knownHead_ = head_.load(std::memory_order_acquire)" REPLACEMENT "knownHead_ = head_.load(std::memory_order_relaxed)")
+  TEXT "knownHead_ = shared_->head.load(std::memory_order_acquire)" REPLACEMENT "knownHead_ = shared_->head.load(std::memory_order_relaxed)")
 suture_planted(cells_unordered_reuse PART mpsc_ring SCENARIO MpscRing FINDS "a race on plain memory"
   TEXT "head_ + mask_ + 1, std::memory_order_release" REPLACEMENT "head_ + mask_ + 1, std::memory_order_relaxed")
 suture_planted(cells_unordered_reuse_of_one PART mpsc_ring SCENARIO EventQueueOfOne FINDS "a race on plain memory"
   TEXT "head_ + mask_ + 1, std::memory_order_release" REPLACEMENT "head_ + mask_ + 1, std::memory_order_relaxed")
 suture_planted(cells_early_front PART mpsc_ring SCENARIO MpscRing FINDS "a "
-  TEXT "turn.load(std::memory_order_acquire) != head_ + 1" REPLACEMENT "turn.load(std::memory_order_acquire) > head_ + 1")
+  TEXT "turnAt(head_).load(std::memory_order_acquire) == head_ + 1"
+  REPLACEMENT "turnAt(head_).load(std::memory_order_acquire) <= head_ + 1")
 suture_planted(latest_shared_buffer PART latest_cell SCENARIO LatestCell FINDS "a "
-  TEXT "shared_.exchange(reading_, std::memory_order_acq_rel)" REPLACEMENT "shared_.exchange(shared_.load() & ~kFresh)")
+  TEXT "shared_->exchange(reading_, std::memory_order_acq_rel)"
+  REPLACEMENT "shared_->exchange(shared_->load() & ~kFresh)")
 suture_planted(latest_unordered PART latest_cell SCENARIO LatestCell FINDS "a race on plain memory: written unordered"
-  TEXT "shared_.exchange(writing_ | kFresh, std::memory_order_acq_rel)"
-  REPLACEMENT "shared_.exchange(writing_ | kFresh, std::memory_order_acquire)")
+  TEXT "shared_->exchange(writing_ | kFresh, std::memory_order_acq_rel)"
+  REPLACEMENT "shared_->exchange(writing_ | kFresh, std::memory_order_acquire)")
 suture_planted(mailbox_cut_after_cells PART mailbox SCENARIO MailboxOrder FINDS "a command "
-  TEXT "  cut_ = published_.load(std::memory_order_acquire);
+  TEXT "  cut_ = published_->load(std::memory_order_acquire);
+  left_ = mostWaiting_;
   for (Cell& cell : cells_) cell.held = cell.values.take() || cell.held;"
   REPLACEMENT "  for (Cell& cell : cells_) cell.held = cell.values.take() || cell.held;
-  cut_ = published_.load(std::memory_order_acquire);")
+  cut_ = published_->load(std::memory_order_acquire);")
 suture_planted(mailbox_no_cut PART mailbox SCENARIO MailboxOrder FINDS "a command "
-  TEXT "earliest->sequence > cut_" REPLACEMENT "false")
+  TEXT "next_->sequence > cut_" REPLACEMENT "false")
 suture_planted(mailbox_forgotten_cell PART mailbox SCENARIO MailboxOrder FINDS "the last command is lost"
   TEXT "cell.values.take() || cell.held" REPLACEMENT "cell.values.take()")
 suture_planted(mailbox_one_too_many PART mailbox SCENARIO MailboxCredits FINDS "more wait than the depth allows"

@@ -49,9 +49,12 @@ void Scenario::SetUp() {
   if (!local) clients.start();
   server->begin();
   client->begin();
-  clients.connect("Client/Used", local ? "Server/Served" : "servers:Server/Served");
-  servers.connect("Server/Used", local ? "Client/Served" : "clients:Client/Served");
-  for (const auto& channel : clients.channels()) EXPECT_EQ(channel->lane, local ? "local" : "rpc");
+  const bool calls = std::get<0>(GetParam()) == LaneUnderTest::Rpc;
+  const suture::Lane lane = calls ? suture::Lane::Rpc : suture::Lane::Auto;
+  clients.connect("Client/Used", local ? "Server/Served" : "servers:Server/Served", lane);
+  servers.connect("Server/Used", local ? "Client/Served" : "clients:Client/Served", lane);
+  const std::string expected = local ? "local" : calls ? "rpc" : "shm";
+  for (const auto& channel : clients.channels()) EXPECT_EQ(channel->lane, expected);
   for (End* end : {client.get(), server.get()}) ASSERT_TRUE(end->awaitConnection());
 }
 
@@ -65,8 +68,9 @@ void Scenario::TearDown() {
 
 std::string nameOf(const testing::TestParamInfo<Combination>& info) {
   const auto [lane, server, client] = info.param;
-  return std::string(lane == LaneUnderTest::Local ? "Local" : "Rpc") + "To" +
-         kKinds[static_cast<int>(server)] + "From" + kKinds[static_cast<int>(client)];
+  static constexpr const char* kLanes[] = {"Local", "Shm", "Rpc"};
+  return std::string(kLanes[static_cast<int>(lane)]) + "To" + kKinds[static_cast<int>(server)] +
+         "From" + kKinds[static_cast<int>(client)];
 }
 
 }  // namespace scenarios

@@ -122,15 +122,14 @@ TEST(TaskThread, CyclesOfTwoThreadsCostNothing) {
 }
 
 // An arm and two clients that sleep whenever they have nothing to do, and wake each other: in a
-// cycle one sleep, and a ring for each peer that sleeps. A client sleeps once more if the arm rings
-// for what that client has taken in the cycle before.
+// cycle one sleep, and a ring for each peer that sleeps.
 TEST(TaskThread, CyclesThatSleepCostASleepAndARingForEachSleepingPeer) {
   const suture::EventOptions options{.scheduling = {.cpu = someProcessor()}};
   ArmTask<suture::EventTask> arm(options);
   UserTask<suture::EventTask> first(options), second(options);
   Watch armWatch("PSM", kWarmUp, kSleepingCycles, {.sleeps = 1, .wakes = 2});
-  Watch firstWatch("Console 1", kWarmUp, kSleepingCycles, {.sleeps = 2, .wakes = 1});
-  Watch secondWatch("Console 2", kWarmUp, kSleepingCycles, {.sleeps = 2, .wakes = 1});
+  Watch firstWatch("Console 1", kWarmUp, kSleepingCycles, {.sleeps = 1, .wakes = 1});
+  Watch secondWatch("Console 2", kWarmUp, kSleepingCycles, {.sleeps = 1, .wakes = 1});
   arm.also = [&] { armWatch.cycle(); };
   first.also = [&] { firstWatch.cycle(); };
   second.also = [&] { secondWatch.cycle(); };

@@ -79,7 +79,8 @@ TEST(Deployment, UnknownKeySuggestsTheRightOne) {
   expectOnly(with("\"lane\"", "\"lanes\""),
              "d.json:18: error: unknown key 'lanes'; did you mean 'lane'?");
   expectOnly(with("\"manager\"", "\"x\": 1, \"manager\""),
-             "d.json:2: error: unknown key 'x'; known are '$schema', 'connections', 'manager' and "
+             "d.json:2: error: unknown key 'x'; known are '$schema', 'connections', 'keys', "
+             "'manager', 'policy' and "
              "'processes'");
 }
 
@@ -103,8 +104,9 @@ TEST(Deployment, WrongTypeSaysWhatWasFound) {
 
 TEST(Deployment, UnknownLane) {
   expectOnly(with("\"rpc\"", "\"fast\""),
-             "d.json:18: error: expected \"auto\": the fastest lane that fits; \"rpc\": Cap'n "
-             "Proto RPC, even within a process; found string \"fast\"");
+             "d.json:18: error: expected \"auto\": the fastest lane that fits; \"shm\": shared "
+             "memory, \"rpc\": Cap'n Proto RPC, both even within a process; found string "
+             "\"fast\"");
 }
 
 suture::ConnectionDelay delayOf(const std::string& value) {
@@ -136,9 +138,10 @@ TEST(Deployment, Contracts) {
                                     .deadline = 50ms,
                                     .onStale = Fallback::Zero,
                                     .onLoss = Fallback::Fault,
-                                    .resume = Resume::Operator};
+                                    .resume = Resume::Operator,
+                                    .silence = 100ms};
   EXPECT_EQ(contractOf(R"({"max_age": "10ms", "deadline": "50ms", "on_stale": "zero",
-                           "on_loss": "fault", "resume": "operator"})"),
+                           "on_loss": "fault", "resume": "operator", "silence": "100ms"})"),
             expected);
   EXPECT_EQ(contractOf(R"({"on_stale": "last"})").onStale, Fallback::Last);
 }

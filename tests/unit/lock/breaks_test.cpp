@@ -7,6 +7,7 @@
 #include "compiler/lock/contract_hash.h"
 #include "compiler/lock/lock.h"
 #include "compiler/lock/majors.h"
+#include "compiler/lock/wire_contract.h"
 #include "tests/unit/emit/sample_model.h"
 
 namespace suture::compiler::lock {
@@ -32,7 +33,9 @@ class BreakTest : public testing::Test {
     return locks;
   }
 
-  std::string hash(const Locks& locks) { return contractHashes(model_, locks).at("robots::Arm"); }
+  std::string hash(const Locks& locks) {
+    return contractHashes(model_, upToDate(model_, locks)).at("robots::Arm");
+  }
 
   model::Field& speed() { return sample::armHeader(model_).structs[0].fields[3]; }
 

@@ -9,6 +9,7 @@
 
 #include "compiler/lock/contract_hash.h"
 #include "compiler/lock/parse.h"
+#include "compiler/lock/wire_contract.h"
 #include "compiler/lock/writer.h"
 #include "tests/unit/emit/sample_model.h"
 
@@ -268,19 +269,23 @@ TEST_F(LockTest, AContractIsRenamedWithWas) {
 }
 
 TEST_F(LockTest, OptionalCommandsAreNotOfTheCore) {
-  const auto core = coreHashes(model_, before_), whole = contractHashes(model_, before_);
+  const auto core = coreHashes(model_, upToDate(model_, before_)),
+             whole = contractHashes(model_, upToDate(model_, before_));
   EXPECT_NE(core.at("robots::Arm"), whole.at("robots::Arm"));
   EXPECT_EQ(core.at("robots::Names"), whole.at("robots::Names"));
   std::erase_if(arm().commands, [](const model::Command& one) { return one.optional; });
   const Locks without = lockOf(model_, {});
-  EXPECT_EQ(contractHashes(model_, without).at("robots::Arm"), core.at("robots::Arm"));
-  EXPECT_EQ(coreHashes(model_, without).at("robots::Arm"), core.at("robots::Arm"));
+  EXPECT_EQ(contractHashes(model_, upToDate(model_, without)).at("robots::Arm"),
+            core.at("robots::Arm"));
+  EXPECT_EQ(coreHashes(model_, upToDate(model_, without)).at("robots::Arm"),
+            core.at("robots::Arm"));
 }
 
 TEST_F(LockTest, TheVersionIsPartOfTheHash) {
-  const auto before = contractHashes(model_, before_);
+  const auto before = contractHashes(model_, upToDate(model_, before_));
   gripper(model_).version = 3;
-  EXPECT_NE(contractHashes(model_, before_).at("robots::Gripper"), before.at("robots::Gripper"));
+  EXPECT_NE(contractHashes(model_, upToDate(model_, before_)).at("robots::Gripper"),
+            before.at("robots::Gripper"));
 }
 
 TEST_F(LockTest, DerivedNamesMayNotMeetDeclaredOnes) {

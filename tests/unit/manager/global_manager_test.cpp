@@ -5,8 +5,10 @@
 #include <suture/base/errors.h>
 #include <suture/manager/global_manager.h>
 #include <suture/manager/manager_link.h>
+#include <suture/manager/manager_session.h>
 #include <suture/transport/rpc/control_thread.h>
 #include <suture/transport/rpc/dialer.h>
+#include <suture/transport/rpc/failure.h>
 
 #include <thread>
 
@@ -48,6 +50,17 @@ class Peer {
   }
   ProcessRecord resolve(const std::string& name, Duration wait = 0s) {
     return control_.run(wait + 10s, [this, name, wait] { return link_->resolve(name, wait); });
+  }
+  /// Why a name is not there, while `waiting` others are waited for.
+  std::string resolveBehind(std::size_t waiting) {
+    return control_.run(30s, [this, waiting] {
+      kj::Vector<kj::Promise<ProcessRecord>> others;
+      for (std::size_t i = 0; i < waiting; ++i) others.add(link_->resolve("nobody", 60s));
+      return link_->resolve("nobody", 60s)
+          .then([](ProcessRecord) { return std::string("found"); },
+                [](kj::Exception&& e) { return rpc::describe(e); })
+          .attach(kj::mv(others));
+    });
   }
   std::vector<ProcessRecord> list() {
     return control_.run(5s, [this] { return link_->list(); });
@@ -148,6 +161,20 @@ TEST_P(GlobalManagerTest, ResolvingWaitsNoLongerThanAsked) {
   auto left = enrolled("left");
   const std::string error = refusal([&] { left->resolve("right", 30ms); });
   EXPECT_TRUE(contains(error, "has waited 30 ms")) << error;
+}
+
+TEST_P(GlobalManagerTest, SoManyMayWaitAndNoMore) {
+  auto peer = enrolled("left");
+  const std::string answer = peer->resolveBehind(NameService::kMostWaiting);
+  EXPECT_TRUE(contains(answer, "find process 'nobody'")) << answer;
+  // Those who have gone leave their places to others.
+  std::unique_ptr<Peer> late;
+  std::thread other([&] {
+    std::this_thread::sleep_for(50ms);
+    late = enrolled("late");
+  });
+  EXPECT_EQ(refusal([&] { peer->resolve("late", 10s); }), "");
+  other.join();
 }
 
 TEST_P(GlobalManagerTest, AManagerThatComesBackRelearnsItsProcesses) {

@@ -4,6 +4,11 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <signal.h>
+#include <suture/manager/manager.h>
+#include <suture/manager/security.h>
+#include <suture/transport/tls/key_maker.h>
+#include <suture/transport/tls/keys.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -18,14 +23,19 @@ namespace {
 /// A child that runs suture-manager, with what it prints.
 class Program {
  public:
-  explicit Program(const std::string& listen) {
+  explicit Program(const std::string& listen, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> line{SUTURE_MANAGER, "--listen", listen};
+    line.insert(line.end(), more.begin(), more.end());
+    std::vector<char*> raw;
+    for (std::string& argument : line) raw.push_back(argument.data());
+    raw.push_back(nullptr);
     int out[2];
     if (pipe(out) != 0) std::abort();
     child_ = fork();
     if (child_ == 0) {
       dup2(out[1], STDOUT_FILENO);
       dup2(out[1], STDERR_FILENO);
-      execl(SUTURE_MANAGER, SUTURE_MANAGER, "--listen", listen.c_str(), nullptr);
+      execv(raw[0], raw.data());
       _exit(127);
     }
     close(out[1]);
@@ -98,6 +108,51 @@ TEST(SutureManager, TakesOverFromOneThatWasKilled) {
   }
   Program second(address);
   EXPECT_EQ(second.line(), "suture-manager: ready on " + address);
+}
+
+TEST(SutureManager, ListensForTlsWithItsKeys) {
+  const TemporaryDirectory directory;
+  const std::string keys = directory.file("keys");
+  tls::makeKeys(keys, {tls::kManagerName, "left"});
+  Program program("tls://127.0.0.1:0", {"--keys", keys});
+  const std::string line = program.line(), ready = "suture-manager: ready on ";
+  ASSERT_TRUE(line.starts_with(ready + "tls://127.0.0.1:")) << line;
+  const Manager left("left", line.substr(ready.size()),
+                     {.keys = std::make_shared<const tls::Keys>(keys, "left")});
+  EXPECT_EQ(left.missingGlobalManager(), "");
+}
+
+TEST(SutureManager, TlsWithoutKeysIsRefused) {
+  Program program("tls://127.0.0.1:0");
+  const std::string line = program.line();
+  EXPECT_NE(line.find("this process has no keys. Make them with suture keys"), std::string::npos)
+      << line;
+  EXPECT_EQ(program.end(0), 1);
+}
+
+TEST(SutureManager, PlainTcpToTheOutsideHasToBeAskedFor) {
+  Program program("tcp://0.0.0.0:0?insecure");
+  const std::string line = program.line();
+  EXPECT_TRUE(line.starts_with("suture-manager: ready on tcp://0.0.0.0:")) << line;
+}
+
+TEST(SutureManager, OpensItsSocketToTheUsersThatItNames) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("m.sock");
+  struct stat status {};
+  {
+    Program program("unix:" + file);
+    program.line();
+    ASSERT_EQ(stat(file.c_str(), &status), 0);
+    EXPECT_EQ(status.st_mode & 0777, 0600u);
+    program.end(SIGTERM);
+  }
+  Program program("unix:" + file, {"--user", "1234"});
+  program.line();
+  ASSERT_EQ(stat(file.c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777, 0666u);
+  const Manager ours("left", "unix:" + file);
+  EXPECT_EQ(ours.missingGlobalManager(), "");
 }
 
 TEST(SutureManager, PlainTcpToTheOutsideIsRefused) {

@@ -41,6 +41,7 @@ TEST(Text, TellsAllOfAProcess) {
 
 TEST(Text, TellsAllOfAConnection) {
   ConnectionReport one = connection(ConnectionEnd::Both);
+  one.whyLost = "hung: it sleeps";
   one.contract = {.staleReads = 7, .losses = 1, .awaitsOperator = true};
   one.failed = 4;
   one.eventsDropped = 5;
@@ -49,7 +50,7 @@ TEST(Text, TellsAllOfAConnection) {
             "connections\n"
             "  left:Teleop/Slave -> right:PSM1/Arm: rpc, connected, both ends\n"
             "    sent 100, executed 95, dropped 3, late 2, stale reads 7, losses 1, awaits its "
-            "operator, failed 4, events dropped 5\n");
+            "operator, failed 4, events dropped 5, last loss: hung: it sleeps\n");
 }
 
 TEST(Text, SaysWhichEndCountsWhatThisOneDoesNot) {

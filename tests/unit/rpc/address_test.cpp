@@ -14,7 +14,9 @@ std::string errorOf(const std::string& text) {
 
 TEST(Address, ParsesWhatItPrints) {
   for (const char* text :
-       {"unix:/tmp/a.sock", "tcp://127.0.0.1:7700", "tcp://[::1]:80", "tcp://127.1.2.3:0"}) {
+       {"unix:/tmp/a.sock", "tcp://127.0.0.1:7700", "tcp://[::1]:80", "tcp://127.1.2.3:0",
+        "tls://192.168.0.1:7700", "tls://[fe80::1]:1", "tls://0.0.0.0:0",
+        "tcp://192.168.0.1:7700?insecure", "tcp://[2001:db8::1]:7?insecure"}) {
     EXPECT_EQ(Address::parse(text).text(), text);
   }
   EXPECT_EQ(Address::parse("tcp://localhost:1").text(), "tcp://127.0.0.1:1");
@@ -32,6 +34,11 @@ TEST(Address, EveryRefusalNamesTheAddressAndTheReason) {
       {"tcp://0.0.0.0:7700", "not a loopback"},
       {"tcp://[fe80::1]:7700", "not a loopback"},
       {"tcp://manager:7700", "neither localhost nor a numeric"},
+      {"tls://manager:7700", "neither localhost nor a numeric"},
+      {"tls://192.168.0.1", "no port"},
+      {"tls://192.168.0.1:7700?insecure", "no port"},
+      {"tcp://192.168.0.1:7700?secure", "no port"},
+      {"tcp://192.168.0.1:7700", "add ?insecure"},
   };
   for (const auto& [text, reason] : cases) {
     const std::string error = errorOf(text);

@@ -1,6 +1,5 @@
 // Listener, dialer and link with real sockets, both ends on one event loop.
 
-#include <echo.capnp.h>
 #include <gtest/gtest.h>
 #include <suture/transport/rpc/dialer.h>
 #include <suture/transport/rpc/failure.h>
@@ -11,6 +10,7 @@
 #include <csignal>
 #include <fstream>
 
+#include "echo_server.h"
 #include "socket_pair.h"
 #include "support/temporary_directory.h"
 
@@ -20,18 +20,6 @@ namespace {
 using namespace std::chrono_literals;
 using capnp::rpc::twoparty::Side;
 using test::Echo;
-
-class EchoServer final : public Echo::Server {
- protected:
-  kj::Promise<void> echo(EchoContext context) override {
-    context.getResults().setData(context.getParams().getData());
-    return kj::READY_NOW;
-  }
-  kj::Promise<void> fail(FailContext context) override {
-    return failure(kj::Exception::Type::FAILED, context.getParams().getText().cStr());
-  }
-  kj::Promise<void> never(NeverContext) override { return kj::NEVER_DONE; }
-};
 
 class LinkTest : public testing::TestWithParam<const char*> {
  public:
@@ -45,7 +33,10 @@ class LinkTest : public testing::TestWithParam<const char*> {
   void serve() {
     server_ = kj::heap<LinkServer>(
         port_, Address::parse(freshAddress()),
-        [](auto&&) -> capnp::Capability::Client { return Echo::Client(kj::heap<EchoServer>()); },
+        [](auto&& caller) -> capnp::Capability::Client {
+          caller->known = true;
+          return Echo::Client(kj::heap<EchoServer>());
+        },
         StreamLimits{}, 2);
   }
 
@@ -61,28 +52,6 @@ class LinkTest : public testing::TestWithParam<const char*> {
       return describe(e);
     }
     return "connected";
-  }
-
-  /// True if the peer ends the connection within five seconds.
-  bool closes(int socket) {
-    kj::UnixEventPort::FdObserver observer(port_, socket,
-                                           kj::UnixEventPort::FdObserver::OBSERVE_READ);
-    std::byte bytes[4096];
-    for (ssize_t count = -1; count != 0;) {
-      count = recv(socket, bytes, sizeof(bytes), 0);
-      if (count >= 0) continue;
-      if (errno != EAGAIN) return true;
-      auto readable = observer.whenBecomesReadable().then([] { return true; });
-      auto late = port_.getTimer().afterDelay(5 * kj::SECONDS).then([] { return false; });
-      if (!readable.exclusiveJoin(kj::mv(late)).wait(port_.scope())) return false;
-    }
-    return true;
-  }
-
-  kj::Promise<std::size_t> echo(Echo::Client client, std::size_t size) {
-    auto request = client.echoRequest();
-    memset(request.initData(size).begin(), 5, size);
-    return request.send().then([](auto&& response) { return response.getData().size(); });
   }
 
   TemporaryDirectory directory_;
@@ -163,7 +132,7 @@ TEST_P(LinkTest, AHostilePeerIsCutOffAndOthersAreServed) {
   auto client = link->bootstrap<Echo>();
   auto hostile = dial(port_, server_->address(), 5s).wait(port_.scope());
   sendAll(hostile, std::vector(64, std::byte{0xff}));
-  EXPECT_TRUE(closes(hostile));
+  EXPECT_TRUE(closes(port_, hostile));
   EXPECT_EQ(echo(client, 1).wait(port_.scope()), 1u);
 }
 
@@ -173,7 +142,7 @@ TEST_P(LinkTest, ConnectionsBeyondTheLimitAreClosedAndThoseWithinServed) {
   auto second = connect();
   auto third = dial(port_, server_->address(), 5s).wait(port_.scope());
   EXPECT_EQ(echo(second->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
-  EXPECT_TRUE(closes(third));
+  EXPECT_TRUE(closes(port_, third));
   first = nullptr;
   EXPECT_EQ(echo(second->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
   auto fourth = connect();

@@ -6,10 +6,12 @@
 #include <kj/async-io.h>
 #include <kj/io.h>
 #include <poll.h>
+#include <suture/transport/rpc/event_port.h>
 #include <suture/transport/rpc/frame_header.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <span>
 #include <string>
 #include <vector>
@@ -41,6 +43,21 @@ inline void sendAll(int socket, std::span<const std::byte> bytes) {
 
 inline void sendText(int socket, const std::string& text) {
   sendAll(socket, std::as_bytes(std::span(text)));
+}
+
+/// True if the peer ends the connection within five seconds.
+inline bool closes(EventPort& port, int socket) {
+  kj::UnixEventPort::FdObserver observer(port, socket, kj::UnixEventPort::FdObserver::OBSERVE_READ);
+  std::byte bytes[4096];
+  for (ssize_t count = -1; count != 0;) {
+    count = recv(socket, bytes, sizeof(bytes), 0);
+    if (count >= 0) continue;
+    if (errno != EAGAIN) return true;
+    auto readable = observer.whenBecomesReadable().then([] { return true; });
+    auto late = port.getTimer().afterDelay(5 * kj::SECONDS).then([] { return false; });
+    if (!readable.exclusiveJoin(kj::mv(late)).wait(port.scope())) return false;
+  }
+  return true;
 }
 
 /// A frame whose root is a Data blob of `size` bytes, all equal to `fill`.

@@ -3,6 +3,7 @@
 #include <sys/eventfd.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <deque>
 
 namespace suture::rt {
@@ -69,6 +70,31 @@ TEST(DueBells, OneThatIsAddedForTwoThingsIsRungForBoth) {
   due.ringAll();
   EXPECT_EQ(one.takeRing(), RungFor::Work);
   EXPECT_EQ(other.takeRing(), RungFor::Arrival);
+}
+
+TEST(DueBells, WhatHasBeenTakenIsNotRungFor) {
+  std::atomic<bool> untaken{true}, other{false};
+  Sleeper sleeper;
+  DueBells due;
+  due.add(sleeper.bell, RungFor::Arrival, &untaken);
+  due.add(sleeper.bell, RungFor::Arrival, &untaken);
+  due.ringAll();
+  EXPECT_EQ(sleeper.rings(), 1u);
+  EXPECT_FALSE(untaken) << "what comes later is rung for again";
+
+  due.add(sleeper.bell, RungFor::Arrival, &untaken);
+  due.ringAll();
+  EXPECT_EQ(sleeper.rings(), 0u);
+
+  due.add(sleeper.bell, RungFor::Arrival, &untaken);
+  due.add(sleeper.bell, RungFor::Arrival, &other);
+  due.ringAll();
+  EXPECT_EQ(sleeper.rings(), 1u) << "of two it cannot say which";
+
+  due.add(sleeper.bell, RungFor::Arrival, &untaken);
+  due.add(sleeper.bell);
+  due.ringAll();
+  EXPECT_EQ(sleeper.rings(), 1u) << "work is work";
 }
 
 TEST(DueBells, BeyondItsCapacityRingsAtOnce) {

@@ -78,6 +78,15 @@ TEST(Differences, AreToldFieldByFieldAndIgnoreDocumentation) {
   EXPECT_TRUE(differences(here, here).empty());
 }
 
+TEST(Differences, WhatIsNestedWithoutEnd) {
+  constexpr std::size_t kLevels = 1'000'000;
+  const std::string there = std::string(kLevels, '[') + std::string(kLevels, ']');
+  const std::vector<std::string> lines = differences(R"({"name": "Arm"})", there);
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[0], "name: 'Arm' here, missing there");
+  EXPECT_TRUE(lines[1].ends_with(": missing here, too deep there")) << lines[1];
+}
+
 TEST(Contract, ADifferentOneIsRefusedWithTheDifference) {
   const InterfaceInfo& info = interfaceInfo<reference::ArmLike>();
   InterfaceInfo other = info;

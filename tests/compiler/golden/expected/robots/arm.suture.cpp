@@ -24,6 +24,7 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::checkSlot;
 using suture::load;
 using suture::newSlot;
 using suture::rpc::ProxyPort;
@@ -70,6 +71,11 @@ static_assert(std::is_same_v<decltype(Everything::attitude), Eigen::Quaterniond>
 static_assert(std::is_same_v<decltype(Everything::period), std::chrono::milliseconds>);
 static_assert(std::is_same_v<decltype(Everything::when), std::chrono::steady_clock::time_point>);
 
+bool acceptsArmServoCp(const ArmServoCpArguments& slot);
+bool acceptsArmSetSpeed(const ArmSetSpeedArguments& slot);
+bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot);
+bool acceptsArmGrasp(const ArmGraspArguments& slot);
+
 constexpr CommandInfo kArmCommands[] = {
     {.name = "enable", .kind = CommandKind::Void, .depth = 4},
     {.name = "servo_cp",
@@ -77,11 +83,13 @@ constexpr CommandInfo kArmCommands[] = {
      .argumentsSize = slotSize<ArmServoCpArguments>,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000)},
+     .ttl = Duration(20'000'000),
+     .accepts = checkSlot<ArmServoCpArguments, acceptsArmServoCp>},
     {.name = "set_speed",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<ArmSetSpeedArguments>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<ArmSetSpeedArguments, acceptsArmSetSpeed>},
     {.name = "measured_cp",
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
@@ -101,13 +109,15 @@ constexpr CommandInfo kArmCommands[] = {
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<ArmInverseKinematicsArguments>,
      .resultSize = slotSize<EverythingSlot>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<ArmInverseKinematicsArguments, acceptsArmInverseKinematics>},
     {.name = "grasp",
      .kind = CommandKind::WriteReturn,
      .argumentsSize = slotSize<ArmGraspArguments>,
      .resultSize = slotSize<std::uint8_t>,
      .depth = 2,
-     .deadline = Duration(50'000'000)},
+     .deadline = Duration(50'000'000),
+     .accepts = checkSlot<ArmGraspArguments, acceptsArmGrasp>},
     {.name = "next_token",
      .kind = CommandKind::VoidReturn,
      .resultSize = slotSize<std::uint32_t>,
@@ -131,36 +141,38 @@ constexpr EventInfo kArmEvents[] = {
 constexpr char kArmDescription[] = R"json(
 {"name": "robots::Arm", "doc": "A robot arm.", "hash": "098f1414549f8719cb5e7383aff6c956",
 "core": "105905a88a26f5954c1b7ccca0ff990d", "commands": [{"name": "enable", "kind": "void",
-"queue": 4}, {"name": "servo_cp", "kind": "write", "wire": "servoCp", "doc": "Follow the goal.",
-"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
-"queue": 16, "latest": true, "ttl": 0.02}, {"name": "set_speed", "kind": "write",
-"wire": "setSpeed", "parameters": [{"name": "speed", "type": {"kind": "Float64"}, "unit": "m/s"}],
-"queue": 16}, {"name": "measured_cp", "kind": "read", "wire": "measuredCp", "result": {"type": {
-"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "mode", "kind": "read",
+"ordinal": 1, "queue": 4}, {"name": "servo_cp", "kind": "write", "ordinal": 2, "wire": "servoCp",
+"doc": "Follow the goal.", "parameters": [{"name": "goal", "type": {"kind": "struct",
+"name": "robots::PoseStamped"}}], "queue": 16, "latest": true, "ttl": 0.02}, {"name": "set_speed",
+"kind": "write", "ordinal": 3, "wire": "setSpeed", "parameters": [{"name": "speed", "type": {
+"kind": "Float64"}, "unit": "m/s"}], "queue": 16}, {"name": "measured_cp", "kind": "read",
+"ordinal": 4, "wire": "measuredCp", "result": {"type": {"kind": "struct",
+"name": "robots::PoseStamped"}}, "queue": 16}, {"name": "mode", "kind": "read", "ordinal": 5,
 "result": {"type": {"kind": "enum", "name": "robots::Mode"}}, "queue": 16}, {"name": "everything",
-"kind": "read", "result": {"type": {"kind": "struct", "name": "robots::Everything"}}, "queue": 16},
-{"name": "inverse_kinematics", "kind": "qualified read", "wire": "inverseKinematics",
-"parameters": [{"name": "x", "type": {"kind": "struct", "name": "robots::PoseStamped"}}, {
-"name": "tolerance", "type": {"kind": "Float64"}, "range": [0.0, 1.0]}], "result": {"type": {
-"kind": "struct", "name": "robots::Everything"}}, "queue": 16}, {"name": "grasp",
-"kind": "write with return", "doc": "Closes the gripper; answers whether it holds something.",
-"parameters": [{"name": "width", "type": {"kind": "Float64"}}, {"name": "mode", "type": {
-"kind": "enum", "name": "robots::Mode"}}], "result": {"type": {"kind": "Bool"}}, "queue": 2,
-"deadline": 0.05}, {"name": "next_token", "kind": "void with return", "wire": "nextToken",
-"result": {"type": {"kind": "UInt32"}}, "queue": 16, "since": 1}, {"name": "park", "kind": "void",
-"queue": 16, "optional": true, "direct": true, "deprecated": "use enable"}, {"name": "load",
-"kind": "read", "result": {"type": {"kind": "Float64"}}, "queue": 16, "optional": true}],
-"events": [{"name": "mode_changed", "kind": "write", "wire": "modeChanged", "payload": {"type": {
-"kind": "enum", "name": "robots::Mode"}}, "queue": 8, "latched": true}, {"name": "stopped",
-"kind": "void", "queue": 16}, {"name": "arrived", "kind": "write", "payload": {"type": {
-"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "moved", "kind": "write",
-"doc": "Where, how fast and why.", "payload": [{"name": "value", "type": {"kind": "struct",
-"name": "robots::PoseStamped"}}, {"name": "value2", "type": {"kind": "Float64"}}, {
-"name": "value3", "type": {"kind": "enum", "name": "robots::Mode"}}], "queue": 16, "latched": true}
-], "enums": [{"name": "robots::Mode", "doc": "What the arm does.", "underlying": "Int8",
-"enumerators": [{"name": "Disabled", "value": -1, "wire": "disabled"}, {"name": "HoldStill",
-"value": 4, "wire": "holdStill", "doc": "Brakes off, set-point frozen."}, {"name": "Servo",
-"value": 2, "wire": "servo"}]}], "structs": [{"name": "robots::PoseStamped",
+"kind": "read", "ordinal": 6, "result": {"type": {"kind": "struct", "name": "robots::Everything"}},
+"queue": 16}, {"name": "inverse_kinematics", "kind": "qualified read", "ordinal": 7,
+"wire": "inverseKinematics", "parameters": [{"name": "x", "type": {"kind": "struct",
+"name": "robots::PoseStamped"}}, {"name": "tolerance", "type": {"kind": "Float64"}, "range": [0.0,
+1.0]}], "result": {"type": {"kind": "struct", "name": "robots::Everything"}}, "queue": 16}, {
+"name": "grasp", "kind": "write with return", "ordinal": 8,
+"doc": "Closes the gripper; answers whether it holds something.", "parameters": [{"name": "width",
+"type": {"kind": "Float64"}}, {"name": "mode", "type": {"kind": "enum", "name": "robots::Mode"}}],
+"result": {"type": {"kind": "Bool"}}, "queue": 2, "deadline": 0.05}, {"name": "next_token",
+"kind": "void with return", "ordinal": 9, "wire": "nextToken", "result": {"type": {"kind": "UInt32"
+}}, "queue": 16, "since": 1}, {"name": "park", "kind": "void", "ordinal": 10, "queue": 16,
+"optional": true, "direct": true, "deprecated": "use enable"}, {"name": "load", "kind": "read",
+"ordinal": 11, "result": {"type": {"kind": "Float64"}}, "queue": 16, "optional": true}], "events": [
+{"name": "mode_changed", "kind": "write", "ordinal": 1, "wire": "modeChanged", "payload": {
+"type": {"kind": "enum", "name": "robots::Mode"}}, "queue": 8, "latched": true}, {
+"name": "stopped", "kind": "void", "ordinal": 2, "queue": 16}, {"name": "arrived", "kind": "write",
+"ordinal": 3, "payload": {"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16},
+{"name": "moved", "kind": "write", "ordinal": 4, "doc": "Where, how fast and why.", "payload": [{
+"name": "value", "type": {"kind": "struct", "name": "robots::PoseStamped"}}, {"name": "value2",
+"type": {"kind": "Float64"}}, {"name": "value3", "type": {"kind": "enum", "name": "robots::Mode"}}
+], "queue": 16, "latched": true}], "enums": [{"name": "robots::Mode", "doc": "What the arm does.",
+"underlying": "Int8", "enumerators": [{"name": "Disabled", "value": -1, "wire": "disabled"}, {
+"name": "HoldStill", "value": 4, "wire": "holdStill", "doc": "Brakes off, set-point frozen."}, {
+"name": "Servo", "value": 2, "wire": "servo"}]}], "structs": [{"name": "robots::PoseStamped",
 "doc": "A pose with its time.", "fields": [{"name": "pose", "type": {"kind": "isometry",
 "scalar": "Float64"}}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {
 "name": "valid", "type": {"kind": "Bool"}, "default": false}]}, {"name": "robots::Everything",
@@ -184,7 +196,66 @@ constexpr char kArmDescription[] = R"json(
 "kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 3}}, {"name": "jacobian", "type": {
 "kind": "matrix", "scalar": "Float64", "rows": 6, "columns": 7}}, {"name": "attitude", "type": {
 "kind": "quaternion", "scalar": "Float64"}}, {"name": "period", "type": {"kind": "duration",
-"period": "1/1000"}}, {"name": "when", "type": {"kind": "time", "clock": "steady"}}]}]})json";
+"period": "1/1000"}}, {"name": "when", "type": {"kind": "time", "clock": "steady"}}]}], "wire": [{
+"id": "@0x974e120931408f6d", "kind": "interface", "name": "Arm", "members": [{"at": 0,
+"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xa6aa5daf71e0a4ba"}, {
+"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {
+"at": 1, "name": "enable", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "servoCp", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "goal", "is": "@0xe61654a89cf5f1dd"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "setSpeed", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "speed", "is": "Float64 unit \"m/s\""}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 4, "name": "measuredCp", "is": "kind \"read\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "@0xe61654a89cf5f1dd"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 5, "name": "mode", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xab8c3dd92b2643d4"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 6, "name": "everything",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xe827b555e2bdb416"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 7, "name": "inverseKinematics", "is": "kind \"qualifiedRead\"",
+"parameters": [{"at": 0, "name": "x", "is": "@0xe61654a89cf5f1dd"}, {"at": 1, "name": "tolerance",
+"is": "Float64"}, {"at": 2, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "@0xe827b555e2bdb416"}]}, {"at": 8, "name": "grasp",
+"is": "kind \"writeReturn\"", "parameters": [{"at": 0, "name": "width", "is": "Float64"}, {"at": 1,
+"name": "mode", "is": "@0xab8c3dd92b2643d4"}, {"at": 2, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "Bool"}]}, {"at": 9,
+"name": "nextToken", "is": "kind \"voidReturn\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "UInt32"}]}, {
+"at": 10, "name": "park", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 11, "name": "load", "is": "kind \"read\"", "parameters": [
+{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "Float64"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xa6aa5daf71e0a4ba",
+"kind": "interface", "name": "ArmEvents", "members": [{"at": 0, "name": "state", "parameters": [{
+"at": 0, "name": "row", "is": "@0xd633b378dcab35c1"}]}, {"at": 1, "name": "modeChanged",
+"parameters": [{"at": 0, "name": "value", "is": "@0xab8c3dd92b2643d4"}]}, {"at": 2,
+"name": "stopped"}, {"at": 3, "name": "arrived", "parameters": [{"at": 0, "name": "value",
+"is": "@0xe61654a89cf5f1dd"}]}, {"at": 4, "name": "moved", "parameters": [{"at": 0, "name": "value",
+"is": "@0xe61654a89cf5f1dd"}, {"at": 1, "name": "value2", "is": "Float64"}, {"at": 2,
+"name": "value3", "is": "@0xab8c3dd92b2643d4"}]}]}, {"id": "@0xd633b378dcab35c1", "kind": "struct",
+"name": "ArmStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
+"name": "measuredCp", "is": "@0xe61654a89cf5f1dd"}, {"at": 4, "name": "mode",
+"is": "@0xab8c3dd92b2643d4"}, {"at": 5, "name": "everything", "is": "@0xe827b555e2bdb416"}, {
+"at": 6, "name": "load", "is": "Float64"}]}, {"id": "@0xe61654a89cf5f1dd", "kind": "struct",
+"name": "PoseStamped", "members": [{"at": 0, "name": "pose", "is": "/suture/types.capnp:Pose"}, {
+"at": 1, "name": "stamp", "is": "Int64 clock \"steady\""}, {"at": 2, "name": "valid", "is": "Bool"}
+]}, {"id": "@0xab8c3dd92b2643d4", "kind": "enum", "name": "Mode", "members": [{"at": 0,
+"name": "disabled"}, {"at": 1, "name": "holdStill"}, {"at": 2, "name": "servo"}]}, {
+"id": "@0xe827b555e2bdb416", "kind": "struct", "name": "Everything", "members": [{"at": 0,
+"name": "on", "is": "Bool"}, {"at": 1, "name": "tiny", "is": "Int8"}, {"at": 2, "name": "count",
+"is": "UInt64"}, {"at": 3, "name": "speed", "is": "Float64 unit \"m/s\" = 0.25"}, {"at": 4,
+"name": "ratio", "is": "Float32"}, {"at": 5, "name": "mode", "is": "@0xab8c3dd92b2643d4 = servo"}, {
+"at": 6, "name": "label", "is": "Text"}, {"at": 7, "name": "bytes", "is": "Data"}, {"at": 8,
+"name": "flags", "is": "List(Bool)"}, {"at": 9, "name": "names", "is": "List(Text)"}, {"at": 10,
+"name": "pairs", "is": "List(List(Float64)) shape \"*,2\""}, {"at": 11, "name": "modes",
+"is": "List(@0xab8c3dd92b2643d4) shape \"2\""}, {"at": 12, "name": "goal",
+"is": "@0xe61654a89cf5f1dd"}, {"at": 13, "name": "track", "is": "List(@0xe61654a89cf5f1dd)"}, {
+"at": 14, "name": "point", "is": "/suture/types.capnp:Vec3 unit \"m\""}, {"at": 15, "name": "plane",
+"is": "List(Float32) shape \"3x1\""}, {"at": 16, "name": "inertia", "is": "/suture/types.capnp:Mat3"
+}, {"at": 17, "name": "jacobian", "is": "List(Float64) shape \"6x7\""}, {"at": 18,
+"name": "attitude", "is": "/suture/types.capnp:Quat"}, {"at": 19, "name": "period",
+"is": "Int64 period \"1/1000\""}, {"at": 20, "name": "when", "is": "Int64 clock \"steady\""}]}]})json";
 
 }  // namespace
 
@@ -281,6 +352,15 @@ wire::Mode wireMode(std::int8_t slot) {
   return wire::Mode{};
 }
 
+bool isKnownMode(std::int8_t slot) {
+  switch (static_cast<Mode>(slot)) {
+    case Mode::Disabled: return true;
+    case Mode::HoldStill: return true;
+    case Mode::Servo: return true;
+  }
+  return false;
+}
+
 Errc fromWire(wire::Mode in, std::int8_t& slot) {
   switch (in) {
     case wire::Mode::DISABLED: return slot = static_cast<std::int8_t>(Mode::Disabled), Errc{};
@@ -359,15 +439,34 @@ bool isValid(const EverythingSlot& slot) {
   if (!allOf(slot.pairs, [](const std::array<double, 2>& element) { return isValid(element); })) {
     return false;
   }
+  if (!allOf(slot.modes, [](const std::int8_t& element) { return isKnownMode(element); })) {
+    return false;
+  }
   if (!allOf(slot.track, [](const PoseStampedSlot& element) { return isValid(element); })) {
     return false;
   }
-  return inRange(slot.speed, -0.5, 2) && isValid(slot.ratio) && isValid(slot.goal) &&
-      isValid(slot.point) && isValid(slot.plane) && isValid(slot.inertia) &&
+  return inRange(slot.speed, -0.5, 2) && isValid(slot.ratio) && isKnownMode(slot.mode) &&
+      isValid(slot.goal) && isValid(slot.point) && isValid(slot.plane) && isValid(slot.inertia) &&
       isValid(slot.jacobian) && isValid(slot.attitude);
 }
 
 namespace {
+
+bool acceptsArmServoCp(const ArmServoCpArguments& slot) {
+  return isValid(slot.goal);
+}
+
+bool acceptsArmSetSpeed(const ArmSetSpeedArguments& slot) {
+  return isValid(slot.speed);
+}
+
+bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot) {
+  return isValid(slot.x) && inRange(slot.tolerance, 0, 1);
+}
+
+bool acceptsArmGrasp(const ArmGraspArguments& slot) {
+  return isValid(slot.width) && isKnownMode(slot.mode);
+}
 
 // --- Arm over Cap'n Proto RPC: the provider's side
 
@@ -460,7 +559,7 @@ class ArmServant final : public wire::Arm::Server {
       const Errc error =
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.goal) ? Errc{} : Errc::Invalid;
+      return acceptsArmServoCp(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(ArmCommand::servo_cp), in.getSent(), fill);
   }
@@ -470,7 +569,7 @@ class ArmServant final : public wire::Arm::Server {
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<ArmSetSpeedArguments>(memory);
       slot.speed = in.getSpeed();
-      return isValid(slot.speed) ? Errc{} : Errc::Invalid;
+      return acceptsArmSetSpeed(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(ArmCommand::set_speed), in.getSent(), fill);
   }
@@ -518,7 +617,7 @@ class ArmServant final : public wire::Arm::Server {
       slot.tolerance = in.getTolerance();
       const Errc error = in.hasX() ? fromWire(in.getX(), slot.x, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.x) && inRange(slot.tolerance, 0, 1) ? Errc{} : Errc::Invalid;
+      return acceptsArmInverseKinematics(slot) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<EverythingSlot>(result);
@@ -535,7 +634,7 @@ class ArmServant final : public wire::Arm::Server {
       slot.width = in.getWidth();
       const Errc error = fromWire(in.getMode(), slot.mode);
       if (error != Errc{}) return error;
-      return isValid(slot.width) ? Errc{} : Errc::Invalid;
+      return acceptsArmGrasp(slot) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<std::uint8_t>(result);
@@ -783,6 +882,9 @@ class ArmBinding final : public suture::rpc::Binding {
   }
   kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
     return kj::heap<ArmSink>(subscriber.castAs<wire::ArmEvents>());
+  }
+  capnp::InterfaceSchema schema() const override {
+    return capnp::Schema::from<wire::Arm>();
   }
 };
 

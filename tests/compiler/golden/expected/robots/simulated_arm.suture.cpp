@@ -11,6 +11,7 @@
 // Defined in robots/arm.suture.cpp.
 namespace robots {
 wire::Mode wireMode(std::int8_t slot);
+bool isKnownMode(std::int8_t slot);
 suture::Errc fromWire(wire::Mode in, std::int8_t& slot);
 }  // namespace robots
 
@@ -66,7 +67,7 @@ Errc fromWire(wire::ArmParameters::Reader in, ArmParametersSlot& slot, Duration)
 }
 
 bool isValid(const ArmParametersSlot& slot) {
-  return inRange(slot.rate, 1, 4000);
+  return inRange(slot.rate, 1, 4000) && isKnownMode(slot.start);
 }
 
 }  // namespace robots

@@ -16,6 +16,7 @@ using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
+using suture::checkSlot;
 using suture::load;
 using suture::newSlot;
 using suture::rpc::ProxyPort;
@@ -42,11 +43,14 @@ static_assert(std::is_same_v<decltype(cv::Matx33d::val), double[9]>);
 static_assert(std::is_same_v<decltype(View::intrinsics), cv::Matx33d>);
 static_assert(std::is_same_v<decltype(View::points), std::vector<cv::Point3d>>);
 
+bool acceptsCameraAim(const CameraAimArguments& slot);
+
 constexpr CommandInfo kCameraCommands[] = {
     {.name = "aim",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CameraAimArguments>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<CameraAimArguments, acceptsCameraAim>},
     {.name = "view",
      .kind = CommandKind::Read,
      .resultSize = slotSize<ViewSlot>,
@@ -57,16 +61,35 @@ constexpr CommandInfo kCameraCommands[] = {
 // The self-description, as in foreign/opencv.suture.json.
 constexpr char kCameraDescription[] = R"json(
 {"name": "foreign::Camera", "doc": "Both sides of it.", "hash": "bcb581c6a70161984896ecf6f6b5db2e",
-"commands": [{"name": "aim", "kind": "write", "parameters": [{"name": "at", "type": {
+"commands": [{"name": "aim", "kind": "write", "ordinal": 1, "parameters": [{"name": "at", "type": {
 "kind": "struct", "name": "cv::Point3d"}}], "queue": 16}, {"name": "view", "kind": "read",
-"result": {"type": {"kind": "struct", "name": "foreign::View"}}, "queue": 16}], "events": [],
-"enums": [], "structs": [{"name": "cv::Point3d", "fields": [{"name": "x", "type": {
+"ordinal": 2, "result": {"type": {"kind": "struct", "name": "foreign::View"}}, "queue": 16}],
+"events": [], "enums": [], "structs": [{"name": "cv::Point3d", "fields": [{"name": "x", "type": {
 "kind": "Float64"}}, {"name": "y", "type": {"kind": "Float64"}}, {"name": "z", "type": {
 "kind": "Float64"}}]}, {"name": "cv::Matx33d", "fields": [{"name": "val", "type": {"kind": "array",
 "element": {"kind": "Float64"}, "length": 9}}]}, {"name": "foreign::View",
 "doc": "A camera and what it sees.", "fields": [{"name": "intrinsics", "type": {"kind": "struct",
 "name": "cv::Matx33d"}}, {"name": "points", "type": {"kind": "list", "element": {"kind": "struct",
-"name": "cv::Point3d"}, "capacity": 4}}]}]})json";
+"name": "cv::Point3d"}, "capacity": 4}}]}], "wire": [{"id": "@0xe5bd0c82c54c1c8c",
+"kind": "interface", "name": "Camera", "members": [{"at": 0, "name": "subscribe", "parameters": [{
+"at": 0, "name": "events", "is": "@0x8cac637286976832"}, {"at": 1, "name": "eventMask",
+"is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "aim",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "at", "is": "@0xd72865b36936b2ff"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "view",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xc334e999633b131f"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}]}, {"id": "@0x8cac637286976832", "kind": "interface", "name": "CameraEvents",
+"members": [{"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row",
+"is": "@0xb20e8f123205e142"}]}]}, {"id": "@0xb20e8f123205e142", "kind": "struct",
+"name": "CameraStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
+"name": "view", "is": "@0xc334e999633b131f"}]}, {"id": "@0xc334e999633b131f", "kind": "struct",
+"name": "View", "members": [{"at": 0, "name": "intrinsics", "is": "@0xdd860d932d3f8de3"}, {"at": 1,
+"name": "points", "is": "List(@0xd72865b36936b2ff)"}]}, {"id": "@0xdd860d932d3f8de3",
+"kind": "struct", "name": "Matx33d", "members": [{"at": 0, "name": "val",
+"is": "List(Float64) shape \"9\""}]}, {"id": "@0xd72865b36936b2ff", "kind": "struct",
+"name": "Point3d", "members": [{"at": 0, "name": "x", "is": "Float64"}, {"at": 1, "name": "y",
+"is": "Float64"}, {"at": 2, "name": "z", "is": "Float64"}]}]})json";
 
 }  // namespace
 
@@ -169,6 +192,10 @@ bool isValid(const ViewSlot& slot) {
 
 namespace {
 
+bool acceptsCameraAim(const CameraAimArguments& slot) {
+  return isValid(slot.at);
+}
+
 // --- Camera over Cap'n Proto RPC: the provider's side
 
 /// Makes remote calls of a subscriber's events and rows.
@@ -214,7 +241,7 @@ class CameraServant final : public wire::Camera::Server {
       auto& slot = newSlot<CameraAimArguments>(memory);
       const Errc error = in.hasAt() ? fromWire(in.getAt(), slot.at, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.at) ? Errc{} : Errc::Invalid;
+      return acceptsCameraAim(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(CameraCommand::aim), in.getSent(), fill);
   }
@@ -313,6 +340,9 @@ class CameraBinding final : public suture::rpc::Binding {
   }
   kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
     return kj::heap<CameraSink>(subscriber.castAs<wire::CameraEvents>());
+  }
+  capnp::InterfaceSchema schema() const override {
+    return capnp::Schema::from<wire::Camera>();
   }
 };
 

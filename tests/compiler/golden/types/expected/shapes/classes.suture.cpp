@@ -10,6 +10,7 @@
 // Defined in shapes/containers.suture.cpp.
 namespace shapes {
 wire::Level wireLevel(std::int16_t slot);
+bool isKnownLevel(std::int16_t slot);
 suture::Errc fromWire(wire::Level in, std::int16_t& slot);
 void toWire(const PointSlot& slot, wire::Point::Builder out);
 suture::Errc fromWire(wire::Point::Reader in, PointSlot& slot, suture::Duration shift);
@@ -219,7 +220,7 @@ Errc fromWire(wire::StampedLevel::Reader in, StampedLevelSlot& slot, Duration) {
 }
 
 bool isValid(const StampedLevelSlot& slot) {
-  return isValid(slot.time);
+  return isKnownLevel(slot.value) && isValid(slot.time);
 }
 
 void toWire(const CounterSlot& slot, wire::Counter::Builder out) {

@@ -17,6 +17,7 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::checkSlot;
 using suture::load;
 using suture::newSlot;
 using suture::rpc::ProxyPort;
@@ -93,15 +94,20 @@ static_assert(std::is_same_v<decltype(Matrices::scaled), Eigen::Affine3d>);
 static_assert(std::is_same_v<decltype(Matrices::wait),
                              std::chrono::duration<double, std::ratio<1, 1000>>>);
 
+bool acceptsStorePut(const StorePutArguments& slot);
+bool acceptsStoreChoose(const StoreChooseArguments& slot);
+
 constexpr CommandInfo kStoreCommands[] = {
     {.name = "put",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<StorePutArguments>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<StorePutArguments, acceptsStorePut>},
     {.name = "choose",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<StoreChooseArguments>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<StoreChooseArguments, acceptsStoreChoose>},
     {.name = "sequences",
      .kind = CommandKind::Read,
      .resultSize = slotSize<SequencesSlot>,
@@ -134,17 +140,18 @@ constexpr EventInfo kStoreEvents[] = {
 constexpr char kStoreDescription[] = R"json(
 {"name": "shapes::Store", "doc": "Composites right in a contract.",
 "hash": "09303ff7be3e944d6c73c2f9f3a63f1b", "commands": [{"name": "put", "kind": "write",
-"parameters": [{"name": "value", "type": {"kind": "struct", "name": "shapes::Sequences"}}],
-"queue": 16}, {"name": "choose", "kind": "write", "parameters": [{"name": "gain", "type": {
-"kind": "optional", "element": {"kind": "Float64"}}}], "queue": 16}, {"name": "sequences",
-"kind": "read", "result": {"type": {"kind": "struct", "name": "shapes::Sequences"}}, "queue": 16}, {
-"name": "choices", "kind": "read", "result": {"type": {"kind": "struct", "name": "shapes::Choices"}
-}, "queue": 16}, {"name": "matrices", "kind": "read", "result": {"type": {"kind": "struct",
-"name": "shapes::Matrices"}}, "queue": 16}, {"name": "reading", "kind": "read", "result": {
-"type": {"kind": "tuple", "elements": [{"kind": "Float64"}, {"kind": "enum", "name": "shapes::Level"
-}]}}, "queue": 16}], "events": [{"name": "changed", "kind": "write", "payload": {"type": {
-"kind": "variant", "alternatives": [{"kind": "Float64"}, {"kind": "struct", "name": "shapes::Point"
-}]}}, "queue": 16}], "enums": [{"name": "shapes::Level",
+"ordinal": 1, "parameters": [{"name": "value", "type": {"kind": "struct",
+"name": "shapes::Sequences"}}], "queue": 16}, {"name": "choose", "kind": "write", "ordinal": 2,
+"parameters": [{"name": "gain", "type": {"kind": "optional", "element": {"kind": "Float64"}}}],
+"queue": 16}, {"name": "sequences", "kind": "read", "ordinal": 3, "result": {"type": {
+"kind": "struct", "name": "shapes::Sequences"}}, "queue": 16}, {"name": "choices", "kind": "read",
+"ordinal": 4, "result": {"type": {"kind": "struct", "name": "shapes::Choices"}}, "queue": 16}, {
+"name": "matrices", "kind": "read", "ordinal": 5, "result": {"type": {"kind": "struct",
+"name": "shapes::Matrices"}}, "queue": 16}, {"name": "reading", "kind": "read", "ordinal": 6,
+"result": {"type": {"kind": "tuple", "elements": [{"kind": "Float64"}, {"kind": "enum",
+"name": "shapes::Level"}]}}, "queue": 16}], "events": [{"name": "changed", "kind": "write",
+"ordinal": 1, "payload": {"type": {"kind": "variant", "alternatives": [{"kind": "Float64"}, {
+"kind": "struct", "name": "shapes::Point"}]}}, "queue": 16}], "enums": [{"name": "shapes::Level",
 "doc": "Sparse, negative, and ready for what later versions add.", "underlying": "Int16",
 "enumerators": [{"name": "Unknown", "value": -1, "wire": "unknown", "fallback": true}, {
 "name": "Low", "value": 10, "wire": "low"}, {"name": "High", "value": 300, "wire": "high"}]}],
@@ -202,7 +209,112 @@ constexpr char kStoreDescription[] = R"json(
 "name": "wrenches", "type": {"kind": "list", "element": {"kind": "matrix", "scalar": "Float32",
 "rows": 6, "columns": 1}, "capacity": 3}}, {"name": "scaled", "type": {"kind": "affine",
 "scalar": "Float64"}}, {"name": "wait", "type": {"kind": "duration", "period": "1/1000",
-"scalar": "Float64"}}]}]})json";
+"scalar": "Float64"}}]}], "wire": [{"id": "@0xbb0be3e4bb1e6be9", "kind": "interface",
+"name": "Store", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
+"name": "events", "is": "@0xe1e2cc5c73c90fe5"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
+"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "put", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "value", "is": "@0xdd7a64a833e189af"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "choose", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "gain", "is": "@0x9a6cebde1c465fb4"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "sequences", "is": "kind \"read\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "@0xdd7a64a833e189af"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 4, "name": "choices", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xbda4c87a7b3da61e"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 5, "name": "matrices", "is": "kind \"read\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "@0xd5b880c1c2797353"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 6, "name": "reading", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xfdb609e41c4ccca5"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xe1e2cc5c73c90fe5", "kind": "interface",
+"name": "StoreEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
+"name": "row", "is": "@0xca120faf75e33fa7"}]}, {"at": 1, "name": "changed", "parameters": [{
+"at": 0, "name": "value", "is": "@0x8f220204a5e1de49"}]}]}, {"id": "@0xca120faf75e33fa7",
+"kind": "struct", "name": "StoreStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {
+"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {
+"at": 3, "name": "sequences", "is": "@0xdd7a64a833e189af"}, {"at": 4, "name": "choices",
+"is": "@0xbda4c87a7b3da61e"}, {"at": 5, "name": "matrices", "is": "@0xd5b880c1c2797353"}, {"at": 6,
+"name": "reading", "is": "@0xfdb609e41c4ccca5"}]}, {"id": "@0xdd7a64a833e189af", "kind": "struct",
+"name": "Sequences", "members": [{"at": 0, "name": "bytes", "is": "Data"}, {"at": 1, "name": "one",
+"is": "UInt8"}, {"at": 2, "name": "row", "is": "List(Float64) shape \"3\""}, {"at": 3,
+"name": "grid", "is": "List(List(Int32)) shape \"2,3\""}, {"at": 4, "name": "corners",
+"is": "List(@0xb51a57f43829556b) shape \"2\""}, {"at": 5, "name": "path",
+"is": "List(@0xb51a57f43829556b)"}, {"at": 6, "name": "bits", "is": "List(Bool)"}, {"at": 7,
+"name": "flags", "is": "List(Bool)"}, {"at": 8, "name": "numbers", "is": "List(Int32)"}, {"at": 9,
+"name": "words", "is": "List(Text)"}, {"at": 10, "name": "levels", "is": "List(@0xa46142666f1d7c70)"
+}, {"at": 11, "name": "gains", "is": "List(@0xe48709dcb204eab3)"}, {"at": 12, "name": "points",
+"is": "List(@0x802b99a8ef527e43)"}, {"at": 13, "name": "series", "is": "List(@0xe8944577cbd7d345)"
+}, {"at": 14, "name": "shares", "is": "List(@0xd457ac67cfb958f3)"}]}, {"id": "@0xb51a57f43829556b",
+"kind": "struct", "name": "Point", "members": [{"at": 0, "name": "x", "is": "Float64 unit \"m\""}, {
+"at": 1, "name": "y", "is": "Float64"}]}, {"id": "@0xa46142666f1d7c70", "kind": "enum",
+"name": "Level", "members": [{"at": 0, "name": "unknown"}, {"at": 1, "name": "low"}, {"at": 2,
+"name": "high"}]}, {"id": "@0xe48709dcb204eab3", "kind": "struct",
+"name": "ShapesContainersEntryOfTextToFloat64", "members": [{"at": 0, "name": "key", "is": "Text"},
+{"at": 1, "name": "value", "is": "Float64"}]}, {"id": "@0x802b99a8ef527e43", "kind": "struct",
+"name": "ShapesContainersEntryOfUInt16ToPoint", "members": [{"at": 0, "name": "key", "is": "UInt16"
+}, {"at": 1, "name": "value", "is": "@0xb51a57f43829556b"}]}, {"id": "@0xe8944577cbd7d345",
+"kind": "struct", "name": "ShapesContainersEntryOfTextToListOfFloat32", "members": [{"at": 0,
+"name": "key", "is": "Text"}, {"at": 1, "name": "value", "is": "List(Float32)"}]}, {
+"id": "@0xd457ac67cfb958f3", "kind": "struct", "name": "ShapesContainersEntryOfLevelToFloat64",
+"members": [{"at": 0, "name": "key", "is": "@0xa46142666f1d7c70"}, {"at": 1, "name": "value",
+"is": "Float64"}]}, {"id": "@0xbda4c87a7b3da61e", "kind": "struct", "name": "Choices", "members": [
+{"at": 0, "name": "gain", "is": "@0x9a6cebde1c465fb4"}, {"at": 1, "name": "share",
+"is": "@0x9a6cebde1c465fb4"}, {"at": 2, "name": "answer", "is": "@0x87471a777724acdf"}, {"at": 3,
+"name": "frame", "is": "@0xa13ea2f47ac175b5"}, {"at": 4, "name": "target",
+"is": "@0x93456d793990e99b"}, {"at": 5, "name": "polygon", "is": "@0x87412f55480b65f2"}, {"at": 6,
+"name": "twice", "is": "@0x997d382cf61c2bb6"}, {"at": 7, "name": "seen",
+"is": "List(@0x93f6eb2708268fd2)"}, {"at": 8, "name": "entry", "is": "@0xa8fca31255af753f"}, {
+"at": 9, "name": "triple", "is": "@0xd1cc96f9d5534dc0"}, {"at": 10, "name": "either",
+"is": "@0xaf3aba732f52a3c6"}, {"at": 11, "name": "nested", "is": "@0xb44eaa716e9d1cae"}, {"at": 12,
+"name": "owned", "is": "@0x93456d793990e99b"}]}, {"id": "@0x9a6cebde1c465fb4", "kind": "union",
+"name": "ShapesContainersOptionalFloat64", "members": [{"at": 0, "name": "none", "is": "Void"}, {
+"at": 1, "name": "some", "is": "Float64"}]}, {"id": "@0x87471a777724acdf", "kind": "union",
+"name": "ShapesContainersOptionalBool", "members": [{"at": 0, "name": "none", "is": "Void"}, {
+"at": 1, "name": "some", "is": "Bool"}]}, {"id": "@0xa13ea2f47ac175b5", "kind": "union",
+"name": "ShapesContainersOptionalText", "members": [{"at": 0, "name": "none", "is": "Void"}, {
+"at": 1, "name": "some", "is": "Text"}]}, {"id": "@0x93456d793990e99b", "kind": "union",
+"name": "ShapesContainersOptionalPoint", "members": [{"at": 0, "name": "none", "is": "Void"}, {
+"at": 1, "name": "some", "is": "@0xb51a57f43829556b"}]}, {"id": "@0x87412f55480b65f2",
+"kind": "union", "name": "ShapesContainersOptionalListOfPoint", "members": [{"at": 0,
+"name": "none", "is": "Void"}, {"at": 1, "name": "some", "is": "List(@0xb51a57f43829556b)"}]}, {
+"id": "@0x997d382cf61c2bb6", "kind": "union", "name": "ShapesContainersOptionalOptionalInt32",
+"members": [{"at": 0, "name": "none", "is": "Void"}, {"at": 1, "name": "some",
+"is": "@0x89f4ac8eee93a31a"}]}, {"id": "@0x89f4ac8eee93a31a", "kind": "union",
+"name": "ShapesContainersOptionalInt32", "members": [{"at": 0, "name": "none", "is": "Void"}, {
+"at": 1, "name": "some", "is": "Int32"}]}, {"id": "@0x93f6eb2708268fd2", "kind": "union",
+"name": "ShapesContainersOptionalVec3", "members": [{"at": 0, "name": "none", "is": "Void"}, {
+"at": 1, "name": "some", "is": "/suture/types.capnp:Vec3"}]}, {"id": "@0xa8fca31255af753f",
+"kind": "struct", "name": "ShapesContainersTupleOfInt32AndFloat64", "members": [{"at": 0,
+"name": "item0", "is": "Int32"}, {"at": 1, "name": "item1", "is": "Float64"}]}, {
+"id": "@0xd1cc96f9d5534dc0", "kind": "struct", "name": "ShapesContainersTupleOfBoolAndTextAndPoint",
+"members": [{"at": 0, "name": "item0", "is": "Bool"}, {"at": 1, "name": "item1", "is": "Text"}, {
+"at": 2, "name": "item2", "is": "@0xb51a57f43829556b"}]}, {"id": "@0xaf3aba732f52a3c6",
+"kind": "union", "name": "ShapesContainersEitherOfNothingOrFloat64OrPointOrTextOrFloat64",
+"members": [{"at": 0, "name": "nothing", "is": "Void"}, {"at": 1, "name": "float64", "is": "Float64"
+}, {"at": 2, "name": "point", "is": "@0xb51a57f43829556b"}, {"at": 3, "name": "text", "is": "Text"
+}, {"at": 4, "name": "float64At4", "is": "Float64"}]}, {"id": "@0xb44eaa716e9d1cae",
+"kind": "union", "name": "ShapesContainersEitherOfLevelOrOptionalPoint", "members": [{"at": 0,
+"name": "level", "is": "@0xa46142666f1d7c70"}, {"at": 1, "name": "optionalPoint",
+"is": "@0x93456d793990e99b"}]}, {"id": "@0xd5b880c1c2797353", "kind": "struct", "name": "Matrices",
+"members": [{"at": 0, "name": "joints", "is": "List(Float64) unit \"rad\""}, {"at": 1,
+"name": "row", "is": "List(Float64)"}, {"at": 2, "name": "any", "is": "@0xe30c2c9ae5b373ec"}, {
+"at": 3, "name": "counts", "is": "@0xcf91b55ab5eb9027"}, {"at": 4, "name": "columns",
+"is": "List(Float64) shape \"*,3x1\""}, {"at": 5, "name": "limited", "is": "List(Float32)"}, {
+"at": 6, "name": "fixed", "is": "List(Float64) shape \"4x5\""}, {"at": 7, "name": "cloud",
+"is": "List(Float64) shape \"*,3x1\""}, {"at": 8, "name": "wrenches",
+"is": "List(Float32) shape \"*,6x1\""}, {"at": 9, "name": "scaled",
+"is": "/suture/types.capnp:Pose shape \"affine\""}, {"at": 10, "name": "wait",
+"is": "Float64 period \"1/1000\""}]}, {"id": "@0xe30c2c9ae5b373ec", "kind": "struct",
+"name": "ShapesContainersAnyMatrixOfFloat64", "members": [{"at": 0, "name": "rows", "is": "UInt32"
+}, {"at": 1, "name": "columns", "is": "UInt32"}, {"at": 2, "name": "data", "is": "List(Float64)"}]
+}, {"id": "@0xcf91b55ab5eb9027", "kind": "struct", "name": "ShapesContainersAnyMatrixOfInt32",
+"members": [{"at": 0, "name": "rows", "is": "UInt32"}, {"at": 1, "name": "columns", "is": "UInt32"
+}, {"at": 2, "name": "data", "is": "List(Int32)"}]}, {"id": "@0xfdb609e41c4ccca5", "kind": "struct",
+"name": "ShapesContainersTupleOfFloat64AndLevel", "members": [{"at": 0, "name": "item0",
+"is": "Float64"}, {"at": 1, "name": "item1", "is": "@0xa46142666f1d7c70"}]}, {
+"id": "@0x8f220204a5e1de49", "kind": "union", "name": "ShapesContainersEitherOfFloat64OrPoint",
+"members": [{"at": 0, "name": "float64", "is": "Float64"}, {"at": 1, "name": "point",
+"is": "@0xb51a57f43829556b"}]}]})json";
 
 }  // namespace
 
@@ -348,6 +460,15 @@ wire::Level wireLevel(std::int16_t slot) {
     case Level::High: return wire::Level::HIGH;
   }
   return wire::Level{};
+}
+
+bool isKnownLevel(std::int16_t slot) {
+  switch (static_cast<Level>(slot)) {
+    case Level::Unknown: return true;
+    case Level::Low: return true;
+    case Level::High: return true;
+  }
+  return false;
 }
 
 Errc fromWire(wire::Level in, std::int16_t& slot) {
@@ -515,6 +636,9 @@ bool isValid(const SequencesSlot& slot) {
     return false;
   }
   if (!allOf(slot.path, [](const PointSlot& element) { return isValid(element); })) {
+    return false;
+  }
+  if (!allOf(slot.levels, [](const std::int16_t& element) { return isKnownLevel(element); })) {
     return false;
   }
   if (!allOf(slot.shares, [](const suture::SlotEntry<std::int16_t, double>& element) {
@@ -866,6 +990,14 @@ Errc fromWire(wire::ShapesContainersEitherOfFloat64OrPoint::Reader in,
 
 namespace {
 
+bool acceptsStorePut(const StorePutArguments& slot) {
+  return isValid(slot.value);
+}
+
+bool acceptsStoreChoose(const StoreChooseArguments& slot) {
+  return isValid(slot.gain);
+}
+
 // --- Store over Cap'n Proto RPC: the provider's side
 
 /// Makes remote calls of a subscriber's events and rows.
@@ -934,7 +1066,7 @@ class StoreServant final : public wire::Store::Server {
       const Errc error =
           in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
       if (error != Errc{}) return error;
-      return isValid(slot.value) ? Errc{} : Errc::Invalid;
+      return acceptsStorePut(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(StoreCommand::put), in.getSent(), fill);
   }
@@ -945,7 +1077,7 @@ class StoreServant final : public wire::Store::Server {
       auto& slot = newSlot<StoreChooseArguments>(memory);
       const Errc error = fromWire(in.getGain(), slot.gain, port_->shift());
       if (error != Errc{}) return error;
-      return isValid(slot.gain) ? Errc{} : Errc::Invalid;
+      return acceptsStoreChoose(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(StoreCommand::choose), in.getSent(), fill);
   }
@@ -1144,6 +1276,9 @@ class StoreBinding final : public suture::rpc::Binding {
   }
   kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
     return kj::heap<StoreSink>(subscriber.castAs<wire::StoreEvents>());
+  }
+  capnp::InterfaceSchema schema() const override {
+    return capnp::Schema::from<wire::Store>();
   }
 };
 

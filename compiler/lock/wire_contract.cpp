@@ -1,0 +1,58 @@
+#include "compiler/lock/wire_contract.h"
+
+#include "compiler/lock/merge.h"
+
+namespace suture::compiler::lock {
+
+std::map<std::string, Lock> upToDate(const model::Model& model, const Locks& locks) {
+  const model::Lookup lookup(model);
+  std::map<std::string, Lock> merged;
+  for (const model::Header& header : model.headers) {
+    const std::string path = lockPath(header.path);
+    const auto committed = locks.files.find(path);
+    Lock old;
+    if (committed != locks.files.end()) old = committed->second;
+    merged.emplace(path, merge(wanted(header, lookup), header, old, {}).lock);
+  }
+  return merged;
+}
+
+std::string leafOf(const std::string& type) {
+  const std::size_t inner = type.rfind('(') + 1;  // 0 when there is no list
+  return type.substr(inner, type.find(')') - inner);
+}
+
+void WireContract::add(const Lock& lock, const std::string& type) {
+  const PlacedNode found = find(lock, type);
+  if (found.node == nullptr || !known_.insert(found.node).second) return;
+  nodes_.push_back(found);
+  for (const std::string& base : found.node->extends) add(*found.lock, base);
+  for (const Member& member : found.node->members) {
+    if (counts(member)) add(*found.lock, member);
+  }
+}
+
+void WireContract::add(const Lock& lock, const Member& member) {
+  for (const Member& parameter : member.parameters) add(lock, parameter);
+  for (const Member& result : member.results) add(lock, result);
+  add(lock, member.type);
+}
+
+PlacedNode WireContract::find(const Lock& lock, const std::string& type) const {
+  const std::string leaf = leafOf(type);
+  const Lock* home = &lock;
+  std::string name = leaf;
+  if (leaf.starts_with('/')) {
+    const std::size_t colon = leaf.find(':');
+    const auto other = locks_.find(leaf.substr(1, colon - 1));
+    if (other == locks_.end()) return {};
+    home = &other->second;
+    name = leaf.substr(colon + 1);
+  }
+  for (const Node& node : home->nodes) {
+    if (node.name == name) return {home, &node};
+  }
+  return {};
+}
+
+}  // namespace suture::compiler::lock

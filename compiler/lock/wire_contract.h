@@ -1,0 +1,53 @@
+#pragma once
+// A contract as it is on the wire: what its lock says of it and of all that it leads to.
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "compiler/lock/lock.h"
+
+namespace suture::compiler::lock {
+
+/// A node and the file that it stands in.
+struct PlacedNode {
+  const Lock* lock = nullptr;
+  const Node* node = nullptr;
+};
+
+/// The locks as an update would leave them, by path: also where a header is ahead of its lock.
+std::map<std::string, Lock> upToDate(const model::Model& model, const Locks& locks);
+
+class WireContract {
+ public:
+  /// `locks` must outlive this. `withoutOptional`: as if it had no optional commands.
+  WireContract(const std::map<std::string, Lock>& locks, bool withoutOptional)
+      : locks_(locks), withoutOptional_(withoutOptional) {}
+
+  /// Adds what `type`, spelled in `lock`, names, and behind it what that leads to, each once.
+  void add(const Lock& lock, const std::string& type);
+  const std::vector<PlacedNode>& nodes() const { return nodes_; }
+
+  /// Does it travel?
+  bool counts(const Member& member) const {
+    return !member.removed() && !(withoutOptional_ && member.annotations.contains("optional"));
+  }
+
+  /// What a type spelled in `lock` names: the innermost of lists. None: a type of capnp or of
+  /// Suture.
+  PlacedNode find(const Lock& lock, const std::string& type) const;
+
+ private:
+  void add(const Lock& lock, const Member& member);
+
+  const std::map<std::string, Lock>& locks_;
+  const bool withoutOptional_;
+  std::vector<PlacedNode> nodes_;
+  std::set<const Node*> known_;
+};
+
+/// "Pose" of "List(Pose)".
+std::string leafOf(const std::string& type);
+
+}  // namespace suture::compiler::lock

@@ -1,0 +1,22 @@
+#pragma once
+// What a locked schema says beyond Cap'n Proto: schemas/suture/meta.capnp.
+
+#include <capnp/schema.h>
+
+#include <string>
+
+namespace suture::cli {
+
+/// The name in the annotated header: "moving_frame", where the wire has "movingFrame".
+std::string nameOf(capnp::StructSchema::Field field);
+std::string nameOf(capnp::EnumSchema::Enumerant value);
+/// "m", or "".
+std::string unitOf(capnp::StructSchema::Field field);
+/// "Float64" where bytes are such numbers, else "".
+std::string bulkOf(capnp::StructSchema::Field field);
+/// What travels with every command, beside its arguments.
+bool isSent(capnp::StructSchema::Field field);
+/// Keeps the place of what is no longer declared.
+bool isRemoved(capnp::StructSchema::Field field);
+
+}  // namespace suture::cli

@@ -1,0 +1,40 @@
+#include <suture/base/errors.h>
+#include <suture/cli/answer_text.h>
+#include <suture/cli/screen.h>
+
+#include <chrono>
+
+namespace suture::cli {
+namespace {
+
+double inMilliseconds(Duration duration) {
+  return std::chrono::duration<double, std::milli>(duration).count();
+}
+
+}  // namespace
+
+const Member& readCommand(const Contract& contract, const std::string& name) {
+  const Member& command = contract.command(name);
+  if (command.kind == "read") return command;
+  throw SetupError("read '" + name + "' of " + contract.title(),
+                   "it is a command of kind " + command.kind,
+                   "Run it: suture call " + contract.title() + " " + name);
+}
+
+std::string answerText(const Answer& answer) {
+  std::string text = answer.value.is_null() ? "done\n" : valueText(answer.value);
+  if (!answer.age) return text;
+  const std::string age = milliseconds(inMilliseconds(*answer.age)) + " old\n";
+  if (answer.value.is_structured()) return text + age;
+  text.back() = ',';
+  return text + " " + age;
+}
+
+Json answerJson(const Member& command, const Answer& answer) {
+  Json json{{"command", command.name}, {"kind", command.kind}};
+  if (!answer.value.is_null()) json["value"] = answer.value;
+  if (answer.age) json["age_ms"] = inMilliseconds(*answer.age);
+  return json;
+}
+
+}  // namespace suture::cli

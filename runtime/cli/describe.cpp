@@ -1,0 +1,50 @@
+#include <suture/cli/contract_text.h>
+#include <suture/cli/meeting.h>
+#include <suture/cli/process_text.h>
+#include <suture/cli/screen.h>
+#include <suture/cli/verbs.h>
+
+namespace suture::cli {
+namespace {
+
+const char* nameOf(wire::Peer::Side side) {
+  return side == wire::Peer::Side::REQUIRED ? "required" : "provided";
+}
+
+/// The self-description without what peers alone compare.
+Json forPeople(Json description) {
+  description.erase("wire");
+  return description;
+}
+
+int describeInterface(Peer& peer, const Options& options, const Target& target) {
+  const Found found = findInterface(peer, target);
+  if (options.json) {
+    printJson({{"interface", target.toString()},
+               {"side", nameOf(found.side)},
+               {"description", forPeople(found.contract->description())}});
+  } else {
+    print(target.toString() + ", " + nameOf(found.side) + ": " + contractText(*found.contract));
+  }
+  return 0;
+}
+
+}  // namespace
+
+int describe(rpc::EventPort& loop, const Options& options) {
+  const Target target = Target::parse(options.target);
+  Peer peer = meet(loop, options, target.process);
+  if (!target.interface.empty()) return describeInterface(peer, options, target);
+  ProcessRecord process = peer.process();
+  process.components = target.component.empty()
+                           ? peer.components()
+                           : std::vector<ComponentRecord>{findComponent(peer, target)};
+  if (options.json) {
+    printJson(toJson(process));
+  } else {
+    print(plain(process.name) + "\n" + componentsText(process.components));
+  }
+  return 0;
+}
+
+}  // namespace suture::cli

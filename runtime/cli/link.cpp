@@ -1,0 +1,27 @@
+#include <suture/cli/link.h>
+#include <suture/cli/wait.h>
+#include <suture/transport/rpc/dialer.h>
+
+namespace suture::cli {
+namespace {
+
+std::string noAnswer(const rpc::Address& address) {
+  return "connect to " + address.text() + ": no answer. Look at what runs there.";
+}
+
+}  // namespace
+
+void knock(rpc::EventPort& loop, const rpc::Address& address, Duration limit) {
+  wait(loop, limit + std::chrono::seconds(1), rpc::dial(loop, address, limit), noAnswer(address));
+}
+
+kj::Own<rpc::Link> reach(rpc::EventPort& loop, const rpc::Address& address, const rpc::Trust& trust,
+                         const std::string& expected, Duration limit) {
+  rpc::requireKeys(address, trust);
+  auto bytes = wait(loop, limit + std::chrono::seconds(1),
+                    rpc::reach(loop, address, trust, expected, limit), noAnswer(address));
+  auto stream = kj::heap<rpc::MessageStream>(loop, kj::mv(bytes));
+  return kj::heap<rpc::Link>(kj::mv(stream), capnp::rpc::twoparty::Side::CLIENT);
+}
+
+}  // namespace suture::cli

@@ -1,0 +1,56 @@
+#pragma once
+// A process, as a program meets it that is none of its peers.
+
+#include <capnp/dynamic.h>
+#include <suture/cli/contract.h>
+#include <suture/cli/link.h>
+#include <suture/cli/options.h>
+#include <suture/cli/target.h>
+#include <suture/manager/records.h>
+#include <suture/peer.capnp.h>
+
+#include <memory>
+#include <vector>
+
+namespace suture::cli {
+
+/// One link. The methods throw SetupError: what was asked, found and to do. In this order.
+class Peer {
+ public:
+  Peer(rpc::EventPort& loop, ProcessRecord process, const Options& options);
+
+  const ProcessRecord& process() const { return process_; }
+  /// Where it is dialled.
+  const rpc::Address& address() const { return address_; }
+
+  /// Something listens there.
+  void knock();
+  /// It is that process, as far as its address can prove it.
+  void dial();
+  /// Both speak the same version of the protocol.
+  void greet();
+
+  std::vector<ComponentRecord> components();
+  std::shared_ptr<const Contract> explain(const Target& target, wire::Peer::Side side);
+  /// The provided interface itself.
+  capnp::DynamicCapability::Client open(const Target& target, const Contract& contract);
+
+  /// A stamp of its clock, on ours; as exact as the greeting was fast.
+  Time here(std::int64_t stamp) const;
+  /// Resolves when it is gone.
+  kj::Promise<void> onDisconnect() { return link_->onDisconnect(); }
+
+ private:
+  std::string noAnswer() const;
+
+  rpc::EventPort& loop_;
+  const ProcessRecord process_;
+  const Duration patience_;
+  const rpc::Trust trust_;
+  const rpc::Address address_;
+  kj::Own<rpc::Link> link_;
+  wire::Peer::Client peer_ = nullptr;
+  Duration clockOffset_{0};  // theirs minus ours
+};
+
+}  // namespace suture::cli

@@ -1,0 +1,49 @@
+#include <suture/cli/process_text.h>
+#include <suture/cli/screen.h>
+
+namespace suture::cli {
+namespace {
+
+Json interfacesToJson(const std::vector<InterfaceRecord>& interfaces) {
+  Json all = Json::array();
+  for (const InterfaceRecord& one : interfaces) {
+    all.push_back({{"name", one.name}, {"contract", one.contract}, {"hash", one.hash}});
+  }
+  return all;
+}
+
+Json toJson(const ComponentRecord& component) {
+  return {{"name", component.name},
+          {"provided", interfacesToJson(component.provided)},
+          {"required", interfacesToJson(component.required)}};
+}
+
+}  // namespace
+
+Json toJson(const ProcessRecord& process) {
+  Json components = Json::array();
+  for (const ComponentRecord& one : process.components) components.push_back(toJson(one));
+  return {{"name", process.name},
+          {"pid", process.pid},
+          {"host", process.host},
+          {"addresses", process.addresses},
+          {"generation", process.generation},
+          {"components", std::move(components)}};
+}
+
+std::string componentsText(const std::vector<ComponentRecord>& components) {
+  std::string text;
+  for (const ComponentRecord& component : components) {
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& one : component.provided) {
+      rows.push_back({"provides", plain(one.name), plain(one.contract)});
+    }
+    for (const auto& one : component.required) {
+      rows.push_back({"requires", plain(one.name), plain(one.contract)});
+    }
+    text += "  " + plain(component.name) + "\n" + columns(rows, 4);
+  }
+  return text;
+}
+
+}  // namespace suture::cli

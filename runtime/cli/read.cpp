@@ -1,0 +1,18 @@
+#include <suture/cli/answer_text.h>
+#include <suture/cli/screen.h>
+#include <suture/cli/verbs.h>
+
+namespace suture::cli {
+
+int read(rpc::EventPort& loop, const Options& options) {
+  Provider provider(loop, options, Target::parseInterface(options.target));
+  const Member& command = readCommand(provider.contract(), options.member);
+  if (options.json) {
+    printJson(answerJson(command, provider.call(command, Json::object(), Labels::Names)));
+  } else {
+    print(answerText(provider.call(command, Json::object(), Labels::Units)));
+  }
+  return 0;
+}
+
+}  // namespace suture::cli

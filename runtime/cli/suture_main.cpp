@@ -1,0 +1,178 @@
+// suture: looks at a running system, and speaks to any interface in it. It has no generated code of
+// what it looks at.
+
+#include <suture/base/nearest.h>
+#include <suture/cli/screen.h>
+#include <suture/cli/verbs.h>
+#include <suture/deploy/json_document.h>
+#include <suture/manager/global_manager.h>
+#include <suture/transport/tls/keys.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace suture::cli;
+
+constexpr int kFailed = 1, kMisused = 2;
+
+/// A verb on the command line.
+struct Verb {
+  const char* name;
+  const char* help;
+  int (*run)(suture::rpc::EventPort&, const Options&);
+};
+
+constexpr Verb kVerbs[] = {
+    {"ps", "The processes, their components and interfaces", ps},
+    {"describe", "What a process, a component or an interface is", describe},
+    {"read", "The value of a read command", read},
+    {"call", "Runs a command", call},
+    {"watch", "Events, or a read command again and again", watch},
+    {"doctor", "What works on the way to a process, and what to do where it does not", doctor},
+    {"why", "Why two interfaces connect, or do not", why},
+    {"keys", "Makes a CA, and a certificate and a key for each process and the global manager",
+     makeKeys},
+};
+
+/// Seconds as they were typed.
+struct Times {
+  double patience = 5, period = 0;
+};
+
+CLI::AsNumberWithUnit seconds() {
+  return CLI::AsNumberWithUnit(std::map<std::string, double>{{"ms", 1e-3}, {"s", 1}, {"min", 60}},
+                               CLI::AsNumberWithUnit::CASE_INSENSITIVE, "TIME");
+}
+
+suture::Duration durationOf(double seconds) {
+  return std::chrono::duration_cast<suture::Duration>(std::chrono::duration<double>(seconds));
+}
+
+/// What a verb is about.
+void addTargets(CLI::App& app, const std::string& verb, Options& options) {
+  const std::string form = "process:component/interface";
+  if (verb == "doctor") {
+    app.add_option("targets", options.targets, "process[:component[/interface]] ...; without, all");
+  } else if (verb == "describe") {
+    app.add_option("target", options.target, "process[:component[/interface]]")->required();
+  } else if (verb == "why") {
+    app.add_option("one", options.target, "a required interface, as " + form)->required();
+    app.add_option("other", options.other, "a provided one, in either order")->required();
+  } else if (verb == "read" || verb == "call") {
+    app.add_option("interface", options.target, form)->required();
+    app.add_option("command", options.member, "its name")->required();
+  } else if (verb == "watch") {
+    app.add_option("interface", options.target, form)->required();
+    app.add_option("name", options.member, "of an event or a read command; without, all events");
+  }
+}
+
+void addOptions(CLI::App& app, const std::string& verb, Options& options, Times& times) {
+  app.add_flag("--json", options.json, "For programs: JSON on standard output, errors too");
+  if (verb == "keys") return suture::addKeysOptions(app, options.newKeys);
+  addTargets(app, verb, options);
+  app.add_option("--manager", options.manager, "Address of the global manager")
+      ->capture_default_str();
+  app.add_option("--keys", options.keys,
+                 "Folder with keys of 'suture', for tls:// (suture keys --process suture)");
+  app.add_option("--timeout", times.patience, "For each step, as 5s or 300ms")
+      ->transform(seconds())
+      ->capture_default_str();
+  if (verb == "call") {
+    app.add_option("settings", options.settings, "Arguments: name=value, goal.pose.x=0.1");
+    app.add_option("--args", options.arguments, "Arguments as one JSON object");
+  }
+  if (verb == "watch") {
+    app.add_option("--rate", options.rate, "Of a read command, Hz")
+        ->check(CLI::Range(0.001, 1000.0))
+        ->capture_default_str();
+    app.add_option("--count", options.count, "Ends after as many; 0: never")->capture_default_str();
+    app.add_option("--for", times.period, "Ends after this time, as 2s")->transform(seconds());
+    app.add_flag("--read", options.onlyReads,
+                 "The name is a read command's, also if there is such an event");
+  }
+}
+
+int report(const std::string& error, bool json, int status) {
+  if (json) {
+    printJson({{"error", error}});
+  } else {
+    std::fprintf(stderr, "suture: %s\n", plain(error).c_str());
+  }
+  return status;
+}
+
+bool isVerb(const std::string& word) {
+  return std::any_of(std::begin(kVerbs), std::end(kVerbs),
+                     [&](const Verb& verb) { return word == verb.name; });
+}
+
+std::string unknownVerb(const std::string& word) {
+  std::vector<std::string> names;
+  for (const Verb& verb : kVerbs) names.emplace_back(verb.name);
+  const std::string nearest = suture::nearestName(word, names);
+  return "find verb '" + word + "': there are " + suture::listNames(names) + ". " +
+         (nearest.empty() ? "Use one of those" : "Did you mean '" + nearest + "'?");
+}
+
+int run(const Verb& verb, Options options) {
+  try {
+    if (!options.keys.empty()) {
+      options.trust.keys = std::make_shared<const suture::tls::Keys>(options.keys, kOwnName);
+    }
+    suture::rpc::EventPort loop;
+    return verb.run(loop, options);
+  } catch (const UsageError& error) {
+    return report(error.what(), options.json, kMisused);
+  } catch (const suture::SetupError& error) {
+    return report(error.what(), options.json, kFailed);
+  } catch (const suture::DocumentError& error) {
+    return report(error.what(), options.json, kFailed);
+  } catch (const kj::Exception& error) {
+    // What a hostile peer says of itself can break anywhere.
+    return report(std::string("use what the process sent: ") + error.getDescription().cStr() +
+                      ". It was built with another Suture, or is not what it seems",
+                  options.json, kFailed);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string word = argc > 1 ? argv[1] : "";
+  const bool json = std::any_of(argv, argv + argc,
+                                [](const char* one) { return std::string_view(one) == "--json"; });
+  if (!word.empty() && word[0] != '-' && !isVerb(word)) {
+    return report(unknownVerb(word), json, kMisused);
+  }
+  CLI::App app{"Looks at a running Suture system, and speaks to any interface in it."};
+  app.name("suture");
+  app.require_subcommand(1);
+  Options options;
+  options.manager = suture::GlobalManager::defaultAddress();
+  Times times;
+  for (const Verb& verb : kVerbs) {
+    addOptions(*app.add_subcommand(verb.name, verb.help), verb.name, options, times);
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help
+    return report(error.what() + std::string(". `suture ") + (isVerb(word) ? word + " " : "") +
+                      "--help` tells what there is",
+                  json, kMisused);
+  }
+  options.patience = durationOf(times.patience);
+  options.period = durationOf(times.period);
+  const auto verb = std::find_if(std::begin(kVerbs), std::end(kVerbs),
+                                 [&](const Verb& one) { return app.got_subcommand(one.name); });
+  return run(*verb, options);
+}

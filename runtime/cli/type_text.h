@@ -1,0 +1,15 @@
+#pragma once
+// Types of a self-description in words.
+
+#include <suture/cli/json.h>
+
+#include <string>
+
+namespace suture::cli {
+
+/// "at most 16 of robots::Point"
+std::string typeText(const Json& type);
+/// Of a field, parameter or result: the type, its unit and range. "Float64 m, 0 to 1"
+std::string valueTypeText(const Json& described);
+
+}  // namespace suture::cli

@@ -1,0 +1,19 @@
+#pragma once
+// What `suture` can do. Each prints to standard output and returns the exit status: 0, or 1 where
+// the answer is "no"; throws SetupError or UsageError where there is none.
+
+#include <suture/cli/options.h>
+#include <suture/transport/rpc/event_port.h>
+
+namespace suture::cli {
+
+int ps(rpc::EventPort& loop, const Options& options);
+int describe(rpc::EventPort& loop, const Options& options);
+int read(rpc::EventPort& loop, const Options& options);
+int call(rpc::EventPort& loop, const Options& options);
+int watch(rpc::EventPort& loop, const Options& options);
+int doctor(rpc::EventPort& loop, const Options& options);
+int why(rpc::EventPort& loop, const Options& options);
+int makeKeys(rpc::EventPort& loop, const Options& options);
+
+}  // namespace suture::cli

@@ -1,0 +1,24 @@
+#pragma once
+// Waiting on the only thread there is.
+
+#include <suture/base/errors.h>
+#include <suture/transport/rpc/deadline.h>
+#include <suture/transport/rpc/event_port.h>
+#include <suture/transport/rpc/failure.h>
+
+#include <string>
+
+namespace suture::cli {
+
+/// What `promise` ends in; what it rejects with is thrown as SetupError. After `limit` that says
+/// `late`.
+template <class T>
+T wait(rpc::EventPort& loop, Duration limit, kj::Promise<T> promise, std::string late) {
+  try {
+    return rpc::within(loop.getTimer(), limit, kj::mv(promise), std::move(late)).wait(loop.scope());
+  } catch (const kj::Exception& failure) {
+    throw SetupError(rpc::describe(failure));
+  }
+}
+
+}  // namespace suture::cli

@@ -1,0 +1,105 @@
+#include <suture/base/errors.h>
+#include <suture/cli/answer_text.h>
+#include <suture/cli/screen.h>
+#include <suture/cli/verbs.h>
+#include <suture/cli/wait.h>
+
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+
+namespace suture::cli {
+namespace {
+
+constexpr Duration kForever = std::chrono::hours(24 * 365);
+
+/// Prints what it is shown, one line each, until it has shown enough.
+class Lines {
+ public:
+  explicit Lines(const Options& options) : options_(options) {}
+
+  Labels labels() const { return options_.json ? Labels::Names : Labels::Units; }
+  bool enough() const { return options_.count != 0 && shown_ >= options_.count; }
+
+  /// `kind`: "event" or "command".
+  void show(const char* kind, const Member& member, const Json& value) {
+    if (enough()) return;
+    ++shown_;
+    const double elapsed = std::chrono::duration<double>(now() - started_).count();
+    if (options_.json)
+      return printLine({{"elapsed", elapsed}, {kind, member.name}, {"value", value}});
+    std::array<char, 40> time{};
+    std::snprintf(time.data(), time.size(), "%9.3f s  ", elapsed);
+    print(time.data() + plain(member.name) + (value.is_null() ? "" : "  " + valueLine(value)) +
+          "\n");
+  }
+
+ private:
+  const Options& options_;
+  const Time started_ = now();
+  unsigned shown_ = 0;
+};
+
+/// When to stop: told to, or the time is over. Rejects when the provider is gone.
+kj::Promise<void> ending(rpc::EventPort& loop, Provider& provider, const Options& options) {
+  const Duration period = options.period == Duration{0} ? kForever : options.period;
+  return loop.onSignal(SIGINT)
+      .ignoreResult()
+      .exclusiveJoin(loop.onSignal(SIGTERM).ignoreResult())
+      .exclusiveJoin(loop.getTimer().afterDelay(rpc::toKj(period)))
+      .exclusiveJoin(provider.whenGone());
+}
+
+void watchReads(rpc::EventPort& loop, Provider& provider, const Options& options) {
+  const Member& command = readCommand(provider.contract(), options.member);
+  const auto tick = rpc::toKj(
+      std::chrono::duration_cast<Duration>(std::chrono::duration<double>(1 / options.rate)));
+  auto ended = ending(loop, provider, options).then([] { return true; }).fork();
+  Lines lines(options);
+  auto next = loop.getTimer().now();
+  for (bool end = false; !end;) {
+    lines.show("command", command, provider.call(command, Json::object(), lines.labels()).value);
+    if (lines.enough()) return;
+    next = kj::max(next + tick, loop.getTimer().now());
+    auto ticked = loop.getTimer().atTime(next).then([] { return false; });
+    end = wait(loop, kForever, ended.addBranch().exclusiveJoin(kj::mv(ticked)), "");
+  }
+}
+
+void watchEvents(rpc::EventPort& loop, Provider& provider, const Options& options,
+                 std::uint64_t events) {
+  auto enough = kj::newPromiseAndFulfiller<void>();
+  auto ended = ending(loop, provider, options).exclusiveJoin(kj::mv(enough.promise));
+  Lines lines(options);
+  provider.subscribe(events, lines.labels(), [&](const Member& event, const Json& value) {
+    lines.show("event", event, value);
+    if (lines.enough()) enough.fulfiller->fulfill();
+  });
+  wait(loop, 2 * kForever, kj::mv(ended), "");
+}
+
+std::uint64_t bitOf(const Contract& contract, const Member& event) {
+  return std::uint64_t{1} << (&event - contract.events().data());
+}
+
+}  // namespace
+
+int watch(rpc::EventPort& loop, const Options& options) {
+  for (const int signal : {SIGINT, SIGTERM}) kj::UnixEventPort::captureSignal(signal);
+  Provider provider(loop, options, Target::parseInterface(options.target));
+  const Contract& contract = provider.contract();
+  if (options.member.empty()) {
+    watchEvents(loop, provider, options, ~std::uint64_t{0});
+    return 0;
+  }
+  const Member* const event = options.onlyReads ? nullptr : contract.findEvent(options.member);
+  if (event != nullptr) {
+    watchEvents(loop, provider, options, bitOf(contract, *event));
+  } else {
+    watchReads(loop, provider, options);
+  }
+  return 0;
+}
+
+}  // namespace suture::cli

@@ -1,0 +1,140 @@
+#include <suture/cli/meeting.h>
+#include <suture/cli/screen.h>
+#include <suture/cli/verbs.h>
+#include <suture/wiring/connect.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace suture::cli {
+namespace {
+
+using Side = wire::Peer::Side;
+
+/// One of the two, and what keeps its texts.
+struct End {
+  Target target;
+  Found found;
+};
+
+/// What a comparison needs of a description.
+struct Compared {
+  explicit Compared(const std::string& description) : text(description) {
+    const Json json = parsePeers(text);
+    name = textAt(json, "name");
+    hash = textAt(json, "hash");
+  }
+
+  InterfaceInfo info() const {
+    return {.name = name.c_str(),
+            .hash = hash.c_str(),
+            .description = text.c_str(),
+            .commands = {},
+            .events = {},
+            .binding = nullptr};
+  }
+
+  std::string text, name, hash;
+};
+
+struct Verdict {
+  bool connects = false;
+  std::size_t commands = 0;  ///< of the required ones, from the first, those that the provider has
+  std::vector<std::string> differences;
+};
+
+/// As the provider itself judges: its contract may be the required one, or derive from it.
+Verdict judge(const End& required, const End& provided) {
+  const Compared needed(required.found.contract->descriptionText());
+  std::vector<std::string> offers{provided.found.contract->descriptionText()};
+  for (const std::string& base : provided.found.contract->baseTexts()) offers.push_back(base);
+  const bool sameProcess = required.target.process == provided.target.process;
+  for (const std::string& offer : offers) {
+    try {
+      const Compared offered(offer);
+      return {true,
+              sameProcess ? requireSameContract(needed.info(), offered.info(), "")
+                          : requireCompatibleContract(needed.info(), offered.info(), ""),
+              {}};
+    } catch (const SetupError&) {
+      // Perhaps a base of it.
+    }
+  }
+  return {false, 0, contractDifferences(needed.info(), Compared(offers.front()).info())};
+}
+
+End endOf(rpc::EventPort& loop, const Options& options, const std::string& name) {
+  const Target target = Target::parseInterface(name);
+  Peer peer = meet(loop, options, target.process);
+  return {target, findInterface(peer, target)};
+}
+
+const char* wordOf(Side side) { return side == Side::REQUIRED ? "requires" : "provides"; }
+
+void requireTwoSides(const End& one, const End& other) {
+  if (one.found.side != other.found.side) return;
+  throw SetupError("connect " + one.target.toString() + " and " + other.target.toString(),
+                   std::string("each of them ") + wordOf(one.found.side) + " its contract",
+                   "Name a required and a provided interface; `suture ps` tells which is which");
+}
+
+std::vector<std::string> missingCommands(const End& required, const Verdict& verdict) {
+  std::vector<std::string> names;
+  const auto& commands = required.found.contract->commands();
+  for (std::size_t i = verdict.commands; i < commands.size(); ++i)
+    names.push_back(commands[i].name);
+  return names;
+}
+
+std::string remedyFor(const End& required, const End& provided) {
+  return required.found.contract->name() == provided.found.contract->name()
+             ? "Build both sides from the same header."
+             : "Connect interfaces of the same contract.";
+}
+
+std::string text(const End& required, const End& provided, const Verdict& verdict) {
+  const std::string both = required.target.toString() + " -> " + provided.target.toString();
+  const std::string needs = required.found.contract->name(),
+                    offers = provided.found.contract->name();
+  std::string text = both + (verdict.connects ? ": they connect\n" : ": they do not connect\n") +
+                     "  requires " + needs + ", is offered " + offers + "\n";
+  for (const std::string& line : verdict.differences) text += "    " + line + "\n";
+  if (!verdict.connects) return text + remedyFor(required, provided) + "\n";
+  for (const std::string& name : missingCommands(required, verdict)) {
+    text += "    the provider does not have '" + name + "': calls of it are refused\n";
+  }
+  return text;
+}
+
+Json json(const End& required, const End& provided, const Verdict& verdict) {
+  Json json{{"required", required.target.toString()},
+            {"provided", provided.target.toString()},
+            {"connects", verdict.connects},
+            {"requires", required.found.contract->name()},
+            {"offers", provided.found.contract->name()}};
+  if (verdict.connects) {
+    json["missing_commands"] = missingCommands(required, verdict);
+  } else {
+    json["differences"] = verdict.differences;
+    json["remedy"] = remedyFor(required, provided);
+  }
+  return json;
+}
+
+}  // namespace
+
+int why(rpc::EventPort& loop, const Options& options) {
+  End required = endOf(loop, options, options.target);
+  End provided = endOf(loop, options, options.other);
+  requireTwoSides(required, provided);
+  if (required.found.side == Side::PROVIDED) std::swap(required, provided);
+  const Verdict verdict = judge(required, provided);
+  if (options.json) {
+    printJson(json(required, provided, verdict));
+  } else {
+    print(plain(text(required, provided, verdict)));
+  }
+  return verdict.connects ? 0 : 1;
+}
+
+}  // namespace suture::cli

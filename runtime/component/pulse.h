@@ -1,0 +1,52 @@
+#pragma once
+// What a task shows of itself to those who watch whether it hangs.
+
+#include <suture/base/time.h>
+
+#include <atomic>
+#include <cstdint>
+
+namespace suture {
+
+enum class Activity : std::uint8_t {
+  Running,    ///< in a cycle
+  Asleep,     ///< until something arrives, or until it is due
+  Suspended,  ///< it has no cycles to run
+};
+
+/// Written by the thread that runs the task, readable by any. One word, so that neither waits and
+/// both halves are of one moment.
+class Pulse {
+ public:
+  struct Reading {
+    Activity activity = Activity::Suspended;
+    /// Running: when the cycle began. Asleep: the latest time of the next; unset: there is none.
+    Time due{};
+
+    /// For how long the task has owed the end of a cycle, or the beginning of one.
+    Duration overdue(Time present) const {
+      return due == Time{} || present < due ? Duration{0} : present - due;
+    }
+  };
+
+  void run(Time begin) { write(Activity::Running, begin); }
+  void sleep(Time due = {}) { write(Activity::Asleep, due); }
+  void suspend() { write(Activity::Suspended, {}); }
+
+  Reading read() const {
+    const std::int64_t word = word_.load(std::memory_order_relaxed);
+    return {static_cast<Activity>(word & kActivity), fromNanoseconds(word & ~kActivity)};
+  }
+
+ private:
+  static constexpr std::int64_t kActivity = 3;  // the lowest bits of the time, in ns
+
+  void write(Activity activity, Time due) {
+    word_.store((toNanoseconds(due) & ~kActivity) | static_cast<std::int64_t>(activity),
+                std::memory_order_relaxed);
+  }
+
+  std::atomic<std::int64_t> word_{static_cast<std::int64_t>(Activity::Suspended)};
+};
+
+}  // namespace suture

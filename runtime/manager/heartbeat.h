@@ -1,0 +1,47 @@
+#pragma once
+// Whether a peer and the task behind a connection still do their work.
+
+#include <suture/component/pulse.h>
+#include <suture/peer.capnp.h>
+#include <suture/transport/rpc/kj_comparisons.h>  // first
+
+#include <kj/async.h>
+#include <kj/timer.h>
+
+#include <string>
+
+namespace suture {
+
+void toWire(const Pulse::Reading& pulse, wire::TaskPulse::Builder out);
+
+/// Asks a peer again and again how one of its components does. Belongs to the control thread.
+class Heartbeat {
+ public:
+  struct Bounds {
+    Duration silence;  ///< how long the peer may leave a question unanswered
+    Duration hang;     ///< how long the component's thread may be in one cycle, or late for one
+  };
+
+  Heartbeat(kj::Timer& timer, wire::Peer::Client peer, std::string component, Bounds bounds);
+
+  /// Asks from now on. Resolves, in words for people, when a bound has passed. Call it once.
+  kj::Promise<std::string> whenLost();
+
+ private:
+  kj::Promise<void> look();
+  void ask();
+  void heard(wire::Peer::PingResults::Reader told);
+  void judge(wire::TaskPulse::Reader task, Time then);
+
+  kj::Timer& timer_;
+  wire::Peer::Client peer_;
+  const std::string component_;
+  const Bounds bounds_;
+  const Duration interval_;
+  Time heard_ = now();
+  bool asked_ = false;  // and not answered
+  kj::Own<kj::PromiseFulfiller<std::string>> lost_;
+  kj::Promise<void> asking_ = kj::READY_NOW, looking_ = kj::READY_NOW;  // last: cancelled first
+};
+
+}  // namespace suture

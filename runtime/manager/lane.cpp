@@ -1,0 +1,21 @@
+#include <suture/manager/lane.h>
+
+namespace suture {
+
+const char* toString(Lane lane) {
+  switch (lane) {
+    case Lane::Auto: return "auto";
+    case Lane::Shm: return "shm";
+    case Lane::Rpc: return "rpc";
+  }
+  return "";
+}
+
+Lane laneNamed(std::string_view name) {
+  for (const Lane lane : {Lane::Shm, Lane::Rpc}) {
+    if (name == toString(lane)) return lane;
+  }
+  return Lane::Auto;
+}
+
+}  // namespace suture

@@ -1,0 +1,16 @@
+#pragma once
+// Where a process listens for its peers.
+
+#include <suture/manager/manager_link.h>
+#include <suture/transport/rpc/address.h>
+
+#include <string>
+
+namespace suture {
+
+/// Next to the manager: a socket in the same directory, or a free port at the address by which this
+/// machine reaches it. What dead processes of this name have left in that directory is removed: one
+/// that was killed cannot.
+rpc::Address peerAddress(const ManagerLink& link, const std::string& process);
+
+}  // namespace suture

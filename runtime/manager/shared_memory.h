@@ -1,0 +1,43 @@
+#pragma once
+// Memory blocks as capabilities: what the shm lane needs of the control connection.
+
+#include <suture/transport/rpc/kj_comparisons.h>  // first
+
+#include <suture/base/memory_block.h>
+#include <suture/peer.capnp.h>
+#include <suture/transport/rpc/control_thread.h>
+#include <suture/transport/rpc/provider_end.h>
+#include <suture/transport/shm/shared_channel.h>
+
+#include <memory>
+
+namespace suture {
+
+/// Hands out the descriptor of `block`, and keeps it for as long as anybody has the capability.
+wire::SharedMemory::Client handOut(std::shared_ptr<MemoryBlock> block);
+
+/// The block behind a capability. Rejects: it has none, as over TCP, or is not as MemoryBlock
+/// demands.
+kj::Promise<std::shared_ptr<MemoryBlock>> receive(wire::SharedMemory::Client memory,
+                                                  std::size_t size, MemoryBlock::Others others);
+
+void toWire(const shm::SharedParts& parts, wire::SharedChannel::Builder out);
+/// Rejects as receive() does, or if it would take too much memory.
+kj::Promise<shm::SharedParts> receive(wire::SharedChannel::Reader in,
+                                      const InterfaceInfo& contract);
+
+/// The provider's end of a connection over shared memory: passes the status on.
+class SharedPort final : public rpc::ProviderEnd, private rpc::Pump {
+ public:
+  /// `channel` is about to be attached to the provider; its watcher is the control thread.
+  SharedPort(rpc::ControlThread& control, std::shared_ptr<Channel> channel);
+  ~SharedPort() noexcept(false) { close(); }
+
+ private:
+  void ending() override { control_.remove(*this); }
+  void pump() override { pumpStatus(); }
+
+  rpc::ControlThread& control_;
+};
+
+}  // namespace suture

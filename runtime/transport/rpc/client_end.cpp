@@ -1,0 +1,13 @@
+#include <suture/transport/rpc/client_end.h>
+
+namespace suture::rpc {
+
+void ClientEnd::close(ChannelStatus why) {
+  if (closed_) return;
+  closed_ = true;
+  ending();
+  channel_->status.store(why, std::memory_order_release);
+  channel_->ends.client->ring();
+}
+
+}  // namespace suture::rpc

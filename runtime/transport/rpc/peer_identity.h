@@ -1,0 +1,40 @@
+#pragma once
+// Who is at the other end of a link, as far as that can be proved.
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace suture::rpc {
+
+/// What is known of a peer before it has said anything. A value.
+struct PeerIdentity {
+  enum class Proof : std::uint8_t {
+    None,         ///< plain TCP: it may be anybody who reaches the address
+    User,         ///< a Unix socket: the kernel says whose process it is
+    Certificate,  ///< TLS: it holds the key of a process's certificate
+  };
+
+  Proof proof = Proof::None;
+  uid_t user = 0;       ///< User
+  std::string process;  ///< Certificate
+
+  /// "process 'console'", "user 1000", "a peer without proof of who it is (plain TCP)"
+  std::string text() const;
+
+  /// True unless a certificate says that the peer is not the process `name`.
+  bool mayBe(const std::string& name) const {
+    return proof != Proof::Certificate || process == name;
+  }
+};
+
+/// The identity that the kernel knows of the far end of a connected socket: the user on a Unix
+/// socket; none on others.
+PeerIdentity identityOf(int socket);
+
+/// True if `user` is this process's, root, or among `others`.
+bool isTrusted(uid_t user, const std::vector<uid_t>& others);
+
+}  // namespace suture::rpc

@@ -1,0 +1,58 @@
+#pragma once
+// The provider's end of a connection to another process, on any lane.
+
+#include <suture/transport/rpc/kj_comparisons.h>  // first
+
+#include <kj/common.h>
+#include <kj/refcount.h>
+#include <suture/component/channel.h>
+
+#include <memory>
+
+namespace suture::rpc {
+
+/// Watches over a provider's channel for a client in another process. Belongs to the control
+/// thread.
+class ProviderEnd : public kj::Refcounted {
+ public:
+  /// Told each change of how it stands with the provider's component, and what a client cannot see
+  /// of an event.
+  struct Listener {
+    virtual ~Listener() noexcept(false) = default;
+    virtual void told(ChannelStatus status) = 0;
+    /// The next such event repeats one that was emitted at `stamp`, for a new subscriber.
+    virtual void replays(std::uint16_t event, Time stamp) = 0;
+  };
+
+  void setListener(kj::Own<Listener> listener) { listener_ = kj::mv(listener); }
+
+  /// The connection is over: the provider lets go of the channel. May be called again.
+  void close();
+  /// The same for a later connection of the same interface, and the client is told, if it can still
+  /// be.
+  void end();
+
+ protected:
+  explicit ProviderEnd(std::shared_ptr<Channel> channel) : channel_(std::move(channel)) {}
+
+  /// Before the channel is closed.
+  virtual void ending() {}
+  /// Before the client is told that a later connection stands.
+  virtual void overtaken() {}
+  /// Before the listener is told.
+  virtual void changed(ChannelStatus) {}
+  /// Tells what the status has become.
+  void pumpStatus();
+
+  const std::shared_ptr<Channel> channel_;
+  kj::Maybe<kj::Own<Listener>> listener_;
+
+ private:
+  void passOn(ChannelStatus status);
+
+  bool closed_ = false;
+  ChannelStatus told_ = ChannelStatus::Connected;
+  std::uint32_t faultsTold_ = 0;
+};
+
+}  // namespace suture::rpc

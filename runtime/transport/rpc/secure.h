@@ -1,0 +1,34 @@
+#pragma once
+// From a connected socket to a stream whose far end is known.
+
+#include <kj/async-unix.h>
+#include <suture/base/time.h>
+#include <suture/transport/rpc/address.h>
+#include <suture/transport/rpc/byte_stream.h>
+#include <suture/transport/rpc/trust.h>
+#include <suture/transport/tls/keys.h>
+#include <suture/transport/tls/session.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace suture::rpc {
+
+/// Control thread: does the TLS handshake on a connected, non-blocking socket. Rejects with what
+/// was found and what to do; gives up at `deadline` from now.
+kj::Promise<ByteStream> handshake(kj::UnixEventPort& port, kj::AutoCloseFd socket,
+                                  std::shared_ptr<const tls::Keys> keys, tls::Session::Side side,
+                                  Duration deadline);
+
+/// Control thread: a stream to the process `expected` at `address`: dialled and, for tls://, with
+/// proof that it is that process; on a Unix socket, with proof that it is run by a trusted user.
+/// Rejects with what was asked, what was found and what to do, as DISCONNECTED where trying again
+/// may help. Gives up at `deadline` from now.
+kj::Promise<ByteStream> reach(kj::UnixEventPort& port, const Address& address, const Trust& trust,
+                              const std::string& expected, Duration deadline);
+
+/// Throws SetupError if `address` needs keys and there are none.
+void requireKeys(const Address& address, const Trust& trust);
+
+}  // namespace suture::rpc

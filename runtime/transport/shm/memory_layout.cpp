@@ -1,0 +1,58 @@
+#include <suture/transport/shm/memory_layout.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+
+namespace suture::shm {
+namespace {
+
+// One more whenever a channel or a state table lies in memory in another way.
+constexpr int kForm = 1;
+
+/// Documentation has no bytes.
+void removeTexts(nlohmann::json& json) {
+  if (json.is_object()) json.erase("doc");
+  if (!json.is_structured()) return;
+  for (auto& element : json) removeTexts(element);
+}
+
+/// FNV-1a, 64 bits: nobody gains by a collision, for what lies in the memory is not believed.
+std::string digest(const std::string& text) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char byte : text) {
+    hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
+  }
+  return std::to_string(hash);
+}
+
+}  // namespace
+
+std::string memoryLayout(const InterfaceInfo& info) {
+  // Its own, with which the program was built: of no depth that it does not know.
+  auto description = nlohmann::json::parse(info.description);
+  removeTexts(description);
+  nlohmann::json layout = {kForm, sizeof(void*), info.hash, std::move(description)};
+  for (const CommandInfo& one : info.commands) {
+    layout.push_back({one.argumentsSize, one.resultSize, one.depth, one.latest, one.column});
+  }
+  for (const EventInfo& one : info.events) {
+    layout.push_back({one.payloadSize, one.depth, one.latest});
+  }
+  return digest(layout.dump());
+}
+
+std::string whyNotShared(const InterfaceInfo& info) {
+  for (const CommandInfo& one : info.commands) {
+    if (one.sharedArguments || one.sharedResult) {
+      return std::string("command '") + one.name + "' has values without a bound";
+    }
+  }
+  for (const EventInfo& one : info.events) {
+    if (one.sharedPayload)
+      return std::string("event '") + one.name + "' has a payload without a bound";
+  }
+  return "";
+}
+
+}  // namespace suture::shm

@@ -1,0 +1,17 @@
+#pragma once
+// Whether two processes mean the same by the bytes of a contract's slots.
+
+#include <suture/component/interface_info.h>
+
+#include <string>
+
+namespace suture::shm {
+
+/// Equal for two builds of a contract whose records, columns and queues lie in memory alike: a
+/// digest of the types in their order, of the tables and of this release's own form.
+std::string memoryLayout(const InterfaceInfo& info);
+
+/// Why values of this contract cannot lie in shared memory; "" if they can: every one has a bound.
+std::string whyNotShared(const InterfaceInfo& info);
+
+}  // namespace suture::shm

@@ -1,0 +1,26 @@
+#pragma once
+// Two ends that were built from the same contract at different times.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace suture {
+
+/// What two ends that speak over a wire make of each other's contracts.
+struct Compatibility {
+  /// False: one of them says nothing of the wire, so nothing is known.
+  bool comparable = true;
+  /// Of the commands, from the first: those that both know.
+  std::size_t commands = 0;
+  /// What the one would misread of the other, a line each: "'x' of struct Pose: Float64 unit "m"
+  /// here, Float32 there". None: they understand each other; what one has alone, the other ignores.
+  std::vector<std::string> breaks;
+};
+
+/// Compares what two self-descriptions (JSON) say of the wire: as `suturec diff` does with locks.
+/// Not for two ends that share memory.
+Compatibility compatibility(std::string_view here, std::string_view there);
+
+}  // namespace suture

@@ -1,0 +1,23 @@
+#pragma once
+// What a user may choose of `suture-bench network`.
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+namespace bench {
+
+struct NetworkOptions {
+  int cpu;       ///< of both ends
+  int otherCpu;  ///< of the writer beside a reader; the same one if there is no other
+  bool quick = false;
+
+  NetworkOptions();
+  void addTo(CLI::App& options);
+  nlohmann::json toJson() const;
+
+  std::size_t skipped() const { return quick ? 10 : 1000; }
+  std::size_t kept() const { return quick ? 100 : 10000; }
+  std::size_t readLoops() const { return quick ? 2 : 200; }
+};
+
+}  // namespace bench

@@ -1,0 +1,82 @@
+#include <suture/component/channel.h>
+
+#include "bench/local/sample_client.h"
+#include "bench/network/bare_memory.h"
+#include "bench/network/rows.h"
+#include "bench/network/sample_process.h"
+#include "bench/placement.h"
+#include "bench/table.h"
+#include "bench/table2/ping_pong.h"
+
+namespace bench {
+namespace {
+
+using Samples = std::vector<std::int64_t>;
+using suture::Lane;
+using suture::SetupError;
+
+/// PoseSample as a message: 15 words and a header.
+constexpr std::size_t kMessageBytes = 144;
+
+struct Row {
+  const char* title;
+  const char* figure;
+  Transport transport;
+  Lane lane;
+  const char* floor;  // the figure that it is a multiple of
+};
+
+constexpr Row kRows[] = {
+    {"shm", "shm", Transport::Unix, Lane::Shm, "raw.shm"},
+    {"rpc, Unix socket", "rpc.unix", Transport::Unix, Lane::Rpc, "raw.unix"},
+    {"rpc, TCP", "rpc.tcp", Transport::Tcp, Lane::Rpc, "raw.tcp"},
+};
+
+Samples taskRounds(const NetworkOptions& options, const Row& row) {
+  const Pinned pinned(options.cpu);
+  SampleClient client(options.cpu, options.skipped(), options.kept());  // outlives its manager
+  SampleProcess server(row.transport, options.cpu);
+  server.manager().add("Client", client);
+  auto samples = client.samples();
+  server.manager().start();
+  server.manager().connect("Client/Server", "server:Server/Samples", row.lane);
+  const std::string lane = server.manager().channels().at(0)->lane;
+  if (lane != toString(row.lane)) {
+    throw SetupError(std::string("a connection over the lane ") + toString(row.lane),
+                     "lane " + lane, "The figures would be those of another");
+  }
+  if (samples.wait_for(std::chrono::minutes(1)) != std::future_status::ready) {
+    throw SetupError("going round a loop", "it had not ended after a minute", "Run it again");
+  }
+  return samples.get();
+}
+
+Statistics floorOf(const NetworkOptions& options, const std::string& figure) {
+  const std::size_t skip = options.skipped(), kept = options.kept();
+  const Samples samples = figure == "raw.shm"
+                              ? bareMemoryRounds(options.cpu, skip, kept)
+                              : pingPong(figure == "raw.tcp" ? Transport::Tcp : Transport::Unix,
+                                         kMessageBytes, options.cpu, skip, kept);
+  return statisticsOf(inUnits(samples, kMicrosecond));
+}
+
+}  // namespace
+
+std::string roundTripRows(const NetworkOptions& options, Report& report) {
+  Table table(1);
+  table.row(joined(joined({"us, both ends on one processor"}, statisticsTitles()), {"ratio"}));
+  table.line();
+  for (const Row& row : kRows) {
+    const Statistics floor = floorOf(options, row.floor);
+    const Statistics tasks = statisticsOf(inUnits(taskRounds(options, row), kMicrosecond));
+    const double ratio = tasks.p50 / floor.p50;
+    report.add(row.floor, "us", floor);
+    report.add(row.figure, "us", tasks);
+    report.add(std::string(row.figure) + ".ratio", "x", ratio);
+    table.row(joined({row.floor}, cellsOf(floor, 2)));
+    table.row(joined(joined({row.title}, cellsOf(tasks, 2)), {number(ratio, 2)}));
+  }
+  return table.toString();
+}
+
+}  // namespace bench

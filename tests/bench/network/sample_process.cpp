@@ -1,0 +1,57 @@
+#include "bench/network/sample_process.h"
+
+#include <unistd.h>
+
+#include <memory>
+
+#include "bench/local/sample_server.h"
+#include "bench/placement.h"
+
+namespace bench {
+namespace {
+
+constexpr const char* kSubcommand = "network-server";
+
+struct Options {
+  std::string manager;
+  int cpu = 0;
+};
+
+void serve(const Options& options) {
+  const Pinned pinned(options.cpu);
+  SampleTask server(options.cpu);
+  suture::Manager manager{"server", options.manager};
+  manager.add("Server", server);
+  manager.start();
+  char ignored = 0;
+  while (read(STDIN_FILENO, &ignored, 1) > 0) {
+  }
+  manager.stop();
+}
+
+std::string addressIn(const suture::TemporaryDirectory& folder, Transport transport) {
+  return transport == Transport::Tcp ? "tcp://127.0.0.1:0" : "unix:" + folder.file("manager");
+}
+
+}  // namespace
+
+void addSampleProcess(CLI::App& program) {
+  auto options = std::make_shared<Options>();
+  CLI::App* process = program.add_subcommand(kSubcommand, "the server process of a loop");
+  process->group("");  // hidden
+  process->add_option("--manager", options->manager)->required();
+  process->add_option("--cpu", options->cpu)->required();
+  process->callback([options] { serve(*options); });
+}
+
+SampleProcess::SampleProcess(Transport transport, int serverCpu)
+    : names_(control_, addressIn(folder_, transport)),
+      process_({kSubcommand, "--manager", names_.address(), "--cpu", std::to_string(serverCpu)}),
+      manager_("client", names_.address()) {}
+
+SampleProcess::~SampleProcess() {
+  manager_.stop();
+  process_.finish();
+}
+
+}  // namespace bench

@@ -1,0 +1,213 @@
+#include "fault/byte_proxy.h"
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <stdexcept>
+
+namespace suture {
+namespace {
+
+constexpr std::size_t kChunk = 16384;
+constexpr std::size_t kTrickle = 64;  // bytes each time
+constexpr auto kTricklePause = std::chrono::milliseconds(2);
+
+bool wouldBlock() { return errno == EAGAIN || errno == EINTR; }
+
+int connectTo(const rpc::Address& target) {
+  const rpc::SocketAddress address(target);
+  const int to = socket(address.family(), SOCK_STREAM | SOCK_CLOEXEC, 0);
+  if (to >= 0 && connect(to, address.get(), address.length) == 0) return to;
+  if (to >= 0) ::close(to);
+  return -1;
+}
+
+}  // namespace
+
+ByteProxy::ByteProxy(const rpc::Address& target, unsigned seed)
+    : target_(target),
+      random_(seed),
+      listener_(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)),
+      bell_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
+  sockaddr_in any{};
+  any.sin_family = AF_INET;
+  any.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t length = sizeof(any);
+  auto* const address = reinterpret_cast<sockaddr*>(&any);
+  if (bind(listener_, address, length) != 0 || listen(listener_, 128) != 0 ||
+      getsockname(listener_, address, &length) != 0) {
+    throw std::runtime_error("the proxy cannot listen");
+  }
+  address_ = "tcp://127.0.0.1:" + std::to_string(ntohs(any.sin_port));
+  thread_ = std::thread([this] { run(); });
+}
+
+ByteProxy::~ByteProxy() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+  }
+  wake();
+  thread_.join();
+  closeAll(false);
+  ::close(listener_);
+  ::close(bell_);
+}
+
+void ByteProxy::wake() {
+  const std::uint64_t one = 1;
+  (void)!write(bell_, &one, sizeof(one));
+}
+
+void ByteProxy::set(Mode mode) {
+  {
+    const std::lock_guard lock(mutex_);
+    mode_ = mode;
+    for (Link& link : links_) link.held = link.stranded = false;
+  }
+  wake();
+}
+
+void ByteProxy::strike(Strike strike) {
+  const std::lock_guard lock(mutex_);
+  switch (strike) {
+    case Strike::Strand:
+      for (Link& link : links_) link.stranded = link.endless = true;
+      injected_ += links_.size();
+      return;
+    case Strike::Cut: return closeAll(false);
+    case Strike::Reset: return closeAll(true);
+    case Strike::Truncate: truncates_ = true; return;
+    case Strike::BitFlip: flips_ = true; return;
+  }
+}
+
+// What is held is not looked at: its end would be reported again and again.
+void ByteProxy::run() {
+  std::vector<pollfd> waiting;
+  for (;;) {
+    waiting = {{listener_, POLLIN, 0}, {bell_, POLLIN, 0}};
+    bool throttled = false;
+    {
+      const std::lock_guard lock(mutex_);
+      if (stopping_) return;
+      throttled = mode_ == Mode::Throttle;
+      for (Link& link : links_) {
+        if (link.stranded) continue;
+        for (const bool there : {true, false}) {
+          Stream& stream = there ? link.there : link.back;
+          if (!passes(stream, there)) continue;
+          const bool full = !stream.waiting.empty();
+          waiting.push_back({full ? stream.to : stream.from, short(full ? POLLOUT : POLLIN), 0});
+        }
+      }
+    }
+    poll(waiting.data(), waiting.size(), -1);
+    std::uint64_t rings;
+    (void)!read(bell_, &rings, sizeof(rings));
+    if (throttled) std::this_thread::sleep_for(kTricklePause);
+    const std::lock_guard lock(mutex_);
+    accept();
+    std::erase_if(links_, [this](Link& link) {
+      if (serve(link)) return false;
+      close(link, false);
+      return true;
+    });
+  }
+}
+
+bool ByteProxy::passes(const Stream& stream, bool there) const {
+  if (stream.ended || mode_ == Mode::HalfOpen) return false;
+  return mode_ != (there ? Mode::OnlyBack : Mode::OnlyThere);
+}
+
+void ByteProxy::accept() {
+  for (;;) {
+    const int from = accept4(listener_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
+    if (from < 0) return;
+    const int to = connectTo(target_);
+    if (to < 0) {
+      ::close(from);
+      continue;
+    }
+    const int on = 1;
+    setsockopt(from, IPPROTO_TCP, TCP_NODELAY, &on, sizeof(on));
+    setsockopt(to, IPPROTO_TCP, TCP_NODELAY, &on, sizeof(on));
+    links_.push_back({{from, to, "", false}, {to, from, "", false}, false});
+  }
+}
+
+/// False when it is over.
+bool ByteProxy::serve(Link& link) {
+  if (link.stranded) return true;
+  if (mode_ != Mode::Forward && !std::exchange(link.held, true)) ++injected_;
+  for (const bool there : {true, false}) {
+    Stream& stream = there ? link.there : link.back;
+    if (!passes(stream, there)) continue;
+    if ((stream.waiting.empty() && !take(stream, there)) || !give(stream)) stream.ended = true;
+  }
+  return link.endless || (!link.there.ended && !link.back.ended);
+}
+
+bool ByteProxy::take(Stream& stream, bool there) {
+  std::array<char, kChunk> bytes;
+  const std::size_t most = mode_ == Mode::Throttle ? kTrickle : bytes.size();
+  const ssize_t count = recv(stream.from, bytes.data(), most, MSG_DONTWAIT);
+  if (count < 0) return wouldBlock();
+  if (count == 0) {
+    stream.ended = true;
+    return true;
+  }
+  stream.waiting.assign(bytes.data(), static_cast<std::size_t>(count));
+  if (there) hurt(stream);
+  return true;
+}
+
+void ByteProxy::hurt(Stream& stream) {
+  std::string& bytes = stream.waiting;
+  if (std::exchange(flips_, false)) {
+    const auto bit = std::uniform_int_distribution<std::size_t>(0, 8 * bytes.size() - 1)(random_);
+    bytes[bit / 8] = static_cast<char>(bytes[bit / 8] ^ (1 << bit % 8));
+    ++injected_;
+  }
+  if (std::exchange(truncates_, false)) {
+    bytes.resize(bytes.size() / 2);
+    stream.ended = true;
+    ++injected_;
+  }
+}
+
+bool ByteProxy::give(Stream& stream) {
+  if (stream.waiting.empty()) return true;
+  const ssize_t count =
+      send(stream.to, stream.waiting.data(), stream.waiting.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+  if (count < 0) return wouldBlock();
+  stream.waiting.erase(0, static_cast<std::size_t>(count));
+  return true;
+}
+
+void ByteProxy::closeAll(bool reset) {
+  for (Link& link : links_) {
+    close(link, reset);
+    ++injected_;
+  }
+  links_.clear();
+}
+
+void ByteProxy::close(Link& link, bool reset) {
+  const linger atOnce{1, 0};
+  for (const int socket : {link.there.from, link.there.to}) {
+    if (reset) setsockopt(socket, SOL_SOCKET, SO_LINGER, &atOnce, sizeof(atOnce));
+    ::close(socket);
+  }
+}
+
+}  // namespace suture

@@ -1,0 +1,87 @@
+#pragma once
+// Stands between two processes and breaks what they say, by the byte.
+
+#include <suture/transport/rpc/address.h>
+
+#include <atomic>
+#include <cstdint>
+#include <list>
+#include <mutex>
+#include <random>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace suture {
+
+/// Listens on a TCP port of the loopback interface and passes each connection on to another
+/// address. Any thread may use it.
+class ByteProxy {
+ public:
+  enum class Mode : std::uint8_t {
+    Forward,
+    HalfOpen,   ///< nothing passes, in either direction; all sockets stay open, bytes wait in them
+    OnlyThere,  ///< what the caller says passes, what it is told waits
+    OnlyBack,   ///< the reverse
+    Throttle,   ///< a trickle passes
+  };
+  enum class Strike : std::uint8_t {
+    Strand,    ///< nothing passes on present connections until set() is called, their end never;
+               ///< later ones work
+    Cut,       ///< all connections are closed
+    Reset,     ///< the same, by a reset
+    Truncate,  ///< what the caller says next passes by half, then its connection is closed
+    BitFlip,   ///< one bit of what the caller says next is wrong
+  };
+
+  ByteProxy(const rpc::Address& target, unsigned seed);
+  ~ByteProxy();
+  ByteProxy(const ByteProxy&) = delete;
+  ByteProxy& operator=(const ByteProxy&) = delete;
+
+  const std::string& address() const { return address_; }
+  /// From now on, for connections present and to come.
+  void set(Mode mode);
+  /// Now; returns when it has been done, or at the latest with what the callers say next.
+  void strike(Strike strike);
+
+  /// How many connections, or chunks of bytes, have been hurt.
+  std::uint64_t injected() const { return injected_; }
+
+ private:
+  struct Stream {
+    int from = -1, to = -1;
+    std::string waiting;  // has been read and not yet been written
+    bool ended = false;
+  };
+  struct Link {
+    Stream there, back;
+    bool held = false;  // counted in this mode
+    bool stranded = false;
+    bool endless = false;  // it has been stranded
+  };
+
+  void run();
+  void wake();
+  void accept();
+  bool passes(const Stream& stream, bool there) const;
+  bool serve(Link& link);
+  bool take(Stream& stream, bool there);
+  static bool give(Stream& stream);
+  void hurt(Stream& stream);
+  void closeAll(bool reset);
+  static void close(Link& link, bool reset);
+
+  const rpc::Address target_;
+  std::mutex mutex_;  // of what follows
+  std::mt19937 random_;
+  Mode mode_ = Mode::Forward;
+  bool truncates_ = false, flips_ = false, stopping_ = false;
+  std::list<Link> links_;
+  std::atomic<std::uint64_t> injected_{0};
+  int listener_ = -1, bell_ = -1;
+  std::string address_;
+  std::thread thread_;
+};
+
+}  // namespace suture

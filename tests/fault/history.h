@@ -1,0 +1,66 @@
+#pragma once
+// What clients asked and providers did, as each wrote it down; and what must hold of it.
+
+#include <suture/base/errors.h>
+#include <suture/base/time.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// One line of a log. All clocks are this machine's.
+struct HistoryEntry {
+  enum class Kind : std::uint8_t {
+    Sent,   ///< the client is about to send a command; `limit`: the deadline of its call, 0: none
+    Ended,  ///< the client knows how that ended: `error`
+    Executed,  ///< the provider executed it; `limit`: its ttl, 0: none
+    Heard,     ///< the client's handler got an event; `id`: its number
+    Killed,    ///< the client was, by the test: what is under way needs no end
+  };
+
+  Kind kind = Kind::Sent;
+  Time at{};
+  std::uint32_t client = 0;  ///< whose command, or who heard
+  std::uint64_t id = 0;      ///< of the command: counts up, over all connections of a client
+  std::uint64_t epoch = 0;   ///< command: which connection of the client. Event: which provider.
+  Duration limit{0};
+  Errc error{};
+};
+
+/// Writes each entry at once, so that it survives a SIGKILL. One thread.
+class HistoryLog {
+ public:
+  explicit HistoryLog(const std::string& file);
+  ~HistoryLog();
+  HistoryLog(const HistoryLog&) = delete;
+  HistoryLog& operator=(const HistoryLog&) = delete;
+
+  void write(const HistoryEntry& entry);
+
+ private:
+  int file_;
+};
+
+/// What HistoryLog wrote to these files, in the order of time; those of one file in theirs. A last
+/// line that a kill cut off is left out.
+std::vector<HistoryEntry> readHistory(const std::vector<std::string>& files);
+
+/// How much later than its limit something may be seen to happen.
+struct HistorySlack {
+  Duration deadline = std::chrono::milliseconds(100);
+  Duration ttl{0};
+};
+
+/// Every violation, in words; none: the history is sound.
+///  - each call ends, within its deadline and the slack;
+///  - no command is executed twice, nor after its ttl, nor if its sender was told that it was not;
+///  - those of a client are executed in the order in which it sent them, so that none of an older
+///    connection comes after one of a newer;
+///  - a client hears the events of one provider in their order, each once, and none of an older
+///    provider after one of a newer.
+std::vector<std::string> violations(const std::vector<HistoryEntry>& history,
+                                    const HistorySlack& slack = {});
+
+}  // namespace suture

@@ -1,0 +1,143 @@
+#include <map>
+#include <utility>
+
+#include "fault/history.h"
+
+namespace suture {
+namespace {
+
+using Kind = HistoryEntry::Kind;
+
+// runtime/base/errors.h says which.
+bool saysNotExecuted(Errc error) {
+  switch (error) {
+    case Errc::NotConnected:
+    case Errc::Lost:
+    case Errc::Full:
+    case Errc::TooLarge:
+    case Errc::Late:
+    case Errc::Superseded:
+    case Errc::Invalid:
+    case Errc::TooManyCalls:
+    case Errc::NotImplemented:
+    case Errc::Suspended:
+    case Errc::AwaitingOperator:
+    case Errc::Cancelled: return true;
+    default: return false;
+  }
+}
+
+std::string milliseconds(Duration duration) {
+  return std::to_string(std::chrono::duration<double, std::milli>(duration).count()) + " ms";
+}
+
+class Checker {
+ public:
+  explicit Checker(const HistorySlack& slack) : slack_(slack) {}
+
+  void take(const HistoryEntry& entry) {
+    switch (entry.kind) {
+      case Kind::Sent: commands_[key(entry)].sent = entry; break;
+      case Kind::Ended: ended(entry); break;
+      case Kind::Executed: executed(entry); break;
+      case Kind::Heard: heard(entry); break;
+      case Kind::Killed: killed_[entry.client] = entry.at; break;
+    }
+  }
+
+  std::vector<std::string> finish() {
+    for (const auto& [which, command] : commands_) {
+      if (command.executions > 0 && command.isEnded && saysNotExecuted(command.error)) {
+        say(which,
+            "was executed, and its sender was told: " + std::string(toString(command.error)));
+      }
+      const Duration limit = command.sent.limit;
+      if (limit == Duration{0} || command.isEnded) continue;
+      const auto end = killed_.find(which.first);
+      const Time latest = command.sent.at + limit + slack_.deadline;
+      if (end != killed_.end() && end->second <= latest) continue;
+      say(which, "never ended");
+    }
+    return std::move(found_);
+  }
+
+ private:
+  using Key = std::pair<std::uint32_t, std::uint64_t>;
+  struct Command {
+    HistoryEntry sent;
+    bool isEnded = false;
+    Errc error{};
+    int executions = 0;
+  };
+
+  static Key key(const HistoryEntry& entry) { return {entry.client, entry.id}; }
+
+  void say(const Key& which, const std::string& what) {
+    found_.push_back("command " + std::to_string(which.second) + " of client " +
+                     std::to_string(which.first) + " " + what);
+  }
+
+  void ended(const HistoryEntry& entry) {
+    Command& command = commands_[key(entry)];
+    command.isEnded = true;
+    command.error = entry.error;
+    const Duration limit = command.sent.limit, took = entry.at - command.sent.at;
+    if (limit != Duration{0} && took > limit + slack_.deadline) {
+      say(key(entry),
+          "ended after " + milliseconds(took) + ", its deadline is " + milliseconds(limit));
+    }
+  }
+
+  void executed(const HistoryEntry& entry) {
+    Command& command = commands_[key(entry)];
+    if (command.sent.at == Time{}) return say(key(entry), "was executed, and nobody sent it");
+    if (++command.executions > 1) say(key(entry), "was executed twice");
+    const Duration age = entry.at - command.sent.at;
+    if (entry.limit != Duration{0} && age > entry.limit + slack_.ttl) {
+      say(key(entry),
+          "was executed " + milliseconds(age) + " old, its ttl is " + milliseconds(entry.limit));
+    }
+    HistoryEntry& newest = newest_[entry.client];
+    if (entry.epoch < newest.epoch) {
+      say(key(entry), "of connection " + std::to_string(entry.epoch) +
+                          " was executed after one of connection " + std::to_string(newest.epoch));
+    } else if (entry.id < newest.id) {
+      say(key(entry), "was executed after command " + std::to_string(newest.id));
+    } else {
+      newest = entry;
+    }
+  }
+
+  void heard(const HistoryEntry& entry) {
+    const auto [newest, first] = heard_.try_emplace(entry.client, entry);
+    if (first) return;
+    HistoryEntry& before = newest->second;
+    const auto number = [](const HistoryEntry& one) {
+      return std::to_string(one.id) + " of provider " + std::to_string(one.epoch);
+    };
+    if (std::pair(entry.epoch, entry.id) <= std::pair(before.epoch, before.id)) {
+      found_.push_back("client " + std::to_string(entry.client) + " heard event " + number(entry) +
+                       " after " + number(before));
+    } else {
+      before = entry;
+    }
+  }
+
+  const HistorySlack slack_;
+  std::map<Key, Command> commands_;
+  std::map<std::uint32_t, HistoryEntry> newest_;  // executed, by client
+  std::map<std::uint32_t, HistoryEntry> heard_;   // the newest, by client
+  std::map<std::uint32_t, Time> killed_;
+  std::vector<std::string> found_;
+};
+
+}  // namespace
+
+std::vector<std::string> violations(const std::vector<HistoryEntry>& history,
+                                    const HistorySlack& slack) {
+  Checker checker(slack);
+  for (const HistoryEntry& entry : history) checker.take(entry);
+  return checker.finish();
+}
+
+}  // namespace suture

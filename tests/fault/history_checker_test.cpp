@@ -1,0 +1,166 @@
+// The checker reports what is planted in a sound history, and nothing else.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "fault/history.h"
+#include "support/temporary_directory.h"
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+using Kind = HistoryEntry::Kind;
+using History = std::vector<HistoryEntry>;
+
+const Time kStart = fromNanoseconds(1'000'000'000);
+
+/// Two clients with a hundred commands each, over four connections each, to two providers.
+History sound() {
+  History history;
+  Time at = kStart;
+  for (std::uint64_t id = 1; id <= 100; ++id) {
+    for (std::uint32_t client = 1; client <= 2; ++client) {
+      const std::uint64_t epoch = 1 + id / 25;
+      const Duration deadline = id % 3 == 0 ? 200ms : 0ms;
+      history.push_back({Kind::Sent, at, client, id, epoch, deadline});
+      history.push_back({Kind::Executed, at + 2ms, client, id, epoch, 500ms});
+      history.push_back({Kind::Ended, at + 3ms, client, id, epoch});
+      history.push_back({Kind::Heard, at + 4ms, client, id, 1 + id / 50});
+      at += 5ms;
+    }
+  }
+  return history;
+}
+
+/// The `n`-th entry of a kind, from 0.
+HistoryEntry& nth(History& history, Kind kind, int n) {
+  const auto found = std::find_if(history.begin(), history.end(), [&](const HistoryEntry& entry) {
+    return entry.kind == kind && n-- == 0;
+  });
+  return *found;
+}
+
+void sortByTime(History& history) {
+  std::stable_sort(history.begin(), history.end(),
+                   [](const auto& a, const auto& b) { return a.at < b.at; });
+}
+
+void expectOne(const History& history, const std::string& text, const HistorySlack& slack = {}) {
+  const auto found = violations(history, slack);
+  ASSERT_EQ(found.size(), 1u) << (found.empty() ? "" : found[0] + "; " + found[1]);
+  EXPECT_NE(found[0].find(text), std::string::npos) << found[0];
+}
+
+TEST(HistoryChecker, FindsNothingInASoundHistory) {
+  EXPECT_EQ(violations(sound()), std::vector<std::string>{});
+  EXPECT_EQ(violations({}), std::vector<std::string>{});
+}
+
+TEST(HistoryChecker, ADuplicate) {
+  History history = sound();
+  HistoryEntry again = nth(history, Kind::Executed, 60);
+  history.push_back(again);
+  sortByTime(history);
+  expectOne(history, "was executed twice");
+}
+
+TEST(HistoryChecker, ACommandThatIsOlderThanItsTtl) {
+  History history = sound();
+  nth(history, Kind::Executed, 80).limit = 1ms;
+  expectOne(history, "command 41 of client 1 was executed 2.000000 ms old, its ttl is 1.000000 ms");
+  EXPECT_TRUE(violations(history, {.ttl = 5ms}).empty());
+}
+
+TEST(HistoryChecker, ACallThatEndsLate) {
+  History history = sound();
+  nth(history, Kind::Ended, 4).at += 301ms;  // the third command has a deadline
+  expectOne(history, "command 3 of client 1 ended after 304.000000 ms");
+}
+
+TEST(HistoryChecker, ACallThatNeverEnds) {
+  History history = sound();
+  const HistoryEntry gone = nth(history, Kind::Ended, 4);
+  std::erase_if(history, [&](const HistoryEntry& entry) {
+    return entry.kind == Kind::Ended && entry.client == gone.client && entry.id == gone.id;
+  });
+  expectOne(history, "never ended");
+  history.push_back({Kind::Killed, gone.at + 400ms, gone.client});
+  expectOne(history, "never ended");
+  history.back().at = gone.at + 100ms;
+  EXPECT_TRUE(violations(history).empty());
+}
+
+TEST(HistoryChecker, CommandsThatChangePlaces) {
+  History history = sound();
+  nth(history, Kind::Executed, 60).at = nth(history, Kind::Executed, 62).at + 1ns;
+  sortByTime(history);
+  expectOne(history, "command 31 of client 1 was executed after command 32");
+}
+
+TEST(HistoryChecker, ACommandOfAnOlderConnection) {
+  History history = sound();
+  const auto late = std::find_if(history.begin(), history.end(), [](const HistoryEntry& entry) {
+    return entry.kind == Kind::Executed && entry.id == 20 && entry.client == 1;
+  });
+  HistoryEntry resurrected = *late;
+  history.erase(late);
+  resurrected.at = history.back().at + 1ms;
+  resurrected.limit = {};
+  history.push_back(resurrected);
+  expectOne(history, "of connection 1 was executed after one of connection 5");
+}
+
+TEST(HistoryChecker, ACommandWhoseSenderWasToldThatItWasNotExecuted) {
+  History history = sound();
+  nth(history, Kind::Ended, 10).error = Errc::Lost;
+  expectOne(history, "and its sender was told");
+  nth(history, Kind::Ended, 10).error = Errc::OutcomeUnknown;
+  EXPECT_TRUE(violations(history).empty());
+}
+
+TEST(HistoryChecker, ACommandThatNobodySent) {
+  History history = sound();
+  history.push_back({Kind::Executed, history.back().at, 1, 1000, 9});
+  expectOne(history, "nobody sent it");
+}
+
+TEST(HistoryChecker, AnEventOfAnOlderProvider) {
+  History history = sound();
+  history.push_back({Kind::Heard, history.back().at, 2, 101, 3});
+  history.push_back({Kind::Heard, history.back().at, 2, 49, 2});
+  expectOne(history, "client 2 heard event 49 of provider 2 after 101 of provider 3");
+}
+
+TEST(HistoryChecker, AnEventHeardTwice) {
+  History history = sound();
+  const HistoryEntry twice = nth(history, Kind::Heard, 199);
+  history.push_back(twice);
+  expectOne(history, "heard event 100");
+}
+
+TEST(HistoryLog, ReadsBackWhatWasWrittenButACutLine) {
+  const TemporaryDirectory directory;
+  const History history = sound();
+  std::vector<std::string> files;
+  {
+    for (const char* name : {"a", "b", "c"}) files.push_back(directory.file(name));
+    HistoryLog one(files[0]), two(files[1]), provider(files[2]);
+    for (const HistoryEntry& entry : history) {
+      const bool executed = entry.kind == Kind::Executed;
+      (executed ? provider : entry.client == 1 ? one : two).write(entry);
+    }
+  }
+  const auto size = std::filesystem::file_size(files[0]);
+  std::filesystem::resize_file(files[0], size - 2);
+  const History back = readHistory(files);
+  ASSERT_EQ(back.size(), history.size() - 1);
+  EXPECT_TRUE(violations(back).empty());
+  EXPECT_EQ(back[1].limit, 500ms);
+  EXPECT_EQ(back[1].at, kStart + 2ms);
+}
+
+}  // namespace
+}  // namespace suture

@@ -1,0 +1,141 @@
+// A client that writes down what it sends, how that ends, and what it hears: history_client
+// <manager address> <process name> <log> <its number> <robot> busy|idle <longest silence, ms>.
+// Says "begun", then "ready" when it is connected to <robot>:PSM/Arm. An idle one only listens.
+// Ends on SIGTERM.
+
+#include <suture/base/errors.h>
+#include <suture/component/channel.h>
+#include <suture/component/device.h>
+#include <suture/manager/manager.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <thread>
+
+#include "fault/history.h"
+#include "reference/arm_like.suture.h"
+
+namespace {
+
+using namespace std::chrono_literals;
+using reference::PoseStamped;
+using suture::Errc;
+using suture::HistoryEntry;
+using suture::now;
+using Kind = HistoryEntry::Kind;
+
+constexpr suture::Duration kDeadline = 200ms;
+constexpr double kMoveTakes = 0.01;  // s
+
+volatile std::sig_atomic_t ended = 0;
+
+struct Port final : suture::Required<reference::ArmLike> {
+  using Required::channel;
+  using Required::Required;
+};
+
+class Client final : public suture::Device {
+ public:
+  Client(const std::string& log, std::uint32_t number) : log_(log), number_(number) {
+    arm.on().arrived([this](const PoseStamped& tag) {
+      log_.write({.kind = Kind::Heard,
+                  .at = now(),
+                  .client = number_,
+                  .id = static_cast<std::uint64_t>(tag.pose.translation().y()),
+                  .epoch = static_cast<std::uint64_t>(tag.pose.translation().x())});
+    });
+  }
+
+  void ask() {
+    (void)arm.connected();
+    if (arm.channel() != known_) {
+      known_ = arm.channel();
+      ++epoch_;
+    }
+    const PoseStamped goal = sent(0ms);
+    const auto posted = arm.servo_cp(goal);
+    noteEnd(posted ? Errc{} : posted.error());
+    const PoseStamped target = sent(kDeadline);
+    const auto moved = arm.move.start(target, kMoveTakes, "").within(kDeadline);
+    noteEnd(moved ? Errc{} : moved.error());
+  }
+
+  Port arm{*this, "Arm"};
+
+ private:
+  PoseStamped sent(suture::Duration deadline) {
+    ++id_;
+    log_.write({.kind = Kind::Sent,
+                .at = now(),
+                .client = number_,
+                .id = id_,
+                .epoch = epoch_,
+                .limit = deadline});
+    PoseStamped tag;
+    tag.pose.translation() << number_, static_cast<double>(id_), static_cast<double>(epoch_);
+    tag.stamp = now();
+    tag.valid = true;
+    return tag;
+  }
+  void noteEnd(Errc error) {
+    log_.write({.kind = Kind::Ended,
+                .at = now(),
+                .client = number_,
+                .id = id_,
+                .epoch = epoch_,
+                .error = error});
+  }
+
+  suture::HistoryLog log_;
+  const std::uint32_t number_;
+  std::uint64_t id_ = 0, epoch_ = 0;
+  std::shared_ptr<suture::Channel> known_;
+};
+
+void say(const char* what) {
+  std::puts(what);
+  std::fflush(stdout);
+}
+
+/// As often as it is refused; false if it is to end.
+bool connect(suture::Manager& manager, const std::string& arm, suture::Duration silence) {
+  while (ended == 0) {
+    try {
+      manager.connect("Client/Arm", arm, suture::Lane::Auto, 60s, {}, {.silence = silence});
+      return true;
+    } catch (const suture::SetupError&) {
+      std::this_thread::sleep_for(5ms);
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+int main(int, char** argv) {
+  std::signal(SIGTERM, [](int) { ended = 1; });
+  const bool busy = std::string_view(argv[6]) == "busy";
+  try {
+    Client client(argv[3], static_cast<std::uint32_t>(std::atoi(argv[4])));
+    suture::Manager manager(argv[2], argv[1], 60s);
+    manager.add("Client", client);
+    manager.start();
+    say("begun");
+    const auto silence = std::chrono::milliseconds(std::atoi(argv[7]));
+    if (connect(manager, std::string(argv[5]) + ":PSM/Arm", silence)) say("ready");
+    while (ended == 0) {
+      client.waitForEvents(now() + 5ms);
+      client.processEvents();
+      if (busy) client.ask();
+    }
+    manager.stop();
+  } catch (const suture::SetupError& error) {
+    std::printf("%s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

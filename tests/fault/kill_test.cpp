@@ -1,0 +1,131 @@
+// Each role of a system is killed in each phase of its life; the others' histories stay sound.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <thread>
+#include <tuple>
+
+#include "fault/system.h"
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+using Kind = HistoryEntry::Kind;
+
+enum class Role { Manager, Provider, Client };
+enum class Phase { BeforeConnect, DuringConnect, Idle, MidCall, MidEvent, DuringShutdown };
+
+constexpr const char* kRoles[] = {"Manager", "Provider", "Client"};
+constexpr const char* kPhases[] = {"BeforeConnect", "DuringConnect", "Idle",
+                                   "MidCall",       "MidEvent",      "DuringShutdown"};
+
+class Kill : public testing::TestWithParam<std::tuple<Role, Phase>> {
+ protected:
+  Kill() { std::printf("seed %u\n", faultSeed()); }
+  Role role() const { return std::get<0>(GetParam()); }
+  Phase phase() const { return std::get<1>(GetParam()); }
+  bool busy() const { return phase() != Phase::Idle; }
+
+  void startProvider() {
+    provider_ = system_.provider();
+    ASSERT_EQ(provider_->line(), "ready");
+  }
+  void startClient() { client_ = system_.client(busy() ? "busy" : "idle"); }
+  void kill() {
+    Child& victim = role() == Role::Manager    ? *manager_
+                    : role() == Role::Provider ? *provider_
+                                               : *client_;
+    if (phase() == Phase::DuringShutdown) {
+      victim.signal(SIGTERM);
+      pause(3ms);
+    }
+    const int how = victim.end(SIGKILL);
+    EXPECT_TRUE(how == -SIGKILL || phase() == Phase::DuringShutdown) << how;
+    if (role() == Role::Client) system_.noteKilledClient();
+    ++kills_;
+  }
+  void restart() {
+    if (role() == Role::Manager) manager_ = system_.manager();
+    if (role() == Role::Provider) startProvider();
+    if (role() == Role::Client) startClient();
+  }
+  void pause(Duration most) {
+    std::this_thread::sleep_for(
+        Duration(std::uniform_int_distribution<std::int64_t>(0, most.count())(random_)));
+  }
+  /// The client has just sent what it awaits the answer of.
+  bool calls() const {
+    return eventually([this] {
+      const HistoryEntry last = system_.clientsHistory().back();
+      return last.kind == Kind::Sent && last.limit != Duration{0};
+    });
+  }
+  /// The client has just heard something.
+  bool hears() const {
+    const auto before = static_cast<std::ptrdiff_t>(system_.clientsHistory().size());
+    return eventually([this, before] {
+      const auto history = system_.clientsHistory();
+      return std::any_of(history.begin() + before, history.end(),
+                         [](const HistoryEntry& entry) { return entry.kind == Kind::Heard; });
+    });
+  }
+  void awaitConnected() {
+    std::string line = client_->line();
+    if (line == "begun") line = client_->line();
+    ASSERT_EQ(line, "ready");
+  }
+  void awaitPhase() {
+    if (phase() == Phase::DuringConnect) {
+      ASSERT_EQ(client_->line(), "begun");
+      return pause(10ms);
+    }
+    awaitConnected();
+    ASSERT_TRUE(system_.works(busy()));
+    if (phase() == Phase::MidCall) {
+      ASSERT_TRUE(calls());
+    }
+    if (phase() == Phase::MidEvent) {
+      ASSERT_TRUE(hears());
+    }
+  }
+
+  System system_;
+  std::mt19937 random_{faultSeed()};
+  std::unique_ptr<Child> manager_ = system_.manager(), provider_, client_;
+  int kills_ = 0;
+};
+
+INSTANTIATE_TEST_SUITE_P(
+    Roles, Kill,
+    testing::Combine(testing::Values(Role::Manager, Role::Provider, Role::Client),
+                     testing::Values(Phase::BeforeConnect, Phase::DuringConnect, Phase::Idle,
+                                     Phase::MidCall, Phase::MidEvent, Phase::DuringShutdown)),
+    [](const auto& test) {
+      return std::string(kRoles[static_cast<int>(std::get<0>(test.param))]) +
+             kPhases[static_cast<int>(std::get<1>(test.param))];
+    });
+
+TEST_P(Kill, LeavesSoundHistoriesAndTheRestGoesOn) {
+  startProvider();
+  if (role() == Role::Client || phase() != Phase::BeforeConnect) startClient();
+  if (phase() != Phase::BeforeConnect) awaitPhase();
+  kill();
+  if (client_ == nullptr) startClient();
+  restart();
+  if (role() == Role::Client || phase() <= Phase::DuringConnect) awaitConnected();
+  EXPECT_TRUE(system_.works(busy()));
+  EXPECT_EQ(client_->end(SIGTERM), 0);
+  EXPECT_EQ(provider_->end(SIGTERM), 0);
+  EXPECT_EQ(manager_->end(SIGTERM), 0);
+  const auto history = system_.history();
+  for (const std::string& violation : violations(history, kBusyMachine)) {
+    ADD_FAILURE() << violation;
+  }
+  std::printf("%d killed, %zu entries\n", kills_, history.size());
+  EXPECT_GT(kills_, 0);
+}
+
+}  // namespace
+}  // namespace suture

@@ -1,0 +1,156 @@
+// A provider's process that stops, a task in it that hangs, and one that only sleeps.
+
+#include <gtest/gtest.h>
+#include <suture/manager/global_manager.h>
+#include <suture/manager/manager.h>
+#include <suture/observe/observe.h>
+#include <suture/transport/rpc/control_thread.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "fault/operator.h"
+#include "support/child.h"
+#include "support/eventually.h"
+#include "support/refusal.h"
+#include "support/temporary_directory.h"
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration kSilence = 500ms;
+
+class Liveness : public testing::TestWithParam<const char*> {
+ protected:
+  Liveness()
+      : names_(control_, std::string(GetParam()) == "unix" ? "unix:" + directory_.file("m.sock")
+                                                           : "tcp://127.0.0.1:0"),
+        here_("here", names_.address()) {
+    EXPECT_EQ(host_.line(), "ready");
+    here_.add("First", first_);
+    here_.add("Second", second_);
+    here_.start();
+  }
+  void connect(const std::string& required, const std::string& provided,
+               Duration silence = kSilence) {
+    here_.connect(required, provided, Lane::Auto, 10s, {}, {.silence = silence});
+  }
+  std::string whyLost(const std::string& from, const std::string& to) const {
+    const auto why = here_.whyLost();
+    const auto found = why.find("here:" + from + " -> there:" + to);
+    return found == why.end() ? "" : found->second;
+  }
+  void hang(Operator& client, double speed) {
+    std::ofstream(hangFile_).put('!');
+    client.limit = speed;
+  }
+  void stopHanging() { std::filesystem::remove(hangFile_); }
+
+  const TemporaryDirectory directory_;
+  const std::string hangFile_ = directory_.file("hang");
+  rpc::ControlThread control_;
+  GlobalManager names_;
+  Child host_{{FAULTY_HOST, names_.address(), "there", hangFile_}};
+  Operator first_, second_;
+  Manager here_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Sockets, Liveness, testing::Values("unix", "tcp"),
+                         [](const auto& test) { return std::string(test.param); });
+
+TEST_P(Liveness, AStoppedProcessIsLostWithinTheBoundAndATenth) {
+  connect("First/Arm", "there:PSM1/Arm");
+  std::array<Duration, 5> noticed;
+  for (Duration& one : noticed) {
+    ASSERT_TRUE(eventually([&] { return first_.error == Errc{}; }));
+    const int heard = first_.heard;
+    ASSERT_TRUE(eventually([&] { return first_.heard > heard; }));
+    const auto before = here_.channels().at(0);
+    host_.signal(SIGSTOP);
+    const Time stopped = now();
+    ASSERT_TRUE(eventually([&] { return before->status == ChannelStatus::Lost; }));
+    one = now() - stopped;
+    EXPECT_TRUE(eventually([&] { return first_.error == Errc::Lost; })) << "the component is told";
+    EXPECT_TRUE(whyLost("First/Arm", "PSM1/Arm").starts_with("silent: "));
+    host_.signal(SIGCONT);
+    ASSERT_TRUE(eventually([&] { return here_.channels().at(0) != before; })) << "a new epoch";
+    EXPECT_NE(before->status, ChannelStatus::Connected) << "which the old one has no part in";
+  }
+  std::sort(noticed.begin(), noticed.end());
+  const Duration median = noticed[noticed.size() / 2];
+  EXPECT_LE(median, kSilence * 11 / 10)
+      << std::chrono::duration<double, std::milli>(median).count();
+}
+
+TEST_P(Liveness, ATaskThatHangsIsLostAndItsNeighbourIsNot) {
+  for (const auto& [provider, speed] :
+       {std::pair("PSM1/Arm", 0.0), std::pair("PSM1/Arm", 1.0), std::pair("PSM2/Arm", 0.0)}) {
+    const std::string neighbour = provider == std::string("PSM1/Arm") ? "PSM2/Arm" : "PSM1/Arm";
+    connect("First/Arm", std::string("there:") + provider);
+    connect("Second/Arm", "there:" + neighbour);
+    ASSERT_TRUE(eventually([&] { return first_.error == Errc{} && second_.error == Errc{}; }));
+    hang(first_, speed);
+    ASSERT_TRUE(eventually([&] { return first_.error == Errc::Lost; }));
+    EXPECT_TRUE(whyLost("First/Arm", provider).starts_with("hung: ")) << provider;
+    // For as long as it hangs it is not connected anew.
+    const int heard = second_.heard;
+    std::this_thread::sleep_for(kSilence);
+    EXPECT_EQ(first_.error, Errc::Lost);
+    EXPECT_TRUE(eventually([&] { return second_.heard > heard; }));
+    EXPECT_EQ(second_.error, Errc{});
+    EXPECT_EQ(whyLost("Second/Arm", neighbour), "");
+    stopHanging();
+    EXPECT_TRUE(eventually([&] { return first_.error == Errc{}; }));
+    here_.disconnect("First/Arm");
+    here_.disconnect("Second/Arm");
+    ASSERT_TRUE(eventually([&] { return first_.error == Errc::NotConnected; }));
+  }
+}
+
+TEST_P(Liveness, ATaskThatSleepsIsNoneThatHangs) {
+  first_.asks = false;
+  second_.asks = false;
+  connect("First/Arm", "there:PSM1/Arm", 100ms);
+  connect("Second/Arm", "there:PSM2/Arm", 1s);
+  ASSERT_TRUE(eventually([&] { return first_.error == Errc{} && second_.error == Errc{}; }));
+  const auto channels = here_.channels();
+  std::this_thread::sleep_for(30 * 100ms);
+  EXPECT_EQ(here_.channels(), channels);
+  EXPECT_TRUE(here_.whyLost().empty());
+}
+
+TEST_P(Liveness, AHangingProviderIsRefusedWithTheReason) {
+  connect("First/Arm", "there:PSM1/Arm");
+  hang(first_, 0);
+  ASSERT_TRUE(eventually([&] { return first_.error == Errc::Lost; }));
+  const std::string why = refusal([&] { connect("Second/Arm", "there:PSM1/Arm"); });
+  EXPECT_NE(why.find("the provider is hung: the thread of 'PSM1' has been in one cycle for"),
+            std::string::npos)
+      << why;
+  stopHanging();
+  ASSERT_TRUE(eventually([&] { return first_.error == Errc{}; }));
+  connect("Second/Arm", "there:PSM1/Arm");
+}
+
+TEST_P(Liveness, ABoundThatHeartbeatsCannotKeepIsRefused) {
+  const std::string why = refusal([&] { connect("First/Arm", "there:PSM1/Arm", 1ms); });
+  EXPECT_NE(why.find("Allow at least 10 ms"), std::string::npos) << why;
+}
+
+TEST_P(Liveness, AKilledProcessIsLostBecauseItHasEnded) {
+  connect("First/Arm", "there:PSM1/Arm");
+  host_.end(SIGKILL);
+  EXPECT_TRUE(eventually([&] { return first_.error == Errc::Lost; }));
+  EXPECT_TRUE(whyLost("First/Arm", "PSM1/Arm").starts_with("closed: "));
+  const Report report = observe(here_, now());
+  ASSERT_EQ(report.connections.size(), 1u);
+  EXPECT_TRUE(report.connections[0].whyLost.starts_with("closed: ")) << "people can see why";
+}
+
+}  // namespace
+}  // namespace suture

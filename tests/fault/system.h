@@ -1,0 +1,107 @@
+#pragma once
+// A manager, a provider and a client, each a process of its own, whose histories are checked.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "fault/history.h"
+#include "support/child.h"
+#include "support/eventually.h"
+#include "support/temporary_directory.h"
+
+namespace suture {
+
+/// Of this run; SUTURE_FAULT_SEED replays one.
+inline unsigned faultSeed() {
+  const char* asked = std::getenv("SUTURE_FAULT_SEED");
+  static const unsigned kSeed =
+      asked == nullptr ? std::random_device()() : static_cast<unsigned>(std::atoi(asked));
+  return kSeed;
+}
+
+class System {
+ public:
+  using Arguments = std::vector<std::string>;
+
+  std::unique_ptr<Child> manager() {
+    auto child = std::make_unique<Child>(Arguments{SUTURE_MANAGER, "--listen", address()});
+    EXPECT_EQ(child->line(), "suture-manager: ready on " + address());
+    return child;
+  }
+  /// `name`: what it registers as. `prepare` runs in the child before the program.
+  std::unique_ptr<Child> provider(const std::string& name = "robot",
+                                  const std::function<void()>& prepare = {}) {
+    ++providers_;
+    return std::make_unique<Child>(Arguments{HISTORY_PROVIDER, address(), name,
+                                             newLog("p", providers_), std::to_string(providers_)},
+                                   prepare);
+  }
+  std::unique_ptr<Child> client(const char* mode, int silenceMilliseconds = 500) {
+    ++clients_;
+    return std::make_unique<Child>(Arguments{
+        HISTORY_CLIENT, address(), "client" + std::to_string(clients_), newLog("c", clients_),
+        std::to_string(clients_), "robot", mode, std::to_string(silenceMilliseconds)});
+  }
+
+  std::string address() const { return "unix:" + directory_.file("m.sock"); }
+  /// Where a process of that name listens.
+  std::string socketOf(const std::string& name, const Child& child) const {
+    return directory_.file(name + "." + std::to_string(child.pid()) + ".sock");
+  }
+  std::vector<HistoryEntry> history() const {
+    auto all = readHistory(logs_);
+    all.insert(all.end(), killed_.begin(), killed_.end());
+    return all;
+  }
+  /// The latest client has been killed by now.
+  void noteKilledClient() {
+    killed_.push_back({.kind = HistoryEntry::Kind::Killed,
+                       .at = now(),
+                       .client = static_cast<std::uint32_t>(clients_)});
+  }
+  /// Of the latest client.
+  std::vector<HistoryEntry> clientsHistory() const {
+    return readHistory({directory_.file("c" + std::to_string(clients_))});
+  }
+
+  /// True once the latest client has, from now on, been heard and answered; if it is idle: has
+  /// heard something.
+  bool works(bool busy) const {
+    const Time asked = now();
+    return eventually([&] {
+      bool answered = !busy, heard = false;
+      for (const HistoryEntry& entry : clientsHistory()) {
+        if (entry.at < asked) continue;
+        heard = heard || entry.kind == HistoryEntry::Kind::Heard;
+        const bool ended = entry.kind == HistoryEntry::Kind::Ended && entry.error == Errc{};
+        answered = answered || (ended && entry.id % 2 == 0);
+      }
+      return answered && heard;
+    });
+  }
+
+ private:
+  std::string newLog(const char* prefix, int number) {
+    logs_.push_back(directory_.file(prefix + std::to_string(number)));
+    std::ofstream(logs_.back());
+    return logs_.back();
+  }
+
+  const TemporaryDirectory directory_;
+  std::vector<std::string> logs_;
+  std::vector<HistoryEntry> killed_;
+  int providers_ = 0, clients_ = 0;
+};
+
+/// What a machine that is busy adds to the time between the beginning of a cycle and what it
+/// executes.
+inline constexpr HistorySlack kBusyMachine{.deadline = std::chrono::milliseconds(100),
+                                           .ttl = std::chrono::milliseconds(50)};
+
+}  // namespace suture

@@ -1,0 +1,131 @@
+"""What is said when something is not there, or is not what it should be."""
+
+import json
+import os
+import signal
+import unittest
+
+from system import System
+
+GRIPPER = "robot:Hand/Gripper"
+ROTATION = {f"m{row}{column}": 0 for row in range(3) for column in range(3)}
+GOAL = json.dumps({"goal": {"pose": {**ROTATION, "x": 0, "y": 0, "z": 0}, "stamp": 7, "valid": True}})
+
+
+class Fail(System):
+    def examined(self, *targets):
+        """The doctor's steps on the way to the last target, and what he says to people."""
+        done = self.run_suture("doctor", *targets, "--timeout", "2s", "--json")
+        self.assertEqual((done.returncode, done.stderr), (1, ""))
+        told = json.loads(done.stdout)
+        self.assertFalse(told["good"])
+        return told["examinations"][-1]["steps"]
+
+    def failed(self, name, *targets):
+        """The step that failed is this one; those behind it have not been tried."""
+        steps = self.examined(*targets)
+        states = [step["state"] for step in steps]
+        (failed,) = [step for step in steps if step["state"] == "failed"]
+        self.assertEqual(failed["step"], name)
+        self.assertEqual(set(states[states.index("failed") + 1:]) - {"not tried"}, set())
+        self.assertTrue(failed["remedy"])
+        text = self.run_suture("doctor", *targets, "--timeout", "2s").stdout
+        self.assertIn(failed["found"], text)
+        self.assertIn(failed["remedy"], text)
+        return failed
+
+    def test_an_unknown_verb(self):
+        done = self.run_suture("raed", "x")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("Did you mean 'read'?", done.stderr)
+
+    def test_a_command_line_that_cannot_be_meant(self):
+        for words in (("read", GRIPPER), ("ps", "--jsn"), ("describe",), ("watch", GRIPPER, "opening", "--rate", "0"),
+                      ("call", GRIPPER, "open", "--timeout", "soon")):
+            with self.subTest(words=words):
+                self.assertIn("--help", self.refused(*words, status=2))
+        for name in ("robot", "robot:Hand", "Hand/Gripper", ":Hand/Gripper", "a:b/c/d:e"):
+            with self.subTest(name=name):
+                self.assertIn("is not of the form", self.refused("read", name, "x", status=2))
+        self.assertIn("manager", self.refused("ps", "--manager", "somewhere", status=2))
+
+    def test_no_manager(self):
+        error = self.refused("ps")
+        self.assertIn("there is no such socket", error)
+        self.assertIn(f"suture-manager --listen {self.address}", error)
+        self.assertIn("suture-manager", self.failed("manager", "robot")["remedy"])
+
+    def test_a_manager_that_hangs(self):
+        manager = self.start_manager()
+        self.stop(manager)
+        try:
+            self.assertIn("does not answer as a global manager", self.failed("manager")["found"])
+        finally:
+            manager.send_signal(signal.SIGCONT)
+
+    def test_names_that_are_not_there(self):
+        self.start_manager()
+        self.start_robot()
+        self.assertIn("Did you mean 'robot'?", self.refused("describe", "robt"))
+        self.assertIn("Did you mean 'Hand'?", self.refused("describe", "robot:Hnd"))
+        self.assertIn("Did you mean 'Gripper'?", self.refused("describe", "robot:Hand/Griper"))
+        self.assertIn("Did you mean 'Gripper'?", self.refused("read", "robot:Hand/Griper", "mode"))
+        self.assertIn("Did you mean 'opening'?", self.refused("read", GRIPPER, "openin"))
+        self.assertIn("Did you mean 'open'?", self.refused("call", GRIPPER, "opn"))
+        self.assertIn("Did you mean 'Names'?", self.refused("why", "robot:Surgeon/Name", GRIPPER))
+
+    def test_the_doctor_on_each_step(self):
+        self.start_manager()
+        robot = self.start_robot()
+        self.assertIn("Did you mean 'robot'?", self.failed("resolve", "robt")["remedy"])
+        self.assertIn("Did you mean 'Hand'?", self.failed("schema", "robot:Hnd")["remedy"])
+        self.assertIn("Did you mean 'Gripper'?", self.failed("schema", "robot:Hand/Griper")["remedy"])
+        self.stop(robot)
+        try:
+            self.assertIn("does not answer", self.failed("version", "robot")["found"])
+        finally:
+            robot.send_signal(signal.SIGCONT)
+
+    def test_another_version_of_the_protocol(self):
+        self.start_manager()
+        self.start_stranger("version")
+        failed = self.failed("version", "version")
+        self.assertIn("it speaks version 99", failed["found"])
+        self.assertEqual(failed["remedy"], "Build both from the same release.")
+        self.assertIn("it speaks version 99", self.refused("describe", "version"))
+
+    def test_a_socket_where_nobody_listens(self):
+        self.start_manager()
+        stranger = self.start_stranger("silent")
+        self.assertIn("does not answer", self.failed("version", "silent")["found"])
+        os.unlink(self.address.removeprefix("unix:") + ".silent")
+        self.assertIn("there is no such socket", self.failed("connect", "silent")["found"])
+        self.assertIsNone(stranger.poll())
+
+    def test_what_steers_a_terminal_is_not_printed(self):
+        self.start_manager()
+        self.start_stranger("escapes")
+        for verb in (("ps",), ("describe", "escapes"), ("doctor",)):
+            with self.subTest(verb=verb):
+                self.assertNotIn("\x1b", self.said(*verb))
+        self.assertEqual(self.told("ps")[0]["host"], "\x1b[2J")
+
+    def test_a_process_that_explains_itself_with_nonsense(self):
+        self.start_manager()
+        for how, found in (("description", "its description is not one"), ("depth", "its description is not one"),
+                           ("incomplete", "its schema is not one"), ("broken", "its schema is not one")):
+            with self.subTest(how=how):
+                self.start_stranger(how)
+                for words in (("describe", f"{how}:Odd/Arm"), ("read", f"{how}:Odd/Arm", "mode"),
+                              ("call", f"{how}:Odd/Arm", "servo_cp", "--args", GOAL),
+                              ("watch", f"{how}:Odd/Arm", "stopped")):
+                    self.assertIn(found, self.refused(*words))
+                self.assertIn(found, self.failed("schema", f"{how}:Odd/Arm")["found"])
+
+    def test_a_type_that_holds_itself(self):
+        self.start_manager()
+        self.start_stranger("groups")
+        self.assertIn("nested deeper", self.refused("read", "groups:Odd/Arm", "everything"))
+
+
+unittest.main()

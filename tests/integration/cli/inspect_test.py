@@ -1,0 +1,111 @@
+"""ps, describe, doctor and why, of processes that are well."""
+
+import os
+import unittest
+
+from system import System
+
+GRIPPER = "robot:Hand/Gripper"
+
+
+class Inspect(System):
+    def setUp(self):
+        super().setUp()
+        self.start_manager()
+
+    def test_ps_without_processes(self):
+        self.assertEqual(self.said("ps"), f"No process is known to {self.address}.\n")
+        self.assertEqual(self.told("ps"), [])
+
+    def test_ps(self):
+        robot = self.start_robot()
+        text = self.said("ps")
+        self.assertIn(f"robot   pid {robot.pid}   host {os.uname().nodename}   unix:/", text)
+        self.assertIn("  Hand\n    provides  Gripper    robots::Gripper\n    provides  component  suture::Lifecycle\n", text)
+        self.assertRegex(text, r"requires  Names +robots::Names\n")
+        (process,) = self.told("ps")
+        self.assertEqual((process["name"], process["pid"]), ("robot", robot.pid))
+        hand, surgeon = process["components"]
+        self.assertEqual([one["name"] for one in hand["provided"]], ["Gripper", "component"])
+        self.assertEqual([one["contract"] for one in surgeon["required"]],
+                         ["robots::Arm", "robots::Gripper", "robots::Names"])
+
+    def test_describe_a_process_and_a_component(self):
+        self.start_robot()
+        self.assertIn("  Hand\n", self.said("describe", "robot"))
+        self.assertIn("  Surgeon\n", self.said("describe", "robot"))
+        self.assertNotIn("Hand", self.said("describe", "robot:Surgeon"))
+        names = [one["name"] for one in self.told("describe", "robot")["components"]]
+        self.assertEqual(names, ["Hand", "Surgeon"])
+
+    def test_describe_an_interface(self):
+        self.start_robot()
+        text = self.said("describe", GRIPPER)
+        for line in ("robot:Hand/Gripper, provided: robots::Gripper",
+                     "    An arm with a gripper.",
+                     "    open(width: Float64 [m])   write, queue 16",
+                     "    servo_cp(goal: robots::PoseStamped)   write, newest wins, ttl 20.0 ms, queue 16, from robots::Arm",
+                     "        Follow the goal.",
+                     "    grasp(width: Float64, mode: robots::Mode) -> Bool   write with return, deadline 50.0 ms, queue 2,"
+                     " from robots::Arm",
+                     "    measured_cp() -> robots::PoseStamped   read, from robots::Arm",
+                     "    mode_changed(robots::Mode)   write, latched, queue 8, from robots::Arm",
+                     "    enum robots::Mode",
+                     "        Disabled, HoldStill, Servo"):
+            self.assertIn(line + "\n", text)
+        self.assertRegex(text, r"\n        speed +Float64 \[m/s\], -0.5 to 2\.?0? +Along the path\.\n")
+        told = self.told("describe", GRIPPER)
+        self.assertEqual((told["interface"], told["side"]), (GRIPPER, "provided"))
+        self.assertEqual(told["description"]["name"], "robots::Gripper")
+        self.assertEqual(self.told("describe", "robot:Surgeon/Names")["side"], "required")
+
+    def test_the_doctor_finds_all_well(self):
+        self.start_robot()
+        for words in ((), ("robot",), ("robot:Hand",), (GRIPPER,), ("robot:Surgeon/Names", GRIPPER)):
+            told = self.told("doctor", *words)
+            self.assertTrue(told["good"])
+            manager, *others = told["examinations"]
+            self.assertEqual([step["step"] for step in manager["steps"]], ["manager"])
+            self.assertEqual(len(others), max(1, len(words)))
+            for one in others:
+                self.assertEqual([(step["step"], step["state"]) for step in one["steps"]],
+                                 [("resolve", "ok"), ("connect", "ok"), ("tls", "skipped"), ("version", "ok"),
+                                  ("schema", "ok")])
+        text = self.said("doctor", GRIPPER)
+        self.assertIn("  tls      skipped  not needed: a Unix socket does not leave this machine\n", text)
+        self.assertIn("  schema   ok       robots::Gripper: 14 commands, 5 events\n", text)
+
+    def test_why_two_connect(self):
+        self.start_robot()
+        self.start_robot("other")
+        for provider in ("robot", "other"):  # within a process, and across
+            with self.subTest(provider=provider):
+                self.assertIn(f"robot:Surgeon/Gripper -> {provider}:Hand/Gripper: they connect\n",
+                              self.said("why", "robot:Surgeon/Gripper", f"{provider}:Hand/Gripper"))
+                # An arm is wanted, and this gripper is one; in either order.
+                told = self.told("why", f"{provider}:Hand/Gripper", "robot:Surgeon/Arm")
+                self.assertEqual((told["connects"], told["requires"], told["offers"], told["missing_commands"]),
+                                 (True, "robots::Arm", "robots::Gripper", []))
+
+    def test_why_two_do_not_connect(self):
+        self.start_robot()
+        done = self.run_suture("why", "robot:Surgeon/Names", GRIPPER)
+        self.assertEqual((done.returncode, done.stderr), (1, ""))
+        self.assertIn("they do not connect\n  requires robots::Names, is offered robots::Gripper\n", done.stdout)
+        self.assertIn("\n    commands.range.kind: 'read' here, missing there\n", done.stdout)
+        self.assertIn("Connect interfaces of the same contract.\n", done.stdout)
+
+    def test_why_field_by_field(self):
+        self.start_robot()
+        self.start_stranger("changed")
+        done = self.run_suture("why", "robot:Surgeon/Arm", "changed:Odd/Arm")
+        self.assertEqual((done.returncode, done.stderr), (1, ""))
+        self.assertRegex(done.stdout, r"""\n    'speed' of 'setSpeed' of interface Arm: Float64 unit "m/s" here, Float32 unit "m/s" there\n""")
+        self.assertIn("Build both sides from the same header.\n", done.stdout)
+
+    def test_why_needs_two_sides(self):
+        self.start_robot()
+        self.assertIn("each of them requires its contract", self.refused("why", "robot:Surgeon/Arm", "robot:Surgeon/Names"))
+
+
+unittest.main()

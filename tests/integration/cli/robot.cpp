@@ -1,0 +1,114 @@
+// A process with one of everything: cli_robot <manager address> <process name>. Provides
+// Hand/Gripper, whose contract derives from robots::Arm, and requires arms and names. Ends on
+// SIGTERM.
+
+#include <suture/base/errors.h>
+#include <suture/component/event_task.h>
+#include <suture/manager/manager.h>
+#include <suture/manager/security.h>
+#include <suture/transport/tls/keys.h>
+
+#include <csignal>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+
+#include "robots/arm.suture.h"
+#include "robots/gripper.suture.h"
+
+namespace {
+
+using robots::Everything;
+using robots::Mode;
+using robots::PoseStamped;
+
+/// Keeps what it is told.
+class Hand final : public suture::EventTask, public robots::Gripper {
+ public:
+  Hand() {
+    everything_.label = "hand";
+    everything_.bytes = {1, 2, 255};
+    everything_.flags = {true, false};
+    everything_.names = {"left", "right"};
+    everything_.goal.pose.translation().x() = 0.5;
+    everything_.ratio = 0.1F;
+    everything_.point.y() = 2;
+  }
+
+  void enable() override {
+    everything_.mode = Mode::HoldStill;
+    gripper_.emit().mode_changed(everything_.mode);
+    gripper_.emit().stopped();
+  }
+  void servo_cp(const PoseStamped& goal) override { everything_.goal = goal; }
+  void set_speed(double speed) override {
+    everything_.speed = speed;
+    gripper_.emit().moved(everything_.goal, speed, everything_.mode);
+  }
+  PoseStamped measured_cp() const override { return everything_.goal; }
+  Mode mode() const override { return everything_.mode; }
+  const Everything& everything() const override { return everything_; }
+  const Everything& inverse_kinematics(const PoseStamped&, double) const override {
+    return everything_;
+  }
+  bool grasp(double width, Mode) override {
+    if (width < 0) throw std::runtime_error("the width is negative");
+    return width > 0;
+  }
+  std::uint32_t next_token() override { return ++token_; }
+  void open(double width) override {
+    opening_ = width;
+    gripper_.emit().gripped(width, width == 0);
+  }
+  double opening() const override { return opening_; }
+  bool fits(double width) const override { return width <= 0.1; }
+
+ private:
+  void run() override {}
+
+  double opening_ = 0;
+  std::uint32_t token_ = 0;
+  Everything everything_;
+  suture::Provided<robots::Gripper> gripper_{*this, "Gripper", *this};
+};
+
+/// Only needs.
+class Surgeon final : public suture::EventTask {
+  void run() override {}
+
+  suture::Required<robots::Arm> arm_{*this, "Arm"};
+  suture::Required<robots::Gripper> gripper_{*this, "Gripper"};
+  suture::Required<robots::Names> names_{*this, "Names"};
+};
+
+}  // namespace
+
+/// Arguments: the address of the global manager, the own name and, for tls://, the folder of keys.
+suture::Security securityOf(char** argv) {
+  if (argv[3] == nullptr) return {};
+  return {.keys = std::make_shared<const suture::tls::Keys>(argv[3], argv[2])};
+}
+
+int main(int, char** argv) {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  try {
+    Hand hand;
+    Surgeon surgeon;
+    suture::Manager manager(argv[2], argv[1], securityOf(argv));
+    manager.add("Hand", hand);
+    manager.add("Surgeon", surgeon);
+    manager.start();
+    std::puts("ready");
+    std::fflush(stdout);
+    int received = 0;
+    sigwait(&signals, &received);
+    manager.stop();
+  } catch (const suture::SetupError& error) {
+    std::printf("%s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

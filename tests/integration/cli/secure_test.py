@@ -1,0 +1,63 @@
+"""`suture` beside a system whose processes prove who they are."""
+
+import pathlib
+import stat
+import unittest
+
+from system import MANAGER, ROBOT, System
+
+
+class SecureSystem(System):
+    def setUp(self):
+        super().setUp()
+        self.keys = str(pathlib.Path(self.address.removeprefix("unix:")).parent / "keys")
+
+    def make_keys(self, *names, out=None):
+        words = [word for name in names for word in ("--process", name)]
+        return self.told_without_manager("keys", *words, "--out", out or self.keys)["made"]
+
+    def start_system(self):
+        self.make_keys("robot", "suture")
+        manager = self.start_and_hear(MANAGER, "--listen", "tls://127.0.0.1:0", "--keys", self.keys)
+        self.address = manager.split(" ready on ")[1].strip()
+        self.start(ROBOT, self.address, "robot", self.keys)
+
+    def test_keys_are_made_for_their_owner_alone(self):
+        made = [pathlib.Path(file) for file in self.make_keys("robot", "suture")]
+        self.assertEqual(sorted(file.name for file in made if file.suffix == ".key"),
+                         ["ca.key", "robot.key", "suture-manager.key", "suture.key"])
+        for file in made:
+            if file.suffix == ".key":
+                self.assertEqual(stat.S_IMODE(file.stat().st_mode), 0o600, file)
+        late = self.make_keys("late")
+        self.assertEqual(len(late), 2)
+        done = self.run_without_manager("keys", "--process", "late", "--out", self.keys)
+        self.assertEqual(done.returncode, 1, done)
+        self.assertIn("late", done.stderr)
+
+    def test_it_shows_its_certificate_and_asks_for_theirs(self):
+        self.start_system()
+        self.assertIn("robot", self.said("ps", "--keys", self.keys))
+        self.assertIn("commands", self.said("describe", "robot:Hand/Gripper", "--keys", self.keys))
+        told = self.told("doctor", "robot:Hand/Gripper", "--keys", self.keys)
+        self.assertTrue(told["good"], told)
+        steps = {step["step"]: step for step in told["examinations"][1]["steps"]}
+        self.assertEqual(steps["tls"]["state"], "ok")
+        self.assertEqual(steps["tls"]["found"], "it has the certificate of 'robot'")
+
+    def test_without_keys_it_says_what_to_do(self):
+        self.start_system()
+        self.assertIn("keys", self.refused("ps"))
+
+    def test_keys_of_another_system_are_refused(self):
+        self.start_system()
+        other = self.keys + "-of-others"
+        self.make_keys("suture", out=other)
+        done = self.run_suture("doctor", "robot", "--keys", other)
+        self.assertEqual(done.returncode, 1, done)
+        self.assertIn("failed", done.stdout)
+        self.assertIn("certificate", done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,167 @@
+// A process that is not what others expect: cli_stranger <manager address> <process name> <how>.
+// Says "ready" when it is known; ends on SIGTERM. `how`:
+//   version      speaks another version of the protocol
+//   silent       does not answer a greeting
+//   escapes      has names that steer a terminal
+//   description  explains itself with what is no JSON
+//   depth        ... with JSON that is nested a million times
+//   incomplete   ... with a schema that lacks the interface itself
+//   broken       ... with a field that lies outside its struct, where 32 bits do not see it
+//   groups       ... with a struct that is a group of itself
+//   changed      ... with a contract whose field has another type
+
+#include <capnp/message.h>
+#include <suture/base/errors.h>
+#include <suture/manager/explain.h>
+#include <suture/manager/manager_link.h>
+#include <suture/manager/records.h>
+#include <suture/peer.capnp.h>
+#include <suture/transport/rpc/control_thread.h>
+#include <suture/transport/rpc/link_server.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <string>
+
+#include "robots/arm.capnp.h"
+#include "robots/arm.suture.h"
+#include "robots/geometry.capnp.h"
+
+namespace {
+
+using suture::wire::Explanation;
+
+constexpr const char* kEscape = "\x1b[2J";
+
+std::string repeated(const char* text, std::size_t times) {
+  std::string all;
+  for (std::size_t i = 0; i < times; ++i) all += text;
+  return all;
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+template <class Struct>
+capnp::schema::Node::Builder nodeOf(Explanation::Builder explanation) {
+  for (auto node : explanation.getNodes()) {
+    if (node.getId() == capnp::typeId<Struct>()) return node;
+  }
+  throw suture::SetupError("there is no such struct");
+}
+
+void spoil(Explanation::Builder explanation, const std::string& how) {
+  const std::string description = explanation.getDescription().cStr();
+  if (how == "description") explanation.setDescription("{\"name\": ");
+  if (how == "depth") explanation.setDescription(repeated("[", 1'000'000).c_str());
+  if (how == "incomplete") explanation.initNodes(0);
+  if (how == "broken") {  // `stamp`, 64 bits, half a gigabyte behind its struct
+    auto fields = nodeOf<robots::wire::PoseStamped>(explanation).getStruct().getFields();
+    fields[1].getSlot().setOffset(1u << 26);
+  }
+  if (how == "groups") {
+    auto everything = nodeOf<robots::wire::Everything>(explanation);
+    everything.setScopeId(everything.getId());
+    everything.getStruct().setIsGroup(true);
+    everything.getStruct().getFields()[0].initGroup().setTypeId(everything.getId());
+  }
+  if (how == "changed") {
+    std::string other = replaced(description, "\"hash\": \"", "\"hash\": \"0");
+    other = replaced(other, "\"kind\": \"Float64\"}, \"unit\"", "\"kind\": \"Float32\"}, \"unit\"");
+    other = replaced(other, "\"Float64 unit", "\"Float32 unit");
+    explanation.setDescription(other.c_str());
+  }
+}
+
+class Arm final : public robots::wire::Arm::Server {
+ protected:
+  kj::Promise<void> everything(EverythingContext context) override {
+    context.getResults().initValue().setCount(7);
+    return kj::READY_NOW;
+  }
+};
+
+class Stranger final : public suture::wire::Peer::Server {
+ public:
+  explicit Stranger(std::string how) : how_(std::move(how)) {}
+
+ protected:
+  kj::Promise<void> hello(HelloContext context) override {
+    if (how_ == "silent") return kj::NEVER_DONE;
+    if (how_ != "version") return kj::READY_NOW;
+    auto refusal = context.getResults().initRefused();
+    refusal.setKind(suture::wire::Refusal::Kind::VERSION_MISMATCH);
+    refusal.setText("talk to it: it speaks version 99. Build both from the same release.");
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> describe(DescribeContext context) override {
+    auto component = context.getResults().initComponents(1)[0];
+    component.setName("Odd");
+    auto provided = component.initProvided(1)[0];
+    provided.setName("Arm");
+    provided.setContract(how_ == "escapes" ? kEscape : "robots::Arm");
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> explain(ExplainContext context) override {
+    auto explanation = context.getResults().initExplained();
+    suture::explain(suture::interfaceInfo<robots::Arm>(), explanation);
+    spoil(explanation, how_);
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> open(OpenContext context) override {
+    context.getResults().setContract(kj::heap<Arm>());
+    return kj::READY_NOW;
+  }
+
+ private:
+  const std::string how_;
+};
+
+/// What lives on the control thread.
+struct Presence {
+  std::unique_ptr<suture::rpc::LinkServer> server;
+  std::unique_ptr<suture::ManagerLink> link;
+};
+
+kj::Promise<void> appear(suture::rpc::ControlThread& control, Presence& presence, char** argv) {
+  const std::string manager = argv[1], name = argv[2], how = argv[3];
+  const auto address = suture::rpc::Address::parse(manager + "." + name);
+  presence.server = std::make_unique<suture::rpc::LinkServer>(
+      control.port(), address, [how](auto) -> capnp::Capability::Client {
+        return suture::wire::Peer::Client(kj::heap<Stranger>(how));
+      });
+  presence.link =
+      std::make_unique<suture::ManagerLink>(control, suture::rpc::Address::parse(manager), name);
+  return presence.link->open(std::chrono::seconds(5)).then([&presence, name, how] {
+    return presence.link->enrol({.name = name,
+                                 .addresses = {presence.server->address().text()},
+                                 .pid = getpid(),
+                                 .host = how == "escapes" ? kEscape : "here",
+                                 .components = {},
+                                 .generation = 0});
+  });
+}
+
+}  // namespace
+
+int main(int, char** argv) {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  Presence presence;
+  suture::rpc::ControlThread control;
+  control.run(std::chrono::seconds(10), [&] { return appear(control, presence, argv); });
+  std::puts("ready");
+  std::fflush(stdout);
+  int received = 0;
+  sigwait(&signals, &received);
+  control.run(std::chrono::seconds(10), [&] { presence = {}; });
+  return 0;
+}

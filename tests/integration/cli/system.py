@@ -1,0 +1,95 @@
+"""A running system, and `suture` beside it. Arguments of a test: the programs suture, suture-manager, cli_robot, cli_stranger."""
+
+import json
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+SUTURE, MANAGER, ROBOT, STRANGER = sys.argv[1:5]
+del sys.argv[1:5]
+PATIENCE = 60  # s; only so that a hang ends the test
+
+
+def state_of(thread):
+    return (thread / "stat").read_text().rpartition(")")[2].split()[0]
+
+
+class System(unittest.TestCase):
+    def setUp(self):
+        self.maxDiff = None
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.address = f"unix:{folder.name}/manager.sock"
+
+    def start(self, *command):
+        """A process that says when it is ready; ended, in this order, when the test ends."""
+        process = subprocess.Popen(command, text=True, stdout=subprocess.PIPE)
+        self.addCleanup(self.end, process)
+        self.heard = process.stdout.readline()
+        self.assertIn("ready", self.heard)
+        return process
+
+    def start_and_hear(self, *command):
+        """The same; what it said."""
+        self.start(*command)
+        return self.heard
+
+    def end(self, process):
+        process.terminate()
+        process.communicate(timeout=PATIENCE)
+        self.assertEqual(process.returncode if process.returncode != -15 else 0, 0)
+
+    def stop(self, process):
+        """Stops it, as a debugger does; on a busy machine its threads come to know it one by one."""
+        process.send_signal(signal.SIGSTOP)
+        deadline = time.monotonic() + PATIENCE
+        while not all(state_of(thread) == "T" for thread in pathlib.Path(f"/proc/{process.pid}/task").iterdir()):
+            self.assertLess(time.monotonic(), deadline, "it does not stop")
+            time.sleep(0.001)
+
+    def start_manager(self):
+        return self.start(MANAGER, "--listen", self.address)
+
+    def start_robot(self, name="robot"):
+        return self.start(ROBOT, self.address, name)
+
+    def start_stranger(self, how):
+        return self.start(STRANGER, self.address, how, how)
+
+    def run_suture(self, *words):
+        verb, *rest = words
+        return self.run_without_manager(verb, "--manager", self.address, *rest)
+
+    def run_without_manager(self, *words):
+        done = subprocess.run([SUTURE, *words], capture_output=True, text=True, timeout=PATIENCE)
+        self.assertIn(done.returncode, (0, 1, 2), done)  # no crash
+        return done
+
+    def told_without_manager(self, *words):
+        done = self.run_without_manager(*words, "--json")
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+        return json.loads(done.stdout)
+
+    def said(self, *words):
+        """What it prints, in the end that everything is well."""
+        done = self.run_suture(*words)
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+        return done.stdout
+
+    def told(self, *words):
+        """The same for programs."""
+        return json.loads(self.said(*words, "--json"))
+
+    def refused(self, *words, status=1):
+        """What it says, to people and to programs, when it cannot do as asked."""
+        done = self.run_suture(*words)
+        self.assertEqual((done.returncode, done.stdout), (status, ""), done.stderr)
+        asked = self.run_suture(*words, "--json")
+        self.assertEqual((asked.returncode, asked.stderr), (status, ""), asked.stdout)
+        error = json.loads(asked.stdout)["error"]
+        self.assertEqual(done.stderr.rstrip("\n"), "suture: " + error)
+        return error

@@ -1,0 +1,150 @@
+"""read, call and watch."""
+
+import json
+import signal
+import subprocess
+import unittest
+
+from system import PATIENCE, SUTURE, System
+
+GRIPPER = "robot:Hand/Gripper"
+POSE = {f"m{row}{column}": float(row == column) for row in range(3) for column in range(3)} | {"x": 1.5, "y": 0.0, "z": -2.0}
+GOAL = json.dumps({"goal": {"pose": POSE, "stamp": 7, "valid": True}})
+
+
+class Use(System):
+    def setUp(self):
+        super().setUp()
+        self.start_manager()
+        self.robot = self.start_robot()
+
+    def test_read_a_number(self):
+        self.said("call", GRIPPER, "open", "width=0.25")
+        self.assertRegex(self.said("read", GRIPPER, "opening"), r"^0\.25, \d+\.\d ms old\n$")
+        told = self.told("read", GRIPPER, "opening")
+        self.assertEqual((told["command"], told["kind"], told["value"]), ("opening", "read", 0.25))
+        self.assertGreaterEqual(told["age_ms"], 0)
+
+    def test_read_one_of_everything(self):
+        value = self.told("read", GRIPPER, "everything")["value"]
+        self.assertEqual(value["label"], "hand")
+        self.assertEqual(value["bytes"], [1, 2, 255])
+        self.assertEqual(value["flags"], [True, False])
+        self.assertEqual(value["names"], ["left", "right"])
+        self.assertEqual(value["ratio"], 0.1)
+        self.assertEqual(value["mode"], "Servo")
+        self.assertEqual(value["goal"]["pose"]["x"], 0.5)
+        self.assertEqual(value["point"], {"x": 0.0, "y": 2.0, "z": 0.0})
+
+    def test_a_pose_is_shown_as_a_matrix_with_its_unit(self):
+        text = self.said("read", GRIPPER, "everything")
+        self.assertRegex(text, r"\ngoal\n  pose\n    1\.0  0\.0  0\.0  \| 0\.5\n    0\.0  1\.0  0\.0  \| 0\.0\n")
+        self.assertRegex(text, r"\nspeed \[m/s\] +0\.25\n")
+        self.assertRegex(text, r"\nnames +\[\"left\", \"right\"\]\n")
+
+    def test_call_each_kind(self):
+        self.assertEqual(self.said("call", GRIPPER, "enable"), "done\n")
+        self.assertEqual(self.told("call", GRIPPER, "enable"), {"command": "enable", "kind": "void"})
+        self.assertEqual(self.said("call", GRIPPER, "set_speed", "speed=0.5"), "done\n")
+        self.assertEqual(self.said("call", GRIPPER, "next_token"), "1\n")
+        self.assertEqual(self.told("call", GRIPPER, "next_token")["value"], 2)
+        self.assertEqual(self.said("call", GRIPPER, "grasp", "width=1", "mode=HoldStill"), "true\n")
+        self.assertEqual(self.said("call", GRIPPER, "fits", "width=0.2"), "false\n")
+        self.assertEqual(self.told("call", GRIPPER, "mode")["value"], "HoldStill")
+
+    def test_arguments_as_json_and_by_their_paths(self):
+        self.said("call", GRIPPER, "servo_cp", "--args", GOAL)
+        self.assertEqual(self.told("read", GRIPPER, "measured_cp")["value"]["pose"], POSE)
+        self.said("call", GRIPPER, "servo_cp", "--args", GOAL, "goal.pose.x=0.125", "goal.stamp=9")
+        value = self.told("read", GRIPPER, "measured_cp")["value"]
+        self.assertEqual((value["pose"]["x"], value["pose"]["z"], value["stamp"], value["valid"]), (0.125, -2.0, 9, True))
+
+    def test_what_was_read_can_be_sent(self):
+        """So nothing of a type is lost on the way through JSON."""
+        value = self.told("read", GRIPPER, "everything")["value"]
+        arguments = json.dumps({"x": value["goal"]})
+        self.assertEqual(self.told("call", GRIPPER, "inverse_kinematics", "--args", arguments, "tolerance=1")["value"], value)
+
+    def test_arguments_that_are_wrong(self):
+        def error(*arguments):
+            return self.refused("call", GRIPPER, *arguments, status=2)
+
+        self.assertEqual(error("open"), "argument 'width': it is not given. Give all of 'width'; nothing is filled in")
+        self.assertIn("argument 'widht': there is 'width'. Did you mean 'width'?", error("open", "widht=1"))
+        self.assertIn("argument 'width': it is \"wide\". Give a number", error("open", "width=wide"))
+        self.assertIn("argument 'mode': it is \"Serv\". Give one of 'Disabled', 'HoldStill' and 'Servo'",
+                      error("grasp", "width=1", "mode=Serv"))
+        self.assertIn("argument 'goal.pose.y': it is not given",
+                      error("servo_cp", "goal.pose.m00=1", *(f"goal.pose.{name}={value}" for name, value in POSE.items()
+                                                             if name != "y")))
+        self.assertIn("argument 'goal.valid': it is 1. Give true or false", error("servo_cp", "--args", GOAL, "goal.valid=1"))
+        self.assertIn("argument 'goal.stamp': it is 0.5. Give a whole number", error("servo_cp", "--args", GOAL, "goal.stamp=0.5"))
+        self.assertIn("is not a JSON object", error("open", "--args", "[1]"))
+        self.assertIn("it has no name", error("open", "0.5"))
+
+    def test_the_providers_refusal_is_told(self):
+        error = self.refused("call", GRIPPER, "inverse_kinematics", "--args", json.dumps({"x": json.loads(GOAL)["goal"]}),
+                             "tolerance=2")
+        self.assertEqual(error, f"call inverse_kinematics of {GRIPPER}: value outside its declared limits. "
+                                f"`suture describe {GRIPPER}` tells what it takes")
+
+    def test_a_handler_that_throws(self):
+        error = self.refused("call", GRIPPER, "grasp", "width=-1", "mode=Servo")
+        self.assertIn("the provider's handler threw. `suture read robot:Hand/component component_state` tells how it is", error)
+        self.assertRegex(self.said("read", "robot:Hand/component", "component_state"), "^Faulted, ")
+
+    def test_only_reads_are_read(self):
+        error = self.refused("read", GRIPPER, "enable")
+        self.assertIn(f"it is a command of kind void. Run it: suture call {GRIPPER} enable", error)
+
+    def watch(self, *words):
+        process = subprocess.Popen([SUTURE, "watch", "--manager", self.address, "--json", *words], text=True,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        return process
+
+    def test_watch_a_read(self):
+        lines = self.said("watch", GRIPPER, "opening", "--rate", "100", "--count", "3").splitlines()
+        self.assertEqual(len(lines), 3)
+        for line in lines:
+            self.assertRegex(line, r"^ +\d+\.\d{3} s  opening  0\.0$")
+        values = [json.loads(line) for line in self.said("watch", GRIPPER, "opening", "--for", "100ms", "--json").splitlines()]
+        self.assertGreaterEqual(len(values), 1)
+        self.assertEqual({one["value"] for one in values}, {0.0})
+
+    def test_watch_an_event(self):
+        self.said("call", GRIPPER, "set_speed", "speed=0.5")  # `moved` is latched: it is there when we come
+        watching = self.watch(GRIPPER, "moved", "--count", "2")
+        first = json.loads(watching.stdout.readline())
+        self.assertEqual((first["event"], first["value"]["value2"], first["value"]["value3"]), ("moved", 0.5, "Servo"))
+        self.said("call", GRIPPER, "set_speed", "speed=0.75")
+        second = json.loads(watching.stdout.readline())
+        self.assertEqual(second["value"]["value2"], 0.75)
+        self.assertGreaterEqual(second["elapsed"], first["elapsed"])
+        self.assertEqual(watching.wait(PATIENCE), 0)
+
+    def test_watch_all_events_until_told_to_end(self):
+        for told in (signal.SIGINT, signal.SIGTERM):
+            self.said("call", GRIPPER, "set_speed", "speed=0.5")
+            watching = self.watch(GRIPPER)
+            watching.stdout.readline()  # a latched one: it listens now
+            self.said("call", GRIPPER, "enable")
+            while (heard := json.loads(watching.stdout.readline()))["event"] != "stopped":
+                pass
+            self.assertIsNone(heard["value"])
+            watching.send_signal(told)
+            self.assertEqual(watching.wait(PATIENCE), 0)
+
+    def test_watch_ends_with_the_provider(self):
+        self.said("call", GRIPPER, "set_speed", "speed=0.5")
+        watching = self.watch(GRIPPER, "moved")
+        watching.stdout.readline()
+        self.robot.kill()
+        output, errors = watching.communicate(timeout=PATIENCE)
+        self.assertEqual((watching.returncode, errors), (1, ""))
+        self.assertIn("process 'robot' is gone", json.loads(output)["error"])
+        self.robot.returncode = 0  # as intended
+
+
+unittest.main()

@@ -1,0 +1,70 @@
+#pragma once
+// A process that a test starts, and ends.
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// A child process with what it prints. Killed at the end if it has not been ended.
+class Child {
+ public:
+  /// `prepare` runs in the child before the program.
+  explicit Child(std::vector<std::string> arguments, const std::function<void()>& prepare = {}) {
+    std::vector<char*> raw;
+    for (auto& argument : arguments) raw.push_back(argument.data());
+    raw.push_back(nullptr);
+    int out[2];
+    if (pipe2(out, O_CLOEXEC) != 0) std::abort();
+    pid_ = fork();
+    if (pid_ == 0) {
+      dup2(out[1], STDOUT_FILENO);
+      if (prepare) prepare();
+      execv(raw[0], raw.data());
+      _exit(127);
+    }
+    close(out[1]);
+    output_ = out[0];
+  }
+  ~Child() {
+    if (pid_ > 0) end(SIGKILL);
+    close(output_);
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  /// The next line that it prints; what there is of it if the child ends or is silent for a minute.
+  std::string line() {
+    std::string text;
+    char one;
+    pollfd readable{output_, POLLIN, 0};
+    while (poll(&readable, 1, 60'000) > 0 && read(output_, &one, 1) == 1 && one != '\n') {
+      text += one;
+    }
+    return text;
+  }
+  void signal(int number) const { kill(pid_, number); }
+  pid_t pid() const { return pid_; }
+  /// Its exit status, or minus the signal that ended it. `number` 0: waits for it to end by itself.
+  int end(int number) {
+    if (number != 0) signal(number);
+    int status = 0;
+    waitpid(pid_, &status, 0);
+    pid_ = 0;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  }
+
+ private:
+  pid_t pid_ = 0;
+  int output_ = -1;
+};
+
+}  // namespace suture

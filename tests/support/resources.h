@@ -1,0 +1,34 @@
+#pragma once
+// What this process holds of the machine.
+
+#include <unistd.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace suture {
+
+inline std::size_t entriesOf(const char* folder) {
+  return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder),
+                                                std::filesystem::directory_iterator()));
+}
+
+inline std::size_t openDescriptors() { return entriesOf("/proc/self/fd"); }
+inline std::size_t threads() { return entriesOf("/proc/self/task"); }
+
+inline std::size_t residentBytes() {
+  std::size_t size = 0, resident = 0;
+  std::ifstream("/proc/self/statm") >> size >> resident;
+  return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+/// False under a sanitizer, which keeps what has been freed.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kGivesMemoryBack = false;
+#else
+constexpr bool kGivesMemoryBack = true;
+#endif
+
+}  // namespace suture

@@ -1,0 +1,80 @@
+// Schemas with random bytes in them: refused, or used without harm. What harm is, the sanitizers
+// say.
+
+#include <capnp/dynamic.h>
+#include <capnp/serialize.h>
+#include <gtest/gtest.h>
+#include <suture/base/errors.h>
+#include <suture/cli/contract.h>
+#include <suture/cli/contract_text.h>
+#include <suture/cli/from_json.h>
+#include <suture/cli/to_json.h>
+
+#include <random>
+
+#include "robots/arm.capnp.h"
+#include "unit/cli/explanation.h"
+
+namespace suture::cli {
+namespace {
+
+constexpr unsigned kRounds = 2000;
+constexpr unsigned kSeed = 20'26;
+
+void spoil(kj::ArrayPtr<kj::byte> bytes, std::mt19937& random) {
+  const unsigned changes = 1 + random() % 8;
+  for (unsigned i = 0; i < changes; ++i) {
+    bytes[random() % bytes.size()] = static_cast<kj::byte>(random());
+  }
+}
+
+/// Both directions, with memory of a struct that is none of these types.
+void use(const Contract& contract) {
+  capnp::MallocMessageBuilder any;
+  auto filled = any.initRoot<robots::wire::Everything>();
+  filled.setLabel("text");
+  filled.setCount(7);
+  filled.initGoal().initPose().setX(1);
+  for (const Member& command : contract.commands()) {
+    try {
+      const auto results = any.getRoot<capnp::AnyPointer>().asReader().getAs<capnp::DynamicStruct>(
+          command.method.getResultType());
+      toJson(results, Labels::Units);
+      capnp::MallocMessageBuilder arguments;
+      const auto parameters =
+          arguments.initRoot<capnp::DynamicStruct>(command.method.getParamType());
+      fill(parameters, toJson(parameters.asReader(), Labels::Names), "");
+    } catch (const SetupError&) {
+      // Refused in words.
+    } catch (const kj::Exception&) {
+      // The same by the library.
+    }
+  }
+}
+
+TEST(HostileSchema, IsRefusedOrDoesNoHarm) {
+  Explained explained;
+  const auto original = capnp::messageToFlatArray(explained.message());
+  std::mt19937 random(kSeed);
+  unsigned refused = 0, used = 0;
+  for (unsigned round = 0; round < kRounds; ++round) {
+    auto words = kj::heapArray<capnp::word>(original.asPtr());
+    spoil(words.asBytes().slice(16, words.asBytes().size()), random);
+    try {
+      capnp::FlatArrayMessageReader message(words);
+      const Contract contract("robot:Hand/Gripper", message.getRoot<wire::Explanation>());
+      contractText(contract);
+      use(contract);
+      ++used;
+    } catch (const SetupError&) {
+      ++refused;
+    } catch (const kj::Exception&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(used, kRounds / 20);
+  EXPECT_GT(refused, kRounds / 20);
+}
+
+}  // namespace
+}  // namespace suture::cli

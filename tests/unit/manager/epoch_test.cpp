@@ -1,0 +1,181 @@
+// Connections of one required interface that reach the provider in another order than they were
+// made.
+
+#include <gtest/gtest.h>
+#include <suture/component/channel.h>
+#include <suture/component/event_task.h>
+#include <suture/manager/global_manager.h>
+#include <suture/manager/manager.h>
+#include <suture/manager/manager_link.h>
+#include <suture/peer.capnp.h>
+#include <suture/transport/rpc/control_thread.h>
+#include <suture/transport/rpc/dialer.h>
+
+#include <atomic>
+#include <string>
+
+#include "support/eventually.h"
+#include "support/temporary_directory.h"
+#include "unit/manager/still_arm.h"
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+
+struct ArmTask final : EventTask, StillArm {
+  ~ArmTask() override { stop(); }
+  void run() override {}
+  Provided<reference::ArmLike> port{*this, "Arm", *this};
+};
+
+/// Counts how often it has heard that the provider closed the connection.
+class Notices final : public wire::Notices::Server {
+ public:
+  explicit Notices(std::atomic<int>& closed) : closed_(closed) {}
+
+ protected:
+  kj::Promise<void> closed(ClosedContext) override {
+    ++closed_;
+    return kj::READY_NOW;
+  }
+
+ private:
+  std::atomic<int>& closed_;
+};
+
+/// A link whose caller says what he likes of himself.
+class Caller {
+ public:
+  Caller(const std::string& provider, std::string bootId) : bootId_(std::move(bootId)) {
+    control_.run(10s, [this, address = rpc::Address::parse(provider)] {
+      return rpc::dial(control_.port(), address, 5s).then([this](kj::AutoCloseFd socket) {
+        link_ = kj::heap<rpc::Link>(kj::heap<rpc::MessageStream>(control_.port(), kj::mv(socket)),
+                                    capnp::rpc::twoparty::Side::CLIENT);
+      });
+    });
+  }
+  ~Caller() {
+    control_.run(10s, [this] {
+      held_ = nullptr;
+      link_ = nullptr;
+    });
+  }
+  Caller(const Caller&) = delete;
+  Caller& operator=(const Caller&) = delete;
+
+  /// Connects "left:Teleop/Slave" to PSM/Arm: the refusal, or "".
+  std::string connect(std::int64_t epoch) {
+    return control_.run(10s, [this, epoch] {
+      auto peer = link_->bootstrap<wire::Peer>();
+      auto hello = peer.helloRequest();
+      hello.setVersion(wire::PROTOCOL_VERSION);
+      hello.setProcess("left");
+      hello.setBootId(textOf(bootId_));
+      return hello.send().then([this, peer, epoch](auto&&) mutable {
+        const InterfaceInfo& info = interfaceInfo<reference::ArmLike>();
+        auto request = peer.connectRequest();
+        request.setFromProcess("left");
+        request.setFromComponent("Teleop");
+        request.setRequired("Slave");
+        request.setToComponent("PSM");
+        request.setProvided("Arm");
+        request.setContract(info.name);
+        request.setHash(info.hash);
+        request.setDescription(info.description);
+        request.setEpoch(epoch);
+        request.setNotices(kj::heap<Notices>(closed));
+        return request.send().then([this](auto&& results) {
+          if (results.isRefused()) return fromWire(results.getRefused()).text;
+          held_ = results.getAccepted().getConnection();
+          return std::string();
+        });
+      });
+    });
+  }
+
+  std::atomic<int> closed{0};
+
+ private:
+  const std::string bootId_;
+  rpc::ControlThread control_;
+  kj::Own<rpc::Link> link_;
+  kj::Maybe<wire::Connection::Client> held_;
+};
+
+class Epochs : public testing::Test {
+ protected:
+  Epochs() {
+    there_.add("PSM", arm_);
+    there_.start();
+    rpc::ControlThread control;
+    provider_ = control.run(20s, [&control, address = rpc::Address::parse(names_.address())] {
+      auto link = kj::heap<ManagerLink>(control, address, "test");
+      auto& held = *link;
+      return held.open(5s)
+          .then([&held] { return held.resolve("there", 5s); })
+          .then([](ProcessRecord record) { return record.addresses.at(0); })
+          .attach(kj::mv(link));
+    });
+  }
+  /// Of the connections that stand.
+  std::size_t standing() const {
+    std::size_t count = 0;
+    for (const auto& channel : there_.channels()) count += channel->status != ChannelStatus::Closed;
+    return count;
+  }
+
+  const TemporaryDirectory directory_;
+  rpc::ControlThread control_;
+  GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
+  ArmTask arm_;
+  Manager there_{"there", names_.address()};
+  std::string provider_;
+};
+
+TEST_F(Epochs, ALaterConnectionEndsTheOneBefore) {
+  Caller first(provider_, "a"), second(provider_, "a");
+  EXPECT_EQ(first.connect(5), "");
+  const auto channel = there_.channels().at(0);
+  EXPECT_EQ(second.connect(6), "");
+  EXPECT_EQ(channel->status, ChannelStatus::Closed);
+  EXPECT_TRUE(eventually([&] { return first.closed == 1; })) << "it is told, if it still lives";
+  EXPECT_EQ(second.closed, 0);
+  EXPECT_EQ(standing(), 1u);
+}
+
+TEST_F(Epochs, OneThatComesTooLateIsRefused) {
+  Caller first(provider_, "a"), second(provider_, "a");
+  EXPECT_EQ(second.connect(6), "");
+  EXPECT_EQ(first.connect(5),
+            "connecting left:Teleop/Slave -> there:PSM/Arm: a later attempt of the same interface "
+            "has come first. Nothing has to be done.");
+  EXPECT_EQ(standing(), 1u);
+}
+
+TEST_F(Epochs, OfDifferentClocksAreNotCompared) {
+  Caller first(provider_, "a"), second(provider_, "b");
+  EXPECT_EQ(first.connect(6), "");
+  EXPECT_EQ(second.connect(5), "") << "its machine has been started again";
+  EXPECT_EQ(standing(), 1u);
+}
+
+TEST_F(Epochs, WhatHasEndedIsForgotten) {
+  {
+    Caller first(provider_, "a");
+    EXPECT_EQ(first.connect(6), "");
+  }
+  ASSERT_TRUE(eventually([&] { return standing() == 0; }));
+  Caller second(provider_, "a");
+  EXPECT_EQ(second.connect(5), "");
+}
+
+TEST_F(Epochs, WhoTellsNoneNeitherEndsNorIsEnded) {
+  Caller first(provider_, "a"), second(provider_, "a");
+  EXPECT_EQ(first.connect(0), "");
+  EXPECT_EQ(second.connect(0), "");
+  EXPECT_EQ(standing(), 2u);
+}
+
+}  // namespace
+}  // namespace suture

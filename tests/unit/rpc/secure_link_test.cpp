@@ -1,0 +1,248 @@
+// Links between those who can prove who they are, and those who cannot.
+
+#include <gtest/gtest.h>
+#include <suture/transport/rpc/dialer.h>
+#include <suture/transport/rpc/link_server.h>
+#include <suture/transport/tls/key_maker.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <thread>
+
+#include "echo_server.h"
+#include "socket_pair.h"
+#include "support/contains.h"
+#include "support/refusal.h"
+#include "support/temporary_directory.h"
+
+namespace suture::rpc {
+namespace {
+
+using namespace std::chrono_literals;
+using capnp::rpc::twoparty::Side;
+using test::Echo;
+
+constexpr uid_t kNobody = 65534;
+
+/// Runs `work` as another user: this thread alone, as the kernel sees it. Needs root.
+template <class Work>
+void asNobody(Work work) {
+  std::thread([&] {
+    ASSERT_EQ(syscall(SYS_setresuid, -1, kNobody, -1), 0);
+    work();
+  }).join();
+}
+
+class SecureLinkTest : public testing::Test {
+ public:
+  SecureLinkTest() {
+    tls::makeKeys(keys_, {"server", "client"});
+    // Long enough for a slow machine; the tests wait for what happens then.
+    limits_.handshakeMilliseconds = 1000;
+    limits_.helloMilliseconds = 1000;
+  }
+  ~SecureLinkTest() noexcept override {}
+
+ protected:
+  Trust trustOf(const std::string& process) const {
+    return {.keys = std::make_shared<const tls::Keys>(keys_, process)};
+  }
+  std::string unixAddress() const { return "unix:" + directory_.file("s"); }
+
+  void serve(const std::string& address, Trust trust) {
+    server_ = kj::heap<LinkServer>(
+        port_, Address::parse(address),
+        [this](std::shared_ptr<Caller> caller) -> capnp::Capability::Client {
+          caller->known = knows_;
+          last_ = caller->identity;
+          return Echo::Client(kj::heap<EchoServer>());
+        },
+        limits_, 3, std::move(trust));
+  }
+  void serveTls() { serve("tls://127.0.0.1:0", trustOf("server")); }
+
+  kj::Own<Link> linkOn(ByteStream bytes) {
+    return kj::heap<Link>(kj::heap<MessageStream>(port_, kj::mv(bytes)), Side::CLIENT);
+  }
+  kj::Own<Link> connect(const Trust& trust, const std::string& expected = "server") {
+    return linkOn(reach(port_, server_->address(), trust, expected, 5s).wait(port_.scope()));
+  }
+  /// What a call over `link` fails with.
+  std::string callFault(Link& link) {
+    try {
+      echo(link.bootstrap<Echo>(), 1).wait(port_.scope());
+    } catch (const kj::Exception& e) {
+      return describe(e);
+    }
+    return "answered";
+  }
+  std::string reachFault(const Address& address, const Trust& trust, const std::string& expected) {
+    try {
+      reach(port_, address, trust, expected, 5s).wait(port_.scope());
+    } catch (const kj::Exception& e) {
+      return describe(e);
+    }
+    return "connected";
+  }
+  kj::AutoCloseFd dialServer() { return dial(port_, server_->address(), 5s).wait(port_.scope()); }
+  std::size_t echoed(Link& link, std::size_t size) {
+    return echo(link.bootstrap<Echo>(), size).wait(port_.scope());
+  }
+
+  const TemporaryDirectory directory_;
+  const std::filesystem::path keys_ = directory_.path() / "keys";
+  StreamLimits limits_;
+  bool knows_ = true;
+  PeerIdentity last_;
+  EventPort port_;
+  kj::Own<LinkServer> server_;
+};
+
+TEST_F(SecureLinkTest, CallsOfAnySizeReturn) {
+  serveTls();
+  auto link = connect(trustOf("client"));
+  for (const std::size_t size : {0u, 1u, 1000u, 16'384u, 100'000u, 8u << 20}) {
+    EXPECT_EQ(echoed(*link, size), size);
+  }
+  EXPECT_EQ(last_.proof, PeerIdentity::Proof::Certificate);
+  EXPECT_EQ(last_.process, "client");
+}
+
+TEST_F(SecureLinkTest, ManyCallsInFlight) {
+  serveTls();
+  auto link = connect(trustOf("client"));
+  auto client = link->bootstrap<Echo>();
+  auto calls = kj::heapArrayBuilder<kj::Promise<std::size_t>>(1000);
+  for (std::size_t i = 0; i < 1000; ++i) calls.add(echo(client, i * 37));
+  auto sizes = kj::joinPromises(calls.finish()).wait(port_.scope());
+  for (std::size_t i = 0; i < 1000; ++i) EXPECT_EQ(sizes[i], i * 37);
+}
+
+TEST_F(SecureLinkTest, AnotherProcessThanIsExpectedIsLeft) {
+  serveTls();
+  const std::string fault = reachFault(server_->address(), trustOf("client"), "PSM");
+  EXPECT_TRUE(contains(fault, "it has the certificate of process 'server', and 'PSM' is expected"))
+      << fault;
+}
+
+TEST_F(SecureLinkTest, WithoutKeysThereIsNoTls) {
+  const std::string dialled =
+      refusal([&] { reach(port_, Address::parse("tls://127.0.0.1:7"), {}, "server", 1s); });
+  EXPECT_TRUE(contains(dialled, "this process has no keys")) << dialled;
+  const std::string served = refusal([&] { serve("tls://127.0.0.1:0", {}); });
+  EXPECT_TRUE(contains(served, "this process has no keys")) << served;
+}
+
+TEST_F(SecureLinkTest, AnotherSystemsCertificateGetsNoLink) {
+  serveTls();
+  const auto other = directory_.path() / "other";
+  tls::makeKeys(other, {"client"});
+  const Trust stranger{.keys = std::make_shared<const tls::Keys>(other, "client")};
+  const std::string fault = reachFault(server_->address(), stranger, "server");
+  EXPECT_TRUE(contains(fault, "is not signed by this system's CA")) << fault;
+  EXPECT_EQ(last_.process, "") << "nothing was offered to it";
+}
+
+TEST_F(SecureLinkTest, APlainClientAtATlsPortIsToldSo) {
+  serveTls();
+  auto link = linkOn(dialServer());
+  const std::string fault = callFault(*link);
+  EXPECT_TRUE(contains(fault, "it speaks TLS, and this end does not")) << fault;
+  EXPECT_EQ(echoed(*connect(trustOf("client")), 1), 1u) << "and others are served";
+}
+
+TEST_F(SecureLinkTest, ATlsClientAtAPlainPortIsToldSo) {
+  serve("tcp://127.0.0.1:0", {});
+  Address address = server_->address();
+  address.kind = Address::Kind::Tls;
+  const std::string fault = reachFault(address, trustOf("client"), "server");
+  EXPECT_TRUE(contains(fault, "it does not speak TLS")) << fault;
+}
+
+TEST_F(SecureLinkTest, GarbageAtATlsPortIsCutOffAndOthersAreServed) {
+  serveTls();
+  auto link = connect(trustOf("client"));
+  const std::string garbage[] = {std::string(64, '\xff'), std::string(64, '\0'),
+                                 "GET / HTTP/1.1\r\n\r\n",
+                                 std::string("\x16\x03\x01\xff\xff", 5) + std::string(70'000, 'x')};
+  for (const std::string& said : garbage) {
+    auto hostile = dialServer();
+    sendText(hostile, said);
+    EXPECT_TRUE(closes(port_, hostile)) << said.substr(0, 5);
+    EXPECT_EQ(echoed(*link, 1), 1u);
+  }
+}
+
+TEST_F(SecureLinkTest, HalfAHandshakeHeldOpenEndsAtTheDeadline) {
+  serveTls();
+  kj::Vector<kj::AutoCloseFd> held;
+  for (int i = 0; i < 3; ++i) {  // as many as there may be links
+    held.add(dialServer());
+    sendText(held.back(), std::string("\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03", 11));
+  }
+  const Time begin = now();
+  for (const auto& socket : held) EXPECT_TRUE(closes(port_, socket));
+  EXPECT_GE(now() - begin, 900ms) << "not for another reason";
+  EXPECT_EQ(echoed(*connect(trustOf("client")), 1), 1u) << "their places are free again";
+}
+
+TEST_F(SecureLinkTest, WhoSaysNothingAfterTheHandshakeIsClosed) {
+  knows_ = false;
+  serveTls();
+  auto link = connect(trustOf("client"));
+  EXPECT_EQ(echoed(*link, 1), 1u);  // a message, but not what it wants
+  auto late = port_.getTimer().afterDelay(8 * kj::SECONDS).then([] { return false; });
+  auto gone = link->onDisconnect().then([] { return true; });
+  EXPECT_TRUE(gone.exclusiveJoin(kj::mv(late)).wait(port_.scope()));
+  EXPECT_NE(callFault(*link), "answered");
+}
+
+TEST_F(SecureLinkTest, WhoIsKnownStays) {
+  serve(unixAddress(), {});
+  auto link = connect({});
+  EXPECT_EQ(echoed(*link, 1), 1u);
+  port_.getTimer().afterDelay(1500 * kj::MILLISECONDS).wait(port_.scope());  // beyond the deadline
+  EXPECT_EQ(echoed(*link, 1), 1u);
+  EXPECT_EQ(last_.proof, PeerIdentity::Proof::User);
+  EXPECT_EQ(last_.user, geteuid());
+}
+
+TEST_F(SecureLinkTest, AProcessOfAnotherUserHearsWhyItIsRefused) {
+  if (geteuid() != 0) GTEST_SKIP() << "needs root, to be somebody else";
+  for (const bool trusted : {false, true}) {
+    serve(unixAddress(), {.keys = nullptr, .users = {trusted ? kNobody : kNobody - 1}});
+    std::filesystem::permissions(directory_.path(), std::filesystem::perms::all);
+    kj::AutoCloseFd socket;
+    asNobody([&] {
+      socket = kj::AutoCloseFd(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0));
+      const SocketAddress target(server_->address());
+      ASSERT_EQ(::connect(socket, target.get(), target.length), 0) << strerror(errno);
+    });
+    auto link = linkOn(kj::mv(socket));
+    const std::string fault = callFault(*link);
+    EXPECT_EQ(fault == "answered", trusted) << fault;
+    if (!trusted) {
+      EXPECT_TRUE(contains(fault, "it does not talk to user 65534")) << fault;
+    }
+    server_ = nullptr;
+  }
+}
+
+TEST_F(SecureLinkTest, ASocketOfAnotherUserIsLeft) {
+  if (geteuid() != 0) GTEST_SKIP() << "needs root, to be somebody else";
+  std::filesystem::permissions(directory_.path(), std::filesystem::perms::all);
+  const Address address = Address::parse(unixAddress());
+  kj::AutoCloseFd squatter(socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0));
+  asNobody([&] {
+    const SocketAddress target(address);
+    ASSERT_EQ(bind(squatter, target.get(), target.length), 0);
+    ASSERT_EQ(listen(squatter, 5), 0);
+  });
+  const std::string fault = reachFault(address, {}, "server");
+  EXPECT_TRUE(contains(fault, "it is run by user 65534")) << fault;
+  EXPECT_EQ(reachFault(address, {.keys = nullptr, .users = {kNobody}}, "server"), "connected");
+}
+
+}  // namespace
+}  // namespace suture::rpc

@@ -1,0 +1,329 @@
+// Queues between two processes, whose other end may write anything at any time.
+#include <gtest/gtest.h>
+#include <suture/base/arena.h>
+#include <suture/base/errors.h>
+#include <suture/rt/doorbell.h>
+#include <suture/rt/event_queue.h>
+#include <suture/rt/latest_cell.h>
+#include <suture/rt/mailbox.h>
+#include <suture/rt/mpsc_ring.h>
+#include <suture/rt/spsc_ring.h>
+#include <suture/rt/state_table.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstring>
+#include <memory>
+#include <random>
+#include <thread>
+#include <vector>
+
+namespace suture::rt::foreign_memory {
+namespace {
+
+constexpr std::size_t kBytes = 1u << 16;
+
+/// One block, and what each of two processes makes of it.
+template <class Queue>
+class Shared {
+ public:
+  template <class... Arguments>
+  explicit Shared(const Arguments&... arguments) {
+    Arena here(block, Arena::Content::Zeros), there(block, Arena::Content::Made);
+    producer = std::make_unique<Queue>(arguments..., here);
+    consumer = std::make_unique<Queue>(arguments..., there);
+    used = here.used();
+  }
+
+  std::span<std::byte> bytes() { return {block->data(), used}; }
+
+  std::shared_ptr<MemoryBlock> block = std::make_shared<MemoryBlock>("test", kBytes);
+  std::unique_ptr<Queue> producer, consumer;
+  std::size_t used = 0;
+};
+
+void put(SpscRing& ring, std::uint64_t value) {
+  std::byte* const memory = ring.claim(sizeof(value));
+  ASSERT_NE(memory, nullptr);
+  std::memcpy(memory, &value, sizeof(value));
+  ring.commit();
+}
+
+std::uint64_t valueAt(const std::byte* memory) {
+  std::uint64_t value;
+  std::memcpy(&value, memory, sizeof(value));
+  return value;
+}
+
+TEST(Arena, CountsWhatABlockHasToHave) {
+  Arena heap;
+  const SpscRing ring(256, heap);
+  Arena block(std::make_shared<MemoryBlock>("test", heap.used()), Arena::Content::Zeros);
+  const SpscRing other(256, block);
+  EXPECT_EQ(block.used(), heap.used());
+  EXPECT_THROW(block.take(1), SetupError);
+}
+
+TEST(ForeignSpscRing, CarriesRecordsRoundAndRound) {
+  Shared<SpscRing> ring(std::size_t{100});
+  for (std::uint64_t i = 0; i < 1000; ++i) {
+    put(*ring.producer, i);
+    const std::byte* const front = ring.consumer->front();
+    ASSERT_NE(front, nullptr);
+    EXPECT_EQ(front, ring.consumer->front());  // until pop()
+    EXPECT_EQ(valueAt(front), i);
+    EXPECT_EQ(ring.consumer->frontSize(), sizeof(i));
+    ring.consumer->pop();
+    EXPECT_EQ(ring.consumer->front(), nullptr);
+  }
+}
+
+TEST(ForeignSpscRing, AFrontIsACopy) {
+  Shared<SpscRing> ring(std::size_t{100});
+  put(*ring.producer, 7);
+  const std::byte* const front = ring.consumer->front();
+  std::ranges::fill(ring.bytes(), std::byte{0xff});
+  EXPECT_EQ(valueAt(front), 7u);
+  ring.consumer->pop();
+}
+
+TEST(ForeignSpscRing, AProducerBelievesNobodysPositionsButItsOwn) {
+  Shared<SpscRing> ring(std::size_t{100});
+  put(*ring.producer, 1);
+  std::ranges::fill(ring.bytes().first(128), std::byte{0xee});  // both positions
+  for (int i = 0; i < 100; ++i) {
+    std::byte* const memory = ring.producer->claim(8);
+    if (memory == nullptr) break;
+    EXPECT_GE(memory, ring.block->data());
+    EXPECT_LE(memory + 8, ring.block->data() + ring.used);
+    ring.producer->commit();
+  }
+}
+
+// Whatever lies there: each read stays within the copy and every loop ends.
+template <class Queue, class Use, class... Arguments>
+void survivesAnything(const Use& use, const Arguments&... arguments) {
+  std::mt19937_64 random(20260722);
+  for (int round = 0; round < 2000; ++round) {
+    Shared<Queue> queue(arguments...);
+    use(queue, [&] {
+      const auto bytes = queue.bytes();
+      const int writes = 1 + static_cast<int>(random() % 8);
+      for (int i = 0; i < writes; ++i) {
+        const std::uint64_t values[] = {0,          1,          0xff,     ~std::uint64_t{0},
+                                        1ull << 63, 0xdeadbeef, random(), random() % 512};
+        const std::uint64_t value = values[random() % std::size(values)];
+        const std::size_t at = random() % (bytes.size() / 8) * 8;
+        std::memcpy(bytes.data() + (random() % 3 == 0 ? at % 256 : at), &value, 8);
+      }
+    });
+  }
+}
+
+TEST(ForeignSpscRing, SurvivesAnything) {
+  survivesAnything<SpscRing>(
+      [](Shared<SpscRing>& ring, const auto& scramble) {
+        for (std::uint64_t i = 0; i < 5; ++i) put(*ring.producer, i);
+        scramble();
+        for (int i = 0; i < 100; ++i) {
+          const std::byte* const front = ring.consumer->front();
+          if (front == nullptr) break;
+          EXPECT_LE(ring.consumer->frontSize(), ring.used);
+          std::vector<std::byte> copy(front, front + ring.consumer->frontSize());
+          ring.consumer->pop();
+        }
+      },
+      std::size_t{200});
+}
+
+TEST(ForeignMpscRing, SurvivesAnything) {
+  survivesAnything<MpscRing>(
+      [](Shared<MpscRing>& ring, const auto& scramble) {
+        for (int i = 0; i < 3; ++i) ring.producer->commit(ring.producer->claim());
+        scramble();
+        for (int i = 0; i < 20; ++i) {
+          if (std::byte* const cell = ring.producer->claim()) ring.producer->commit(cell);
+          if (ring.consumer->front() != nullptr) ring.consumer->pop();
+        }
+      },
+      std::size_t{8}, std::size_t{24});
+}
+
+TEST(ForeignLatestCell, SurvivesAnything) {
+  survivesAnything<LatestCell>(
+      [](Shared<LatestCell>& cell, const auto& scramble) {
+        for (int i = 0; i < 10; ++i) {
+          std::memset(cell.producer->claim(), i, 40);
+          cell.producer->commit();
+          scramble();
+          if (cell.consumer->take()) {
+            std::vector<std::byte> copy(cell.consumer->front(), cell.consumer->front() + 40);
+          }
+        }
+      },
+      std::size_t{40});
+}
+
+const std::array<CommandLimits, 3> kCommands = {
+    CommandLimits{.argumentsSize = 8, .depth = 4, .latest = false},
+    CommandLimits{.argumentsSize = 64, .depth = 4, .latest = true},
+    CommandLimits{.argumentsSize = 24, .depth = 2, .latest = false}};
+
+void send(Mailbox& mailbox, std::uint16_t command, std::uint8_t byte) {
+  const Result<std::byte*> arguments = mailbox.claim(command, now(), 0);
+  if (!arguments) return;
+  std::memset(*arguments, byte, kCommands[command].argumentsSize);
+  mailbox.commit();
+}
+
+TEST(ForeignMailbox, KeepsOrderAndCredits) {
+  Shared<Mailbox> mailbox(std::span<const CommandLimits>{kCommands});
+  for (std::uint8_t lap = 0; lap < 50; ++lap) {
+    send(*mailbox.producer, 0, lap);
+    send(*mailbox.producer, 1, lap);
+    send(*mailbox.producer, 2, lap);
+    EXPECT_TRUE(mailbox.consumer->pending());
+    mailbox.consumer->fixCut();
+    for (std::uint16_t expected : {0, 1, 2}) {
+      const CommandRecord* const record = mailbox.consumer->next();
+      ASSERT_NE(record, nullptr);
+      EXPECT_EQ(record->command, expected);
+      EXPECT_EQ(record->arguments()[0], std::byte{lap});
+      mailbox.consumer->pop();
+      if (expected != 1) mailbox.consumer->returnCredit(expected);
+    }
+    EXPECT_EQ(mailbox.consumer->next(), nullptr);
+    EXPECT_EQ(mailbox.producer->waiting(0), 0u);
+  }
+}
+
+TEST(ForeignMailbox, SurvivesAnything) {
+  survivesAnything<Mailbox>(
+      [](Shared<Mailbox>& mailbox, const auto& scramble) {
+        for (std::uint8_t i = 0; i < 4; ++i) send(*mailbox.producer, i % 3, i);
+        scramble();
+        for (int drain = 0; drain < 4; ++drain) {
+          mailbox.consumer->fixCut();
+          int taken = 0;
+          while (const CommandRecord* const record = mailbox.consumer->next()) {
+            ASSERT_LT(record->command, kCommands.size());
+            EXPECT_GE(record->stamp, Time{});
+            EXPECT_LE(record->stamp, now());
+            const auto size = kCommands[record->command].argumentsSize;
+            std::vector<std::byte> copy(record->arguments(), record->arguments() + size);
+            const std::uint16_t command = record->command;
+            mailbox.consumer->pop();
+            mailbox.consumer->returnCredit(command);
+            ASSERT_LE(++taken, 11);  // as many as the credits allow
+          }
+          scramble();
+          send(*mailbox.producer, 0, 1);
+        }
+      },
+      std::span<const CommandLimits>{kCommands});
+}
+
+// A producer that says it has sent without end, and sends while it is drained.
+TEST(ForeignMailbox, ADrainEndsThoughTheProducerDoesNot) {
+  Shared<Mailbox> mailbox(std::span<const CommandLimits>{kCommands});
+  send(*mailbox.producer, 0, 0);
+  mailbox.consumer->fixCut();
+  int taken = 0;
+  while (mailbox.consumer->next() != nullptr) {
+    mailbox.consumer->pop();
+    mailbox.consumer->returnCredit(0);
+    const Result<std::byte*> arguments = mailbox.producer->claim(0, now(), 0);
+    ASSERT_TRUE(arguments);
+    // As if it had been sent before the cut.
+    reinterpret_cast<CommandRecord*>(*arguments - sizeof(CommandRecord))->sequence = 0;
+    mailbox.producer->commit();
+    ASSERT_LT(++taken, 100);
+  }
+}
+
+const std::array<EventLimits, 3> kEvents = {
+    EventLimits{.payloadSize = 16, .depth = 4, .latest = false},
+    EventLimits{.payloadSize = 40, .depth = 1, .latest = true},
+    EventLimits{.payloadSize = 0, .depth = 2, .latest = false}};
+
+TEST(ForeignEventQueue, SurvivesAnything) {
+  for (const Producers producers : {Producers::One, Producers::Any}) {
+    survivesAnything<EventQueue>(
+        [](Shared<EventQueue>& queue, const auto& scramble) {
+          const std::array<std::byte, 40> payload{};
+          for (int lap = 0; lap < 4; ++lap) {
+            for (std::uint16_t event = 0; event < 3; ++event) {
+              queue.producer->push(event, now(),
+                                   std::span(payload).first(kEvents[event].payloadSize));
+            }
+            scramble();
+            for (std::size_t i = 0; i < 2 * queue.consumer->capacity(); ++i) {
+              const EventRecord* const record = queue.consumer->next();
+              if (record == nullptr) break;
+              ASSERT_LT(record->event, kEvents.size());
+              EXPECT_LE(record->stamp, now());
+              const auto size = kEvents[record->event].payloadSize;
+              std::vector<std::byte> copy(record->payload(), record->payload() + size);
+              queue.consumer->pop();
+            }
+          }
+        },
+        std::span<const EventLimits>{kEvents}, producers);
+  }
+}
+
+TEST(ForeignStateTable, IsReadInAnotherProcessAndAskedThere) {
+  const std::array<std::uint32_t, 2> sizes = {8, 24};
+  StateTable table(sizes, 4);
+  const auto asked = std::make_shared<std::atomic<ColumnSet>>(0);
+  StateTable view(sizes, 4,
+                  MemoryBlock::open(table.memory()->descriptor(), StateTable::bytesFor(sizes, 4),
+                                    MemoryBlock::Others::Read),
+                  asked);
+  EXPECT_TRUE(view.ask(1));
+  EXPECT_EQ(*asked, 2u);
+  std::array<std::byte, 24> slot{};
+  EXPECT_EQ(view.read(1, slot.data()).error(), Errc::NotYet);
+  for (int row = 1; row <= 10; ++row) {
+    std::memset(table.draft(1), row, 24);
+    const Time stamp = now();
+    table.publish(stamp, 2, 0);
+    EXPECT_EQ(view.read(1, slot.data()).value(), stamp);
+    EXPECT_EQ(slot[23], static_cast<std::byte>(row));
+  }
+  EXPECT_EQ(view.rows(), 10u);
+}
+
+TEST(MemoryBlock, OthersMayOnlyReadWhereItSaysSo) {
+  const MemoryBlock readable("test", 4096, MemoryBlock::Others::Read);
+  EXPECT_THROW(MemoryBlock::open(readable.descriptor(), 4096, MemoryBlock::Others::Write),
+               SetupError);
+  readable.data()[0] = std::byte{1};
+  const auto other = MemoryBlock::open(readable.descriptor(), 4096, MemoryBlock::Others::Read);
+  EXPECT_EQ(other->data()[0], std::byte{1});
+}
+
+TEST(MemoryBlock, OfAnotherProcessMustBeSealedAndLargeEnough) {
+  const MemoryBlock small("test", 4096);
+  EXPECT_THROW(MemoryBlock::open(small.descriptor(), 4097, MemoryBlock::Others::Read), SetupError);
+  const int loose = memfd_create("test", MFD_ALLOW_SEALING);
+  ASSERT_EQ(ftruncate(loose, 8192), 0);
+  EXPECT_THROW(MemoryBlock::open(loose, 4096, MemoryBlock::Others::Read), SetupError);
+  close(loose);
+  EXPECT_THROW(MemoryBlock::open(0, 1, MemoryBlock::Others::Read), SetupError);
+}
+
+TEST(ForeignDoorbell, WakesTheOtherProcessesThread) {
+  Doorbell own(std::make_shared<MemoryBlock>("test", 8));
+  Doorbell theirs(MemoryBlock::open(own.memory()->descriptor(), 8, MemoryBlock::Others::Write));
+  std::thread ringer([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    theirs.ring(RungFor::Work);
+  });
+  EXPECT_EQ(own.waitUntil(now() + std::chrono::seconds(10)), RungFor::Work);
+  ringer.join();
+}
+
+}  // namespace
+}  // namespace suture::rt::foreign_memory

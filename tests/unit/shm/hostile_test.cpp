@@ -1,0 +1,151 @@
+// The other process writes anything anywhere into the memory that it shares with this one.
+#include <gtest/gtest.h>
+#include <suture/component/event_task.h>
+#include <suture/component/periodic_task.h>
+#include <suture/transport/shm/shared_channel.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <random>
+
+#include "support/eventually.h"
+#include "unit/manager/still_arm.h"
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+using reference::ArmLike;
+using reference::JointState;
+using reference::Mode;
+using reference::PoseStamped;
+
+/// Keeps what no handler may ever see.
+struct Psm final : PeriodicTask, StillArm {
+  Psm() : PeriodicTask({.period = 1ms}) {}
+  ~Psm() override { stop(); }
+  void run() override {
+    port.emit().stopped();
+    port.emit().arrived({});
+  }
+  void servo_cp(const PoseStamped& goal) override { note(goal.pose.matrix().allFinite()); }
+  void servo_jp(const JointState& goal) override {
+    note(goal.position.size() <= 8 && goal.name.size() <= 8);
+    for (const double one : goal.position) note(std::isfinite(one));
+  }
+  void set_mode(Mode mode) override { note(mode == Mode::Disabled || mode == Mode::Enabled); }
+  bool move(const PoseStamped&, double speed, const std::string& reason) override {
+    note(speed >= 0 && speed <= 1 && reason.size() < 256);
+    return true;
+  }
+  void note(bool valid) {
+    ++handled;
+    if (!valid) ++invalid;
+  }
+  std::atomic<std::uint64_t> handled{0}, invalid{0};
+  Provided<ArmLike> port{*this, "Arm", *this};
+};
+
+/// Uses all that there is.
+struct Teleop final : PeriodicTask {
+  Teleop() : PeriodicTask({.period = 1ms}) {}
+  ~Teleop() override { stop(); }
+  void onStart() override {
+    slave.on().mode([](Mode) {});
+    slave.on().arrived([this](const PoseStamped&) { ++heard; });
+    slave.on().stopped([this] { ++heard; });
+  }
+  void run() override {
+    (void)slave.servo_cp({});
+    (void)slave.servo_jp({{"a", "b"}, {1, 2}});
+    (void)slave.set_mode(Mode::Enabled);
+    (void)slave.measured_cp();
+    (void)slave.measured_js();
+    if (call.poll() != nullptr) call = slave.move.start({}, 0.5, "test");
+  }
+  std::atomic<std::uint64_t> heard{0};
+  Required<ArmLike> slave{*this, "Slave"};
+  decltype(std::declval<Required<ArmLike>&>().move.start({}, 0, "")) call{Errc::NotYet};
+};
+
+/// Another process, which has the memory and no good intentions.
+class Scribbler {
+ public:
+  Scribbler(const MemoryBlock& block, unsigned seed) : pid_(fork()) {
+    if (pid_ != 0) return;
+    std::minstd_rand random(seed);
+    for (;;) {
+      const std::uint64_t values[] = {0,
+                                      1,
+                                      ~std::uint64_t{0},
+                                      0x7ff8000000000000,
+                                      random(),
+                                      random() % 64,
+                                      std::uint64_t{random()} << 32,
+                                      0xff};
+      const std::uint64_t value = values[random() % std::size(values)];
+      std::memcpy(block.data() + random() % (block.size() / 8) * 8, &value, 8);
+      usleep(20);
+    }
+  }
+  ~Scribbler() {
+    kill(pid_, SIGKILL);
+    waitpid(pid_, nullptr, 0);
+  }
+  Scribbler(const Scribbler&) = delete;
+  Scribbler& operator=(const Scribbler&) = delete;
+
+ private:
+  const pid_t pid_;
+};
+
+/// As another process maps them.
+shm::SharedParts mappedAgain(const shm::SharedParts& parts, const InterfaceInfo& contract) {
+  using Others = MemoryBlock::Others;
+  shm::SharedParts mapped = parts;
+  const auto again = [](const MemoryBlock& block, std::size_t size, Others others) {
+    return MemoryBlock::open(block.descriptor(), size, others);
+  };
+  mapped.channel = again(*parts.channel, shm::channelBytes(contract), Others::Write);
+  mapped.state = again(*parts.state, shm::stateBytes(parts), Others::Read);
+  mapped.bell = again(*parts.bell, sizeof(std::uint64_t), Others::Write);
+  return mapped;
+}
+
+class HostileMemory : public testing::TestWithParam<unsigned> {};
+
+TEST_P(HostileMemory, HarmsNeitherProviderNorClient) {
+  Psm psm;
+  Teleop teleop;
+  rt::Doorbell watcher;
+  const InterfaceInfo& contract = interfaceInfo<ArmLike>();
+  shm::SharedOffer offer = shm::offerShared(psm.port, contract, "test", ~EventSet{0},
+                                            psm.doorbell(), teleop.doorbell().memory(), watcher);
+  const auto client = shm::takeShared(contract, "test", teleop.sharedDoorbell(),
+                                      mappedAgain(offer.parts, contract));
+  psm.port.attach(offer.channel);
+  teleop.slave.attach(client);
+  psm.start();
+  teleop.start();
+  ASSERT_TRUE(eventually([&] { return psm.handled > 10 && teleop.heard > 10; }));
+  {
+    const Scribbler scribbler(*offer.parts.channel, GetParam());
+    const std::uint64_t cycles = psm.statistics().cycles, clients = teleop.statistics().cycles;
+    ASSERT_TRUE(eventually([&] {
+      return psm.statistics().cycles > cycles + 500 && teleop.statistics().cycles > clients + 500;
+    }));
+  }
+  EXPECT_EQ(psm.state(), ComponentState::Running) << psm.fault();
+  EXPECT_EQ(teleop.state(), ComponentState::Running) << teleop.fault();
+  EXPECT_EQ(psm.invalid, 0u) << "of " << psm.handled;
+  std::printf("seed %u: %llu commands handled\n", GetParam(),
+              static_cast<unsigned long long>(psm.handled));
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, HostileMemory, testing::Range(1u, 9u));
+
+}  // namespace
+}  // namespace suture

@@ -1,0 +1,131 @@
+#include <gtest/gtest.h>
+#include <suture/wiring/compatibility.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace suture {
+namespace {
+
+using Json = nlohmann::json;
+using Lines = std::vector<std::string>;
+
+/// A contract with a write, a read and an event, as suturec describes it.
+Json contract() {
+  return Json::parse(R"json({
+    "name": "robots::Arm",
+    "commands": [{"name": "servo_cp", "ordinal": 1}, {"name": "mode", "ordinal": 2}],
+    "events": [{"name": "moved", "ordinal": 1}],
+    "wire": [
+      {"id": "@0xa1", "kind": "interface", "name": "Arm", "members": [
+        {"at": 1, "name": "servoCp", "is": "kind \"write\"",
+         "parameters": [{"at": 0, "name": "goal", "is": "@0xb2"}]},
+        {"at": 2, "name": "mode", "is": "kind \"read\"",
+         "results": [{"at": 0, "name": "value", "is": "@0xc3"}]}]},
+      {"id": "@0xb2", "kind": "struct", "name": "Pose", "members": [
+        {"at": 0, "name": "x", "is": "Float64 unit \"m\""},
+        {"at": 1, "name": "count", "is": "Int32 = 7"}]},
+      {"id": "@0xc3", "kind": "enum", "name": "Mode", "members": [
+        {"at": 0, "name": "off"}, {"at": 1, "name": "on"}]}]
+  })json");
+}
+
+Compatibility compare(const Json& here, const Json& there) {
+  return compatibility(here.dump(), there.dump());
+}
+
+/// Each is told to both ends.
+void expectBreak(const Json& changed, const Lines& here, const Lines& there) {
+  EXPECT_EQ(compare(contract(), changed).breaks, here);
+  EXPECT_EQ(compare(changed, contract()).breaks, there);
+}
+
+TEST(Compatibility, OfTheSame) {
+  const Compatibility found = compare(contract(), contract());
+  EXPECT_EQ(found.breaks, Lines{});
+  EXPECT_EQ(found.commands, 2u);
+}
+
+TEST(Compatibility, WhatOneHasAloneBehindTheRestDoesNoHarm) {
+  Json newer = contract();
+  newer["commands"].push_back({{"name", "clear"}, {"ordinal", 3}});
+  newer["events"].push_back({{"name", "stopped"}, {"ordinal", 2}});
+  newer["wire"][0]["members"].push_back({{"at", 3}, {"name", "clear"}, {"is", "kind \"void\""}});
+  newer["wire"][0]["members"][0]["parameters"].push_back(
+      {{"at", 2}, {"name", "now"}, {"is", "Bool"}});
+  newer["wire"][1]["members"].push_back({{"at", 2}, {"name", "weight"}, {"is", "Float64 = 2.5"}});
+  newer["wire"][2]["members"].push_back({{"at", 2}, {"name", "fast"}});
+  newer["wire"].push_back({{"id", "@0xd4"}, {"kind", "struct"}, {"name", "Twist"}});
+  expectBreak(newer, {}, {});
+  EXPECT_EQ(compare(contract(), newer).commands, 2u);
+  EXPECT_EQ(compare(newer, contract()).commands, 2u);
+}
+
+TEST(Compatibility, NamesDoNotTravel) {
+  Json renamed = contract();
+  renamed["name"] = "robots::Manipulator";
+  renamed["wire"][0]["name"] = "Manipulator";
+  renamed["wire"][1]["name"] = "Position";
+  renamed["wire"][1]["members"][0]["name"] = "east";
+  expectBreak(renamed, {}, {});
+}
+
+TEST(Compatibility, AnotherTypeUnitOrDefault) {
+  Json changed = contract();
+  changed["wire"][1]["members"][0]["is"] = "Float64 unit \"mm\"";
+  changed["wire"][1]["members"][1]["is"] = "Int32";
+  changed["wire"][0]["members"][1]["results"][0]["is"] = "Float64";
+  expectBreak(changed,
+              {"'value' of 'mode' of interface Arm: @0xc3 here, Float64 there",
+               "'x' of struct Pose: Float64 unit \"m\" here, Float64 unit \"mm\" there",
+               "'count' of struct Pose: Int32 = 7 here, Int32 there"},
+              {"'value' of 'mode' of interface Arm: Float64 here, @0xc3 there",
+               "'x' of struct Pose: Float64 unit \"mm\" here, Float64 unit \"m\" there",
+               "'count' of struct Pose: Int32 here, Int32 = 7 there"});
+}
+
+TEST(Compatibility, AnotherKindOfTypeOrMajor) {
+  Json changed = contract();
+  changed["wire"][0]["major"] = 2;
+  changed["wire"][1]["kind"] = "union";
+  expectBreak(changed, {"interface Arm: major 1 here, 2 there", "struct Pose: union there"},
+              {"interface Arm: major 2 here, 1 there", "union Pose: struct there"});
+}
+
+// As where a base has got a command since: those behind it have other numbers.
+TEST(Compatibility, WhatIsNumberedDifferently) {
+  Json changed = contract();
+  const Json sent = {{"name", "send"}, {"ordinal", 1}, {"from", "suture::Messages"}};
+  changed["commands"].insert(changed["commands"].begin(), sent);
+  changed["events"] = Json::array({{{"name", "stopped"}, {"ordinal", 2}}});
+  expectBreak(changed,
+              {"commands: number 1 is 'servo_cp' here, 'send' there",
+               "events: number 1 is 'moved' here, 'stopped' there"},
+              {"commands: number 1 is 'send' here, 'servo_cp' there",
+               "events: number 1 is 'stopped' here, 'moved' there"});
+}
+
+TEST(Compatibility, AnotherContract) {
+  Json other = contract();
+  other["name"] = "robots::Camera";
+  other["wire"][0]["id"] = "@0xe5";
+  expectBreak(other, {"contract: robots::Arm here, robots::Camera there"},
+              {"contract: robots::Camera here, robots::Arm there"});
+}
+
+TEST(Compatibility, OfWhatAPeerWrote) {
+  const Lines nothing = {"description: it says nothing of the wire"};
+  for (const std::string text :
+       {"", "{", "[]", "7", "null", R"({"wire": 7})", R"({"wire": []})", R"({"wire": {"a": 1}})"}) {
+    EXPECT_EQ(compatibility(contract().dump(), text).breaks, nothing) << text;
+    EXPECT_EQ(compatibility(text, contract().dump()).breaks, nothing) << text;
+  }
+  EXPECT_FALSE(compatibility(contract().dump(), R"({"wire": [7]})").breaks.empty());
+  EXPECT_FALSE(
+      compatibility(contract().dump(),
+                    R"({"wire": [{"id": "@0xa1", "members": [7, {"at": "x"}, {"at": 1e300}]}]})")
+          .breaks.empty());
+}
+
+}  // namespace
+}  // namespace suture
