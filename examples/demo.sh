@@ -11,7 +11,7 @@ Installs the Debian packages that are missing, builds, and runs the teleoperatio
 at 1 kHz, and the run is judged. Exit status 0 only if all went well.
 
   --topology single|fig3a|fig3c  one process; two, each with its own pair; two with swapped slaves (default fig3c)
-  --lane auto|shm|rpc            how connections travel: the fastest that fits, shared memory, Cap'n Proto RPC (default auto)
+  --lane auto|shm|frame|rpc      how connections travel: the fastest that fits, shared memory, frames, Cap'n Proto RPC (default auto)
   --seconds N                    how long to run (default 10)
   --rate HZ                      cycles a second of every task (default 1000)
   --json FILE                    also write all figures to FILE

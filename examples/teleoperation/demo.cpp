@@ -58,7 +58,7 @@ void declare(CLI::App& app, demo::Options& options) {
                  "auto: the fastest lane that fits; shm: shared memory, rpc: Cap'n Proto RPC, both "
                  "even within a process")
       ->capture_default_str()
-      ->check(CLI::IsMember({"auto", "shm", "rpc"}));
+      ->check(CLI::IsMember({"auto", "shm", "frame", "rpc"}));
   app.add_option("--seconds", options.seconds, "How long to run")
       ->capture_default_str()
       ->check(CLI::Range(1.0, 86400.0));

@@ -5,6 +5,7 @@
 #include <suture/manager/peer_address.h>
 #include <suture/manager/peer_host.h>
 #include <suture/manager/remote_connection.h>
+#include <suture/transport/frame/lane_thread.h>
 #include <suture/transport/rpc/deadline.h>
 #include <unistd.h>
 
@@ -76,8 +77,8 @@ class Network::Impl {
                                               whyLost_[channel] = std::move(why);
                                             }};
       auto& connection = connections_[name];
-      connection = std::make_unique<RemoteConnection>(control_, *link_, required, from, to, lane,
-                                                      told, interposer, watch);
+      connection = std::make_unique<RemoteConnection>(control_, frames_, *link_, required, from, to,
+                                                      lane, told, interposer, watch);
       // What could not be connected may be gone before this is.
       return connection->open(patience)
           .exclusiveJoin(untilGivenUp())
@@ -124,6 +125,7 @@ class Network::Impl {
       givenUp_ = nullptr;
       giveUp_ = nullptr;
     });
+    frames_.stop();
   }
 
   std::vector<std::shared_ptr<Channel>> served() const {
@@ -137,18 +139,18 @@ class Network::Impl {
     giveUp_ = kj::mv(givenUp.fulfiller);
     link_ =
         std::make_unique<ManagerLink>(control_, manager_, directory_.process(), security_.trust());
-    return link_->open(patience).then([this, serverOf = std::move(serverOf),
-                                       taskOf = std::move(taskOf)]() mutable {
-      host_ =
-          std::make_unique<PeerHost>(control_, directory_, std::move(serverOf), std::move(taskOf),
-                                     peerAddress(*link_, directory_.process()), security_);
-      return link_->enrol({.name = directory_.process(),
-                           .addresses = {host_->address().text()},
-                           .pid = getpid(),
-                           .host = hostName(),
-                           .components = {},
-                           .generation = 0});
-    });
+    return link_->open(patience).then(
+        [this, serverOf = std::move(serverOf), taskOf = std::move(taskOf)]() mutable {
+          host_ = std::make_unique<PeerHost>(control_, frames_, directory_, std::move(serverOf),
+                                             std::move(taskOf),
+                                             peerAddress(*link_, directory_.process()), security_);
+          return link_->enrol({.name = directory_.process(),
+                               .addresses = {host_->address().text()},
+                               .pid = getpid(),
+                               .host = hostName(),
+                               .components = {},
+                               .generation = 0});
+        });
   }
 
   kj::Promise<void> untilGivenUp() {
@@ -162,6 +164,7 @@ class Network::Impl {
   const rpc::Address manager_;
   const Security security_;
   rpc::ControlThread control_;
+  frame::LaneThread frames_;
   std::unique_ptr<ManagerLink> link_;
   std::unique_ptr<PeerHost> host_;
   kj::ForkedPromise<void> givenUp_{nullptr};

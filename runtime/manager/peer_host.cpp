@@ -11,19 +11,23 @@ constexpr std::size_t kMostCallers = 1024;
 
 }  // namespace
 
-PeerHost::PeerHost(rpc::ControlThread& control, const Directory& directory,
-                   Network::ServerOf serverOf, Network::TaskOf taskOf, const rpc::Address& address,
-                   const Security& security)
+PeerHost::PeerHost(rpc::ControlThread& control, frame::LaneThread& frames,
+                   const Directory& directory, Network::ServerOf serverOf, Network::TaskOf taskOf,
+                   const rpc::Address& address, const Security& security)
     : control_(control),
       directory_(directory),
       serverOf_(std::move(serverOf)),
       taskOf_(std::move(taskOf)),
       policy_(security.policy),
       whenPublished_(nullptr),
+      frames_(frames),
       server_(
           control.port(), address,
           [this](std::shared_ptr<rpc::Caller> caller) { return offerTo(std::move(caller)); }, {},
-          kMostCallers, security.trust()) {
+          kMostCallers, security.trust(),
+          [this](const rpc::Token& token, rpc::ByteStream bytes) {
+            frames_.arrived(token, kj::mv(bytes));
+          }) {
   auto pair = kj::newPromiseAndFulfiller<void>();
   published_ = kj::mv(pair.fulfiller);
   whenPublished_ = pair.promise.fork();

@@ -1,6 +1,7 @@
 #pragma once
 // What a process is to its peers: an address at which they connect to its provided interfaces.
 
+#include <suture/manager/frame_sockets.h>
 #include <suture/manager/network.h>
 #include <suture/manager/security.h>
 #include <suture/peer.capnp.h>
@@ -22,8 +23,9 @@ namespace suture {
 class PeerHost {
  public:
   /// Throws SetupError as LinkServer does.
-  PeerHost(rpc::ControlThread& control, const Directory& directory, Network::ServerOf serverOf,
-           Network::TaskOf taskOf, const rpc::Address& address, const Security& security);
+  PeerHost(rpc::ControlThread& control, frame::LaneThread& frames, const Directory& directory,
+           Network::ServerOf serverOf, Network::TaskOf taskOf, const rpc::Address& address,
+           const Security& security);
 
   const rpc::Address& address() const { return server_.address(); }
 
@@ -66,6 +68,7 @@ class PeerHost {
   std::map<std::string, Latest> latest_;  // by required interface, with its process
   mutable std::mutex mutex_;
   std::vector<std::shared_ptr<Channel>> served_;
+  FrameSockets frames_;
   rpc::LinkServer server_;  // last: its links use the rest
 };
 

@@ -83,11 +83,11 @@ const InterfaceInfo* sameContract(const InterfaceInfo& provided, const std::stri
   }
 }
 
-/// Why the two processes cannot share memory; "" if they can.
-std::string whyNoMemory(const InterfaceInfo* contract, wire::MemoryRequest::Reader asked) {
+/// Why the slots of the two processes cannot be exchanged as they are; "" if they can.
+std::string whyOtherSlots(const InterfaceInfo* contract, capnp::Text::Reader layout) {
   if (contract == nullptr) return "the two were built from different versions of the contract";
   if (const std::string reason = shm::whyNotShared(*contract); !reason.empty()) return reason;
-  if (stringOf(asked.getLayout()) == shm::memoryLayout(*contract)) return "";
+  if (stringOf(layout) == shm::memoryLayout(*contract)) return "";
   return "the contract's values lie in memory in another way there";
 }
 
@@ -260,20 +260,36 @@ bool PeerServer::takesOver(const std::string& client, const std::string& name,
   return true;
 }
 
+// The fastest lane that can be had of those asked for.
 kj::Promise<void> PeerServer::accept(Asked asked) {
   auto in = asked.context.getParams();
-  if (!in.hasMemory()) return serveCalls(asked, "");
+  if (!in.hasMemory()) return acceptSlower(asked, "");
   const InterfaceInfo* const contract = sameContract(asked.provided.info(), stringOf(in.getHash()));
-  const std::string reason = mayOnlyRead(asked.endpoint) ? "the policy gives it for reading only"
-                                                         : whyNoMemory(contract, in.getMemory());
-  if (!reason.empty()) return serveCalls(asked, reason);
+  const std::string reason = mayOnlyRead(asked.endpoint)
+                                 ? "the policy gives it for reading only"
+                                 : whyOtherSlots(contract, in.getMemory().getLayout());
+  if (!reason.empty()) return acceptSlower(asked, reason);
   return receive(in.getMemory().getBell(), sizeof(std::uint64_t), MemoryBlock::Others::Write)
       .then([this, asked, contract](std::shared_ptr<MemoryBlock> bell) mutable {
         shareMemory(asked, *contract, std::move(bell));
       })
       .catch_([this, asked](kj::Exception&& failure) mutable {
-        return serveCalls(asked, rpc::describe(failure));
+        return acceptSlower(asked, rpc::describe(failure));
       });
+}
+
+kj::Promise<void> PeerServer::acceptSlower(Asked& asked, std::string laneReason) {
+  auto in = asked.context.getParams();
+  if (!in.hasFrame()) return serveCalls(asked, laneReason);
+  const InterfaceInfo* const contract = sameContract(asked.provided.info(), stringOf(in.getHash()));
+  const std::string reason = whyOtherSlots(contract, in.getFrame().getLayout());
+  if (!reason.empty()) return serveCalls(asked, reason);
+  try {
+    sendFrames(asked, *contract, laneReason);
+    return kj::READY_NOW;
+  } catch (const SetupError& error) {
+    return serveCalls(asked, error.what());
+  }
 }
 
 wire::ConnectResults::Accepted::Builder PeerServer::accepted(Asked& asked, rpc::ProviderEnd& end) {
@@ -305,10 +321,46 @@ void PeerServer::shareMemory(Asked& asked, const InterfaceInfo& contract,
   shm::SharedOffer offer =
       shm::offerShared(asked.provided, contract, asked.name, asked.context.getParams().getEvents(),
                        host_.serverOf_(asked.provided), std::move(bell), host_.control_.doorbell());
-  auto out = accepted(asked, *kj::refcounted<SharedPort>(host_.control_, offer.channel));
+  auto out = accepted(asked, *kj::refcounted<StatusPort>(host_.control_, offer.channel));
   toWire(offer.parts, out.initMemory());
   asked.provided.attach(offer.channel);
   host_.remember(std::move(offer.channel));
+}
+
+void PeerServer::sendFrames(Asked& asked, const InterfaceInfo& contract,
+                            const std::string& laneReason) {
+  auto in = asked.context.getParams();
+  const std::shared_ptr<rt::Doorbell> bell = host_.frames_.doorbell();
+  const Channel::Ends ends{.client = bell.get(),
+                           .provider = &host_.serverOf_(asked.provided),
+                           .here = &asked.provided,
+                           .watcher = &host_.control_.doorbell()};
+  auto channel = std::make_shared<Channel>(contract, asked.name, toString(Lane::Frame), ends,
+                                           asked.provided.state(), in.getEvents());
+  channel->clientsBell = bell;
+  const AwaitingSocket end{
+      .channel = channel,
+      .terms = {.epoch = randomEpoch(), .shift = Duration(-rpc::bounded(in.getClockOffset()))},
+      .access = mayOnlyRead(asked.endpoint) ? frame::Access::Read : frame::Access::All};
+  const bool handsOver = in.getFrame().getHandsOver();
+  kj::Maybe<wire::FrameSocket::Client> socket;
+  rpc::Token token;
+  if (handsOver) {
+    socket = host_.frames_.handOver(end);
+  } else {
+    token = host_.frames_.await(end, caller_->identity);
+  }
+  auto out = accepted(asked, *kj::refcounted<StatusPort>(host_.control_, channel));
+  if (!laneReason.empty()) out.setLaneReason(textOf(laneReason));
+  auto offer = out.initFrame();
+  offer.setEpoch(end.terms.epoch);
+  KJ_IF_MAYBE (one, socket) {
+    offer.setSocket(kj::mv(*one));
+  } else {
+    offer.setToken({reinterpret_cast<const kj::byte*>(token.data()), token.size()});
+  }
+  asked.provided.attach(channel);
+  host_.remember(std::move(channel));
 }
 
 kj::Promise<void> PeerServer::open(OpenContext context) {

@@ -1,8 +1,11 @@
+#include <suture/manager/frame_end.h>
+#include <suture/manager/frame_sockets.h>
 #include <suture/manager/heartbeat.h>
 #include <suture/manager/peer_host.h>
 #include <suture/manager/remote_connection.h>
 #include <suture/manager/shared_memory.h>
 #include <suture/transport/delay/delay_thread.h>
+#include <suture/transport/frame/client_side.h>
 #include <suture/transport/rpc/deadline.h>
 #include <suture/transport/rpc/failure.h>
 #include <suture/transport/rpc/proxy_port.h>
@@ -11,6 +14,7 @@
 #include <suture/transport/shm/memory_layout.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace suture {
 namespace {
@@ -95,11 +99,12 @@ class RemoteConnection::NoticesReceiver final : public wire::Notices::Server {
   std::function<void(std::string)> lost_;
 };
 
-RemoteConnection::RemoteConnection(rpc::ControlThread& control, ManagerLink& manager,
-                                   RequiredBase& required, Endpoint from, Endpoint to, Lane lane,
-                                   Told told, const Interposer& interposer,
+RemoteConnection::RemoteConnection(rpc::ControlThread& control, frame::LaneThread& frames,
+                                   ManagerLink& manager, RequiredBase& required, Endpoint from,
+                                   Endpoint to, Lane lane, Told told, const Interposer& interposer,
                                    std::shared_ptr<ConnectionWatch> watch)
     : control_(control),
+      frames_(frames),
       manager_(manager),
       required_(required),
       from_(std::move(from)),
@@ -139,6 +144,7 @@ kj::Promise<void> RemoteConnection::connect(Duration patience, Duration limit) {
 }
 
 kj::Promise<void> RemoteConnection::dial(const ProcessRecord& process, Duration limit) {
+  process_ = process;
   return manager_.reach(process, std::min(limit, kDialLimit)).then([this](rpc::ByteStream bytes) {
     sharesMachine_ = bytes.carriesDescriptors();
     if (!sharesMachine_) rpc::breakWhenUnanswered(bytes.socket(), longestSilence_);
@@ -180,27 +186,25 @@ Component& RemoteConnection::client() const {
   return interposer_.delays == nullptr ? required_.owner() : *interposer_.delays;
 }
 
-std::string RemoteConnection::whyNoMemory() const {
-  if (!sharesMachine_) return "the two processes are not reached by a Unix socket";
-  return shm::whyNotShared(required_.info());
+RemoteConnection::Lanes RemoteConnection::wantedLanes() {
+  laneReason_.clear();
+  if (lane_ == Lane::Rpc) return {};
+  laneReason_ = shm::whyNotShared(required_.info());
+  if (!laneReason_.empty()) return {};
+  if (lane_ == Lane::Frame) return {.frames = true};
+  if (!sharesMachine_) laneReason_ = "the two processes are not reached by a Unix socket";
+  return {.memory = sharesMachine_, .frames = true};
 }
 
-// What cannot be shared after all goes by calls.
+// Who agrees to a faster lane, and it cannot be had after all, is asked for calls.
 kj::Promise<void> RemoteConnection::ask() {
-  laneReason_.clear();
-  if (lane_ == Lane::Rpc) return ask("calls are asked for");
-  const std::string reason = whyNoMemory();
-  if (!reason.empty()) {
-    laneReason_ = reason;
-    return ask(reason);
-  }
-  return ask("").catch_([this](kj::Exception&& failure) -> kj::Promise<void> {
-    if (laneReason_.empty()) return kj::mv(failure);
-    return ask(laneReason_);
+  return ask(wantedLanes()).catch_([this](kj::Exception&& failure) -> kj::Promise<void> {
+    if (!std::exchange(fasterFailed_, false)) return kj::mv(failure);
+    return ask(Lanes{});
   });
 }
 
-kj::Promise<void> RemoteConnection::ask(std::string whyNoMemory) {
+kj::Promise<void> RemoteConnection::ask(Lanes lanes) {
   auto notified = kj::refcounted<Notified>();
   auto request = KJ_ASSERT_NONNULL(peer_).connectRequest();
   request.setFromProcess(textOf(from_.process));
@@ -217,10 +221,15 @@ kj::Promise<void> RemoteConnection::ask(std::string whyNoMemory) {
   request.setNotices(kj::heap<NoticesReceiver>(
       kj::addRef(*notified),
       [tell = told_.lost, name = name()](std::string why) { tell(name, std::move(why)); }));
-  if (whyNoMemory.empty()) {
+  if (lanes.memory) {
     auto memory = request.initMemory();
     memory.setLayout(textOf(shm::memoryLayout(required_.info())));
     memory.setBell(handOut(client().doorbell().memory()));
+  }
+  if (lanes.frames) {
+    auto frame = request.initFrame();
+    frame.setLayout(textOf(shm::memoryLayout(required_.info())));
+    frame.setHandsOver(sharesMachine_);
   }
   notified_ = kj::mv(notified);
   return request.send().then([this](auto&& results) -> kj::Promise<void> {
@@ -231,33 +240,73 @@ kj::Promise<void> RemoteConnection::ask(std::string whyNoMemory) {
 
 kj::Promise<void> RemoteConnection::begin(wire::ConnectResults::Accepted::Reader accepted) {
   connection_ = accepted.getConnection();
-  if (!accepted.hasMemory()) {
-    if (accepted.hasLaneReason()) laneReason_ = stringOf(accepted.getLaneReason());
+  if (accepted.hasLaneReason()) laneReason_ = stringOf(accepted.getLaneReason());
+  if (!accepted.hasMemory() && !accepted.hasFrame()) {
     beginCalls(accepted);
     return kj::READY_NOW;
   }
-  return receive(accepted.getMemory(), required_.info())
-      .then([this](shm::SharedParts parts) { beginSharing(parts); })
-      .catch_([this](kj::Exception&& failure) -> kj::Promise<void> {
-        laneReason_ = rpc::describe(failure);
-        connection_ = nullptr;
-        return kj::mv(failure);
-      });
+  return beginFaster(accepted).catch_([this](kj::Exception&& failure) -> kj::Promise<void> {
+    laneReason_ = rpc::describe(failure);
+    fasterFailed_ = true;
+    connection_ = nullptr;
+    return kj::mv(failure);
+  });
 }
 
-void RemoteConnection::beginCalls(wire::ConnectResults::Accepted::Reader accepted) {
-  const Channel::Ends ends{.client = &client().doorbell(), .provider = &control_.doorbell()};
+kj::Promise<void> RemoteConnection::beginFaster(wire::ConnectResults::Accepted::Reader accepted) {
+  if (accepted.hasMemory()) {
+    return receive(accepted.getMemory(), required_.info()).then([this](shm::SharedParts parts) {
+      beginSharing(parts);
+    });
+  }
+  const std::uint32_t epoch = accepted.getFrame().getEpoch(), rows = accepted.getRows();
+  return openSocket(accepted.getFrame()).then([this, epoch, rows](rpc::ByteStream bytes) {
+    beginFrames(kj::mv(bytes), epoch, rows);
+  });
+}
+
+std::shared_ptr<Channel> RemoteConnection::mirroredChannel(Lane lane, rt::Doorbell& carrier,
+                                                           std::uint32_t rows) {
+  const Channel::Ends ends{
+      .client = &client().doorbell(), .provider = &carrier, .watcher = &control_.doorbell()};
   auto channel =
-      std::make_shared<Channel>(required_.info(), name(), "rpc", ends,
+      std::make_shared<Channel>(required_.info(), name(), toString(lane), ends,
                                 makeStateTable(required_.info()), required_.subscribed());
   channel->clientsBell = client().sharedDoorbell();
   channel->laneReason = laneReason_;
+  mirrorRows(rows, *channel->state);
+  return channel;
+}
+
+void RemoteConnection::beginCalls(wire::ConnectResults::Accepted::Reader accepted) {
+  auto channel = mirroredChannel(Lane::Rpc, control_.doorbell(), accepted.getRows());
   channel->offered = std::min<std::size_t>(accepted.getOffered(), channel->info.commands.size());
-  mirrorRows(accepted.getRows(), *channel->state);
   auto port = kj::refcounted<rpc::ProxyPort>(control_, channel, -clockOffset_,
                                              KJ_ASSERT_NONNULL(link_)->counters());
   end_ = kj::addRef(*port);
   port->open(required_.info().binding().makeProxy(accepted.getContract(), *port));
+  use(std::move(channel));
+}
+
+kj::Promise<rpc::ByteStream> RemoteConnection::openSocket(wire::FrameOffer::Reader offer) {
+  if (!offer.hasToken()) return receiveSocket(offer.getSocket());
+  return manager_.reach(process_, kDialLimit)
+      .then([this, token = kj::heapArray(offer.getToken().asConst())](rpc::ByteStream bytes) {
+        rpc::breakWhenUnanswered(bytes.socket(), longestSilence_);
+        return showToken(kj::mv(bytes), token);
+      });
+}
+
+void RemoteConnection::beginFrames(rpc::ByteStream bytes, std::uint32_t epoch, std::uint32_t rows) {
+  const std::shared_ptr<rt::Doorbell> bell = frames_.doorbell();
+  auto channel = mirroredChannel(Lane::Frame, *bell, rows);
+  channel->providersBell = bell;
+  const auto connection = std::make_shared<frame::ClientSide>(
+      channel, kj::mv(bytes), frame::Terms{.epoch = epoch, .shift = -clockOffset_});
+  auto end = kj::refcounted<FrameEnd>(control_, channel, connection);
+  framesBroken_ = end->whenBroken();
+  end_ = kj::mv(end);
+  frames_.add(connection);
   use(std::move(channel));
 }
 
@@ -280,7 +329,9 @@ void RemoteConnection::use(std::shared_ptr<Channel> channel) {
 kj::Promise<void> RemoteConnection::keep() {
   auto closed = KJ_ASSERT_NONNULL(link_)->onDisconnect().then(
       [] { return std::string("closed: its process has ended, or the link is broken"); });
+  auto broken = std::exchange(framesBroken_, kj::NEVER_DONE);
   return closed.exclusiveJoin(whenLost(longestSilence_))
+      .exclusiveJoin(kj::mv(broken))
       .then([this](std::string&& why) {
         told_.lost(name(), std::move(why));
         drop();

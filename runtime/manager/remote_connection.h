@@ -6,6 +6,7 @@
 #include <suture/manager/manager_link.h>
 #include <suture/manager/network.h>
 #include <suture/peer.capnp.h>
+#include <suture/transport/frame/lane_thread.h>
 #include <suture/transport/rpc/address.h>
 #include <suture/transport/rpc/client_end.h>
 #include <suture/transport/rpc/link.h>
@@ -32,9 +33,9 @@ class RemoteConnection {
   };
 
   /// `from` and `to` with their processes.
-  RemoteConnection(rpc::ControlThread& control, ManagerLink& manager, RequiredBase& required,
-                   Endpoint from, Endpoint to, Lane lane, Told told, const Interposer& interposer,
-                   std::shared_ptr<ConnectionWatch> watch);
+  RemoteConnection(rpc::ControlThread& control, frame::LaneThread& frames, ManagerLink& manager,
+                   RequiredBase& required, Endpoint from, Endpoint to, Lane lane, Told told,
+                   const Interposer& interposer, std::shared_ptr<ConnectionWatch> watch);
   ~RemoteConnection() noexcept(false);
 
   /// Connects, waiting at most `patience` for the other process and its component. Rejects with the
@@ -53,11 +54,19 @@ class RemoteConnection {
   kj::Promise<void> introduce(Duration limit);
   kj::Promise<void> greet();
   kj::Promise<void> ask();
-  kj::Promise<void> ask(std::string whyNoMemory);
-  std::string whyNoMemory() const;
+  /// What is asked for: the faster ones first, and calls if there is none.
+  struct Lanes {
+    bool memory = false, frames = false;
+  };
+  kj::Promise<void> ask(Lanes lanes);
+  Lanes wantedLanes();
   kj::Promise<void> begin(wire::ConnectResults::Accepted::Reader accepted);
+  kj::Promise<void> beginFaster(wire::ConnectResults::Accepted::Reader accepted);
   void beginCalls(wire::ConnectResults::Accepted::Reader accepted);
   void beginSharing(const shm::SharedParts& parts);
+  kj::Promise<rpc::ByteStream> openSocket(wire::FrameOffer::Reader offer);
+  void beginFrames(rpc::ByteStream bytes, std::uint32_t epoch, std::uint32_t rows);
+  std::shared_ptr<Channel> mirroredChannel(Lane lane, rt::Doorbell& carrier, std::uint32_t rows);
   void use(std::shared_ptr<Channel> channel);
   Component& client() const;
   std::string name() const { return from_.toString() + " -> " + to_.toString(); }
@@ -67,6 +76,7 @@ class RemoteConnection {
   void drop();
 
   rpc::ControlThread& control_;
+  frame::LaneThread& frames_;
   ManagerLink& manager_;
   RequiredBase& required_;
   const Endpoint from_, to_;
@@ -77,11 +87,14 @@ class RemoteConnection {
   const Duration longestSilence_;
   bool sharesMachine_ = false;  // with the peer, by a Unix socket
   std::string laneReason_;      // why it is not a faster one
+  bool fasterFailed_ = false;   // the provider had agreed to one
   kj::Maybe<kj::Own<rpc::Link>> link_;
   kj::Maybe<wire::Peer::Client> peer_;
   kj::Maybe<wire::Connection::Client> connection_;
   kj::Maybe<kj::Own<Notified>> notified_;
   kj::Maybe<kj::Own<rpc::ClientEnd>> end_;
+  kj::Promise<std::string> framesBroken_ = kj::NEVER_DONE;
+  ProcessRecord process_;                      // the provider's, as it was reached
   Duration clockOffset_{0};                    // the peer's clock minus ours
   kj::Promise<void> keeping_ = kj::READY_NOW;  // last: cancelled first
 };

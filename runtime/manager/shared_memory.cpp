@@ -87,7 +87,7 @@ kj::Promise<shm::SharedParts> receive(wire::SharedChannel::Reader in,
   return receiveBlocks(in, contract, std::move(parts));
 }
 
-SharedPort::SharedPort(rpc::ControlThread& control, std::shared_ptr<Channel> channel)
+StatusPort::StatusPort(rpc::ControlThread& control, std::shared_ptr<Channel> channel)
     : ProviderEnd(std::move(channel)), control_(control) {
   control_.add(*this);
 }

@@ -26,12 +26,13 @@ void toWire(const shm::SharedParts& parts, wire::SharedChannel::Builder out);
 kj::Promise<shm::SharedParts> receive(wire::SharedChannel::Reader in,
                                       const InterfaceInfo& contract);
 
-/// The provider's end of a connection over shared memory: passes the status on.
-class SharedPort final : public rpc::ProviderEnd, private rpc::Pump {
+/// The provider's end of a connection whose data go another way, through shared memory or frames:
+/// passes the status on.
+class StatusPort final : public rpc::ProviderEnd, private rpc::Pump {
  public:
   /// `channel` is about to be attached to the provider; its watcher is the control thread.
-  SharedPort(rpc::ControlThread& control, std::shared_ptr<Channel> channel);
-  ~SharedPort() noexcept(false) { close(); }
+  StatusPort(rpc::ControlThread& control, std::shared_ptr<Channel> channel);
+  ~StatusPort() noexcept(false) { close(); }
 
  private:
   void ending() override { control_.remove(*this); }

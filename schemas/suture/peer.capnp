@@ -95,6 +95,7 @@ struct ConnectRequest {
   # one ends those before, whose commands may still be on their way; a lower one comes too late itself.
   # 0: neither.
   memory @12 :MemoryRequest;  # not there: the caller does not share memory
+  frame @13 :FrameRequest;    # not there: the caller sends no frames
 }
 
 struct MemoryRequest {
@@ -114,6 +115,23 @@ struct SharedChannel {
   rows @4 :UInt32;
 }
 
+struct FrameRequest {
+  layout @0 :Text;       # of the contract's slots; equal layouts may send them as they are
+  handsOver @1 :Bool;    # the link carries descriptors: the provider can hand a socket over
+}
+
+struct FrameOffer {
+  epoch @0 :UInt32;         # of every frame of the connection
+  socket @1 :FrameSocket;   # one end of a pair
+  token @2 :Data;
+  # Not there: the caller has the socket. Otherwise a second connection to the address of this link awaits
+  # it, once: eight bytes FRAME_OPENING, then these, then frames.
+}
+
+interface FrameSocket {
+  # The capability's file descriptor. It has no methods.
+}
+
 struct ConnectResults {
   union {
     accepted :group {
@@ -127,7 +145,9 @@ struct ConnectResults {
       memory @5 :SharedChannel;
       # Everything goes through it, and nothing through `contract`. Not there: the other way round.
       laneReason @6 :Text;
-      # Why the provider shares no memory although the caller asked for it.
+      # Why the provider has not agreed to the faster lane that the caller asked for.
+      frame @7 :FrameOffer;
+      # Everything goes through its frames, and nothing through `contract`. Not there: the other way round.
     }
     refused @2 :Manager.Refusal;
   }

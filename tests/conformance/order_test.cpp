@@ -112,8 +112,9 @@ INSTANTIATE_TEST_SUITE_P(
     Lanes, Order,
     testing::Combine(testing::Values(LaneUnderTest::Local, LaneUnderTest::Shm,
                                      LaneUnderTest::DelayedLocal, LaneUnderTest::DelayedShm,
-                                     LaneUnderTest::DelayedRpc, LaneUnderTest::RpcUnix,
-                                     LaneUnderTest::RpcTcp),
+                                     LaneUnderTest::DelayedFrame, LaneUnderTest::DelayedRpc,
+                                     LaneUnderTest::FrameUnix, LaneUnderTest::FrameTcp,
+                                     LaneUnderTest::RpcUnix, LaneUnderTest::RpcTcp),
                      testing::Values(ProviderKind::Periodic, ProviderKind::EventDriven),
                      testing::Values(ClientKind::Task, ClientKind::Device)),
     nameOf);

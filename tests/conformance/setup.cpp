@@ -51,8 +51,8 @@ void Conformance::SetUp() {
     providerManager_ = std::make_unique<suture::Manager>("alone");
     clientManager_ = providerManager_.get();
   } else {
-    names_ = std::make_unique<Names>(lane == LaneUnderTest::RpcTcp
-                                         ? "tcp://127.0.0.1:0"
+    const bool tcp = lane == LaneUnderTest::RpcTcp || lane == LaneUnderTest::FrameTcp;
+    names_ = std::make_unique<Names>(tcp ? "tcp://127.0.0.1:0"
                                          : "unix:" + directory_.file("manager.sock"));
     const std::string& address = names_->global.address();
     providerManager_ = std::make_unique<suture::Manager>("provider", address);
@@ -66,12 +66,28 @@ void Conformance::SetUp() {
   connect("Arm", provided());
 }
 
+suture::Lane Conformance::askedLane() const {
+  switch (std::get<0>(GetParam())) {
+    case LaneUnderTest::FrameUnix:
+    case LaneUnderTest::FrameTcp:
+    case LaneUnderTest::DelayedFrame: return suture::Lane::Frame;
+    case LaneUnderTest::RpcUnix:
+    case LaneUnderTest::RpcTcp:
+    case LaneUnderTest::DelayedRpc: return suture::Lane::Rpc;
+    default: return suture::Lane::Auto;
+  }
+}
+
+std::string Conformance::expectedLane() const {
+  if (withinOneProcess()) return "local";
+  return askedLane() == suture::Lane::Auto ? "shm" : toString(askedLane());
+}
+
 void Conformance::connect(const std::string& required, const std::string& provided) {
   const std::chrono::milliseconds each(isDelayed() ? 2 : 0);
-  clientManager_->connect(
-      "Console/" + required, (withinOneProcess() ? "PSM/" : "provider:PSM/") + provided,
-      withinOneProcess() || sharesMemory() ? suture::Lane::Auto : suture::Lane::Rpc,
-      suture::Manager::kDefaultPatience, {.commands = each, .answers = each});
+  clientManager_->connect("Console/" + required,
+                          (withinOneProcess() ? "PSM/" : "provider:PSM/") + provided, askedLane(),
+                          suture::Manager::kDefaultPatience, {.commands = each, .answers = each});
   const auto with = [&](const std::function<void(Arm&)>& work) {
     if (required == "Gripper") return client->withGripper(work);
     client->with(work);
@@ -105,8 +121,9 @@ void Conformance::stopProvider() {
 }
 
 std::string nameOf(const testing::TestParamInfo<Combination>& info) {
-  static constexpr const char* kLanes[] = {"Local",        "Shm",        "RpcUnix",   "RpcTcp",
-                                           "DelayedLocal", "DelayedShm", "DelayedRpc"};
+  static constexpr const char* kLanes[] = {
+      "Local",  "Shm",          "FrameUnix",  "FrameTcp",     "RpcUnix",
+      "RpcTcp", "DelayedLocal", "DelayedShm", "DelayedFrame", "DelayedRpc"};
   static constexpr const char* kProviders[] = {"Periodic", "EventDriven", "Device"};
   static constexpr const char* kClients[] = {"Task", "Device"};
   const auto [lane, provider, client] = info.param;

@@ -15,7 +15,18 @@
 
 namespace conformance {
 
-enum class LaneUnderTest { Local, Shm, RpcUnix, RpcTcp, DelayedLocal, DelayedShm, DelayedRpc };
+enum class LaneUnderTest {
+  Local,
+  Shm,
+  FrameUnix,
+  FrameTcp,
+  RpcUnix,
+  RpcTcp,
+  DelayedLocal,
+  DelayedShm,
+  DelayedFrame,
+  DelayedRpc,
+};
 enum class ProviderKind { Periodic, EventDriven, Device };
 enum class ClientKind { Task, Device };
 
@@ -41,12 +52,12 @@ class Conformance : public testing::TestWithParam<Combination> {
   bool isDelayed() const {
     const LaneUnderTest lane = std::get<0>(GetParam());
     return lane == LaneUnderTest::DelayedLocal || lane == LaneUnderTest::DelayedShm ||
-           lane == LaneUnderTest::DelayedRpc;
+           lane == LaneUnderTest::DelayedFrame || lane == LaneUnderTest::DelayedRpc;
   }
-  bool sharesMemory() const {
-    const LaneUnderTest lane = std::get<0>(GetParam());
-    return lane == LaneUnderTest::Shm || lane == LaneUnderTest::DelayedShm;
-  }
+  /// That is asked for. Shared memory nobody has to ask for.
+  suture::Lane askedLane() const;
+  /// Its name, without the delay.
+  std::string expectedLane() const;
   bool runsInCallersThread() const {
     return providerIsDevice() && std::get<0>(GetParam()) == LaneUnderTest::Local;
   }
@@ -77,9 +88,10 @@ class Conformance : public testing::TestWithParam<Combination> {
 /// Every lane, every kind of provider, every kind of client.
 inline auto allCombinations() {
   return testing::Combine(
-      testing::Values(LaneUnderTest::Local, LaneUnderTest::Shm, LaneUnderTest::RpcUnix,
-                      LaneUnderTest::RpcTcp, LaneUnderTest::DelayedLocal, LaneUnderTest::DelayedShm,
-                      LaneUnderTest::DelayedRpc),
+      testing::Values(LaneUnderTest::Local, LaneUnderTest::Shm, LaneUnderTest::FrameUnix,
+                      LaneUnderTest::FrameTcp, LaneUnderTest::RpcUnix, LaneUnderTest::RpcTcp,
+                      LaneUnderTest::DelayedLocal, LaneUnderTest::DelayedShm,
+                      LaneUnderTest::DelayedFrame, LaneUnderTest::DelayedRpc),
       testing::Values(ProviderKind::Periodic, ProviderKind::EventDriven, ProviderKind::Device),
       testing::Values(ClientKind::Task, ClientKind::Device));
 }

@@ -8,6 +8,7 @@ void ClientEnd::close(ChannelStatus why) {
   ending();
   channel_->status.store(why, std::memory_order_release);
   channel_->ends.client->ring();
+  channel_->ends.provider->ring();  // whoever carries it lets go
 }
 
 }  // namespace suture::rpc

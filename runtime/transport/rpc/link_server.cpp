@@ -24,11 +24,12 @@ Listener::Opens opensOf(const Trust& trust, const Address& address) {
 using capnp::rpc::twoparty::Side;
 
 LinkServer::LinkServer(EventPort& port, const Address& address, Offer offer, StreamLimits limits,
-                       std::size_t maxLinks, Trust trust)
+                       std::size_t maxLinks, Trust trust, Awaited awaited)
     : port_(port),
       trust_(usable(trust, address)),
       listener_(port, address, opensOf(trust, address)),
       offer_(kj::mv(offer)),
+      awaited_(kj::mv(awaited)),
       limits_(limits),
       maxLinks_(maxLinks),
       mayTell_(port.getTimer().now()),
@@ -41,8 +42,12 @@ void LinkServer::accept(kj::AutoCloseFd socket) {
   ++links_;
   // What fails here, for want of memory perhaps, is the end of this one alone.
   auto served = kj::evalNow([&] {
-    return address().kind == Address::Kind::Tls ? secure(kj::mv(socket))
-                                                : serve(ByteStream(kj::mv(socket)));
+    switch (address().kind) {
+      case Address::Kind::Tls: return secure(kj::mv(socket));
+      case Address::Kind::Tcp: return open(ByteStream(kj::mv(socket)));
+      case Address::Kind::Unix: break;  // what is no link is handed over on one
+    }
+    return serve(ByteStream(kj::mv(socket)), {});
   });
   tasks_.add(served.attach(kj::defer([this] { --links_; })));
 }
@@ -50,13 +55,24 @@ void LinkServer::accept(kj::AutoCloseFd socket) {
 kj::Promise<void> LinkServer::secure(kj::AutoCloseFd socket) {
   const auto deadline = std::chrono::milliseconds(limits_.handshakeMilliseconds);
   return handshake(port_, kj::mv(socket), trust_.keys, tls::Session::Side::Server, deadline)
-      .then([this](ByteStream bytes) { return serve(kj::mv(bytes)); });
+      .then([this](ByteStream bytes) { return open(kj::mv(bytes)); });
 }
 
-kj::Promise<void> LinkServer::serve(ByteStream bytes) {
+kj::Promise<void> LinkServer::open(ByteStream bytes) {
+  return readOpening(port_, kj::mv(bytes), limits_)
+      .then([this](Opened opened) -> kj::Promise<void> {
+        KJ_IF_MAYBE (token, opened.token) {
+          awaited_(*token, kj::mv(opened.bytes));
+          return kj::READY_NOW;
+        }
+        return serve(kj::mv(opened.bytes), opened.begun);
+      });
+}
+
+kj::Promise<void> LinkServer::serve(ByteStream bytes, std::span<const std::byte> begun) {
   auto caller = std::make_shared<Caller>();
   caller->identity = bytes.peer();
-  auto stream = kj::heap<MessageStream>(port_, kj::mv(bytes), limits_);
+  auto stream = kj::heap<MessageStream>(port_, kj::mv(bytes), limits_, begun);
   caller->counters = stream->counters();
   auto link = kj::heap<Link>(kj::mv(stream), Side::SERVER, offerTo(caller));
   auto gone = link->onDisconnect().exclusiveJoin(whenStranger(std::move(caller)));

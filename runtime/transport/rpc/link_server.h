@@ -3,6 +3,7 @@
 
 #include <suture/transport/rpc/link.h>
 #include <suture/transport/rpc/listener.h>
+#include <suture/transport/rpc/opening.h>
 #include <suture/transport/rpc/secure.h>
 
 #include <memory>
@@ -24,19 +25,25 @@ class LinkServer final : private kj::TaskSet::ErrorHandler {
   /// Makes the bootstrap capability of each new link.
   using Offer = kj::Function<capnp::Capability::Client(std::shared_ptr<Caller>)>;
 
+  /// Given the connections that are no links, see opening.h.
+  using Awaited = kj::Function<void(const Token&, ByteStream)>;
+
   /// Throws SetupError as Listener does, or if the address needs keys and `trust` has none. More
   /// than `maxLinks` connections at a time are closed unheard. At tls:// a peer without a
   /// certificate of the CA gets no link; at unix: one that is run by a user who is not trusted gets
   /// a link on which it only hears why it is refused.
-  LinkServer(EventPort& port, const Address& address, Offer offer, StreamLimits limits = {},
-             std::size_t maxLinks = 1024, Trust trust = {});
+  LinkServer(
+      EventPort& port, const Address& address, Offer offer, StreamLimits limits = {},
+      std::size_t maxLinks = 1024, Trust trust = {},
+      Awaited awaited = [](const Token&, ByteStream) {});
 
   const Address& address() const { return listener_.address(); }
 
  private:
   void accept(kj::AutoCloseFd socket);
   kj::Promise<void> secure(kj::AutoCloseFd socket);
-  kj::Promise<void> serve(ByteStream bytes);
+  kj::Promise<void> open(ByteStream bytes);
+  kj::Promise<void> serve(ByteStream bytes, std::span<const std::byte> begun);
   capnp::Capability::Client offerTo(const std::shared_ptr<Caller>& caller);
   kj::Promise<void> whenStranger(std::shared_ptr<Caller> caller);
   void taskFailed(kj::Exception&& exception) override;
@@ -45,6 +52,7 @@ class LinkServer final : private kj::TaskSet::ErrorHandler {
   const Trust trust_;
   Listener listener_;
   Offer offer_;
+  Awaited awaited_;
   StreamLimits limits_;
   std::size_t maxLinks_;
   std::size_t links_ = 0;

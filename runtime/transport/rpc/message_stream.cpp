@@ -3,6 +3,7 @@
 #include <suture/transport/rpc/failure.h>
 #include <suture/transport/rpc/received_message.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <span>
 
@@ -31,12 +32,18 @@ bool isTls(std::span<const std::byte> bytes) {
 
 }  // namespace
 
-MessageStream::MessageStream(EventPort& port, ByteStream bytes, StreamLimits limits)
+MessageStream::MessageStream(EventPort& port, ByteStream bytes, StreamLimits limits,
+                             std::span<const std::byte> begun)
     : port_(port),
       bytes_(kj::mv(bytes)),
       limits_(limits),
       readObserver_(port, bytes_.socket(), kj::UnixEventPort::FdObserver::OBSERVE_READ),
-      opened_(port.getTimer().now()) {}
+      opened_(port.getTimer().now()) {
+  if (begun.empty()) return;
+  std::copy(begun.begin(), begun.end(), incoming_.space().begin());
+  incoming_.arrived(begun.size());
+  counters_->receivedBytes = begun.size();
+}
 
 MessageStream::~MessageStream() noexcept(false) { port_.forget(*this); }
 

@@ -15,6 +15,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace suture::rpc {
@@ -33,7 +34,9 @@ struct LinkCounters {
 /// kj::Exception from the pending read; nothing it sent beyond that point is looked at.
 class MessageStream final : private EventPort::Output {
  public:
-  MessageStream(EventPort& port, ByteStream bytes, StreamLimits limits = {});
+  /// `begun`: what has been received already.
+  MessageStream(EventPort& port, ByteStream bytes, StreamLimits limits = {},
+                std::span<const std::byte> begun = {});
   ~MessageStream() noexcept(false);
 
   const StreamLimits& limits() const { return limits_; }

@@ -8,6 +8,7 @@ void ProviderEnd::close() {
   ending();
   channel_->status = ChannelStatus::Closed;
   channel_->ends.provider->ring();
+  channel_->ends.client->ring();  // whoever carries it lets go
 }
 
 void ProviderEnd::end() {

@@ -28,6 +28,8 @@ struct Row {
 
 constexpr Row kRows[] = {
     {"shm", "shm", Transport::Unix, Lane::Shm, "raw.shm"},
+    {"frame, Unix socket", "frame.unix", Transport::Unix, Lane::Frame, "raw.unix"},
+    {"frame, TCP", "frame.tcp", Transport::Tcp, Lane::Frame, "raw.tcp"},
     {"rpc, Unix socket", "rpc.unix", Transport::Unix, Lane::Rpc, "raw.unix"},
     {"rpc, TCP", "rpc.tcp", Transport::Tcp, Lane::Rpc, "raw.tcp"},
 };

@@ -13,6 +13,14 @@ namespace {
 constexpr const char* kKinds[] = {"Device",     "Periodic",     "Continuous",
                                   "FromSignal", "FromCallback", "Guest"};
 
+suture::Lane askedLane(LaneUnderTest lane) {
+  switch (lane) {
+    case LaneUnderTest::Frame: return suture::Lane::Frame;
+    case LaneUnderTest::Rpc: return suture::Lane::Rpc;
+    default: return suture::Lane::Auto;
+  }
+}
+
 }  // namespace
 
 /// One process, or two and their global manager: two managers in one process share nothing but the
@@ -49,11 +57,12 @@ void Scenario::SetUp() {
   if (!local) clients.start();
   server->begin();
   client->begin();
-  const bool calls = std::get<0>(GetParam()) == LaneUnderTest::Rpc;
-  const suture::Lane lane = calls ? suture::Lane::Rpc : suture::Lane::Auto;
+  const suture::Lane lane = askedLane(std::get<0>(GetParam()));
   clients.connect("Client/Used", local ? "Server/Served" : "servers:Server/Served", lane);
   servers.connect("Server/Used", local ? "Client/Served" : "clients:Client/Served", lane);
-  const std::string expected = local ? "local" : calls ? "rpc" : "shm";
+  const std::string expected = local                        ? "local"
+                               : lane == suture::Lane::Auto ? "shm"
+                                                            : toString(lane);
   for (const auto& channel : clients.channels()) EXPECT_EQ(channel->lane, expected);
   for (End* end : {client.get(), server.get()}) ASSERT_TRUE(end->awaitConnection());
 }
@@ -68,7 +77,7 @@ void Scenario::TearDown() {
 
 std::string nameOf(const testing::TestParamInfo<Combination>& info) {
   const auto [lane, server, client] = info.param;
-  static constexpr const char* kLanes[] = {"Local", "Shm", "Rpc"};
+  static constexpr const char* kLanes[] = {"Local", "Shm", "Frame", "Rpc"};
   return std::string(kLanes[static_cast<int>(lane)]) + "To" + kKinds[static_cast<int>(server)] +
          "From" + kKinds[static_cast<int>(client)];
 }

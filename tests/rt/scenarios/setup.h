@@ -12,7 +12,7 @@
 
 namespace scenarios {
 
-enum class LaneUnderTest { Local, Shm, Rpc };
+enum class LaneUnderTest { Local, Shm, Frame, Rpc };
 
 using Combination = std::tuple<LaneUnderTest, Kind, Kind>;
 
@@ -35,8 +35,9 @@ class Scenario : public testing::TestWithParam<Combination> {
 inline auto allCombinations() {
   const auto kinds = testing::Values(Kind::Device, Kind::Periodic, Kind::Continuous,
                                      Kind::FromSignal, Kind::FromCallback, Kind::Guest);
-  return testing::Combine(
-      testing::Values(LaneUnderTest::Local, LaneUnderTest::Shm, LaneUnderTest::Rpc), kinds, kinds);
+  return testing::Combine(testing::Values(LaneUnderTest::Local, LaneUnderTest::Shm,
+                                          LaneUnderTest::Frame, LaneUnderTest::Rpc),
+                          kinds, kinds);
 }
 
 std::string nameOf(const testing::TestParamInfo<Combination>& info);

@@ -1,0 +1,172 @@
+#include <suture/transport/frame/client_side.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace suture::frame {
+namespace {
+
+// The counters have one writer each.
+void add(std::atomic<std::uint64_t>& counter, std::uint64_t count) {
+  counter.store(counter.load(std::memory_order_relaxed) + count, std::memory_order_relaxed);
+}
+
+}  // namespace
+
+// The provider's channel was made with what is subscribed to.
+ClientSide::ClientSide(std::shared_ptr<Channel> channel, rpc::ByteStream bytes, const Terms& terms)
+    : Connection(std::move(channel), std::move(bytes), terms),
+      events_(channel_->subscribed()),
+      since_(channel_->info.events.size()),
+      lent_(channel_->info.commands.size()),
+      refused_(channel_->info.commands.size()) {
+  channel_->takeJoining();
+}
+
+// ---- from the provider
+
+bool ClientSide::take(const Header& header, std::span<const std::byte> payload) {
+  switch (header.kind) {
+    case Kind::Reply: return takeReply(header, payload);
+    case Kind::Event: return takeEvent(header, payload);
+    case Kind::Row: return takeRow(header, payload);
+    case Kind::Taken: return takeCredits(header);
+    case Kind::Refused: return takeRefusals(header);
+    default: return false;
+  }
+}
+
+void ClientSide::taken() {
+  if (news_) {
+    channel_->ends.client->ring();
+  } else if (arrival_) {
+    channel_->ends.client->ring(rt::RungFor::Arrival);
+  }
+  arrival_ = news_ = false;
+}
+
+// One to a call that is no longer known comes too late for anybody.
+bool ClientSide::takeReply(const Header& header, std::span<const std::byte> payload) {
+  const Sent& sent = calls_[header.call % calls_.size()];
+  if (header.call == 0 || sent.call != header.call) return true;
+  const auto error = static_cast<Errc>(header.error);
+  const std::uint32_t size = error == Errc{} ? sent.resultSize : 0;
+  if (payload.size() != size) return false;
+  const auto copy = [&](std::byte* result) {
+    if (size > 0) std::memcpy(result, payload.data(), size);
+    return error;
+  };
+  channel_->reply(header.call, {.size = size}, copy, here(header.stamp));
+  arrival_ = true;
+  return true;
+}
+
+// What was emitted for an earlier subscription is not for this one.
+bool ClientSide::takeEvent(const Header& header, std::span<const std::byte> payload) {
+  if (header.number >= since_.size()) return false;
+  if (payload.size() != channel_->info.events[header.number].payloadSize) return false;
+  if (header.call < since_[header.number]) return true;
+  channel_->events.push(header.number, here(header.stamp), payload);
+  arrival_ = true;
+  return true;
+}
+
+bool ClientSide::takeRow(const Header& header, std::span<const std::byte> payload) {
+  Columns columns;
+  if (payload.size() < sizeof(columns)) return false;
+  std::memcpy(&columns, payload.data(), sizeof(columns));
+  payload = payload.subspan(sizeof(columns));
+  rt::StateTable& mirror = *channel_->state;
+  for (unsigned i = 0; i < mirror.columns(); ++i) {
+    if ((columns.valid >> i & 1) == 0) continue;
+    const std::size_t size = mirror.columnSize(i);
+    if (payload.size() < wordBytes(size)) return false;
+    std::memcpy(mirror.draft(i), payload.data(), size);
+    payload = payload.subspan(wordBytes(size));
+  }
+  if (!payload.empty()) return false;
+  mirror.publish(here(header.stamp), columns.valid & columns_, columns.tooLarge & columns_);
+  news_ = news_ || channel_->wantsRows.load(std::memory_order_relaxed);
+  return true;
+}
+
+bool ClientSide::takeCredits(const Header& header) {
+  if (header.number >= lent_.size() || header.call > lent_[header.number]) return false;
+  lent_[header.number] -= header.call;
+  for (std::uint32_t i = 0; i < header.call; ++i) channel_->commands.returnCredit(header.number);
+  const std::uint32_t refused = std::min(refused_[header.number], header.call);
+  refused_[header.number] -= refused;
+  add(channel_->commands.counters.executed, header.call - refused);
+  return true;
+}
+
+// Their credits come behind, with those of others that were executed.
+bool ClientSide::takeRefusals(const Header& header) {
+  if (header.number >= refused_.size()) return false;
+  add(channel_->commands.counters.failed, header.call);
+  refused_[header.number] += header.call;
+  return true;
+}
+
+// ---- to the provider
+
+void ClientSide::give() {
+  giveSubscription();
+  giveCommands();
+}
+
+void ClientSide::giveSubscription() {
+  const rt::ColumnSet columns = channel_->state->demand();
+  const EventSet events = channel_->subscribed();
+  if (!channel_->joining() && columns == columns_ && events == events_) return;
+  if (!socket_.hasRoom()) return;
+  ++subscription_;
+  const EventSet joining = channel_->takeJoining();
+  for (std::size_t i = 0; i < since_.size(); ++i) {
+    if (joining >> i & 1) since_[i] = subscription_;
+  }
+  events_ = events;
+  columns_ = columns;
+  const Subscription content{events, joining, columns};
+  send({.kind = Kind::Subscribe, .call = subscription_}, std::as_bytes(std::span(&content, 1)));
+}
+
+// Without room they stay with the client, whose credits bound them, or where newer ones replace
+// them.
+void ClientSide::giveCommands() {
+  rt::Mailbox& commands = channel_->commands;
+  if (!socket_.hasRoom() || !commands.pending()) return;
+  commands.fixCut();
+  giveSubscription();  // ahead of commands that were sent later
+  while (socket_.hasRoom()) {
+    const rt::CommandRecord* const record = commands.next();
+    if (record == nullptr) return;
+    giveCommand(*record);
+    commands.pop();
+  }
+}
+
+void ClientSide::giveCommand(const rt::CommandRecord& record) {
+  const CommandInfo& command = channel_->info.commands[record.command];
+  if (record.call != 0 && !channel_->claimCall(record.call)) {
+    channel_->replyError(record.call, Errc::Cancelled);
+    channel_->ends.client->ring(rt::RungFor::Arrival);
+    channel_->commands.returnCredit(record.command);
+    add(channel_->commands.counters.refused, 1);
+    return;
+  }
+  send({.kind = Kind::Command,
+        .number = record.command,
+        .call = record.call,
+        .stamp = toNanoseconds(record.stamp)},
+       {record.arguments(), command.argumentsSize});
+  if (record.call != 0) calls_[record.call % calls_.size()] = {record.call, command.resultSize};
+  // A newest-wins command without an answer uses none.
+  if (command.latest && record.call == 0) {
+    add(channel_->commands.counters.executed, 1);
+  } else {
+    ++lent_[record.command];
+  }
+}
+
+}  // namespace suture::frame

@@ -1,0 +1,125 @@
+#include <suture/base/errors.h>
+#include <suture/rt/thread.h>
+#include <suture/transport/frame/lane_thread.h>
+
+#include <sys/epoll.h>
+#include <sys/eventfd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <iterator>
+
+namespace suture::frame {
+namespace {
+
+// As many as one look brings; the rest comes with the next.
+constexpr int kArrivals = 64;
+
+kj::AutoCloseFd opened(int descriptor, const char* what) {
+  if (descriptor >= 0) return kj::AutoCloseFd(descriptor);
+  throw SetupError(std::string("make ") + what + " for the thread of frames", std::strerror(errno),
+                   "Raise the limit of descriptors (ulimit -n)");
+}
+
+}  // namespace
+
+std::shared_ptr<LaneThread::Bell> LaneThread::makeBell() {
+  auto descriptor = opened(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK), "an eventfd");
+  const int number = descriptor;
+  return std::shared_ptr<Bell>(new Bell{kj::mv(descriptor), rt::Doorbell(number)});
+}
+
+LaneThread::LaneThread() : poll_(opened(epoll_create1(EPOLL_CLOEXEC), "an epoll")) {
+  // Its edge ends the sleep; it is never read.
+  epoll_event event{.events = EPOLLIN | EPOLLET, .data = {.ptr = nullptr}};
+  epoll_ctl(poll_, EPOLL_CTL_ADD, bell_->eventDescriptor, &event);
+}
+
+void LaneThread::start() {
+  sigset_t all, before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  thread_ = std::thread([this] { loop(); });
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+}
+
+void LaneThread::stop() {
+  stopping_ = true;
+  bell_->doorbell.ring();
+  if (thread_.joinable()) thread_.join();
+  carried_.clear();
+}
+
+void LaneThread::add(std::shared_ptr<Connection> connection) {
+  {
+    const std::lock_guard lock(mutex_);
+    added_.push_back(std::move(connection));
+    anyAdded_ = true;
+    if (!thread_.joinable()) start();
+  }
+  bell_->doorbell.ring();
+}
+
+void LaneThread::loop() {
+  pthread_setname_np(pthread_self(), "suture-lane");
+  rt::askForSlice(rt::kServiceSlice);
+  while (!stopping_) {
+    bell_->doorbell.takeRing();
+    takeOver();
+    turnAll();
+    sleep();
+  }
+  for (const Carried& one : carried_) letGo(one);
+}
+
+void LaneThread::takeOver() {
+  if (!anyAdded_.exchange(false)) return;
+  const std::lock_guard lock(mutex_);
+  for (auto& one : added_) {
+    carried_.push_back({std::move(one)});
+    watch(carried_.back(), EPOLL_CTL_ADD);
+  }
+  added_.clear();
+}
+
+void LaneThread::watch(const Carried& carried, int operation) {
+  const std::uint32_t room = carried.full ? std::uint32_t{EPOLLOUT} : 0;
+  epoll_event event{.events = EPOLLIN | room, .data = {.ptr = carried.connection.get()}};
+  epoll_ctl(poll_, operation, carried.connection->descriptor(), &event);
+}
+
+void LaneThread::turnAll() {
+  for (Carried& one : carried_) {
+    one.connection->turn();
+    if (one.connection->isFull() == one.full || one.connection->over()) continue;
+    one.full = !one.full;
+    watch(one, EPOLL_CTL_MOD);
+  }
+  std::erase_if(carried_, [this](const Carried& one) {
+    const bool over = one.connection->over();
+    if (over) letGo(one);
+    return over;
+  });
+}
+
+// Others may hold it still.
+void LaneThread::letGo(const Carried& carried) {
+  watch(carried, EPOLL_CTL_DEL);
+  carried.connection->end();
+}
+
+void LaneThread::sleep() {
+  const bool lies = bell_->doorbell.lieDown();
+  epoll_event events[kArrivals];
+  const int count = epoll_wait(poll_, events, kArrivals, lies ? -1 : 0);
+  if (lies) bell_->doorbell.standUp();
+  for (int i = 0; i < count; ++i) {
+    auto* const connection = static_cast<Connection*>(events[i].data.ptr);
+    if (connection != nullptr && (events[i].events & ~std::uint32_t{EPOLLOUT}) != 0) {
+      connection->arrived();
+    }
+  }
+}
+
+}  // namespace suture::frame

@@ -1,0 +1,200 @@
+#include <suture/transport/frame/provider_side.h>
+
+#include <cstring>
+#include <utility>
+
+namespace suture::frame {
+
+ProviderSide::ProviderSide(std::shared_ptr<Channel> channel, rpc::ByteStream bytes,
+                           const Terms& terms, Access access)
+    : Connection(std::move(channel), std::move(bytes), terms),
+      access_(access),
+      waiting_(channel_->info.commands.size()),
+      refused_(channel_->info.commands.size()),
+      since_(channel_->info.events.size(), now()),
+      slots_(channel_->state->columns()),
+      wantedSlots_(channel_->state->columns()) {
+  for (const CommandInfo& one : channel_->info.commands) {
+    if (one.column >= 0)
+      slots_[static_cast<unsigned>(one.column)].resize(wordBytes(one.resultSize) / 8);
+  }
+  // Also tells when commands have been taken, for a provider that publishes no rows.
+  channel_->wantsRows = true;
+}
+
+// ---- from the client
+
+bool ProviderSide::take(const Header& header, std::span<const std::byte> payload) {
+  switch (header.kind) {
+    case Kind::Command: return takeCommand(header, payload);
+    case Kind::Subscribe: return takeSubscription(header, payload);
+    default: return false;
+  }
+}
+
+void ProviderSide::taken() {
+  if (std::exchange(work_, false)) channel_->ends.provider->ring();
+}
+
+bool ProviderSide::takeCommand(const Header& header, std::span<const std::byte> payload) {
+  if (header.number >= waiting_.size()) return false;
+  const CommandInfo& command = channel_->info.commands[header.number];
+  if (payload.size() != command.argumentsSize) return false;
+  const bool usesCredit = !command.latest || header.call != 0;
+  if (usesCredit && waiting_[header.number] == command.depth) return false;
+  if (usesCredit) ++waiting_[header.number];
+  const Errc error = post(header, payload);
+  if (error != Errc{}) return refuse(header, error);
+  work_ = true;
+  return true;
+}
+
+bool ProviderSide::refuse(const Header& header, Errc error) {
+  if (header.call == 0) {
+    ++refused_[header.number];
+    anyRefused_ = true;
+    return true;
+  }
+  if (refusedCallCount_ == refusedCalls_.size()) return false;
+  refusedCalls_[refusedCallCount_++] = {header.call, error};
+  return true;
+}
+
+Errc ProviderSide::post(const Header& header, std::span<const std::byte> payload) {
+  const CommandInfo& command = channel_->info.commands[header.number];
+  const bool reads =
+      command.kind == CommandKind::Read || command.kind == CommandKind::QualifiedRead;
+  const Errc error = errorOf(channel_->status.load(std::memory_order_acquire));
+  if (error != Errc{}) return error;
+  if (access_ == Access::Read && !reads) return Errc::NotPermitted;
+  const auto slot = channel_->commands.claim(header.number, here(header.stamp), header.call);
+  if (!slot) return slot.error();
+  if (!payload.empty()) std::memcpy(*slot, payload.data(), payload.size());
+  if (command.accepts != nullptr && !command.accepts(*slot)) {
+    channel_->commands.abandon();
+    return Errc::Invalid;
+  }
+  channel_->commands.commit();
+  return Errc{};
+}
+
+bool ProviderSide::takeSubscription(const Header& header, std::span<const std::byte> payload) {
+  Subscription wanted;
+  if (payload.size() != sizeof(wanted)) return false;
+  std::memcpy(&wanted, payload.data(), sizeof(wanted));
+  subscription_ = header.call;
+  for (std::size_t i = 0; i < since_.size(); ++i) {
+    if (wanted.joining >> i & 1) since_[i] = now();
+  }
+  channel_->subscribe(wanted.events, wanted.joining & wanted.events);
+  columns_ = 0;
+  lastRow_ = 0;
+  for (unsigned i = 0; i < slots_.size(); ++i) {
+    const bool read = (wanted.columns >> i & 1) != 0 && !slots_[i].empty();
+    wantedSlots_[i] = read ? reinterpret_cast<std::byte*>(slots_[i].data()) : nullptr;
+    if (read) columns_ |= rt::ColumnSet{1} << i;
+  }
+  channel_->state->askAll(columns_);
+  work_ = true;
+  return true;
+}
+
+// ---- to the client
+
+void ProviderSide::give() {
+  giveReplies();
+  giveRefusals();
+  giveCredits();
+  giveEvents();
+  giveRow();
+}
+
+void ProviderSide::giveReplies() {
+  while (socket_.hasRoom()) {
+    const ReplyRecord* const reply = channel_->nextReply();
+    if (reply == nullptr) return;
+    const bool value = reply->error == Errc{};
+    const std::size_t size = value ? channel_->replies.frontSize() - sizeof(ReplyRecord) : 0;
+    send({.kind = Kind::Reply,
+          .error = static_cast<std::uint8_t>(reply->error),
+          .call = reply->call,
+          .stamp = toNanoseconds(reply->stamp)},
+         {reply->result(), size});
+    channel_->popReply();
+  }
+}
+
+void ProviderSide::giveRefusals() {
+  while (refusedCallCount_ > 0 && socket_.hasRoom()) {
+    const RefusedCall& one = refusedCalls_[--refusedCallCount_];
+    send({.kind = Kind::Reply, .error = static_cast<std::uint8_t>(one.error), .call = one.call});
+  }
+  for (std::uint16_t command = 0; anyRefused_ && command < refused_.size(); ++command) {
+    if (refused_[command] == 0) continue;
+    if (!socket_.hasRoom()) return;
+    send({.kind = Kind::Refused, .number = command, .call = std::exchange(refused_[command], 0)});
+  }
+  anyRefused_ = false;
+}
+
+void ProviderSide::giveCredits() {
+  for (std::uint16_t command = 0; command < waiting_.size(); ++command) {
+    if (waiting_[command] == 0) continue;
+    const std::uint32_t there = channel_->commands.waiting(command);
+    if (there >= waiting_[command]) continue;
+    if (!socket_.hasRoom()) return;
+    send({.kind = Kind::Taken, .number = command, .call = waiting_[command] - there});
+    waiting_[command] = there;
+  }
+}
+
+void ProviderSide::giveEvents() {
+  while (socket_.hasRoom()) {
+    const rt::EventRecord* const record = channel_->events.next();
+    if (record == nullptr) return;
+    if (wanted(*record)) {
+      send({.kind = Kind::Event,
+            .number = record->event,
+            .call = subscription_,
+            .stamp = toNanoseconds(record->stamp)},
+           {record->payload(), channel_->info.events[record->event].payloadSize});
+    }
+    channel_->events.pop();
+  }
+}
+
+// Of a latched event the value may be older than its subscription: a replay.
+bool ProviderSide::wanted(const rt::EventRecord& record) const {
+  if ((channel_->subscribed() >> record.event & 1) == 0) return false;
+  return record.stamp >= since_[record.event] || channel_->info.events[record.event].latched;
+}
+
+void ProviderSide::giveRow() {
+  rt::StateTable& state = *channel_->state;
+  if (columns_ == 0 || !socket_.hasRoom() || state.rows() == lastRow_) return;
+  rt::StateTable::Row row = state.readRow(wantedSlots_);
+  lastRow_ = row.sequence;
+  row.valid &= columns_;
+  row.tooLarge &= columns_;
+  if ((row.valid | row.tooLarge) != 0) sendRow(row);
+}
+
+void ProviderSide::sendRow(const rt::StateTable::Row& row) {
+  const Columns columns{row.valid, row.tooLarge};
+  std::size_t size = sizeof(columns);
+  for (unsigned i = 0; i < slots_.size(); ++i) {
+    if (row.valid >> i & 1) size += slots_[i].size() * sizeof(std::uint64_t);
+  }
+  std::byte* memory = socket_.begin({.kind = Kind::Row, .stamp = toNanoseconds(row.stamp)}, size);
+  const auto put = [&memory](const void* bytes, std::size_t count) {
+    std::memcpy(memory, bytes, count);
+    memory += count;
+  };
+  put(&columns, sizeof(columns));
+  for (unsigned i = 0; i < slots_.size(); ++i) {
+    if (row.valid >> i & 1) put(slots_[i].data(), slots_[i].size() * sizeof(std::uint64_t));
+  }
+  socket_.finish();
+}
+
+}  // namespace suture::frame

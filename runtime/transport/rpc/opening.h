@@ -1,0 +1,37 @@
+#pragma once
+// What a connection over TCP or TLS is for, as its first bytes tell: messages, or something that
+// awaits it.
+
+#include <kj/async-unix.h>
+#include <suture/transport/rpc/byte_stream.h>
+#include <suture/transport/rpc/frame_header.h>
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace suture::rpc {
+
+/// Which of those that await a connection is meant: a secret that is good for one.
+using Token = std::array<std::byte, 16>;
+
+/// A connection that begins so is no link: a token follows. No message can begin with it.
+inline constexpr std::string_view kOpening = "SUTFRAME";
+
+/// Both, as they are sent.
+std::array<std::byte, sizeof(Token) + 8> openingOf(const Token& token);
+
+/// A connection whose beginning has been read.
+struct Opened {
+  ByteStream bytes;
+  kj::Maybe<Token> token;
+  /// Of a link: the bytes of its first message that have been read.
+  std::vector<std::byte> begun;
+};
+
+/// Control thread: reads as far as that needs. Rejects if the peer says nothing in time, or leaves.
+kj::Promise<Opened> readOpening(kj::UnixEventPort& port, ByteStream bytes,
+                                const StreamLimits& limits);
+
+}  // namespace suture::rpc
