@@ -69,8 +69,9 @@ void FrameSockets::arrived(const rpc::Token& token, rpc::ByteStream bytes) {
 }
 
 void FrameSockets::carry(const AwaitingSocket& end, rpc::ByteStream bytes) {
-  lane_.add(
-      std::make_shared<frame::ProviderSide>(end.channel, kj::mv(bytes), end.terms, end.access));
+  auto side = std::make_shared<frame::ProviderSide>(end.channel, kj::mv(bytes), end.terms);
+  if (end.readOnly) side->setReadOnly();
+  lane_.add(std::move(side));
 }
 
 kj::Promise<rpc::ByteStream> receiveSocket(wire::FrameSocket::Client socket) {

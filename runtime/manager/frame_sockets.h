@@ -20,7 +20,7 @@ namespace suture {
 struct AwaitingSocket {
   std::shared_ptr<Channel> channel;
   frame::Terms terms;
-  frame::Access access;
+  bool readOnly = false;
 };
 
 /// The provider's ends of a process on their way to the lane thread. Belongs to the control thread.

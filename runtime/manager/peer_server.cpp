@@ -341,7 +341,7 @@ void PeerServer::sendFrames(Asked& asked, const InterfaceInfo& contract,
   const AwaitingSocket end{
       .channel = channel,
       .terms = {.epoch = randomEpoch(), .shift = Duration(-rpc::bounded(in.getClockOffset()))},
-      .access = mayOnlyRead(asked.endpoint) ? frame::Access::Read : frame::Access::All};
+      .readOnly = mayOnlyRead(asked.endpoint)};
   const bool handsOver = in.getFrame().getHandsOver();
   kj::Maybe<wire::FrameSocket::Client> socket;
   rpc::Token token;

@@ -6,9 +6,8 @@
 namespace suture::frame {
 
 ProviderSide::ProviderSide(std::shared_ptr<Channel> channel, rpc::ByteStream bytes,
-                           const Terms& terms, Access access)
+                           const Terms& terms)
     : Connection(std::move(channel), std::move(bytes), terms),
-      access_(access),
       waiting_(channel_->info.commands.size()),
       refused_(channel_->info.commands.size()),
       since_(channel_->info.events.size(), now()),
@@ -66,7 +65,7 @@ Errc ProviderSide::post(const Header& header, std::span<const std::byte> payload
       command.kind == CommandKind::Read || command.kind == CommandKind::QualifiedRead;
   const Errc error = errorOf(channel_->status.load(std::memory_order_acquire));
   if (error != Errc{}) return error;
-  if (access_ == Access::Read && !reads) return Errc::NotPermitted;
+  if (readOnly_ && !reads) return Errc::NotPermitted;
   const auto slot = channel_->commands.claim(header.number, here(header.stamp), header.call);
   if (!slot) return slot.error();
   if (!payload.empty()) std::memcpy(*slot, payload.data(), payload.size());

@@ -9,16 +9,15 @@
 
 namespace suture::frame {
 
-/// Who may do what through a connection.
-enum class Access : std::uint8_t { All, Read };
-
 /// Puts the commands that arrive into the provider's channel in their order, and sends what the
 /// provider answers, emits and publishes. Belongs to the lane thread.
 class ProviderSide final : public Connection {
  public:
   /// `channel`'s client doorbell is the lane thread's.
-  ProviderSide(std::shared_ptr<Channel> channel, rpc::ByteStream bytes, const Terms& terms,
-               Access access);
+  ProviderSide(std::shared_ptr<Channel> channel, rpc::ByteStream bytes, const Terms& terms);
+
+  /// Before it is carried: only what reads is taken, a command is refused (Errc::NotPermitted).
+  void setReadOnly() { readOnly_ = true; }
 
  private:
   bool take(const Header& header, std::span<const std::byte> payload) override;
@@ -38,7 +37,7 @@ class ProviderSide final : public Connection {
   void sendRow(const rt::StateTable::Row& row);
   bool wanted(const rt::EventRecord& record) const;
 
-  const Access access_;
+  bool readOnly_ = false;
   std::vector<std::uint32_t> waiting_;  // by command: credits that the client has not got back
   std::vector<std::uint32_t> refused_;  // by command: not executed, and the client not yet told
   bool anyRefused_ = false;

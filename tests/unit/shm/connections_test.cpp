@@ -104,10 +104,10 @@ TEST_F(SharedConnections, CanBeDoneWithout) {
   EXPECT_EQ(channel()->laneReason, "");
 }
 
-TEST_F(SharedConnections, OverTcpFallBackToCallsAndSayWhy) {
+TEST_F(SharedConnections, OverTcpFallBackToFramesAndSayWhy) {
   begin("tcp://127.0.0.1:0");
   connect(Lane::Shm);
-  EXPECT_EQ(channel()->lane, "rpc");
+  EXPECT_EQ(channel()->lane, "frame");
   EXPECT_EQ(channel()->laneReason, "the two processes are not reached by a Unix socket");
 }
 

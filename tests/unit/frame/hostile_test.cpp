@@ -1,0 +1,169 @@
+// Frames that are whole and undamaged, and say what they like: a channel is all that they reach.
+#include <gtest/gtest.h>
+#include <suture/transport/frame/client_side.h>
+#include <suture/transport/frame/provider_side.h>
+
+#include <array>
+#include <limits>
+#include <random>
+
+#include "reference/arm_like.suture.h"
+#include "unit/rpc/socket_pair.h"
+
+namespace suture::frame {
+namespace {
+
+constexpr std::uint32_t kEpoch = 9;
+constexpr unsigned kSessions = 2000;
+
+const InterfaceInfo& contract() { return interfaceInfo<reference::ArmLike>(); }
+
+/// A channel in which everything is played by the test.
+struct Played {
+  Played()
+      : channel(std::make_shared<Channel>(
+            contract(), "client -> provider", "frame",
+            Channel::Ends{.client = &client, .provider = &provider, .watcher = &watcher},
+            makeStateTable(contract()), ~EventSet{0})) {}
+
+  rt::Doorbell client, provider, watcher;
+  std::shared_ptr<Channel> channel;
+};
+
+/// A peer that knows the form of frames.
+class Peer {
+ public:
+  explicit Peer(kj::AutoCloseFd socket) : socket_(kj::mv(socket)) {}
+
+  void send(const Header& header, std::span<const std::byte> payload) {
+    std::byte* const memory = writer_.begin(header, payload.size());
+    std::copy(payload.begin(), payload.end(), memory);
+    writer_.finish();
+    rpc::sendAll(socket_, writer_.unsent());
+    writer_.sent(writer_.unsent().size());
+  }
+  void drain() {
+    std::array<std::byte, 4096> bytes;
+    while (recv(socket_, bytes.data(), bytes.size(), 0) > 0) continue;
+  }
+
+ private:
+  kj::AutoCloseFd socket_;
+  FrameWriter writer_{kEpoch, std::size_t{1} << 14};
+};
+
+/// As a peer's own, then with a number or two that are any.
+class Liar {
+ public:
+  explicit Liar(unsigned seed) : random_(seed) {}
+
+  template <std::size_t N>
+  Header header(const std::array<Kind, N>& kinds) {
+    Header header{.acknowledged = any(50) == 0 ? word() : 0,
+                  .kind = any(20) == 0 ? static_cast<Kind>(any(kKinds)) : kinds[any(N)],
+                  .error = static_cast<std::uint8_t>(any(3) == 0 ? any(256) : 0),
+                  .number = static_cast<std::uint16_t>(any(20) == 0 ? any(65536) : any(16)),
+                  .call = any(3) == 0 ? word() : any(20)};
+    header.stamp = any(2) == 0 ? toNanoseconds(now()) : static_cast<std::int64_t>(word()) << 32;
+    return header;
+  }
+  /// Often of the right size, so that more than the first check is reached.
+  std::span<const std::byte> payload(const Header& header) {
+    std::size_t size = any(300);
+    const std::size_t number = header.number;
+    if (any(4) != 0 && number < contract().commands.size()) {
+      const CommandInfo& command = contract().commands[number];
+      if (header.kind == Kind::Command) size = command.argumentsSize;
+      if (header.kind == Kind::Reply) size = header.error == 0 ? command.resultSize : 0;
+    }
+    if (header.kind == Kind::Event && any(4) != 0 && number < contract().events.size()) {
+      size = contract().events[number].payloadSize;
+    }
+    if (header.kind == Kind::Subscribe && any(4) != 0) size = sizeof(Subscription);
+    bytes_.resize(size);
+    for (std::byte& byte : bytes_) byte = static_cast<std::byte>(any(3) == 0 ? random_() : 0);
+    return bytes_;
+  }
+  unsigned any(unsigned below) { return static_cast<unsigned>(random_() % below); }
+
+ private:
+  std::uint32_t word() { return static_cast<std::uint32_t>(random_()); }
+
+  std::mt19937 random_;
+  std::vector<std::byte> bytes_;
+};
+
+/// What a provider's thread does: nothing that it is given may be outside of what its header says.
+void serve(Channel& channel, unsigned& executed) {
+  channel.commands.fixCut();
+  while (const rt::CommandRecord* const record = channel.commands.next()) {
+    const CommandInfo& command = contract().commands[record->command];
+    ASSERT_TRUE(command.accepts == nullptr || command.accepts(record->arguments()));
+    ASSERT_LE(record->stamp, now());
+    ++executed;
+    const std::uint16_t number = record->command;
+    const bool usesCredit = !command.latest || record->call != 0;
+    if (record->call != 0) channel.replyError(record->call, Errc::Timeout);
+    channel.commands.pop();
+    if (usesCredit) channel.commands.returnCredit(number);
+  }
+}
+
+TEST(HostileFrames, OfAClientReachNothingButItsChannel) {
+  constexpr std::array kKindsOfClients = {Kind::Command, Kind::Subscribe, Kind::Acknowledge};
+  unsigned executed = 0, ended = 0;
+  for (unsigned seed = 0; seed < kSessions; ++seed) {
+    Played played;
+    auto pair = rpc::makeSocketPair();
+    ProviderSide side(played.channel, rpc::ByteStream(kj::mv(pair.ours)), {.epoch = kEpoch});
+    if (seed % 2 == 0) side.setReadOnly();
+    Peer peer(kj::mv(pair.theirs));
+    Liar liar(seed);
+    for (int step = 0; step < 40 && !side.broken(); ++step) {
+      const Header header = liar.header(kKindsOfClients);
+      peer.send(header, liar.payload(header));
+      side.arrived();
+      side.turn();
+      if (liar.any(3) == 0) serve(*played.channel, executed);
+      peer.drain();
+    }
+    if (side.broken()) ++ended;
+  }
+  EXPECT_GT(executed, 100u);
+  EXPECT_GT(ended, kSessions / 10);
+  std::printf("%u sessions: %u commands executed, %u sessions ended\n", kSessions, executed, ended);
+}
+
+TEST(HostileFrames, OfAProviderReachNothingButItsClientsChannel) {
+  constexpr std::array kKindsOfProviders = {Kind::Reply, Kind::Event,   Kind::Row,
+                                            Kind::Taken, Kind::Refused, Kind::Acknowledge};
+  unsigned events = 0, ended = 0;
+  for (unsigned seed = 0; seed < kSessions; ++seed) {
+    Played played;
+    auto pair = rpc::makeSocketPair();
+    ClientSide side(played.channel, rpc::ByteStream(kj::mv(pair.ours)), {.epoch = kEpoch});
+    Peer peer(kj::mv(pair.theirs));
+    Liar liar(seed);
+    for (int step = 0; step < 40 && !side.broken(); ++step) {
+      played.channel->state->ask(liar.any(2));
+      const auto command = static_cast<std::uint16_t>(liar.any(3));
+      if (played.channel->commands.claim(command, now(), liar.any(20))) {
+        played.channel->commands.commit();
+      }
+      const Header header = liar.header(kKindsOfProviders);
+      peer.send(header, liar.payload(header));
+      side.arrived();
+      side.turn();
+      for (; played.channel->events.next() != nullptr; ++events) played.channel->events.pop();
+      while (played.channel->nextReply() != nullptr) played.channel->popReply();
+      peer.drain();
+    }
+    if (side.broken()) ++ended;
+  }
+  EXPECT_GT(events, 100u);
+  EXPECT_GT(ended, kSessions / 10);
+  std::printf("%u sessions: %u events taken, %u sessions ended\n", kSessions, events, ended);
+}
+
+}  // namespace
+}  // namespace suture::frame
