@@ -96,6 +96,10 @@ class Channel {
   /// Why it is not a faster lane that had been hoped for; "" if there was none. Set before either
   /// end is attached.
   std::string laneReason;
+  /// What is added to the stamps of the other end so that they are on this process's clock, and how
+  /// wrong that may be, either way: so much can be wrong with an age. Zero where both have one
+  /// clock. Set before either end is attached.
+  Duration clockShift{0}, clockError{0};
   /// What `ends.client` belongs to, so that it can be rung as long as somebody has this; of a
   /// provider in another process, what `ends.provider` does. Set before either end is attached.
   std::shared_ptr<rt::Doorbell> clientsBell, providersBell;

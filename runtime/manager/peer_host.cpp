@@ -2,7 +2,9 @@
 #include <suture/manager/peer_server.h>
 #include <suture/transport/rpc/failure.h>
 
+#include <filesystem>
 #include <fstream>
+#include <system_error>
 
 namespace suture {
 namespace {
@@ -69,10 +71,12 @@ void PeerHost::remember(std::shared_ptr<Channel> channel) {
   served_.push_back(std::move(channel));
 }
 
+// Processes of one machine may have been given other clocks, by a time namespace.
 std::string bootId() {
   std::string id;
   std::ifstream("/proc/sys/kernel/random/boot_id") >> id;
-  return id;
+  std::error_code none;
+  return id + " " + std::filesystem::read_symlink("/proc/self/ns/time", none).string();
 }
 
 }  // namespace suture

@@ -91,6 +91,12 @@ std::string whyOtherSlots(const InterfaceInfo* contract, capnp::Text::Reader lay
   return "the contract's values lie in memory in another way there";
 }
 
+/// `offset`: how far the caller's clock is ahead of ours, ns.
+void compareClocks(Channel& channel, std::int64_t offset, std::int64_t error) {
+  channel.clockShift = Duration(-rpc::bounded(offset));
+  channel.clockError = Duration(rpc::bounded(error));
+}
+
 }  // namespace
 
 PeerServer::PeerServer(PeerHost& host, std::shared_ptr<rpc::Caller> caller)
@@ -306,9 +312,8 @@ wire::ConnectResults::Accepted::Builder PeerServer::accepted(Asked& asked, rpc::
 
 kj::Promise<void> PeerServer::serveCalls(Asked& asked, const std::string& laneReason) {
   auto in = asked.context.getParams();
-  // A stamp of the caller, minus how far its clock is ahead, is a stamp of ours.
-  const Duration shift(-rpc::bounded(in.getClockOffset()));
-  auto port = serve(asked.provided, asked.endpoint, asked.name, in.getEvents(), shift);
+  auto port = serve(asked.provided, asked.endpoint, asked.name, in.getEvents(), in.getClockOffset(),
+                    in.getClockError());
   auto out = accepted(asked, *port);
   if (!laneReason.empty()) out.setLaneReason(textOf(laneReason));
   out.setContract(asked.provided.info().binding().makeServant(kj::mv(port)));
@@ -338,10 +343,10 @@ void PeerServer::sendFrames(Asked& asked, const InterfaceInfo& contract,
   auto channel = std::make_shared<Channel>(contract, asked.name, toString(Lane::Frame), ends,
                                            asked.provided.state(), in.getEvents());
   channel->clientsBell = bell;
-  const AwaitingSocket end{
-      .channel = channel,
-      .terms = {.epoch = randomEpoch(), .shift = Duration(-rpc::bounded(in.getClockOffset()))},
-      .readOnly = mayOnlyRead(asked.endpoint)};
+  compareClocks(*channel, in.getClockOffset(), in.getClockError());
+  const AwaitingSocket end{.channel = channel,
+                           .terms = {.epoch = randomEpoch(), .shift = channel->clockShift},
+                           .readOnly = mayOnlyRead(asked.endpoint)};
   const bool handsOver = in.getFrame().getHandsOver();
   kj::Maybe<wire::FrameSocket::Client> socket;
   rpc::Token token;
@@ -375,7 +380,7 @@ kj::Promise<void> PeerServer::open(OpenContext context) {
       [this, context, endpoint]() mutable -> kj::Promise<void> {
         ProvidedBase& provided = host_.directory_.provided(endpoint);
         const std::string name = "(a plain client) -> " + endpoint.toString();
-        auto port = serve(provided, endpoint, name, ~EventSet{0}, Duration{0});
+        auto port = serve(provided, endpoint, name, ~EventSet{0}, 0, 0);
         ends_.add(kj::addRef(*port));
         context.getResults().setContract(provided.info().binding().makeServant(kj::mv(port)));
         return kj::READY_NOW;
@@ -408,13 +413,15 @@ Endpoint PeerServer::endpointOf(capnp::Text::Reader component,
 
 kj::Own<rpc::ServantPort> PeerServer::serve(ProvidedBase& provided, const Endpoint& endpoint,
                                             const std::string& name, EventSet events,
-                                            Duration shift) {
+                                            std::int64_t clockOffset, std::int64_t clockError) {
   const std::shared_ptr<rt::Doorbell> bell = host_.control_.sharedDoorbell();
   const Channel::Ends ends{.client = bell.get(), .provider = &host_.serverOf_(provided)};
   auto channel =
       std::make_shared<Channel>(provided.info(), name, "rpc", ends, provided.state(), events);
   channel->clientsBell = bell;
-  auto port = kj::refcounted<rpc::ServantPort>(host_.control_, channel, shift, caller_->counters);
+  compareClocks(*channel, clockOffset, clockError);
+  auto port = kj::refcounted<rpc::ServantPort>(host_.control_, channel, channel->clockShift,
+                                               caller_->counters);
   if (mayOnlyRead(endpoint)) port->setReadOnly();
   provided.attach(channel);
   host_.remember(std::move(channel));

@@ -44,7 +44,8 @@ class PeerServer final : public wire::Peer::Server {
   void shareMemory(Asked& asked, const InterfaceInfo& contract, std::shared_ptr<MemoryBlock> bell);
   void putTasks(wire::Peer::PingResults::Builder results) const;
   kj::Own<rpc::ServantPort> serve(ProvidedBase& provided, const Endpoint& endpoint,
-                                  const std::string& name, EventSet events, Duration shift);
+                                  const std::string& name, EventSet events,
+                                  std::int64_t clockOffset, std::int64_t clockError);
   /// Why the caller is not the process that it says it is, or is not to have that interface.
   std::optional<Refusal> whyNotProcess(const std::string& name) const;
   std::optional<Refusal> whyNotGiven(const Endpoint& endpoint) const;

@@ -29,6 +29,13 @@ constexpr Duration kLongestRedialPause = std::chrono::milliseconds(250);
 constexpr Duration kAnswerLimit = std::chrono::milliseconds(500);
 constexpr Duration kComeBackPatience = std::chrono::seconds(5);
 
+constexpr unsigned kClockQuestions = 8;
+
+std::string microseconds(Duration duration) {
+  return std::to_string(std::chrono::duration_cast<std::chrono::microseconds>(duration).count()) +
+         " us";
+}
+
 // As far back as the provider's own table; a peer must not make this process take more memory.
 void mirrorRows(std::uint32_t rows, rt::StateTable& mirror) {
   constexpr std::size_t kMostBytes = std::size_t{64} << 20;
@@ -173,13 +180,36 @@ kj::Promise<void> RemoteConnection::greet() {
   const Time asked = now();
   return request.send().then([this, asked](auto&& results) -> kj::Promise<void> {
     if (results.isRefused()) return refused(results.getRefused());
-    const Time answered = now();
-    const auto there = Duration(rpc::bounded(results.getReceived() / 2 + results.getSent() / 2));
-    const auto here = asked.time_since_epoch() / 2 + answered.time_since_epoch() / 2;
-    const bool sameMachine = stringOf(results.getBootId()) == bootId();
-    clockOffset_ = sameMachine ? Duration{0} : there - here;
-    return kj::READY_NOW;
+    if (stringOf(results.getBootId()) == bootId()) {
+      clock_ = ClockOffset::none();
+      return kj::READY_NOW;
+    }
+    clock_ = {};
+    clock_.add(asked, results.getReceived(), results.getSent(), now());
+    return compareClocks(kClockQuestions);
   });
+}
+
+kj::Promise<void> RemoteConnection::compareClocks(unsigned times) {
+  if (times == 0) return requireClocksThatCanTell();
+  const Time asked = now();
+  return KJ_ASSERT_NONNULL(peer_).pingRequest().send().then([this, asked, times](auto&& told) {
+    clock_.add(asked, told.getReceived(), told.getSent(), now());
+    return compareClocks(times - 1);
+  });
+}
+
+// A command that is late by no more than that would be executed, or one that is in time be late.
+kj::Promise<void> RemoteConnection::requireClocksThatCanTell() {
+  for (const CommandInfo& one : required_.info().commands) {
+    if (one.ttl == Duration{0} || one.ttl > clock_.error()) continue;
+    return rpc::failure(Type::FAILED, "connecting " + name() + ": '" + one.name +
+                                          "' has a ttl of " + microseconds(one.ttl) +
+                                          ", and the two clocks can be compared to " +
+                                          microseconds(clock_.error()) +
+                                          " only. Use a faster link, or a longer ttl.");
+  }
+  return kj::READY_NOW;
 }
 
 Component& RemoteConnection::client() const {
@@ -191,6 +221,12 @@ RemoteConnection::Lanes RemoteConnection::wantedLanes() {
   if (lane_ == Lane::Rpc) return {};
   laneReason_ = shm::whyNotShared(required_.info());
   if (!laneReason_.empty()) return {};
+  // Shared rows have the provider's stamps, and frames the values as they are; calls convert both.
+  if (clock_.error() > Duration{0} &&
+      (lane_ != Lane::Frame || shm::carriesStamps(required_.info()))) {
+    laneReason_ = "the two processes have different clocks";
+    return {.frames = !shm::carriesStamps(required_.info())};
+  }
   if (lane_ == Lane::Frame) return {.frames = true};
   if (!sharesMachine_) laneReason_ = "the two processes are not reached by a Unix socket";
   return {.memory = sharesMachine_, .frames = true};
@@ -216,7 +252,8 @@ kj::Promise<void> RemoteConnection::ask(Lanes lanes) {
   request.setHash(required_.info().hash);
   request.setDescription(required_.info().description);
   request.setEvents(required_.subscribed());
-  request.setClockOffset(-clockOffset_.count());
+  request.setClockOffset(-clock_.offset().count());
+  request.setClockError(clock_.error().count());
   request.setEpoch(toNanoseconds(now()));
   request.setNotices(kj::heap<NoticesReceiver>(
       kj::addRef(*notified),
@@ -274,6 +311,8 @@ std::shared_ptr<Channel> RemoteConnection::mirroredChannel(Lane lane, rt::Doorbe
                                 makeStateTable(required_.info()), required_.subscribed());
   channel->clientsBell = client().sharedDoorbell();
   channel->laneReason = laneReason_;
+  channel->clockShift = -clock_.offset();
+  channel->clockError = clock_.error();
   mirrorRows(rows, *channel->state);
   return channel;
 }
@@ -281,7 +320,7 @@ std::shared_ptr<Channel> RemoteConnection::mirroredChannel(Lane lane, rt::Doorbe
 void RemoteConnection::beginCalls(wire::ConnectResults::Accepted::Reader accepted) {
   auto channel = mirroredChannel(Lane::Rpc, control_.doorbell(), accepted.getRows());
   channel->offered = std::min<std::size_t>(accepted.getOffered(), channel->info.commands.size());
-  auto port = kj::refcounted<rpc::ProxyPort>(control_, channel, -clockOffset_,
+  auto port = kj::refcounted<rpc::ProxyPort>(control_, channel, -clock_.offset(),
                                              KJ_ASSERT_NONNULL(link_)->counters());
   end_ = kj::addRef(*port);
   port->open(required_.info().binding().makeProxy(accepted.getContract(), *port));
@@ -302,7 +341,7 @@ void RemoteConnection::beginFrames(rpc::ByteStream bytes, std::uint32_t epoch, s
   auto channel = mirroredChannel(Lane::Frame, *bell, rows);
   channel->providersBell = bell;
   const auto connection = std::make_shared<frame::ClientSide>(
-      channel, kj::mv(bytes), frame::Terms{.epoch = epoch, .shift = -clockOffset_});
+      channel, kj::mv(bytes), frame::Terms{.epoch = epoch, .shift = -clock_.offset()});
   auto end = kj::refcounted<FrameEnd>(control_, channel, connection);
   framesBroken_ = end->whenBroken();
   end_ = kj::mv(end);

@@ -2,6 +2,7 @@
 // One required interface of this process, connected to a provided one of another.
 
 #include <suture/component/required.h>
+#include <suture/manager/clock_offset.h>
 #include <suture/manager/lane.h>
 #include <suture/manager/manager_link.h>
 #include <suture/manager/network.h>
@@ -53,6 +54,8 @@ class RemoteConnection {
   kj::Promise<void> dial(const ProcessRecord& process, Duration limit);
   kj::Promise<void> introduce(Duration limit);
   kj::Promise<void> greet();
+  kj::Promise<void> compareClocks(unsigned times);
+  kj::Promise<void> requireClocksThatCanTell();
   kj::Promise<void> ask();
   /// What is asked for: the faster ones first, and calls if there is none.
   struct Lanes {
@@ -95,7 +98,7 @@ class RemoteConnection {
   kj::Maybe<kj::Own<rpc::ClientEnd>> end_;
   kj::Promise<std::string> framesBroken_ = kj::NEVER_DONE;
   ProcessRecord process_;                      // the provider's, as it was reached
-  Duration clockOffset_{0};                    // the peer's clock minus ours
+  ClockOffset clock_;                          // the peer's
   kj::Promise<void> keeping_ = kj::READY_NOW;  // last: cancelled first
 };
 

@@ -48,6 +48,8 @@ ConnectionReport reportOf(const Channel& channel, ConnectionEnd end) {
   ConnectionReport report{.name = channel.name,
                           .lane = channel.lane,
                           .laneReason = channel.laneReason,
+                          .clockShift = channel.clockShift,
+                          .clockError = channel.clockError,
                           .end = end,
                           .status = channel.status.load(std::memory_order_acquire),
                           .whyLost = "",

@@ -65,6 +65,8 @@ void eachField(Connection& value, const Visit& visit) requires
   visit("name", value.name);
   visit("lane", value.lane);
   visit("lane_reason", value.laneReason);
+  visit("clock_shift", value.clockShift);
+  visit("clock_error", value.clockError);
   visit("end", value.end);
   visit("status", value.status);
   visit("why_lost", value.whyLost);

@@ -37,6 +37,9 @@ struct ConnectionReport {
   std::string name;  ///< "left:Teleop/Slave -> right:PSM1/Arm": the same at both ends
   std::string lane;
   std::string laneReason;  ///< why it is not a faster one that had been hoped for
+  /// What this process adds to the stamps of the other, and how wrong that may be, either way: so
+  /// much can be wrong with an age. Zero where both have one clock.
+  Duration clockShift{0}, clockError{0};
   ConnectionEnd end = ConnectionEnd::Both;
   ChannelStatus status = ChannelStatus::Connected;
   std::string whyLost;  ///< the last time, at the client's end: "silent: ..."; "" if it never was

@@ -80,6 +80,10 @@ std::string lines(const ConnectionReport& one) {
   text += keptContract(one);
   if (one.failed > 0) text += ", " + counted("failed", one.failed);
   if (one.eventsDropped > 0) text += ", " + counted("events dropped", one.eventsDropped);
+  if (one.clockError > Duration{0}) {
+    text += "\n    other clock: shifted by " + microseconds(one.clockShift) + ", known to " +
+            microseconds(one.clockError);
+  }
   if (!one.laneReason.empty()) text += "\n    no faster lane: " + one.laneReason;
   if (!one.whyLost.empty()) text += ", last loss: " + one.whyLost;
   return text + distributed("age of reads", one.readAge) +

@@ -96,6 +96,7 @@ struct ConnectRequest {
   # 0: neither.
   memory @12 :MemoryRequest;  # not there: the caller does not share memory
   frame @13 :FrameRequest;    # not there: the caller sends no frames
+  clockError @14 :Int64;      # how wrong clockOffset may be, ns, either way
 }
 
 struct MemoryRequest {

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdint>
 
 namespace suture::shm {
@@ -15,6 +16,11 @@ void removeTexts(nlohmann::json& json) {
   if (json.is_object()) json.erase("doc");
   if (!json.is_structured()) return;
   for (auto& element : json) removeTexts(element);
+}
+
+bool hasSteadyClock(const nlohmann::json& json) {
+  if (json.is_object() && json.value("clock", "") == "steady") return true;
+  return json.is_structured() && std::any_of(json.begin(), json.end(), hasSteadyClock);
 }
 
 /// FNV-1a, 64 bits: nobody gains by a collision, for what lies in the memory is not believed.
@@ -53,6 +59,12 @@ std::string whyNotShared(const InterfaceInfo& info) {
       return std::string("event '") + one.name + "' has a payload without a bound";
   }
   return "";
+}
+
+bool carriesStamps(const InterfaceInfo& info) {
+  const auto description = nlohmann::json::parse(info.description);
+  // Without a word on types there may be some.
+  return !description.contains("commands") || hasSteadyClock(description);
 }
 
 }  // namespace suture::shm

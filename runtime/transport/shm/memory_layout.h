@@ -14,4 +14,8 @@ std::string memoryLayout(const InterfaceInfo& info);
 /// Why values of this contract cannot lie in shared memory; "" if they can: every one has a bound.
 std::string whyNotShared(const InterfaceInfo& info);
 
+/// True if values of this contract have points in time of a steady clock in them, which mean
+/// another thing on another machine.
+bool carriesStamps(const InterfaceInfo& info);
+
 }  // namespace suture::shm

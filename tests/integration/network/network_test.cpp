@@ -3,7 +3,6 @@
 #include <suture/component/device.h>
 #include <suture/manager/global_manager.h>
 #include <suture/manager/manager.h>
-#include <suture/manager/manager_link.h>
 #include <suture/manager/security.h>
 #include <suture/transport/rpc/control_thread.h>
 #include <suture/transport/tls/key_maker.h>
@@ -16,6 +15,7 @@
 #include "integration/network/console.h"
 #include "support/child.h"
 #include "support/eventually.h"
+#include "support/process_address.h"
 #include "support/refusal.h"
 #include "support/temporary_directory.h"
 
@@ -72,18 +72,8 @@ class NetworkTest : public testing::TestWithParam<const char*> {
     EXPECT_EQ(child->line(), "ready");
     return child;
   }
-  /// Where a process listens, as the manager knows it.
   std::string addressOf(const std::string& process) {
-    rpc::ControlThread control;
-    const auto manager = rpc::Address::parse(address());
-    return control.run(20s, [&control, manager, process, trust = securityOf("test").trust()] {
-      auto link = kj::heap<ManagerLink>(control, manager, "test", trust);
-      auto& held = *link;
-      return held.open(5s)
-          .then([&held, process] { return held.resolve(process, 5s); })
-          .then([](ProcessRecord record) { return record.addresses.at(0); })
-          .attach(kj::mv(link));
-    });
+    return suture::addressOf(address(), process, securityOf("test").trust());
   }
   TemporaryDirectory directory_;
   const std::filesystem::path keys_;

@@ -59,10 +59,10 @@ class Liar {
 
   template <std::size_t N>
   Header header(const std::array<Kind, N>& kinds) {
-    Header header{.acknowledged = any(50) == 0 ? word() : 0,
-                  .kind = any(20) == 0 ? static_cast<Kind>(any(kKinds)) : kinds[any(N)],
+    Header header{.acknowledged = any(200) == 0 ? word() : 0,
+                  .kind = any(100) == 0 ? static_cast<Kind>(any(kKinds)) : kinds[any(N)],
                   .error = static_cast<std::uint8_t>(any(3) == 0 ? any(256) : 0),
-                  .number = static_cast<std::uint16_t>(any(20) == 0 ? any(65536) : any(16)),
+                  .number = static_cast<std::uint16_t>(any(100) == 0 ? any(65536) : any(8)),
                   .call = any(3) == 0 ? word() : any(20)};
     header.stamp = any(2) == 0 ? toNanoseconds(now()) : static_cast<std::int64_t>(word()) << 32;
     return header;
@@ -71,15 +71,15 @@ class Liar {
   std::span<const std::byte> payload(const Header& header) {
     std::size_t size = any(300);
     const std::size_t number = header.number;
-    if (any(4) != 0 && number < contract().commands.size()) {
+    if (any(50) != 0 && number < contract().commands.size()) {
       const CommandInfo& command = contract().commands[number];
       if (header.kind == Kind::Command) size = command.argumentsSize;
       if (header.kind == Kind::Reply) size = header.error == 0 ? command.resultSize : 0;
     }
-    if (header.kind == Kind::Event && any(4) != 0 && number < contract().events.size()) {
+    if (header.kind == Kind::Event && any(50) != 0 && number < contract().events.size()) {
       size = contract().events[number].payloadSize;
     }
-    if (header.kind == Kind::Subscribe && any(4) != 0) size = sizeof(Subscription);
+    if (header.kind == Kind::Subscribe && any(50) != 0) size = sizeof(Subscription);
     bytes_.resize(size);
     for (std::byte& byte : bytes_) byte = static_cast<std::byte>(any(3) == 0 ? random_() : 0);
     return bytes_;

@@ -1,0 +1,32 @@
+#pragma once
+// How the steady clock of a peer stands to this process's.
+
+#include <suture/base/time.h>
+
+namespace suture {
+
+/// What questions with stamps around them tell, as in NTP (RFC 5905): of several, the one that was
+/// answered fastest counts. A value.
+class ClockOffset {
+ public:
+  /// Both have one clock: nothing has to be measured.
+  static ClockOffset none() { return ClockOffset(Duration{0}, Duration{0}); }
+  /// Not known yet.
+  ClockOffset() = default;
+
+  /// Asked and answered on this process's clock; received and sent on the peer's, ns.
+  void add(Time asked, std::int64_t received, std::int64_t sent, Time answered);
+
+  /// The peer's clock minus ours.
+  Duration offset() const { return offset_; }
+  /// How wrong that may be, either way: half of the time for which the question was under way.
+  Duration error() const { return error_; }
+
+ private:
+  ClockOffset(Duration offset, Duration error) : offset_(offset), error_(error) {}
+
+  Duration offset_{0};
+  Duration error_ = Duration::max();
+};
+
+}  // namespace suture

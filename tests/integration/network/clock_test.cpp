@@ -1,0 +1,79 @@
+// A provider whose steady clock is not the client's: in a time namespace of its own.
+#include <gtest/gtest.h>
+#include <suture/component/channel.h>
+#include <suture/manager/global_manager.h>
+#include <suture/manager/manager.h>
+#include <suture/transport/rpc/control_thread.h>
+
+#include <csignal>
+
+#include "integration/network/console.h"
+#include "support/child.h"
+#include "support/eventually.h"
+#include "support/temporary_directory.h"
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+
+class ClockTest : public testing::TestWithParam<Duration> {
+ protected:
+  ClockTest() : names_(control_, "unix:" + directory_.file("m.sock")) {}
+
+  std::unique_ptr<Child> hostAhead(std::chrono::seconds ahead) {
+    auto child = std::make_unique<Child>(std::vector<std::string>{
+        "/usr/bin/unshare", "--time", "--monotonic", std::to_string(ahead.count()), "--fork",
+        "--kill-child", ARM_HOST, names_.address(), "skewed"});
+    EXPECT_EQ(child->line(), "ready");
+    return child;
+  }
+
+  TemporaryDirectory directory_;
+  rpc::ControlThread control_;
+  GlobalManager names_;
+};
+
+TEST_P(ClockTest, AgesAreRightWithinTheErrorThatIsShown) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root may give a process another clock";
+  const auto ahead = std::chrono::duration_cast<std::chrono::seconds>(GetParam());
+  const auto host = hostAhead(ahead);
+  Console console;
+  Manager manager("console", names_.address());
+  manager.add("Console", console);
+  manager.start();
+  manager.connect("Console/Arm", "skewed:PSM/Arm");
+
+  const auto channel = manager.channels().at(0);
+  EXPECT_EQ(channel->lane, "rpc");
+  EXPECT_EQ(channel->laneReason, "the two processes have different clocks");
+  EXPECT_GT(channel->clockError, Duration{0});
+  EXPECT_LT(channel->clockError, 100ms);
+  const Duration wrong = channel->clockShift + Duration(ahead);
+  EXPECT_LE(std::max(wrong, -wrong), channel->clockError + 2ns);  // of halving
+
+  // Its ttl is 500 ms; and its stamp comes back as it went.
+  const auto pose = poseAt(2);
+  ASSERT_TRUE(console.arm.servo_cp.start(pose).within(5s));
+  ASSERT_TRUE(eventually([&] {
+    const auto read = console.arm.measured_cp();
+    return read && read->pose.translation().x() == 2;
+  }));
+  const Time before = now();
+  const auto read = console.arm.measured_cp();
+  EXPECT_EQ(read->stamp, pose.stamp);
+  EXPECT_GE(read.age(), Duration{0});
+  EXPECT_LE(read.age(), now() - pose.stamp + channel->clockError)
+      << "asked at " << toNanoseconds(before);
+  EXPECT_EQ(host->end(SIGKILL), -SIGKILL);
+}
+
+std::string nameOf(const testing::TestParamInfo<Duration>& skew) {
+  return skew.param > Duration{0} ? "Ahead" : "Behind";
+}
+
+INSTANTIATE_TEST_SUITE_P(Skews, ClockTest, testing::Values(Duration(5000s), Duration(-60s)),
+                         nameOf);
+
+}  // namespace
+}  // namespace suture

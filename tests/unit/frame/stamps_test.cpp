@@ -1,0 +1,80 @@
+// Whose clocks differ: a stamp is the reader's.
+#include <gtest/gtest.h>
+#include <suture/transport/frame/client_side.h>
+#include <suture/transport/frame/provider_side.h>
+
+#include "reference/arm_like.suture.h"
+#include "unit/rpc/socket_pair.h"
+
+namespace suture::frame {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::uint16_t kHold = 2, kStopped = 2;
+
+std::shared_ptr<Channel> makeChannel(rt::Doorbell& bell) {
+  const InterfaceInfo& contract = interfaceInfo<reference::ArmLike>();
+  return std::make_shared<Channel>(
+      contract, "client -> provider", "frame",
+      Channel::Ends{.client = &bell, .provider = &bell, .watcher = &bell}, makeStateTable(contract),
+      ~EventSet{0});
+}
+
+struct Ends {
+  Ends() : Ends(rpc::makeSocketPair()) {}
+  explicit Ends(rpc::SocketPair pair)
+      : client(near, rpc::ByteStream(kj::mv(pair.ours)), {.epoch = 1, .shift = -7s}),
+        provider(far, rpc::ByteStream(kj::mv(pair.theirs)), {.epoch = 1, .shift = -5s}) {}
+  void exchange() {
+    for (int lap = 0; lap < 3; ++lap) {
+      client.arrived();
+      client.turn();
+      provider.arrived();
+      provider.turn();
+    }
+  }
+
+  rt::Doorbell bell;
+  const std::shared_ptr<Channel> near = makeChannel(bell), far = makeChannel(bell);
+  ClientSide client;
+  ProviderSide provider;
+};
+
+TEST(FrameStamps, OfCommandsAreTheProviders) {
+  Ends ends;
+  const Time sent = now();
+  ASSERT_TRUE(ends.near->commands.claim(kHold, sent, 0));
+  ends.near->commands.commit();
+  ends.exchange();
+  ends.far->commands.fixCut();
+  const rt::CommandRecord* const record = ends.far->commands.next();
+  ASSERT_NE(record, nullptr);
+  EXPECT_EQ(record->stamp, sent - 5s);
+}
+
+TEST(FrameStamps, OfEventsAndRowsAreTheClients) {
+  Ends ends;
+  ends.near->state->ask(0);
+  ends.exchange();
+  const Time produced = now();
+  ASSERT_TRUE(ends.far->events.push(kStopped, produced, {}));
+  ends.far->state->publish(produced, 1, 0);
+  ends.exchange();
+  const rt::EventRecord* const event = ends.near->events.next();
+  ASSERT_NE(event, nullptr);
+  EXPECT_EQ(event->stamp, produced - 7s);
+  EXPECT_EQ(ends.near->state->readRowNumber(1, {}).stamp, produced - 7s);
+}
+
+TEST(FrameStamps, NothingComesFromTheFuture) {
+  Ends ends;
+  ASSERT_TRUE(ends.far->events.push(kStopped, now() + 1h, {}));
+  ends.exchange();
+  const rt::EventRecord* const event = ends.near->events.next();
+  ASSERT_NE(event, nullptr);
+  EXPECT_LE(event->stamp, now());
+}
+
+}  // namespace
+}  // namespace suture::frame
