@@ -20,6 +20,12 @@ class SocketServer final : public wire::FrameSocket::Server {
   const kj::AutoCloseFd socket_;
 };
 
+/// It is the first on the connection, which has room for so little.
+bool say(rpc::ByteStream& bytes, const rpc::Token& token) {
+  const auto opening = rpc::openingOf(token);
+  return bytes.send(opening, {}) == static_cast<ssize_t>(opening.size());
+}
+
 kj::Exception refused(const std::string& text) {
   return rpc::failure(kj::Exception::Type::FAILED, text);
 }
@@ -65,7 +71,7 @@ void FrameSockets::arrived(const rpc::Token& token, rpc::ByteStream bytes) {
   if (found == awaited_.end() || !isSame(found->second.who, bytes.peer())) return;
   const AwaitingSocket end = found->second.end;
   awaited_.erase(found);
-  carry(end, kj::mv(bytes));
+  if (say(bytes, token)) carry(end, kj::mv(bytes));
 }
 
 void FrameSockets::carry(const AwaitingSocket& end, rpc::ByteStream bytes) {
@@ -87,14 +93,19 @@ kj::Promise<rpc::ByteStream> receiveSocket(wire::FrameSocket::Client socket) {
   });
 }
 
-// It is the first of the connection, which has room for so little.
-kj::Promise<rpc::ByteStream> showToken(rpc::ByteStream bytes, capnp::Data::Reader token) {
+kj::Promise<rpc::ByteStream> showToken(kj::UnixEventPort& port, rpc::ByteStream bytes,
+                                       capnp::Data::Reader token) {
   rpc::Token own;
   if (token.size() != own.size()) return refused("the provider's token has an impossible size");
   std::memcpy(own.data(), token.begin(), own.size());
-  const auto opening = rpc::openingOf(own);
-  if (bytes.send(opening, {}) == static_cast<ssize_t>(opening.size())) return kj::mv(bytes);
-  return refused("the second connection takes nothing");
+  if (!say(bytes, own)) return refused("the second connection takes nothing");
+  return rpc::readOpening(port, kj::mv(bytes), {})
+      .then([own](rpc::Opened opened) -> kj::Promise<rpc::ByteStream> {
+        KJ_IF_MAYBE (theirs, opened.token) {
+          if (*theirs == own) return kj::mv(opened.bytes);
+        }
+        return refused("nobody awaits a second connection there");
+      });
 }
 
 }  // namespace suture

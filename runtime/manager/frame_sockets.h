@@ -57,7 +57,8 @@ std::uint32_t randomEpoch();
 
 /// The client's end of a socket that was handed over.
 kj::Promise<rpc::ByteStream> receiveSocket(wire::FrameSocket::Client socket);
-/// Says on a second connection what it is for.
-kj::Promise<rpc::ByteStream> showToken(rpc::ByteStream bytes, capnp::Data::Reader token);
+/// Says on a second connection what it is for, and waits until the provider says the same.
+kj::Promise<rpc::ByteStream> showToken(kj::UnixEventPort& port, rpc::ByteStream bytes,
+                                       capnp::Data::Reader token);
 
 }  // namespace suture

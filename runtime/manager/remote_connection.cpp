@@ -332,7 +332,7 @@ kj::Promise<rpc::ByteStream> RemoteConnection::openSocket(wire::FrameOffer::Read
   return manager_.reach(process_, kDialLimit)
       .then([this, token = kj::heapArray(offer.getToken().asConst())](rpc::ByteStream bytes) {
         rpc::breakWhenUnanswered(bytes.socket(), longestSilence_);
-        return showToken(kj::mv(bytes), token);
+        return showToken(control_.port(), kj::mv(bytes), token);
       });
 }
 

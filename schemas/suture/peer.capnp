@@ -126,7 +126,7 @@ struct FrameOffer {
   socket @1 :FrameSocket;   # one end of a pair
   token @2 :Data;
   # Not there: the caller has the socket. Otherwise a second connection to the address of this link awaits
-  # it, once: eight bytes FRAME_OPENING, then these, then frames.
+  # it, once: it says the eight letters SUTFRAME and these bytes, is told the same, and then carries frames.
 }
 
 interface FrameSocket {

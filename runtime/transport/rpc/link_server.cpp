@@ -42,12 +42,8 @@ void LinkServer::accept(kj::AutoCloseFd socket) {
   ++links_;
   // What fails here, for want of memory perhaps, is the end of this one alone.
   auto served = kj::evalNow([&] {
-    switch (address().kind) {
-      case Address::Kind::Tls: return secure(kj::mv(socket));
-      case Address::Kind::Tcp: return open(ByteStream(kj::mv(socket)));
-      case Address::Kind::Unix: break;  // what is no link is handed over on one
-    }
-    return serve(ByteStream(kj::mv(socket)), {});
+    return address().kind == Address::Kind::Tls ? secure(kj::mv(socket))
+                                                : open(ByteStream(kj::mv(socket)));
   });
   tasks_.add(served.attach(kj::defer([this] { --links_; })));
 }

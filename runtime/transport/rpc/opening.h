@@ -1,6 +1,5 @@
 #pragma once
-// What a connection over TCP or TLS is for, as its first bytes tell: messages, or something that
-// awaits it.
+// What a connection is for, as its first bytes tell: messages, or somebody who awaits it.
 
 #include <kj/async-unix.h>
 #include <suture/transport/rpc/byte_stream.h>
@@ -30,7 +29,8 @@ struct Opened {
   std::vector<std::byte> begun;
 };
 
-/// Control thread: reads as far as that needs. Rejects if the peer says nothing in time, or leaves.
+/// Control thread: reads as far as that needs; descriptors that come with so few bytes are closed.
+/// Rejects if the peer says nothing in time, or leaves.
 kj::Promise<Opened> readOpening(kj::UnixEventPort& port, ByteStream bytes,
                                 const StreamLimits& limits);
 
