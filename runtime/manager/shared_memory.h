@@ -10,8 +10,17 @@
 #include <suture/transport/shm/shared_channel.h>
 
 #include <memory>
+#include <string>
 
 namespace suture {
+
+/// The provider's contract or the one of its bases that is the client's, whose hash is `hash`; null
+/// if they are not from one build.
+const InterfaceInfo* sameContract(const InterfaceInfo& provided, const std::string& hash);
+
+/// Why a client that asks for it cannot share memory with its provider; "" if it can. `contract`:
+/// sameContract().
+std::string whyNoMemory(const InterfaceInfo* contract, wire::MemoryRequest::Reader asked);
 
 /// Hands out the descriptor of `block`, and keeps it for as long as anybody has the capability.
 wire::SharedMemory::Client handOut(std::shared_ptr<MemoryBlock> block);
