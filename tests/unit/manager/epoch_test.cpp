@@ -14,9 +14,9 @@
 #include <atomic>
 #include <string>
 
+#include "reference/still_arm.h"
 #include "support/eventually.h"
 #include "support/temporary_directory.h"
-#include "unit/manager/still_arm.h"
 
 namespace suture {
 namespace {
