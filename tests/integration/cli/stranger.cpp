@@ -136,7 +136,7 @@ kj::Promise<void> appear(suture::rpc::ControlThread& control, Presence& presence
         return suture::wire::Peer::Client(kj::heap<Stranger>(how));
       });
   presence.link =
-      std::make_unique<suture::ManagerLink>(control, suture::rpc::Address::parse(manager), name);
+      std::make_unique<suture::ManagerLink>(control, suture::rpc::parseAddresses(manager), name);
   return presence.link->open(std::chrono::seconds(5)).then([&presence, name, how] {
     return presence.link->enrol({.name = name,
                                  .addresses = {presence.server->address().text()},

@@ -77,7 +77,7 @@ class NetworkTest : public testing::TestWithParam<const char*> {
     rpc::ControlThread control;
     const auto manager = rpc::Address::parse(address());
     return control.run(20s, [&control, manager, process, trust = securityOf("test").trust()] {
-      auto link = kj::heap<ManagerLink>(control, manager, "test", trust);
+      auto link = kj::heap<ManagerLink>(control, std::vector{manager}, "test", trust);
       auto& held = *link;
       return held.open(5s)
           .then([&held, process] { return held.resolve(process, 5s); })
