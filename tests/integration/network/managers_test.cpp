@@ -152,7 +152,7 @@ TEST_P(ManagersTest, TheNameOfASilentProcessIsFreeForAnother) {
   child->signal(SIGSTOP);
   reference::HostedArm arm;
   std::unique_ptr<Manager> successor;
-  EXPECT_TRUE(eventually([&] {
+  ASSERT_TRUE(eventually([&] {
     return refusal([&] { successor = std::make_unique<Manager>("left", all_); }).empty();
   }));
   successor->add("PSM", arm);
