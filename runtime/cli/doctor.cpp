@@ -86,7 +86,7 @@ std::vector<Examination> examineAll(rpc::EventPort& loop, const Options& options
     for (const ProcessRecord& process : processes) {
       if (options.targets.empty()) targets.push_back({process.name, "", ""});
     }
-    return options.manager + ", processes known: " + std::to_string(processes.size());
+    return names->address().text() + ", processes known: " + std::to_string(processes.size());
   });
   if (!done.front().good()) return done;
   for (const Target& target : targets) done.push_back(examine(loop, options, *names, target));

@@ -2,12 +2,14 @@
 #include <suture/cli/wait.h>
 #include <suture/transport/tls/keys.h>
 
+#include <exception>
+
 namespace suture::cli {
 namespace {
 
-rpc::Address addressOf(const std::string& text) {
+std::vector<rpc::Address> addressesOf(const std::string& text) {
   try {
-    return rpc::Address::parse(text);
+    return rpc::parseAddresses(text);
   } catch (const SetupError& error) {
     throw UsageError(error.what());
   }
@@ -34,38 +36,55 @@ kj::Promise<wire::Session::Client> greet(wire::GlobalManager::Client manager) {
   });
 }
 
+std::string noAnswer(const rpc::Address& address) {
+  return "talk to " + address.text() +
+         ": what listens there does not answer as a global manager. Check the address; if it is "
+         "right, restart the manager.";
+}
+
 }  // namespace
 
 Names::Names(rpc::EventPort& loop, const Options& options)
-    : loop_(loop),
-      patience_(options.patience),
-      address_(addressOf(options.manager)),
-      link_(reachManager(loop, address_, options)),
-      session_(wait(loop, patience_, greet(link_->bootstrap<wire::GlobalManager>()), noAnswer())) {}
+    : loop_(loop), patience_(options.patience), manager_(openFirst(loop, options)) {}
+
+// Every one that lives knows all processes. If none does, the first is what was meant.
+Names::Manager Names::openFirst(rpc::EventPort& loop, const Options& options) {
+  std::exception_ptr why;
+  for (const rpc::Address& address : addressesOf(options.manager)) {
+    try {
+      return open(loop, address, options);
+    } catch (const SetupError&) {
+      if (!why) why = std::current_exception();
+    }
+  }
+  std::rethrow_exception(why);
+}
+
+Names::Manager Names::open(rpc::EventPort& loop, const rpc::Address& address,
+                           const Options& options) {
+  auto link = reachManager(loop, address, options);
+  auto greeted = greet(link->bootstrap<wire::GlobalManager>());
+  auto session = wait(loop, options.patience, kj::mv(greeted), noAnswer(address));
+  return {address, kj::mv(link), kj::mv(session)};
+}
 
 std::vector<ProcessRecord> Names::processes() {
-  auto answer = session_.listRequest().send().then([](auto&& results) {
+  auto answer = manager_.session.listRequest().send().then([](auto&& results) {
     std::vector<ProcessRecord> all;
     for (const auto process : results.getProcesses()) all.push_back(fromWire(process));
     return all;
   });
-  return wait(loop_, patience_, kj::mv(answer), noAnswer());
+  return wait(loop_, patience_, kj::mv(answer), noAnswer(manager_.address));
 }
 
 ProcessRecord Names::process(const std::string& name) {
-  auto request = session_.resolveRequest();
+  auto request = manager_.session.resolveRequest();
   request.setProcess(textOf(name));
   auto answer = request.send().then([](auto&& results) -> kj::Promise<ProcessRecord> {
     if (results.isRefused()) return refused(results.getRefused());
     return fromWire(results.getFound());
   });
-  return wait(loop_, patience_, kj::mv(answer), noAnswer());
-}
-
-std::string Names::noAnswer() const {
-  return "talk to " + address_.text() +
-         ": what listens there does not answer as a global manager. Check the address; if it is "
-         "right, restart the manager.";
+  return wait(loop_, patience_, kj::mv(answer), noAnswer(manager_.address));
 }
 
 }  // namespace suture::cli

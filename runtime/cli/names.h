@@ -10,7 +10,8 @@
 
 namespace suture::cli {
 
-/// A link to the global manager. Throws SetupError wherever it or what is asked for is not there.
+/// A link to the global manager, of several to the first that answers. Throws SetupError wherever
+/// it or what is asked for is not there.
 class Names {
  public:
   Names(rpc::EventPort& loop, const Options& options);
@@ -18,16 +19,23 @@ class Names {
   std::vector<ProcessRecord> processes();
   ProcessRecord process(const std::string& name);
   /// Is the network that of tls:// addresses?
-  bool leadsToTls() const { return address_.kind == rpc::Address::Kind::Tls; }
+  bool leadsToTls() const { return manager_.address.kind == rpc::Address::Kind::Tls; }
+  /// Of the manager that answers.
+  const rpc::Address& address() const { return manager_.address; }
 
  private:
-  std::string noAnswer() const;
+  struct Manager {
+    rpc::Address address;
+    kj::Own<rpc::Link> link;
+    wire::Session::Client session;
+  };
+
+  static Manager open(rpc::EventPort& loop, const rpc::Address& address, const Options& options);
+  static Manager openFirst(rpc::EventPort& loop, const Options& options);
 
   rpc::EventPort& loop_;
   const Duration patience_;
-  const rpc::Address address_;
-  kj::Own<rpc::Link> link_;
-  wire::Session::Client session_;
+  Manager manager_;
 };
 
 }  // namespace suture::cli

@@ -22,7 +22,7 @@ inline constexpr const char* kOwnName = "suture";
 
 /// Of all verbs; each uses some.
 struct Options {
-  std::string manager;                ///< address of the global manager
+  std::string manager;                ///< address of the global manager, or of several
   std::string keys;                   ///< folder with its own; "": none
   rpc::Trust trust;                   ///< those keys
   bool json = false;                  ///< for programs: JSON on standard output, errors too

@@ -28,6 +28,7 @@ Json toJson(const ProcessRecord& process) {
           {"host", process.host},
           {"addresses", process.addresses},
           {"generation", process.generation},
+          {"silent", process.silent},
           {"components", std::move(components)}};
 }
 

@@ -10,6 +10,7 @@ std::string text(const ProcessRecord& process) {
   std::string line = plain(process.name) + "   pid " + std::to_string(process.pid) + "   host " +
                      plain(process.host);
   for (const std::string& address : process.addresses) line += "   " + plain(address);
+  if (process.silent) line += "   silent";
   return line + "\n" + componentsText(process.components);
 }
 

@@ -79,7 +79,9 @@ void addOptions(CLI::App& app, const std::string& verb, Options& options, Times&
   app.add_flag("--json", options.json, "For programs: JSON on standard output, errors too");
   if (verb == "keys") return suture::addKeysOptions(app, options.newKeys);
   addTargets(app, verb, options);
-  app.add_option("--manager", options.manager, "Address of the global manager")
+  app.add_option(
+         "--manager", options.manager,
+         "Address of the global manager; of several, separated by commas, the first that answers")
       ->capture_default_str();
   app.add_option("--keys", options.keys,
                  "Folder with keys of 'suture', for tls:// (suture keys --process suture)");

@@ -25,14 +25,7 @@ struct Compared {
     hash = textAt(json, "hash");
   }
 
-  InterfaceInfo info() const {
-    return {.name = name.c_str(),
-            .hash = hash.c_str(),
-            .description = text.c_str(),
-            .commands = {},
-            .events = {},
-            .binding = nullptr};
-  }
+  InterfaceInfo info() const { return describedInfo(name, hash, text); }
 
   std::string text, name, hash;
 };

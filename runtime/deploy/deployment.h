@@ -55,7 +55,7 @@ class Deployment {
   explicit Deployment(JsonDocument document);
 
   const JsonDocument& document() const { return document_; }
-  /// Address of the global manager; "" if the file names none.
+  /// Address of the global manager, or of several, separated by commas; "" if the file names none.
   const std::string& manager() const { return manager_; }
   /// The folder of keys and the policy file; "" if the file names none.
   std::filesystem::path keys() const { return besideIt(document_.value().value("keys", "")); }

@@ -41,7 +41,8 @@ class Manager {
   /// A process on its own.
   explicit Manager(std::string process);
   /// A process that is known at the global manager at `address` ("unix:/path", "tls://host:port" or
-  /// "tcp://host:port"). Throws SetupError if nobody answers there within `patience`, or if the
+  /// "tcp://host:port"), or at several ("tls://10.0.0.1:7700,tls://10.0.0.2:7700"), of which one
+  /// that lives is enough. Throws SetupError if nobody answers there within `patience`, or if the
   /// name is taken.
   Manager(std::string process, const std::string& address, Duration patience = kDefaultPatience);
   /// The same with keys, which tls:// needs, or with a policy (suture/manager/security.h).
@@ -106,8 +107,9 @@ class Manager {
   void resumeConnection(std::string_view required);
 
   const Directory& directory() const { return directory_; }
-  /// The address of the global manager while it does not answer, else "". Connections live on
-  /// without it, and it is asked again until it answers; only new ones have to wait.
+  /// The address of the global manager while it does not answer, else ""; of several, those that do
+  /// not, separated by commas. Connections live on without it, and it is asked again until it
+  /// answers; only new ones have to wait, if no other answers.
   std::string missingGlobalManager() const;
   /// Every connection that has an end in this process, as it is now: one that has been lost and
   /// made anew is a channel of its own.

@@ -1,19 +1,16 @@
 #include <suture/manager/manager_link.h>
 #include <suture/transport/rpc/deadline.h>
-#include <suture/transport/tls/keys.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <optional>
 
 namespace suture {
 namespace {
 
-using rpc::Link;
 using Type = kj::Exception::Type;
 
-constexpr Duration kAnswerLimit = std::chrono::seconds(2);
-constexpr Duration kFirstPause = std::chrono::milliseconds(50);
-constexpr Duration kLongestPause = std::chrono::milliseconds(250);
+// Between two attempts to reach managers of which none answers.
+constexpr Duration kPause = std::chrono::milliseconds(50);
 
 const char* keysFor(const rpc::Address& address) {
   return address.kind == rpc::Address::Kind::Tls ? " --keys FOLDER" : "";
@@ -21,139 +18,150 @@ const char* keysFor(const rpc::Address& address) {
 
 }  // namespace
 
-ManagerLink::ManagerLink(rpc::ControlThread& control, const rpc::Address& manager,
-                         std::string program, rpc::Trust trust)
-    : control_(control),
-      manager_(manager),
-      program_(std::move(program)),
-      trust_(std::move(trust)),
-      here_(manager) {}
+/// Of several attempts, in their order.
+struct ManagerLink::Failures {
+  explicit Failures(std::size_t attempts) : all(attempts) {}
 
-kj::Promise<void> ManagerLink::open(Duration patience) {
-  const auto deadline = now() + patience;
-  return connect().catch_([this, deadline](kj::Exception&& e) -> kj::Promise<void> {
-    if (e.getType() != Type::DISCONNECTED) return kj::mv(e);
-    const Duration left = deadline - now();
-    if (left <= Duration{0}) {
-      return rpc::failure(Type::FAILED, "reach the global manager: " + rpc::describe(e) +
-                                            " Start it with: suture-manager --listen " +
-                                            manager_.text() + keysFor(manager_));
-    }
-    return control_.timer()
-        .afterDelay(rpc::toKj(std::min(left, kFirstPause)))
-        .then([this, deadline] { return open(deadline - now()); });
-  });
+  bool complete() const {
+    return std::all_of(all.begin(), all.end(), [](const auto& one) { return one.has_value(); });
+  }
+  /// Once complete. The first of that type, if any is.
+  const kj::Exception* first(Type type) const {
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const auto& one) { return one->getType() == type; });
+    return found == all.end() ? nullptr : &**found;
+  }
+
+  std::vector<std::optional<kj::Exception>> all;
+};
+
+ManagerLink::ManagerLink(rpc::ControlThread& control, const std::vector<rpc::Address>& managers,
+                         const std::string& program, const rpc::Trust& trust)
+    : control_(control), trust_(trust) {
+  for (const rpc::Address& manager : managers) {
+    leases_.push_back(std::make_unique<ManagerLease>(control, manager, program, trust));
+  }
 }
 
-kj::Promise<void> ManagerLink::connect() {
-  auto reached = rpc::reach(control_.port(), manager_, trust_, tls::kManagerName, kAnswerLimit);
-  return reached.then([this](rpc::ByteStream bytes) {
-    here_ = rpc::localAddress(manager_, bytes.socket());
-    auto stream = kj::heap<rpc::MessageStream>(control_.port(), kj::mv(bytes));
-    auto link = kj::heap<Link>(kj::mv(stream), capnp::rpc::twoparty::Side::CLIENT);
-    auto request = link->bootstrap<wire::GlobalManager>().helloRequest();
-    request.setVersion(wire::PROTOCOL_VERSION);
-    request.setProgram(textOf(program_));
-    auto hello = request.send().then([this](auto&& results) -> kj::Promise<void> {
-      if (results.isRefused()) return refused(results.getRefused());
-      session_ = results.getSession();
-      return kj::READY_NOW;
-    });
-    link_ = kj::mv(link);
-    return rpc::within(control_.timer(), kAnswerLimit, kj::mv(hello),
-                       "talk to " + manager_.text() +
-                           ": what listens there does not answer as a global "
-                           "manager. Check the address; if it is right, restart the manager.");
-  });
+ManagerLease& ManagerLink::nearest() const {
+  const auto open = std::find_if(leases_.begin(), leases_.end(),
+                                 [](const auto& lease) { return lease->isOpen(); });
+  return open == leases_.end() ? *leases_.front() : **open;
+}
+
+// Also the slow ones are awaited: a process whose name is taken at one of them is to hear of it.
+kj::Promise<void> ManagerLink::open(Duration patience) {
+  const Time deadline = now() + patience;
+  auto failures = std::make_shared<Failures>(leases_.size());
+  kj::Vector<kj::Promise<void>> attempts;
+  for (std::size_t i = 0; i < leases_.size(); ++i) {
+    attempts.add(leases_[i]->open().catch_(
+        [failures, i](kj::Exception&& failure) { failures->all[i].emplace(kj::mv(failure)); }));
+  }
+  return kj::joinPromises(attempts.releaseAsArray())
+      .then([this, deadline, failures]() -> kj::Promise<void> {
+        if (!failures->complete()) return kj::READY_NOW;
+        const Duration left = deadline - now();
+        const bool mayHelp = failures->first(Type::DISCONNECTED) != nullptr;
+        if (!mayHelp || left <= Duration{0}) return notOpen(*failures);
+        return control_.timer()
+            .afterDelay(rpc::toKj(std::min(left, kPause)))
+            .then([this, deadline] { return open(deadline - now()); });
+      });
+}
+
+kj::Exception ManagerLink::notOpen(const Failures& failures) const {
+  const kj::Exception& first = *failures.all.front();
+  if (first.getType() != Type::DISCONNECTED) return kj::cp(first);
+  const rpc::Address& address = leases_.front()->address();
+  std::string text = "reach the global manager: " + rpc::describe(first) +
+                     " Start it with: suture-manager --listen " + address.text() + keysFor(address);
+  if (leases_.size() > 1) text += ". None of " + missing() + " answers";
+  return rpc::failure(Type::FAILED, text);
 }
 
 kj::Promise<void> ManagerLink::enrol(ProcessRecord process) {
-  process_ = std::move(process);
-  return enrolAgain().then([this] { keeping_ = keep().eagerlyEvaluate(nullptr); });
-}
-
-kj::Promise<void> ManagerLink::enrolAgain() {
-  auto request = KJ_REQUIRE_NONNULL(session_).registerRequest();
-  toWire(process_, request.initProcess());
-  return request.send().then([this](auto&& results) -> kj::Promise<void> {
-    if (results.isRefused()) return refused(results.getRefused());
-    process_.generation = results.getGeneration();
-    lease_ = results.getLease();
-    enrolled_ = true;
-    return kj::READY_NOW;
+  return enrolFrom(leases_.begin(), std::move(process)).then([this] {
+    const bool enrolled = std::any_of(leases_.begin(), leases_.end(),
+                                      [](const auto& lease) { return lease->enrolled(); });
+    if (!enrolled) kj::throwFatalException(gone("register this process"));
   });
 }
 
-kj::Promise<void> ManagerLink::keep() {
-  return KJ_REQUIRE_NONNULL(link_)
-      ->onDisconnect()
-      .then([this] { return comeBack(kFirstPause); })
-      .then([this] { return keep(); });
+// One after the other, so that of two processes of one name the same is refused everywhere.
+kj::Promise<void> ManagerLink::enrolFrom(Leases::const_iterator first, ProcessRecord process) {
+  if (first == leases_.end()) return kj::READY_NOW;
+  return (*first)->enrol(process).then(
+      [this, first, process] { return enrolFrom(first + 1, process); });
 }
 
-kj::Promise<void> ManagerLink::comeBack(Duration pause) {
-  enrolled_ = false;
-  session_ = nullptr;
-  lease_ = nullptr;
-  return control_.timer()
-      .afterDelay(rpc::toKj(pause))
-      .then([this] { return connect(); })
-      .then([this] { return enrolAgain(); })
-      .catch_(
-          [this, pause](kj::Exception&&) { return comeBack(std::min(2 * pause, kLongestPause)); });
-}
-
-void ManagerLink::update(std::vector<ComponentRecord> components) {
-  process_.components = std::move(components);
-  KJ_IF_MAYBE (lease, lease_) {
-    auto request = lease->updateRequest();
-    toWire(process_.components,
-           request.initComponents(static_cast<unsigned>(process_.components.size())));
-    // If this fails the link is breaking, and coming back tells the manager everything again.
-    control_.spawn(request.send().ignoreResult().catch_([](kj::Exception&&) {}));
-  }
+void ManagerLink::update(const std::vector<ComponentRecord>& components) {
+  for (const auto& lease : leases_) lease->update(components);
 }
 
 kj::Promise<ProcessRecord> ManagerLink::resolve(const std::string& process, Duration wait) {
-  KJ_IF_MAYBE (session, session_) {
-    auto request = session->resolveRequest();
-    request.setProcess(textOf(process));
-    const auto milliseconds = std::chrono::ceil<std::chrono::milliseconds>(wait).count();
-    request.setWaitMilliseconds(
-        static_cast<std::uint32_t>(std::clamp<std::int64_t>(milliseconds, 0, 60'000)));
-    return request.send().then([](auto&& results) -> kj::Promise<ProcessRecord> {
-      if (results.isRefused()) return refused(results.getRefused());
-      return fromWire(results.getFound());
-    });
+  const Time deadline = now() + wait;
+  return askAll(process, wait)
+      .catch_([this, process, deadline](kj::Exception&& failure) -> kj::Promise<ProcessRecord> {
+        if (failure.getType() != Type::DISCONNECTED) return kj::mv(failure);
+        const Duration left = deadline - now();
+        if (left <= Duration{0}) return gone("find process '" + process + "'");
+        return control_.timer()
+            .afterDelay(rpc::toKj(std::min(left, kPause)))
+            .then([this, process, deadline] { return resolve(process, deadline - now()); });
+      });
+}
+
+// The first that is found; if none is, what a manager says about it that could be asked.
+kj::Promise<ProcessRecord> ManagerLink::askAll(const std::string& process, Duration wait) {
+  auto failures = std::make_shared<Failures>(leases_.size());
+  kj::Promise<ProcessRecord> first = kj::NEVER_DONE;
+  for (std::size_t i = 0; i < leases_.size(); ++i) {
+    first = first.exclusiveJoin(
+        leases_[i]
+            ->resolve(process, wait)
+            .catch_([failures, i](kj::Exception&& failure) -> kj::Promise<ProcessRecord> {
+              failures->all[i].emplace(kj::mv(failure));
+              if (!failures->complete()) return kj::NEVER_DONE;
+              const kj::Exception* const refusal = failures->first(Type::FAILED);
+              return kj::cp(refusal != nullptr ? *refusal : *failures->all.front());
+            }));
   }
-  return rpc::disconnected("find process '" + process + "': the global manager at " +
-                           manager_.text() + " is gone. Start it again.");
+  return first;
 }
 
 kj::Promise<rpc::ByteStream> ManagerLink::reach(const ProcessRecord& process, Duration deadline) {
   if (process.addresses.empty()) {
     return rpc::failure(Type::FAILED, "process '" + process.name + "' has no address. Restart it.");
   }
+  const rpc::Address& manager = nearest().address();  // all are of one kind
   const auto address = rpc::Address::parse(process.addresses.front());
-  const bool leavesTls = manager_.kind == rpc::Address::Kind::Tls && address.kind != manager_.kind;
-  if (leavesTls || (address.insecure && !manager_.insecure)) {
+  const bool leavesTls = manager.kind == rpc::Address::Kind::Tls && address.kind != manager.kind;
+  if (leavesTls || (address.insecure && !manager.insecure)) {
     return rpc::failure(
         Type::FAILED, "connect to process '" + process.name + "': it listens at " + address.text() +
-                          ", and the global manager is reached at " + manager_.text() +
+                          ", and the global manager is reached at " + manager.text() +
                           ". Start that process with the same address.");
   }
   return rpc::reach(control_.port(), address, trust_, process.name, deadline);
 }
 
 kj::Promise<std::vector<ProcessRecord>> ManagerLink::list() {
-  KJ_IF_MAYBE (session, session_) {
-    return session->listRequest().send().then([](auto&& results) {
-      std::vector<ProcessRecord> all;
-      for (const auto process : results.getProcesses()) all.push_back(fromWire(process));
-      return all;
-    });
+  if (!nearest().isOpen()) return gone("list processes");
+  return nearest().list();
+}
+
+std::string ManagerLink::missing() const {
+  std::string text;
+  for (const auto& lease : leases_) {
+    if (lease->enrolled()) continue;
+    text += (text.empty() ? "" : ",") + lease->address().text();
   }
-  return rpc::disconnected("list processes: the global manager at " + manager_.text() +
+  return text;
+}
+
+kj::Exception ManagerLink::gone(const std::string& asked) const {
+  return rpc::disconnected(asked + ": the global manager at " + missing() +
                            " is gone. Start it again.");
 }
 

@@ -1,63 +1,61 @@
 #pragma once
-// A process's connection to the global manager.
+// A process's connection to those who know names: the global manager, or each of several.
 
-#include <suture/manager/records.h>
-#include <suture/transport/rpc/address.h>
-#include <suture/transport/rpc/control_thread.h>
-#include <suture/transport/rpc/link.h>
-#include <suture/transport/rpc/secure.h>
+#include <suture/manager/manager_lease.h>
 
-#include <atomic>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace suture {
 
-/// Talks to the global manager and, once enrolled, keeps the process known: if the manager goes
-/// away it comes back to it, or to its successor, as often as needed. Belongs to the control
-/// thread; outlives its promises.
+/// Registers a process at every global manager that is listed, and asks all of them, so that it
+/// does not matter which of them live; there is nothing to hand over when one dies. Belongs to the
+/// control thread; outlives its promises.
 class ManagerLink {
  public:
-  ManagerLink(rpc::ControlThread& control, const rpc::Address& manager, std::string program,
-              rpc::Trust trust = {});
+  /// `managers`: at least one, in the order in which names are asked for.
+  ManagerLink(rpc::ControlThread& control, const std::vector<rpc::Address>& managers,
+              const std::string& program, const rpc::Trust& trust = {});
 
-  /// Reaches the manager, trying again for `patience`. Rejects with what was found and what to do.
+  /// Resolves as soon as one manager answers and the others have answered or failed, trying again
+  /// for `patience`. Rejects with what was found and what to do.
   kj::Promise<void> open(Duration patience);
-  /// Registers this process. Rejects if the name is taken.
+  /// Registers this process at each manager that answers, and at the others when they do. Rejects
+  /// if one says that the name is taken.
   kj::Promise<void> enrol(ProcessRecord process);
   /// Tells what the process offers and needs now.
-  void update(std::vector<ComponentRecord> components);
+  void update(const std::vector<ComponentRecord>& components);
 
-  /// Where a process is, waiting for it at most `wait`. Rejects with what the manager knows.
+  /// Where a process is: what the first manager says that knows it. Waits for the process, and for
+  /// a manager that answers, at most `wait`. Rejects with what the managers know.
   kj::Promise<ProcessRecord> resolve(const std::string& process, Duration wait);
+  /// What the first manager knows that answers.
   kj::Promise<std::vector<ProcessRecord>> list();
 
-  const rpc::Address& address() const { return manager_; }
-  /// Once open: where peers of the network of the manager reach this machine; port 0.
-  const rpc::Address& here() const { return here_; }
-  /// A stream to a process that the manager knows, no less safe than this link: what the manager
-  /// was told by others does not lead out of TLS.
+  /// Of the first manager that answers.
+  const rpc::Address& address() const { return nearest().address(); }
+  /// Once open: where peers of the network of that manager reach this machine; port 0.
+  const rpc::Address& here() const { return nearest().here(); }
+  /// A stream to a process that the managers know, no less safe than the links to them: what they
+  /// were told by others does not lead out of TLS.
   kj::Promise<rpc::ByteStream> reach(const ProcessRecord& process, Duration deadline);
-  /// Any thread: the manager answers and knows this process.
-  bool enrolled() const { return enrolled_.load(std::memory_order_relaxed); }
+  /// Any thread: the addresses of the managers that do not answer or do not know this process.
+  std::string missing() const;
 
  private:
-  kj::Promise<void> connect();
-  kj::Promise<void> enrolAgain();
-  kj::Promise<void> keep();
-  kj::Promise<void> comeBack(Duration pause);
+  using Leases = std::vector<std::unique_ptr<ManagerLease>>;
+  struct Failures;
+
+  ManagerLease& nearest() const;
+  kj::Promise<void> enrolFrom(Leases::const_iterator first, ProcessRecord process);
+  kj::Promise<ProcessRecord> askAll(const std::string& process, Duration wait);
+  kj::Exception notOpen(const Failures& failures) const;
+  kj::Exception gone(const std::string& asked) const;
 
   rpc::ControlThread& control_;
-  const rpc::Address manager_;
-  const std::string program_;
   const rpc::Trust trust_;
-  rpc::Address here_;
-  kj::Maybe<kj::Own<rpc::Link>> link_;
-  kj::Maybe<wire::Session::Client> session_;
-  kj::Maybe<wire::Lease::Client> lease_;
-  ProcessRecord process_;
-  std::atomic<bool> enrolled_{false};
-  kj::Promise<void> keeping_ = kj::READY_NOW;  // last: cancelled first
+  Leases leases_;
 };
 
 }  // namespace suture

@@ -9,7 +9,7 @@ using Kind = wire::Refusal::Kind;
 
 constexpr std::uint32_t kLongestWaitMilliseconds = 60'000;
 
-/// Holds a name for as long as its client holds it.
+/// Holds a name for as long as its client holds it, and says that it lives.
 class LeaseServer final : public wire::Lease::Server {
  public:
   LeaseServer(kj::Own<NameService> names, std::string name, std::uint64_t generation)
@@ -19,6 +19,15 @@ class LeaseServer final : public wire::Lease::Server {
  protected:
   kj::Promise<void> update(UpdateContext context) override {
     names_->registry().update(name_, generation_, fromWire(context.getParams().getComponents()));
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> renew(RenewContext context) override {
+    Registry& registry = names_->registry();
+    const bool wasKnown = registry.find(name_) != nullptr;
+    const bool held = registry.renew(name_, generation_);
+    context.getResults().setHeld(held);
+    if (held && !wasKnown) names_->announce(name_);
     return kj::READY_NOW;
   }
 
@@ -112,6 +121,13 @@ class GlobalManagerServer final : public wire::GlobalManager::Server {
 };
 
 }  // namespace
+
+kj::Promise<void> NameService::age() {
+  return timer_.afterDelay(wire::RENEWAL_MILLISECONDS * kj::MILLISECONDS).then([this] {
+    registry_.age();
+    return age();
+  });
+}
 
 void NameService::announce(const std::string& name) {
   for (Waiting& one : waiting_) {

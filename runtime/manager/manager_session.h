@@ -21,7 +21,7 @@ class NameService final : public kj::Refcounted {
   /// How many may wait for names at a time; who comes then is answered at once.
   static constexpr std::size_t kMostWaiting = 4096;
 
-  explicit NameService(kj::Timer& timer) : timer_(timer) {}
+  explicit NameService(kj::Timer& timer) : timer_(timer), aging_(age().eagerlyEvaluate(nullptr)) {}
 
   Registry& registry() { return registry_; }
   /// Wakes who waits for `name`.
@@ -36,10 +36,12 @@ class NameService final : public kj::Refcounted {
   };
 
   void forgetAnswered();
+  kj::Promise<void> age();
 
   kj::Timer& timer_;
   Registry registry_;
   kj::Vector<Waiting> waiting_;
+  kj::Promise<void> aging_;  // last: cancelled first
 };
 
 /// The bootstrap capability of the global manager on the link of `caller`: hands a session to who

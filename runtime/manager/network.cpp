@@ -38,8 +38,8 @@ class Network::Impl {
  public:
   Impl(const Directory& directory, const std::string& managerAddress, ServerOf serverOf,
        TaskOf taskOf, Duration patience, const Security& security)
-      : directory_(directory), manager_(rpc::Address::parse(managerAddress)), security_(security) {
-    rpc::requireKeys(manager_, security_.trust());
+      : directory_(directory), managers_(rpc::parseAddresses(managerAddress)), security_(security) {
+    rpc::requireKeys(managers_.front(), security_.trust());
     try {
       run(control_, patience + kLocalWork,
           [this, serverOf = std::move(serverOf), taskOf = std::move(taskOf), patience]() mutable {
@@ -104,7 +104,7 @@ class Network::Impl {
     });
   }
 
-  std::string missingManager() const { return link_->enrolled() ? "" : manager_.text(); }
+  std::string missingManager() const { return link_->missing(); }
 
   std::map<std::string, std::shared_ptr<Channel>> connected() const {
     std::lock_guard lock(mutex_);
@@ -138,7 +138,7 @@ class Network::Impl {
     givenUp_ = givenUp.promise.fork();
     giveUp_ = kj::mv(givenUp.fulfiller);
     link_ =
-        std::make_unique<ManagerLink>(control_, manager_, directory_.process(), security_.trust());
+        std::make_unique<ManagerLink>(control_, managers_, directory_.process(), security_.trust());
     return link_->open(patience).then(
         [this, serverOf = std::move(serverOf), taskOf = std::move(taskOf)]() mutable {
           host_ = std::make_unique<PeerHost>(control_, frames_, directory_, std::move(serverOf),
@@ -161,7 +161,7 @@ class Network::Impl {
   }
 
   const Directory& directory_;
-  const rpc::Address manager_;
+  const std::vector<rpc::Address> managers_;  // of one kind
   const Security security_;
   rpc::ControlThread control_;
   frame::LaneThread frames_;

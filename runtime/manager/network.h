@@ -36,7 +36,8 @@ class Network {
   /// The task whose thread that is; nullptr: a device that no remote client has asked for yet.
   using TaskOf = std::function<const Task*(const Component&)>;
 
-  /// Listens, and registers the process at the global manager. Throws SetupError.
+  /// Listens, and registers the process at the global managers. `managerAddress`: one or several,
+  /// separated by commas. Throws SetupError.
   Network(const Directory& directory, const std::string& managerAddress, ServerOf serverOf,
           TaskOf taskOf, Duration patience, const Security& security = {});
   ~Network();
@@ -60,7 +61,7 @@ class Network {
   /// so, until this is destroyed.
   void leave();
 
-  /// The global manager's address while it does not answer, else "".
+  /// The addresses of the global managers that do not answer.
   std::string missingManager() const;
 
   /// The client ends of what has been connected, by required interface ("Teleop/Slave").

@@ -7,7 +7,6 @@
 #include <suture/rt/state_table.h>
 #include <suture/transport/rpc/failure.h>
 #include <suture/transport/rpc/stamps.h>
-#include <suture/transport/shm/memory_layout.h>
 #include <suture/wiring/connect.h>
 
 #include <algorithm>
@@ -62,34 +61,6 @@ class NoticesSender final : public rpc::ProviderEnd::Listener {
   rpc::ControlThread& control_;
   wire::Notices::Client client_;
 };
-
-/// What the client requires, as far as a comparison needs it.
-InterfaceInfo requiredInfo(const std::string& contract, const std::string& hash,
-                           const std::string& description) {
-  return {.name = contract.c_str(),
-          .hash = hash.c_str(),
-          .description = description.c_str(),
-          .commands = {},
-          .events = {},
-          .binding = nullptr};
-}
-
-/// The provider's contract or the one of its bases that is the client's; null if they are not from
-/// one build.
-const InterfaceInfo* sameContract(const InterfaceInfo& provided, const std::string& hash) {
-  for (const InterfaceInfo* one = &provided;; one = &one->base()) {
-    if (one->hash == hash) return one;
-    if (one->base == nullptr) return nullptr;
-  }
-}
-
-/// Why the slots of the two processes cannot be exchanged as they are; "" if they can.
-std::string whyOtherSlots(const InterfaceInfo* contract, capnp::Text::Reader layout) {
-  if (contract == nullptr) return "the two were built from different versions of the contract";
-  if (const std::string reason = shm::whyNotShared(*contract); !reason.empty()) return reason;
-  if (stringOf(layout) == shm::memoryLayout(*contract)) return "";
-  return "the contract's values lie in memory in another way there";
-}
 
 /// `offset`: how far the caller's clock is ahead of ours, ns.
 void compareClocks(Channel& channel, std::int64_t offset, std::int64_t error) {
@@ -240,8 +211,8 @@ kj::Promise<void> PeerServer::decide(ProvidedBase& provided, const Endpoint& end
   const std::string contract = stringOf(in.getContract()), hash = stringOf(in.getHash()),
                     description = stringOf(in.getDescription());
   try {
-    const std::size_t offered =
-        requireCompatibleContract(requiredInfo(contract, hash, description), provided.info(), name);
+    const std::size_t offered = requireCompatibleContract(
+        describedInfo(contract, hash, description), provided.info(), name);
     if (in.getEpoch() == 0 || takesOver(client.toString(), name, context)) {
       return accept({provided, client.toString(), endpoint, name, offered, context});
     }

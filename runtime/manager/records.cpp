@@ -47,6 +47,7 @@ void toWire(const ProcessRecord& process, wire::ProcessRecord::Builder out) {
   out.setHost(textOf(process.host));
   toWire(process.components, out.initComponents(sizeOf(process.components)));
   out.setGeneration(process.generation);
+  out.setSilent(process.silent);
 }
 
 void toWire(const Refusal& refusal, wire::Refusal::Builder out) {
@@ -71,6 +72,7 @@ ProcessRecord fromWire(wire::ProcessRecord::Reader in) {
   process.host = stringOf(in.getHost());
   process.components = fromWire(in.getComponents());
   process.generation = in.getGeneration();
+  process.silent = in.getSilent();
   return process;
 }
 

@@ -27,6 +27,7 @@ struct ProcessRecord {
   std::string host;
   std::vector<ComponentRecord> components;
   std::uint64_t generation = 0;  ///< given by the manager; a name registered again has a higher one
+  bool silent = false;           ///< given by the manager: it has not renewed its lease in time
 };
 
 /// Why something did not happen, for a program and for a person.

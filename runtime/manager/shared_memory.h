@@ -10,8 +10,17 @@
 #include <suture/transport/shm/shared_channel.h>
 
 #include <memory>
+#include <string>
 
 namespace suture {
+
+/// The provider's contract or the one of its bases that is the client's, whose hash is `hash`; null
+/// if they are not from one build.
+const InterfaceInfo* sameContract(const InterfaceInfo& provided, const std::string& hash);
+
+/// Why the slots of a client cannot be exchanged with its provider as they are; "" if they can.
+/// `contract`: sameContract(); `layout`: the client's.
+std::string whyOtherSlots(const InterfaceInfo* contract, capnp::Text::Reader layout);
 
 /// Hands out the descriptor of `block`, and keeps it for as long as anybody has the capability.
 wire::SharedMemory::Client handOut(std::shared_ptr<MemoryBlock> block);

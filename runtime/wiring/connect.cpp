@@ -48,6 +48,16 @@ std::optional<std::size_t> compatibleCommands(const InterfaceInfo& required,
 
 }  // namespace
 
+InterfaceInfo describedInfo(const std::string& name, const std::string& hash,
+                            const std::string& description) {
+  return {.name = name.c_str(),
+          .hash = hash.c_str(),
+          .description = description.c_str(),
+          .commands = {},
+          .events = {},
+          .binding = nullptr};
+}
+
 std::size_t requireSameContract(const InterfaceInfo& required, const InterfaceInfo& provided,
                                 const std::string& connection) {
   const auto common =

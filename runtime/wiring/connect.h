@@ -10,6 +10,11 @@
 
 namespace suture {
 
+/// A contract of which only its description is here, as far as the functions below need it. Keeps
+/// pointers to all three.
+InterfaceInfo describedInfo(const std::string& name, const std::string& hash,
+                            const std::string& description);
+
 /// Throws SetupError, naming every difference, unless the provided contract is the required one, or
 /// derives from it, or differs from it in optional commands alone. Returns how many of the required
 /// commands, from the first, the provider has.

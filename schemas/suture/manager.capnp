@@ -8,6 +8,12 @@ $Cxx.namespace("suture::wire");
 const protocolVersion :UInt16 = 1;
 # Of manager.capnp and peer.capnp together. Both sides say theirs in hello; a difference is a refusal.
 
+const renewalMilliseconds :UInt32 = 500;
+# How often a lease is renewed.
+
+const missableRenewals :UInt16 = 4;
+# A process that misses more of them is silent: its name is not handed out, and is free for another.
+
 struct Refusal {
   # Why something did not happen, for a program and for a person.
   kind @0 :Kind;
@@ -49,6 +55,7 @@ struct ProcessRecord {
   host @3 :Text;
   components @4 :List(ComponentRecord);
   generation @5 :UInt64;  # given by the manager: a name registered again has a higher one
+  silent @6 :Bool;  # given by the manager: the lease has not been renewed in time
 }
 
 interface GlobalManager {
@@ -64,7 +71,8 @@ interface GlobalManager {
 
 interface Session {
   register @0 (process :ProcessRecord) -> RegisterResults;
-  # The name is held as long as the lease is: dropping it, or losing the connection, frees the name.
+  # The name is held as long as the lease is: dropping it, or losing the connection, frees the name. A
+  # process that has begun to renew its lease has to go on.
   struct RegisterResults {
     generation @0 :UInt64;
     union {
@@ -74,7 +82,8 @@ interface Session {
   }
 
   resolve @1 (process :Text, waitMilliseconds :UInt32) -> ResolveResults;
-  # Answers when the process is there, or with a refusal after the wait (which the manager bounds).
+  # Answers when the process is there and not silent, or with a refusal after the wait (which the
+  # manager bounds).
   struct ResolveResults {
     union {
       found @0 :ProcessRecord;
@@ -88,4 +97,7 @@ interface Session {
 interface Lease {
   update @0 (components :List(ComponentRecord)) -> ();
   # Replaces what the process offers and needs.
+
+  renew @1 () -> (held :Bool);
+  # Tells that the process lives. Not held: the name has gone to another process meanwhile.
 }

@@ -2,21 +2,17 @@
 // periodic one: faulty_host <manager address> <process name> <file while which they hang>. Ends on
 // SIGTERM.
 
-#include <suture/base/errors.h>
 #include <suture/manager/manager.h>
 
-#include <csignal>
-#include <cstdio>
+#include <chrono>
 
 #include "fault/faulty_arm.h"
+#include "support/hosted_process.h"
 
 int main(int, char** argv) {
   using namespace std::chrono_literals;
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGTERM);
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  try {
+  return suture::statusOf([argv] {
+    const suture::HostedProcess process;
     reference::FaultyArm<suture::EventTask> sleeping(argv[3],
                                                      suture::EventOptions{.longestSleep = 1h});
     reference::FaultyArm<suture::PeriodicTask> periodic(argv[3],
@@ -25,14 +21,7 @@ int main(int, char** argv) {
     manager.add("PSM1", sleeping);
     manager.add("PSM2", periodic);
     manager.start();
-    std::puts("ready");
-    std::fflush(stdout);
-    int received = 0;
-    sigwait(&signals, &received);
+    process.awaitEnd();
     manager.stop();
-  } catch (const suture::SetupError& error) {
-    std::printf("%s\n", error.what());
-    return 1;
-  }
-  return 0;
+  });
 }

@@ -3,14 +3,11 @@
 // Says "begun", then "ready" when it is connected to <robot>:PSM/Arm. An idle one only listens.
 // Ends on SIGTERM.
 
-#include <suture/base/errors.h>
 #include <suture/component/channel.h>
 #include <suture/component/device.h>
 #include <suture/manager/manager.h>
 
 #include <chrono>
-#include <csignal>
-#include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <string_view>
@@ -18,6 +15,7 @@
 
 #include "fault/history.h"
 #include "reference/arm_like.suture.h"
+#include "support/hosted_process.h"
 
 namespace {
 
@@ -31,8 +29,6 @@ using Kind = HistoryEntry::Kind;
 constexpr suture::Duration kDeadline = 200ms;
 constexpr double kMoveTakes = 0.01;  // s
 
-volatile std::sig_atomic_t ended = 0;
-
 struct Port final : suture::Required<reference::ArmLike> {
   using Required::channel;
   using Required::Required;
@@ -42,11 +38,9 @@ class Client final : public suture::Device {
  public:
   Client(const std::string& log, std::uint32_t number) : log_(log), number_(number) {
     arm.on().arrived([this](const PoseStamped& tag) {
-      log_.write({.kind = Kind::Heard,
-                  .at = now(),
-                  .client = number_,
-                  .id = static_cast<std::uint64_t>(tag.pose.translation().y()),
-                  .epoch = static_cast<std::uint64_t>(tag.pose.translation().x())});
+      note({.kind = Kind::Heard,
+            .id = static_cast<std::uint64_t>(tag.pose.translation().y()),
+            .epoch = static_cast<std::uint64_t>(tag.pose.translation().x())});
     });
   }
 
@@ -67,14 +61,14 @@ class Client final : public suture::Device {
   Port arm{*this, "Arm"};
 
  private:
+  void note(HistoryEntry entry) {
+    entry.at = now();
+    entry.client = number_;
+    log_.write(entry);
+  }
   PoseStamped sent(suture::Duration deadline) {
     ++id_;
-    log_.write({.kind = Kind::Sent,
-                .at = now(),
-                .client = number_,
-                .id = id_,
-                .epoch = epoch_,
-                .limit = deadline});
+    note({.kind = Kind::Sent, .id = id_, .epoch = epoch_, .limit = deadline});
     PoseStamped tag;
     tag.pose.translation() << number_, static_cast<double>(id_), static_cast<double>(epoch_);
     tag.stamp = now();
@@ -82,12 +76,7 @@ class Client final : public suture::Device {
     return tag;
   }
   void noteEnd(Errc error) {
-    log_.write({.kind = Kind::Ended,
-                .at = now(),
-                .client = number_,
-                .id = id_,
-                .epoch = epoch_,
-                .error = error});
+    note({.kind = Kind::Ended, .id = id_, .epoch = epoch_, .error = error});
   }
 
   suture::HistoryLog log_;
@@ -96,46 +85,37 @@ class Client final : public suture::Device {
   std::shared_ptr<suture::Channel> known_;
 };
 
-void say(const char* what) {
-  std::puts(what);
-  std::fflush(stdout);
-}
-
-/// As often as it is refused; false if it is to end.
-bool connect(suture::Manager& manager, const std::string& arm, suture::Duration silence) {
-  while (ended == 0) {
+/// As often as it is refused, unless it is to end.
+void connect(const suture::HostedProcess& process, suture::Manager& manager, const std::string& arm,
+             suture::Duration silence) {
+  while (!process.ended()) {
     try {
       manager.connect("Client/Arm", arm, suture::Lane::Auto, 60s, {}, {.silence = silence});
-      return true;
+      return suture::say("ready");
     } catch (const suture::SetupError&) {
       std::this_thread::sleep_for(5ms);
     }
   }
-  return false;
 }
 
 }  // namespace
 
 int main(int, char** argv) {
-  std::signal(SIGTERM, [](int) { ended = 1; });
   const bool busy = std::string_view(argv[6]) == "busy";
-  try {
+  return suture::statusOf([argv, busy] {
+    const suture::HostedProcess process;
     Client client(argv[3], static_cast<std::uint32_t>(std::atoi(argv[4])));
     suture::Manager manager(argv[2], argv[1], 60s);
     manager.add("Client", client);
     manager.start();
-    say("begun");
+    suture::say("begun");
     const auto silence = std::chrono::milliseconds(std::atoi(argv[7]));
-    if (connect(manager, std::string(argv[5]) + ":PSM/Arm", silence)) say("ready");
-    while (ended == 0) {
+    connect(process, manager, std::string(argv[5]) + ":PSM/Arm", silence);
+    while (!process.ended()) {
       client.waitForEvents(now() + 5ms);
       client.processEvents();
       if (busy) client.ask();
     }
     manager.stop();
-  } catch (const suture::SetupError& error) {
-    std::printf("%s\n", error.what());
-    return 1;
-  }
-  return 0;
+  });
 }

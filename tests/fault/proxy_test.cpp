@@ -30,7 +30,7 @@ class Forwarder {
  public:
   Forwarder(const std::string& manager, std::string name, std::string behind, unsigned seed) {
     control_.run(20s, [&, name, behind, address = rpc::Address::parse(manager)] {
-      link_ = std::make_unique<ManagerLink>(control_, address, "forwarder");
+      link_ = std::make_unique<ManagerLink>(control_, std::vector{address}, "forwarder");
       return link_->open(10s)
           .then([this, behind] { return link_->resolve(behind, 10s); })
           .then([this, name, seed](ProcessRecord found) {

@@ -119,7 +119,7 @@ Bytes recordedSession(const std::string& manager, const rpc::Address& robot) {
   Recorder recorder(robot);
   rpc::ControlThread control;
   control.run(10s, [&control, &recorder, manager] {
-    auto link = kj::heap<ManagerLink>(control, rpc::Address::parse(manager), "test");
+    auto link = kj::heap<ManagerLink>(control, std::vector{rpc::Address::parse(manager)}, "test");
     auto& held = *link;
     return held.open(5s)
         .then([&held, &recorder] {

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <string>
+#include <vector>
 
 namespace suture {
 
@@ -14,7 +15,7 @@ inline std::string addressOf(const std::string& manager, const std::string& proc
   using std::chrono_literals::operator""s;
   rpc::ControlThread control;
   return control.run(20s, [&control, manager = rpc::Address::parse(manager), process, trust] {
-    auto link = kj::heap<ManagerLink>(control, manager, "test", trust);
+    auto link = kj::heap<ManagerLink>(control, std::vector{manager}, "test", trust);
     auto& held = *link;
     return held.open(5s)
         .then([&held, process] { return held.resolve(process, 5s); })

@@ -2,6 +2,7 @@
 #include <netinet/in.h>
 #include <suture/transport/rpc/address.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstring>
 
@@ -33,6 +34,9 @@ Address parseUnix(const std::string& text) {
   Address address;
   address.path = text.substr(kUnix.size());
   if (address.path.empty()) refuse(text, "it has no path", "Write unix:/path/to/socket.");
+  if (address.path.find(',') != std::string::npos) {
+    refuse(text, "its path has a comma, which separates addresses", "Name one, without a comma.");
+  }
   const std::size_t room = sizeof(sockaddr_un::sun_path) - 1;
   if (address.path.size() > room) {
     refuse(text,
@@ -98,6 +102,20 @@ std::string Address::text() const {
   const bool six = host.find(':') != std::string::npos;
   return std::string(kind == Kind::Tls ? kTls : kTcp) + (six ? "[" + host + "]" : host) + ":" +
          std::to_string(port) + std::string(insecure ? kInsecure : "");
+}
+
+std::vector<Address> parseAddresses(const std::string& text) {
+  std::vector<Address> all;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    all.push_back(Address::parse(text.substr(begin, end - begin)));
+    if (all.back().kind != all.front().kind || all.back().insecure != all.front().insecure) {
+      refuse(text, "'" + all.front().text() + "' and '" + all.back().text() + "' differ in kind",
+             "List addresses of one kind.");
+    }
+    begin = end + 1;
+  }
+  return all;
 }
 
 Address localAddress(const Address& far, int socket) {

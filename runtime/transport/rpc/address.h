@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace suture::rpc {
 
@@ -14,9 +15,9 @@ namespace suture::rpc {
 struct Address {
   enum class Kind : std::uint8_t { Unix, Tcp, Tls };
 
-  /// Throws SetupError: of no such form, a path longer than a socket can have, a host that is
-  /// neither a number nor localhost, or plain TCP beyond this machine, unless that is asked for:
-  /// "tcp://192.168.1.5:7700?insecure".
+  /// Throws SetupError: of no such form, a path longer than a socket can have or with a comma, a
+  /// host that is neither a number nor localhost, or plain TCP beyond this machine, unless that is
+  /// asked for: "tcp://192.168.1.5:7700?insecure".
   static Address parse(const std::string& text);
 
   /// The form that parse() takes.
@@ -28,6 +29,11 @@ struct Address {
   std::uint16_t port = 0;
   bool insecure = false;  ///< Tcp: may lead beyond this machine
 };
+
+/// One or several, separated by commas: "tls://10.0.0.1:7700,tls://10.0.0.2:7700". Throws
+/// SetupError as Address::parse() does, or if they are not of one kind: who is kept from the first
+/// must not be led to one that is less safe.
+std::vector<Address> parseAddresses(const std::string& text);
 
 /// Where this end of `socket`, which leads to `far`, is: of the same kind, with port 0. Unix:
 /// `far`.

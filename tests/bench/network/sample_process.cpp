@@ -1,7 +1,5 @@
 #include "bench/network/sample_process.h"
 
-#include <unistd.h>
-
 #include <memory>
 
 #include "bench/local/sample_server.h"
@@ -23,9 +21,7 @@ void serve(const Options& options) {
   suture::Manager manager{"server", options.manager};
   manager.add("Server", server);
   manager.start();
-  char ignored = 0;
-  while (read(STDIN_FILENO, &ignored, 1) > 0) {
-  }
+  awaitEndOfInput();
   manager.stop();
 }
 

@@ -30,4 +30,7 @@ class ChildProcess {
   int output_ = -1;
 };
 
+/// In the process that is run so: returns when it is told to end.
+void awaitEndOfInput();
+
 }  // namespace bench

@@ -1,13 +1,13 @@
 #include "bench/table2/server_process.h"
 
 #include <suture/manager/manager.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <cstring>
 #include <memory>
 
 #include "bench/placement.h"
+#include "bench/table2/child_process.h"
 #include "bench/table2/server.h"
 
 namespace bench {
@@ -23,12 +23,6 @@ struct Options {
   int fifo = 0;
   int cpu = -1;
 };
-
-void awaitEndOfInput() {
-  char ignored = 0;
-  while (read(STDIN_FILENO, &ignored, 1) > 0) {
-  }
-}
 
 void serve(Options options) {
   LoopSetup& setup = options.setup;

@@ -82,7 +82,8 @@ class Fail(System):
         self.assertIn("Did you mean 'Gripper'?", self.failed("schema", "robot:Hand/Griper")["remedy"])
         self.stop(robot)
         try:
-            self.assertIn("does not answer", self.failed("version", "robot")["found"])
+            self.await_silence("robot")
+            self.assertIn("has been silent for longer than its lease", self.failed("resolve", "robot")["found"])
         finally:
             robot.send_signal(signal.SIGCONT)
 

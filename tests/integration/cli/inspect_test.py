@@ -1,6 +1,7 @@
 """ps, describe, doctor and why, of processes that are well."""
 
 import os
+import signal
 import unittest
 
 from system import System
@@ -29,6 +30,25 @@ class Inspect(System):
         self.assertEqual([one["name"] for one in hand["provided"]], ["Gripper", "component"])
         self.assertEqual([one["contract"] for one in surgeon["required"]],
                          ["robots::Arm", "robots::Gripper", "robots::Names"])
+
+    def test_ps_of_a_process_that_stands_still(self):
+        robot = self.start_robot()
+        self.assertNotIn("silent", self.said("ps"))
+        self.stop(robot)
+        try:
+            self.await_silence("robot")
+            self.assertIn(".sock   silent\n", self.said("ps"))
+        finally:
+            robot.send_signal(signal.SIGCONT)
+
+    def test_the_first_manager_that_answers_is_asked(self):
+        self.start_robot()
+        living = self.address
+        self.address = f"{living}.none,{living}"
+        self.assertIn("robot   pid", self.said("ps"))
+        self.assertIn(f"{living}, processes known: 1", self.said("doctor"))
+        self.address = f"{living}.none,{living}.neither"
+        self.assertIn(f"suture-manager --listen {living}.none", self.refused("ps"))
 
     def test_describe_a_process_and_a_component(self):
         self.start_robot()

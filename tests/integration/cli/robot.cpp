@@ -2,19 +2,17 @@
 // Hand/Gripper, whose contract derives from robots::Arm, and requires arms and names. Ends on
 // SIGTERM.
 
-#include <suture/base/errors.h>
 #include <suture/component/event_task.h>
 #include <suture/manager/manager.h>
 #include <suture/manager/security.h>
 #include <suture/transport/tls/keys.h>
 
-#include <csignal>
-#include <cstdio>
 #include <memory>
 #include <stdexcept>
 
 #include "robots/arm.suture.h"
 #include "robots/gripper.suture.h"
+#include "support/hosted_process.h"
 
 namespace {
 
@@ -90,25 +88,15 @@ suture::Security securityOf(char** argv) {
 }
 
 int main(int, char** argv) {
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGTERM);
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  try {
+  return suture::statusOf([argv] {
+    const suture::HostedProcess process;
     Hand hand;
     Surgeon surgeon;
     suture::Manager manager(argv[2], argv[1], securityOf(argv));
     manager.add("Hand", hand);
     manager.add("Surgeon", surgeon);
     manager.start();
-    std::puts("ready");
-    std::fflush(stdout);
-    int received = 0;
-    sigwait(&signals, &received);
+    process.awaitEnd();
     manager.stop();
-  } catch (const suture::SetupError& error) {
-    std::printf("%s\n", error.what());
-    return 1;
-  }
-  return 0;
+  });
 }

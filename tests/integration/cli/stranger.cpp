@@ -20,13 +20,12 @@
 #include <suture/transport/rpc/link_server.h>
 #include <unistd.h>
 
-#include <csignal>
-#include <cstdio>
 #include <string>
 
 #include "robots/arm.capnp.h"
 #include "robots/arm.suture.h"
 #include "robots/geometry.capnp.h"
+#include "support/hosted_process.h"
 
 namespace {
 
@@ -137,7 +136,7 @@ kj::Promise<void> appear(suture::rpc::ControlThread& control, Presence& presence
         return suture::wire::Peer::Client(kj::heap<Stranger>(how));
       });
   presence.link =
-      std::make_unique<suture::ManagerLink>(control, suture::rpc::Address::parse(manager), name);
+      std::make_unique<suture::ManagerLink>(control, suture::rpc::parseAddresses(manager), name);
   return presence.link->open(std::chrono::seconds(5)).then([&presence, name, how] {
     return presence.link->enrol({.name = name,
                                  .addresses = {presence.server->address().text()},
@@ -151,17 +150,12 @@ kj::Promise<void> appear(suture::rpc::ControlThread& control, Presence& presence
 }  // namespace
 
 int main(int, char** argv) {
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGTERM);
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  Presence presence;
-  suture::rpc::ControlThread control;
-  control.run(std::chrono::seconds(10), [&] { return appear(control, presence, argv); });
-  std::puts("ready");
-  std::fflush(stdout);
-  int received = 0;
-  sigwait(&signals, &received);
-  control.run(std::chrono::seconds(10), [&] { presence = {}; });
-  return 0;
+  return suture::statusOf([argv] {
+    const suture::HostedProcess process;
+    Presence presence;
+    suture::rpc::ControlThread control;
+    control.run(std::chrono::seconds(10), [&] { return appear(control, presence, argv); });
+    process.awaitEnd();
+    control.run(std::chrono::seconds(10), [&] { presence = {}; });
+  });
 }

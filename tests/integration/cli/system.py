@@ -84,6 +84,13 @@ class System(unittest.TestCase):
         """The same for programs."""
         return json.loads(self.said(*words, "--json"))
 
+    def await_silence(self, name):
+        """Until the manager has missed that process."""
+        deadline = time.monotonic() + PATIENCE
+        while not any(one["name"] == name and one["silent"] for one in self.told("ps")):
+            self.assertLess(time.monotonic(), deadline, "it is not missed")
+            time.sleep(0.01)
+
     def refused(self, *words, status=1):
         """What it says, to people and to programs, when it cannot do as asked."""
         done = self.run_suture(*words)

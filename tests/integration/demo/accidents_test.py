@@ -196,7 +196,7 @@ class Workstation(unittest.TestCase):
     def test_without_the_global_manager_everything_runs_on(self):
         left, _ = self.two_processes()
         self.manager.kill()
-        self.await_line(left, "does not answer: connections live on, new ones have to wait")
+        self.await_line(left, "does not answer: connections live on, new ones have to wait for one that does")
         before, after = self.await_message(left, "report"), self.await_message(left, "report")
         for one, next_one in zip(before["tasks"], after["tasks"]):
             self.assertGreater(next_one["cycles"], one["cycles"])

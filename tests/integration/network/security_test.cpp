@@ -49,7 +49,7 @@ class SecurityTest : public testing::Test {
     rpc::ControlThread control;
     const auto manager = rpc::Address::parse(names_.address());
     return control.run(kPatience, [&control, manager, ask, trust = securityOf(holder).trust()] {
-      auto link = kj::heap<ManagerLink>(control, manager, "test", trust);
+      auto link = kj::heap<ManagerLink>(control, std::vector{manager}, "test", trust);
       auto& held = *link;
       return held.open(5s)
           .then([&held] { return held.resolve("robot", 5s); })
@@ -165,7 +165,7 @@ TEST_F(SecurityTest, ARegisteredAddressLeadsNobodyOutOfTls) {
   std::unique_ptr<ManagerLink> link;
   const auto manager = rpc::Address::parse(names_.address());
   control.run(kPatience, [&, trust = securityOf("robot").trust()] {
-    link = std::make_unique<ManagerLink>(control, manager, "robot", trust);
+    link = std::make_unique<ManagerLink>(control, std::vector{manager}, "robot", trust);
     return link->open(5s).then([&link] {
       return link->enrol({.name = "robot",
                           .addresses = {"tcp://127.0.0.1:9"},

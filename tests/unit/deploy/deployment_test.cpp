@@ -265,6 +265,12 @@ TEST(Deployment, DelaysThatAreNone) {
                                      "the longest; shorten it"});
 }
 
+TEST(Deployment, SeveralManagers) {
+  const std::string both = "unix:/tmp/1.sock,unix:/tmp/2.sock";
+  const Deployment deployment(JsonDocument::parse(with("unix:/tmp/suture.sock", both), "d.json"));
+  EXPECT_EQ(deployment.manager(), both);
+}
+
 TEST(Deployment, MalformedAddresses) {
   const auto interface = problemsOf(with("left:MTML/Arm", "left:MTML"));
   ASSERT_EQ(interface.size(), 1u);

@@ -17,9 +17,9 @@
 #include <filesystem>
 #include <limits>
 
+#include "reference/still_arm.h"
 #include "support/eventually.h"
 #include "support/temporary_directory.h"
-#include "unit/manager/still_arm.h"
 #include "unit/rpc/socket_pair.h"
 
 namespace suture {
@@ -200,7 +200,7 @@ class Caller {
   /// Connects as a client would, up to the second connection. The offer is good as long as this.
   Offer connect() {
     return control_.run(5s, [this] {
-      link_ = kj::heap<ManagerLink>(control_, manager_, "test");
+      link_ = kj::heap<ManagerLink>(control_, std::vector{manager_}, "test");
       return link_->open(5s)
           .then([this] { return link_->resolve("robot", 5s); })
           .then([this](ProcessRecord robot) {

@@ -14,9 +14,9 @@
 #include <atomic>
 #include <string>
 
+#include "reference/still_arm.h"
 #include "support/eventually.h"
 #include "support/temporary_directory.h"
-#include "unit/manager/still_arm.h"
 
 namespace suture {
 namespace {
@@ -110,7 +110,7 @@ class Epochs : public testing::Test {
     there_.start();
     rpc::ControlThread control;
     provider_ = control.run(20s, [&control, address = rpc::Address::parse(names_.address())] {
-      auto link = kj::heap<ManagerLink>(control, address, "test");
+      auto link = kj::heap<ManagerLink>(control, std::vector{address}, "test");
       auto& held = *link;
       return held.open(5s)
           .then([&held] { return held.resolve("there", 5s); })

@@ -28,7 +28,7 @@ class Peer {
       : link_(control_.run(5s,
                            [this, name, manager] {
                              return std::make_unique<ManagerLink>(
-                                 control_, rpc::Address::parse(manager), name);
+                                 control_, rpc::parseAddresses(manager), name);
                            })),
         name_(name) {}
   ~Peer() {

@@ -10,9 +10,9 @@
 
 #include <thread>
 
+#include "reference/still_arm.h"
 #include "support/eventually.h"
 #include "support/temporary_directory.h"
-#include "unit/manager/still_arm.h"
 
 namespace suture {
 namespace {

@@ -16,10 +16,10 @@
 #include <thread>
 #include <vector>
 
+#include "reference/still_arm.h"
 #include "support/eventually.h"
 #include "support/refusal.h"
 #include "support/temporary_directory.h"
-#include "unit/manager/still_arm.h"
 
 namespace suture {
 namespace {

@@ -47,6 +47,46 @@ TEST(Registry, ALateRemovalDoesNotTakeTheNameFromItsNextHolder) {
   EXPECT_TRUE(registry.find("left")->components.empty());
 }
 
+/// As often as it takes until who has begun to renew is silent.
+void ageBeyondLeases(Registry& registry) {
+  for (int i = 0; i <= wire::MISSABLE_RENEWALS; ++i) registry.age();
+}
+
+TEST(Registry, WhoMissesTooManyRenewalsIsSilentUntilTheNext) {
+  Registry registry;
+  const auto generation = registry.add(process("left", 4711));
+  ASSERT_TRUE(registry.renew("left", *generation));
+  for (int i = 0; i < wire::MISSABLE_RENEWALS; ++i) registry.age();
+  EXPECT_NE(registry.find("left"), nullptr);
+  registry.age();
+  EXPECT_EQ(registry.find("left"), nullptr);
+  EXPECT_TRUE(registry.list().at(0).silent);
+  const std::string text = registry.unknown("left", 0).text;
+  EXPECT_NE(text.find("process 4711 on theatre has been silent"), std::string::npos) << text;
+  EXPECT_TRUE(registry.renew("left", *generation));
+  ASSERT_NE(registry.find("left"), nullptr);
+  EXPECT_FALSE(registry.list().at(0).silent);
+}
+
+TEST(Registry, WhoHasNeverRenewedIsHeldByItsConnectionAlone) {
+  Registry registry;
+  ASSERT_TRUE(registry.add(process("left")));
+  ageBeyondLeases(registry);
+  EXPECT_NE(registry.find("left"), nullptr);
+}
+
+TEST(Registry, TheNameOfASilentProcessGoesToWhoAsksForIt) {
+  Registry registry;
+  const auto first = registry.add(process("left", 4711));
+  ASSERT_TRUE(registry.renew("left", *first));
+  ageBeyondLeases(registry);
+  ASSERT_TRUE(registry.add(process("left", 4712)));
+  EXPECT_FALSE(registry.renew("left", *first));
+  registry.remove("left", *first);
+  ASSERT_NE(registry.find("left"), nullptr);
+  EXPECT_EQ(registry.find("left")->pid, 4712);
+}
+
 TEST(Registry, NamesThatWouldBeMistakenForAnAddressAreRefused) {
   Registry registry;
   for (const std::string name : {"", "a:b", "a/b", "a b"}) {

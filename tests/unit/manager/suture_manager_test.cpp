@@ -1,71 +1,36 @@
 // The executable suture-manager.
 
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <poll.h>
-#include <signal.h>
 #include <suture/manager/manager.h>
 #include <suture/manager/security.h>
 #include <suture/transport/tls/key_maker.h>
 #include <suture/transport/tls/keys.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <string>
 #include <vector>
 
+#include "support/child.h"
 #include "support/temporary_directory.h"
 
 namespace suture {
 namespace {
 
-/// A child that runs suture-manager, with what it prints.
-class Program {
+/// suture-manager, with what it prints, errors too.
+class Program final : public Child {
  public:
-  explicit Program(const std::string& listen, const std::vector<std::string>& more = {}) {
-    std::vector<std::string> line{SUTURE_MANAGER, "--listen", listen};
-    line.insert(line.end(), more.begin(), more.end());
-    std::vector<char*> raw;
-    for (std::string& argument : line) raw.push_back(argument.data());
-    raw.push_back(nullptr);
-    int out[2];
-    if (pipe(out) != 0) std::abort();
-    child_ = fork();
-    if (child_ == 0) {
-      dup2(out[1], STDOUT_FILENO);
-      dup2(out[1], STDERR_FILENO);
-      execv(raw[0], raw.data());
-      _exit(127);
-    }
-    close(out[1]);
-    output_ = out[0];
-  }
-  ~Program() {
-    if (child_ > 0) end(SIGKILL);
-    close(output_);
-  }
-
-  std::string line() {
-    std::string text;
-    char one;
-    pollfd readable{output_, POLLIN, 0};
-    while (poll(&readable, 1, 20'000) > 0 && read(output_, &one, 1) == 1 && one != '\n')
-      text += one;
-    return text;
-  }
-  /// Its exit status, or minus the signal that ended it. `signal` 0: waits for it to end by itself.
-  int end(int signal) {
-    if (signal != 0) kill(child_, signal);
-    int status = 0;
-    waitpid(child_, &status, 0);
-    child_ = 0;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-  }
+  explicit Program(const std::string& listen, const std::vector<std::string>& more = {})
+      : Child(commandLine(listen, more), [] { dup2(STDOUT_FILENO, STDERR_FILENO); }) {}
 
  private:
-  pid_t child_ = 0;
-  int output_ = -1;
+  static std::vector<std::string> commandLine(const std::string& listen,
+                                              const std::vector<std::string>& more) {
+    std::vector<std::string> line{SUTURE_MANAGER, "--listen", listen};
+    line.insert(line.end(), more.begin(), more.end());
+    return line;
+  }
 };
 
 class SutureManagerTest : public testing::TestWithParam<int> {};

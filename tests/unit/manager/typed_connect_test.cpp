@@ -6,8 +6,8 @@
 #include <suture/manager/manager.h>
 
 #include "reference/gripper_arm.suture.h"
+#include "reference/still_arm.h"
 #include "support/refusal.h"
-#include "unit/manager/still_arm.h"
 
 namespace suture {
 namespace {

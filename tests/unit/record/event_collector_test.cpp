@@ -7,7 +7,7 @@
 #include <atomic>
 #include <functional>
 
-#include "reference/arm_like.suture.h"
+#include "reference/still_arm.h"
 #include "support/eventually.h"
 #include "unit/record/counting_sink.h"
 
@@ -16,25 +16,12 @@ namespace {
 
 using namespace std::chrono_literals;
 using reference::ArmLike;
-using reference::JointState;
-using reference::Mode;
 using reference::PoseStamped;
 
 /// Emits `arrived` (its queue holds 4) at 1 kHz while it is told to.
-class Emitting final : public PeriodicTask, public ArmLike {
+class Emitting final : public PeriodicTask, public StillArm {
  public:
   Emitting() : PeriodicTask({.period = 1ms}) {}
-
-  void servo_cp(const PoseStamped&) override {}
-  void servo_jp(const JointState&) override {}
-  void hold() override {}
-  void set_mode(Mode) override {}
-  PoseStamped measured_cp() const override { return {}; }
-  const JointState& measured_js() const override { return joints_; }
-  double distance(const PoseStamped&) const override { return 0; }
-  bool move(const PoseStamped&, double, const std::string&) override { return false; }
-  std::uint32_t reset() override { return 0; }
-  void limit(double, Mode) override {}
 
   std::atomic<bool> on{false};
   std::atomic<std::uint64_t> emitted{0};
@@ -47,7 +34,6 @@ class Emitting final : public PeriodicTask, public ArmLike {
     emitted += 1;
   }
 
-  JointState joints_;
   Provided<ArmLike> arm_{*this, "Arm", *this};
 };
 

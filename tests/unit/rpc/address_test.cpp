@@ -39,6 +39,7 @@ TEST(Address, EveryRefusalNamesTheAddressAndTheReason) {
       {"tls://192.168.0.1:7700?insecure", "no port"},
       {"tcp://192.168.0.1:7700?secure", "no port"},
       {"tcp://192.168.0.1:7700", "add ?insecure"},
+      {"unix:/a,unix:/b", "has a comma"},
   };
   for (const auto& [text, reason] : cases) {
     const std::string error = errorOf(text);
@@ -52,6 +53,38 @@ TEST(Address, APathTooLongForASocketIsAnErrorThatSaysSo) {
   EXPECT_NE(error.find("108 characters"), std::string::npos) << error;
   EXPECT_NE(error.find("107"), std::string::npos) << error;
   EXPECT_TRUE(errorOf("unix:/" + std::string(106, 'x')).starts_with("accepted"));
+}
+
+/// What a list of addresses is refused with; "" if it is taken.
+std::string errorOfAll(const std::string& text) {
+  try {
+    parseAddresses(text);
+    return "";
+  } catch (const SetupError& error) {
+    return error.what();
+  }
+}
+
+TEST(Addresses, AreOneOrSeveral) {
+  EXPECT_EQ(parseAddresses("unix:/a").size(), 1u);
+  const auto both = parseAddresses("tls://10.0.0.1:7700,tls://10.0.0.2:7701");
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_EQ(both[0].text(), "tls://10.0.0.1:7700");
+  EXPECT_EQ(both[1].text(), "tls://10.0.0.2:7701");
+}
+
+TEST(Addresses, OfWhichOneIsNoneAreRefused) {
+  for (const std::string text : {"", ",", "unix:/a,", ",unix:/a", "unix:/a,/b"}) {
+    EXPECT_NE(errorOfAll(text).find("begins with neither"), std::string::npos) << text;
+  }
+}
+
+TEST(Addresses, OfSeveralKindsAreRefused) {
+  for (const std::string text :
+       {"tls://10.0.0.1:7700,tcp://127.0.0.1:7700", "unix:/a,tls://[::1]:1",
+        "tcp://127.0.0.1:1,tcp://10.0.0.1:1?insecure"}) {
+    EXPECT_NE(errorOfAll(text).find("differ in kind"), std::string::npos) << text;
+  }
 }
 
 }  // namespace

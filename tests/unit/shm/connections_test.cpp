@@ -9,9 +9,9 @@
 #include <filesystem>
 #include <limits>
 
+#include "reference/still_arm.h"
 #include "support/eventually.h"
 #include "support/temporary_directory.h"
-#include "unit/manager/still_arm.h"
 
 namespace suture {
 namespace {

@@ -11,8 +11,8 @@
 #include <cstring>
 #include <random>
 
+#include "reference/still_arm.h"
 #include "support/eventually.h"
-#include "unit/manager/still_arm.h"
 
 namespace suture {
 namespace {

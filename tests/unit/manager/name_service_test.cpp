@@ -1,0 +1,77 @@
+// The global manager's capabilities on a clock of the test.
+
+#include <gtest/gtest.h>
+#include <suture/manager/manager_session.h>
+
+namespace suture {
+namespace {
+
+/// A manager and a session with it.
+class Service {
+ public:
+  Service() {
+    auto hello = manager_.helloRequest();
+    hello.setVersion(wire::PROTOCOL_VERSION);
+    session_ = hello.send().wait(scope_).getSession();
+  }
+
+  wire::Lease::Client enrol(const char* name) {
+    auto request = session_.registerRequest();
+    request.initProcess().setName(name);
+    return request.send().wait(scope_).getLease();
+  }
+  bool renew(wire::Lease::Client& lease) {
+    return lease.renewRequest().send().wait(scope_).getHeld();
+  }
+  /// Of so many renewals, if they came.
+  void pass(int renewals) {
+    for (int i = 0; i < renewals; ++i) {
+      present_ += wire::RENEWAL_MILLISECONDS * kj::MILLISECONDS;
+      timer_.advanceTo(present_);
+      scope_.poll();
+    }
+  }
+  auto resolve(const char* name) {
+    auto request = session_.resolveRequest();
+    request.setProcess(name);
+    request.setWaitMilliseconds(60'000);
+    return request.send();
+  }
+  kj::WaitScope& scope() { return scope_; }
+
+ private:
+  kj::EventLoop loop_;
+  kj::WaitScope scope_{loop_};
+  kj::TimePoint present_ = kj::origin<kj::TimePoint>();
+  kj::TimerImpl timer_{present_};
+  wire::GlobalManager::Client manager_ =
+      makeGlobalManager(kj::refcounted<NameService>(timer_), std::make_shared<rpc::Caller>());
+  wire::Session::Client session_ = nullptr;
+};
+
+TEST(NameService, WhoWaitsForASilentProcessHearsWhenItIsBack) {
+  Service service;
+  auto lease = service.enrol("left");
+  ASSERT_TRUE(service.renew(lease));
+  service.pass(wire::MISSABLE_RENEWALS);
+  EXPECT_TRUE(service.resolve("left").poll(service.scope()));
+  service.pass(1);
+  auto found = service.resolve("left");
+  EXPECT_FALSE(found.poll(service.scope()));
+  EXPECT_TRUE(service.renew(lease));
+  ASSERT_TRUE(found.poll(service.scope()));
+  EXPECT_TRUE(found.wait(service.scope()).isFound());
+}
+
+TEST(NameService, WhoWasSilentHearsThatItsNameIsGone) {
+  Service service;
+  auto lease = service.enrol("left");
+  ASSERT_TRUE(service.renew(lease));
+  service.pass(wire::MISSABLE_RENEWALS + 1);
+  auto successor = service.enrol("left");
+  EXPECT_FALSE(service.renew(lease));
+  EXPECT_TRUE(service.renew(successor));
+}
+
+}  // namespace
+}  // namespace suture
