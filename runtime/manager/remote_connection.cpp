@@ -220,7 +220,7 @@ kj::Promise<void> RemoteConnection::ask(std::string whyNoMemory) {
   if (whyNoMemory.empty()) {
     auto memory = request.initMemory();
     memory.setLayout(textOf(shm::memoryLayout(required_.info())));
-    memory.setBell(handOut(client().doorbell().memory()));
+    memory.setBell(handOut(client().doorbell().share()));
   }
   notified_ = kj::mv(notified);
   return request.send().then([this](auto&& results) -> kj::Promise<void> {
