@@ -16,7 +16,11 @@ struct Part {
   std::string (*measure)(const NetworkOptions& options, Report& report);
 };
 
-constexpr Part kParts[] = {{"round trips", roundTripRows}, {"reads", mirrorRows}};
+constexpr Part kParts[] = {{"round trips", roundTripRows},
+                           {"reads", mirrorRows},
+                           {"fan-out", networkFanOutRows},
+                           {"allocations", allocationRows},
+                           {"connections", linkTimeRows}};
 
 class Network final : public Benchmark {
  public:

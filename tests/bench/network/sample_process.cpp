@@ -1,7 +1,5 @@
 #include "bench/network/sample_process.h"
 
-#include <unistd.h>
-
 #include <memory>
 
 #include "bench/local/sample_server.h"
@@ -23,14 +21,8 @@ void serve(const Options& options) {
   suture::Manager manager{"server", options.manager};
   manager.add("Server", server);
   manager.start();
-  char ignored = 0;
-  while (read(STDIN_FILENO, &ignored, 1) > 0) {
-  }
+  awaitEndOfInput();
   manager.stop();
-}
-
-std::string addressIn(const suture::TemporaryDirectory& folder, Transport transport) {
-  return transport == Transport::Tcp ? "tcp://127.0.0.1:0" : "unix:" + folder.file("manager");
 }
 
 }  // namespace
@@ -45,13 +37,13 @@ void addSampleProcess(CLI::App& program) {
 }
 
 SampleProcess::SampleProcess(Transport transport, int serverCpu)
-    : names_(control_, addressIn(folder_, transport)),
+    : names_(transport),
       process_({kSubcommand, "--manager", names_.address(), "--cpu", std::to_string(serverCpu)}),
       manager_("client", names_.address()) {}
 
 SampleProcess::~SampleProcess() {
   manager_.stop();
-  process_.finish();
+  if (!abandoned_) process_.finish();
 }
 
 }  // namespace bench

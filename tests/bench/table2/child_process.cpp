@@ -92,4 +92,10 @@ std::vector<std::byte> ChildProcess::finish() {
   return written;
 }
 
+void awaitEndOfInput() {
+  char ignored = 0;
+  while (read(STDIN_FILENO, &ignored, 1) > 0) {
+  }
+}
+
 }  // namespace bench

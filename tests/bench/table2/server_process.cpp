@@ -1,13 +1,11 @@
 #include "bench/table2/server_process.h"
 
 #include <suture/manager/manager.h>
-#include <unistd.h>
 
-#include <cstdio>
-#include <cstring>
 #include <memory>
 
 #include "bench/placement.h"
+#include "bench/table2/child_process.h"
 #include "bench/table2/server.h"
 
 namespace bench {
@@ -24,12 +22,6 @@ struct Options {
   int cpu = -1;
 };
 
-void awaitEndOfInput() {
-  char ignored = 0;
-  while (read(STDIN_FILENO, &ignored, 1) > 0) {
-  }
-}
-
 void serve(Options options) {
   LoopSetup& setup = options.setup;
   setup.pace = options.periodic ? Pace::Periodic : Pace::EventDriven;
@@ -44,8 +36,7 @@ void serve(Options options) {
   manager.start();
   awaitEndOfInput();
   manager.stop();
-  const auto& samples = server->elapsed();
-  std::fwrite(samples.data(), sizeof(samples[0]), samples.size(), stdout);
+  writeResult(std::span(server->elapsed()));
 }
 
 }  // namespace
@@ -83,12 +74,6 @@ std::vector<std::string> serverProcessArguments(const LoopSetup& setup,
     arguments.insert(arguments.end(), {"--cpu", std::to_string(*cpu)});
   }
   return arguments;
-}
-
-std::vector<std::int64_t> samplesOf(const std::vector<std::byte>& written) {
-  std::vector<std::int64_t> samples(written.size() / sizeof(std::int64_t));
-  std::memcpy(samples.data(), written.data(), samples.size() * sizeof(std::int64_t));
-  return samples;
 }
 
 }  // namespace bench
