@@ -18,7 +18,8 @@ const void* thisThread() { return reinterpret_cast<const void*>(pthread_self());
 
 // What nobody else compiles; and what may be rung when the component is gone.
 struct Component::Aside {
-  rt::Doorbell doorbell{std::make_shared<MemoryBlock>("suture-doorbell", sizeof(std::uint64_t))};
+  rt::Doorbell doorbell{std::make_shared<MemoryBlock>("suture-doorbell", sizeof(std::uint64_t)),
+                        rt::Doorbell::Sleeper::Here};
   std::mutex mutex;  // of the next two: taken by who parks, and by who asks why
   std::string fault;
   FaultCause cause = FaultCause::Code;

@@ -261,7 +261,7 @@ kj::Promise<void> RemoteConnection::ask(Lanes lanes) {
   if (lanes.memory) {
     auto memory = request.initMemory();
     memory.setLayout(textOf(shm::memoryLayout(required_.info())));
-    memory.setBell(handOut(client().doorbell().memory()));
+    memory.setBell(handOut(client().doorbell().share()));
   }
   if (lanes.frames) {
     auto frame = request.initFrame();

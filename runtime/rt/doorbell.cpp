@@ -19,11 +19,6 @@ timespec toTimespec(Time time) {
   return {static_cast<time_t>(count / 1'000'000'000), static_cast<long>(count % 1'000'000'000)};
 }
 
-/// The kernel finds a private futex faster.
-int flavour(const std::shared_ptr<MemoryBlock>& memory) {
-  return memory == nullptr ? FUTEX_PRIVATE_FLAG : 0;
-}
-
 #ifdef __SANITIZE_THREAD__
 // ThreadSanitizer knows memory by its address. What is mapped twice, as where two ends of the shm
 // lane are in one process, has two; this is one place for both.
@@ -49,15 +44,35 @@ void tellTaken(const std::shared_ptr<MemoryBlock>&) {}
 Doorbell::Doorbell(int eventDescriptor) : word_(own_), eventDescriptor_(eventDescriptor) {}
 
 // Zeros at first, which is awake.
-Doorbell::Doorbell(std::shared_ptr<MemoryBlock> memory)
-    : memory_(std::move(memory)), word_(*reinterpret_cast<Word*>(memory_->data())) {}
+Doorbell::Doorbell(std::shared_ptr<MemoryBlock> memory, Sleeper sleeper)
+    : memory_(std::move(memory)),
+      shared_(sleeper == Sleeper::Elsewhere),
+      word_(*reinterpret_cast<Word*>(memory_->data())) {}
+
+// Whoever goes to sleep as before still finds the ring in the word; whoever did so is woken here,
+// for a ring that comes meanwhile may look for him as he will wait from now on.
+const std::shared_ptr<MemoryBlock>& Doorbell::share() {
+  if (!shared_.exchange(true, std::memory_order_seq_cst)) {
+    ring();
+    wake(FUTEX_PRIVATE_FLAG);
+  }
+  return memory_;
+}
+
+int Doorbell::flavour() const {
+  return shared_.load(std::memory_order_seq_cst) ? 0 : FUTEX_PRIVATE_FLAG;
+}
+
+void Doorbell::wake(int flavour) {
+  syscall(SYS_futex, &word_, FUTEX_WAKE | flavour, 1, nullptr, nullptr, 0);
+}
 
 void Doorbell::ring(RungFor what) {
   tellRung(memory_);
   const auto bit = static_cast<std::uint32_t>(what);
   if (word_.fetch_or(bit, std::memory_order_seq_cst) != kAsleep) return;
   if (eventDescriptor_ < 0) {
-    syscall(SYS_futex, &word_, FUTEX_WAKE | flavour(memory_), 1, nullptr, nullptr, 0);
+    wake(flavour());
     return;
   }
   const std::uint64_t one = 1;
@@ -86,7 +101,7 @@ RungFor Doorbell::waitUntil(Time deadline) {
   const timespec until = toTimespec(deadline);
   while (lieDown()) {
     // FUTEX_WAIT_BITSET takes an absolute time on the monotonic clock.
-    syscall(SYS_futex, &word_, FUTEX_WAIT_BITSET | flavour(memory_), kAsleep, &until, nullptr,
+    syscall(SYS_futex, &word_, FUTEX_WAIT_BITSET | flavour(), kAsleep, &until, nullptr,
             FUTEX_BITSET_MATCH_ANY);
     if (word_.load(std::memory_order_seq_cst) != kAsleep) break;
     if (now() >= deadline) return takeRing();

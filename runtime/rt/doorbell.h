@@ -27,9 +27,11 @@ class Doorbell {
   /// `eventDescriptor`: an eventfd to write instead of waking a futex, for a sleeper that sits in
   /// epoll.
   explicit Doorbell(int eventDescriptor = -1);
-  /// In memory that other processes map: its sleeper's, or for ringing one of theirs. What they
-  /// write there can wake it for nothing, or make it sleep until its deadline.
-  explicit Doorbell(std::shared_ptr<MemoryBlock> memory);
+  enum class Sleeper : std::uint8_t { Here, Elsewhere };
+  /// In memory that other processes map: its sleeper's, which they are handed by share(), or for
+  /// ringing one of theirs. What they write there can wake it for nothing, or make it sleep until
+  /// its deadline.
+  Doorbell(std::shared_ptr<MemoryBlock> memory, Sleeper sleeper);
   Doorbell(const Doorbell&) = delete;
   Doorbell& operator=(const Doorbell&) = delete;
 
@@ -48,15 +50,20 @@ class Doorbell {
   /// For an owner that sleeps in epoll: what it has been rung for since it last asked.
   RungFor takeRing();
 
-  /// What other processes need to ring it; null if they cannot.
-  const std::shared_ptr<MemoryBlock>& memory() const { return memory_; }
+  /// Any thread, before another process is to ring it: what that needs. Until then the kernel is
+  /// told that nobody else waits there or rings, which costs it half as much.
+  const std::shared_ptr<MemoryBlock>& share();
 
  private:
   static constexpr std::uint32_t kAwake = 0, kAsleep = 4;  // beside the bits of RungFor
 
   using Word = std::atomic<std::uint32_t>;
 
+  void wake(int flavour);
+  int flavour() const;
+
   const std::shared_ptr<MemoryBlock> memory_;
+  std::atomic<bool> shared_{false};
   Word own_{kAwake};
   Word& word_;
   int eventDescriptor_ = -1;

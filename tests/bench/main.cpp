@@ -11,7 +11,9 @@
 #include "bench/benchmark.h"
 #include "bench/bounds.h"
 #include "bench/machine.h"
+#include "bench/network/arm_process.h"
 #include "bench/network/sample_process.h"
+#include "bench/network/subscriber_process.h"
 #include "bench/table2/server_process.h"
 
 namespace {
@@ -66,6 +68,8 @@ int main(int argc, char** argv) try {
   program.require_subcommand(1);
   bench::addServerProcess(program);
   bench::addSampleProcess(program);
+  bench::addArmProcess(program);
+  bench::addSubscriberProcess(program);
 
   int status = 0;
   const auto table2 = bench::makeTable2();

@@ -89,9 +89,10 @@ kj::Maybe<kj::Own<capnp::IncomingRpcMessage>> MessageStream::takeMessage() {
   anyMessage_ = true;
   partialSince_ = nullptr;
   auto frame = incoming_.take(parse.header->totalBytes);
-  return kj::Own<capnp::IncomingRpcMessage>(
-      kj::heap<ReceivedMessage>(kj::mv(frame), *parse.header, readerOptions(limits_),
-                                arrivedDescriptors_.takeUntil(taken())));
+  kj::Array<kj::AutoCloseFd> descriptors;
+  if (!arrivedDescriptors_.empty()) descriptors = arrivedDescriptors_.takeUntil(taken());
+  return kj::Own<capnp::IncomingRpcMessage>(kj::heap<ReceivedMessage>(
+      kj::mv(frame), *parse.header, readerOptions(limits_), kj::mv(descriptors)));
 }
 
 // How many bytes have been taken out so far.

@@ -7,6 +7,7 @@ namespace suture::shm {
 namespace {
 
 using Asked = std::atomic<rt::ColumnSet>;
+constexpr auto kElsewhere = rt::Doorbell::Sleeper::Elsewhere;
 
 std::vector<std::uint32_t> columnSizes(const rt::StateTable& table) {
   std::vector<std::uint32_t> sizes;
@@ -45,10 +46,10 @@ SharedOffer offerShared(ProvidedBase& provided, const InterfaceInfo& contract,
   SharedOffer offer;
   offer.parts.channel = std::make_shared<MemoryBlock>("suture-channel", channelBytes(contract));
   offer.parts.state = provided.state()->memory();
-  offer.parts.bell = provider.memory();
+  offer.parts.bell = provider.share();
   offer.parts.columns = columnSizes(*provided.state());
   offer.parts.rows = static_cast<std::uint32_t>(provided.state()->capacity());
-  const auto clientsBell = std::make_shared<rt::Doorbell>(std::move(client));
+  const auto clientsBell = std::make_shared<rt::Doorbell>(std::move(client), kElsewhere);
   Arena arena(offer.parts.channel, Arena::Content::Zeros);
   const auto asked = arena.make<Asked>();
   offer.channel = std::make_shared<Channel>(contract, name, "shm",
@@ -69,7 +70,7 @@ std::shared_ptr<Channel> takeShared(const InterfaceInfo& contract, const std::st
   Arena arena(parts.channel, Arena::Content::Made);
   auto state =
       std::make_shared<rt::StateTable>(parts.columns, parts.rows, parts.state, arena.make<Asked>());
-  const auto providersBell = std::make_shared<rt::Doorbell>(parts.bell);
+  const auto providersBell = std::make_shared<rt::Doorbell>(parts.bell, kElsewhere);
   auto channel = std::make_shared<Channel>(
       contract, name, "shm", Channel::Ends{.client = client.get(), .provider = providersBell.get()},
       std::move(state), EventSet{0}, arena);

@@ -6,7 +6,11 @@
 namespace bench {
 namespace {
 
-constexpr Part<NetworkOptions> kParts[] = {{"round trips", roundTripRows}, {"reads", mirrorRows}};
+constexpr Part<NetworkOptions> kParts[] = {{"round trips", roundTripRows},
+                                           {"reads", mirrorRows},
+                                           {"fan-out", networkFanOutRows},
+                                           {"allocations", allocationRows},
+                                           {"connections", linkTimeRows}};
 
 }  // namespace
 

@@ -2,6 +2,8 @@
 // What a user may choose of `suture-bench network`.
 
 #include <CLI/CLI.hpp>
+#include <cstddef>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 
 namespace bench {
@@ -17,6 +19,9 @@ struct NetworkOptions {
 
   std::size_t skipped() const { return quick ? 10 : 1000; }
   std::size_t kept() const { return quick ? 100 : 10000; }
+  std::uint64_t steadyCycles() const { return quick ? 100 : 5000; }
+  std::size_t fanOutRounds() const { return quick ? 100 : 3000; }
+  std::size_t links() const { return quick ? 2 : 20; }
   std::size_t readLoops() const { return quick ? 2 : 200; }
 };
 

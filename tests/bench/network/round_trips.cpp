@@ -1,7 +1,6 @@
-#include <suture/component/channel.h>
-
 #include "bench/local/sample_client.h"
 #include "bench/network/bare_memory.h"
+#include "bench/network/lanes.h"
 #include "bench/network/rows.h"
 #include "bench/network/sample_process.h"
 #include "bench/placement.h"
@@ -41,12 +40,7 @@ Samples taskRounds(const NetworkOptions& options, const Row& row) {
   server.manager().add("Client", client);
   auto samples = client.samples();
   server.manager().start();
-  server.manager().connect("Client/Server", "server:Server/Samples", row.lane);
-  const std::string lane = server.manager().channels().at(0)->lane;
-  if (lane != toString(row.lane)) {
-    throw SetupError(std::string("a connection over the lane ") + toString(row.lane),
-                     "lane " + lane, "The figures would be those of another");
-  }
+  connectBy(row.lane, server.manager(), "Client/Server", "server:Server/Samples");
   if (samples.wait_for(std::chrono::minutes(1)) != std::future_status::ready) {
     throw SetupError("going round a loop", "it had not ended after a minute", "Run it again");
   }

@@ -9,12 +9,25 @@
 
 namespace bench {
 
-/// "shm", "rpc.unix", "rpc.tcp": PoseSample from task to task and back, between two processes;
+/// "shm", "frame.unix", "frame.tcp", "rpc.unix", "rpc.tcp": PoseSample from task to task and back, between two processes;
 /// "raw.shm", "raw.unix", "raw.tcp": as many bytes without Suture, in the same run; the ratios.
 std::string roundTripRows(const NetworkOptions& options, Report& report);
 
 /// "mirror_read": a read command whose provider is in another process, by shared memory;
 /// "local_read": the same in this one.
 std::string mirrorRows(const NetworkOptions& options, Report& report);
+
+/// "allocations.shm.client", "allocations.shm.arm", ...: what the task threads at both ends of a
+/// complete CRTK arm allocate in steady state, nothing of it waiting.
+std::string allocationRows(const NetworkOptions& options, Report& report);
+
+/// "fan_out.raw", "fan_out.shm", ...: the ages of an event when its handlers run, at 1 kHz to 64
+/// interfaces of one task in another process, ".load": of both sides; ".ratio": of the 99th
+/// percentiles; "fan_out.shm.processes", ...: to 16 processes.
+std::string networkFanOutRows(const NetworkOptions& options, Report& report);
+
+/// "connect.shm", ...: from nothing to a connection; "killed.shm", "silence.shm", ...: until a
+/// killed or a stopped process counts as lost, ".ratio": to the bound on silence; "threads.shm".
+std::string linkTimeRows(const NetworkOptions& options, Report& report);
 
 }  // namespace bench

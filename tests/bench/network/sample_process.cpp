@@ -25,10 +25,6 @@ void serve(const Options& options) {
   manager.stop();
 }
 
-std::string addressIn(const suture::TemporaryDirectory& folder, Transport transport) {
-  return transport == Transport::Tcp ? "tcp://127.0.0.1:0" : "unix:" + folder.file("manager");
-}
-
 }  // namespace
 
 void addSampleProcess(CLI::App& program) {
@@ -41,13 +37,13 @@ void addSampleProcess(CLI::App& program) {
 }
 
 SampleProcess::SampleProcess(Transport transport, int serverCpu)
-    : names_(control_, addressIn(folder_, transport)),
+    : names_(transport),
       process_({kSubcommand, "--manager", names_.address(), "--cpu", std::to_string(serverCpu)}),
       manager_("client", names_.address()) {}
 
 SampleProcess::~SampleProcess() {
   manager_.stop();
-  process_.finish();
+  if (!abandoned_) process_.finish();
 }
 
 }  // namespace bench

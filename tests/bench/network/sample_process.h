@@ -1,14 +1,12 @@
 #pragma once
 // The provider of `suture-bench network`, in a process of its own.
 
-#include <suture/manager/global_manager.h>
 #include <suture/manager/manager.h>
-#include <suture/transport/rpc/control_thread.h>
+
 #include <CLI/CLI.hpp>
 
+#include "bench/network/names.h"
 #include "bench/table2/child_process.h"
-#include "bench/table2/setup.h"
-#include "support/temporary_directory.h"
 
 namespace bench {
 
@@ -24,11 +22,14 @@ class SampleProcess {
   ~SampleProcess();
 
   suture::Manager& manager() { return manager_; }
+  const Names& names() const { return names_; }
+  pid_t pid() const { return process_.pid(); }
+  /// It has been killed or stopped: nothing is expected of it any more.
+  void abandon() { abandoned_ = true; }
 
  private:
-  const suture::TemporaryDirectory folder_;
-  suture::rpc::ControlThread control_;
-  const suture::GlobalManager names_;
+  bool abandoned_ = false;
+  const Names names_;
   ChildProcess process_;
   suture::Manager manager_;
 };

@@ -4,6 +4,9 @@
 #include <sys/types.h>
 
 #include <cstddef>
+#include <cstdio>
+#include <cstring>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,6 +22,7 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
+  pid_t pid() const { return pid_; }
   /// Tells the process to end, and returns what it wrote. Throws SetupError if it failed.
   std::vector<std::byte> finish();
 
@@ -30,7 +34,19 @@ class ChildProcess {
   int output_ = -1;
 };
 
-/// In the process that is run so: returns when it is told to end.
+/// In the other process: waits until it is told to end.
 void awaitEndOfInput();
+/// In the other process, after that: leaves values as its result.
+template <class T>
+void writeResult(std::span<const T> values) {
+  std::fwrite(values.data(), sizeof(T), values.size(), stdout);
+}
+/// The values in what finish() returned.
+template <class T>
+std::vector<T> resultIn(const std::vector<std::byte>& written) {
+  std::vector<T> values(written.size() / sizeof(T));
+  std::memcpy(values.data(), written.data(), values.size() * sizeof(T));
+  return values;
+}
 
 }  // namespace bench

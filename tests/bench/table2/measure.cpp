@@ -96,7 +96,7 @@ LoopResult measureAcross(const LoopSetup& setup, Transport transport) {
   await(std::move(finished), setup);
   const auto channel = manager.channels().at(0);
   manager.stop();
-  const auto server = samplesOf(serverProcess.finish());
+  const auto server = resultIn<std::int64_t>(serverProcess.finish());
   LoopResult result = resultOf(*client, server, setup, *channel);
   requireNetwork(result);
   return result;

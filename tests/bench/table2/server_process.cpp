@@ -2,8 +2,6 @@
 
 #include <suture/manager/manager.h>
 
-#include <cstdio>
-#include <cstring>
 #include <memory>
 
 #include "bench/placement.h"
@@ -38,8 +36,7 @@ void serve(Options options) {
   manager.start();
   awaitEndOfInput();
   manager.stop();
-  const auto& samples = server->elapsed();
-  std::fwrite(samples.data(), sizeof(samples[0]), samples.size(), stdout);
+  writeResult(std::span(server->elapsed()));
 }
 
 }  // namespace
@@ -77,12 +74,6 @@ std::vector<std::string> serverProcessArguments(const LoopSetup& setup,
     arguments.insert(arguments.end(), {"--cpu", std::to_string(*cpu)});
   }
   return arguments;
-}
-
-std::vector<std::int64_t> samplesOf(const std::vector<std::byte>& written) {
-  std::vector<std::int64_t> samples(written.size() / sizeof(std::int64_t));
-  std::memcpy(samples.data(), written.data(), samples.size() * sizeof(std::int64_t));
-  return samples;
 }
 
 }  // namespace bench

@@ -19,7 +19,4 @@ void addServerProcess(CLI::App& program);
 std::vector<std::string> serverProcessArguments(const LoopSetup& setup,
                                                 const std::string& managerAddress);
 
-/// The samples in what it wrote, ns.
-std::vector<std::int64_t> samplesOf(const std::vector<std::byte>& written);
-
 }  // namespace bench

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 #include <suture/base/arena.h>
 #include <suture/base/errors.h>
-#include <suture/rt/doorbell.h>
 #include <suture/rt/event_queue.h>
 #include <suture/rt/latest_cell.h>
 #include <suture/rt/mailbox.h>
@@ -16,7 +15,6 @@
 #include <cstring>
 #include <memory>
 #include <random>
-#include <thread>
 #include <vector>
 
 namespace suture::rt::foreign_memory {
@@ -312,17 +310,6 @@ TEST(MemoryBlock, OfAnotherProcessMustBeSealedAndLargeEnough) {
   EXPECT_THROW(MemoryBlock::open(loose, 4096, MemoryBlock::Others::Read), SetupError);
   close(loose);
   EXPECT_THROW(MemoryBlock::open(0, 1, MemoryBlock::Others::Read), SetupError);
-}
-
-TEST(ForeignDoorbell, WakesTheOtherProcessesThread) {
-  Doorbell own(std::make_shared<MemoryBlock>("test", 8));
-  Doorbell theirs(MemoryBlock::open(own.memory()->descriptor(), 8, MemoryBlock::Others::Write));
-  std::thread ringer([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    theirs.ring(RungFor::Work);
-  });
-  EXPECT_EQ(own.waitUntil(now() + std::chrono::seconds(10)), RungFor::Work);
-  ringer.join();
 }
 
 }  // namespace

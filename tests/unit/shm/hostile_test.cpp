@@ -123,7 +123,7 @@ TEST_P(HostileMemory, HarmsNeitherProviderNorClient) {
   rt::Doorbell watcher;
   const InterfaceInfo& contract = interfaceInfo<ArmLike>();
   shm::SharedOffer offer = shm::offerShared(psm.port, contract, "test", ~EventSet{0},
-                                            psm.doorbell(), teleop.doorbell().memory(), watcher);
+                                            psm.doorbell(), teleop.doorbell().share(), watcher);
   const auto client = shm::takeShared(contract, "test", teleop.sharedDoorbell(),
                                       mappedAgain(offer.parts, contract));
   psm.port.attach(offer.channel);

@@ -1,0 +1,81 @@
+#include <thread>
+
+#include "bench/network/arm_process.h"
+#include "bench/network/lanes.h"
+#include "bench/network/names.h"
+#include "bench/network/rows.h"
+#include "bench/table.h"
+#include "bench/table2/child_process.h"
+#include "rt/task_thread/arm_tasks.h"
+
+namespace bench {
+namespace {
+
+using suture::SetupError;
+
+struct Counts {
+  std::uint64_t client, arm;
+};
+
+void awaitCycles(const AllocationCount& count, std::uint64_t cycles) {
+  const suture::Time deadline = suture::now() + std::chrono::minutes(1);
+  while (count.cycles() < cycles) {
+    if (suture::now() > deadline) {
+      throw SetupError(std::to_string(cycles) + " cycles of the client",
+                       std::to_string(count.cycles()) + " after a minute", "Run it again");
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+}
+
+// What nobody used has not been shown to allocate nothing.
+void requireUse(const proof::ArmUser& user, const std::vector<std::uint64_t>& arm) {
+  if (user.reads > 0 && user.events > 0 && user.answers > 0 && arm.size() == 2 && arm[0] > 0)
+    return;
+  throw SetupError("an arm in use",
+                   std::to_string(user.reads) + " reads, " + std::to_string(user.events) +
+                       " events, " + std::to_string(user.answers) + " answers",
+                   "Run it again");
+}
+
+Counts countOver(suture::Lane lane, std::uint64_t cycles) {
+  AllocationCount count;
+  proof::UserTask<suture::PeriodicTask> client(kCycle);
+  client.also = [&] { count.cycle(client.arm.connected()); };
+  const Names names(Transport::Unix);
+  ChildProcess arm(armProcessArguments(names.address()));
+  suture::Manager manager("client", names.address());
+  manager.add("Client", client);
+  manager.start();
+  connectBy(lane, manager, "Client/Arm", "arm:Arm/Crtk");
+  awaitCycles(count, cycles);
+  const std::uint64_t found = count.found();  // ending allocates
+  const auto written = resultIn<std::uint64_t>(arm.finish());
+  manager.stop();
+  requireUse(client.user, written);
+  return {.client = found, .arm = written[1]};
+}
+
+}  // namespace
+
+std::string allocationRows(const NetworkOptions& options, Report& report) {
+  Table table(1);
+  table.row({"allocations in the task's thread, CRTK arm at 1 kHz", "client", "arm"});
+  table.line();
+  for (const suture::Lane lane : kLanes) {
+    const std::string figure = std::string("allocations.") + toString(lane);
+    if (!suture::countsAllocations()) {
+      for (const char* end : {".client", ".arm"}) {
+        report.addUnavailable(figure + end, "a sanitizer has the heap for itself");
+      }
+      continue;
+    }
+    const Counts counts = countOver(lane, options.steadyCycles());
+    report.add(figure + ".client", "allocations", static_cast<double>(counts.client));
+    report.add(figure + ".arm", "allocations", static_cast<double>(counts.arm));
+    table.row({toString(lane), std::to_string(counts.client), std::to_string(counts.arm)});
+  }
+  return table.toString();
+}
+
+}  // namespace bench

@@ -1,0 +1,44 @@
+#include "bench/network/arm_process.h"
+
+#include <suture/manager/manager.h>
+
+#include <array>
+#include <memory>
+#include <span>
+
+#include "bench/table2/child_process.h"
+#include "rt/task_thread/arm_tasks.h"
+
+namespace bench {
+namespace {
+
+constexpr const char* kSubcommand = "network-arm";
+
+void serve(const std::string& managerAddress) {
+  AllocationCount count;
+  proof::ArmTask<suture::PeriodicTask> arm(kCycle);
+  arm.also = [&] { count.cycle(!arm.crtk.channels().empty()); };
+  suture::Manager manager{"arm", managerAddress};
+  manager.add("Arm", arm);
+  manager.start();
+  awaitEndOfInput();
+  const std::array result{count.cycles(), count.found()};
+  manager.stop();
+  writeResult(std::span<const std::uint64_t>(result));
+}
+
+}  // namespace
+
+void addArmProcess(CLI::App& program) {
+  auto address = std::make_shared<std::string>();
+  CLI::App* process = program.add_subcommand(kSubcommand, "the arm of a measurement");
+  process->group("");  // hidden
+  process->add_option("--manager", *address)->required();
+  process->callback([address] { serve(*address); });
+}
+
+std::vector<std::string> armProcessArguments(const std::string& managerAddress) {
+  return {kSubcommand, "--manager", managerAddress};
+}
+
+}  // namespace bench

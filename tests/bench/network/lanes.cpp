@@ -1,0 +1,19 @@
+#include "bench/network/lanes.h"
+
+#include <suture/base/errors.h>
+#include <suture/component/channel.h>
+
+namespace bench {
+
+void connectBy(suture::Lane lane, suture::Manager& manager, const std::string& required,
+               const std::string& provided, const suture::ConnectionContract& contract) {
+  manager.connect(required, provided, lane, suture::Manager::kDefaultPatience, {}, contract);
+  for (const auto& channel : manager.channels()) {
+    if (channel->lane == toString(lane)) continue;
+    throw suture::SetupError(std::string("a connection over the lane ") + toString(lane),
+                             "lane " + channel->lane + " " + channel->laneReason,
+                             "The figures would be those of another");
+  }
+}
+
+}  // namespace bench

@@ -1,0 +1,18 @@
+#pragma once
+// The lanes that rows measure one after the other.
+
+#include <suture/manager/manager.h>
+
+#include <string>
+
+namespace bench {
+
+/// Those that another process of this machine can be reached by; part of the figures' names.
+inline constexpr suture::Lane kLanes[] = {suture::Lane::Shm, suture::Lane::Frame,
+                                          suture::Lane::Rpc};
+
+/// Manager::connect(). Throws SetupError too if the connection has another lane.
+void connectBy(suture::Lane lane, suture::Manager& manager, const std::string& required,
+               const std::string& provided, const suture::ConnectionContract& contract = {});
+
+}  // namespace bench

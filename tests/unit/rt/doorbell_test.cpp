@@ -1,0 +1,58 @@
+#include <gtest/gtest.h>
+#include <suture/rt/doorbell.h>
+
+#include <thread>
+
+#include "support/eventually.h"
+
+namespace suture::rt {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Waits for two rings, each far sooner than the deadline.
+class AwaitsTwoRings {
+ public:
+  explicit AwaitsTwoRings(Doorbell& bell)
+      : thread_([this, &bell] {
+          const Time deadline = now() + 20s;
+          while (rings < 2 && bell.waitUntil(deadline) != RungFor::Nothing) ++rings;
+        }) {}
+  ~AwaitsTwoRings() { thread_.join(); }
+
+  std::atomic<int> rings{0};
+
+ private:
+  std::thread thread_;
+};
+
+std::shared_ptr<MemoryBlock> wordOfABell() {
+  return std::make_shared<MemoryBlock>("test", sizeof(std::uint64_t));
+}
+
+// It may be asleep already, in the way of those that only its own process rings.
+TEST(Doorbell, OneThatIsSharedWhileItsOwnerSleepsIsRungFromElsewhere) {
+  for (int round = 0; round < 200; ++round) {
+    Doorbell bell(wordOfABell(), Doorbell::Sleeper::Here);
+    AwaitsTwoRings sleeper(bell);
+    // Half of them likely sleep by then, the others are on their way.
+    if (round % 2 == 0) std::this_thread::sleep_for(1ms);
+    const auto again = MemoryBlock::open(bell.share()->descriptor(), sizeof(std::uint64_t),
+                                         MemoryBlock::Others::Write);
+    ASSERT_TRUE(eventually([&] { return sleeper.rings == 1; })) << "share() is a ring";
+    Doorbell(again, Doorbell::Sleeper::Elsewhere).ring();
+    ASSERT_TRUE(eventually([&] { return sleeper.rings == 2; }));
+  }
+}
+
+TEST(Doorbell, OneThatIsSharedIsStillRungFromHere) {
+  Doorbell bell(wordOfABell(), Doorbell::Sleeper::Here);
+  AwaitsTwoRings sleeper(bell);
+  bell.share();
+  ASSERT_TRUE(eventually([&] { return sleeper.rings == 1; }));
+  bell.ring();
+  ASSERT_TRUE(eventually([&] { return sleeper.rings == 2; }));
+}
+
+}  // namespace
+}  // namespace suture::rt
