@@ -4,8 +4,6 @@
 // Ends on SIGTERM.
 
 #include <suture/base/errors.h>
-#include <suture/component/channel.h>
-#include <suture/component/device.h>
 #include <suture/manager/manager.h>
 
 #include <chrono>
@@ -16,85 +14,14 @@
 #include <string_view>
 #include <thread>
 
-#include "fault/history.h"
-#include "reference/arm_like.suture.h"
+#include "fault/history_caller.h"
 
 namespace {
 
 using namespace std::chrono_literals;
-using reference::PoseStamped;
-using suture::Errc;
-using suture::HistoryEntry;
 using suture::now;
-using Kind = HistoryEntry::Kind;
-
-constexpr suture::Duration kDeadline = 200ms;
-constexpr double kMoveTakes = 0.01;  // s
 
 volatile std::sig_atomic_t ended = 0;
-
-struct Port final : suture::Required<reference::ArmLike> {
-  using Required::channel;
-  using Required::Required;
-};
-
-class Client final : public suture::Device {
- public:
-  Client(const std::string& log, std::uint32_t number) : log_(log), number_(number) {
-    arm.on().arrived([this](const PoseStamped& tag) {
-      log_.write({.kind = Kind::Heard,
-                  .at = now(),
-                  .client = number_,
-                  .id = static_cast<std::uint64_t>(tag.pose.translation().y()),
-                  .epoch = static_cast<std::uint64_t>(tag.pose.translation().x())});
-    });
-  }
-
-  void ask() {
-    (void)arm.connected();
-    if (arm.channel() != known_) {
-      known_ = arm.channel();
-      ++epoch_;
-    }
-    const PoseStamped goal = sent(0ms);
-    const auto posted = arm.servo_cp(goal);
-    noteEnd(posted ? Errc{} : posted.error());
-    const PoseStamped target = sent(kDeadline);
-    const auto moved = arm.move.start(target, kMoveTakes, "").within(kDeadline);
-    noteEnd(moved ? Errc{} : moved.error());
-  }
-
-  Port arm{*this, "Arm"};
-
- private:
-  PoseStamped sent(suture::Duration deadline) {
-    ++id_;
-    log_.write({.kind = Kind::Sent,
-                .at = now(),
-                .client = number_,
-                .id = id_,
-                .epoch = epoch_,
-                .limit = deadline});
-    PoseStamped tag;
-    tag.pose.translation() << number_, static_cast<double>(id_), static_cast<double>(epoch_);
-    tag.stamp = now();
-    tag.valid = true;
-    return tag;
-  }
-  void noteEnd(Errc error) {
-    log_.write({.kind = Kind::Ended,
-                .at = now(),
-                .client = number_,
-                .id = id_,
-                .epoch = epoch_,
-                .error = error});
-  }
-
-  suture::HistoryLog log_;
-  const std::uint32_t number_;
-  std::uint64_t id_ = 0, epoch_ = 0;
-  std::shared_ptr<suture::Channel> known_;
-};
 
 void say(const char* what) {
   std::puts(what);
@@ -120,7 +47,7 @@ int main(int, char** argv) {
   std::signal(SIGTERM, [](int) { ended = 1; });
   const bool busy = std::string_view(argv[6]) == "busy";
   try {
-    Client client(argv[3], static_cast<std::uint32_t>(std::atoi(argv[4])));
+    suture::HistoryCaller client(argv[3], static_cast<std::uint32_t>(std::atoi(argv[4])));
     suture::Manager manager(argv[2], argv[1], 60s);
     manager.add("Client", client);
     manager.start();

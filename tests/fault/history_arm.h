@@ -1,0 +1,62 @@
+#pragma once
+// An arm that writes down what it executes.
+
+#include <suture/component/periodic_task.h>
+
+#include <chrono>
+#include <string>
+#include <thread>
+
+#include "fault/history.h"
+#include "reference/arm_like.suture.h"
+
+namespace reference {
+
+/// Emits an event in each cycle: the arm's number and the event's.
+class HistoryArm final : public suture::PeriodicTask, public reference::ArmLike {
+ public:
+  HistoryArm(const std::string& log, double number)
+      : PeriodicTask({.period = std::chrono::milliseconds(2)}), log_(log), number_(number) {}
+
+  void servo_cp(const PoseStamped& goal) override {
+    executed(goal, std::chrono::milliseconds(500));
+  }
+  bool move(const PoseStamped& goal, double speed, const std::string&) override {
+    executed(goal, suture::Duration{0});
+    std::this_thread::sleep_for(std::chrono::duration<double>(speed));
+    return true;
+  }
+  void servo_jp(const JointState&) override {}
+  void hold() override {}
+  void set_mode(Mode) override {}
+  PoseStamped measured_cp() const override { return {}; }
+  const JointState& measured_js() const override { return joints_; }
+  double distance(const PoseStamped&) const override { return 0; }
+  std::uint32_t reset() override { return 0; }
+  void limit(double, Mode) override {}
+
+ private:
+  void executed(const PoseStamped& goal, suture::Duration ttl) {
+    const auto& tag = goal.pose.translation();
+    log_.write({.kind = suture::HistoryEntry::Kind::Executed,
+                .at = suture::now(),
+                .client = static_cast<std::uint32_t>(tag.x()),
+                .id = static_cast<std::uint64_t>(tag.y()),
+                .epoch = static_cast<std::uint64_t>(tag.z()),
+                .limit = ttl});
+  }
+  void run() override {
+    PoseStamped tag;
+    tag.pose.translation() << number_, ++events_, 0;
+    tag.valid = true;
+    arm_.emit().arrived(tag);
+  }
+
+  suture::HistoryLog log_;
+  const double number_;
+  double events_ = 0;
+  JointState joints_;
+  suture::Provided<reference::ArmLike> arm_{*this, "Arm", *this};
+};
+
+}  // namespace reference
