@@ -3,7 +3,9 @@
 
 #include <suture/component/periodic_task.h>
 
+#include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <string>
 #include <thread>
 
@@ -12,11 +14,17 @@
 
 namespace reference {
 
-/// Emits an event in each cycle: the arm's number and the event's.
+/// Emits events in each cycle: the arm's number and the event's.
 class HistoryArm final : public suture::PeriodicTask, public reference::ArmLike {
  public:
-  HistoryArm(const std::string& log, double number)
-      : PeriodicTask({.period = std::chrono::milliseconds(2)}), log_(log), number_(number) {}
+  HistoryArm(const std::string& log, double number, int eventsPerCycle = 1)
+      : PeriodicTask({.period = std::chrono::milliseconds(2)}),
+        log_(log),
+        number_(number),
+        eventsPerCycle_(eventsPerCycle) {}
+
+  /// How many events so far. Any thread.
+  std::uint64_t emitted() const { return events_; }
 
   void servo_cp(const PoseStamped& goal) override {
     executed(goal, std::chrono::milliseconds(500));
@@ -47,14 +55,17 @@ class HistoryArm final : public suture::PeriodicTask, public reference::ArmLike 
   }
   void run() override {
     PoseStamped tag;
-    tag.pose.translation() << number_, ++events_, 0;
     tag.valid = true;
-    arm_.emit().arrived(tag);
+    for (int i = 0; i < eventsPerCycle_; ++i) {
+      tag.pose.translation() << number_, static_cast<double>(++events_), 0;
+      arm_.emit().arrived(tag);
+    }
   }
 
   suture::HistoryLog log_;
   const double number_;
-  double events_ = 0;
+  const int eventsPerCycle_;
+  std::atomic<std::uint64_t> events_{0};
   JointState joints_;
   suture::Provided<reference::ArmLike> arm_{*this, "Arm", *this};
 };

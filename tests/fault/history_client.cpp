@@ -1,7 +1,7 @@
 // A client that writes down what it sends, how that ends, and what it hears: history_client
-// <manager address> <process name> <log> <its number> <robot> busy|idle <longest silence, ms>.
-// Says "begun", then "ready" when it is connected to <robot>:PSM/Arm. An idle one only listens.
-// Ends on SIGTERM.
+// <manager address> <process name> <log> <its number> <robot> busy|idle <longest silence, ms>
+// <lane>. Says "begun", then "ready" when it is connected to <robot>:PSM/Arm. An idle one only
+// listens. Ends on SIGTERM.
 
 #include <suture/base/errors.h>
 #include <suture/manager/manager.h>
@@ -29,10 +29,11 @@ void say(const char* what) {
 }
 
 /// As often as it is refused; false if it is to end.
-bool connect(suture::Manager& manager, const std::string& arm, suture::Duration silence) {
+bool connect(suture::Manager& manager, const std::string& arm, suture::Lane lane,
+             suture::Duration silence) {
   while (ended == 0) {
     try {
-      manager.connect("Client/Arm", arm, suture::Lane::Auto, 60s, {}, {.silence = silence});
+      manager.connect("Client/Arm", arm, lane, 60s, {}, {.silence = silence});
       return true;
     } catch (const suture::SetupError&) {
       std::this_thread::sleep_for(5ms);
@@ -53,7 +54,9 @@ int main(int, char** argv) {
     manager.start();
     say("begun");
     const auto silence = std::chrono::milliseconds(std::atoi(argv[7]));
-    if (connect(manager, std::string(argv[5]) + ":PSM/Arm", silence)) say("ready");
+    if (connect(manager, std::string(argv[5]) + ":PSM/Arm", suture::laneNamed(argv[8]), silence)) {
+      say("ready");
+    }
     while (ended == 0) {
       client.waitForEvents(now() + 5ms);
       client.processEvents();
