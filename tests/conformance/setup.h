@@ -15,7 +15,16 @@
 
 namespace conformance {
 
-enum class LaneUnderTest { Local, Shm, RpcUnix, RpcTcp, DelayedLocal, DelayedShm, DelayedRpc };
+enum class LaneUnderTest {
+  Local,
+  Shm,
+  RpcUnix,
+  RpcTcp,
+  DelayedLocal,
+  DelayedShm,
+  DelayedRpc,
+  FaultyShm,  ///< delayed, and messages come twice or late, but none is lost
+};
 enum class ProviderKind { Periodic, EventDriven, Device };
 enum class ClientKind { Task, Device };
 
@@ -41,11 +50,12 @@ class Conformance : public testing::TestWithParam<Combination> {
   bool isDelayed() const {
     const LaneUnderTest lane = std::get<0>(GetParam());
     return lane == LaneUnderTest::DelayedLocal || lane == LaneUnderTest::DelayedShm ||
-           lane == LaneUnderTest::DelayedRpc;
+           lane == LaneUnderTest::DelayedRpc || isFaulty();
   }
+  bool isFaulty() const { return std::get<0>(GetParam()) == LaneUnderTest::FaultyShm; }
   bool sharesMemory() const {
     const LaneUnderTest lane = std::get<0>(GetParam());
-    return lane == LaneUnderTest::Shm || lane == LaneUnderTest::DelayedShm;
+    return lane == LaneUnderTest::Shm || lane == LaneUnderTest::DelayedShm || isFaulty();
   }
   bool runsInCallersThread() const {
     return providerIsDevice() && std::get<0>(GetParam()) == LaneUnderTest::Local;
@@ -79,7 +89,7 @@ inline auto allCombinations() {
   return testing::Combine(
       testing::Values(LaneUnderTest::Local, LaneUnderTest::Shm, LaneUnderTest::RpcUnix,
                       LaneUnderTest::RpcTcp, LaneUnderTest::DelayedLocal, LaneUnderTest::DelayedShm,
-                      LaneUnderTest::DelayedRpc),
+                      LaneUnderTest::DelayedRpc, LaneUnderTest::FaultyShm),
       testing::Values(ProviderKind::Periodic, ProviderKind::EventDriven, ProviderKind::Device),
       testing::Values(ClientKind::Task, ClientKind::Device));
 }

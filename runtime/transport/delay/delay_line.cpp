@@ -7,8 +7,6 @@
 namespace suture {
 namespace {
 
-std::size_t wordBytes(std::size_t size) { return (size + 7) & ~std::size_t{7}; }
-
 std::size_t slotsOf(std::size_t slotSize, std::size_t records) {
   constexpr std::size_t kMostBytes = std::size_t{16} << 20;
   return std::max<std::size_t>(std::min(records, kMostBytes / slotSize), 4);

@@ -10,6 +10,9 @@
 
 namespace suture {
 
+/// `size`, up to whole words.
+constexpr std::size_t wordBytes(std::size_t size) { return (size + 7) & ~std::size_t{7}; }
+
 /// Records, each due at a time. One thread. No allocation after construction.
 class DelayLine {
  public:
@@ -28,6 +31,8 @@ class DelayLine {
   /// has not been committed by the next claim() is given up.
   std::byte* claim(Time due, std::size_t size, Order order = Order::Kept);
   void commit();
+  /// When the last one claimed is due, with what it waits behind.
+  Time claimedDue() const { return claimed_.due; }
 
   /// The record that is due first if it is so at `now`, else nullptr. Stays until pop(), which is
   /// to come before the next commit().

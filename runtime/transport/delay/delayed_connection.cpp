@@ -40,8 +40,6 @@ std::size_t largestEvent(const InterfaceInfo& info) {
   return sizeof(rt::EventRecord) + size;
 }
 
-std::size_t wordBytes(std::size_t size) { return (size + 7) & ~std::size_t{7}; }
-
 std::size_t largestRow(const rt::StateTable& state) {
   std::size_t size = sizeof(RowRecord);
   for (unsigned i = 0; i < state.columns(); ++i) size += wordBytes(state.columnSize(i));

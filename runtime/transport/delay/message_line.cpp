@@ -43,9 +43,8 @@ std::byte* MessageLine::claimMark(Time due, std::size_t size, std::uint64_t sequ
 
 std::byte* MessageLine::claim(Time due, std::size_t size, const Header& header, const Fate& fate) {
   fate_ = fate;
-  claimedDue_ = std::max(due, now()) + fate.later;
   claimedSize_ = sizeof(Header) + size;
-  claimed_ = line_.claim(claimedDue_, claimedSize_, orderOf(fate));
+  claimed_ = line_.claim(std::max(due, now()) + fate.later, claimedSize_, orderOf(fate));
   new (claimed_) Header(header);
   return claimed_ + sizeof(Header);
 }
@@ -57,9 +56,10 @@ void MessageLine::commit() {
   if (fate_.stall > Duration{0}) stalledUntil_ = std::max(stalledUntil_, now() + fate_.stall);
 }
 
+// Later than the message itself, and so than what that waits behind.
 void MessageLine::duplicate() {
-  std::byte* const again =
-      line_.claim(claimedDue_ + fate_.duplicateLater, claimedSize_, DelayLine::Order::Overtakable);
+  std::byte* const again = line_.claim(line_.claimedDue() + fate_.duplicateLater, claimedSize_,
+                                       DelayLine::Order::Overtakable);
   std::memcpy(again, claimed_, claimedSize_);
   line_.commit();
 }

@@ -59,7 +59,6 @@ class MessageLine {
   Fate fate_;                     // of what has been claimed
   std::byte* claimed_ = nullptr;  // with its header
   std::size_t claimedSize_ = 0;
-  Time claimedDue_{};
   std::uint64_t sent_ = 0;
   Time stalledUntil_{};
   SequenceCheck check_;

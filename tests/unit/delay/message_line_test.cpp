@@ -64,6 +64,14 @@ TEST_F(MessageLineTest, WhatComesOutIsInOrderWhateverOvertook) {
   EXPECT_EQ(taken.size() + counters.lost, taken.back());
 }
 
+TEST_F(MessageLineTest, ADuplicateNeverComesAheadOfWhatItsOriginalWaitsBehind) {
+  MessageLine line(8, 512, {.seed = 1, .duplicate = 0.5, .delay = 0.2}, 0, counters);
+  putMany(line, 200);
+  EXPECT_EQ(take(line, now() + 10s).size(), 200u);
+  EXPECT_EQ(counters.lost, 0u);
+  EXPECT_EQ(counters.overtaken, 0u);
+}
+
 TEST_F(MessageLineTest, AMarkSettlesWhatWasLost) {
   MessageLine line(8, 64, {.loss = 1}, 0, counters);
   putMany(line, 5);
