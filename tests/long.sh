@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # What takes too long for every push: suturec under AddressSanitizer and UBSan on 10,000 mutated headers and on all its
 # tests, ten minutes of each fuzzer, a minute of stress on each part between threads, a thousand restarts of a peer, a million
-# changed sessions, twenty rounds of faults between processes, and ten draws of random types and contracts.
+# changed sessions, twenty rounds of faults between processes, ten minutes of faults of messages, and ten draws of random types
+# and contracts.
 #   tests/long.sh [MUTANTS] [SECONDS]
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -27,7 +28,8 @@ cmake --build --preset dev -- --quiet
 SUTURE_STRESS_SECONDS=60 "$build/bin/stress_test" --gtest_brief=1
 SUTURE_SESSIONS=1000000 "$build/bin/fault_test" --gtest_filter=Sessions.*
 SUTURE_RECONNECTS=1000 "$build/bin/fault_test" --gtest_filter='*Restarts.OfAPeer*'
-for _ in {1..20}; do "$build/bin/fault_test" --gtest_filter='*Kill.*:*Stop.*:Proxy.*' --gtest_brief=1; done
+SUTURE_FAULT_SECONDS=20 "$build/bin/fault_test" --gtest_filter='*Messages*' --gtest_brief=1
+for _ in {1..20}; do "$build/bin/fault_test" --gtest_filter='*Kill.*:*Stop.*:Proxy.*:*Messages*:Lanes/Stopped*' --gtest_brief=1; done
 for _ in {1..10}; do
   for test in random_types_test random_contract; do
     python3 "tests/integration/random_contract/$test.py" --suture "$build"

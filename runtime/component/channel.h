@@ -6,6 +6,7 @@
 #include <suture/base/arena.h>
 #include <suture/base/shared_slot.h>
 #include <suture/component/connection_contract.h>
+#include <suture/component/delivery.h>
 #include <suture/component/direct_handlers.h>
 #include <suture/component/interface_info.h>
 #include <suture/component/lifecycle.h>
@@ -133,6 +134,7 @@ class Channel {
   rt::Histogram readAge;
   rt::Histogram commandAge;  ///< provider: age of each command, when it was executed
   std::atomic<std::uint64_t> bytesSent{0}, bytesReceived{0};  ///< on the lane's wire; 0 on `local`
+  DeliveryCounters delivery;  ///< client's end, both ways; all 0 on a lane that loses nothing
 
   /// Of foreign memory, where nobody else counts: this endpoint has put so many bytes in, or taken
   /// them out, with what the queues add.

@@ -109,15 +109,39 @@ void Deployment::readConnections() {
 }
 
 ConnectionDelay Deployment::readDelay(const json& connection, const std::string& pointer) {
+  ConnectionDelay delay{.faults = readFaults(connection, pointer)};
   const auto given = connection.find("delay");
-  if (given == connection.end()) return {};
+  if (given == connection.end()) return delay;
   const std::string where = pointer + "/delay";
   if (given->is_string()) {
-    const Duration both = readDuration(*given, where);
-    return {.commands = both, .answers = both};
+    delay.commands = delay.answers = readDuration(*given, where);
+    return delay;
   }
-  return {.commands = readDuration(given->value("commands", "0s"), where + "/commands"),
-          .answers = readDuration(given->value("answers", "0s"), where + "/answers")};
+  delay.commands = readDuration(given->value("commands", "0s"), where + "/commands");
+  delay.answers = readDuration(given->value("answers", "0s"), where + "/answers");
+  return delay;
+}
+
+FaultPlan Deployment::readFaults(const json& connection, const std::string& pointer) {
+  const auto given = connection.find("faults");
+  if (given == connection.end()) return {};
+  FaultPlan plan;
+  const auto length = [&](const char* key, Duration& value) {
+    if (given->contains(key)) value = readDuration(given->at(key), pointer + "/faults/" + key);
+  };
+  plan.seed = given->value("seed", plan.seed);
+  plan.loss = given->value("loss", plan.loss);
+  plan.burst = given->value("burst", plan.burst);
+  plan.burstLength = given->value("burst_length", plan.burstLength);
+  plan.duplicate = given->value("duplicate", plan.duplicate);
+  plan.reorder = given->value("reorder", plan.reorder);
+  length("hold_back", plan.holdBack);
+  plan.delay = given->value("delay", plan.delay);
+  length("delay_length", plan.delayLength);
+  length("jitter", plan.jitter);
+  plan.stall = given->value("stall", plan.stall);
+  length("stall_length", plan.stallLength);
+  return plan;
 }
 
 ConnectionContract Deployment::readContract(const json& connection, const std::string& pointer) {

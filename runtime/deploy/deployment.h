@@ -79,6 +79,7 @@ class Deployment {
   Endpoint readEndpoint(const nlohmann::json& connection, const std::string& pointer,
                         const char* end);
   ConnectionDelay readDelay(const nlohmann::json& connection, const std::string& pointer);
+  FaultPlan readFaults(const nlohmann::json& connection, const std::string& pointer);
   ConnectionContract readContract(const nlohmann::json& connection, const std::string& pointer);
   Duration readDuration(const std::string& text, const std::string& pointer,
                         Duration longest = std::chrono::seconds(60));

@@ -67,6 +67,9 @@ ConnectionReport reportOf(const Channel& channel, ConnectionEnd end) {
                           .refused = count(counters.refused),
                           .eventsDelivered = channel.events.delivered(),
                           .eventsDropped = channel.events.dropped(),
+                          .lost = count(channel.delivery.lost),
+                          .duplicated = count(channel.delivery.duplicated),
+                          .overtaken = count(channel.delivery.overtaken),
                           .readAge = distribution(channel.readAge),
                           .commandAge = distribution(channel.commandAge)};
   if (channel.foreign) leaveToOtherEnd(report);

@@ -84,6 +84,9 @@ void eachField(Connection& value, const Visit& visit) requires
   visit("refused", value.refused);
   visit("events_delivered", value.eventsDelivered);
   visit("events_dropped", value.eventsDropped);
+  visit("lost", value.lost);
+  visit("duplicated", value.duplicated);
+  visit("overtaken", value.overtaken);
   visit("read_age", value.readAge);
   visit("command_age", value.commandAge);
 }

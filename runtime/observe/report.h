@@ -59,6 +59,9 @@ struct ConnectionReport {
   std::uint64_t failed = 0;      ///< the handler threw
   std::uint64_t refused = 0;     ///< the provider was suspended or parked, or they were cancelled
   std::uint64_t eventsDelivered = 0, eventsDropped = 0;
+  /// Messages either way that the lane lost, brought twice, or brought after newer ones (which are
+  /// among the lost, too), as the client's end knows; none has had an effect.
+  std::uint64_t lost = 0, duplicated = 0, overtaken = 0;
 
   Distribution readAge;     ///< of values when the client read them
   Distribution commandAge;  ///< of commands when the provider executed them

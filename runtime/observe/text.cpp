@@ -80,6 +80,9 @@ std::string lines(const ConnectionReport& one) {
   text += keptContract(one);
   if (one.failed > 0) text += ", " + counted("failed", one.failed);
   if (one.eventsDropped > 0) text += ", " + counted("events dropped", one.eventsDropped);
+  if (one.lost > 0) text += ", " + counted("messages lost", one.lost);
+  if (one.duplicated > 0) text += ", " + counted("duplicated", one.duplicated);
+  if (one.overtaken > 0) text += ", " + counted("overtaken", one.overtaken);
   if (one.clockError > Duration{0}) {
     text += "\n    other clock: shifted by " + microseconds(one.clockShift) + ", known to " +
             microseconds(one.clockError);

@@ -156,7 +156,7 @@ TEST_P(Commands, PollingNeverBlocks) {
 TEST_P(Commands, TheLaneIsWhatItSaysAndBytesCrossIt) {
   client->with([](Arm& remote) { EXPECT_TRUE(remote.hold.start().within(5s)); });
   const std::string lane = expectedLane();
-  EXPECT_EQ(channel()->lane, isDelayed() ? lane + "+delay" : lane);
+  EXPECT_EQ(channel()->lane, isFaulty() ? lane + "+fault" : isDelayed() ? lane + "+delay" : lane);
   if (withinOneProcess()) {
     EXPECT_EQ(channel()->bytesSent, 0u);
   } else {

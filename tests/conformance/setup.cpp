@@ -85,9 +85,13 @@ std::string Conformance::expectedLane() const {
 
 void Conformance::connect(const std::string& required, const std::string& provided) {
   const std::chrono::milliseconds each(isDelayed() ? 2 : 0);
+  suture::FaultPlan faults;
+  if (isFaulty()) faults = {.seed = 1, .duplicate = 0.3, .delay = 0.1};
+  faults.delayLength = std::chrono::milliseconds(3);
   clientManager_->connect("Console/" + required,
                           (withinOneProcess() ? "PSM/" : "provider:PSM/") + provided, askedLane(),
-                          suture::Manager::kDefaultPatience, {.commands = each, .answers = each});
+                          suture::Manager::kDefaultPatience,
+                          {.commands = each, .answers = each, .faults = faults});
   const auto with = [&](const std::function<void(Arm&)>& work) {
     if (required == "Gripper") return client->withGripper(work);
     client->with(work);
@@ -122,8 +126,8 @@ void Conformance::stopProvider() {
 
 std::string nameOf(const testing::TestParamInfo<Combination>& info) {
   static constexpr const char* kLanes[] = {
-      "Local",  "Shm",          "FrameUnix",  "FrameTcp",     "RpcUnix",
-      "RpcTcp", "DelayedLocal", "DelayedShm", "DelayedFrame", "DelayedRpc"};
+      "Local",        "Shm",        "FrameUnix",    "FrameTcp",   "RpcUnix",  "RpcTcp",
+      "DelayedLocal", "DelayedShm", "DelayedFrame", "DelayedRpc", "FaultyShm"};
   static constexpr const char* kProviders[] = {"Periodic", "EventDriven", "Device"};
   static constexpr const char* kClients[] = {"Task", "Device"};
   const auto [lane, provider, client] = info.param;

@@ -26,6 +26,7 @@ enum class LaneUnderTest {
   DelayedShm,
   DelayedFrame,
   DelayedRpc,
+  FaultyShm,  ///< delayed, and messages come twice or late, but none is lost
 };
 enum class ProviderKind { Periodic, EventDriven, Device };
 enum class ClientKind { Task, Device };
@@ -52,8 +53,9 @@ class Conformance : public testing::TestWithParam<Combination> {
   bool isDelayed() const {
     const LaneUnderTest lane = std::get<0>(GetParam());
     return lane == LaneUnderTest::DelayedLocal || lane == LaneUnderTest::DelayedShm ||
-           lane == LaneUnderTest::DelayedFrame || lane == LaneUnderTest::DelayedRpc;
+           lane == LaneUnderTest::DelayedFrame || lane == LaneUnderTest::DelayedRpc || isFaulty();
   }
+  bool isFaulty() const { return std::get<0>(GetParam()) == LaneUnderTest::FaultyShm; }
   /// That is asked for. Shared memory nobody has to ask for.
   suture::Lane askedLane() const;
   /// Its name, without the delay.
@@ -91,7 +93,8 @@ inline auto allCombinations() {
       testing::Values(LaneUnderTest::Local, LaneUnderTest::Shm, LaneUnderTest::FrameUnix,
                       LaneUnderTest::FrameTcp, LaneUnderTest::RpcUnix, LaneUnderTest::RpcTcp,
                       LaneUnderTest::DelayedLocal, LaneUnderTest::DelayedShm,
-                      LaneUnderTest::DelayedFrame, LaneUnderTest::DelayedRpc),
+                      LaneUnderTest::DelayedFrame, LaneUnderTest::DelayedRpc,
+                      LaneUnderTest::FaultyShm),
       testing::Values(ProviderKind::Periodic, ProviderKind::EventDriven, ProviderKind::Device),
       testing::Values(ClientKind::Task, ClientKind::Device));
 }

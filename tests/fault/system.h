@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <random>
@@ -42,11 +43,12 @@ class System {
                                              newLog("p", providers_), std::to_string(providers_)},
                                    prepare);
   }
-  std::unique_ptr<Child> client(const char* mode, int silenceMilliseconds = 500) {
+  std::unique_ptr<Child> client(const char* mode, int silenceMilliseconds = 500,
+                                const char* lane = "auto") {
     ++clients_;
     return std::make_unique<Child>(Arguments{
         HISTORY_CLIENT, address(), "client" + std::to_string(clients_), newLog("c", clients_),
-        std::to_string(clients_), "robot", mode, std::to_string(silenceMilliseconds)});
+        std::to_string(clients_), "robot", mode, std::to_string(silenceMilliseconds), lane});
   }
 
   std::string address() const { return "unix:" + directory_.file("m.sock"); }
@@ -68,6 +70,11 @@ class System {
   /// Of the latest client.
   std::vector<HistoryEntry> clientsHistory() const {
     return readHistory({directory_.file("c" + std::to_string(clients_))});
+  }
+
+  /// How much the latest client has written down, in bytes: nobody has to read it.
+  std::uintmax_t clientsHistorySize() const {
+    return std::filesystem::file_size(directory_.file("c" + std::to_string(clients_)));
   }
 
   /// True once the latest client has, from now on, been heard and answered; if it is idle: has

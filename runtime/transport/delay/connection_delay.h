@@ -1,7 +1,8 @@
 #pragma once
-// How much longer a connection takes.
+// How much longer a connection takes, and what else befalls it on the way.
 
 #include <suture/base/time.h>
+#include <suture/transport/fault/fault_plan.h>
 
 namespace suture {
 
@@ -9,8 +10,9 @@ namespace suture {
 struct ConnectionDelay {
   Duration commands{0};  ///< from the client to the provider
   Duration answers{0};  ///< from the provider to the client: answers, events, rows of state, losses
+  FaultPlan faults{};   ///< for tests: of each message, both ways
 
-  bool any() const { return commands > Duration{0} || answers > Duration{0}; }
+  bool any() const { return commands > Duration{0} || answers > Duration{0} || faults.any(); }
 };
 
 }  // namespace suture

@@ -33,8 +33,9 @@ std::shared_ptr<Channel> DelayThread::interpose(const RequiredBase& required,
   state->resize(static_cast<unsigned>(far->state->capacity()));
   const std::shared_ptr<rt::Doorbell> bell = required.owner().sharedDoorbell();
   const Channel::Ends ends{.client = bell.get(), .provider = &doorbell()};
-  auto near = std::make_shared<Channel>(required.info(), far->name, far->lane + "+delay", ends,
-                                        std::move(state), far->subscribed());
+  auto near = std::make_shared<Channel>(required.info(), far->name,
+                                        far->lane + (delay.faults.any() ? "+fault" : "+delay"),
+                                        ends, std::move(state), far->subscribed());
   near->clientsBell = bell;
   near->offered = far->offered;
   near->watch = far->watch;

@@ -10,6 +10,12 @@ namespace {
 // Two seconds of what comes at 1 kHz.
 constexpr std::size_t kUnderWay = 2048;
 
+// How long after others a message may come and still be awaited, if nothing newer does.
+constexpr Duration kMarkPeriod = std::chrono::milliseconds(50);
+
+// Of the messages of a connection, so that each kind meets faults of its own.
+enum Stream : std::uint64_t { kCommands, kAnswers, kEvents, kRows };
+
 struct RowRecord {
   Time stamp;
   rt::ColumnSet valid, tooLarge;
@@ -25,7 +31,7 @@ std::size_t largestCommand(const InterfaceInfo& info) {
 std::size_t largestAnswer(const InterfaceInfo& info) {
   std::size_t size = 0;
   for (const CommandInfo& one : info.commands) size = std::max<std::size_t>(size, one.resultSize);
-  return sizeof(ReplyRecord) + size;
+  return std::max(sizeof(ReplyRecord) + size, sizeof(CallsMark));
 }
 
 std::size_t largestEvent(const InterfaceInfo& info) {
@@ -33,8 +39,6 @@ std::size_t largestEvent(const InterfaceInfo& info) {
   for (const EventInfo& one : info.events) size = std::max<std::size_t>(size, one.payloadSize);
   return sizeof(rt::EventRecord) + size;
 }
-
-std::size_t wordBytes(std::size_t size) { return (size + 7) & ~std::size_t{7}; }
 
 std::size_t largestRow(const rt::StateTable& state) {
   std::size_t size = sizeof(RowRecord);
@@ -49,11 +53,12 @@ DelayedConnection::DelayedConnection(std::shared_ptr<Channel> near, std::shared_
     : near_(std::move(near)),
       far_(std::move(far)),
       delay_(delay),
-      commands_(largestCommand(near_->info), kUnderWay),
-      // As many answers as there may be calls: there is always room for them.
-      answers_(largestAnswer(near_->info), 2 * Channel::kMaxCalls),
-      events_(largestEvent(near_->info), kUnderWay),
-      rows_(largestRow(*near_->state), kUnderWay),
+      commands_(largestCommand(near_->info), kUnderWay, delay.faults, kCommands, near_->delivery),
+      // More answers than there may be calls: there is room for duplicates and marks, too.
+      answers_(largestAnswer(near_->info), 8 * Channel::kMaxCalls, delay.faults, kAnswers,
+               near_->delivery),
+      events_(largestEvent(near_->info), kUnderWay, delay.faults, kEvents, near_->delivery),
+      rows_(largestRow(*near_->state), kUnderWay, delay.faults, kRows, near_->delivery),
       statuses_(sizeof(ChannelStatus), kUnderWay),
       underWay_(near_->info.commands.size()),
       lent_(near_->info.commands.size()),
@@ -76,6 +81,7 @@ void DelayedConnection::pump(Time now) {
   takeEvents();
   takeRows();
   takeStatus();
+  sendMarks(now);
   deliverAnswers(now);
   deliverEvents(now);
   deliverRows(now);
@@ -84,8 +90,9 @@ void DelayedConnection::pump(Time now) {
 }
 
 Time DelayedConnection::due() {
+  const Time marks = expectsMarks() ? nextMarks_ : Time::max();
   return std::min(
-      {commands_.next(), answers_.next(), events_.next(), rows_.next(), statuses_.next()});
+      {commands_.next(), answers_.next(), events_.next(), rows_.next(), statuses_.next(), marks});
 }
 
 bool DelayedConnection::awaitsCredits() const {
@@ -113,15 +120,16 @@ void DelayedConnection::takeCommands() {
   rt::Mailbox& commands = near_->commands;
   if (!commands.pending()) return;
   commands.fixCut();
-  for (;;) {
-    std::byte* memory = commands_.claim(Time{}, largestCommand(near_->info));
-    const rt::CommandRecord* record = memory == nullptr ? nullptr : commands.next();
+  while (commands_.hasRoom()) {
+    const rt::CommandRecord* record = commands.next();
     if (record == nullptr) return;
     const std::size_t size = near_->info.commands[record->command].argumentsSize;
-    memory = commands_.claim(record->stamp + delay_.commands, sizeof(*record) + size);
+    std::byte* memory = commands_.claim(record->stamp + delay_.commands, sizeof(*record) + size);
     std::memcpy(memory, record, sizeof(*record) + size);
     commands_.commit();
+    if (record->call != 0) calls_.sent(record->call, commands_.sent());
     if (usesCredit(*record)) {
+      outstanding_.push_back({commands_.sent(), record->command});
       ++underWay_[record->command];
       ++lent_[record->command];
     }
@@ -129,22 +137,40 @@ void DelayedConnection::takeCommands() {
   }
 }
 
+// Only where something may be lost there is something to settle.
+bool DelayedConnection::expectsMarks() const {
+  return delay_.faults.any() && (!outstanding_.empty() || calls_.any());
+}
+
+void DelayedConnection::sendMarks(Time now) {
+  if (!expectsMarks() || now < nextMarks_) return;
+  nextMarks_ = now + kMarkPeriod;
+  if (commands_.claimMark(now + delay_.commands, 0, commandsSent_) != nullptr) commands_.commit();
+  commandsSent_ = commands_.sent();
+  std::byte* memory = answers_.claimMark(now + delay_.answers, sizeof(CallsMark), answersSent_);
+  if (memory != nullptr) {
+    new (memory) CallsMark(callsMark_);
+    answers_.commit();
+  }
+  answersSent_ = answers_.sent();
+  callsMark_ = calls_.mark(commands_.reached());
+}
+
 void DelayedConnection::deliverCommands(Time now) {
   bool any = false;
   while (const std::byte* memory = commands_.due(now)) {
-    const auto& record = *reinterpret_cast<const rt::CommandRecord*>(memory);
-    deliver(record);
-    if (usesCredit(record)) --underWay_[record.command];
+    if (!commands_.isMark()) {
+      deliver(*reinterpret_cast<const rt::CommandRecord*>(memory));
+      any = true;
+    }
     commands_.pop();
-    any = true;
   }
   if (any) far_->ends.provider->ring();
 }
 
 void DelayedConnection::deliver(const rt::CommandRecord& record) {
   if (record.call != 0 && !near_->claimCall(record.call)) {
-    near_->replyError(record.call, Errc::Cancelled);
-    near_->ends.client->ring(rt::RungFor::Arrival);
+    refuse(record.call, Errc::Cancelled);
     return;
   }
   const auto slot = far_->commands.claim(record.command, record.stamp, record.call);
@@ -152,16 +178,26 @@ void DelayedConnection::deliver(const rt::CommandRecord& record) {
     // Only if the provider's end has given no credit back: nobody serves it any more.
     auto& failed = near_->commands.counters.failed;
     failed.store(failed.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
-    if (record.call == 0) return;
-    near_->replyError(record.call, slot.error());
-    near_->ends.client->ring(rt::RungFor::Arrival);
+    if (record.call != 0) refuse(record.call, slot.error());
     return;
   }
+  if (record.call != 0) calls_.given(record.call);
   std::memcpy(*slot, record.arguments(), near_->info.commands[record.command].argumentsSize);
   far_->countSent(far_->commands.commit());
 }
 
+void DelayedConnection::refuse(std::uint32_t call, Errc error) {
+  if (!calls_.end(call)) return;
+  near_->replyError(call, error);
+  near_->ends.client->ring(rt::RungFor::Arrival);
+}
+
+// What has been lost uses no credit any more than what has arrived: neither will arrive again.
 void DelayedConnection::returnCredits() {
+  while (!outstanding_.empty() && outstanding_.front().sequence <= commands_.reached()) {
+    --underWay_[outstanding_.front().command];
+    outstanding_.pop_front();
+  }
   for (std::uint16_t command = 0; command < lent_.size(); ++command) {
     const std::uint32_t kept = underWay_[command] + far_->commands.waiting(command);
     for (; lent_[command] > kept; --lent_[command]) near_->commands.returnCredit(command);
@@ -193,6 +229,7 @@ void DelayedConnection::takeAnswers() {
     if (memory == nullptr) return;
     std::memcpy(memory, answer, size);
     answers_.commit();
+    calls_.answered(reinterpret_cast<const ReplyRecord*>(answer)->call);
     far_->countReceived(rt::SpscRing::recordSize(size));
     far_->replies.pop();
   }
@@ -201,27 +238,42 @@ void DelayedConnection::takeAnswers() {
 void DelayedConnection::deliverAnswers(Time now) {
   bool any = false;
   while (const std::byte* memory = answers_.due(now)) {
-    const auto& answer = *reinterpret_cast<const ReplyRecord*>(memory);
-    const auto size = static_cast<std::uint32_t>(answers_.size() - sizeof(ReplyRecord));
-    const auto copy = [&](std::byte* result) {
-      std::memcpy(result, answer.result(), size);
-      return answer.error;
-    };
-    near_->reply(answer.call, {.size = size}, copy, answer.stamp);
+    if (answers_.isMark()) {
+      settleCalls(*reinterpret_cast<const CallsMark*>(memory));
+    } else {
+      deliverAnswer(*reinterpret_cast<const ReplyRecord*>(memory));
+      any = true;
+    }
     answers_.pop();
-    any = true;
   }
   if (any) near_->ends.client->ring(rt::RungFor::Arrival);
 }
 
+void DelayedConnection::deliverAnswer(const ReplyRecord& answer) {
+  if (!calls_.end(answer.call)) return;
+  const auto size = static_cast<std::uint32_t>(answers_.size() - sizeof(ReplyRecord));
+  const auto copy = [&](std::byte* result) {
+    std::memcpy(result, answer.result(), size);
+    return answer.error;
+  };
+  near_->reply(answer.call, {.size = size}, copy, answer.stamp);
+}
+
+// The client's end cannot tell a command that was lost from an answer that was.
+void DelayedConnection::settleCalls(const CallsMark& mark) {
+  calls_.settle(mark, [this](std::uint32_t call) {
+    near_->replyError(call, Errc::OutcomeUnknown);
+    near_->ends.client->ring(rt::RungFor::Arrival);
+  });
+}
+
 // Without room they stay in the provider's queue, which drops and counts as without delay.
 void DelayedConnection::takeEvents() {
-  for (;;) {
-    std::byte* memory = events_.claim(Time{}, largestEvent(near_->info));
-    const rt::EventRecord* record = memory == nullptr ? nullptr : far_->events.next();
+  while (events_.hasRoom()) {
+    const rt::EventRecord* record = far_->events.next();
     if (record == nullptr) return;
     const std::size_t size = near_->info.events[record->event].payloadSize;
-    memory = events_.claim(record->stamp + delay_.answers, sizeof(*record) + size);
+    std::byte* memory = events_.claim(record->stamp + delay_.answers, sizeof(*record) + size);
     std::memcpy(memory, record, sizeof(*record) + size);
     events_.commit();
     far_->countReceived(sizeof(*record) + size);

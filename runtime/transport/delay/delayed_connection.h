@@ -1,11 +1,13 @@
 #pragma once
-// One connection with a delay.
+// One connection with a delay, or with faults.
 
 #include <suture/component/channel.h>
+#include <suture/transport/delay/calls_under_way.h>
 #include <suture/transport/delay/connection_delay.h>
-#include <suture/transport/delay/delay_line.h>
+#include <suture/transport/delay/message_line.h>
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <vector>
 
@@ -17,7 +19,10 @@ namespace suture {
 /// A command is due `delay.commands` after it was sent, and keeps its stamp: a ttl sees the delay.
 /// What comes back is due `delay.answers` after it arrived here, and keeps its stamp too: a read's
 /// age shows the delay. Credits, subscriptions and the first ask for a read are not
-/// delayed.
+/// delayed, and neither these nor losses of the provider meet faults.
+///
+/// With faults, messages may be lost, come twice or out of order; docs/lanes.md says what holds all
+/// the same. near->delivery counts what was noticed.
 class DelayedConnection {
  public:
   DelayedConnection(std::shared_ptr<Channel> near, std::shared_ptr<Channel> far,
@@ -36,6 +41,8 @@ class DelayedConnection {
 
  private:
   void takeCommands();
+  void sendMarks(Time now);
+  bool expectsMarks() const;
   void deliverCommands(Time now);
   void deliver(const rt::CommandRecord& record);
   void returnCredits();
@@ -43,6 +50,9 @@ class DelayedConnection {
   void passSubscriptionsOn();
   void takeAnswers();
   void deliverAnswers(Time now);
+  void deliverAnswer(const ReplyRecord& answer);
+  void settleCalls(const CallsMark& mark);
+  void refuse(std::uint32_t call, Errc error);
   void takeEvents();
   void deliverEvents(Time now);
   void takeRows();
@@ -56,10 +66,23 @@ class DelayedConnection {
 
   const std::shared_ptr<Channel> near_, far_;
   const ConnectionDelay delay_;
-  DelayLine commands_, answers_, events_, rows_, statuses_;
+  MessageLine commands_, answers_, events_, rows_;
+  DelayLine statuses_;
+  /// A command that uses a credit and may still arrive.
+  struct Outstanding {
+    std::uint64_t sequence;
+    std::uint16_t command;
+  };
+  std::deque<Outstanding> outstanding_;  // as many as there are credits at most
   // By command: how many the client may not send yet since they are under way here, and how many in
   // all.
   std::vector<std::uint32_t> underWay_, lent_;
+  CallsUnderWay calls_;
+  // As it was when the last marks were sent: what the next ones say. So what takes no longer than
+  // that is not given up.
+  std::uint64_t commandsSent_ = 0, answersSent_ = 0;
+  CallsMark callsMark_{};
+  Time nextMarks_{};
   std::uint64_t nextRow_ = 1;
   rt::ColumnSet asked_ = 0;
   std::vector<std::vector<std::uint64_t>> slots_;  // by column

@@ -50,6 +50,17 @@ TEST(DelayLine, NothingOvertakes) {
   EXPECT_EQ(take(line, at(2ms)), 2u);
 }
 
+TEST(DelayLine, WhatIsOvertakableIsOvertaken) {
+  DelayLine line(8, 8);
+  const std::uint64_t one = 1;
+  std::memcpy(line.claim(at(3ms), sizeof(one), DelayLine::Order::Overtakable), &one, sizeof(one));
+  line.commit();
+  ASSERT_TRUE(put(line, at(1ms), 2));
+  EXPECT_EQ(take(line, at(1ms)), 2u);
+  EXPECT_EQ(take(line, at(2ms)), 0u);
+  EXPECT_EQ(take(line, at(3ms)), 1u);
+}
+
 TEST(DelayLine, IsBounded) {
   DelayLine line(8, 4);
   std::uint64_t taken = 0;

@@ -209,6 +209,41 @@ TEST_F(Delayed, BothEndsOfAConnectionAreReported) {
   EXPECT_GE(merged[0].commandAge.max, 1ms);
 }
 
+// What keeps a call's place is its answer, and either may be lost.
+TEST_F(Delayed, EveryCallEndsThoughMessagesAreLost) {
+  connect("A", {.faults = {.seed = 1, .loss = 0.5}});
+  int ended = 0, lost = 0;
+  for (int i = 0; i < 16; ++i) {
+    auto call = a.arm.distance.start(PoseStamped{});
+    ASSERT_TRUE(eventually([&] { return call.poll() != nullptr; })) << i;
+    ++ended;
+    if (*call.poll()) continue;
+    EXPECT_EQ(call.poll()->error(), Errc::OutcomeUnknown);
+    ++lost;
+  }
+  EXPECT_GT(lost, 0);
+  EXPECT_LT(lost, ended);
+}
+
+TEST_F(Delayed, AbandonedCallsGiveTheirPlacesBackThoughMessagesAreLost) {
+  connect("A", {.faults = {.seed = 2, .loss = 0.5}});
+  for (int i = 0; i < 40; ++i) {
+    ASSERT_TRUE(eventually([&] {
+      return a.arm.distance.start(PoseStamped{}).within(0ms).error() == Errc::Timeout;
+    })) << i;
+  }
+}
+
+TEST_F(Delayed, EveryCreditComesBackThoughMessagesAreLost) {
+  connect("A", {.faults = {.seed = 3, .loss = 0.5}});
+  for (int i = 0; i < 100; ++i) {
+    ASSERT_TRUE(eventually([&] { return a.arm.hold().has_value(); })) << i;
+  }
+  EXPECT_GT(arm.holds, 0);
+  EXPECT_LT(arm.holds, 100);
+  EXPECT_GT(observe(manager, now()).connections.at(0).lost, 0u);
+}
+
 TEST_F(Delayed, WithoutADelayNobodyStandsBetween) {
   connect("A", {});
   EXPECT_EQ(manager.channels().at(0)->lane, "local");

@@ -124,6 +124,38 @@ TEST(Deployment, DelaysOfAConnection) {
   EXPECT_EQ(delayOf("{\"answers\": \"3ns\"}").answers, 3ns);
 }
 
+suture::FaultPlan faultsOf(const std::string& value) {
+  const std::string text = with("\"lane\": \"rpc\"", "\"faults\": " + value);
+  return Deployment(JsonDocument::parse(text, "d.json")).connections()[1].delay.faults;
+}
+
+TEST(Deployment, FaultsOfAConnection) {
+  EXPECT_FALSE(Deployment(JsonDocument::parse(kSound, "d.json")).connections()[1].delay.any());
+  EXPECT_FALSE(faultsOf("{\"seed\": 3}").any());
+  const suture::FaultPlan all = faultsOf(
+      R"({"seed": 7, "loss": 0.01, "burst": 0.02, "burst_length": 3, "duplicate": 0.03,
+          "reorder": 0.04, "hold_back": "2ms", "delay": 0.05, "delay_length": "3ms",
+          "jitter": "4ms", "stall": 0.06, "stall_length": "5ms"})");
+  EXPECT_EQ(all.seed, 7u);
+  EXPECT_EQ(all.loss, 0.01);
+  EXPECT_EQ(all.burst, 0.02);
+  EXPECT_EQ(all.burstLength, 3u);
+  EXPECT_EQ(all.duplicate, 0.03);
+  EXPECT_EQ(all.reorder, 0.04);
+  EXPECT_EQ(all.holdBack, 2ms);
+  EXPECT_EQ(all.delay, 0.05);
+  EXPECT_EQ(all.delayLength, 3ms);
+  EXPECT_EQ(all.jitter, 4ms);
+  EXPECT_EQ(all.stall, 0.06);
+  EXPECT_EQ(all.stallLength, 5ms);
+}
+
+TEST(Deployment, AChanceIsAtMostOne) {
+  expectOnly(with("\"lane\": \"rpc\"", "\"faults\": {\"loss\": 5}"),
+             "d.json:18: error: expected chance of a message to be lost, from 0 to 1; found number "
+             "5");
+}
+
 suture::ConnectionContract contractOf(const std::string& value) {
   const std::string text = with("\"lane\": \"rpc\"", "\"contract\": " + value);
   return Deployment(JsonDocument::parse(text, "d.json")).connections()[1].contract;

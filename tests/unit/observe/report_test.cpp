@@ -26,6 +26,9 @@ suture::Report sample() {
   connection.failed = 10;
   connection.eventsDelivered = 11;
   connection.eventsDropped = 12;
+  connection.lost = 55;
+  connection.duplicated = 56;
+  connection.overtaken = 57;
   connection.readAge = {13, 14ns, 15ns, 16ns};
   connection.commandAge = {17, 18ns, 19ns, 20ns};
   suture::TaskReport task;
@@ -58,6 +61,9 @@ TEST(Report, EveryFieldIsInTheJson) {
   EXPECT_EQ(connection.at("contract").at("awaits_operator"), true);
   EXPECT_EQ(connection.at("dropped"), 19);
   EXPECT_EQ(connection.at("events_dropped"), 12);
+  EXPECT_EQ(connection.at("lost"), 55);
+  EXPECT_EQ(connection.at("duplicated"), 56);
+  EXPECT_EQ(connection.at("overtaken"), 57);
   EXPECT_EQ(connection.at("command_age").at("max"), 20);
   const auto& task = json.at("tasks").at(0);
   EXPECT_EQ(task.at("state"), "faulted");

@@ -45,12 +45,17 @@ TEST(Text, TellsAllOfAConnection) {
   one.contract = {.staleReads = 7, .losses = 1, .awaitsOperator = true};
   one.failed = 4;
   one.eventsDropped = 5;
-  EXPECT_EQ(toText({"left", 0s, {one}, {}, {}}),
-            "process left after 0.0 s\n"
-            "connections\n"
-            "  left:Teleop/Slave -> right:PSM1/Arm: rpc, connected, both ends\n"
-            "    sent 100, executed 95, dropped 3, late 2, stale reads 7, losses 1, awaits its "
-            "operator, failed 4, events dropped 5, last loss: hung: it sleeps\n");
+  one.lost = 6;
+  one.duplicated = 7;
+  one.overtaken = 8;
+  EXPECT_EQ(
+      toText({"left", 0s, {one}, {}, {}}),
+      "process left after 0.0 s\n"
+      "connections\n"
+      "  left:Teleop/Slave -> right:PSM1/Arm: rpc, connected, both ends\n"
+      "    sent 100, executed 95, dropped 3, late 2, stale reads 7, losses 1, awaits its "
+      "operator, failed 4, events dropped 5, messages lost 6, duplicated 7, overtaken 8, last "
+      "loss: hung: it sleeps\n");
 }
 
 TEST(Text, SaysWhichEndCountsWhatThisOneDoesNot) {

@@ -1,0 +1,74 @@
+#include <suture/transport/fault/fault_injector.h>
+
+namespace suture {
+namespace {
+
+std::mt19937_64 randomOf(std::uint64_t seed, std::uint64_t stream) {
+  std::seed_seq sequence{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
+                         static_cast<std::uint32_t>(stream)};
+  return std::mt19937_64(sequence);
+}
+
+Duration part(Duration whole, double share) {
+  return Duration(static_cast<std::int64_t>(static_cast<double>(whole.count()) * share));
+}
+
+}  // namespace
+
+FaultInjector::FaultInjector(const FaultPlan& plan, std::uint64_t stream)
+    : plan_(plan), random_(randomOf(plan.seed, stream)) {}
+
+// The library's distributions may differ from one build to another.
+double FaultInjector::draw() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
+
+void FaultInjector::count(std::atomic<std::uint64_t> FaultCounts::*which) {
+  if (plan_.counts != nullptr) (*plan_.counts.*which).fetch_add(1, std::memory_order_relaxed);
+}
+
+bool FaultInjector::isLost() {
+  const bool alone = strikes(plan_.loss);
+  if (strikes(plan_.burst) && burstLeft_ == 0) burstLeft_ = plan_.burstLength;
+  if (burstLeft_ > 0) {
+    --burstLeft_;
+    count(&FaultCounts::burstLost);
+    return true;
+  }
+  if (alone) count(&FaultCounts::lost);
+  return alone;
+}
+
+// As many draws for each message, whatever befalls it: what comes next does not depend on it.
+Fate FaultInjector::next() {
+  const bool lost = isLost();
+  const bool duplicated = strikes(plan_.duplicate), reordered = strikes(plan_.reorder);
+  const bool delayed = strikes(plan_.delay), stalled = strikes(plan_.stall);
+  const double jitter = draw(), again = draw();
+  if (lost) return {.lost = true};
+  Fate fate;
+  if (duplicated) {
+    fate.duplicated = true;
+    fate.duplicateLater = part(plan_.holdBack, again);
+    count(&FaultCounts::duplicated);
+  }
+  if (delayed) {
+    fate.later += plan_.delayLength;
+    count(&FaultCounts::delayed);
+  }
+  if (reordered) {
+    fate.overtakable = true;
+    fate.later += plan_.holdBack;
+    count(&FaultCounts::reordered);
+  }
+  if (plan_.jitter > Duration{0}) {
+    fate.overtakable = true;
+    fate.later += part(plan_.jitter, jitter);
+    count(&FaultCounts::jittered);
+  }
+  if (stalled) {
+    fate.stall = plan_.stallLength;
+    count(&FaultCounts::stalls);
+  }
+  return fate;
+}
+
+}  // namespace suture

@@ -1,0 +1,47 @@
+#pragma once
+// What is to befall the messages of a connection, for tests.
+
+#include <suture/base/time.h>
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+
+namespace suture {
+
+/// How many messages each fault has struck. Any thread may read.
+struct FaultCounts {
+  std::atomic<std::uint64_t> lost{0}, burstLost{0}, duplicated{0}, reordered{0}, delayed{0},
+      jittered{0}, stalls{0};
+
+  std::uint64_t total() const {
+    return lost + burstLost + duplicated + reordered + delayed + jittered + stalls;
+  }
+};
+
+/// Of each message, whether command, answer, event or row of state. A chance is from 0 to 1. Each
+/// kind of message has its own sequence of faults, which `seed` alone decides: the n-th command of
+/// a connection meets the same in each run.
+struct FaultPlan {
+  std::uint64_t seed = 0;
+  double loss = 0;           ///< chance to be lost
+  double burst = 0;          ///< chance to be the first of `burstLength` that are lost
+  unsigned burstLength = 8;  ///< messages
+  double duplicate = 0;      ///< chance to arrive twice, the second time up to `holdBack` later
+  double reorder = 0;        ///< chance to be held back for `holdBack`, so that others overtake
+  Duration holdBack = std::chrono::milliseconds(5);
+  double delay = 0;  ///< chance to take `delayLength` longer; what follows waits behind it
+  Duration delayLength = std::chrono::milliseconds(20);
+  Duration jitter{0};  ///< each takes up to so much longer, so that others may overtake
+  double stall = 0;    ///< chance that nothing arrives in this direction for `stallLength`
+  Duration stallLength = std::chrono::milliseconds(100);
+  /// Where they are counted; nullptr: nowhere. Shared by all connections of the plan.
+  std::shared_ptr<FaultCounts> counts = nullptr;
+
+  bool any() const {
+    return loss > 0 || burst > 0 || duplicate > 0 || reorder > 0 || delay > 0 ||
+           jitter > Duration{0} || stall > 0;
+  }
+};
+
+}  // namespace suture

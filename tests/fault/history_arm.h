@@ -1,0 +1,64 @@
+#pragma once
+// An arm that writes down what it executes.
+
+#include <suture/component/periodic_task.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <thread>
+
+#include "fault/history.h"
+#include "reference/still_arm.h"
+
+namespace reference {
+
+/// Emits events in each cycle: the arm's number and the event's.
+class HistoryArm final : public suture::PeriodicTask, public suture::StillArm {
+ public:
+  HistoryArm(const std::string& log, double number, int eventsPerCycle = 1)
+      : PeriodicTask({.period = std::chrono::milliseconds(2)}),
+        log_(log),
+        number_(number),
+        eventsPerCycle_(eventsPerCycle) {}
+
+  /// How many events so far. Any thread.
+  std::uint64_t emitted() const { return events_; }
+
+  void servo_cp(const PoseStamped& goal) override {
+    executed(goal, std::chrono::milliseconds(500));
+  }
+  bool move(const PoseStamped& goal, double speed, const std::string&) override {
+    executed(goal, suture::Duration{0});
+    std::this_thread::sleep_for(std::chrono::duration<double>(speed));
+    return true;
+  }
+
+ private:
+  void executed(const PoseStamped& goal, suture::Duration ttl) {
+    const auto& tag = goal.pose.translation();
+    log_.write({.kind = suture::HistoryEntry::Kind::Executed,
+                .at = suture::now(),
+                .client = static_cast<std::uint32_t>(tag.x()),
+                .id = static_cast<std::uint64_t>(tag.y()),
+                .epoch = static_cast<std::uint64_t>(tag.z()),
+                .limit = ttl});
+  }
+  void run() override {
+    PoseStamped tag;
+    tag.valid = true;
+    for (int i = 0; i < eventsPerCycle_; ++i) {
+      tag.pose.translation() << number_, static_cast<double>(++events_), 0;
+      arm_.emit().arrived(tag);
+    }
+  }
+
+  suture::HistoryLog log_;
+  const double number_;
+  const int eventsPerCycle_;
+  std::atomic<std::uint64_t> events_{0};
+  suture::Provided<reference::ArmLike> arm_{*this, "Arm", *this};
+};
+
+}  // namespace reference

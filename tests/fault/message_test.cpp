@@ -1,0 +1,223 @@
+// Each fault that may befall single messages, on each lane: what must hold all the same.
+
+#include <gtest/gtest.h>
+#include <suture/manager/global_manager.h>
+#include <suture/manager/manager.h>
+#include <suture/observe/observe.h>
+#include <suture/transport/rpc/control_thread.h>
+
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <tuple>
+
+#include "fault/history_arm.h"
+#include "fault/history_caller.h"
+#include "fault/system.h"
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+
+enum class LaneUnderFault { Local, Shm, Rpc };
+constexpr const char* kLanes[] = {"Local", "Shm", "Rpc"};
+// As a connection with faults is called.
+constexpr const char* kLaneNames[] = {"local+fault", "shm+fault", "rpc+fault"};
+
+struct Fault {
+  const char* name;
+  FaultPlan plan;
+  // What the receiver is to notice of it; whatever else it does is not checked.
+  bool loses = false, duplicates = false, overtakes = false;
+  // Not even one message is to be lost.
+  bool keeps = false;
+};
+
+// A stall is longer than the ttl of a command and the deadline of a call.
+const Fault kFaults[] = {
+    {.name = "Loss", .plan = {.loss = 0.1}, .loses = true},
+    {.name = "BurstLoss", .plan = {.burst = 0.01, .burstLength = 12}, .loses = true},
+    {.name = "Duplicate", .plan = {.duplicate = 0.3}, .duplicates = true, .keeps = true},
+    {.name = "Reorder", .plan = {.reorder = 0.2, .holdBack = 20ms}, .overtakes = true},
+    {.name = "Delay", .plan = {.delay = 0.05, .delayLength = 40ms}, .keeps = true},
+    {.name = "Jitter", .plan = {.jitter = 8ms}, .overtakes = true},
+    {.name = "Stall", .plan = {.stall = 0.01, .stallLength = 700ms}, .keeps = true},
+    {.name = "AllAtOnce",
+     .plan = {.loss = 0.05,
+              .burst = 0.005,
+              .duplicate = 0.1,
+              .reorder = 0.1,
+              .delay = 0.02,
+              .jitter = 3ms,
+              .stall = 0.002,
+              .stallLength = 300ms},
+     .loses = true,
+     .duplicates = true,
+     .overtakes = true},
+};
+
+Duration faultTime() {
+  const char* asked = std::getenv("SUTURE_FAULT_SECONDS");
+  return asked == nullptr ? 800ms : Duration(std::chrono::seconds(std::atoi(asked)));
+}
+
+/// Two managers in one process are two processes to each other: nothing is shared but the sockets.
+class Messages : public testing::TestWithParam<std::tuple<LaneUnderFault, Fault>> {
+ protected:
+  Messages() {
+    plan_.seed = faultSeed();
+    plan_.counts = std::make_shared<FaultCounts>();
+    if (lane() != LaneUnderFault::Local) {
+      names_ = std::make_unique<Names>("unix:" + directory_.file("m.sock"));
+    }
+    clients_ = makeManager("client");
+    clients_->add("Client", *caller_);
+    startProvider();
+    clients_->start();
+    clients_->connect("Client/Arm", lane() == LaneUnderFault::Local ? "PSM/Arm" : "robot:PSM/Arm",
+                      lane() == LaneUnderFault::Rpc ? Lane::Rpc : Lane::Auto, 10s,
+                      {.faults = plan_}, {.silence = 300ms});
+  }
+  ~Messages() override {
+    clients_->stop();
+    if (providers_ != nullptr) providers_->stop();
+  }
+
+  LaneUnderFault lane() const { return std::get<0>(GetParam()); }
+  Fault fault() const { return std::get<1>(GetParam()); }
+  void startProvider() {
+    logs_.push_back(directory_.file("p" + std::to_string(logs_.size())));
+    arms_.push_back(std::make_unique<reference::HistoryArm>(logs_.back(),
+                                                            static_cast<double>(arms_.size() + 1)));
+    if (names_ == nullptr) return clients_->add("PSM", *arms_.back());
+    providers_ = makeManager("robot");
+    providers_->add("PSM", *arms_.back());
+    providers_->start();
+  }
+  void restartProvider() {
+    providers_->stop();
+    providers_.reset();
+    startProvider();
+  }
+  void ask() {
+    caller_->waitForEvents(now() + 2ms);
+    caller_->processEvents();
+    caller_->ask();
+    (void)caller_->arm.hold();
+    const auto pose = caller_->arm.measured_cp();
+    if (!pose) return;
+    EXPECT_GE(pose.stamp(), lastRead_);
+    lastRead_ = pose.stamp();
+    ++reads_;
+  }
+  void askFor(Duration time) {
+    for (const Time end = now() + time; now() < end;) ask();
+  }
+  ConnectionReport report() const {
+    for (const ConnectionReport& one : observe(*clients_, now()).connections) {
+      if (one.end == ConnectionEnd::Client) return one;
+    }
+    ADD_FAILURE() << "no connection";
+    return {};
+  }
+  // Nothing keeps a place at the provider for ever.
+  bool creditsAreBack() const {
+    const auto& channel = caller_->arm.channel();
+    for (std::uint16_t i = 0; i < channel->info.commands.size(); ++i) {
+      if (channel->commands.waiting(i) != 0) return false;
+    }
+    return true;
+  }
+  bool callIsAnswered() {
+    return eventually([this] {
+      return caller_->arm.distance.start(reference::PoseStamped{}).within(200ms).has_value();
+    });
+  }
+  void expectSound() {
+    EXPECT_TRUE(callIsAnswered());
+    EXPECT_TRUE(eventually([this] { return creditsAreBack(); }));
+    EXPECT_GT(reads_, 0);
+    const FaultCounts& counts = *plan_.counts;
+    EXPECT_GT(counts.total(), 0u);
+    std::printf("seed %u: %d faults\n", faultSeed(), static_cast<int>(counts.total()));
+    std::vector<std::string> logs = logs_;
+    logs.push_back(directory_.file("c"));
+    const auto history = readHistory(logs);
+    EXPECT_GT(history.size(), 20u);
+    for (const std::string& violation : violations(history, kBusyMachine)) {
+      ADD_FAILURE() << violation;
+    }
+  }
+
+  struct Names {
+    explicit Names(const std::string& address) : global(control, address) {}
+    rpc::ControlThread control;
+    GlobalManager global;
+  };
+  std::unique_ptr<Manager> makeManager(const std::string& name) {
+    return names_ == nullptr ? std::make_unique<Manager>(name)
+                             : std::make_unique<Manager>(name, names_->global.address());
+  }
+
+  const TemporaryDirectory directory_;
+  FaultPlan plan_ = fault().plan;
+  std::vector<std::string> logs_;
+  std::unique_ptr<Names> names_;
+  std::vector<std::unique_ptr<reference::HistoryArm>> arms_;
+  std::unique_ptr<HistoryCaller> caller_ = std::make_unique<HistoryCaller>(directory_.file("c"), 1);
+  std::unique_ptr<Manager> clients_, providers_;
+  Time lastRead_{};
+  int reads_ = 0;
+};
+
+std::string nameOf(const testing::TestParamInfo<std::tuple<LaneUnderFault, Fault>>& info) {
+  return std::string(std::get<1>(info.param).name) + "On" +
+         kLanes[static_cast<int>(std::get<0>(info.param))];
+}
+
+INSTANTIATE_TEST_SUITE_P(Faults, Messages,
+                         testing::Combine(testing::Values(LaneUnderFault::Local,
+                                                          LaneUnderFault::Shm, LaneUnderFault::Rpc),
+                                          testing::ValuesIn(kFaults)),
+                         nameOf);
+
+TEST_P(Messages, LeaveASoundHistory) {
+  askFor(faultTime());
+  const ConnectionReport seen = report();
+  EXPECT_EQ(seen.lane, kLaneNames[static_cast<int>(lane())]);
+  EXPECT_EQ(seen.status, ChannelStatus::Connected);
+  EXPECT_TRUE(!fault().loses || seen.lost > 0);
+  EXPECT_TRUE(!fault().duplicates || seen.duplicated > 0);
+  EXPECT_TRUE(!fault().overtakes || seen.overtaken > 0);
+  if (fault().keeps) {
+    EXPECT_EQ(seen.lost, 0u);
+    EXPECT_EQ(seen.overtaken, 0u);
+  }
+  expectSound();
+}
+
+class MessagesAndLosses : public Messages {};
+
+INSTANTIATE_TEST_SUITE_P(Faults, MessagesAndLosses,
+                         testing::Combine(testing::Values(LaneUnderFault::Shm, LaneUnderFault::Rpc),
+                                          testing::Values(kFaults[7])),
+                         nameOf);
+
+// What is held up on a connection that was lost does not arrive on the next.
+TEST_P(MessagesAndLosses, LeaveASoundHistory) {
+  for (int restart = 0; restart < 3; ++restart) {
+    askFor(faultTime() / 4);
+    restartProvider();
+    lastRead_ = {};
+    ASSERT_TRUE(eventually([this] {
+      ask();
+      return caller_->arm.connected();
+    }));
+  }
+  askFor(faultTime() / 4);
+  expectSound();
+}
+
+}  // namespace
+}  // namespace suture
