@@ -35,7 +35,7 @@ constexpr int kCommands = 100'000;
 constexpr std::uint64_t kMayWait = 200;
 
 std::string nameOf(const testing::TestParamInfo<Lane>& info) {
-  return info.param == Lane::Auto ? "Local" : info.param == Lane::Shm ? "Shm" : "Rpc";
+  return info.param == Lane::Auto ? "local" : toString(info.param);
 }
 
 /// Checks at its end what has been used since its beginning.
@@ -90,8 +90,8 @@ class StoppedTask : public testing::TestWithParam<Lane> {
   Manager here_{"here", names_.address()};
 };
 
-INSTANTIATE_TEST_SUITE_P(Lanes, StoppedTask, testing::Values(Lane::Auto, Lane::Shm, Lane::Rpc),
-                         nameOf);
+INSTANTIATE_TEST_SUITE_P(Lanes, StoppedTask,
+                         testing::Values(Lane::Auto, Lane::Shm, Lane::Frame, Lane::Rpc), nameOf);
 
 TEST_P(StoppedTask, AsASubscriberHasItsEventsDroppedAndNobodyElseThem) {
   reference::HistoryArm arm(directory_.file("log"), 1, kEventsPerCycle);
@@ -220,7 +220,8 @@ class StoppedProcess : public testing::TestWithParam<Lane> {
   const std::unique_ptr<Child> manager_ = system_.manager();
 };
 
-INSTANTIATE_TEST_SUITE_P(Lanes, StoppedProcess, testing::Values(Lane::Shm, Lane::Rpc), nameOf);
+INSTANTIATE_TEST_SUITE_P(Lanes, StoppedProcess, testing::Values(Lane::Shm, Lane::Frame, Lane::Rpc),
+                         nameOf);
 
 TEST_P(StoppedProcess, AsASubscriberDelaysNobody) {
   bool stopped = false;

@@ -20,10 +20,11 @@ namespace {
 
 using namespace std::chrono_literals;
 
-enum class LaneUnderFault { Local, Shm, Rpc };
-constexpr const char* kLanes[] = {"Local", "Shm", "Rpc"};
+enum class LaneUnderFault { Local, Shm, Frame, Rpc };
+constexpr const char* kLanes[] = {"Local", "Shm", "Frame", "Rpc"};
+constexpr Lane kAsked[] = {Lane::Auto, Lane::Auto, Lane::Frame, Lane::Rpc};
 // As a connection with faults is called.
-constexpr const char* kLaneNames[] = {"local+fault", "shm+fault", "rpc+fault"};
+constexpr const char* kLaneNames[] = {"local+fault", "shm+fault", "frame+fault", "rpc+fault"};
 
 struct Fault {
   const char* name;
@@ -76,8 +77,7 @@ class Messages : public testing::TestWithParam<std::tuple<LaneUnderFault, Fault>
     startProvider();
     clients_->start();
     clients_->connect("Client/Arm", lane() == LaneUnderFault::Local ? "PSM/Arm" : "robot:PSM/Arm",
-                      lane() == LaneUnderFault::Rpc ? Lane::Rpc : Lane::Auto, 10s,
-                      {.faults = plan_}, {.silence = 300ms});
+                      kAsked[static_cast<int>(lane())], 10s, {.faults = plan_}, {.silence = 300ms});
   }
   ~Messages() override {
     clients_->stop();
@@ -176,11 +176,12 @@ std::string nameOf(const testing::TestParamInfo<std::tuple<LaneUnderFault, Fault
          kLanes[static_cast<int>(std::get<0>(info.param))];
 }
 
-INSTANTIATE_TEST_SUITE_P(Faults, Messages,
-                         testing::Combine(testing::Values(LaneUnderFault::Local,
-                                                          LaneUnderFault::Shm, LaneUnderFault::Rpc),
-                                          testing::ValuesIn(kFaults)),
-                         nameOf);
+INSTANTIATE_TEST_SUITE_P(
+    Faults, Messages,
+    testing::Combine(testing::Values(LaneUnderFault::Local, LaneUnderFault::Shm,
+                                     LaneUnderFault::Frame, LaneUnderFault::Rpc),
+                     testing::ValuesIn(kFaults)),
+    nameOf);
 
 TEST_P(Messages, LeaveASoundHistory) {
   askFor(faultTime());
@@ -200,7 +201,9 @@ TEST_P(Messages, LeaveASoundHistory) {
 class MessagesAndLosses : public Messages {};
 
 INSTANTIATE_TEST_SUITE_P(Faults, MessagesAndLosses,
-                         testing::Combine(testing::Values(LaneUnderFault::Shm, LaneUnderFault::Rpc),
+                         testing::Combine(testing::Values(LaneUnderFault::Shm,
+                                                          LaneUnderFault::Frame,
+                                                          LaneUnderFault::Rpc),
                                           testing::Values(kFaults[7])),
                          nameOf);
 
