@@ -50,6 +50,9 @@ struct Columns {
   std::uint64_t valid, tooLarge;
 };
 
+/// What one send or one receive may take of small frames, bytes.
+inline constexpr std::size_t kLeastRoom = std::size_t{64} << 10;
+
 constexpr std::size_t wordBytes(std::size_t size) { return (size + 7) & ~std::size_t{7}; }
 
 /// Why a peer is not listened to any more.

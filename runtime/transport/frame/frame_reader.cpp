@@ -6,17 +6,11 @@
 #include <utility>
 
 namespace suture::frame {
-namespace {
-
-// What one receive may bring of small frames.
-constexpr std::size_t kLeastBytes = std::size_t{64} << 10;
-
-}  // namespace
 
 FrameReader::FrameReader(std::uint32_t epoch, std::size_t mostPayload)
     : epoch_(epoch),
       mostPayload_(mostPayload),
-      storage_(std::max(kLeastBytes, 2 * (sizeof(Header) + wordBytes(mostPayload))) /
+      storage_(std::max(kLeastRoom, 2 * (sizeof(Header) + wordBytes(mostPayload))) /
                sizeof(std::uint64_t)) {}
 
 // A whole frame always fits behind what has been taken out.

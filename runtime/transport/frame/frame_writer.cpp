@@ -5,15 +5,10 @@
 #include <cstring>
 
 namespace suture::frame {
-namespace {
-
-constexpr std::size_t kLeastBytes = std::size_t{64} << 10;
-
-}  // namespace
 
 FrameWriter::FrameWriter(std::uint32_t epoch, std::size_t mostPayload)
     : epoch_(epoch), frameBytes_(sizeof(Header) + wordBytes(mostPayload)) {
-  bytes_.reserve(std::max(kLeastBytes, 2 * frameBytes_) + sizeof(Header));
+  bytes_.reserve(std::max(kLeastRoom, 2 * frameBytes_) + sizeof(Header));
 }
 
 bool FrameWriter::hasRoom() const {

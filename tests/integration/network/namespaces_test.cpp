@@ -1,0 +1,121 @@
+// A client and a provider in two network namespaces, with a cable between them: two machines as far
+// as the network goes. As root, with iproute2.
+#include <gtest/gtest.h>
+#include <sched.h>
+#include <suture/component/channel.h>
+#include <suture/manager/global_manager.h>
+#include <suture/manager/manager.h>
+#include <suture/manager/security.h>
+#include <suture/transport/rpc/control_thread.h>
+#include <suture/transport/tls/key_maker.h>
+
+#include <csignal>
+#include <filesystem>
+
+#include "integration/network/console.h"
+#include "support/child.h"
+#include "support/eventually.h"
+#include "support/temporary_directory.h"
+
+namespace suture {
+namespace {
+
+constexpr const char* kHere = "10.213.7.1";
+constexpr const char* kThere = "10.213.7.2";
+
+/// Address of the manager, lane asked for, lane expected.
+using Case = std::tuple<const char*, Lane, const char*>;
+
+int run(const std::string& command) { return std::system(command.c_str()); }
+
+std::string namespaceOf(const std::string& process) {
+  return std::filesystem::read_symlink("/proc/" + process + "/ns/net").string();
+}
+
+class Namespaces : public testing::TestWithParam<Case> {
+ protected:
+  void SetUp() override {
+    if (geteuid() != 0) GTEST_SKIP() << "only root may make network namespaces";
+    // Of this thread, and of those that it starts.
+    ASSERT_EQ(unshare(CLONE_NEWNET), 0);
+    ASSERT_EQ(run("ip link set lo up && ip link add here type veth peer name there && "
+                  "ip addr add " +
+                  std::string(kHere) + "/24 dev here && ip link set here up"),
+              0);
+    if (isSecure()) tls::makeKeys(keys(), {tls::kManagerName, "robot", "console"});
+    names_ = std::make_unique<GlobalManager>(control(), std::get<0>(GetParam()),
+                                             securityOf(tls::kManagerName));
+  }
+  void TearDown() override {
+    names_ = nullptr;
+    control_ = nullptr;
+  }
+
+  bool isSecure() const { return std::string_view(std::get<0>(GetParam())).starts_with("tls"); }
+  std::string keys() const { return directory_.file("keys"); }
+  Security securityOf(const std::string& process) const {
+    if (!isSecure()) return {};
+    return {.keys = std::make_shared<const tls::Keys>(keys(), process), .policy = {}};
+  }
+  rpc::ControlThread& control() {
+    if (control_ == nullptr) control_ = std::make_unique<rpc::ControlThread>();
+    return *control_;
+  }
+  /// In a namespace of its own, at the other end of the cable.
+  std::unique_ptr<Child> host() {
+    const std::string program = std::string(ARM_HOST) + " '" + names_->address() + "' robot" +
+                                (isSecure() ? " " + keys() : "");
+    auto child = std::make_unique<Child>(std::vector<std::string>{
+        "/usr/bin/unshare", "--net", "/bin/sh", "-c",
+        "until ip link show there >/dev/null 2>&1; do sleep 0.01; done; ip addr add " +
+            std::string(kThere) + "/24 dev there && ip link set there up && exec " + program});
+    const std::string pid = std::to_string(child->pid());
+    EXPECT_TRUE(eventually([&] { return namespaceOf(pid) != namespaceOf("thread-self"); }));
+    EXPECT_EQ(run("ip link set there netns " + pid), 0);
+    EXPECT_EQ(child->line(), "ready");
+    return child;
+  }
+
+  TemporaryDirectory directory_;
+  std::unique_ptr<rpc::ControlThread> control_;  // of the namespace, so not before it
+  std::unique_ptr<GlobalManager> names_;
+};
+
+TEST_P(Namespaces, AreConnectedAsMachinesAre) {
+  const auto provider = host();
+  Console console;
+  Manager manager("console", names_->address(), securityOf("console"));
+  manager.add("Console", console);
+  manager.start();
+  manager.connect("Console/Arm", "robot:PSM/Arm", std::get<1>(GetParam()));
+  EXPECT_TRUE(reaches(console, 3));
+  const auto channel = manager.channels().at(0);
+  EXPECT_EQ(channel->lane, std::get<2>(GetParam()));
+  EXPECT_GT(channel->bytesSent, 100u);
+  EXPECT_GT(channel->bytesReceived, 100u);
+  EXPECT_NE(provider->pid(), getpid());
+
+  // The cable is pulled, and put back.
+  ASSERT_EQ(run("ip link set here down"), 0);
+  EXPECT_TRUE(eventually([&] { return !console.arm.connected(); }));
+  ASSERT_EQ(run("ip link set here up"), 0);
+  EXPECT_TRUE(eventually([&] { return console.arm.connected(); }));
+  EXPECT_TRUE(reaches(console, 4));
+  manager.stop();
+  EXPECT_EQ(provider->end(SIGTERM), 0);
+}
+
+std::string nameOf(const testing::TestParamInfo<Case>& info) {
+  const std::string address = std::get<0>(info.param);
+  return address.substr(0, address.find(':')) + "_" + std::get<2>(info.param);
+}
+
+INSTANTIATE_TEST_SUITE_P(Lanes, Namespaces,
+                         testing::Values(Case{"tcp://10.213.7.1:0?insecure", Lane::Auto, "frame"},
+                                         Case{"tcp://10.213.7.1:0?insecure", Lane::Rpc, "rpc"},
+                                         Case{"tls://10.213.7.1:0", Lane::Auto, "frame"},
+                                         Case{"tls://10.213.7.1:0", Lane::Rpc, "rpc"}),
+                         nameOf);
+
+}  // namespace
+}  // namespace suture
