@@ -8,6 +8,7 @@
 #include <suture/manager/security.h>
 #include <suture/transport/rpc/control_thread.h>
 #include <suture/transport/tls/key_maker.h>
+#include <suture/transport/tls/keys.h>
 
 #include <csignal>
 #include <filesystem>
