@@ -53,6 +53,7 @@ class FrameSocket {
  private:
   void receive();
 
+  const std::uint32_t epoch_;
   rpc::ByteStream bytes_;
   FrameReader reader_;
   FrameWriter writer_;
