@@ -105,8 +105,8 @@ TEST(Deployment, WrongTypeSaysWhatWasFound) {
 TEST(Deployment, UnknownLane) {
   expectOnly(with("\"rpc\"", "\"fast\""),
              "d.json:18: error: expected \"auto\": the fastest lane that fits; \"shm\": shared "
-             "memory, \"rpc\": Cap'n Proto RPC, both even within a process; found string "
-             "\"fast\"");
+             "memory, \"frame\": frames on a socket of their own, \"rpc\": Cap'n Proto RPC, these "
+             "three even within a process; found string \"fast\"");
 }
 
 suture::ConnectionDelay delayOf(const std::string& value) {
