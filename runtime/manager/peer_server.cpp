@@ -271,9 +271,10 @@ kj::Promise<void> PeerServer::acceptSlower(Asked& asked, std::string laneReason)
 
 wire::ConnectResults::Accepted::Builder PeerServer::accepted(Asked& asked, rpc::ProviderEnd& end) {
   const auto in = asked.context.getParams();
-  if (in.getEpoch() != 0) host_.setLatest(asked.client, {bootId_, in.getEpoch(), &end});
+  // What the caller sent may be anything: only an end that this keeps may be the latest.
   end.setListener(kj::heap<NoticesSender>(host_.control_, in.getNotices()));
   ends_.add(kj::addRef(end));
+  if (in.getEpoch() != 0) host_.setLatest(asked.client, {bootId_, in.getEpoch(), &end});
   auto out = asked.context.getResults().initAccepted();
   out.setOffered(static_cast<std::uint16_t>(asked.offered));
   out.setRows(static_cast<std::uint32_t>(asked.provided.state()->capacity()));

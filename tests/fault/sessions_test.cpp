@@ -95,11 +95,22 @@ class Recorder {
   std::thread thread_;
 };
 
-/// Says hello, looks around, connects, commands, reads.
+/// Says hello, looks around, connects, opens, commands.
 kj::Promise<void> session(wire::Peer::Client peer) {
   auto hello = peer.helloRequest();
   hello.setVersion(wire::PROTOCOL_VERSION);
   hello.setProcess("test");
+  const InterfaceInfo& contract = interfaceInfo<reference::ArmLike>();
+  auto connect = peer.connectRequest();
+  connect.setFromProcess("test");
+  connect.setFromComponent("Test");
+  connect.setRequired("Arm");
+  connect.setToComponent("PSM");
+  connect.setProvided("Arm");
+  connect.setContract(contract.name);
+  connect.setHash(contract.hash);
+  connect.setDescription(contract.description);
+  connect.setEpoch(toNanoseconds(now()));
   auto open = peer.openRequest();
   open.setComponent("PSM");
   open.setInterface("Arm");
@@ -107,6 +118,7 @@ kj::Promise<void> session(wire::Peer::Client peer) {
       .ignoreResult()
       .then([peer]() mutable { return peer.describeRequest().send().ignoreResult(); })
       .then([peer]() mutable { return peer.pingRequest().send().ignoreResult(); })
+      .then([connect = kj::mv(connect)]() mutable { return connect.send().ignoreResult(); })
       .then([open = kj::mv(open)]() mutable { return open.send(); })
       .then([](auto&& opened) {
         auto arm = opened.getContract().template castAs<reference::wire::ArmLike>();
