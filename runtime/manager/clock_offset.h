@@ -10,9 +10,17 @@ namespace suture {
 class ClockOffset {
  public:
   /// Both have one clock: nothing has to be measured.
-  static ClockOffset none() { return ClockOffset(Duration{0}, Duration{0}); }
+  static ClockOffset none() {
+    ClockOffset one;
+    one.one_ = true;
+    one.error_ = Duration{0};
+    return one;
+  }
   /// Not known yet.
   ClockOffset() = default;
+
+  /// True if both have one clock.
+  bool isOne() const { return one_; }
 
   /// Asked and answered on this process's clock; received and sent on the peer's, ns.
   void add(Time asked, std::int64_t received, std::int64_t sent, Time answered);
@@ -23,8 +31,7 @@ class ClockOffset {
   Duration error() const { return error_; }
 
  private:
-  ClockOffset(Duration offset, Duration error) : offset_(offset), error_(error) {}
-
+  bool one_ = false;
   Duration offset_{0};
   Duration error_ = Duration::max();
 };

@@ -4,10 +4,12 @@
 #include <suture/manager/heartbeat.h>
 #include <suture/manager/peer_server.h>
 #include <suture/manager/shared_memory.h>
+#include <suture/manager/status_port.h>
 #include <suture/rt/state_table.h>
 #include <suture/transport/rpc/failure.h>
 #include <suture/transport/rpc/stamps.h>
 #include <suture/wiring/connect.h>
+#include <suture/wiring/memory_layout.h>
 
 #include <algorithm>
 
@@ -63,7 +65,7 @@ class NoticesSender final : public rpc::ProviderEnd::Listener {
 };
 
 /// `offset`: how far the caller's clock is ahead of ours, ns.
-void compareClocks(Channel& channel, std::int64_t offset, std::int64_t error) {
+void setClock(Channel& channel, std::int64_t offset, std::int64_t error) {
   channel.clockShift = Duration(-rpc::bounded(offset));
   channel.clockError = Duration(rpc::bounded(error));
 }
@@ -244,7 +246,7 @@ kj::Promise<void> PeerServer::accept(Asked asked) {
   const InterfaceInfo* const contract = sameContract(asked.provided.info(), stringOf(in.getHash()));
   const std::string reason = mayOnlyRead(asked.endpoint)
                                  ? "the policy gives it for reading only"
-                                 : whyOtherSlots(contract, in.getMemory().getLayout());
+                                 : whyOtherSlots(contract, stringOf(in.getMemory().getLayout()));
   if (!reason.empty()) return acceptSlower(asked, reason);
   return receive(in.getMemory().getBell(), sizeof(std::uint64_t), MemoryBlock::Others::Write)
       .then([this, asked, contract](std::shared_ptr<MemoryBlock> bell) mutable {
@@ -259,7 +261,7 @@ kj::Promise<void> PeerServer::acceptSlower(Asked& asked, std::string laneReason)
   auto in = asked.context.getParams();
   if (!in.hasFrame()) return serveCalls(asked, laneReason);
   const InterfaceInfo* const contract = sameContract(asked.provided.info(), stringOf(in.getHash()));
-  const std::string reason = whyOtherSlots(contract, in.getFrame().getLayout());
+  const std::string reason = whyOtherSlots(contract, stringOf(in.getFrame().getLayout()));
   if (!reason.empty()) return serveCalls(asked, reason);
   try {
     sendFrames(asked, *contract, laneReason);
@@ -315,7 +317,7 @@ void PeerServer::sendFrames(Asked& asked, const InterfaceInfo& contract,
   auto channel = std::make_shared<Channel>(contract, asked.name, toString(Lane::Frame), ends,
                                            asked.provided.state(), in.getEvents());
   channel->clientsBell = bell;
-  compareClocks(*channel, in.getClockOffset(), in.getClockError());
+  setClock(*channel, in.getClockOffset(), in.getClockError());
   const AwaitingSocket end{.channel = channel,
                            .terms = {.epoch = randomEpoch(), .shift = channel->clockShift},
                            .readOnly = mayOnlyRead(asked.endpoint)};
@@ -391,7 +393,7 @@ kj::Own<rpc::ServantPort> PeerServer::serve(ProvidedBase& provided, const Endpoi
   auto channel =
       std::make_shared<Channel>(provided.info(), name, "rpc", ends, provided.state(), events);
   channel->clientsBell = bell;
-  compareClocks(*channel, clockOffset, clockError);
+  setClock(*channel, clockOffset, clockError);
   auto port = kj::refcounted<rpc::ServantPort>(host_.control_, channel, channel->clockShift,
                                                caller_->counters);
   if (mayOnlyRead(endpoint)) port->setReadOnly();

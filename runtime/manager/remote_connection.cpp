@@ -11,7 +11,7 @@
 #include <suture/transport/rpc/proxy_port.h>
 #include <suture/transport/rpc/socket.h>
 #include <suture/transport/rpc/stamps.h>
-#include <suture/transport/shm/memory_layout.h>
+#include <suture/wiring/memory_layout.h>
 
 #include <algorithm>
 #include <utility>
@@ -219,13 +219,12 @@ Component& RemoteConnection::client() const {
 RemoteConnection::Lanes RemoteConnection::wantedLanes() {
   laneReason_.clear();
   if (lane_ == Lane::Rpc) return {};
-  laneReason_ = shm::whyNotShared(required_.info());
+  laneReason_ = whyUnbounded(required_.info());
   if (!laneReason_.empty()) return {};
   // Shared rows have the provider's stamps, and frames the values as they are; calls convert both.
-  if (clock_.error() > Duration{0} &&
-      (lane_ != Lane::Frame || shm::carriesStamps(required_.info()))) {
+  if (!clock_.isOne() && (lane_ != Lane::Frame || carriesStamps(required_.info()))) {
     laneReason_ = "the two processes have different clocks";
-    return {.frames = !shm::carriesStamps(required_.info())};
+    return {.frames = !carriesStamps(required_.info())};
   }
   if (lane_ == Lane::Frame) return {.frames = true};
   if (!sharesMachine_) laneReason_ = "the two processes are not reached by a Unix socket";
@@ -260,12 +259,12 @@ kj::Promise<void> RemoteConnection::ask(Lanes lanes) {
       [tell = told_.lost, name = name()](std::string why) { tell(name, std::move(why)); }));
   if (lanes.memory) {
     auto memory = request.initMemory();
-    memory.setLayout(textOf(shm::memoryLayout(required_.info())));
+    memory.setLayout(textOf(memoryLayout(required_.info())));
     memory.setBell(handOut(client().doorbell().share()));
   }
   if (lanes.frames) {
     auto frame = request.initFrame();
-    frame.setLayout(textOf(shm::memoryLayout(required_.info())));
+    frame.setLayout(textOf(memoryLayout(required_.info())));
     frame.setHandsOver(sharesMachine_);
   }
   notified_ = kj::mv(notified);

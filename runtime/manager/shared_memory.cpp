@@ -1,8 +1,6 @@
 #include <suture/base/errors.h>
-#include <suture/manager/records.h>
 #include <suture/manager/shared_memory.h>
 #include <suture/transport/rpc/failure.h>
-#include <suture/transport/shm/memory_layout.h>
 
 namespace suture {
 namespace {
@@ -49,20 +47,6 @@ kj::Promise<shm::SharedParts> receiveBlocks(wire::SharedChannel::Reader in,
 
 }  // namespace
 
-const InterfaceInfo* sameContract(const InterfaceInfo& provided, const std::string& hash) {
-  for (const InterfaceInfo* one = &provided;; one = &one->base()) {
-    if (one->hash == hash) return one;
-    if (one->base == nullptr) return nullptr;
-  }
-}
-
-std::string whyOtherSlots(const InterfaceInfo* contract, capnp::Text::Reader layout) {
-  if (contract == nullptr) return "the two were built from different versions of the contract";
-  if (const std::string reason = shm::whyNotShared(*contract); !reason.empty()) return reason;
-  if (stringOf(layout) == shm::memoryLayout(*contract)) return "";
-  return "the contract's values lie in memory in another way there";
-}
-
 wire::SharedMemory::Client handOut(std::shared_ptr<MemoryBlock> block) {
   return kj::heap<MemoryServer>(std::move(block));
 }
@@ -101,11 +85,6 @@ kj::Promise<shm::SharedParts> receive(wire::SharedChannel::Reader in,
   }
   for (const std::uint32_t size : in.getColumns()) parts.columns.push_back(size);
   return receiveBlocks(in, contract, std::move(parts));
-}
-
-StatusPort::StatusPort(rpc::ControlThread& control, std::shared_ptr<Channel> channel)
-    : ProviderEnd(std::move(channel)), control_(control) {
-  control_.add(*this);
 }
 
 }  // namespace suture

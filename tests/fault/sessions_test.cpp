@@ -19,6 +19,7 @@
 #include "integration/network/arm.h"
 #include "integration/network/console.h"
 #include "reference/arm_like.capnp.h"
+#include "reference/connect_request.h"
 #include "support/process_address.h"
 #include "support/resources.h"
 
@@ -100,16 +101,8 @@ kj::Promise<void> session(wire::Peer::Client peer) {
   auto hello = peer.helloRequest();
   hello.setVersion(wire::PROTOCOL_VERSION);
   hello.setProcess("test");
-  const InterfaceInfo& contract = interfaceInfo<reference::ArmLike>();
   auto connect = peer.connectRequest();
-  connect.setFromProcess("test");
-  connect.setFromComponent("Test");
-  connect.setRequired("Arm");
-  connect.setToComponent("PSM");
-  connect.setProvided("Arm");
-  connect.setContract(contract.name);
-  connect.setHash(contract.hash);
-  connect.setDescription(contract.description);
+  reference::askForArm(connect, "test");
   connect.setEpoch(toNanoseconds(now()));
   auto open = peer.openRequest();
   open.setComponent("PSM");

@@ -13,7 +13,7 @@
 namespace suture::frame {
 
 /// Two processes may exchange the slots of a contract as they lie in memory if their layouts are
-/// equal, see shm::memoryLayout(). Values of a peer are judged before a component sees them.
+/// equal, see memoryLayout(). Values of a peer are judged before a component sees them.
 std::size_t mostPayload(const InterfaceInfo& contract);
 
 /// How the two ends of a connection agree.

@@ -7,27 +7,19 @@
 #include <functional>
 #include <string>
 
-#include "reference/arm_like.suture.h"
+#include "reference/still_arm.h"
 
 namespace suture {
 
 /// Its pose and its only joint both count evaluations of the pose.
-class CountingArm : public reference::ArmLike {
+class CountingArm : public StillArm {
  public:
-  void servo_cp(const reference::PoseStamped&) override {}
-  void servo_jp(const reference::JointState&) override {}
-  void hold() override {}
-  void set_mode(reference::Mode) override {}
   reference::PoseStamped measured_cp() const override {
     pose_.pose.translation().x() += 1;
     joints_.position.assign(1, pose_.pose.translation().x());
     return pose_;
   }
   const reference::JointState& measured_js() const override { return joints_; }
-  double distance(const reference::PoseStamped&) const override { return 0; }
-  bool move(const reference::PoseStamped&, double, const std::string&) override { return false; }
-  std::uint32_t reset() override { return 0; }
-  void limit(double, reference::Mode) override {}
 
  private:
   mutable reference::PoseStamped pose_;

@@ -1,114 +1,26 @@
 // What becomes of connections that might use frames.
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
-#include <suture/component/channel.h>
-#include <suture/component/periodic_task.h>
-#include <suture/manager/global_manager.h>
-#include <suture/manager/manager.h>
 #include <suture/manager/manager_link.h>
 #include <suture/peer.capnp.h>
 #include <suture/transport/frame/frame_writer.h>
-#include <suture/transport/rpc/control_thread.h>
 #include <suture/transport/rpc/link.h>
 #include <suture/transport/rpc/opening.h>
-#include <suture/transport/shm/memory_layout.h>
-#include <suture/transport/tls/key_maker.h>
+#include <suture/wiring/memory_layout.h>
 
-#include <filesystem>
-#include <limits>
+#include <algorithm>
+#include <cstring>
 
-#include "reference/still_arm.h"
-#include "support/eventually.h"
-#include "support/temporary_directory.h"
+#include "reference/connect_request.h"
+#include "reference/remote_arm.h"
 #include "unit/rpc/socket_pair.h"
 
 namespace suture {
 namespace {
 
 using namespace std::chrono_literals;
-using reference::ArmLike;
-using reference::PoseStamped;
 
-struct Psm final : PeriodicTask, StillArm {
-  Psm() : PeriodicTask({.period = 1ms}) {}
-  ~Psm() override { stop(); }
-  void run() override {}
-  bool move(const PoseStamped&, double, const std::string&) override { return true; }
-  Provided<ArmLike> port{*this, "Arm", *this};
-};
-
-struct Teleop final : PeriodicTask {
-  Teleop() : PeriodicTask({.period = 1ms}) {}
-  ~Teleop() override { stop(); }
-  void run() override {
-    if (asked.exchange(false)) {
-      call = slave.move.start({}, speed, "test");
-      waiting = true;
-    }
-    if (waiting && call.poll() != nullptr) {
-      waiting = false;
-      outcome = call.poll()->has_value() ? Errc{} : call.poll()->error();
-    }
-    reachable = slave.connected();
-    seen = slave.measured_cp().hasValue();
-  }
-  std::atomic<bool> asked{false}, reachable{false}, seen{false};
-  std::atomic<double> speed{0};
-  bool waiting = false;
-  std::atomic<Errc> outcome{Errc::NotYet};
-  Required<ArmLike> slave{*this, "Slave"};
-  decltype(std::declval<Required<ArmLike>&>().move.start({}, 0, "")) call{Errc::NotYet};
-};
-
-std::size_t openDescriptors() {
-  const std::filesystem::directory_iterator all("/proc/self/fd");
-  return static_cast<std::size_t>(std::distance(begin(all), end(all)));
-}
-
-class FrameConnections : public testing::Test {
- protected:
-  void begin(const std::string& address, Policy policy = {}) {
-    if (address.starts_with("tls:")) {
-      tls::makeKeys(directory_.path() / "keys", {tls::kManagerName, "robot", "console"});
-    }
-    global_ = std::make_unique<GlobalManager>(control_, address, securityOf(tls::kManagerName));
-    robot = std::make_unique<Manager>("robot", global_->address(), securityOf("robot", policy));
-    console = std::make_unique<Manager>("console", global_->address(), securityOf("console"));
-    robot->add("PSM", psm);
-    console->add("Teleop", teleop);
-    robot->start();
-    console->start();
-  }
-  std::string unixAddress() const { return "unix:" + directory_.file("manager.sock"); }
-  Security securityOf(const std::string& process, Policy policy = {}) const {
-    const auto folder = directory_.path() / "keys";
-    if (!exists(folder)) return {.policy = std::move(policy)};
-    return {.keys = std::make_shared<const tls::Keys>(folder, process),
-            .policy = std::move(policy)};
-  }
-  void connect(Lane lane = Lane::Auto) {
-    console->connect("Teleop/Slave", "robot:PSM/Arm", lane);
-    ASSERT_TRUE(eventually([&] { return teleop.reachable.load(); }));
-  }
-  std::shared_ptr<Channel> channel() const { return console->channels().at(0); }
-  Errc outcomeOf(double speed) {
-    teleop.outcome = Errc::NotYet;
-    teleop.speed = speed;
-    teleop.asked = true;
-    EXPECT_TRUE(eventually([&] { return teleop.outcome != Errc::NotYet; }));
-    return teleop.outcome;
-  }
-  const std::string& manager() const { return global_->address(); }
-
-  Psm psm;
-  Teleop teleop;
-  std::unique_ptr<Manager> robot, console;
-
- private:
-  TemporaryDirectory directory_;
-  rpc::ControlThread control_;
-  std::unique_ptr<GlobalManager> global_;
-};
+using FrameConnections = RemoteArm;
 
 TEST_F(FrameConnections, OverTcpAreTheFastest) {
   begin("tcp://127.0.0.1:0");
@@ -148,26 +60,12 @@ TEST_F(FrameConnections, ServeWhoMayOnlyRead) {
 TEST_F(FrameConnections, RefuseWhatIsOutOfRangeAndNoNumber) {
   begin(unixAddress());
   connect(Lane::Frame);
-  EXPECT_EQ(outcomeOf(0.5), Errc{});
-  EXPECT_EQ(outcomeOf(1.5), Errc::Invalid);
-  EXPECT_EQ(outcomeOf(std::numeric_limits<double>::quiet_NaN()), Errc::Invalid);
-  EXPECT_EQ(outcomeOf(1), Errc{});
+  expectArgumentsJudged();
 }
 
 TEST_F(FrameConnections, GiveEverythingBack) {
   begin(unixAddress());
-  connect(Lane::Frame);
-  console->disconnect("Teleop/Slave");
-  ASSERT_TRUE(eventually([&] { return !teleop.reachable; }));
-  std::size_t before = 0;
-  for (int lap = 0; lap < 50; ++lap) {
-    connect(Lane::Frame);
-    EXPECT_EQ(channel()->lane, "frame");
-    console->disconnect("Teleop/Slave");
-    ASSERT_TRUE(eventually([&] { return !teleop.reachable; }));
-    if (lap == 4) before = openDescriptors();
-  }
-  EXPECT_TRUE(eventually([&] { return openDescriptors() <= before + 3; })) << openDescriptors();
+  expectEverythingGivenBack(Lane::Frame);
 }
 
 TEST_F(FrameConnections, ComeBackWhenTheirProviderDoes) {
@@ -176,7 +74,7 @@ TEST_F(FrameConnections, ComeBackWhenTheirProviderDoes) {
   robot->stop();
   robot.reset();
   EXPECT_TRUE(eventually([&] { return !teleop.reachable; }));
-  Psm again;
+  MovingArm again;
   Manager restarted("robot", manager());
   restarted.add("PSM", again);
   restarted.start();
@@ -224,17 +122,9 @@ class Caller {
 
  private:
   kj::Promise<Offer> ask(wire::Peer::Client peer) {
-    const InterfaceInfo& contract = interfaceInfo<ArmLike>();
     auto request = peer.connectRequest();
-    request.setFromProcess("test");
-    request.setFromComponent("Test");
-    request.setRequired("Slave");
-    request.setToComponent("PSM");
-    request.setProvided("Arm");
-    request.setContract(contract.name);
-    request.setHash(contract.hash);
-    request.setDescription(contract.description);
-    request.initFrame().setLayout(shm::memoryLayout(contract).c_str());
+    reference::askForArm(request, "test");
+    request.initFrame().setLayout(memoryLayout(interfaceInfo<reference::ArmLike>()).c_str());
     return request.send().then([this](auto&& results) {
       connection_ = results.getAccepted().getConnection();
       const auto frame = results.getAccepted().getFrame();

@@ -14,6 +14,7 @@
 #include <atomic>
 #include <string>
 
+#include "reference/connect_request.h"
 #include "reference/still_arm.h"
 #include "support/eventually.h"
 #include "support/temporary_directory.h"
@@ -73,16 +74,8 @@ class Caller {
       hello.setProcess("left");
       hello.setBootId(textOf(bootId_));
       return hello.send().then([this, peer, epoch](auto&&) mutable {
-        const InterfaceInfo& info = interfaceInfo<reference::ArmLike>();
         auto request = peer.connectRequest();
-        request.setFromProcess("left");
-        request.setFromComponent("Teleop");
-        request.setRequired("Slave");
-        request.setToComponent("PSM");
-        request.setProvided("Arm");
-        request.setContract(info.name);
-        request.setHash(info.hash);
-        request.setDescription(info.description);
+        reference::askForArm(request, "left");
         request.setEpoch(epoch);
         request.setNotices(kj::heap<Notices>(closed));
         return request.send().then([this](auto&& results) {

@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
-#include <suture/transport/shm/memory_layout.h>
+#include <suture/wiring/memory_layout.h>
 
 #include <string>
 
 #include "reference/arm_like.suture.h"
 
-namespace suture::shm {
+namespace suture {
 namespace {
 
 const char* const kDescription = R"({"name": "Arm", "doc": "An arm.", "structs": [
@@ -37,14 +37,31 @@ TEST(MemoryLayout, IsThatOfTheTablesToo) {
   EXPECT_NE(memoryLayout(info), layout);
 }
 
-TEST(MemoryLayout, WhatHasNoBoundIsNotShared) {
+TEST(MemoryLayout, WhatHasNoBoundIsNamed) {
   InterfaceInfo info = infoWith(kDescription);
-  EXPECT_EQ(whyNotShared(info), "");
+  EXPECT_EQ(whyUnbounded(info), "");
   std::vector<CommandInfo> commands(info.commands.begin(), info.commands.end());
   commands[1].sharedArguments = true;
   info.commands = commands;
-  EXPECT_EQ(whyNotShared(info), "command 'servo_jp' has values without a bound");
+  EXPECT_EQ(whyUnbounded(info), "command 'servo_jp' has values without a bound");
 }
 
+TEST(MemoryLayout, OfAnotherBuildIsToldApart) {
+  const InterfaceInfo info = infoWith(kDescription);
+  EXPECT_EQ(whyOtherSlots(&info, memoryLayout(info)), "");
+  EXPECT_EQ(whyOtherSlots(&info, "another"),
+            "the contract's values lie in memory in another way there");
+  EXPECT_EQ(whyOtherSlots(nullptr, memoryLayout(info)),
+            "the two were built from different versions of the contract");
+}
+
+TEST(Stamps, OfASteadyClockAreSeenInTheDescription) {
+  EXPECT_FALSE(carriesStamps(infoWith(R"({"commands": [{"type": {"kind": "Int32"}}]})")));
+  EXPECT_FALSE(carriesStamps(infoWith(R"({"commands": [], "structs": [{"clock": "system"}]})")));
+  EXPECT_TRUE(carriesStamps(infoWith(R"({"commands": [], "structs": [{"clock": "steady"}]})")));
+}
+
+TEST(Stamps, MayBeInWhatIsNotDescribed) { EXPECT_TRUE(carriesStamps(infoWith(kDescription))); }
+
 }  // namespace
-}  // namespace suture::shm
+}  // namespace suture

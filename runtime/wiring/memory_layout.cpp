@@ -1,11 +1,11 @@
-#include <suture/transport/shm/memory_layout.h>
+#include <suture/wiring/memory_layout.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdint>
 
-namespace suture::shm {
+namespace suture {
 namespace {
 
 // One more whenever a channel or a state table lies in memory in another way.
@@ -48,7 +48,7 @@ std::string memoryLayout(const InterfaceInfo& info) {
   return digest(layout.dump());
 }
 
-std::string whyNotShared(const InterfaceInfo& info) {
+std::string whyUnbounded(const InterfaceInfo& info) {
   for (const CommandInfo& one : info.commands) {
     if (one.sharedArguments || one.sharedResult) {
       return std::string("command '") + one.name + "' has values without a bound";
@@ -67,4 +67,18 @@ bool carriesStamps(const InterfaceInfo& info) {
   return !description.contains("commands") || hasSteadyClock(description);
 }
 
-}  // namespace suture::shm
+const InterfaceInfo* sameContract(const InterfaceInfo& provided, const std::string& hash) {
+  for (const InterfaceInfo* one = &provided;; one = &one->base()) {
+    if (one->hash == hash) return one;
+    if (one->base == nullptr) return nullptr;
+  }
+}
+
+std::string whyOtherSlots(const InterfaceInfo* contract, const std::string& layout) {
+  if (contract == nullptr) return "the two were built from different versions of the contract";
+  if (const std::string reason = whyUnbounded(*contract); !reason.empty()) return reason;
+  if (layout == memoryLayout(*contract)) return "";
+  return "the contract's values lie in memory in another way there";
+}
+
+}  // namespace suture

@@ -1,0 +1,27 @@
+#pragma once
+// The provider's end of a connection whose data do not pass the control thread.
+
+#include <suture/transport/rpc/kj_comparisons.h>  // first
+
+#include <suture/transport/rpc/control_thread.h>
+#include <suture/transport/rpc/provider_end.h>
+
+#include <memory>
+
+namespace suture {
+
+/// Of shared memory or frames: passes the status on. Belongs to the control thread.
+class StatusPort final : public rpc::ProviderEnd, private rpc::Pump {
+ public:
+  /// `channel` is about to be attached to the provider; its watcher is the control thread.
+  StatusPort(rpc::ControlThread& control, std::shared_ptr<Channel> channel);
+  ~StatusPort() noexcept(false) { close(); }
+
+ private:
+  void ending() override { control_.remove(*this); }
+  void pump() override { pumpStatus(); }
+
+  rpc::ControlThread& control_;
+};
+
+}  // namespace suture

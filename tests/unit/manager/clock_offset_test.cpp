@@ -1,0 +1,54 @@
+#include <gtest/gtest.h>
+#include <suture/manager/clock_offset.h>
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Time kAsked{1s};
+
+/// A question that is `there` under way, answered in `answering`, and `back` under way again; the
+/// peer's clock is an hour ahead.
+void ask(ClockOffset& clock, Duration there, Duration answering, Duration back) {
+  const Time received = kAsked + there + 1h, sent = received + answering;
+  clock.add(kAsked, toNanoseconds(received), toNanoseconds(sent),
+            kAsked + there + answering + back);
+}
+
+TEST(ClockOffset, IsKnownToHalfOfTheWay) {
+  ClockOffset clock;
+  ask(clock, 3ms, 5ms, 1ms);
+  EXPECT_EQ(clock.offset(), 1h + 1ms);
+  EXPECT_EQ(clock.error(), 2ms);
+}
+
+TEST(ClockOffset, IsThatOfTheFastestQuestion) {
+  ClockOffset clock;
+  ask(clock, 3ms, 0ms, 1ms);
+  ask(clock, 100us, 5ms, 100us);
+  ask(clock, 9ms, 0ms, 1ms);
+  EXPECT_EQ(clock.offset(), 1h);
+  EXPECT_EQ(clock.error(), 100us);
+}
+
+TEST(ClockOffset, IsNoneWhereBothHaveOneClock) {
+  EXPECT_TRUE(ClockOffset::none().isOne());
+  EXPECT_EQ(ClockOffset::none().error(), 0ns);
+  ClockOffset clock;
+  ask(clock, 0ms, 0ms, 0ms);
+  EXPECT_FALSE(clock.isOne());
+}
+
+// It says that it took longer to answer than the whole question did, or less than no time.
+TEST(ClockOffset, APeerCannotMakeItBetterThanItIs) {
+  for (const Duration lie : {Duration(1h), Duration(-1h)}) {
+    ClockOffset clock;
+    const Time received = kAsked + 1h;
+    clock.add(kAsked, toNanoseconds(received), toNanoseconds(received + lie), kAsked + 4ms);
+    EXPECT_EQ(clock.error(), 2ms);
+  }
+}
+
+}  // namespace
+}  // namespace suture
