@@ -2,6 +2,7 @@
 
 #include "compiler/emit/contract.h"
 #include "compiler/emit/parts.h"
+#include "compiler/emit/stamps.h"
 #include "compiler/lock/wanted.h"
 #include "compiler/model/naming.h"
 
@@ -94,6 +95,7 @@ void declarePayload(Code& code, const Context& context, const model::Interface& 
   code.close("};").blank();
   code.line(payload.store, ";").line(payload.load, ";");
   if (payload.reserves) code.line(payload.reserve, ";");
+  declareShift(code, payloadValues(event), payload.slot, context);
   code.blank();
 }
 
@@ -124,6 +126,7 @@ void emitPayload(Code& code, const Context& context, const model::Interface& int
   }
   code.close("}").blank();
   if (payload.reserves) emitReserve(code, context, event, payload);
+  emitShift(code, payloadValues(event), payload.slot, context);
 }
 
 /// The commands and the events that have a slot of their own.
@@ -166,7 +169,9 @@ void emitArguments(Code& code, const Context& context, const model::Interface& i
   forEachArguments(context, interface, [&](const model::Command& command, const std::string& slot) {
     titled();
     emitStruct(code, context, command, slot);
-    code.line(storeSignature(context, command, slot), ";").blank();
+    code.line(storeSignature(context, command, slot), ";");
+    declareShift(code, argumentValues(command), slot, context);
+    code.blank();
   });
   title = ": what its events carry ---";
   forEachPayload(interface, [&](const model::Event& event) {
@@ -182,6 +187,7 @@ void emitArgumentConversions(Code& code, const Context& context,
                              const model::Interface& interface) {
   forEachArguments(context, interface, [&](const model::Command& command, const std::string& slot) {
     emitStore(code, context, command, slot);
+    emitShift(code, argumentValues(command), slot, context);
   });
   forEachPayload(interface,
                  [&](const model::Event& event) { emitPayload(code, context, interface, event); });

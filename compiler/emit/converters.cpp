@@ -86,14 +86,6 @@ void emitEnumDecoder(Code& code, const Context& context, const model::Enum& type
   code.close("}").blank();
 }
 
-std::vector<WireValue> fieldsOf(const model::Struct& type) {
-  std::vector<WireValue> values;
-  for (const model::Field& field : type.fields) {
-    values.push_back({field.type, field.wireName, "slot." + field.name, field.range});
-  }
-  return values;
-}
-
 /// The parameter's name, or nothing where the body does not use it.
 std::string named(const char* name, bool used) { return used ? std::string(" ") + name : ""; }
 
@@ -101,7 +93,7 @@ void emitStruct(Code& code, const Context& context, const model::Struct& type) {
   const std::string slot =
       relative(slotStruct(type.name, context.lookup), context.header.cxxNamespace);
   const std::string wire = "wire::" + type.wireName;
-  const std::vector<WireValue> values = fieldsOf(type);
+  const std::vector<WireValue> values = fieldValues(type);
   const bool any = !values.empty();
 
   code.open("void toWire(const ", slot, "&", named("slot", any), ", ", wire, "::Builder",

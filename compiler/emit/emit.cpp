@@ -166,6 +166,7 @@ void emitUsings(Code& code, std::string_view body) {
                                  "Errc",
                                  "EventInfo",
                                  "checkSlot",
+                                 "elementsIn",
                                  "load",
                                  "newSlot",
                                  "rpc::ProxyPort",
@@ -177,8 +178,10 @@ void emitUsings(Code& code, std::string_view body) {
                                  "rpc::inRange",
                                  "rpc::isValid",
                                  "rpc::numberOf",
+                                 "rpc::shifted",
                                  "rpc::toWire",
                                  "rpc::toWireList",
+                                 "shiftSlot",
                                  "slotIn",
                                  "slotSize",
                                  "store"}) {

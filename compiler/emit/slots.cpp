@@ -2,6 +2,7 @@
 
 #include "compiler/emit/contract.h"
 #include "compiler/emit/parts.h"
+#include "compiler/emit/stamps.h"
 #include "compiler/lock/wire_type.h"
 #include "compiler/model/naming.h"
 
@@ -141,6 +142,7 @@ void emitSlots(Code& code, const Context& context) {
     emitStruct(code, context, declaration, slot);
     code.line(storeSignature(type, slot), ";").line(loadSignature(type, slot), ";");
     if (reserves(declaration, context.lookup)) code.line(reserveSignature(type, slot), ";");
+    declareShift(code, fieldValues(declaration), slot, context);
     code.blank();
   });
 }
@@ -150,6 +152,7 @@ void emitSlotConversions(Code& code, const Context& context) {
     emitStore(code, declaration, context.header.cxxNamespace, slot);
     emitLoad(code, declaration, context.header.cxxNamespace, slot);
     emitReserve(code, declaration, context.lookup, context.header.cxxNamespace, slot);
+    emitShift(code, fieldValues(declaration), slot, context);
   });
 }
 

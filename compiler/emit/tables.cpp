@@ -1,6 +1,7 @@
 #include "compiler/emit/contract.h"
 #include "compiler/emit/parts.h"
 #include "compiler/emit/remote.h"
+#include "compiler/emit/stamps.h"
 #include "compiler/emit/wire_form.h"
 #include "compiler/model/naming.h"
 
@@ -84,14 +85,20 @@ void declareChecks(Code& code, const Context& context, const model::Interface& i
   if (any) code.blank();
 }
 
-void emitCommand(Code& code, const Context& context, const model::Interface& interface,
-                 const model::Command& command, int column) {
+/// Unless there is nothing to say.
+void addMember(std::vector<std::string>& members, const char* name, const std::string& value) {
+  if (!value.empty()) members.push_back(std::string(name) + " = " + value);
+}
+
+/// Its row of the table; what the row needs goes to `before`.
+void emitCommand(Code& table, Code& before, const Context& context,
+                 const model::Interface& interface, const model::Command& command, int column) {
   const std::string& home = context.header.cxxNamespace;
   std::vector<std::string> members = {
       ".name = \"" + command.name + "\"",
       std::string(".kind = CommandKind::") + kindName(command.kind)};
+  const std::string slot = relative(argumentsStruct(interface, command), home);
   if (!command.parameters.empty()) {
-    const std::string slot = relative(argumentsStruct(interface, command), home);
     members.push_back(".argumentsSize = slotSize<" + slot + ">");
   }
   if (command.result) {
@@ -113,28 +120,44 @@ void emitCommand(Code& code, const Context& context, const model::Interface& int
   if (command.result && isOpen(*command.result)) members.push_back(".sharedResult = true");
   if (command.concurrent || command.direct) members.push_back(".inCallersThread = true");
   if (const std::string check = sharedCheck(context, interface, command); !check.empty()) {
-    const std::string slot = relative(argumentsStruct(interface, command), home);
     members.push_back(".accepts = checkSlot<" + slot + ", " + check + ">");
   }
-  emitEntry(code, members);
+  addMember(members, ".shiftArguments", shiftOf(slot, argumentValues(command), context));
+  if (command.result) {
+    const std::string name = "shift" + prefixOf(interface) + model::titleCase(command.wireName);
+    addMember(members, ".shiftResult",
+              emitShiftOf(before, *command.result, name + "Result", context));
+  }
+  emitEntry(table, members);
 }
 
 void emitCommands(Code& code, const Context& context, const model::Interface& interface) {
   if (ownCommands(interface).empty()) return;
   declareChecks(code, context, interface);
-  code.line("constexpr CommandInfo k", prefixOf(interface), "Commands[] = {");
+  Code table;
   int columns = 0;
   for (const model::Command& command : interface.commands) {
     const int column = command.kind == model::CommandKind::Read ? columns++ : -1;
-    if (command.inheritedFrom.empty()) emitCommand(code, context, interface, command, column);
+    if (command.inheritedFrom.empty()) {
+      emitCommand(table, code, context, interface, command, column);
+    }
   }
-  code.line("};").blank();
+  code.line("constexpr CommandInfo k", prefixOf(interface), "Commands[] = {");
+  code.verbatim(table.text()).line("};").blank();
+}
+
+std::string shiftOfPayload(Code& before, const Context& context, const model::Interface& interface,
+                           const model::Event& event) {
+  const std::string slot = payloadSlot(interface, event, context, context.header.cxxNamespace);
+  if (event.payload.size() != 1) return shiftOf(slot, payloadValues(event), context);
+  const std::string name = "shift" + prefixOf(interface) + model::titleCase(event.wireName);
+  return emitShiftOf(before, event.payload.front(), name + "Payload", context);
 }
 
 void emitEvents(Code& code, const Context& context, const model::Interface& interface) {
   const std::vector<const model::Event*> own = ownEvents(interface);
   if (own.empty()) return;
-  code.line("constexpr EventInfo k", prefixOf(interface), "Events[] = {");
+  Code table;
   for (const model::Event* const event : own) {
     std::vector<std::string> members = {".name = \"" + event->name + "\""};
     if (!event->payload.empty()) {
@@ -149,9 +172,11 @@ void emitEvents(Code& code, const Context& context, const model::Interface& inte
                      [&](const model::Type& type) { return isBounded(type, context.lookup); })) {
       members.push_back(".sharedPayload = true");
     }
-    emitEntry(code, members);
+    addMember(members, ".shiftPayload", shiftOfPayload(code, context, interface, *event));
+    emitEntry(table, members);
   }
-  code.line("};").blank();
+  code.line("constexpr EventInfo k", prefixOf(interface), "Events[] = {");
+  code.verbatim(table.text()).line("};").blank();
 }
 
 /// All rows of a contract's table `own`, of which its base has the first: how they are spelled in

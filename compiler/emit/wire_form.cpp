@@ -208,6 +208,14 @@ std::string enumCheck(const std::string& enumName, const Context& context) {
   return qualifier(enumName, context) + "isKnown" + model::unqualified(enumName);
 }
 
+std::vector<WireValue> fieldValues(const model::Struct& type) {
+  std::vector<WireValue> values;
+  for (const model::Field& field : type.fields) {
+    values.push_back({field.type, field.wireName, "slot." + field.name, field.range});
+  }
+  return values;
+}
+
 std::vector<WireValue> argumentValues(const model::Command& command) {
   std::vector<WireValue> values;
   for (const model::Parameter& one : command.parameters) {

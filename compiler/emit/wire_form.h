@@ -19,6 +19,9 @@ struct WireValue {
   std::optional<std::pair<double, double>> range;
 };
 
+/// What a type is made of, as the members of `slot`.
+std::vector<WireValue> fieldValues(const model::Struct& type);
+
 /// What a command carries, as the members of `slot`.
 std::vector<WireValue> argumentValues(const model::Command& command);
 

@@ -54,6 +54,7 @@ using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
+using suture::shiftSlot;
 using suture::slotIn;
 using suture::slotSize;
 using suture::store;
@@ -83,63 +84,75 @@ constexpr CommandInfo kArmCommands[] = {
      .depth = 16,
      .latest = true,
      .ttl = Duration(20'000'000),
-     .accepts = checkSlot<ArmServoCpArguments, acceptsArmServoCp>},
+     .accepts = checkSlot<ArmServoCpArguments, acceptsArmServoCp>,
+     .shiftArguments = shiftSlot<ArmServoCpArguments>},
     {.name = "servo_jp",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<ArmServoJpArguments>,
      .depth = 16,
      .latest = true,
      .ttl = Duration(20'000'000),
-     .accepts = checkSlot<ArmServoJpArguments, acceptsArmServoJp>},
+     .accepts = checkSlot<ArmServoJpArguments, acceptsArmServoJp>,
+     .shiftArguments = shiftSlot<ArmServoJpArguments>},
     {.name = "move_jp",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<ArmMoveJpArguments>,
      .depth = 16,
-     .accepts = checkSlot<ArmMoveJpArguments, acceptsArmMoveJp>},
+     .accepts = checkSlot<ArmMoveJpArguments, acceptsArmMoveJp>,
+     .shiftArguments = shiftSlot<ArmMoveJpArguments>},
     {.name = "measured_js",
      .kind = CommandKind::Read,
      .resultSize = slotSize<JointStateSlot>,
      .depth = 16,
-     .column = 0},
+     .column = 0,
+     .shiftResult = shiftSlot<JointStateSlot>},
     {.name = "setpoint_js",
      .kind = CommandKind::Read,
      .resultSize = slotSize<JointStateSlot>,
      .depth = 16,
-     .column = 1},
+     .column = 1,
+     .shiftResult = shiftSlot<JointStateSlot>},
     {.name = "measured_cp",
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
-     .column = 2},
+     .column = 2,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "setpoint_cp",
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
-     .column = 3},
+     .column = 3,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "operating_state",
      .kind = CommandKind::Read,
      .resultSize = slotSize<OperatingStateSlot>,
      .depth = 16,
-     .column = 4},
+     .column = 4,
+     .shiftResult = shiftSlot<OperatingStateSlot>},
     {.name = "forward_kinematics",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<ArmForwardKinematicsArguments>,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
-     .accepts = checkSlot<ArmForwardKinematicsArguments, acceptsArmForwardKinematics>},
+     .accepts = checkSlot<ArmForwardKinematicsArguments, acceptsArmForwardKinematics>,
+     .shiftArguments = shiftSlot<ArmForwardKinematicsArguments>,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "inverse_kinematics",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<ArmInverseKinematicsArguments>,
      .resultSize = slotSize<JointSolutionSlot>,
      .depth = 16,
-     .accepts = checkSlot<ArmInverseKinematicsArguments, acceptsArmInverseKinematics>},
+     .accepts = checkSlot<ArmInverseKinematicsArguments, acceptsArmInverseKinematics>,
+     .shiftArguments = shiftSlot<ArmInverseKinematicsArguments>},
 };
 
 constexpr EventInfo kArmEvents[] = {
     {.name = "operating_state",
      .payloadSize = slotSize<OperatingStateSlot>,
      .depth = 16,
-     .latched = true},
+     .latched = true,
+     .shiftPayload = shiftSlot<OperatingStateSlot>},
     {.name = "goal_reached", .payloadSize = slotSize<std::uint8_t>, .depth = 16},
     {.name = "warning", .payloadSize = slotSize<std::uint8_t>, .depth = 16},
 };
@@ -308,14 +321,34 @@ constexpr char kArmDescription[] = R"json(
 
 bool store(const PoseStamped& goal, ArmServoCpArguments& slot) { return store(goal, slot.goal); }
 
+void shiftStamps(ArmServoCpArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
+
 bool store(const JointGoal& goal, ArmServoJpArguments& slot) { return store(goal, slot.goal); }
+
+void shiftStamps(ArmServoJpArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
 
 bool store(const JointGoal& goal, ArmMoveJpArguments& slot) { return store(goal, slot.goal); }
 
+void shiftStamps(ArmMoveJpArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
+
 bool store(const JointGoal& q, ArmForwardKinematicsArguments& slot) { return store(q, slot.q); }
+
+void shiftStamps(ArmForwardKinematicsArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.q, shift);
+}
 
 bool store(const PoseStamped& goal, ArmInverseKinematicsArguments& slot) {
   return store(goal, slot.goal);
+}
+
+void shiftStamps(ArmInverseKinematicsArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
 }
 
 // --- between slots and Cap'n Proto

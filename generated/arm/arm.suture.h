@@ -21,30 +21,35 @@ struct ArmServoCpArguments {
 };
 
 bool store(const PoseStamped& goal, ArmServoCpArguments& slot);
+void shiftStamps(ArmServoCpArguments& slot, suture::Duration shift);
 
 struct ArmServoJpArguments {
   JointGoalSlot goal;
 };
 
 bool store(const JointGoal& goal, ArmServoJpArguments& slot);
+void shiftStamps(ArmServoJpArguments& slot, suture::Duration shift);
 
 struct ArmMoveJpArguments {
   JointGoalSlot goal;
 };
 
 bool store(const JointGoal& goal, ArmMoveJpArguments& slot);
+void shiftStamps(ArmMoveJpArguments& slot, suture::Duration shift);
 
 struct ArmForwardKinematicsArguments {
   JointGoalSlot q;
 };
 
 bool store(const JointGoal& q, ArmForwardKinematicsArguments& slot);
+void shiftStamps(ArmForwardKinematicsArguments& slot, suture::Duration shift);
 
 struct ArmInverseKinematicsArguments {
   PoseStampedSlot goal;
 };
 
 bool store(const PoseStamped& goal, ArmInverseKinematicsArguments& slot);
+void shiftStamps(ArmInverseKinematicsArguments& slot, suture::Duration shift);
 
 /// The numbers of Arm's commands in every table and record.
 enum class ArmCommand : std::uint16_t {

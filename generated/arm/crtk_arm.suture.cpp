@@ -112,6 +112,7 @@ using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
+using suture::shiftSlot;
 using suture::slotIn;
 using suture::slotSize;
 using suture::store;
@@ -150,12 +151,14 @@ constexpr CommandInfo kCrtkArmCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<OperatingStateSlot>,
      .depth = 16,
-     .column = 1},
+     .column = 1,
+     .shiftResult = shiftSlot<OperatingStateSlot>},
     {.name = "period_statistics",
      .kind = CommandKind::Read,
      .resultSize = slotSize<IntervalStatisticsSlot>,
      .depth = 16,
-     .column = 2},
+     .column = 2,
+     .shiftResult = shiftSlot<IntervalStatisticsSlot>},
     {.name = "enable", .kind = CommandKind::Void, .depth = 16},
     {.name = "disable", .kind = CommandKind::Void, .depth = 16},
     {.name = "pause", .kind = CommandKind::Void, .depth = 16},
@@ -170,87 +173,104 @@ constexpr CommandInfo kCrtkArmCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<JointStateSlot>,
      .depth = 16,
-     .column = 3},
+     .column = 3,
+     .shiftResult = shiftSlot<JointStateSlot>},
     {.name = "setpoint_js",
      .kind = CommandKind::Read,
      .resultSize = slotSize<JointStateSlot>,
      .depth = 16,
-     .column = 4},
+     .column = 4,
+     .shiftResult = shiftSlot<JointStateSlot>},
     {.name = "goal_js",
      .kind = CommandKind::Read,
      .resultSize = slotSize<JointStateSlot>,
      .depth = 16,
-     .column = 5},
+     .column = 5,
+     .shiftResult = shiftSlot<JointStateSlot>},
     {.name = "measured_cp",
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
-     .column = 6},
+     .column = 6,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "setpoint_cp",
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
-     .column = 7},
+     .column = 7,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "goal_cp",
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
-     .column = 8},
+     .column = 8,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "local_measured_cp",
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
-     .column = 9},
+     .column = 9,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "local_setpoint_cp",
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
-     .column = 10},
+     .column = 10,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "measured_cv",
      .kind = CommandKind::Read,
      .resultSize = slotSize<TwistSlot>,
      .depth = 16,
-     .column = 11},
+     .column = 11,
+     .shiftResult = shiftSlot<TwistSlot>},
     {.name = "setpoint_cv",
      .kind = CommandKind::Read,
      .resultSize = slotSize<TwistSlot>,
      .depth = 16,
-     .column = 12},
+     .column = 12,
+     .shiftResult = shiftSlot<TwistSlot>},
     {.name = "body_measured_cf",
      .kind = CommandKind::Read,
      .resultSize = slotSize<WrenchSlot>,
      .depth = 16,
-     .column = 13},
+     .column = 13,
+     .shiftResult = shiftSlot<WrenchSlot>},
     {.name = "spatial_measured_cf",
      .kind = CommandKind::Read,
      .resultSize = slotSize<WrenchSlot>,
      .depth = 16,
-     .column = 14},
+     .column = 14,
+     .shiftResult = shiftSlot<WrenchSlot>},
     {.name = "measured_cs",
      .kind = CommandKind::Read,
      .resultSize = slotSize<CartesianStateSlot>,
      .depth = 16,
-     .column = 15},
+     .column = 15,
+     .shiftResult = shiftSlot<CartesianStateSlot>},
     {.name = "body_jacobian",
      .kind = CommandKind::Read,
      .resultSize = slotSize<JacobianSlot>,
      .depth = 16,
-     .column = 16},
+     .column = 16,
+     .shiftResult = shiftSlot<JacobianSlot>},
     {.name = "spatial_jacobian",
      .kind = CommandKind::Read,
      .resultSize = slotSize<JacobianSlot>,
      .depth = 16,
-     .column = 17},
+     .column = 17,
+     .shiftResult = shiftSlot<JacobianSlot>},
     {.name = "base_frame",
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
-     .column = 18},
+     .column = 18,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "set_base_frame",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmSetBaseFrameArguments>,
      .depth = 16,
-     .accepts = checkSlot<CrtkArmSetBaseFrameArguments, acceptsCrtkArmSetBaseFrame>},
+     .accepts = checkSlot<CrtkArmSetBaseFrameArguments, acceptsCrtkArmSetBaseFrame>,
+     .shiftArguments = shiftSlot<CrtkArmSetBaseFrameArguments>},
     {.name = "hold", .kind = CommandKind::Void, .depth = 16},
     {.name = "free", .kind = CommandKind::Void, .depth = 16},
     {.name = "use_gravity_compensation",
@@ -263,81 +283,94 @@ constexpr CommandInfo kCrtkArmCommands[] = {
      .depth = 16,
      .latest = true,
      .ttl = Duration(20'000'000),
-     .accepts = checkSlot<CrtkArmServoJpArguments, acceptsCrtkArmServoJp>},
+     .accepts = checkSlot<CrtkArmServoJpArguments, acceptsCrtkArmServoJp>,
+     .shiftArguments = shiftSlot<CrtkArmServoJpArguments>},
     {.name = "servo_jr",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmServoJrArguments>,
      .depth = 16,
      .ttl = Duration(20'000'000),
-     .accepts = checkSlot<CrtkArmServoJrArguments, acceptsCrtkArmServoJr>},
+     .accepts = checkSlot<CrtkArmServoJrArguments, acceptsCrtkArmServoJr>,
+     .shiftArguments = shiftSlot<CrtkArmServoJrArguments>},
     {.name = "servo_jv",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmServoJvArguments>,
      .depth = 16,
      .latest = true,
      .ttl = Duration(20'000'000),
-     .accepts = checkSlot<CrtkArmServoJvArguments, acceptsCrtkArmServoJv>},
+     .accepts = checkSlot<CrtkArmServoJvArguments, acceptsCrtkArmServoJv>,
+     .shiftArguments = shiftSlot<CrtkArmServoJvArguments>},
     {.name = "servo_jf",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmServoJfArguments>,
      .depth = 16,
      .latest = true,
      .ttl = Duration(20'000'000),
-     .accepts = checkSlot<CrtkArmServoJfArguments, acceptsCrtkArmServoJf>},
+     .accepts = checkSlot<CrtkArmServoJfArguments, acceptsCrtkArmServoJf>,
+     .shiftArguments = shiftSlot<CrtkArmServoJfArguments>},
     {.name = "servo_cp",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmServoCpArguments>,
      .depth = 16,
      .latest = true,
      .ttl = Duration(20'000'000),
-     .accepts = checkSlot<CrtkArmServoCpArguments, acceptsCrtkArmServoCp>},
+     .accepts = checkSlot<CrtkArmServoCpArguments, acceptsCrtkArmServoCp>,
+     .shiftArguments = shiftSlot<CrtkArmServoCpArguments>},
     {.name = "servo_cr",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmServoCrArguments>,
      .depth = 16,
      .ttl = Duration(20'000'000),
-     .accepts = checkSlot<CrtkArmServoCrArguments, acceptsCrtkArmServoCr>},
+     .accepts = checkSlot<CrtkArmServoCrArguments, acceptsCrtkArmServoCr>,
+     .shiftArguments = shiftSlot<CrtkArmServoCrArguments>},
     {.name = "servo_cv",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmServoCvArguments>,
      .depth = 16,
      .latest = true,
      .ttl = Duration(20'000'000),
-     .accepts = checkSlot<CrtkArmServoCvArguments, acceptsCrtkArmServoCv>},
+     .accepts = checkSlot<CrtkArmServoCvArguments, acceptsCrtkArmServoCv>,
+     .shiftArguments = shiftSlot<CrtkArmServoCvArguments>},
     {.name = "body_servo_cf",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmBodyServoCfArguments>,
      .depth = 16,
      .latest = true,
      .ttl = Duration(20'000'000),
-     .accepts = checkSlot<CrtkArmBodyServoCfArguments, acceptsCrtkArmBodyServoCf>},
+     .accepts = checkSlot<CrtkArmBodyServoCfArguments, acceptsCrtkArmBodyServoCf>,
+     .shiftArguments = shiftSlot<CrtkArmBodyServoCfArguments>},
     {.name = "spatial_servo_cf",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmSpatialServoCfArguments>,
      .depth = 16,
      .latest = true,
      .ttl = Duration(20'000'000),
-     .accepts = checkSlot<CrtkArmSpatialServoCfArguments, acceptsCrtkArmSpatialServoCf>},
+     .accepts = checkSlot<CrtkArmSpatialServoCfArguments, acceptsCrtkArmSpatialServoCf>,
+     .shiftArguments = shiftSlot<CrtkArmSpatialServoCfArguments>},
     {.name = "move_jp",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmMoveJpArguments>,
      .depth = 16,
-     .accepts = checkSlot<CrtkArmMoveJpArguments, acceptsCrtkArmMoveJp>},
+     .accepts = checkSlot<CrtkArmMoveJpArguments, acceptsCrtkArmMoveJp>,
+     .shiftArguments = shiftSlot<CrtkArmMoveJpArguments>},
     {.name = "move_jr",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmMoveJrArguments>,
      .depth = 16,
-     .accepts = checkSlot<CrtkArmMoveJrArguments, acceptsCrtkArmMoveJr>},
+     .accepts = checkSlot<CrtkArmMoveJrArguments, acceptsCrtkArmMoveJr>,
+     .shiftArguments = shiftSlot<CrtkArmMoveJrArguments>},
     {.name = "move_cp",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmMoveCpArguments>,
      .depth = 16,
-     .accepts = checkSlot<CrtkArmMoveCpArguments, acceptsCrtkArmMoveCp>},
+     .accepts = checkSlot<CrtkArmMoveCpArguments, acceptsCrtkArmMoveCp>,
+     .shiftArguments = shiftSlot<CrtkArmMoveCpArguments>},
     {.name = "move_cr",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmMoveCrArguments>,
      .depth = 16,
-     .accepts = checkSlot<CrtkArmMoveCrArguments, acceptsCrtkArmMoveCr>},
+     .accepts = checkSlot<CrtkArmMoveCrArguments, acceptsCrtkArmMoveCr>,
+     .shiftArguments = shiftSlot<CrtkArmMoveCrArguments>},
     {.name = "trajectory_j_set_ratio",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<CrtkArmTrajectoryJSetRatioArguments>,
@@ -373,32 +406,40 @@ constexpr CommandInfo kCrtkArmCommands[] = {
      .argumentsSize = slotSize<CrtkArmForwardKinematicsArguments>,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
-     .accepts = checkSlot<CrtkArmForwardKinematicsArguments, acceptsCrtkArmForwardKinematics>},
+     .accepts = checkSlot<CrtkArmForwardKinematicsArguments, acceptsCrtkArmForwardKinematics>,
+     .shiftArguments = shiftSlot<CrtkArmForwardKinematicsArguments>,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "inverse_kinematics",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<CrtkArmInverseKinematicsArguments>,
      .resultSize = slotSize<JointSolutionSlot>,
      .depth = 16,
-     .accepts = checkSlot<CrtkArmInverseKinematicsArguments, acceptsCrtkArmInverseKinematics>},
+     .accepts = checkSlot<CrtkArmInverseKinematicsArguments, acceptsCrtkArmInverseKinematics>,
+     .shiftArguments = shiftSlot<CrtkArmInverseKinematicsArguments>},
     {.name = "query_cp",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<CrtkArmQueryCpArguments>,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
-     .accepts = checkSlot<CrtkArmQueryCpArguments, acceptsCrtkArmQueryCp>},
+     .accepts = checkSlot<CrtkArmQueryCpArguments, acceptsCrtkArmQueryCp>,
+     .shiftArguments = shiftSlot<CrtkArmQueryCpArguments>,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "local_query_cp",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<CrtkArmLocalQueryCpArguments>,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
-     .accepts = checkSlot<CrtkArmLocalQueryCpArguments, acceptsCrtkArmLocalQueryCp>},
+     .accepts = checkSlot<CrtkArmLocalQueryCpArguments, acceptsCrtkArmLocalQueryCp>,
+     .shiftArguments = shiftSlot<CrtkArmLocalQueryCpArguments>,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
 };
 
 constexpr EventInfo kCrtkArmEvents[] = {
     {.name = "operating_state",
      .payloadSize = slotSize<OperatingStateSlot>,
      .depth = 16,
-     .latched = true},
+     .latched = true,
+     .shiftPayload = shiftSlot<OperatingStateSlot>},
     {.name = "desired_state", .payloadSize = slotSize<std::uint8_t>, .depth = 16, .latched = true},
     {.name = "goal_reached", .payloadSize = slotSize<std::uint8_t>, .depth = 16},
     {.name = "gravity_compensation",
@@ -962,47 +1003,103 @@ bool store(const PoseStamped& frame, CrtkArmSetBaseFrameArguments& slot) {
   return store(frame, slot.frame);
 }
 
+void shiftStamps(CrtkArmSetBaseFrameArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.frame, shift);
+}
+
 bool store(const bool& use, CrtkArmUseGravityCompensationArguments& slot) {
   return store(use, slot.use);
 }
 
 bool store(const JointGoal& goal, CrtkArmServoJpArguments& slot) { return store(goal, slot.goal); }
 
+void shiftStamps(CrtkArmServoJpArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
+
 bool store(const JointGoal& step, CrtkArmServoJrArguments& slot) { return store(step, slot.step); }
+
+void shiftStamps(CrtkArmServoJrArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.step, shift);
+}
 
 bool store(const JointVelocityGoal& goal, CrtkArmServoJvArguments& slot) {
   return store(goal, slot.goal);
+}
+
+void shiftStamps(CrtkArmServoJvArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
 }
 
 bool store(const JointEffortGoal& goal, CrtkArmServoJfArguments& slot) {
   return store(goal, slot.goal);
 }
 
+void shiftStamps(CrtkArmServoJfArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
+
 bool store(const PoseStamped& goal, CrtkArmServoCpArguments& slot) {
   return store(goal, slot.goal);
+}
+
+void shiftStamps(CrtkArmServoCpArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
 }
 
 bool store(const PoseStamped& step, CrtkArmServoCrArguments& slot) {
   return store(step, slot.step);
 }
 
+void shiftStamps(CrtkArmServoCrArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.step, shift);
+}
+
 bool store(const TwistGoal& goal, CrtkArmServoCvArguments& slot) { return store(goal, slot.goal); }
+
+void shiftStamps(CrtkArmServoCvArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
 
 bool store(const WrenchGoal& goal, CrtkArmBodyServoCfArguments& slot) {
   return store(goal, slot.goal);
+}
+
+void shiftStamps(CrtkArmBodyServoCfArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
 }
 
 bool store(const WrenchGoal& goal, CrtkArmSpatialServoCfArguments& slot) {
   return store(goal, slot.goal);
 }
 
+void shiftStamps(CrtkArmSpatialServoCfArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
+
 bool store(const JointGoal& goal, CrtkArmMoveJpArguments& slot) { return store(goal, slot.goal); }
+
+void shiftStamps(CrtkArmMoveJpArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
 
 bool store(const JointGoal& step, CrtkArmMoveJrArguments& slot) { return store(step, slot.step); }
 
+void shiftStamps(CrtkArmMoveJrArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.step, shift);
+}
+
 bool store(const PoseStamped& goal, CrtkArmMoveCpArguments& slot) { return store(goal, slot.goal); }
 
+void shiftStamps(CrtkArmMoveCpArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
+
 bool store(const PoseStamped& step, CrtkArmMoveCrArguments& slot) { return store(step, slot.step); }
+
+void shiftStamps(CrtkArmMoveCrArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.step, shift);
+}
 
 bool store(const double& ratio, CrtkArmTrajectoryJSetRatioArguments& slot) {
   return store(ratio, slot.ratio);
@@ -1018,13 +1115,29 @@ bool store(const double& ratio, CrtkArmTrajectoryJSetRatioAArguments& slot) {
 
 bool store(const JointGoal& q, CrtkArmForwardKinematicsArguments& slot) { return store(q, slot.q); }
 
+void shiftStamps(CrtkArmForwardKinematicsArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.q, shift);
+}
+
 bool store(const PoseStamped& goal, CrtkArmInverseKinematicsArguments& slot) {
   return store(goal, slot.goal);
 }
 
+void shiftStamps(CrtkArmInverseKinematicsArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
+
 bool store(const JointGoal& q, CrtkArmQueryCpArguments& slot) { return store(q, slot.q); }
 
+void shiftStamps(CrtkArmQueryCpArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.q, shift);
+}
+
 bool store(const JointGoal& q, CrtkArmLocalQueryCpArguments& slot) { return store(q, slot.q); }
+
+void shiftStamps(CrtkArmLocalQueryCpArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.q, shift);
+}
 
 namespace {
 

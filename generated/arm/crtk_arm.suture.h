@@ -31,6 +31,7 @@ struct CrtkArmSetBaseFrameArguments {
 };
 
 bool store(const PoseStamped& frame, CrtkArmSetBaseFrameArguments& slot);
+void shiftStamps(CrtkArmSetBaseFrameArguments& slot, suture::Duration shift);
 
 struct CrtkArmUseGravityCompensationArguments {
   std::uint8_t use;
@@ -43,78 +44,91 @@ struct CrtkArmServoJpArguments {
 };
 
 bool store(const JointGoal& goal, CrtkArmServoJpArguments& slot);
+void shiftStamps(CrtkArmServoJpArguments& slot, suture::Duration shift);
 
 struct CrtkArmServoJrArguments {
   JointGoalSlot step;
 };
 
 bool store(const JointGoal& step, CrtkArmServoJrArguments& slot);
+void shiftStamps(CrtkArmServoJrArguments& slot, suture::Duration shift);
 
 struct CrtkArmServoJvArguments {
   JointVelocityGoalSlot goal;
 };
 
 bool store(const JointVelocityGoal& goal, CrtkArmServoJvArguments& slot);
+void shiftStamps(CrtkArmServoJvArguments& slot, suture::Duration shift);
 
 struct CrtkArmServoJfArguments {
   JointEffortGoalSlot goal;
 };
 
 bool store(const JointEffortGoal& goal, CrtkArmServoJfArguments& slot);
+void shiftStamps(CrtkArmServoJfArguments& slot, suture::Duration shift);
 
 struct CrtkArmServoCpArguments {
   PoseStampedSlot goal;
 };
 
 bool store(const PoseStamped& goal, CrtkArmServoCpArguments& slot);
+void shiftStamps(CrtkArmServoCpArguments& slot, suture::Duration shift);
 
 struct CrtkArmServoCrArguments {
   PoseStampedSlot step;
 };
 
 bool store(const PoseStamped& step, CrtkArmServoCrArguments& slot);
+void shiftStamps(CrtkArmServoCrArguments& slot, suture::Duration shift);
 
 struct CrtkArmServoCvArguments {
   TwistGoalSlot goal;
 };
 
 bool store(const TwistGoal& goal, CrtkArmServoCvArguments& slot);
+void shiftStamps(CrtkArmServoCvArguments& slot, suture::Duration shift);
 
 struct CrtkArmBodyServoCfArguments {
   WrenchGoalSlot goal;
 };
 
 bool store(const WrenchGoal& goal, CrtkArmBodyServoCfArguments& slot);
+void shiftStamps(CrtkArmBodyServoCfArguments& slot, suture::Duration shift);
 
 struct CrtkArmSpatialServoCfArguments {
   WrenchGoalSlot goal;
 };
 
 bool store(const WrenchGoal& goal, CrtkArmSpatialServoCfArguments& slot);
+void shiftStamps(CrtkArmSpatialServoCfArguments& slot, suture::Duration shift);
 
 struct CrtkArmMoveJpArguments {
   JointGoalSlot goal;
 };
 
 bool store(const JointGoal& goal, CrtkArmMoveJpArguments& slot);
+void shiftStamps(CrtkArmMoveJpArguments& slot, suture::Duration shift);
 
 struct CrtkArmMoveJrArguments {
   JointGoalSlot step;
 };
 
 bool store(const JointGoal& step, CrtkArmMoveJrArguments& slot);
+void shiftStamps(CrtkArmMoveJrArguments& slot, suture::Duration shift);
 
 struct CrtkArmMoveCpArguments {
   PoseStampedSlot goal;
 };
 
 bool store(const PoseStamped& goal, CrtkArmMoveCpArguments& slot);
+void shiftStamps(CrtkArmMoveCpArguments& slot, suture::Duration shift);
 
 struct CrtkArmMoveCrArguments {
   PoseStampedSlot step;
 };
 
 bool store(const PoseStamped& step, CrtkArmMoveCrArguments& slot);
+void shiftStamps(CrtkArmMoveCrArguments& slot, suture::Duration shift);
 
 struct CrtkArmTrajectoryJSetRatioArguments {
   double ratio;
@@ -139,24 +153,28 @@ struct CrtkArmForwardKinematicsArguments {
 };
 
 bool store(const JointGoal& q, CrtkArmForwardKinematicsArguments& slot);
+void shiftStamps(CrtkArmForwardKinematicsArguments& slot, suture::Duration shift);
 
 struct CrtkArmInverseKinematicsArguments {
   PoseStampedSlot goal;
 };
 
 bool store(const PoseStamped& goal, CrtkArmInverseKinematicsArguments& slot);
+void shiftStamps(CrtkArmInverseKinematicsArguments& slot, suture::Duration shift);
 
 struct CrtkArmQueryCpArguments {
   JointGoalSlot q;
 };
 
 bool store(const JointGoal& q, CrtkArmQueryCpArguments& slot);
+void shiftStamps(CrtkArmQueryCpArguments& slot, suture::Duration shift);
 
 struct CrtkArmLocalQueryCpArguments {
   JointGoalSlot q;
 };
 
 bool store(const JointGoal& q, CrtkArmLocalQueryCpArguments& slot);
+void shiftStamps(CrtkArmLocalQueryCpArguments& slot, suture::Duration shift);
 
 /// The numbers of CrtkArm's commands in every table and record.
 enum class CrtkArmCommand : std::uint16_t {

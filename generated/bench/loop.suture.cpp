@@ -31,6 +31,7 @@ using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
+using suture::shiftSlot;
 using suture::slotIn;
 using suture::slotSize;
 using suture::store;
@@ -45,21 +46,27 @@ constexpr CommandInfo kLoopServerCommands[] = {
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<LoopServerPutArguments>,
      .depth = 16,
-     .accepts = checkSlot<LoopServerPutArguments, acceptsLoopServerPut>},
+     .accepts = checkSlot<LoopServerPutArguments, acceptsLoopServerPut>,
+     .shiftArguments = shiftSlot<LoopServerPutArguments>},
     {.name = "bounce",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<LoopServerBounceArguments>,
      .depth = 16,
-     .accepts = checkSlot<LoopServerBounceArguments, acceptsLoopServerBounce>},
+     .accepts = checkSlot<LoopServerBounceArguments, acceptsLoopServerBounce>,
+     .shiftArguments = shiftSlot<LoopServerBounceArguments>},
     {.name = "value",
      .kind = CommandKind::Read,
      .resultSize = slotSize<robots::PosePrmSlot>,
      .depth = 16,
-     .column = 0},
+     .column = 0,
+     .shiftResult = shiftSlot<robots::PosePrmSlot>},
 };
 
 constexpr EventInfo kLoopServerEvents[] = {
-    {.name = "echo", .payloadSize = slotSize<robots::PosePrmSlot>, .depth = 16},
+    {.name = "echo",
+     .payloadSize = slotSize<robots::PosePrmSlot>,
+     .depth = 16,
+     .shiftPayload = shiftSlot<robots::PosePrmSlot>},
 };
 
 // The self-description, as in bench/loop.suture.json.
@@ -113,8 +120,16 @@ bool store(const robots::PosePrm& value, LoopServerPutArguments& slot) {
   return store(value, slot.value);
 }
 
+void shiftStamps(LoopServerPutArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.value, shift);
+}
+
 bool store(const robots::PosePrm& value, LoopServerBounceArguments& slot) {
   return store(value, slot.value);
+}
+
+void shiftStamps(LoopServerBounceArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.value, shift);
 }
 
 namespace {

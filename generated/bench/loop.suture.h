@@ -19,12 +19,14 @@ struct LoopServerPutArguments {
 };
 
 bool store(const robots::PosePrm& value, LoopServerPutArguments& slot);
+void shiftStamps(LoopServerPutArguments& slot, suture::Duration shift);
 
 struct LoopServerBounceArguments {
   robots::PosePrmSlot value;
 };
 
 bool store(const robots::PosePrm& value, LoopServerBounceArguments& slot);
+void shiftStamps(LoopServerBounceArguments& slot, suture::Duration shift);
 
 /// The numbers of LoopServer's commands in every table and record.
 enum class LoopServerCommand : std::uint16_t {

@@ -31,6 +31,7 @@ using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
+using suture::shiftSlot;
 using suture::slotIn;
 using suture::slotSize;
 using suture::store;
@@ -45,21 +46,27 @@ constexpr CommandInfo kSampleServerCommands[] = {
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<SampleServerPutArguments>,
      .depth = 4096,
-     .accepts = checkSlot<SampleServerPutArguments, acceptsSampleServerPut>},
+     .accepts = checkSlot<SampleServerPutArguments, acceptsSampleServerPut>,
+     .shiftArguments = shiftSlot<SampleServerPutArguments>},
     {.name = "bounce",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<SampleServerBounceArguments>,
      .depth = 16,
-     .accepts = checkSlot<SampleServerBounceArguments, acceptsSampleServerBounce>},
+     .accepts = checkSlot<SampleServerBounceArguments, acceptsSampleServerBounce>,
+     .shiftArguments = shiftSlot<SampleServerBounceArguments>},
     {.name = "value",
      .kind = CommandKind::Read,
      .resultSize = slotSize<robots::PoseSampleSlot>,
      .depth = 16,
-     .column = 0},
+     .column = 0,
+     .shiftResult = shiftSlot<robots::PoseSampleSlot>},
 };
 
 constexpr EventInfo kSampleServerEvents[] = {
-    {.name = "echo", .payloadSize = slotSize<robots::PoseSampleSlot>, .depth = 16},
+    {.name = "echo",
+     .payloadSize = slotSize<robots::PoseSampleSlot>,
+     .depth = 16,
+     .shiftPayload = shiftSlot<robots::PoseSampleSlot>},
 };
 
 // The self-description, as in bench/sample_loop.suture.json.
@@ -107,8 +114,16 @@ bool store(const robots::PoseSample& value, SampleServerPutArguments& slot) {
   return store(value, slot.value);
 }
 
+void shiftStamps(SampleServerPutArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.value, shift);
+}
+
 bool store(const robots::PoseSample& value, SampleServerBounceArguments& slot) {
   return store(value, slot.value);
+}
+
+void shiftStamps(SampleServerBounceArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.value, shift);
 }
 
 namespace {

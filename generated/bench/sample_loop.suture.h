@@ -19,12 +19,14 @@ struct SampleServerPutArguments {
 };
 
 bool store(const robots::PoseSample& value, SampleServerPutArguments& slot);
+void shiftStamps(SampleServerPutArguments& slot, suture::Duration shift);
 
 struct SampleServerBounceArguments {
   robots::PoseSampleSlot value;
 };
 
 bool store(const robots::PoseSample& value, SampleServerBounceArguments& slot);
+void shiftStamps(SampleServerBounceArguments& slot, suture::Duration shift);
 
 /// The numbers of SampleServer's commands in every table and record.
 enum class SampleServerCommand : std::uint16_t {

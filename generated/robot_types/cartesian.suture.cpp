@@ -17,6 +17,7 @@ using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
 using suture::rpc::isValid;
+using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
 using suture::store;
@@ -136,6 +137,10 @@ void reserve(const TwistSlot*, Twist& value) {
   suture::reserveFor<decltype(TwistSlot::reference_frame)>(value.reference_frame);
 }
 
+void shiftStamps(TwistSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
+}
+
 bool store(const TwistGoal& value, TwistGoalSlot& slot) {
   bool fits = true;
   fits &= store(value.linear, slot.linear);
@@ -154,6 +159,10 @@ void load(const TwistGoalSlot& slot, TwistGoal& value) {
   load(slot.angular_acceleration, value.angular_acceleration);
   load(slot.mask, value.mask);
   load(slot.stamp, value.stamp);
+}
+
+void shiftStamps(TwistGoalSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
 }
 
 bool store(const Wrench& value, WrenchSlot& slot) {
@@ -183,6 +192,10 @@ void reserve(const WrenchSlot*, Wrench& value) {
   suture::reserveFor<decltype(WrenchSlot::reference_frame)>(value.reference_frame);
 }
 
+void shiftStamps(WrenchSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
+}
+
 bool store(const WrenchGoal& value, WrenchGoalSlot& slot) {
   bool fits = true;
   fits &= store(value.force, slot.force);
@@ -197,6 +210,10 @@ void load(const WrenchGoalSlot& slot, WrenchGoal& value) {
   load(slot.torque, value.torque);
   load(slot.mask, value.mask);
   load(slot.stamp, value.stamp);
+}
+
+void shiftStamps(WrenchGoalSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
 }
 
 bool store(const CartesianState& value, CartesianStateSlot& slot) {
@@ -234,6 +251,10 @@ void reserve(const CartesianStateSlot*, CartesianState& value) {
   suture::reserveFor<decltype(CartesianStateSlot::reference_frame)>(value.reference_frame);
 }
 
+void shiftStamps(CartesianStateSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
+}
+
 bool store(const CartesianGoal& value, CartesianGoalSlot& slot) {
   bool fits = true;
   fits &= store(value.goal, slot.goal);
@@ -267,6 +288,10 @@ void reserve(const CartesianGoalSlot*, CartesianGoal& value) {
   suture::reserveFor<decltype(CartesianGoalSlot::reference_frame)>(value.reference_frame);
 }
 
+void shiftStamps(CartesianGoalSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
+}
+
 bool store(const ServoCartesian& value, ServoCartesianSlot& slot) {
   bool fits = true;
   fits &= store(value.task_frame, slot.task_frame);
@@ -289,6 +314,10 @@ void load(const ServoCartesianSlot& slot, ServoCartesian& value) {
   load(slot.torque, value.torque);
   load(slot.axis_mode, value.axis_mode);
   load(slot.stamp, value.stamp);
+}
+
+void shiftStamps(ServoCartesianSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
 }
 
 bool store(const HalfPlaneGains& value, HalfPlaneGainsSlot& slot) {
@@ -345,6 +374,10 @@ void load(const CartesianImpedanceSlot& slot, CartesianImpedance& value) {
   load(slot.orientation_positive, value.orientation_positive);
   load(slot.orientation_negative, value.orientation_negative);
   load(slot.stamp, value.stamp);
+}
+
+void shiftStamps(CartesianImpedanceSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
 }
 
 // --- between slots and Cap'n Proto

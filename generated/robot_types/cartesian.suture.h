@@ -20,6 +20,7 @@ struct TwistSlot {
 bool store(const Twist& value, TwistSlot& slot);
 void load(const TwistSlot& slot, Twist& value);
 void reserve(const TwistSlot*, Twist& value);
+void shiftStamps(TwistSlot& slot, suture::Duration shift);
 
 /// A velocity to follow: CRTK's servo_cv. prmVelocityCartesianSet.
 struct TwistGoalSlot {
@@ -33,6 +34,7 @@ struct TwistGoalSlot {
 
 bool store(const TwistGoal& value, TwistGoalSlot& slot);
 void load(const TwistGoalSlot& slot, TwistGoal& value);
+void shiftStamps(TwistGoalSlot& slot, suture::Duration shift);
 
 /// Force and torque at the tool tip: CRTK's measured_cf. prmForceCartesianGet.
 struct WrenchSlot {
@@ -48,6 +50,7 @@ struct WrenchSlot {
 bool store(const Wrench& value, WrenchSlot& slot);
 void load(const WrenchSlot& slot, Wrench& value);
 void reserve(const WrenchSlot*, Wrench& value);
+void shiftStamps(WrenchSlot& slot, suture::Duration shift);
 
 /// Force and torque to apply: CRTK's servo_cf. prmForceCartesianSet.
 struct WrenchGoalSlot {
@@ -59,6 +62,7 @@ struct WrenchGoalSlot {
 
 bool store(const WrenchGoal& value, WrenchGoalSlot& slot);
 void load(const WrenchGoalSlot& slot, WrenchGoal& value);
+void shiftStamps(WrenchGoalSlot& slot, suture::Duration shift);
 
 /// Pose, velocity and force of one instant: CRTK's measured_cs. prmStateCartesian.
 struct CartesianStateSlot {
@@ -78,6 +82,7 @@ struct CartesianStateSlot {
 bool store(const CartesianState& value, CartesianStateSlot& slot);
 void load(const CartesianStateSlot& slot, CartesianState& value);
 void reserve(const CartesianStateSlot*, CartesianState& value);
+void shiftStamps(CartesianStateSlot& slot, suture::Duration shift);
 
 /// A pose to reach, with how to get there: prmPositionCartesianSet.
 struct CartesianGoalSlot {
@@ -96,6 +101,7 @@ struct CartesianGoalSlot {
 bool store(const CartesianGoal& value, CartesianGoalSlot& slot);
 void load(const CartesianGoalSlot& slot, CartesianGoal& value);
 void reserve(const CartesianGoalSlot*, CartesianGoal& value);
+void shiftStamps(CartesianGoalSlot& slot, suture::Duration shift);
 
 /// Position, velocity and effort in one servo command: prmServoCartesian.
 struct ServoCartesianSlot {
@@ -111,6 +117,7 @@ struct ServoCartesianSlot {
 
 bool store(const ServoCartesian& value, ServoCartesianSlot& slot);
 void load(const ServoCartesianSlot& slot, ServoCartesian& value);
+void shiftStamps(ServoCartesianSlot& slot, suture::Duration shift);
 
 /// How stiffly one side of an axis holds: force = p * distance + d * speed + bias beyond the
 /// deadband.
@@ -149,5 +156,6 @@ struct CartesianImpedanceSlot {
 
 bool store(const CartesianImpedance& value, CartesianImpedanceSlot& slot);
 void load(const CartesianImpedanceSlot& slot, CartesianImpedance& value);
+void shiftStamps(CartesianImpedanceSlot& slot, suture::Duration shift);
 
 }  // namespace robots

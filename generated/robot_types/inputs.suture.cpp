@@ -15,6 +15,7 @@ using suture::load;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
+using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::store;
 
@@ -56,6 +57,10 @@ void load(const ButtonEventSlot& slot, ButtonEvent& value) {
   load(slot.valid, value.valid);
 }
 
+void shiftStamps(ButtonEventSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
+}
+
 bool store(const InputData& value, InputDataSlot& slot) {
   bool fits = true;
   fits &= store(value.analog_inputs, slot.analog_inputs);
@@ -77,6 +82,10 @@ void reserve(const InputDataSlot*, InputData& value) {
   suture::reserveFor<decltype(InputDataSlot::digital_inputs)>(value.digital_inputs);
 }
 
+void shiftStamps(InputDataSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
+}
+
 bool store(const ImuSample& value, ImuSampleSlot& slot) {
   bool fits = true;
   fits &= store(value.orientation, slot.orientation);
@@ -93,6 +102,10 @@ void load(const ImuSampleSlot& slot, ImuSample& value) {
   load(slot.linear_acceleration, value.linear_acceleration);
   load(slot.stamp, value.stamp);
   load(slot.valid, value.valid);
+}
+
+void shiftStamps(ImuSampleSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
 }
 
 // --- between slots and Cap'n Proto

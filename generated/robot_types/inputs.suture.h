@@ -16,6 +16,7 @@ struct ButtonEventSlot {
 
 bool store(const ButtonEvent& value, ButtonEventSlot& slot);
 void load(const ButtonEventSlot& slot, ButtonEvent& value);
+void shiftStamps(ButtonEventSlot& slot, suture::Duration shift);
 
 /// prmInputData.
 struct InputDataSlot {
@@ -28,6 +29,7 @@ struct InputDataSlot {
 bool store(const InputData& value, InputDataSlot& slot);
 void load(const InputDataSlot& slot, InputData& value);
 void reserve(const InputDataSlot*, InputData& value);
+void shiftStamps(InputDataSlot& slot, suture::Duration shift);
 
 /// prmIMUSensors.
 struct ImuSampleSlot {
@@ -40,5 +42,6 @@ struct ImuSampleSlot {
 
 bool store(const ImuSample& value, ImuSampleSlot& slot);
 void load(const ImuSampleSlot& slot, ImuSample& value);
+void shiftStamps(ImuSampleSlot& slot, suture::Duration shift);
 
 }  // namespace robots

@@ -11,12 +11,14 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
+using suture::elementsIn;
 using suture::load;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
 using suture::rpc::isValid;
+using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
 using suture::store;
@@ -115,6 +117,13 @@ void reserve(const JointPositionSlot*, JointPosition& value) {
   suture::reserveFor<decltype(JointPositionSlot::stamps)>(value.stamps);
 }
 
+void shiftStamps(JointPositionSlot& slot, suture::Duration shift) {
+  for (auto& element : elementsIn(slot.stamps)) {
+    element = shifted(element, shift);
+  }
+  slot.stamp = shifted(slot.stamp, shift);
+}
+
 bool store(const JointPositionGoal& value, JointPositionGoalSlot& slot) {
   bool fits = true;
   fits &= store(value.goal, slot.goal);
@@ -141,6 +150,10 @@ void reserve(const JointPositionGoalSlot*, JointPositionGoal& value) {
   suture::reserveFor<decltype(JointPositionGoalSlot::acceleration)>(value.acceleration);
 }
 
+void shiftStamps(JointPositionGoalSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
+}
+
 bool store(const JointVelocity& value, JointVelocitySlot& slot) {
   bool fits = true;
   fits &= store(value.velocity, slot.velocity);
@@ -157,6 +170,10 @@ void load(const JointVelocitySlot& slot, JointVelocity& value) {
 
 void reserve(const JointVelocitySlot*, JointVelocity& value) {
   suture::reserveFor<decltype(JointVelocitySlot::velocity)>(value.velocity);
+}
+
+void shiftStamps(JointVelocitySlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
 }
 
 bool store(const JointVelocityGoal& value, JointVelocityGoalSlot& slot) {
@@ -187,6 +204,10 @@ void reserve(const JointVelocityGoalSlot*, JointVelocityGoal& value) {
   suture::reserveFor<decltype(JointVelocityGoalSlot::mask)>(value.mask);
 }
 
+void shiftStamps(JointVelocityGoalSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
+}
+
 bool store(const JointEffortGoal& value, JointEffortGoalSlot& slot) {
   bool fits = true;
   fits &= store(value.effort, slot.effort);
@@ -204,6 +225,10 @@ void load(const JointEffortGoalSlot& slot, JointEffortGoal& value) {
 void reserve(const JointEffortGoalSlot*, JointEffortGoal& value) {
   suture::reserveFor<decltype(JointEffortGoalSlot::effort)>(value.effort);
   suture::reserveFor<decltype(JointEffortGoalSlot::mask)>(value.mask);
+}
+
+void shiftStamps(JointEffortGoalSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
 }
 
 bool store(const JointConfiguration& value, JointConfigurationSlot& slot) {
@@ -280,6 +305,10 @@ void reserve(const ServoJointSlot*, ServoJoint& value) {
   suture::reserveFor<decltype(ServoJointSlot::position_projection)>(value.position_projection);
 }
 
+void shiftStamps(ServoJointSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
+}
+
 bool store(const ActuatorJointCoupling& value, ActuatorJointCouplingSlot& slot) {
   bool fits = true;
   fits &= store(value.joints, slot.joints);
@@ -329,6 +358,10 @@ void load(const JacobianSlot& slot, Jacobian& value) {
 
 void reserve(const JacobianSlot*, Jacobian& value) {
   suture::reserveFor<decltype(JacobianSlot::coefficients)>(value.coefficients);
+}
+
+void shiftStamps(JacobianSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
 }
 
 // --- between slots and Cap'n Proto

@@ -18,6 +18,7 @@ struct JointPositionSlot {
 bool store(const JointPosition& value, JointPositionSlot& slot);
 void load(const JointPositionSlot& slot, JointPosition& value);
 void reserve(const JointPositionSlot*, JointPosition& value);
+void shiftStamps(JointPositionSlot& slot, suture::Duration shift);
 
 /// prmPositionJointSet.
 struct JointPositionGoalSlot {
@@ -32,6 +33,7 @@ struct JointPositionGoalSlot {
 bool store(const JointPositionGoal& value, JointPositionGoalSlot& slot);
 void load(const JointPositionGoalSlot& slot, JointPositionGoal& value);
 void reserve(const JointPositionGoalSlot*, JointPositionGoal& value);
+void shiftStamps(JointPositionGoalSlot& slot, suture::Duration shift);
 
 /// prmVelocityJointGet.
 struct JointVelocitySlot {
@@ -43,6 +45,7 @@ struct JointVelocitySlot {
 bool store(const JointVelocity& value, JointVelocitySlot& slot);
 void load(const JointVelocitySlot& slot, JointVelocity& value);
 void reserve(const JointVelocitySlot*, JointVelocity& value);
+void shiftStamps(JointVelocitySlot& slot, suture::Duration shift);
 
 /// CRTK's servo_jv: prmVelocityJointSet.
 struct JointVelocityGoalSlot {
@@ -57,6 +60,7 @@ struct JointVelocityGoalSlot {
 bool store(const JointVelocityGoal& value, JointVelocityGoalSlot& slot);
 void load(const JointVelocityGoalSlot& slot, JointVelocityGoal& value);
 void reserve(const JointVelocityGoalSlot*, JointVelocityGoal& value);
+void shiftStamps(JointVelocityGoalSlot& slot, suture::Duration shift);
 
 /// CRTK's servo_jf: prmForceTorqueJointSet.
 struct JointEffortGoalSlot {
@@ -68,6 +72,7 @@ struct JointEffortGoalSlot {
 bool store(const JointEffortGoal& value, JointEffortGoalSlot& slot);
 void load(const JointEffortGoalSlot& slot, JointEffortGoal& value);
 void reserve(const JointEffortGoalSlot*, JointEffortGoal& value);
+void shiftStamps(JointEffortGoalSlot& slot, suture::Duration shift);
 
 /// What the joints are and may do: CRTK's configuration_js. prmConfigurationJoint.
 struct JointConfigurationSlot {
@@ -102,6 +107,7 @@ struct ServoJointSlot {
 bool store(const ServoJoint& value, ServoJointSlot& slot);
 void load(const ServoJointSlot& slot, ServoJoint& value);
 void reserve(const ServoJointSlot*, ServoJoint& value);
+void shiftStamps(ServoJointSlot& slot, suture::Duration shift);
 
 /// What turns actuators into joints and back, joints x actuators, row-major:
 /// prmActuatorJointCoupling.
@@ -129,5 +135,6 @@ struct JacobianSlot {
 bool store(const Jacobian& value, JacobianSlot& slot);
 void load(const JacobianSlot& slot, Jacobian& value);
 void reserve(const JacobianSlot*, Jacobian& value);
+void shiftStamps(JacobianSlot& slot, suture::Duration shift);
 
 }  // namespace robots

@@ -15,6 +15,7 @@ using suture::load;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
+using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::store;
 
@@ -62,6 +63,10 @@ void reserve(const JointStateSlot*, JointState& value) {
   suture::reserveFor<decltype(JointStateSlot::effort)>(value.effort);
 }
 
+void shiftStamps(JointStateSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
+}
+
 bool store(const JointGoal& value, JointGoalSlot& slot) {
   bool fits = true;
   fits &= store(value.position, slot.position);
@@ -76,6 +81,10 @@ void load(const JointGoalSlot& slot, JointGoal& value) {
 
 void reserve(const JointGoalSlot*, JointGoal& value) {
   suture::reserveFor<decltype(JointGoalSlot::position)>(value.position);
+}
+
+void shiftStamps(JointGoalSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
 }
 
 bool store(const JointSolution& value, JointSolutionSlot& slot) {

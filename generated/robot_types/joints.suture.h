@@ -21,6 +21,7 @@ struct JointStateSlot {
 bool store(const JointState& value, JointStateSlot& slot);
 void load(const JointStateSlot& slot, JointState& value);
 void reserve(const JointStateSlot*, JointState& value);
+void shiftStamps(JointStateSlot& slot, suture::Duration shift);
 
 /// Where joints shall go: CRTK's servo_jp and move_jp.
 struct JointGoalSlot {
@@ -31,6 +32,7 @@ struct JointGoalSlot {
 bool store(const JointGoal& value, JointGoalSlot& slot);
 void load(const JointGoalSlot& slot, JointGoal& value);
 void reserve(const JointGoalSlot*, JointGoal& value);
+void shiftStamps(JointGoalSlot& slot, suture::Duration shift);
 
 /// A joint vector that an arm computed, without heap so that a control loop may return it.
 struct JointSolutionSlot {

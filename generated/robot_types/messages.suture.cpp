@@ -15,6 +15,7 @@ using suture::load;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
+using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::store;
 
@@ -54,6 +55,10 @@ void load(const IntervalStatisticsSlot& slot, IntervalStatistics& value) {
   load(slot.samples, value.samples);
   load(slot.stamp, value.stamp);
   load(slot.valid, value.valid);
+}
+
+void shiftStamps(IntervalStatisticsSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
 }
 
 bool store(const KeyValue& value, KeyValueSlot& slot) {

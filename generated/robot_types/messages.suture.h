@@ -20,6 +20,7 @@ struct IntervalStatisticsSlot {
 
 bool store(const IntervalStatistics& value, IntervalStatisticsSlot& slot);
 void load(const IntervalStatisticsSlot& slot, IntervalStatistics& value);
+void shiftStamps(IntervalStatisticsSlot& slot, suture::Duration shift);
 
 /// prmKeyValue.
 struct KeyValueSlot {

@@ -15,6 +15,7 @@ using suture::load;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
+using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::store;
 
@@ -56,6 +57,10 @@ void load(const OperatingStateSlot& slot, OperatingState& value) {
 
 void reserve(const OperatingStateSlot*, OperatingState& value) {
   suture::reserveFor<decltype(OperatingStateSlot::sub_state)>(value.sub_state);
+}
+
+void shiftStamps(OperatingStateSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
 }
 
 // --- between slots and Cap'n Proto

@@ -19,5 +19,6 @@ struct OperatingStateSlot {
 bool store(const OperatingState& value, OperatingStateSlot& slot);
 void load(const OperatingStateSlot& slot, OperatingState& value);
 void reserve(const OperatingStateSlot*, OperatingState& value);
+void shiftStamps(OperatingStateSlot& slot, suture::Duration shift);
 
 }  // namespace robots

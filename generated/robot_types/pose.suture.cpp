@@ -15,6 +15,7 @@ using suture::load;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
+using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::store;
 
@@ -52,6 +53,10 @@ void load(const PoseStampedSlot& slot, PoseStamped& value) {
   load(slot.valid, value.valid);
 }
 
+void shiftStamps(PoseStampedSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
+}
+
 bool store(const PoseSample& value, PoseSampleSlot& slot) {
   bool fits = true;
   fits &= store(value.rotation, slot.rotation);
@@ -68,6 +73,10 @@ void load(const PoseSampleSlot& slot, PoseSample& value) {
   load(slot.stamp, value.stamp);
   load(slot.sequence, value.sequence);
   load(slot.flags, value.flags);
+}
+
+void shiftStamps(PoseSampleSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
 }
 
 bool store(const PosePrm& value, PosePrmSlot& slot) {
@@ -93,6 +102,10 @@ void load(const PosePrmSlot& slot, PosePrm& value) {
 void reserve(const PosePrmSlot*, PosePrm& value) {
   suture::reserveFor<decltype(PosePrmSlot::moving_frame)>(value.moving_frame);
   suture::reserveFor<decltype(PosePrmSlot::reference_frame)>(value.reference_frame);
+}
+
+void shiftStamps(PosePrmSlot& slot, suture::Duration shift) {
+  slot.timestamp = shifted(slot.timestamp, shift);
 }
 
 // --- between slots and Cap'n Proto

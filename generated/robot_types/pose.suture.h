@@ -16,6 +16,7 @@ struct PoseStampedSlot {
 
 bool store(const PoseStamped& value, PoseStampedSlot& slot);
 void load(const PoseStampedSlot& slot, PoseStamped& value);
+void shiftStamps(PoseStampedSlot& slot, suture::Duration shift);
 
 /// The pose of the latency figures: 120 bytes and no strings.
 struct PoseSampleSlot {
@@ -28,6 +29,7 @@ struct PoseSampleSlot {
 
 bool store(const PoseSample& value, PoseSampleSlot& slot);
 void load(const PoseSampleSlot& slot, PoseSample& value);
+void shiftStamps(PoseSampleSlot& slot, suture::Duration shift);
 
 /// The fields of the cisst libraries' prmPositionCartesianGet, the type of the paper's
 /// measurements.
@@ -43,5 +45,6 @@ struct PosePrmSlot {
 bool store(const PosePrm& value, PosePrmSlot& slot);
 void load(const PosePrmSlot& slot, PosePrm& value);
 void reserve(const PosePrmSlot*, PosePrm& value);
+void shiftStamps(PosePrmSlot& slot, suture::Duration shift);
 
 }  // namespace robots

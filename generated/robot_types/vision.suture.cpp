@@ -17,6 +17,7 @@ using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
 using suture::rpc::isValid;
+using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
 using suture::store;
@@ -81,6 +82,10 @@ void reserve(const PoseArraySlot*, PoseArray& value) {
   suture::reserveFor<decltype(PoseArraySlot::visible)>(value.visible);
 }
 
+void shiftStamps(PoseArraySlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
+}
+
 bool store(const ImageFrame& value, ImageFrameSlot& slot) {
   bool fits = true;
   fits &= store(value.width, slot.width);
@@ -105,6 +110,10 @@ void reserve(const ImageFrameSlot*, ImageFrame& value) {
   suture::reserveFor<decltype(ImageFrameSlot::data)>(value.data);
 }
 
+void shiftStamps(ImageFrameSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
+}
+
 bool store(const CameraInfo& value, CameraInfoSlot& slot) {
   bool fits = true;
   fits &= store(value.width, slot.width);
@@ -127,6 +136,10 @@ void load(const CameraInfoSlot& slot, CameraInfo& value) {
   load(slot.projection, value.projection);
   load(slot.stamp, value.stamp);
   load(slot.valid, value.valid);
+}
+
+void shiftStamps(CameraInfoSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
 }
 
 bool store(const DepthMap& value, DepthMapSlot& slot) {
@@ -155,6 +168,10 @@ void reserve(const DepthMapSlot*, DepthMap& value) {
   suture::reserveFor<decltype(DepthMapSlot::reference_frame)>(value.reference_frame);
   suture::reserveFor<decltype(DepthMapSlot::points)>(value.points);
   suture::reserveFor<decltype(DepthMapSlot::color)>(value.color);
+}
+
+void shiftStamps(DepthMapSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
 }
 
 // --- between slots and Cap'n Proto

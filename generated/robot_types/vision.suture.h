@@ -20,6 +20,7 @@ struct PoseArraySlot {
 bool store(const PoseArray& value, PoseArraySlot& slot);
 void load(const PoseArraySlot& slot, PoseArray& value);
 void reserve(const PoseArraySlot*, PoseArray& value);
+void shiftStamps(PoseArraySlot& slot, suture::Duration shift);
 
 /// prmImageFrame.
 struct ImageFrameSlot {
@@ -34,6 +35,7 @@ struct ImageFrameSlot {
 bool store(const ImageFrame& value, ImageFrameSlot& slot);
 void load(const ImageFrameSlot& slot, ImageFrame& value);
 void reserve(const ImageFrameSlot*, ImageFrame& value);
+void shiftStamps(ImageFrameSlot& slot, suture::Duration shift);
 
 /// prmCameraInfo: a pinhole with its distortion.
 struct CameraInfoSlot {
@@ -49,6 +51,7 @@ struct CameraInfoSlot {
 
 bool store(const CameraInfo& value, CameraInfoSlot& slot);
 void load(const CameraInfoSlot& slot, CameraInfo& value);
+void shiftStamps(CameraInfoSlot& slot, suture::Duration shift);
 
 /// A cloud of coloured points: prmDepthMap.
 struct DepthMapSlot {
@@ -64,5 +67,6 @@ struct DepthMapSlot {
 bool store(const DepthMap& value, DepthMapSlot& slot);
 void load(const DepthMapSlot& slot, DepthMap& value);
 void reserve(const DepthMapSlot*, DepthMap& value);
+void shiftStamps(DepthMapSlot& slot, suture::Duration shift);
 
 }  // namespace robots

@@ -24,7 +24,9 @@ using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
+using suture::rpc::shifted;
 using suture::rpc::toWire;
+using suture::shiftSlot;
 using suture::slotIn;
 using suture::slotSize;
 using suture::store;
@@ -55,12 +57,17 @@ constexpr CommandInfo kTeleoperationCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<FollowAnchorsSlot>,
      .depth = 16,
-     .column = 1},
+     .column = 1,
+     .shiftResult = shiftSlot<FollowAnchorsSlot>},
 };
 
 constexpr EventInfo kTeleoperationEvents[] = {
     {.name = "teleop_state", .payloadSize = slotSize<std::uint8_t>, .depth = 16, .latched = true},
-    {.name = "followed", .payloadSize = slotSize<FollowAnchorsSlot>, .depth = 16, .latched = true},
+    {.name = "followed",
+     .payloadSize = slotSize<FollowAnchorsSlot>,
+     .depth = 16,
+     .latched = true,
+     .shiftPayload = shiftSlot<FollowAnchorsSlot>},
 };
 
 // The self-description, as in teleop/teleoperation.suture.json.
@@ -139,6 +146,10 @@ void load(const FollowAnchorsSlot& slot, FollowAnchors& value) {
   load(slot.slave_setpoint, value.slave_setpoint);
   load(slot.scale, value.scale);
   load(slot.entry, value.entry);
+}
+
+void shiftStamps(FollowAnchorsSlot& slot, suture::Duration shift) {
+  slot.master_stamp = shifted(slot.master_stamp, shift);
 }
 
 // --- between slots and Cap'n Proto

@@ -23,6 +23,7 @@ struct FollowAnchorsSlot {
 
 bool store(const FollowAnchors& value, FollowAnchorsSlot& slot);
 void load(const FollowAnchorsSlot& slot, FollowAnchors& value);
+void shiftStamps(FollowAnchorsSlot& slot, suture::Duration shift);
 
 /// The numbers of Teleoperation's commands in every table and record.
 enum class TeleoperationCommand : std::uint16_t {

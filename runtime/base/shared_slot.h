@@ -3,6 +3,8 @@
 // owns memory lies on the heap, and the record holds a counted pointer to it, which whoever lets go
 // of the record releases. Only devices have such: no real-time thread touches them.
 
+#include <suture/base/time.h>
+
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -91,6 +93,17 @@ const Slot& slotIn(const std::byte* memory) {
 template <class Slot, bool (*check)(const Slot&)>
 bool checkSlot(const std::byte* memory) {
   return check(slotIn<Slot>(memory));
+}
+
+/// Turns the stamps of the slot in a record, of a type that owns no memory and whatever bytes, by
+/// the slot's shiftStamps() or by `turn`.
+template <class Slot>
+void shiftSlot(std::byte* memory, Duration shift) {
+  shiftStamps(*reinterpret_cast<Slot*>(memory), shift);
+}
+template <class Slot, void (*turn)(Slot&, Duration)>
+void shiftSlot(std::byte* memory, Duration shift) {
+  turn(*reinterpret_cast<Slot*>(memory), shift);
 }
 
 /// A slot outside any record, with what a record of it holds.

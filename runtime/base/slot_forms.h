@@ -9,6 +9,7 @@
 //   load(slot, value):  slot -> C++; reuses what the value already owns
 
 #include <suture/annotate.h>
+#include <suture/base/time.h>
 
 #include <algorithm>
 #include <array>
@@ -17,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <type_traits>
 
@@ -214,6 +216,12 @@ Element* elements(BoundedList<Element, N>& slot) {
 template <class Element, std::uint32_t N>
 const Element* elements(const BoundedList<Element, N>& slot) {
   return elements(const_cast<BoundedList<Element, N>&>(slot));
+}
+
+/// All of them.
+template <class Element, std::uint32_t N>
+std::span<Element> elementsIn(BoundedList<Element, N>& slot) {
+  return {elements(slot), sizeOf(slot)};
 }
 
 template <std::uint32_t N>

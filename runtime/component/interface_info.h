@@ -20,6 +20,8 @@ enum class CommandKind : std::uint8_t { Void, Write, Read, QualifiedRead, VoidRe
 /// How long within() waits for the answer of a command that states no deadline().
 inline constexpr Duration kDefaultDeadline = std::chrono::seconds(1);
 
+using StampShift = void (*)(std::byte* slot, Duration shift);
+
 struct CommandInfo {
   const char* name;  ///< as in C++: "servo_cp"
   CommandKind kind;
@@ -38,6 +40,8 @@ struct CommandInfo {
   /// False for arguments that no client of this contract can have sent: NaN, out of range(). Of a
   /// slot with any bytes. Null: there are none.
   bool (*accepts)(const std::byte* arguments) = nullptr;
+  // Turn the stamps in a slot into those of another clock; null: it has none. Of any bytes.
+  StampShift shiftArguments = nullptr, shiftResult = nullptr;
 };
 
 /// A set of a contract's events, one bit each.
@@ -49,7 +53,8 @@ struct EventInfo {
   std::uint32_t depth;
   bool latest = false;
   bool latched = false;
-  bool sharedPayload = false;  ///< as of a command
+  bool sharedPayload = false;         ///< as of a command
+  StampShift shiftPayload = nullptr;  ///< as of a command
 };
 
 /// The table of a contract that derives from another, of N rows: the base's, then its own.

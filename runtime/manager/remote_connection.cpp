@@ -221,10 +221,10 @@ RemoteConnection::Lanes RemoteConnection::wantedLanes() {
   if (lane_ == Lane::Rpc) return {};
   laneReason_ = whyUnbounded(required_.info());
   if (!laneReason_.empty()) return {};
-  // Shared rows have the provider's stamps, and frames the values as they are; calls convert both.
-  if (!clock_.isOne() && (lane_ != Lane::Frame || carriesStamps(required_.info()))) {
+  // Nothing converts the stamps in memory that both use.
+  if (!clock_.isOne() && (lane_ != Lane::Frame || hidesStamps(required_.info()))) {
     laneReason_ = "the two processes have different clocks";
-    return {.frames = !carriesStamps(required_.info())};
+    return {.frames = !hidesStamps(required_.info())};
   }
   if (lane_ == Lane::Frame) return {.frames = true};
   if (!sharesMachine_) laneReason_ = "the two processes are not reached by a Unix socket";

@@ -61,7 +61,13 @@ std::string whyUnbounded(const InterfaceInfo& info) {
   return "";
 }
 
-bool carriesStamps(const InterfaceInfo& info) {
+bool hidesStamps(const InterfaceInfo& info) {
+  const bool shown =
+      std::any_of(info.commands.begin(), info.commands.end(),
+                  [](const CommandInfo& one) { return one.shiftArguments || one.shiftResult; }) ||
+      std::any_of(info.events.begin(), info.events.end(),
+                  [](const EventInfo& one) { return one.shiftPayload != nullptr; });
+  if (shown) return false;
   const auto description = nlohmann::json::parse(info.description);
   // Without a word on types there may be some.
   return !description.contains("commands") || hasSteadyClock(description);

@@ -15,9 +15,9 @@ std::string memoryLayout(const InterfaceInfo& info);
 /// Which values of this contract have no bound, and so no slot of a fixed size; "" if all have one.
 std::string whyUnbounded(const InterfaceInfo& info);
 
-/// True if values of this contract have points in time of a steady clock in them, which mean
-/// another thing on another machine.
-bool carriesStamps(const InterfaceInfo& info);
+/// True if values of this contract have, or may have, points in time of a steady clock in them,
+/// which mean another thing on another machine, and its tables do not say where.
+bool hidesStamps(const InterfaceInfo& info);
 
 /// The provider's contract or the one of its bases that is the client's, whose hash is `hash`; null
 /// if they are not from one build.

@@ -41,6 +41,7 @@ using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
+using suture::shiftSlot;
 using suture::slotIn;
 using suture::slotSize;
 using suture::store;
@@ -61,7 +62,8 @@ constexpr CommandInfo kArmLikeCommands[] = {
      .depth = 16,
      .latest = true,
      .ttl = Duration(500'000'000),
-     .accepts = checkSlot<ArmLikeServoCpArguments, acceptsArmLikeServoCp>},
+     .accepts = checkSlot<ArmLikeServoCpArguments, acceptsArmLikeServoCp>,
+     .shiftArguments = shiftSlot<ArmLikeServoCpArguments>},
     {.name = "servo_jp",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<ArmLikeServoJpArguments>,
@@ -78,7 +80,8 @@ constexpr CommandInfo kArmLikeCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
-     .column = 0},
+     .column = 0,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "measured_js",
      .kind = CommandKind::Read,
      .resultSize = slotSize<JointStateSlot>,
@@ -89,14 +92,16 @@ constexpr CommandInfo kArmLikeCommands[] = {
      .argumentsSize = slotSize<ArmLikeDistanceArguments>,
      .resultSize = slotSize<double>,
      .depth = 16,
-     .accepts = checkSlot<ArmLikeDistanceArguments, acceptsArmLikeDistance>},
+     .accepts = checkSlot<ArmLikeDistanceArguments, acceptsArmLikeDistance>,
+     .shiftArguments = shiftSlot<ArmLikeDistanceArguments>},
     {.name = "move",
      .kind = CommandKind::WriteReturn,
      .argumentsSize = slotSize<ArmLikeMoveArguments>,
      .resultSize = slotSize<std::uint8_t>,
      .depth = 16,
      .deadline = Duration(200'000'000),
-     .accepts = checkSlot<ArmLikeMoveArguments, acceptsArmLikeMove>},
+     .accepts = checkSlot<ArmLikeMoveArguments, acceptsArmLikeMove>,
+     .shiftArguments = shiftSlot<ArmLikeMoveArguments>},
     {.name = "reset",
      .kind = CommandKind::VoidReturn,
      .resultSize = slotSize<std::uint32_t>,
@@ -111,9 +116,15 @@ constexpr CommandInfo kArmLikeCommands[] = {
 
 constexpr EventInfo kArmLikeEvents[] = {
     {.name = "mode", .payloadSize = slotSize<std::uint8_t>, .depth = 16, .latched = true},
-    {.name = "arrived", .payloadSize = slotSize<PoseStampedSlot>, .depth = 4},
+    {.name = "arrived",
+     .payloadSize = slotSize<PoseStampedSlot>,
+     .depth = 4,
+     .shiftPayload = shiftSlot<PoseStampedSlot>},
     {.name = "stopped", .depth = 16},
-    {.name = "moved", .payloadSize = slotSize<ArmLikeMovedPayload>, .depth = 16},
+    {.name = "moved",
+     .payloadSize = slotSize<ArmLikeMovedPayload>,
+     .depth = 16,
+     .shiftPayload = shiftSlot<ArmLikeMovedPayload>},
 };
 
 // The self-description, as in reference/arm_like.suture.json.
@@ -125,15 +136,27 @@ bool store(const PoseStamped& goal, ArmLikeServoCpArguments& slot) {
   return store(goal, slot.goal);
 }
 
+void shiftStamps(ArmLikeServoCpArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
+
 bool store(const JointState& goal, ArmLikeServoJpArguments& slot) { return store(goal, slot.goal); }
 
 bool store(const Mode& mode, ArmLikeSetModeArguments& slot) { return store(mode, slot.mode); }
 
 bool store(const PoseStamped& to, ArmLikeDistanceArguments& slot) { return store(to, slot.to); }
 
+void shiftStamps(ArmLikeDistanceArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.to, shift);
+}
+
 bool store(const PoseStamped& goal, const double& speed, const std::string& reason,
            ArmLikeMoveArguments& slot) {
   return store(goal, slot.goal) && store(speed, slot.speed) && store(reason, slot.reason);
+}
+
+void shiftStamps(ArmLikeMoveArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
 }
 
 bool store(const double& speed, const Mode& mode, ArmLikeLimitArguments& slot) {
@@ -147,6 +170,10 @@ bool store(const PoseStamped& value, const double& value2, ArmLikeMovedPayload& 
 void load(const ArmLikeMovedPayload& slot, PoseStamped& value, double& value2) {
   load(slot.value, value);
   load(slot.value2, value2);
+}
+
+void shiftStamps(ArmLikeMovedPayload& slot, suture::Duration shift) {
+  shiftStamps(slot.value, shift);
 }
 
 namespace {

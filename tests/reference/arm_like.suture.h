@@ -19,6 +19,7 @@ struct ArmLikeServoCpArguments {
 };
 
 bool store(const PoseStamped& goal, ArmLikeServoCpArguments& slot);
+void shiftStamps(ArmLikeServoCpArguments& slot, suture::Duration shift);
 
 struct ArmLikeServoJpArguments {
   JointStateSlot goal;
@@ -37,6 +38,7 @@ struct ArmLikeDistanceArguments {
 };
 
 bool store(const PoseStamped& to, ArmLikeDistanceArguments& slot);
+void shiftStamps(ArmLikeDistanceArguments& slot, suture::Duration shift);
 
 struct ArmLikeMoveArguments {
   PoseStampedSlot goal;
@@ -46,6 +48,7 @@ struct ArmLikeMoveArguments {
 
 bool store(const PoseStamped& goal, const double& speed, const std::string& reason,
            ArmLikeMoveArguments& slot);
+void shiftStamps(ArmLikeMoveArguments& slot, suture::Duration shift);
 
 struct ArmLikeLimitArguments {
   double speed;
@@ -63,6 +66,7 @@ struct ArmLikeMovedPayload {
 
 bool store(const PoseStamped& value, const double& value2, ArmLikeMovedPayload& slot);
 void load(const ArmLikeMovedPayload& slot, PoseStamped& value, double& value2);
+void shiftStamps(ArmLikeMovedPayload& slot, suture::Duration shift);
 
 /// The numbers of ArmLike's commands in every table and record.
 enum class ArmLikeCommand : std::uint16_t {

@@ -15,6 +15,7 @@ using suture::load;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
+using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::store;
 
@@ -44,6 +45,10 @@ void load(const PoseStampedSlot& slot, PoseStamped& value) {
   load(slot.pose, value.pose);
   load(slot.stamp, value.stamp);
   load(slot.valid, value.valid);
+}
+
+void shiftStamps(PoseStampedSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
 }
 
 bool store(const JointState& value, JointStateSlot& slot) {

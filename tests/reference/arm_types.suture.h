@@ -16,6 +16,7 @@ struct PoseStampedSlot {
 
 bool store(const PoseStamped& value, PoseStampedSlot& slot);
 void load(const PoseStampedSlot& slot, PoseStamped& value);
+void shiftStamps(PoseStampedSlot& slot, suture::Duration shift);
 
 struct JointStateSlot {
   suture::BoundedList<suture::BoundedText<15>, 8> name;

@@ -31,6 +31,7 @@ using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::toWire;
+using suture::shiftSlot;
 using suture::slotIn;
 using suture::slotSize;
 using suture::store;
@@ -63,7 +64,8 @@ constexpr CommandInfo kAllKindsCommands[] = {
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<AllKindsSetRecordArguments>,
      .depth = 16,
-     .accepts = checkSlot<AllKindsSetRecordArguments, acceptsAllKindsSetRecord>},
+     .accepts = checkSlot<AllKindsSetRecordArguments, acceptsAllKindsSetRecord>,
+     .shiftArguments = shiftSlot<AllKindsSetRecordArguments>},
     {.name = "set_text",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<AllKindsSetTextArguments>,
@@ -82,7 +84,8 @@ constexpr CommandInfo kAllKindsCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<robots::PosePrmSlot>,
      .depth = 16,
-     .column = 2},
+     .column = 2,
+     .shiftResult = shiftSlot<robots::PosePrmSlot>},
     {.name = "text",
      .kind = CommandKind::Read,
      .resultSize = slotSize<suture::BoundedText<31>>,
@@ -105,7 +108,9 @@ constexpr CommandInfo kAllKindsCommands[] = {
      .argumentsSize = slotSize<AllKindsTwiceRecordArguments>,
      .resultSize = slotSize<robots::PosePrmSlot>,
      .depth = 16,
-     .accepts = checkSlot<AllKindsTwiceRecordArguments, acceptsAllKindsTwiceRecord>},
+     .accepts = checkSlot<AllKindsTwiceRecordArguments, acceptsAllKindsTwiceRecord>,
+     .shiftArguments = shiftSlot<AllKindsTwiceRecordArguments>,
+     .shiftResult = shiftSlot<robots::PosePrmSlot>},
     {.name = "twice_text",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<AllKindsTwiceTextArguments>,
@@ -122,7 +127,8 @@ constexpr CommandInfo kAllKindsCommands[] = {
     {.name = "take_record",
      .kind = CommandKind::VoidReturn,
      .resultSize = slotSize<robots::PosePrmSlot>,
-     .depth = 16},
+     .depth = 16,
+     .shiftResult = shiftSlot<robots::PosePrmSlot>},
     {.name = "take_text",
      .kind = CommandKind::VoidReturn,
      .resultSize = slotSize<suture::BoundedText<31>>,
@@ -144,7 +150,9 @@ constexpr CommandInfo kAllKindsCommands[] = {
      .argumentsSize = slotSize<AllKindsSwapRecordArguments>,
      .resultSize = slotSize<robots::PosePrmSlot>,
      .depth = 16,
-     .accepts = checkSlot<AllKindsSwapRecordArguments, acceptsAllKindsSwapRecord>},
+     .accepts = checkSlot<AllKindsSwapRecordArguments, acceptsAllKindsSwapRecord>,
+     .shiftArguments = shiftSlot<AllKindsSwapRecordArguments>,
+     .shiftResult = shiftSlot<robots::PosePrmSlot>},
     {.name = "swap_text",
      .kind = CommandKind::WriteReturn,
      .argumentsSize = slotSize<AllKindsSwapTextArguments>,
@@ -156,7 +164,10 @@ constexpr EventInfo kAllKindsEvents[] = {
     {.name = "cleared", .depth = 16},
     {.name = "scalar_set", .payloadSize = slotSize<double>, .depth = 16},
     {.name = "vector_set", .payloadSize = slotSize<std::array<double, 3>>, .depth = 16},
-    {.name = "record_set", .payloadSize = slotSize<robots::PosePrmSlot>, .depth = 16},
+    {.name = "record_set",
+     .payloadSize = slotSize<robots::PosePrmSlot>,
+     .depth = 16,
+     .shiftPayload = shiftSlot<robots::PosePrmSlot>},
     {.name = "text_set", .payloadSize = slotSize<suture::BoundedText<31>>, .depth = 16},
 };
 
@@ -312,6 +323,10 @@ bool store(const robots::PosePrm& value, AllKindsSetRecordArguments& slot) {
   return store(value, slot.value);
 }
 
+void shiftStamps(AllKindsSetRecordArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.value, shift);
+}
+
 bool store(const std::string& value, AllKindsSetTextArguments& slot) {
   return store(value, slot.value);
 }
@@ -328,6 +343,10 @@ bool store(const robots::PosePrm& value, AllKindsTwiceRecordArguments& slot) {
   return store(value, slot.value);
 }
 
+void shiftStamps(AllKindsTwiceRecordArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.value, shift);
+}
+
 bool store(const std::string& value, AllKindsTwiceTextArguments& slot) {
   return store(value, slot.value);
 }
@@ -342,6 +361,10 @@ bool store(const Eigen::Vector3d& value, AllKindsSwapVectorArguments& slot) {
 
 bool store(const robots::PosePrm& value, AllKindsSwapRecordArguments& slot) {
   return store(value, slot.value);
+}
+
+void shiftStamps(AllKindsSwapRecordArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.value, shift);
 }
 
 bool store(const std::string& value, AllKindsSwapTextArguments& slot) {

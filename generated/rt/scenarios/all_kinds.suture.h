@@ -31,6 +31,7 @@ struct AllKindsSetRecordArguments {
 };
 
 bool store(const robots::PosePrm& value, AllKindsSetRecordArguments& slot);
+void shiftStamps(AllKindsSetRecordArguments& slot, suture::Duration shift);
 
 struct AllKindsSetTextArguments {
   suture::BoundedText<31> value;
@@ -55,6 +56,7 @@ struct AllKindsTwiceRecordArguments {
 };
 
 bool store(const robots::PosePrm& value, AllKindsTwiceRecordArguments& slot);
+void shiftStamps(AllKindsTwiceRecordArguments& slot, suture::Duration shift);
 
 struct AllKindsTwiceTextArguments {
   suture::BoundedText<15> value;
@@ -79,6 +81,7 @@ struct AllKindsSwapRecordArguments {
 };
 
 bool store(const robots::PosePrm& value, AllKindsSwapRecordArguments& slot);
+void shiftStamps(AllKindsSwapRecordArguments& slot, suture::Duration shift);
 
 struct AllKindsSwapTextArguments {
   suture::BoundedText<31> value;

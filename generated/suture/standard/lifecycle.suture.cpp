@@ -24,7 +24,9 @@ using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
+using suture::rpc::shifted;
 using suture::rpc::toWire;
+using suture::shiftSlot;
 using suture::slotIn;
 using suture::slotSize;
 using suture::store;
@@ -63,7 +65,8 @@ constexpr EventInfo kLifecycleEvents[] = {
     {.name = "state_changed",
      .payloadSize = slotSize<StateChangeSlot>,
      .depth = 16,
-     .latched = true},
+     .latched = true,
+     .shiftPayload = shiftSlot<StateChangeSlot>},
 };
 
 // The self-description, as in suture/standard/lifecycle.suture.json.
@@ -133,6 +136,10 @@ void load(const StateChangeSlot& slot, StateChange& value) {
 
 void reserve(const StateChangeSlot*, StateChange& value) {
   suture::reserveFor<decltype(StateChangeSlot::fault)>(value.fault);
+}
+
+void shiftStamps(StateChangeSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
 }
 
 // --- between slots and Cap'n Proto

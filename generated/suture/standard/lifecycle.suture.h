@@ -21,6 +21,7 @@ struct StateChangeSlot {
 bool store(const StateChange& value, StateChangeSlot& slot);
 void load(const StateChangeSlot& slot, StateChange& value);
 void reserve(const StateChangeSlot*, StateChange& value);
+void shiftStamps(StateChangeSlot& slot, suture::Duration shift);
 
 /// The numbers of Lifecycle's commands in every table and record.
 enum class LifecycleCommand : std::uint16_t {

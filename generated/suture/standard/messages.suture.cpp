@@ -21,7 +21,9 @@ using suture::rpc::ServantPort;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
+using suture::rpc::shifted;
 using suture::rpc::toWire;
+using suture::shiftSlot;
 using suture::slotIn;
 using suture::slotSize;
 using suture::store;
@@ -35,9 +37,21 @@ static_assert(std::is_same_v<decltype(Message::counter), std::uint32_t>);
 static_assert(std::is_same_v<decltype(Message::stamp), std::chrono::steady_clock::time_point>);
 
 constexpr EventInfo kMessagesEvents[] = {
-    {.name = "status", .payloadSize = slotSize<MessageSlot>, .depth = 16, .latched = true},
-    {.name = "warning", .payloadSize = slotSize<MessageSlot>, .depth = 16, .latched = true},
-    {.name = "error", .payloadSize = slotSize<MessageSlot>, .depth = 16, .latched = true},
+    {.name = "status",
+     .payloadSize = slotSize<MessageSlot>,
+     .depth = 16,
+     .latched = true,
+     .shiftPayload = shiftSlot<MessageSlot>},
+    {.name = "warning",
+     .payloadSize = slotSize<MessageSlot>,
+     .depth = 16,
+     .latched = true,
+     .shiftPayload = shiftSlot<MessageSlot>},
+    {.name = "error",
+     .payloadSize = slotSize<MessageSlot>,
+     .depth = 16,
+     .latched = true,
+     .shiftPayload = shiftSlot<MessageSlot>},
 };
 
 // The self-description, as in suture/standard/messages.suture.json.
@@ -96,6 +110,10 @@ void load(const MessageSlot& slot, Message& value) {
 
 void reserve(const MessageSlot*, Message& value) {
   suture::reserveFor<decltype(MessageSlot::text)>(value.text);
+}
+
+void shiftStamps(MessageSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
 }
 
 // --- between slots and Cap'n Proto

@@ -21,6 +21,7 @@ struct MessageSlot {
 bool store(const Message& value, MessageSlot& slot);
 void load(const MessageSlot& slot, Message& value);
 void reserve(const MessageSlot*, Message& value);
+void shiftStamps(MessageSlot& slot, suture::Duration shift);
 
 /// The numbers of Messages's events.
 enum class MessagesEvent : std::uint16_t {

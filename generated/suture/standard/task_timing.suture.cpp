@@ -23,7 +23,9 @@ using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
+using suture::rpc::shifted;
 using suture::rpc::toWire;
+using suture::shiftSlot;
 using suture::slotIn;
 using suture::slotSize;
 using suture::store;
@@ -48,7 +50,8 @@ constexpr CommandInfo kTaskTimingCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<TaskWindowSlot>,
      .depth = 16,
-     .column = 0},
+     .column = 0,
+     .shiftResult = shiftSlot<TaskWindowSlot>},
     {.name = "cycles",
      .kind = CommandKind::Read,
      .resultSize = slotSize<std::uint64_t>,
@@ -154,6 +157,11 @@ void load(const TaskWindowSlot& slot, TaskWindow& value) {
   load(slot.skipped, value.skipped);
   load(slot.period, value.period);
   load(slot.compute, value.compute);
+}
+
+void shiftStamps(TaskWindowSlot& slot, suture::Duration shift) {
+  slot.begin = shifted(slot.begin, shift);
+  slot.end = shifted(slot.end, shift);
 }
 
 // --- between slots and Cap'n Proto

@@ -33,6 +33,7 @@ struct TaskWindowSlot {
 
 bool store(const TaskWindow& value, TaskWindowSlot& slot);
 void load(const TaskWindowSlot& slot, TaskWindow& value);
+void shiftStamps(TaskWindowSlot& slot, suture::Duration shift);
 
 /// The numbers of TaskTiming's commands in every table and record.
 enum class TaskTimingCommand : std::uint16_t {

@@ -20,12 +20,15 @@ ClientSide::ClientSide(std::shared_ptr<Channel> channel, rpc::ByteStream bytes, 
       since_(channel_->info.events.size()),
       lent_(channel_->info.commands.size()),
       refused_(channel_->info.commands.size()) {
+  for (const CommandInfo& one : channel_->info.commands) {
+    if (one.column >= 0) reads_.push_back(&one);
+  }
   channel_->takeJoining();
 }
 
 // ---- from the provider
 
-bool ClientSide::take(const Header& header, std::span<const std::byte> payload) {
+bool ClientSide::take(const Header& header, std::span<std::byte> payload) {
   switch (header.kind) {
     case Kind::Reply: return takeReply(header, payload);
     case Kind::Event: return takeEvent(header, payload);
@@ -46,12 +49,13 @@ void ClientSide::taken() {
 }
 
 // One to a call that is no longer known comes too late for anybody.
-bool ClientSide::takeReply(const Header& header, std::span<const std::byte> payload) {
+bool ClientSide::takeReply(const Header& header, std::span<std::byte> payload) {
   const Sent& sent = calls_[header.call % calls_.size()];
   if (header.call == 0 || sent.call != header.call) return true;
   const auto error = static_cast<Errc>(header.error);
-  const std::uint32_t size = error == Errc{} ? sent.resultSize : 0;
+  const std::uint32_t size = error == Errc{} ? sent.command->resultSize : 0;
   if (payload.size() != size) return false;
+  if (size > 0) bringHere(sent.command->shiftResult, payload.data());
   const auto copy = [&](std::byte* result) {
     if (size > 0) std::memcpy(result, payload.data(), size);
     return error;
@@ -62,16 +66,18 @@ bool ClientSide::takeReply(const Header& header, std::span<const std::byte> payl
 }
 
 // What was emitted for an earlier subscription is not for this one.
-bool ClientSide::takeEvent(const Header& header, std::span<const std::byte> payload) {
+bool ClientSide::takeEvent(const Header& header, std::span<std::byte> payload) {
   if (header.number >= since_.size()) return false;
-  if (payload.size() != channel_->info.events[header.number].payloadSize) return false;
+  const EventInfo& event = channel_->info.events[header.number];
+  if (payload.size() != event.payloadSize) return false;
   if (header.call < since_[header.number]) return true;
+  bringHere(event.shiftPayload, payload.data());
   channel_->events.push(header.number, here(header.stamp), payload);
   arrival_ = true;
   return true;
 }
 
-bool ClientSide::takeRow(const Header& header, std::span<const std::byte> payload) {
+bool ClientSide::takeRow(const Header& header, std::span<std::byte> payload) {
   Columns columns;
   if (payload.size() < sizeof(columns)) return false;
   std::memcpy(&columns, payload.data(), sizeof(columns));
@@ -81,6 +87,7 @@ bool ClientSide::takeRow(const Header& header, std::span<const std::byte> payloa
     if ((columns.valid >> i & 1) == 0) continue;
     const std::size_t size = mirror.columnSize(i);
     if (payload.size() < wordBytes(size)) return false;
+    bringHere(reads_[i]->shiftResult, payload.data());
     std::memcpy(mirror.draft(i), payload.data(), size);
     payload = payload.subspan(wordBytes(size));
   }
@@ -160,7 +167,7 @@ void ClientSide::giveCommand(const rt::CommandRecord& record) {
         .call = record.call,
         .stamp = toNanoseconds(record.stamp)},
        {record.arguments(), command.argumentsSize});
-  if (record.call != 0) calls_[record.call % calls_.size()] = {record.call, command.resultSize};
+  if (record.call != 0) calls_[record.call % calls_.size()] = {record.call, &command};
   // A newest-wins command without an answer uses none.
   if (command.latest && record.call == 0) {
     add(channel_->commands.counters.executed, 1);

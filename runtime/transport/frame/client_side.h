@@ -18,13 +18,13 @@ class ClientSide final : public Connection {
   ClientSide(std::shared_ptr<Channel> channel, rpc::ByteStream bytes, const Terms& terms);
 
  private:
-  bool take(const Header& header, std::span<const std::byte> payload) override;
+  bool take(const Header& header, std::span<std::byte> payload) override;
   void taken() override;
   void give() override;
 
-  bool takeReply(const Header& header, std::span<const std::byte> payload);
-  bool takeEvent(const Header& header, std::span<const std::byte> payload);
-  bool takeRow(const Header& header, std::span<const std::byte> payload);
+  bool takeReply(const Header& header, std::span<std::byte> payload);
+  bool takeEvent(const Header& header, std::span<std::byte> payload);
+  bool takeRow(const Header& header, std::span<std::byte> payload);
   bool takeCredits(const Header& header);
   bool takeRefusals(const Header& header);
 
@@ -32,13 +32,14 @@ class ClientSide final : public Connection {
   void giveCommands();
   void giveCommand(const rt::CommandRecord& record);
 
-  EventSet events_ = 0;  // that the provider's side has been told of
+  std::vector<const CommandInfo*> reads_;  // by column
+  EventSet events_ = 0;                    // that the provider's side has been told of
   rt::ColumnSet columns_ = 0;
   std::uint32_t subscription_ = 0;    // how many have been sent
   std::vector<std::uint32_t> since_;  // by event: the subscription that began it
   struct Sent {
     std::uint32_t call = 0;
-    std::uint32_t resultSize = 0;
+    const CommandInfo* command = nullptr;
   };
   std::array<Sent, Channel::kMaxCalls> calls_;  // by number
   std::vector<std::uint32_t> lent_;             // by command: how many use a credit

@@ -61,6 +61,10 @@ Time Connection::here(std::int64_t stamp) const {
   return std::clamp(fromNanoseconds(rpc::shifted(stamp, shift_)), Time{}, now());
 }
 
+void Connection::bringHere(StampShift shift, std::byte* slot) const {
+  if (shift != nullptr && shift_ != Duration{0}) shift(slot, shift_);
+}
+
 void Connection::send(const Header& header, std::span<const std::byte> payload) {
   std::byte* const memory = socket_.begin(header, payload.size());
   if (!payload.empty()) std::memcpy(memory, payload.data(), payload.size());

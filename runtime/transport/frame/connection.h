@@ -51,7 +51,7 @@ class Connection {
   Connection(std::shared_ptr<Channel> channel, rpc::ByteStream bytes, const Terms& terms);
 
   /// A frame of the peer; false if there can be no such.
-  virtual bool take(const Header& header, std::span<const std::byte> payload) = 0;
+  virtual bool take(const Header& header, std::span<std::byte> payload) = 0;
   /// Behind all that have arrived.
   virtual void taken() {}
   /// Sends what the channel has, as far as there is room.
@@ -60,6 +60,8 @@ class Connection {
   /// A stamp of the peer on this process's clock. What has not happened yet would have a negative
   /// age.
   Time here(std::int64_t stamp) const;
+  /// The same of all stamps in a slot that has arrived. `shift`: null if it has none.
+  void bringHere(StampShift shift, std::byte* slot) const;
   void send(const Header& header, std::span<const std::byte> payload = {});
 
   const std::shared_ptr<Channel> channel_;

@@ -16,14 +16,13 @@ FrameReader::FrameReader(std::uint32_t epoch, std::size_t mostPayload)
 // A whole frame always fits behind what has been taken out.
 std::span<std::byte> FrameReader::space() {
   begin_ += std::exchange(taken_, 0);
-  auto* const bytes = reinterpret_cast<std::byte*>(storage_.data());
   if (begin_ == end_) {
     begin_ = end_ = 0;
   } else if (end_ > storage_.size() * sizeof(std::uint64_t) / 2) {
-    std::memmove(bytes, bytes + begin_, end_ - begin_);
+    std::memmove(bytes(), bytes() + begin_, end_ - begin_);
     end_ -= std::exchange(begin_, 0);
   }
-  return {bytes + end_, storage_.size() * sizeof(std::uint64_t) - end_};
+  return {bytes() + end_, storage_.size() * sizeof(std::uint64_t) - end_};
 }
 
 const Header* FrameReader::next() {
@@ -53,7 +52,7 @@ const Header* FrameReader::broken(Fault fault) {
   return nullptr;
 }
 
-std::span<const std::byte> FrameReader::payload() const {
+std::span<std::byte> FrameReader::payload() {
   return {bytes() + begin_ + sizeof(Header), header().size};
 }
 

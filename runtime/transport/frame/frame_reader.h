@@ -25,12 +25,13 @@ class FrameReader {
 
   /// The next whole frame; nullptr: there is none yet, or a fault. Valid until the next call.
   const Header* next();
-  /// Of the frame that next() returned.
-  std::span<const std::byte> payload() const;
+  /// Of the frame that next() returned; whoever takes it may change it. At a word.
+  std::span<std::byte> payload();
   Fault fault() const { return fault_; }
 
  private:
   const Header& header() const { return *reinterpret_cast<const Header*>(bytes() + begin_); }
+  std::byte* bytes() { return reinterpret_cast<std::byte*>(storage_.data()); }
   const std::byte* bytes() const { return reinterpret_cast<const std::byte*>(storage_.data()); }
   Fault judge(const Header& header) const;
   const Header* broken(Fault fault);

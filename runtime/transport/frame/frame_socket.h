@@ -32,7 +32,7 @@ class FrameSocket {
   void arrived() { empty_ = false; }
   /// The next frame that has arrived, nullptr: none. Valid until the next call.
   const Header* next();
-  std::span<const std::byte> payload() const { return reader_.payload(); }
+  std::span<std::byte> payload() { return reader_.payload(); }
 
   /// Tells the other end, if need be, what has been taken, and sends what the socket takes.
   void flush();

@@ -23,7 +23,7 @@ ProviderSide::ProviderSide(std::shared_ptr<Channel> channel, rpc::ByteStream byt
 
 // ---- from the client
 
-bool ProviderSide::take(const Header& header, std::span<const std::byte> payload) {
+bool ProviderSide::take(const Header& header, std::span<std::byte> payload) {
   switch (header.kind) {
     case Kind::Command: return takeCommand(header, payload);
     case Kind::Subscribe: return takeSubscription(header, payload);
@@ -35,13 +35,14 @@ void ProviderSide::taken() {
   if (std::exchange(work_, false)) channel_->ends.provider->ring();
 }
 
-bool ProviderSide::takeCommand(const Header& header, std::span<const std::byte> payload) {
+bool ProviderSide::takeCommand(const Header& header, std::span<std::byte> payload) {
   if (header.number >= waiting_.size()) return false;
   const CommandInfo& command = channel_->info.commands[header.number];
   if (payload.size() != command.argumentsSize) return false;
   const bool usesCredit = !command.latest || header.call != 0;
   if (usesCredit && waiting_[header.number] == command.depth) return false;
   if (usesCredit) ++waiting_[header.number];
+  bringHere(command.shiftArguments, payload.data());
   const Errc error = post(header, payload);
   if (error != Errc{}) return refuse(header, error);
   work_ = true;

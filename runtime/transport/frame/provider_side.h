@@ -20,11 +20,11 @@ class ProviderSide final : public Connection {
   void setReadOnly() { readOnly_ = true; }
 
  private:
-  bool take(const Header& header, std::span<const std::byte> payload) override;
+  bool take(const Header& header, std::span<std::byte> payload) override;
   void taken() override;
   void give() override;
 
-  bool takeCommand(const Header& header, std::span<const std::byte> payload);
+  bool takeCommand(const Header& header, std::span<std::byte> payload);
   Errc post(const Header& header, std::span<const std::byte> payload);
   bool refuse(const Header& header, Errc error);
   bool takeSubscription(const Header& header, std::span<const std::byte> payload);

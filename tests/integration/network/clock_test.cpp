@@ -6,6 +6,7 @@
 #include <suture/transport/rpc/control_thread.h>
 
 #include <csignal>
+#include <tuple>
 
 #include "integration/network/console.h"
 #include "support/child.h"
@@ -17,7 +18,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-class ClockTest : public testing::TestWithParam<Duration> {
+class ClockTest : public testing::TestWithParam<std::tuple<Duration, Lane>> {
  protected:
   ClockTest() : names_(control_, "unix:" + directory_.file("m.sock")) {}
 
@@ -36,17 +37,19 @@ class ClockTest : public testing::TestWithParam<Duration> {
 
 TEST_P(ClockTest, AgesAreRightWithinTheErrorThatIsShown) {
   if (geteuid() != 0) GTEST_SKIP() << "only root may give a process another clock";
-  const auto ahead = std::chrono::duration_cast<std::chrono::seconds>(GetParam());
+  const auto ahead = std::chrono::duration_cast<std::chrono::seconds>(std::get<0>(GetParam()));
+  const Lane lane = std::get<1>(GetParam());
   const auto host = hostAhead(ahead);
   Console console;
   Manager manager("console", names_.address());
   manager.add("Console", console);
   manager.start();
-  manager.connect("Console/Arm", "skewed:PSM/Arm");
+  manager.connect("Console/Arm", "skewed:PSM/Arm", lane);
 
   const auto channel = manager.channels().at(0);
-  EXPECT_EQ(channel->lane, "rpc");
-  EXPECT_EQ(channel->laneReason, "the two processes have different clocks");
+  EXPECT_EQ(channel->lane, lane == Lane::Rpc ? "rpc" : "frame");
+  EXPECT_EQ(channel->laneReason,
+            lane == Lane::Auto ? "the two processes have different clocks" : "");
   EXPECT_GT(channel->clockError, Duration{0});
   EXPECT_LT(channel->clockError, 100ms);
   const Duration wrong = channel->clockShift + Duration(ahead);
@@ -68,11 +71,15 @@ TEST_P(ClockTest, AgesAreRightWithinTheErrorThatIsShown) {
   EXPECT_EQ(host->end(SIGKILL), -SIGKILL);
 }
 
-std::string nameOf(const testing::TestParamInfo<Duration>& skew) {
-  return skew.param > Duration{0} ? "Ahead" : "Behind";
+std::string nameOf(const testing::TestParamInfo<std::tuple<Duration, Lane>>& info) {
+  const auto [skew, lane] = info.param;
+  return std::string(skew > Duration{0} ? "Ahead" : "Behind") +
+         (lane == Lane::Auto ? "OnAuto" : lane == Lane::Frame ? "OnFrame" : "OnRpc");
 }
 
-INSTANTIATE_TEST_SUITE_P(Skews, ClockTest, testing::Values(Duration(5000s), Duration(-60s)),
+INSTANTIATE_TEST_SUITE_P(Skews, ClockTest,
+                         testing::Combine(testing::Values(Duration(5000s), Duration(-60s)),
+                                          testing::Values(Lane::Auto, Lane::Frame, Lane::Rpc)),
                          nameOf);
 
 }  // namespace

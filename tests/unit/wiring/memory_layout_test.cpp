@@ -56,12 +56,20 @@ TEST(MemoryLayout, OfAnotherBuildIsToldApart) {
 }
 
 TEST(Stamps, OfASteadyClockAreSeenInTheDescription) {
-  EXPECT_FALSE(carriesStamps(infoWith(R"({"commands": [{"type": {"kind": "Int32"}}]})")));
-  EXPECT_FALSE(carriesStamps(infoWith(R"({"commands": [], "structs": [{"clock": "system"}]})")));
-  EXPECT_TRUE(carriesStamps(infoWith(R"({"commands": [], "structs": [{"clock": "steady"}]})")));
+  EXPECT_FALSE(hidesStamps(infoWith(R"({"commands": [{"type": {"kind": "Int32"}}]})")));
+  EXPECT_FALSE(hidesStamps(infoWith(R"({"commands": [], "structs": [{"clock": "system"}]})")));
+  EXPECT_TRUE(hidesStamps(infoWith(R"({"commands": [], "structs": [{"clock": "steady"}]})")));
 }
 
-TEST(Stamps, MayBeInWhatIsNotDescribed) { EXPECT_TRUE(carriesStamps(infoWith(kDescription))); }
+TEST(Stamps, AreNotHiddenWhereTheTablesTurnThem) {
+  InterfaceInfo info = infoWith(R"({"commands": [], "structs": [{"clock": "steady"}]})");
+  std::vector<CommandInfo> commands(info.commands.begin(), info.commands.end());
+  commands[0].shiftArguments = [](std::byte*, Duration) {};
+  info.commands = commands;
+  EXPECT_FALSE(hidesStamps(info));
+}
+
+TEST(Stamps, MayBeInWhatIsNotDescribed) { EXPECT_TRUE(hidesStamps(infoWith(kDescription))); }
 
 }  // namespace
 }  // namespace suture

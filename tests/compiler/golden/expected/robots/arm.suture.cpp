@@ -25,6 +25,7 @@ using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
 using suture::checkSlot;
+using suture::elementsIn;
 using suture::load;
 using suture::newSlot;
 using suture::rpc::ProxyPort;
@@ -36,8 +37,10 @@ using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
+using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
+using suture::shiftSlot;
 using suture::slotIn;
 using suture::slotSize;
 using suture::store;
@@ -84,7 +87,8 @@ constexpr CommandInfo kArmCommands[] = {
      .depth = 16,
      .latest = true,
      .ttl = Duration(20'000'000),
-     .accepts = checkSlot<ArmServoCpArguments, acceptsArmServoCp>},
+     .accepts = checkSlot<ArmServoCpArguments, acceptsArmServoCp>,
+     .shiftArguments = shiftSlot<ArmServoCpArguments>},
     {.name = "set_speed",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<ArmSetSpeedArguments>,
@@ -94,7 +98,8 @@ constexpr CommandInfo kArmCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
-     .column = 0},
+     .column = 0,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "mode",
      .kind = CommandKind::Read,
      .resultSize = slotSize<std::int8_t>,
@@ -104,13 +109,16 @@ constexpr CommandInfo kArmCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<EverythingSlot>,
      .depth = 16,
-     .column = 2},
+     .column = 2,
+     .shiftResult = shiftSlot<EverythingSlot>},
     {.name = "inverse_kinematics",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<ArmInverseKinematicsArguments>,
      .resultSize = slotSize<EverythingSlot>,
      .depth = 16,
-     .accepts = checkSlot<ArmInverseKinematicsArguments, acceptsArmInverseKinematics>},
+     .accepts = checkSlot<ArmInverseKinematicsArguments, acceptsArmInverseKinematics>,
+     .shiftArguments = shiftSlot<ArmInverseKinematicsArguments>,
+     .shiftResult = shiftSlot<EverythingSlot>},
     {.name = "grasp",
      .kind = CommandKind::WriteReturn,
      .argumentsSize = slotSize<ArmGraspArguments>,
@@ -133,8 +141,15 @@ constexpr CommandInfo kArmCommands[] = {
 constexpr EventInfo kArmEvents[] = {
     {.name = "mode_changed", .payloadSize = slotSize<std::int8_t>, .depth = 8, .latched = true},
     {.name = "stopped", .depth = 16},
-    {.name = "arrived", .payloadSize = slotSize<PoseStampedSlot>, .depth = 16},
-    {.name = "moved", .payloadSize = slotSize<ArmMovedPayload>, .depth = 16, .latched = true},
+    {.name = "arrived",
+     .payloadSize = slotSize<PoseStampedSlot>,
+     .depth = 16,
+     .shiftPayload = shiftSlot<PoseStampedSlot>},
+    {.name = "moved",
+     .payloadSize = slotSize<ArmMovedPayload>,
+     .depth = 16,
+     .latched = true,
+     .shiftPayload = shiftSlot<ArmMovedPayload>},
 };
 
 // The self-description, as in robots/arm.suture.json.
@@ -318,12 +333,28 @@ void reserve(const EverythingSlot*, Everything& value) {
   suture::reserveFor<decltype(EverythingSlot::track)>(value.track);
 }
 
+void shiftStamps(EverythingSlot& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+  for (auto& element : elementsIn(slot.track)) {
+    shiftStamps(element, shift);
+  }
+  slot.when = shifted(slot.when, shift);
+}
+
 bool store(const PoseStamped& goal, ArmServoCpArguments& slot) { return store(goal, slot.goal); }
+
+void shiftStamps(ArmServoCpArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
 
 bool store(const double& speed, ArmSetSpeedArguments& slot) { return store(speed, slot.speed); }
 
 bool store(const PoseStamped& x, const double& tolerance, ArmInverseKinematicsArguments& slot) {
   return store(x, slot.x) && store(tolerance, slot.tolerance);
+}
+
+void shiftStamps(ArmInverseKinematicsArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.x, shift);
 }
 
 bool store(const double& width, const Mode& mode, ArmGraspArguments& slot) {
@@ -340,6 +371,8 @@ void load(const ArmMovedPayload& slot, PoseStamped& value, double& value2, Mode&
   load(slot.value2, value2);
   load(slot.value3, value3);
 }
+
+void shiftStamps(ArmMovedPayload& slot, suture::Duration shift) { shiftStamps(slot.value, shift); }
 
 // --- between slots and Cap'n Proto
 

@@ -42,6 +42,7 @@ struct EverythingSlot {
 bool store(const Everything& value, EverythingSlot& slot);
 void load(const EverythingSlot& slot, Everything& value);
 void reserve(const EverythingSlot*, Everything& value);
+void shiftStamps(EverythingSlot& slot, suture::Duration shift);
 
 // --- Arm: the arguments of its commands ---
 
@@ -50,6 +51,7 @@ struct ArmServoCpArguments {
 };
 
 bool store(const PoseStamped& goal, ArmServoCpArguments& slot);
+void shiftStamps(ArmServoCpArguments& slot, suture::Duration shift);
 
 struct ArmSetSpeedArguments {
   double speed;  // m/s
@@ -63,6 +65,7 @@ struct ArmInverseKinematicsArguments {
 };
 
 bool store(const PoseStamped& x, const double& tolerance, ArmInverseKinematicsArguments& slot);
+void shiftStamps(ArmInverseKinematicsArguments& slot, suture::Duration shift);
 
 struct ArmGraspArguments {
   double width;
@@ -82,6 +85,7 @@ struct ArmMovedPayload {
 bool store(const PoseStamped& value, const double& value2, const Mode& value3,
            ArmMovedPayload& slot);
 void load(const ArmMovedPayload& slot, PoseStamped& value, double& value2, Mode& value3);
+void shiftStamps(ArmMovedPayload& slot, suture::Duration shift);
 
 /// The numbers of Arm's commands in every table and record.
 enum class ArmCommand : std::uint16_t {

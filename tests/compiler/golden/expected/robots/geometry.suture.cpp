@@ -14,6 +14,7 @@ using suture::Errc;
 using suture::load;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
+using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::store;
 
@@ -38,6 +39,10 @@ void load(const PoseStampedSlot& slot, PoseStamped& value) {
   load(slot.pose, value.pose);
   load(slot.stamp, value.stamp);
   load(slot.valid, value.valid);
+}
+
+void shiftStamps(PoseStampedSlot& slot, suture::Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
 }
 
 // --- between slots and Cap'n Proto

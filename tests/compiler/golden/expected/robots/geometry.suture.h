@@ -16,5 +16,6 @@ struct PoseStampedSlot {
 
 bool store(const PoseStamped& value, PoseStampedSlot& slot);
 void load(const PoseStampedSlot& slot, PoseStamped& value);
+void shiftStamps(PoseStampedSlot& slot, suture::Duration shift);
 
 }  // namespace robots

@@ -1,0 +1,810 @@
+// Written by suturec from shapes/moments.h. Do not edit.
+#include "shapes/moments.suture.h"
+
+#include <suture/transport/rpc/binding.h>
+#include <suture/transport/rpc/proxy_port.h>
+#include <suture/transport/rpc/servant_port.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "shapes/moments.capnp.h"
+
+namespace shapes {
+
+using suture::CommandInfo;
+using suture::CommandKind;
+using suture::Duration;
+using suture::Errc;
+using suture::EventInfo;
+using suture::elementsIn;
+using suture::load;
+using suture::newSlot;
+using suture::rpc::ProxyPort;
+using suture::rpc::ServantPort;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::isValid;
+using suture::rpc::numberOf;
+using suture::rpc::shifted;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+using suture::shiftSlot;
+using suture::slotIn;
+using suture::slotSize;
+using suture::store;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<decltype(Moment::steady), std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(Moment::system), std::chrono::system_clock::time_point>);
+static_assert(std::is_same_v<decltype(Moment::number), std::int64_t>);
+static_assert(std::is_same_v<decltype(Moments::pair),
+                             std::array<std::chrono::steady_clock::time_point, 2>>);
+static_assert(std::is_same_v<decltype(Moments::list),
+                             std::vector<std::chrono::steady_clock::time_point>>);
+static_assert(std::is_same_v<decltype(Moments::moments), std::vector<shapes::Moment>>);
+static_assert(std::is_same_v<decltype(Moments::nested),
+                             std::vector<std::vector<std::chrono::steady_clock::time_point>>>);
+static_assert(std::is_same_v<decltype(Moments::byNumber),
+                             std::map<std::int32_t, std::chrono::steady_clock::time_point>>);
+static_assert(std::is_same_v<decltype(Moments::perhaps),
+                             std::optional<std::chrono::steady_clock::time_point>>);
+static_assert(std::is_same_v<decltype(Moments::moment), std::optional<shapes::Moment>>);
+static_assert(std::is_same_v<decltype(Moments::entry),
+                             std::tuple<std::int64_t, std::chrono::steady_clock::time_point, shapes::Moment>>);
+static_assert(std::is_same_v<decltype(Moments::either),
+                             std::variant<std::int64_t, std::chrono::steady_clock::time_point, shapes::Moment>>);
+
+void shiftJournalLatestResult(std::int64_t& slot, suture::Duration shift) {
+  slot = shifted(slot, shift);
+}
+
+void shiftJournalFindResult(suture::SlotOptional<MomentSlot>& slot, suture::Duration shift) {
+  if (slot.present != 0) {
+    shiftStamps(slot.value, shift);
+  }
+}
+
+constexpr CommandInfo kJournalCommands[] = {
+    {.name = "put",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<JournalPutArguments>,
+     .depth = 16,
+     .shiftArguments = shiftSlot<JournalPutArguments>},
+    {.name = "count",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<JournalCountArguments>,
+     .depth = 16},
+    {.name = "latest",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<std::int64_t>,
+     .depth = 16,
+     .column = 0,
+     .shiftResult = shiftSlot<std::int64_t, shiftJournalLatestResult>},
+    {.name = "moments",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<MomentsSlot>,
+     .depth = 16,
+     .column = 1,
+     .shiftResult = shiftSlot<MomentsSlot>},
+    {.name = "find",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = slotSize<JournalFindArguments>,
+     .resultSize = slotSize<suture::SlotOptional<MomentSlot>>,
+     .depth = 16,
+     .shiftResult = shiftSlot<suture::SlotOptional<MomentSlot>, shiftJournalFindResult>},
+};
+
+void shiftJournalAddedPayload(std::int64_t& slot, suture::Duration shift) {
+  slot = shifted(slot, shift);
+}
+
+constexpr EventInfo kJournalEvents[] = {
+    {.name = "added",
+     .payloadSize = slotSize<std::int64_t>,
+     .depth = 16,
+     .shiftPayload = shiftSlot<std::int64_t, shiftJournalAddedPayload>},
+    {.name = "changed",
+     .payloadSize = slotSize<JournalChangedPayload>,
+     .depth = 16,
+     .shiftPayload = shiftSlot<JournalChangedPayload>},
+    {.name = "counted", .payloadSize = slotSize<std::int64_t>, .depth = 16},
+};
+
+// The self-description, as in shapes/moments.suture.json.
+constexpr char kJournalDescription[] = R"json(
+{"name": "shapes::Journal",
+"doc": "Right in a contract: the arguments, the results and the payloads.",
+"hash": "616300cf11e2f3ab86da08935e74abc7", "commands": [{"name": "put", "kind": "write",
+"ordinal": 1, "parameters": [{"name": "from", "type": {"kind": "time", "clock": "steady"}}, {
+"name": "number", "type": {"kind": "Int64"}}], "queue": 16}, {"name": "count", "kind": "write",
+"ordinal": 2, "parameters": [{"name": "number", "type": {"kind": "Int64"}}], "queue": 16}, {
+"name": "latest", "kind": "read", "ordinal": 3, "result": {"type": {"kind": "time",
+"clock": "steady"}}, "queue": 16}, {"name": "moments", "kind": "read", "ordinal": 4, "result": {
+"type": {"kind": "struct", "name": "shapes::Moments"}}, "queue": 16}, {"name": "find",
+"kind": "qualified read", "ordinal": 5, "parameters": [{"name": "number", "type": {"kind": "Int64"}
+}], "result": {"type": {"kind": "optional", "element": {"kind": "struct", "name": "shapes::Moment"}
+}}, "queue": 16}], "events": [{"name": "added", "kind": "write", "ordinal": 1, "payload": {
+"type": {"kind": "time", "clock": "steady"}}, "queue": 16}, {"name": "changed", "kind": "write",
+"ordinal": 2, "payload": [{"name": "value", "type": {"kind": "struct", "name": "shapes::Moment"}}, {
+"name": "value2", "type": {"kind": "Int64"}}], "queue": 16}, {"name": "counted", "kind": "write",
+"ordinal": 3, "payload": {"type": {"kind": "Int64"}}, "queue": 16}], "enums": [], "structs": [{
+"name": "shapes::Moment", "doc": "Of both clocks: only one is shifted.", "fields": [{
+"name": "steady", "type": {"kind": "time", "clock": "steady"}}, {"name": "system", "type": {
+"kind": "time", "clock": "system"}}, {"name": "number", "type": {"kind": "Int64"}, "default": 0}]},
+{"name": "shapes::Moments", "doc": "One in each container.", "fields": [{"name": "pair", "type": {
+"kind": "array", "element": {"kind": "time", "clock": "steady"}, "length": 2}}, {"name": "list",
+"type": {"kind": "list", "element": {"kind": "time", "clock": "steady"}, "capacity": 3}}, {
+"name": "moments", "type": {"kind": "list", "element": {"kind": "struct", "name": "shapes::Moment"
+}, "capacity": 2}}, {"name": "nested", "type": {"kind": "list", "element": {"kind": "list",
+"element": {"kind": "time", "clock": "steady"}, "capacity": 2}, "capacity": 2}}, {
+"name": "byNumber", "type": {"kind": "map", "key": {"kind": "Int32"}, "value": {"kind": "time",
+"clock": "steady"}, "capacity": 2}}, {"name": "perhaps", "type": {"kind": "optional", "element": {
+"kind": "time", "clock": "steady"}}}, {"name": "moment", "type": {"kind": "optional", "element": {
+"kind": "struct", "name": "shapes::Moment"}}}, {"name": "entry", "type": {"kind": "tuple",
+"elements": [{"kind": "Int64"}, {"kind": "time", "clock": "steady"}, {"kind": "struct",
+"name": "shapes::Moment"}]}}, {"name": "either", "type": {"kind": "variant", "alternatives": [{
+"kind": "Int64"}, {"kind": "time", "clock": "steady"}, {"kind": "struct", "name": "shapes::Moment"}
+]}}]}], "wire": [{"id": "@0xc3053cb224b0c85f", "kind": "interface", "name": "Journal", "members": [
+{"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events",
+"is": "@0xf44a38be83c21076"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2,
+"name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "put", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "from", "is": "Int64 clock \"steady\""}, {"at": 1,
+"name": "number", "is": "Int64"}, {"at": 2, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 2, "name": "count", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "number",
+"is": "Int64"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 3,
+"name": "latest", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "Int64 clock \"steady\""}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 4,
+"name": "moments", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xea2eb3c4e250494c"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 5, "name": "find",
+"is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "number", "is": "Int64"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0x808a81b58e533e44"}]}]}, {"id": "@0xf44a38be83c21076", "kind": "interface",
+"name": "JournalEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
+"name": "row", "is": "@0xb5363f8a2843600b"}]}, {"at": 1, "name": "added", "parameters": [{"at": 0,
+"name": "value", "is": "Int64 clock \"steady\""}]}, {"at": 2, "name": "changed", "parameters": [{
+"at": 0, "name": "value", "is": "@0xde2753d08ad0e07b"}, {"at": 1, "name": "value2", "is": "Int64"}]
+}, {"at": 3, "name": "counted", "parameters": [{"at": 0, "name": "value", "is": "Int64"}]}]}, {
+"id": "@0xb5363f8a2843600b", "kind": "struct", "name": "JournalStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "latest", "is": "Int64 clock \"steady\""}, {
+"at": 4, "name": "moments", "is": "@0xea2eb3c4e250494c"}]}, {"id": "@0xea2eb3c4e250494c",
+"kind": "struct", "name": "Moments", "members": [{"at": 0, "name": "pair",
+"is": "List(Int64) clock \"steady\" shape \"2\""}, {"at": 1, "name": "list",
+"is": "List(Int64) clock \"steady\""}, {"at": 2, "name": "moments",
+"is": "List(@0xde2753d08ad0e07b)"}, {"at": 3, "name": "nested",
+"is": "List(List(Int64)) clock \"steady\""}, {"at": 4, "name": "byNumber",
+"is": "List(@0xef7b71232d559ed6)"}, {"at": 5, "name": "perhaps", "is": "@0x86ffd776cef10d3b"}, {
+"at": 6, "name": "moment", "is": "@0x808a81b58e533e44"}, {"at": 7, "name": "entry",
+"is": "@0xff5b5cd02a32aa90"}, {"at": 8, "name": "either", "is": "@0xed7215ce608528ed"}]}, {
+"id": "@0xde2753d08ad0e07b", "kind": "struct", "name": "Moment", "members": [{"at": 0,
+"name": "steady", "is": "Int64 clock \"steady\""}, {"at": 1, "name": "system",
+"is": "Int64 clock \"system\""}, {"at": 2, "name": "number", "is": "Int64"}]}, {
+"id": "@0xef7b71232d559ed6", "kind": "struct", "name": "ShapesMomentsEntryOfInt32ToSteadyTime",
+"members": [{"at": 0, "name": "key", "is": "Int32"}, {"at": 1, "name": "value",
+"is": "Int64 clock \"steady\""}]}, {"id": "@0x86ffd776cef10d3b", "kind": "union",
+"name": "ShapesMomentsOptionalSteadyTime", "members": [{"at": 0, "name": "none", "is": "Void"}, {
+"at": 1, "name": "some", "is": "Int64 clock \"steady\""}]}, {"id": "@0x808a81b58e533e44",
+"kind": "union", "name": "ShapesMomentsOptionalMoment", "members": [{"at": 0, "name": "none",
+"is": "Void"}, {"at": 1, "name": "some", "is": "@0xde2753d08ad0e07b"}]}, {
+"id": "@0xff5b5cd02a32aa90", "kind": "struct",
+"name": "ShapesMomentsTupleOfInt64AndSteadyTimeAndMoment", "members": [{"at": 0, "name": "item0",
+"is": "Int64"}, {"at": 1, "name": "item1", "is": "Int64 clock \"steady\""}, {"at": 2,
+"name": "item2", "is": "@0xde2753d08ad0e07b"}]}, {"id": "@0xed7215ce608528ed", "kind": "union",
+"name": "ShapesMomentsEitherOfInt64OrSteadyTimeOrMoment", "members": [{"at": 0, "name": "int64",
+"is": "Int64"}, {"at": 1, "name": "steadyTime", "is": "Int64 clock \"steady\""}, {"at": 2,
+"name": "moment", "is": "@0xde2753d08ad0e07b"}]}]})json";
+
+}  // namespace
+
+bool store(const Moment& value, MomentSlot& slot) {
+  bool fits = true;
+  fits &= store(value.steady, slot.steady);
+  fits &= store(value.system, slot.system);
+  fits &= store(value.number, slot.number);
+  return fits;
+}
+
+void load(const MomentSlot& slot, Moment& value) {
+  load(slot.steady, value.steady);
+  load(slot.system, value.system);
+  load(slot.number, value.number);
+}
+
+void shiftStamps(MomentSlot& slot, suture::Duration shift) {
+  slot.steady = shifted(slot.steady, shift);
+}
+
+bool store(const Moments& value, MomentsSlot& slot) {
+  bool fits = true;
+  fits &= store(value.pair, slot.pair);
+  fits &= store(value.list, slot.list);
+  fits &= store(value.moments, slot.moments);
+  fits &= store(value.nested, slot.nested);
+  fits &= store(value.byNumber, slot.byNumber);
+  fits &= store(value.perhaps, slot.perhaps);
+  fits &= store(value.moment, slot.moment);
+  fits &= store(value.entry, slot.entry);
+  fits &= store(value.either, slot.either);
+  return fits;
+}
+
+void load(const MomentsSlot& slot, Moments& value) {
+  load(slot.pair, value.pair);
+  load(slot.list, value.list);
+  load(slot.moments, value.moments);
+  load(slot.nested, value.nested);
+  load(slot.byNumber, value.byNumber);
+  load(slot.perhaps, value.perhaps);
+  load(slot.moment, value.moment);
+  load(slot.entry, value.entry);
+  load(slot.either, value.either);
+}
+
+void reserve(const MomentsSlot*, Moments& value) {
+  suture::reserveFor<decltype(MomentsSlot::list)>(value.list);
+  suture::reserveFor<decltype(MomentsSlot::moments)>(value.moments);
+  suture::reserveFor<decltype(MomentsSlot::nested)>(value.nested);
+}
+
+void shiftStamps(MomentsSlot& slot, suture::Duration shift) {
+  for (auto& element : slot.pair) {
+    element = shifted(element, shift);
+  }
+  for (auto& element : elementsIn(slot.list)) {
+    element = shifted(element, shift);
+  }
+  for (auto& element : elementsIn(slot.moments)) {
+    shiftStamps(element, shift);
+  }
+  for (auto& element : elementsIn(slot.nested)) {
+    for (auto& element2 : elementsIn(element)) {
+      element2 = shifted(element2, shift);
+    }
+  }
+  for (auto& element : elementsIn(slot.byNumber)) {
+    element.value = shifted(element.value, shift);
+  }
+  if (slot.perhaps.present != 0) {
+    slot.perhaps.value = shifted(slot.perhaps.value, shift);
+  }
+  if (slot.moment.present != 0) {
+    shiftStamps(slot.moment.value, shift);
+  }
+  suture::item<1>(slot.entry) = shifted(suture::item<1>(slot.entry), shift);
+  shiftStamps(suture::item<2>(slot.entry), shift);
+  if (slot.either.index == 1) {
+    suture::alternative<1>(slot.either) = shifted(suture::alternative<1>(slot.either), shift);
+  }
+  if (slot.either.index == 2) {
+    shiftStamps(suture::alternative<2>(slot.either), shift);
+  }
+}
+
+bool store(const std::chrono::steady_clock::time_point& from, const std::int64_t& number,
+           JournalPutArguments& slot) {
+  return store(from, slot.from) && store(number, slot.number);
+}
+
+void shiftStamps(JournalPutArguments& slot, suture::Duration shift) {
+  slot.from = shifted(slot.from, shift);
+}
+
+bool store(const std::int64_t& number, JournalCountArguments& slot) {
+  return store(number, slot.number);
+}
+
+bool store(const std::int64_t& number, JournalFindArguments& slot) {
+  return store(number, slot.number);
+}
+
+bool store(const Moment& value, const std::int64_t& value2, JournalChangedPayload& slot) {
+  return store(value, slot.value) && store(value2, slot.value2);
+}
+
+void load(const JournalChangedPayload& slot, Moment& value, std::int64_t& value2) {
+  load(slot.value, value);
+  load(slot.value2, value2);
+}
+
+void shiftStamps(JournalChangedPayload& slot, suture::Duration shift) {
+  shiftStamps(slot.value, shift);
+}
+
+// --- between slots and Cap'n Proto
+
+void toWire(const MomentSlot& slot, wire::Moment::Builder out) {
+  out.setSteady(slot.steady);
+  out.setSystem(slot.system);
+  out.setNumber(slot.number);
+}
+
+Errc fromWire(wire::Moment::Reader in, MomentSlot& slot, Duration shift) {
+  slot.steady = suture::rpc::shifted(in.getSteady(), shift);
+  slot.system = in.getSystem();
+  slot.number = in.getNumber();
+  return Errc{};
+}
+
+bool isValid(const MomentSlot&) {
+  return true;
+}
+
+void toWire(const suture::SlotEntry<std::int32_t, std::int64_t>& slot,
+            wire::ShapesMomentsEntryOfInt32ToSteadyTime::Builder out) {
+  out.setKey(slot.key);
+  out.setValue(slot.value);
+}
+
+Errc fromWire(wire::ShapesMomentsEntryOfInt32ToSteadyTime::Reader in,
+              suture::SlotEntry<std::int32_t, std::int64_t>& slot, Duration shift) {
+  slot.key = in.getKey();
+  slot.value = suture::rpc::shifted(in.getValue(), shift);
+  return Errc{};
+}
+
+void toWire(const suture::SlotOptional<std::int64_t>& slot,
+            wire::ShapesMomentsOptionalSteadyTime::Builder out) {
+  if (slot.present == 0) return out.setNone();
+  out.setSome(slot.value);
+}
+
+Errc fromWire(wire::ShapesMomentsOptionalSteadyTime::Reader in,
+              suture::SlotOptional<std::int64_t>& slot, Duration shift) {
+  if (in.isNone()) return slot.present = 0, Errc{};
+  if (!in.isSome()) return Errc::Invalid;
+  slot.present = 1;
+  slot.value = suture::rpc::shifted(in.getSome(), shift);
+  return Errc{};
+}
+
+void toWire(const suture::SlotOptional<MomentSlot>& slot,
+            wire::ShapesMomentsOptionalMoment::Builder out) {
+  if (slot.present == 0) return out.setNone();
+  toWire(slot.value, out.initSome());
+}
+
+Errc fromWire(wire::ShapesMomentsOptionalMoment::Reader in, suture::SlotOptional<MomentSlot>& slot,
+              Duration shift) {
+  if (in.isNone()) return slot.present = 0, Errc{};
+  if (!in.isSome()) return Errc::Invalid;
+  slot.present = 1;
+  return in.hasSome() ? fromWire(in.getSome(), slot.value, shift) : Errc::Invalid;
+}
+
+void toWire(const suture::SlotTuple<std::int64_t, std::int64_t, MomentSlot>& slot,
+            wire::ShapesMomentsTupleOfInt64AndSteadyTimeAndMoment::Builder out) {
+  out.setItem0(suture::item<0>(slot));
+  out.setItem1(suture::item<1>(slot));
+  toWire(suture::item<2>(slot), out.initItem2());
+}
+
+Errc fromWire(wire::ShapesMomentsTupleOfInt64AndSteadyTimeAndMoment::Reader in,
+              suture::SlotTuple<std::int64_t, std::int64_t, MomentSlot>& slot, Duration shift) {
+  suture::item<0>(slot) = in.getItem0();
+  suture::item<1>(slot) = suture::rpc::shifted(in.getItem1(), shift);
+  return in.hasItem2() ? fromWire(in.getItem2(), suture::item<2>(slot), shift) : Errc::Invalid;
+}
+
+void toWire(const suture::SlotVariant<std::int64_t, std::int64_t, MomentSlot>& slot,
+            wire::ShapesMomentsEitherOfInt64OrSteadyTimeOrMoment::Builder out) {
+  if (slot.index == 0) return out.setInt64(suture::alternative<0>(slot));
+  if (slot.index == 1) return out.setSteadyTime(suture::alternative<1>(slot));
+  if (slot.index == 2) return toWire(suture::alternative<2>(slot), out.initMoment());
+}
+
+Errc fromWire(wire::ShapesMomentsEitherOfInt64OrSteadyTimeOrMoment::Reader in,
+              suture::SlotVariant<std::int64_t, std::int64_t, MomentSlot>& slot, Duration shift) {
+  if (in.isInt64()) {
+    slot.index = 0;
+    suture::alternative<0>(slot) = in.getInt64();
+    return Errc{};
+  }
+  if (in.isSteadyTime()) {
+    slot.index = 1;
+    suture::alternative<1>(slot) = suture::rpc::shifted(in.getSteadyTime(), shift);
+    return Errc{};
+  }
+  if (in.isMoment()) {
+    slot.index = 2;
+    return in.hasMoment() ? fromWire(in.getMoment(), suture::alternative<2>(slot), shift)
+        : Errc::Invalid;
+  }
+  return Errc::Invalid;
+}
+
+void toWire(const MomentsSlot& slot, wire::Moments::Builder out) {
+  toWire(slot.pair, out.initPair(2));
+  toWire(slot.list, out.initList(slot.list.size));
+  toWireList(slot.moments, out.initMoments(slot.moments.size),
+             [](const MomentSlot& element, auto list, std::uint32_t i) {
+               toWire(element, list[i]);
+             });
+  toWireList(slot.nested, out.initNested(slot.nested.size),
+             [](const suture::BoundedList<std::int64_t, 2>& element, auto list, std::uint32_t i) {
+               toWire(element, list.init(i, element.size));
+             });
+  toWireList(slot.byNumber, out.initByNumber(slot.byNumber.size),
+             [](const auto& element, auto list, std::uint32_t i) {
+               toWire(element, list[i]);
+             });
+  toWire(slot.perhaps, out.initPerhaps());
+  toWire(slot.moment, out.initMoment());
+  toWire(slot.entry, out.initEntry());
+  toWire(slot.either, out.initEither());
+}
+
+Errc fromWire(wire::Moments::Reader in, MomentsSlot& slot, Duration shift) {
+  return firstError({
+      fromWireList(in.getPair(), slot.pair, [&](auto item, std::int64_t& target) {
+        return target = suture::rpc::shifted(item, shift), Errc{};
+      }),
+      fromWireList(in.getList(), slot.list, [&](auto item, std::int64_t& target) {
+        return target = suture::rpc::shifted(item, shift), Errc{};
+      }),
+      fromWireList(in.getMoments(), slot.moments, [&](auto item, MomentSlot& target) {
+        return fromWire(item, target, shift);
+      }),
+      fromWireList(in.getNested(), slot.nested,
+                   [&](auto item, suture::BoundedList<std::int64_t, 2>& target) {
+                     return fromWireList(item, target, [&](auto item2, std::int64_t& target2) {
+                       return target2 = suture::rpc::shifted(item2, shift), Errc{};
+                     });
+                   }),
+      suture::rpc::fromWireDistinct(in.getByNumber(), slot.byNumber, [&](auto item, auto& target) {
+        return fromWire(item, target, shift);
+      }),
+      fromWire(in.getPerhaps(), slot.perhaps, shift),
+      fromWire(in.getMoment(), slot.moment, shift),
+      in.hasEntry() ? fromWire(in.getEntry(), slot.entry, shift) : Errc::Invalid,
+      in.hasEither() ? fromWire(in.getEither(), slot.either, shift) : Errc::Invalid,
+  });
+}
+
+bool isValid(const MomentsSlot& slot) {
+  if (!allOf(slot.moments, [](const MomentSlot& element) { return isValid(element); })) {
+    return false;
+  }
+  return isValid(slot.moment) && isValid(slot.entry) && isValid(slot.either);
+}
+
+namespace {
+
+// --- Journal over Cap'n Proto RPC: the provider's side
+
+/// Makes remote calls of a subscriber's events and rows.
+class JournalSink final : public suture::rpc::EventSink {
+ public:
+  explicit JournalSink(wire::JournalEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+
+  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
+    switch (event) {
+      case numberOf(JournalEvent::added): {
+        const auto& slot = slotIn<std::int64_t>(payload);
+        auto request = subscriber_.addedRequest();
+        request.setValue(slot);
+        return request.send().ignoreResult();
+      }
+      case numberOf(JournalEvent::changed): {
+        const auto& slot = slotIn<JournalChangedPayload>(payload);
+        auto request = subscriber_.changedRequest();
+        toWire(slot.value, request.initValue());
+        request.setValue2(slot.value2);
+        return request.send().ignoreResult();
+      }
+      case numberOf(JournalEvent::counted): {
+        const auto& slot = slotIn<std::int64_t>(payload);
+        auto request = subscriber_.countedRequest();
+        request.setValue(slot);
+        return request.send().ignoreResult();
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
+                        std::span<const std::byte* const> columns) override {
+    auto request = subscriber_.stateRequest();
+    auto out = request.initRow();
+    out.setStamp(suture::toNanoseconds(row.stamp));
+    out.setEvaluated(row.valid);
+    out.setTooLarge(row.tooLarge);
+    if (row.valid >> 0 & 1) {
+      const auto& slot = slotIn<std::int64_t>(columns[0]);
+      out.setLatest(slot);
+    }
+    if (row.valid >> 1 & 1) {
+      const auto& slot = slotIn<MomentsSlot>(columns[1]);
+      toWire(slot, out.initMoments());
+    }
+    return request.send().ignoreResult();
+  }
+
+ private:
+  wire::JournalEvents::Client subscriber_;
+};
+
+/// Puts remote calls into the provider's mailbox.
+class JournalServant final : public wire::Journal::Server {
+ public:
+  explicit JournalServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> subscribe(SubscribeContext context) override {
+    auto in = context.getParams();
+    port_->subscribe(kj::heap<JournalSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> put(PutContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<JournalPutArguments>(memory);
+      slot.from = suture::rpc::shifted(in.getFrom(), port_->shift());
+      slot.number = in.getNumber();
+      return Errc{};
+    };
+    return port_->command(numberOf(JournalCommand::put), in.getSent(), fill);
+  }
+
+  kj::Promise<void> count(CountContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<JournalCountArguments>(memory);
+      slot.number = in.getNumber();
+      return Errc{};
+    };
+    return port_->command(numberOf(JournalCommand::count), in.getSent(), fill);
+  }
+
+  kj::Promise<void> latest(LatestContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
+      const auto& slot = slotIn<std::int64_t>(result);
+      auto out = context.getResults();
+      out.setValue(slot);
+      out.setStamp(suture::toNanoseconds(stamp));
+    };
+    return port_->call(numberOf(JournalCommand::latest), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> moments(MomentsContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
+      const auto& slot = slotIn<MomentsSlot>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
+    };
+    return port_->call(numberOf(JournalCommand::moments), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> find(FindContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<JournalFindArguments>(memory);
+      slot.number = in.getNumber();
+      return Errc{};
+    };
+    auto take = [context](const std::byte* result, suture::Time) mutable {
+      const auto& slot = slotIn<suture::SlotOptional<MomentSlot>>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+    };
+    return port_->call(numberOf(JournalCommand::find), in.getSent(), fill, kj::mv(take));
+  }
+
+ private:
+  kj::Own<ServantPort> port_;
+};
+
+// --- Journal over Cap'n Proto RPC: the client's side
+
+/// Receives events and rows.
+class JournalReceiver final : public wire::JournalEvents::Server {
+ public:
+  explicit JournalReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> state(StateContext context) override {
+    auto in = context.getParams().getRow();
+    suture::rt::ColumnSet valid = 0;
+    if (in.getEvaluated() >> 0 & 1) {
+      auto& slot = port_->column<std::int64_t>(0);
+      slot = suture::rpc::shifted(in.getLatest(), port_->shift());
+      valid |= suture::rt::ColumnSet{1} << 0;
+    }
+    if (in.getEvaluated() >> 1 & 1) {
+      auto& slot = port_->column<MomentsSlot>(1);
+      const Errc error =
+          in.hasMoments() ? fromWire(in.getMoments(), slot, port_->shift()) : Errc::Invalid;
+      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
+    }
+    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> added(AddedContext context) override {
+    auto in = context.getParams();
+    return port_->event<std::int64_t>(numberOf(JournalEvent::added), [&](std::int64_t& slot) {
+      slot = suture::rpc::shifted(in.getValue(), port_->shift());
+      return Errc{};
+    });
+  }
+
+  kj::Promise<void> changed(ChangedContext context) override {
+    auto in = context.getParams();
+    return port_->event<JournalChangedPayload>(numberOf(JournalEvent::changed),
+                                               [&](JournalChangedPayload& slot) {
+      slot.value2 = in.getValue2();
+      return in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
+    });
+  }
+
+  kj::Promise<void> counted(CountedContext context) override {
+    auto in = context.getParams();
+    return port_->event<std::int64_t>(numberOf(JournalEvent::counted), [&](std::int64_t& slot) {
+      slot = in.getValue();
+      return Errc{};
+    });
+  }
+
+ private:
+  kj::Own<ProxyPort> port_;
+};
+
+/// Makes remote calls of commands.
+class JournalProxy final : public suture::rpc::Proxy {
+ public:
+  JournalProxy(wire::Journal::Client provider, ProxyPort& port)
+      : provider_(kj::mv(provider)), port_(port) {}
+
+  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
+    auto request = provider_.subscribeRequest();
+    request.setEvents(kj::heap<JournalReceiver>(kj::addRef(port_)));
+    request.setEventMask(events);
+    request.setStateMask(columns);
+    return request.send().ignoreResult();
+  }
+
+  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
+    switch (static_cast<JournalCommand>(record.command)) {
+      case JournalCommand::put: {
+        const auto& slot = slotIn<JournalPutArguments>(record.arguments());
+        auto request = provider_.putRequest();
+        request.setFrom(slot.from);
+        request.setNumber(slot.number);
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case JournalCommand::count: {
+        const auto& slot = slotIn<JournalCountArguments>(record.arguments());
+        auto request = provider_.countRequest();
+        request.setNumber(slot.number);
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case JournalCommand::latest: {
+        auto request = provider_.latestRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<std::int64_t>(call, response.getStamp(), [&](std::int64_t& answer) {
+            answer = suture::rpc::shifted(response.getValue(), port_.shift());
+            return Errc{};
+          });
+        });
+      }
+      case JournalCommand::moments: {
+        auto request = provider_.momentsRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<MomentsSlot>(call, response.getStamp(), [&](MomentsSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case JournalCommand::find: {
+        const auto& slot = slotIn<JournalFindArguments>(record.arguments());
+        auto request = provider_.findRequest();
+        request.setNumber(slot.number);
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<suture::SlotOptional<MomentSlot>>(call, [&](auto& answer) {
+            return fromWire(response.getValue(), answer, port_.shift());
+          });
+        });
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+ private:
+  wire::Journal::Client provider_;
+  ProxyPort& port_;
+};
+
+class JournalBinding final : public suture::rpc::Binding {
+ public:
+  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
+    return kj::heap<JournalServant>(kj::mv(port));
+  }
+  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
+                                        ProxyPort& port) const override {
+    return kj::heap<JournalProxy>(contract.castAs<wire::Journal>(), port);
+  }
+  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
+    return kj::heap<JournalSink>(subscriber.castAs<wire::JournalEvents>());
+  }
+  capnp::InterfaceSchema schema() const override {
+    return capnp::Schema::from<wire::Journal>();
+  }
+};
+
+const suture::rpc::Binding& journalBinding() {
+  static const JournalBinding kBinding;
+  return kBinding;
+}
+
+}  // namespace
+}  // namespace shapes
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<shapes::Journal>() {
+  static constexpr InterfaceInfo kInfo{
+      .name = "shapes::Journal",
+      .hash = "616300cf11e2f3ab86da08935e74abc7",
+      .description = shapes::kJournalDescription,
+      .commands = shapes::kJournalCommands,
+      .events = shapes::kJournalEvents,
+      .binding = &shapes::journalBinding,
+  };
+  return kInfo;
+}
+
+Errc Provided<shapes::Journal>::execute(std::uint16_t command, const std::byte* arguments,
+                                        std::byte* result) {
+  using ::shapes::JournalCommand;
+  switch (static_cast<JournalCommand>(command)) {
+    case JournalCommand::put: {
+      const auto& slot = slotIn<shapes::JournalPutArguments>(arguments);
+      load(slot.from, scratch_.put_from);
+      load(slot.number, scratch_.put_number);
+      implementation_.put(scratch_.put_from, scratch_.put_number);
+      return Errc{};
+    }
+    case JournalCommand::count: {
+      const auto& slot = slotIn<shapes::JournalCountArguments>(arguments);
+      load(slot.number, scratch_.count_number);
+      implementation_.count(scratch_.count_number);
+      return Errc{};
+    }
+    case JournalCommand::latest: {
+      auto& slot = newSlot<std::int64_t>(result);
+      return store(implementation_.latest(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case JournalCommand::moments: {
+      auto& slot = newSlot<shapes::MomentsSlot>(result);
+      return store(implementation_.moments(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case JournalCommand::find: {
+      const auto& slot = slotIn<shapes::JournalFindArguments>(arguments);
+      load(slot.number, scratch_.find_number);
+      auto& answer = newSlot<suture::SlotOptional<shapes::MomentSlot>>(result);
+      return store(implementation_.find(scratch_.find_number), answer) ? Errc{} : Errc::TooLarge;
+    }
+  }
+  return Errc::Invalid;
+}
+
+}  // namespace suture

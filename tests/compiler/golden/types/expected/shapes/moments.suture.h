@@ -1,0 +1,191 @@
+// Written by suturec from shapes/moments.h. Do not edit.
+#pragma once
+
+#include <suture/base/slots.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "shapes/moments.h"
+
+namespace shapes {
+
+/// Of both clocks: only one is shifted.
+struct MomentSlot {
+  std::int64_t steady;  // suture::Time, ns
+  std::int64_t system;  // std::chrono::system_clock::time_point, ns
+  std::int64_t number;
+};
+
+bool store(const Moment& value, MomentSlot& slot);
+void load(const MomentSlot& slot, Moment& value);
+void shiftStamps(MomentSlot& slot, suture::Duration shift);
+
+/// One in each container.
+struct MomentsSlot {
+  std::array<std::int64_t, 2> pair;
+  suture::BoundedList<std::int64_t, 3> list;
+  suture::BoundedList<MomentSlot, 2> moments;
+  suture::BoundedList<suture::BoundedList<std::int64_t, 2>, 2> nested;
+  suture::BoundedList<suture::SlotEntry<std::int32_t, std::int64_t>, 2> byNumber;
+  suture::SlotOptional<std::int64_t> perhaps;
+  suture::SlotOptional<MomentSlot> moment;
+  suture::SlotTuple<std::int64_t, std::int64_t, MomentSlot> entry;
+  suture::SlotVariant<std::int64_t, std::int64_t, MomentSlot> either;
+};
+
+bool store(const Moments& value, MomentsSlot& slot);
+void load(const MomentsSlot& slot, Moments& value);
+void reserve(const MomentsSlot*, Moments& value);
+void shiftStamps(MomentsSlot& slot, suture::Duration shift);
+
+// --- Journal: the arguments of its commands ---
+
+struct JournalPutArguments {
+  std::int64_t from;
+  std::int64_t number;
+};
+
+bool store(const std::chrono::steady_clock::time_point& from, const std::int64_t& number,
+           JournalPutArguments& slot);
+void shiftStamps(JournalPutArguments& slot, suture::Duration shift);
+
+struct JournalCountArguments {
+  std::int64_t number;
+};
+
+bool store(const std::int64_t& number, JournalCountArguments& slot);
+
+struct JournalFindArguments {
+  std::int64_t number;
+};
+
+bool store(const std::int64_t& number, JournalFindArguments& slot);
+
+// --- Journal: what its events carry ---
+
+struct JournalChangedPayload {
+  MomentSlot value;
+  std::int64_t value2;
+};
+
+bool store(const Moment& value, const std::int64_t& value2, JournalChangedPayload& slot);
+void load(const JournalChangedPayload& slot, Moment& value, std::int64_t& value2);
+void shiftStamps(JournalChangedPayload& slot, suture::Duration shift);
+
+/// The numbers of Journal's commands in every table and record.
+enum class JournalCommand : std::uint16_t {
+  put,
+  count,
+  latest,
+  moments,
+  find,
+};
+
+/// The numbers of Journal's events.
+enum class JournalEvent : std::uint16_t {
+  added,
+  changed,
+  counted,
+};
+
+}  // namespace shapes
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<shapes::Journal>();
+
+/// What a client of shapes::Journal calls.
+template <>
+class Required<shapes::Journal> : public RequiredBase {
+  using Contract = shapes::Journal;
+  using Id = shapes::JournalCommand;
+  using EventId = shapes::JournalEvent;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+  Command<&Contract::put, shapes::JournalPutArguments> put{
+      *this, static_cast<std::uint16_t>(Id::put)};
+  Command<&Contract::count, shapes::JournalCountArguments> count{
+      *this, static_cast<std::uint16_t>(Id::count)};
+  ReadCommand<&Contract::latest, std::int64_t> latest{
+      *this, static_cast<std::uint16_t>(Id::latest)};
+  ReadCommand<&Contract::moments, shapes::MomentsSlot> moments{
+      *this, static_cast<std::uint16_t>(Id::moments)};
+  QualifiedReadCommand<&Contract::find, shapes::JournalFindArguments,
+                       suture::SlotOptional<shapes::MomentSlot>> find{
+      *this, static_cast<std::uint16_t>(Id::find)};
+
+  /// The events of shapes::Journal, to subscribe to.
+  struct Events {
+    explicit Events(RequiredBase& required)
+        : added{required, static_cast<std::uint16_t>(EventId::added)},
+          changed{required, static_cast<std::uint16_t>(EventId::changed)},
+          counted{required, static_cast<std::uint16_t>(EventId::counted)} {}
+
+    Subscription<std::int64_t, std::chrono::steady_clock::time_point> added;
+    Subscription<shapes::JournalChangedPayload, shapes::Moment, std::int64_t> changed;
+    Subscription<std::int64_t, std::int64_t> counted;
+  };
+  Events& on() { return events_; }
+
+ protected:
+  // Of a contract that derives from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+
+ private:
+  Events events_{*this};
+};
+
+/// What serves shapes::Journal from a component.
+template <>
+class Provided<shapes::Journal> : public ProvidedBase {
+  using Contract = shapes::Journal;
+  using EventId = shapes::JournalEvent;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+  /// The events of shapes::Journal, to emit.
+  struct Events {
+    explicit Events(ProvidedBase& provided)
+        : added{provided, static_cast<std::uint16_t>(EventId::added)},
+          changed{provided, static_cast<std::uint16_t>(EventId::changed)},
+          counted{provided, static_cast<std::uint16_t>(EventId::counted)} {}
+
+    Emitter<std::int64_t, std::chrono::steady_clock::time_point> added;
+    Emitter<shapes::JournalChangedPayload, shapes::Moment, std::int64_t> changed;
+    Emitter<std::int64_t, std::int64_t> counted;
+  };
+  Events& emit() { return events_; }
+
+ protected:
+  // Of a contract that derives from this one: `whole` points to its implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  // Reused by every command, so that what they own is allocated once.
+  struct Scratch {
+    std::chrono::steady_clock::time_point put_from;
+    std::int64_t put_number;
+    std::int64_t count_number;
+    std::int64_t find_number;
+  };
+
+  Contract& implementation_;
+  Events events_{*this};
+  Scratch scratch_{};
+};
+
+}  // namespace suture
