@@ -25,8 +25,9 @@ bool holdsStamps(const Type& type, const model::Lookup& lookup) {
   return std::any_of(type.element.begin(), type.element.end(), holds);
 }
 
+/// In a source, which says "using suture::Duration".
 std::string signature(const std::string& function, const std::string& slot) {
-  return "void " + function + "(" + slot + "& slot, " + kBreak + "suture::Duration shift)";
+  return "void " + function + "(" + slot + "& slot, " + kBreak + "Duration shift)";
 }
 
 bool needsOneStatement(const Type& type) {
@@ -122,7 +123,9 @@ bool hasStamps(const std::vector<WireValue>& values, const model::Lookup& lookup
 
 void declareShift(Code& code, const std::vector<WireValue>& values, const std::string& slot,
                   const Context& context) {
-  if (hasStamps(values, context.lookup)) code.line(signature("shiftStamps", slot), ";");
+  if (!hasStamps(values, context.lookup)) return;
+  code.line("void shiftStamps(", slot, "& slot, ", std::string(1, kBreak),
+            "suture::Duration shift);");
 }
 
 void emitShift(Code& code, const std::vector<WireValue>& values, const std::string& slot,

@@ -321,25 +321,19 @@ constexpr char kArmDescription[] = R"json(
 
 bool store(const PoseStamped& goal, ArmServoCpArguments& slot) { return store(goal, slot.goal); }
 
-void shiftStamps(ArmServoCpArguments& slot, suture::Duration shift) {
-  shiftStamps(slot.goal, shift);
-}
+void shiftStamps(ArmServoCpArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
 
 bool store(const JointGoal& goal, ArmServoJpArguments& slot) { return store(goal, slot.goal); }
 
-void shiftStamps(ArmServoJpArguments& slot, suture::Duration shift) {
-  shiftStamps(slot.goal, shift);
-}
+void shiftStamps(ArmServoJpArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
 
 bool store(const JointGoal& goal, ArmMoveJpArguments& slot) { return store(goal, slot.goal); }
 
-void shiftStamps(ArmMoveJpArguments& slot, suture::Duration shift) {
-  shiftStamps(slot.goal, shift);
-}
+void shiftStamps(ArmMoveJpArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
 
 bool store(const JointGoal& q, ArmForwardKinematicsArguments& slot) { return store(q, slot.q); }
 
-void shiftStamps(ArmForwardKinematicsArguments& slot, suture::Duration shift) {
+void shiftStamps(ArmForwardKinematicsArguments& slot, Duration shift) {
   shiftStamps(slot.q, shift);
 }
 
@@ -347,7 +341,7 @@ bool store(const PoseStamped& goal, ArmInverseKinematicsArguments& slot) {
   return store(goal, slot.goal);
 }
 
-void shiftStamps(ArmInverseKinematicsArguments& slot, suture::Duration shift) {
+void shiftStamps(ArmInverseKinematicsArguments& slot, Duration shift) {
   shiftStamps(slot.goal, shift);
 }
 

@@ -1003,7 +1003,7 @@ bool store(const PoseStamped& frame, CrtkArmSetBaseFrameArguments& slot) {
   return store(frame, slot.frame);
 }
 
-void shiftStamps(CrtkArmSetBaseFrameArguments& slot, suture::Duration shift) {
+void shiftStamps(CrtkArmSetBaseFrameArguments& slot, Duration shift) {
   shiftStamps(slot.frame, shift);
 }
 
@@ -1013,59 +1013,45 @@ bool store(const bool& use, CrtkArmUseGravityCompensationArguments& slot) {
 
 bool store(const JointGoal& goal, CrtkArmServoJpArguments& slot) { return store(goal, slot.goal); }
 
-void shiftStamps(CrtkArmServoJpArguments& slot, suture::Duration shift) {
-  shiftStamps(slot.goal, shift);
-}
+void shiftStamps(CrtkArmServoJpArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
 
 bool store(const JointGoal& step, CrtkArmServoJrArguments& slot) { return store(step, slot.step); }
 
-void shiftStamps(CrtkArmServoJrArguments& slot, suture::Duration shift) {
-  shiftStamps(slot.step, shift);
-}
+void shiftStamps(CrtkArmServoJrArguments& slot, Duration shift) { shiftStamps(slot.step, shift); }
 
 bool store(const JointVelocityGoal& goal, CrtkArmServoJvArguments& slot) {
   return store(goal, slot.goal);
 }
 
-void shiftStamps(CrtkArmServoJvArguments& slot, suture::Duration shift) {
-  shiftStamps(slot.goal, shift);
-}
+void shiftStamps(CrtkArmServoJvArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
 
 bool store(const JointEffortGoal& goal, CrtkArmServoJfArguments& slot) {
   return store(goal, slot.goal);
 }
 
-void shiftStamps(CrtkArmServoJfArguments& slot, suture::Duration shift) {
-  shiftStamps(slot.goal, shift);
-}
+void shiftStamps(CrtkArmServoJfArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
 
 bool store(const PoseStamped& goal, CrtkArmServoCpArguments& slot) {
   return store(goal, slot.goal);
 }
 
-void shiftStamps(CrtkArmServoCpArguments& slot, suture::Duration shift) {
-  shiftStamps(slot.goal, shift);
-}
+void shiftStamps(CrtkArmServoCpArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
 
 bool store(const PoseStamped& step, CrtkArmServoCrArguments& slot) {
   return store(step, slot.step);
 }
 
-void shiftStamps(CrtkArmServoCrArguments& slot, suture::Duration shift) {
-  shiftStamps(slot.step, shift);
-}
+void shiftStamps(CrtkArmServoCrArguments& slot, Duration shift) { shiftStamps(slot.step, shift); }
 
 bool store(const TwistGoal& goal, CrtkArmServoCvArguments& slot) { return store(goal, slot.goal); }
 
-void shiftStamps(CrtkArmServoCvArguments& slot, suture::Duration shift) {
-  shiftStamps(slot.goal, shift);
-}
+void shiftStamps(CrtkArmServoCvArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
 
 bool store(const WrenchGoal& goal, CrtkArmBodyServoCfArguments& slot) {
   return store(goal, slot.goal);
 }
 
-void shiftStamps(CrtkArmBodyServoCfArguments& slot, suture::Duration shift) {
+void shiftStamps(CrtkArmBodyServoCfArguments& slot, Duration shift) {
   shiftStamps(slot.goal, shift);
 }
 
@@ -1073,33 +1059,25 @@ bool store(const WrenchGoal& goal, CrtkArmSpatialServoCfArguments& slot) {
   return store(goal, slot.goal);
 }
 
-void shiftStamps(CrtkArmSpatialServoCfArguments& slot, suture::Duration shift) {
+void shiftStamps(CrtkArmSpatialServoCfArguments& slot, Duration shift) {
   shiftStamps(slot.goal, shift);
 }
 
 bool store(const JointGoal& goal, CrtkArmMoveJpArguments& slot) { return store(goal, slot.goal); }
 
-void shiftStamps(CrtkArmMoveJpArguments& slot, suture::Duration shift) {
-  shiftStamps(slot.goal, shift);
-}
+void shiftStamps(CrtkArmMoveJpArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
 
 bool store(const JointGoal& step, CrtkArmMoveJrArguments& slot) { return store(step, slot.step); }
 
-void shiftStamps(CrtkArmMoveJrArguments& slot, suture::Duration shift) {
-  shiftStamps(slot.step, shift);
-}
+void shiftStamps(CrtkArmMoveJrArguments& slot, Duration shift) { shiftStamps(slot.step, shift); }
 
 bool store(const PoseStamped& goal, CrtkArmMoveCpArguments& slot) { return store(goal, slot.goal); }
 
-void shiftStamps(CrtkArmMoveCpArguments& slot, suture::Duration shift) {
-  shiftStamps(slot.goal, shift);
-}
+void shiftStamps(CrtkArmMoveCpArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
 
 bool store(const PoseStamped& step, CrtkArmMoveCrArguments& slot) { return store(step, slot.step); }
 
-void shiftStamps(CrtkArmMoveCrArguments& slot, suture::Duration shift) {
-  shiftStamps(slot.step, shift);
-}
+void shiftStamps(CrtkArmMoveCrArguments& slot, Duration shift) { shiftStamps(slot.step, shift); }
 
 bool store(const double& ratio, CrtkArmTrajectoryJSetRatioArguments& slot) {
   return store(ratio, slot.ratio);
@@ -1115,7 +1093,7 @@ bool store(const double& ratio, CrtkArmTrajectoryJSetRatioAArguments& slot) {
 
 bool store(const JointGoal& q, CrtkArmForwardKinematicsArguments& slot) { return store(q, slot.q); }
 
-void shiftStamps(CrtkArmForwardKinematicsArguments& slot, suture::Duration shift) {
+void shiftStamps(CrtkArmForwardKinematicsArguments& slot, Duration shift) {
   shiftStamps(slot.q, shift);
 }
 
@@ -1123,21 +1101,17 @@ bool store(const PoseStamped& goal, CrtkArmInverseKinematicsArguments& slot) {
   return store(goal, slot.goal);
 }
 
-void shiftStamps(CrtkArmInverseKinematicsArguments& slot, suture::Duration shift) {
+void shiftStamps(CrtkArmInverseKinematicsArguments& slot, Duration shift) {
   shiftStamps(slot.goal, shift);
 }
 
 bool store(const JointGoal& q, CrtkArmQueryCpArguments& slot) { return store(q, slot.q); }
 
-void shiftStamps(CrtkArmQueryCpArguments& slot, suture::Duration shift) {
-  shiftStamps(slot.q, shift);
-}
+void shiftStamps(CrtkArmQueryCpArguments& slot, Duration shift) { shiftStamps(slot.q, shift); }
 
 bool store(const JointGoal& q, CrtkArmLocalQueryCpArguments& slot) { return store(q, slot.q); }
 
-void shiftStamps(CrtkArmLocalQueryCpArguments& slot, suture::Duration shift) {
-  shiftStamps(slot.q, shift);
-}
+void shiftStamps(CrtkArmLocalQueryCpArguments& slot, Duration shift) { shiftStamps(slot.q, shift); }
 
 namespace {
 

@@ -21,6 +21,7 @@ namespace bench {
 
 using suture::CommandInfo;
 using suture::CommandKind;
+using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
 using suture::checkSlot;
@@ -120,15 +121,13 @@ bool store(const robots::PosePrm& value, LoopServerPutArguments& slot) {
   return store(value, slot.value);
 }
 
-void shiftStamps(LoopServerPutArguments& slot, suture::Duration shift) {
-  shiftStamps(slot.value, shift);
-}
+void shiftStamps(LoopServerPutArguments& slot, Duration shift) { shiftStamps(slot.value, shift); }
 
 bool store(const robots::PosePrm& value, LoopServerBounceArguments& slot) {
   return store(value, slot.value);
 }
 
-void shiftStamps(LoopServerBounceArguments& slot, suture::Duration shift) {
+void shiftStamps(LoopServerBounceArguments& slot, Duration shift) {
   shiftStamps(slot.value, shift);
 }
 

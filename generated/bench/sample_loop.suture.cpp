@@ -21,6 +21,7 @@ namespace bench {
 
 using suture::CommandInfo;
 using suture::CommandKind;
+using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
 using suture::checkSlot;
@@ -114,15 +115,13 @@ bool store(const robots::PoseSample& value, SampleServerPutArguments& slot) {
   return store(value, slot.value);
 }
 
-void shiftStamps(SampleServerPutArguments& slot, suture::Duration shift) {
-  shiftStamps(slot.value, shift);
-}
+void shiftStamps(SampleServerPutArguments& slot, Duration shift) { shiftStamps(slot.value, shift); }
 
 bool store(const robots::PoseSample& value, SampleServerBounceArguments& slot) {
   return store(value, slot.value);
 }
 
-void shiftStamps(SampleServerBounceArguments& slot, suture::Duration shift) {
+void shiftStamps(SampleServerBounceArguments& slot, Duration shift) {
   shiftStamps(slot.value, shift);
 }
 

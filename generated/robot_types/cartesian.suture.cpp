@@ -137,9 +137,7 @@ void reserve(const TwistSlot*, Twist& value) {
   suture::reserveFor<decltype(TwistSlot::reference_frame)>(value.reference_frame);
 }
 
-void shiftStamps(TwistSlot& slot, suture::Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
-}
+void shiftStamps(TwistSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
 
 bool store(const TwistGoal& value, TwistGoalSlot& slot) {
   bool fits = true;
@@ -161,9 +159,7 @@ void load(const TwistGoalSlot& slot, TwistGoal& value) {
   load(slot.stamp, value.stamp);
 }
 
-void shiftStamps(TwistGoalSlot& slot, suture::Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
-}
+void shiftStamps(TwistGoalSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
 
 bool store(const Wrench& value, WrenchSlot& slot) {
   bool fits = true;
@@ -192,9 +188,7 @@ void reserve(const WrenchSlot*, Wrench& value) {
   suture::reserveFor<decltype(WrenchSlot::reference_frame)>(value.reference_frame);
 }
 
-void shiftStamps(WrenchSlot& slot, suture::Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
-}
+void shiftStamps(WrenchSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
 
 bool store(const WrenchGoal& value, WrenchGoalSlot& slot) {
   bool fits = true;
@@ -212,9 +206,7 @@ void load(const WrenchGoalSlot& slot, WrenchGoal& value) {
   load(slot.stamp, value.stamp);
 }
 
-void shiftStamps(WrenchGoalSlot& slot, suture::Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
-}
+void shiftStamps(WrenchGoalSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
 
 bool store(const CartesianState& value, CartesianStateSlot& slot) {
   bool fits = true;
@@ -251,7 +243,7 @@ void reserve(const CartesianStateSlot*, CartesianState& value) {
   suture::reserveFor<decltype(CartesianStateSlot::reference_frame)>(value.reference_frame);
 }
 
-void shiftStamps(CartesianStateSlot& slot, suture::Duration shift) {
+void shiftStamps(CartesianStateSlot& slot, Duration shift) {
   slot.stamp = shifted(slot.stamp, shift);
 }
 
@@ -288,7 +280,7 @@ void reserve(const CartesianGoalSlot*, CartesianGoal& value) {
   suture::reserveFor<decltype(CartesianGoalSlot::reference_frame)>(value.reference_frame);
 }
 
-void shiftStamps(CartesianGoalSlot& slot, suture::Duration shift) {
+void shiftStamps(CartesianGoalSlot& slot, Duration shift) {
   slot.stamp = shifted(slot.stamp, shift);
 }
 
@@ -316,7 +308,7 @@ void load(const ServoCartesianSlot& slot, ServoCartesian& value) {
   load(slot.stamp, value.stamp);
 }
 
-void shiftStamps(ServoCartesianSlot& slot, suture::Duration shift) {
+void shiftStamps(ServoCartesianSlot& slot, Duration shift) {
   slot.stamp = shifted(slot.stamp, shift);
 }
 
@@ -376,7 +368,7 @@ void load(const CartesianImpedanceSlot& slot, CartesianImpedance& value) {
   load(slot.stamp, value.stamp);
 }
 
-void shiftStamps(CartesianImpedanceSlot& slot, suture::Duration shift) {
+void shiftStamps(CartesianImpedanceSlot& slot, Duration shift) {
   slot.stamp = shifted(slot.stamp, shift);
 }
 

@@ -57,9 +57,7 @@ void load(const ButtonEventSlot& slot, ButtonEvent& value) {
   load(slot.valid, value.valid);
 }
 
-void shiftStamps(ButtonEventSlot& slot, suture::Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
-}
+void shiftStamps(ButtonEventSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
 
 bool store(const InputData& value, InputDataSlot& slot) {
   bool fits = true;
@@ -82,9 +80,7 @@ void reserve(const InputDataSlot*, InputData& value) {
   suture::reserveFor<decltype(InputDataSlot::digital_inputs)>(value.digital_inputs);
 }
 
-void shiftStamps(InputDataSlot& slot, suture::Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
-}
+void shiftStamps(InputDataSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
 
 bool store(const ImuSample& value, ImuSampleSlot& slot) {
   bool fits = true;
@@ -104,9 +100,7 @@ void load(const ImuSampleSlot& slot, ImuSample& value) {
   load(slot.valid, value.valid);
 }
 
-void shiftStamps(ImuSampleSlot& slot, suture::Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
-}
+void shiftStamps(ImuSampleSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
 
 // --- between slots and Cap'n Proto
 

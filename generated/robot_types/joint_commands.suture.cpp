@@ -117,7 +117,7 @@ void reserve(const JointPositionSlot*, JointPosition& value) {
   suture::reserveFor<decltype(JointPositionSlot::stamps)>(value.stamps);
 }
 
-void shiftStamps(JointPositionSlot& slot, suture::Duration shift) {
+void shiftStamps(JointPositionSlot& slot, Duration shift) {
   for (auto& element : elementsIn(slot.stamps)) {
     element = shifted(element, shift);
   }
@@ -150,7 +150,7 @@ void reserve(const JointPositionGoalSlot*, JointPositionGoal& value) {
   suture::reserveFor<decltype(JointPositionGoalSlot::acceleration)>(value.acceleration);
 }
 
-void shiftStamps(JointPositionGoalSlot& slot, suture::Duration shift) {
+void shiftStamps(JointPositionGoalSlot& slot, Duration shift) {
   slot.stamp = shifted(slot.stamp, shift);
 }
 
@@ -172,7 +172,7 @@ void reserve(const JointVelocitySlot*, JointVelocity& value) {
   suture::reserveFor<decltype(JointVelocitySlot::velocity)>(value.velocity);
 }
 
-void shiftStamps(JointVelocitySlot& slot, suture::Duration shift) {
+void shiftStamps(JointVelocitySlot& slot, Duration shift) {
   slot.stamp = shifted(slot.stamp, shift);
 }
 
@@ -204,7 +204,7 @@ void reserve(const JointVelocityGoalSlot*, JointVelocityGoal& value) {
   suture::reserveFor<decltype(JointVelocityGoalSlot::mask)>(value.mask);
 }
 
-void shiftStamps(JointVelocityGoalSlot& slot, suture::Duration shift) {
+void shiftStamps(JointVelocityGoalSlot& slot, Duration shift) {
   slot.stamp = shifted(slot.stamp, shift);
 }
 
@@ -227,7 +227,7 @@ void reserve(const JointEffortGoalSlot*, JointEffortGoal& value) {
   suture::reserveFor<decltype(JointEffortGoalSlot::mask)>(value.mask);
 }
 
-void shiftStamps(JointEffortGoalSlot& slot, suture::Duration shift) {
+void shiftStamps(JointEffortGoalSlot& slot, Duration shift) {
   slot.stamp = shifted(slot.stamp, shift);
 }
 
@@ -305,9 +305,7 @@ void reserve(const ServoJointSlot*, ServoJoint& value) {
   suture::reserveFor<decltype(ServoJointSlot::position_projection)>(value.position_projection);
 }
 
-void shiftStamps(ServoJointSlot& slot, suture::Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
-}
+void shiftStamps(ServoJointSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
 
 bool store(const ActuatorJointCoupling& value, ActuatorJointCouplingSlot& slot) {
   bool fits = true;
@@ -360,9 +358,7 @@ void reserve(const JacobianSlot*, Jacobian& value) {
   suture::reserveFor<decltype(JacobianSlot::coefficients)>(value.coefficients);
 }
 
-void shiftStamps(JacobianSlot& slot, suture::Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
-}
+void shiftStamps(JacobianSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
 
 // --- between slots and Cap'n Proto
 

@@ -63,9 +63,7 @@ void reserve(const JointStateSlot*, JointState& value) {
   suture::reserveFor<decltype(JointStateSlot::effort)>(value.effort);
 }
 
-void shiftStamps(JointStateSlot& slot, suture::Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
-}
+void shiftStamps(JointStateSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
 
 bool store(const JointGoal& value, JointGoalSlot& slot) {
   bool fits = true;
@@ -83,9 +81,7 @@ void reserve(const JointGoalSlot*, JointGoal& value) {
   suture::reserveFor<decltype(JointGoalSlot::position)>(value.position);
 }
 
-void shiftStamps(JointGoalSlot& slot, suture::Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
-}
+void shiftStamps(JointGoalSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
 
 bool store(const JointSolution& value, JointSolutionSlot& slot) {
   bool fits = true;

@@ -57,7 +57,7 @@ void load(const IntervalStatisticsSlot& slot, IntervalStatistics& value) {
   load(slot.valid, value.valid);
 }
 
-void shiftStamps(IntervalStatisticsSlot& slot, suture::Duration shift) {
+void shiftStamps(IntervalStatisticsSlot& slot, Duration shift) {
   slot.stamp = shifted(slot.stamp, shift);
 }
 

@@ -59,7 +59,7 @@ void reserve(const OperatingStateSlot*, OperatingState& value) {
   suture::reserveFor<decltype(OperatingStateSlot::sub_state)>(value.sub_state);
 }
 
-void shiftStamps(OperatingStateSlot& slot, suture::Duration shift) {
+void shiftStamps(OperatingStateSlot& slot, Duration shift) {
   slot.stamp = shifted(slot.stamp, shift);
 }
 

@@ -53,9 +53,7 @@ void load(const PoseStampedSlot& slot, PoseStamped& value) {
   load(slot.valid, value.valid);
 }
 
-void shiftStamps(PoseStampedSlot& slot, suture::Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
-}
+void shiftStamps(PoseStampedSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
 
 bool store(const PoseSample& value, PoseSampleSlot& slot) {
   bool fits = true;
@@ -75,9 +73,7 @@ void load(const PoseSampleSlot& slot, PoseSample& value) {
   load(slot.flags, value.flags);
 }
 
-void shiftStamps(PoseSampleSlot& slot, suture::Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
-}
+void shiftStamps(PoseSampleSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
 
 bool store(const PosePrm& value, PosePrmSlot& slot) {
   bool fits = true;
@@ -104,7 +100,7 @@ void reserve(const PosePrmSlot*, PosePrm& value) {
   suture::reserveFor<decltype(PosePrmSlot::reference_frame)>(value.reference_frame);
 }
 
-void shiftStamps(PosePrmSlot& slot, suture::Duration shift) {
+void shiftStamps(PosePrmSlot& slot, Duration shift) {
   slot.timestamp = shifted(slot.timestamp, shift);
 }
 

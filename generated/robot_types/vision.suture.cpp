@@ -82,9 +82,7 @@ void reserve(const PoseArraySlot*, PoseArray& value) {
   suture::reserveFor<decltype(PoseArraySlot::visible)>(value.visible);
 }
 
-void shiftStamps(PoseArraySlot& slot, suture::Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
-}
+void shiftStamps(PoseArraySlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
 
 bool store(const ImageFrame& value, ImageFrameSlot& slot) {
   bool fits = true;
@@ -110,9 +108,7 @@ void reserve(const ImageFrameSlot*, ImageFrame& value) {
   suture::reserveFor<decltype(ImageFrameSlot::data)>(value.data);
 }
 
-void shiftStamps(ImageFrameSlot& slot, suture::Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
-}
+void shiftStamps(ImageFrameSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
 
 bool store(const CameraInfo& value, CameraInfoSlot& slot) {
   bool fits = true;
@@ -138,9 +134,7 @@ void load(const CameraInfoSlot& slot, CameraInfo& value) {
   load(slot.valid, value.valid);
 }
 
-void shiftStamps(CameraInfoSlot& slot, suture::Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
-}
+void shiftStamps(CameraInfoSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
 
 bool store(const DepthMap& value, DepthMapSlot& slot) {
   bool fits = true;
@@ -170,9 +164,7 @@ void reserve(const DepthMapSlot*, DepthMap& value) {
   suture::reserveFor<decltype(DepthMapSlot::color)>(value.color);
 }
 
-void shiftStamps(DepthMapSlot& slot, suture::Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
-}
+void shiftStamps(DepthMapSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
 
 // --- between slots and Cap'n Proto
 

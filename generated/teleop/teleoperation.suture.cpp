@@ -148,7 +148,7 @@ void load(const FollowAnchorsSlot& slot, FollowAnchors& value) {
   load(slot.entry, value.entry);
 }
 
-void shiftStamps(FollowAnchorsSlot& slot, suture::Duration shift) {
+void shiftStamps(FollowAnchorsSlot& slot, Duration shift) {
   slot.master_stamp = shifted(slot.master_stamp, shift);
 }
 

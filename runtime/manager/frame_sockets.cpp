@@ -5,8 +5,10 @@
 #include <sys/random.h>
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 namespace suture {
 namespace {
@@ -30,54 +32,112 @@ kj::Exception refused(const std::string& text) {
   return rpc::failure(kj::Exception::Type::FAILED, text);
 }
 
-/// What no peer can guess.
 template <class Value>
 Value random() {
   Value value;
-  if (getrandom(&value, sizeof(value), 0) == static_cast<ssize_t>(sizeof(value))) return value;
-  throw SetupError("get random bytes for a connection", std::strerror(errno), "Try again");
+  fillWithRandom(&value, sizeof(value));
+  return value;
 }
 
 bool isSame(const rpc::PeerIdentity& one, const rpc::PeerIdentity& other) {
   return one.proof == other.proof && one.user == other.user && one.process == other.process;
 }
 
-}  // namespace
-
-std::uint32_t randomEpoch() { return random<std::uint32_t>(); }
-
-wire::FrameSocket::Client FrameSockets::handOver(const AwaitingSocket& end) {
-  int ends[2];
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0, ends) != 0) {
-    throw SetupError("make sockets for a connection", std::strerror(errno),
-                     "Raise the limit of descriptors (ulimit -n)");
-  }
-  kj::AutoCloseFd ours(ends[0]), theirs(ends[1]);
-  carry(end, kj::mv(ours));
-  return kj::heap<SocketServer>(kj::mv(theirs));
+bool isSame(const FrameClient& one, const FrameClient& other) {
+  return !one.name.empty() && one.name == other.name && isSame(one.who, other.who) &&
+         one.handsOver == other.handsOver;
 }
 
-rpc::Token FrameSockets::await(const AwaitingSocket& end, const rpc::PeerIdentity& who) {
-  std::erase_if(awaited_, [](const auto& one) {
-    return one.second.end.channel->status == ChannelStatus::Closed;
-  });
-  const auto token = random<rpc::Token>();
-  awaited_.insert({token, {end, who}});
-  return token;
+struct SocketPair {
+  kj::AutoCloseFd ours, theirs;
+};
+
+SocketPair makeSockets() {
+  int ends[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0, ends) == 0) {
+    return {kj::AutoCloseFd(ends[0]), kj::AutoCloseFd(ends[1])};
+  }
+  throw SetupError("make sockets for a connection", std::strerror(errno),
+                   "Raise the limit of descriptors (ulimit -n)");
+}
+
+}  // namespace
+
+void fillWithRandom(void* memory, std::size_t size) {
+  if (getrandom(memory, size, 0) == static_cast<ssize_t>(size)) return;
+  throw SetupError("get random bytes for a connection", std::strerror(errno), "Try again");
+}
+
+bool FrameSockets::Shared::take(const std::shared_ptr<frame::Connection>& connection) {
+  if (const auto held = link.lock()) {
+    if (held->broken()) return false;
+    held->join(connection);
+    return true;
+  }
+  if (token == nullptr) return false;
+  awaiting.push_back(connection);
+  return true;
+}
+
+FrameSockets::Offered FrameSockets::offer(const UncarriedEnd& end, const FrameClient& client) {
+  forgetEnded();
+  Offered offered;
+  offered.connection = ++latest_;
+  const auto side = std::make_shared<frame::ProviderSide>(
+      end.channel, frame::Terms{.number = offered.connection, .shift = end.shift});
+  if (end.readOnly) side->setReadOnly();
+  for (auto& [epoch, shared] : links_) {
+    if (!isSame(shared.client, client) || !shared.take(side)) continue;
+    doorbell()->ring();
+    offered.epoch = epoch;
+    return offered;
+  }
+  makeLink(side, client, offered);
+  return offered;
+}
+
+void FrameSockets::makeLink(const std::shared_ptr<frame::Connection>& first,
+                            const FrameClient& client, Offered& offered) {
+  offered.epoch = random<std::uint32_t>();
+  Shared shared{.client = client, .link = {}, .token = nullptr, .awaiting = {first}};
+  if (client.handsOver) {
+    SocketPair pair = makeSockets();
+    begin(offered.epoch, shared, rpc::ByteStream(kj::mv(pair.ours)));
+    offered.socket = kj::heap<SocketServer>(kj::mv(pair.theirs));
+  } else {
+    const auto token = random<rpc::Token>();
+    offered.token = token;
+    shared.token = token;
+  }
+  links_.insert_or_assign(offered.epoch, std::move(shared));
+}
+
+void FrameSockets::begin(std::uint32_t epoch, Shared& shared, rpc::ByteStream bytes) {
+  const auto link = std::make_shared<frame::Link>(kj::mv(bytes), epoch);
+  for (auto& one : std::exchange(shared.awaiting, {})) link->join(std::move(one));
+  shared.link = link;
+  lane_.add(link);
 }
 
 void FrameSockets::arrived(const rpc::Token& token, rpc::ByteStream bytes) {
-  const auto found = awaited_.find(token);
-  if (found == awaited_.end() || !isSame(found->second.who, bytes.peer())) return;
-  const AwaitingSocket end = found->second.end;
-  awaited_.erase(found);
-  if (say(bytes, token)) carry(end, kj::mv(bytes));
+  for (auto& [epoch, shared] : links_) {
+    KJ_IF_MAYBE (awaited, shared.token) {
+      if (*awaited != token || !isSame(shared.client.who, bytes.peer())) continue;
+      shared.token = nullptr;
+      if (say(bytes, token)) begin(epoch, shared, kj::mv(bytes));
+      return;
+    }
+  }
 }
 
-void FrameSockets::carry(const AwaitingSocket& end, rpc::ByteStream bytes) {
-  auto side = std::make_shared<frame::ProviderSide>(end.channel, kj::mv(bytes), end.terms);
-  if (end.readOnly) side->setReadOnly();
-  lane_.add(std::move(side));
+void FrameSockets::forgetEnded() {
+  std::erase_if(links_, [](const auto& one) {
+    const Shared& shared = one.second;
+    const auto link = shared.link.lock();
+    return (link == nullptr || link->broken()) &&
+           std::all_of(shared.awaiting.begin(), shared.awaiting.end(),
+                       [](const auto& end) { return end->over(); });
+  });
 }
 
 kj::Promise<rpc::ByteStream> receiveSocket(wire::FrameSocket::Client socket) {

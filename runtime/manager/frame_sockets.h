@@ -1,6 +1,6 @@
 #pragma once
-// How the socket of a frame connection comes to both ends: handed over on a Unix socket, or as a
-// second connection that shows a token.
+// How the socket of a frame link comes to both ends: handed over on a Unix socket, or as a second
+// connection that shows a token.
 
 #include <suture/transport/rpc/kj_comparisons.h>  // first
 
@@ -13,14 +13,23 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace suture {
 
-/// A provider's end that has no socket yet.
-struct AwaitingSocket {
+/// A provider's end of a connection that no link carries yet.
+struct UncarriedEnd {
   std::shared_ptr<Channel> channel;
-  frame::Terms terms;
+  Duration shift;
   bool readOnly = false;
+};
+
+/// Whose connections may share a link.
+struct FrameClient {
+  std::string name;  ///< "": it shares none
+  rpc::PeerIdentity who;
+  bool handsOver = false;  ///< can be handed a socket
 };
 
 /// The provider's ends of a process on their way to the lane thread. Belongs to the control thread.
@@ -31,29 +40,45 @@ class FrameSockets {
   /// Rung by providers for what goes out.
   std::shared_ptr<rt::Doorbell> doorbell() { return lane_.doorbell(); }
 
-  /// Carries `end` on one of a pair of sockets, and returns the other. Throws SetupError if the
+  /// What an offer says: how the client's end comes to the link.
+  struct Offered {
+    std::uint32_t epoch = 0, connection = 0;
+    // Neither: the client has its socket, or is getting it.
+    kj::Maybe<wire::FrameSocket::Client> socket;
+    kj::Maybe<rpc::Token> token;
+  };
+  /// Carries `end` on the link that the client has, or on a new one. Throws SetupError if the
   /// kernel refuses.
-  wire::FrameSocket::Client handOver(const AwaitingSocket& end);
-  /// The next connection of `who` that shows the token carries `end`. Throws SetupError likewise.
-  rpc::Token await(const AwaitingSocket& end, const rpc::PeerIdentity& who);
+  Offered offer(const UncarriedEnd& end, const FrameClient& client);
+
   /// A connection has come and shows `token`. One that nobody awaits, or not any more, or not of
   /// this peer, is closed.
   void arrived(const rpc::Token& token, rpc::ByteStream bytes);
 
  private:
-  struct Awaited {
-    AwaitingSocket end;
-    rpc::PeerIdentity who;
+  /// A link that may have several connections, or is about to.
+  struct Shared {
+    /// False: it is over.
+    bool take(const std::shared_ptr<frame::Connection>& connection);
+
+    FrameClient client;
+    std::weak_ptr<frame::Link> link;  // none until the socket has come
+    kj::Maybe<rpc::Token> token;      // that it will show
+    std::vector<std::shared_ptr<frame::Connection>> awaiting;
   };
 
-  void carry(const AwaitingSocket& end, rpc::ByteStream bytes);
+  void makeLink(const std::shared_ptr<frame::Connection>& first, const FrameClient& client,
+                Offered& offered);
+  void begin(std::uint32_t epoch, Shared& shared, rpc::ByteStream bytes);
+  void forgetEnded();
 
   frame::LaneThread& lane_;
-  std::map<rpc::Token, Awaited> awaited_;
+  std::map<std::uint32_t, Shared> links_;  // by epoch
+  std::uint32_t latest_ = 0;               // connection
 };
 
-/// Of frames of one connection, most likely of no other. Throws SetupError if the kernel refuses.
-std::uint32_t randomEpoch();
+/// What no peer can guess. Throws SetupError if the kernel refuses.
+void fillWithRandom(void* memory, std::size_t size);
 
 /// The client's end of a socket that was handed over.
 kj::Promise<rpc::ByteStream> receiveSocket(wire::FrameSocket::Client socket);

@@ -1,5 +1,6 @@
 #include <suture/base/errors.h>
 #include <suture/manager/describe.h>
+#include <suture/manager/frame_links.h>
 #include <suture/manager/manager_link.h>
 #include <suture/manager/network.h>
 #include <suture/manager/peer_address.h>
@@ -77,7 +78,7 @@ class Network::Impl {
                                               whyLost_[channel] = std::move(why);
                                             }};
       auto& connection = connections_[name];
-      connection = std::make_unique<RemoteConnection>(control_, frames_, *link_, required, from, to,
+      connection = std::make_unique<RemoteConnection>(control_, links_, *link_, required, from, to,
                                                       lane, told, interposer, watch);
       // What could not be connected may be gone before this is.
       return connection->open(patience)
@@ -165,6 +166,7 @@ class Network::Impl {
   const Security security_;
   rpc::ControlThread control_;
   frame::LaneThread frames_;
+  FrameLinks links_{frames_};
   std::unique_ptr<ManagerLink> link_;
   std::unique_ptr<PeerHost> host_;
   kj::ForkedPromise<void> givenUp_{nullptr};

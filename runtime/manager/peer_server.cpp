@@ -318,25 +318,20 @@ void PeerServer::sendFrames(Asked& asked, const InterfaceInfo& contract,
                                            asked.provided.state(), in.getEvents());
   channel->clientsBell = bell;
   setClock(*channel, in.getClockOffset(), in.getClockError());
-  const AwaitingSocket end{.channel = channel,
-                           .terms = {.epoch = randomEpoch(), .shift = channel->clockShift},
-                           .readOnly = mayOnlyRead(asked.endpoint)};
-  const bool handsOver = in.getFrame().getHandsOver();
-  kj::Maybe<wire::FrameSocket::Client> socket;
-  rpc::Token token;
-  if (handsOver) {
-    socket = host_.frames_.handOver(end);
-  } else {
-    token = host_.frames_.await(end, caller_->identity);
-  }
+  const auto asks = in.getFrame();
+  FrameSockets::Offered offered = host_.frames_.offer(
+      {.channel = channel, .shift = channel->clockShift, .readOnly = mayOnlyRead(asked.endpoint)},
+      {.name = std::string(asks.getClient().asChars().begin(), asks.getClient().asChars().end()),
+       .who = caller_->identity,
+       .handsOver = asks.getHandsOver()});
   auto out = accepted(asked, *kj::refcounted<StatusPort>(host_.control_, channel));
   if (!laneReason.empty()) out.setLaneReason(textOf(laneReason));
   auto offer = out.initFrame();
-  offer.setEpoch(end.terms.epoch);
-  KJ_IF_MAYBE (one, socket) {
-    offer.setSocket(kj::mv(*one));
-  } else {
-    offer.setToken({reinterpret_cast<const kj::byte*>(token.data()), token.size()});
+  offer.setEpoch(offered.epoch);
+  offer.setConnection(offered.connection);
+  KJ_IF_MAYBE (socket, offered.socket) offer.setSocket(kj::mv(*socket));
+  KJ_IF_MAYBE (token, offered.token) {
+    offer.setToken({reinterpret_cast<const kj::byte*>(token->data()), token->size()});
   }
   asked.provided.attach(channel);
   host_.remember(std::move(channel));

@@ -106,7 +106,7 @@ class RemoteConnection::NoticesReceiver final : public wire::Notices::Server {
   std::function<void(std::string)> lost_;
 };
 
-RemoteConnection::RemoteConnection(rpc::ControlThread& control, frame::LaneThread& frames,
+RemoteConnection::RemoteConnection(rpc::ControlThread& control, FrameLinks& frames,
                                    ManagerLink& manager, RequiredBase& required, Endpoint from,
                                    Endpoint to, Lane lane, Told told, const Interposer& interposer,
                                    std::shared_ptr<ConnectionWatch> watch)
@@ -263,15 +263,19 @@ kj::Promise<void> RemoteConnection::ask(Lanes lanes) {
     memory.setBell(handOut(client().doorbell().share()));
   }
   if (lanes.frames) {
+    const std::string client = frames_.client(longestSilence_);
     auto frame = request.initFrame();
     frame.setLayout(textOf(memoryLayout(required_.info())));
     frame.setHandsOver(sharesMachine_);
+    frame.setClient(kj::StringPtr(client.c_str(), client.size()).asBytes());
   }
   notified_ = kj::mv(notified);
-  return request.send().then([this](auto&& results) -> kj::Promise<void> {
-    if (results.isRefused()) return refused(results.getRefused());
-    return begin(results.getAccepted());
-  });
+  return request.send()
+      .then([this](auto&& results) -> kj::Promise<void> {
+        if (results.isRefused()) return refused(results.getRefused());
+        return begin(results.getAccepted());
+      })
+      .attach(frames_.hold());
 }
 
 kj::Promise<void> RemoteConnection::begin(wire::ConnectResults::Accepted::Reader accepted) {
@@ -295,9 +299,9 @@ kj::Promise<void> RemoteConnection::beginFaster(wire::ConnectResults::Accepted::
       beginSharing(parts);
     });
   }
-  const std::uint32_t epoch = accepted.getFrame().getEpoch(), rows = accepted.getRows();
-  return openSocket(accepted.getFrame()).then([this, epoch, rows](rpc::ByteStream bytes) {
-    beginFrames(kj::mv(bytes), epoch, rows);
+  const std::uint32_t number = accepted.getFrame().getConnection(), rows = accepted.getRows();
+  return openLink(accepted.getFrame()).then([this, number, rows](FrameLinks::Link link) {
+    beginFrames(link, number, rows);
   });
 }
 
@@ -326,6 +330,16 @@ void RemoteConnection::beginCalls(wire::ConnectResults::Accepted::Reader accepte
   use(std::move(channel));
 }
 
+kj::Promise<FrameLinks::Link> RemoteConnection::openLink(wire::FrameOffer::Reader offer) {
+  const FrameLinks::Name name(to_.process, offer.getEpoch());
+  if (offer.hasSocket() || offer.hasToken()) {
+    return openSocket(offer).then(
+        [this, name](rpc::ByteStream bytes) { return frames_.open(name, kj::mv(bytes)); });
+  }
+  return rpc::within(control_.timer(), kDialLimit, frames_.find(name),
+                     "the socket that the provider says is on its way has not come");
+}
+
 kj::Promise<rpc::ByteStream> RemoteConnection::openSocket(wire::FrameOffer::Reader offer) {
   if (!offer.hasToken()) return receiveSocket(offer.getSocket());
   return manager_.reach(process_, kDialLimit)
@@ -335,16 +349,18 @@ kj::Promise<rpc::ByteStream> RemoteConnection::openSocket(wire::FrameOffer::Read
       });
 }
 
-void RemoteConnection::beginFrames(rpc::ByteStream bytes, std::uint32_t epoch, std::uint32_t rows) {
+void RemoteConnection::beginFrames(const FrameLinks::Link& link, std::uint32_t number,
+                                   std::uint32_t rows) {
   const std::shared_ptr<rt::Doorbell> bell = frames_.doorbell();
   auto channel = mirroredChannel(Lane::Frame, *bell, rows);
   channel->providersBell = bell;
   const auto connection = std::make_shared<frame::ClientSide>(
-      channel, kj::mv(bytes), frame::Terms{.epoch = epoch, .shift = -clock_.offset()});
+      channel, frame::Terms{.number = number, .shift = -clock_.offset()});
   auto end = kj::refcounted<FrameEnd>(control_, channel, connection);
   framesBroken_ = end->whenBroken();
   end_ = kj::mv(end);
-  frames_.add(connection);
+  link->join(connection);
+  bell->ring();
   use(std::move(channel));
 }
 

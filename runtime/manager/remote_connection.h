@@ -3,11 +3,11 @@
 
 #include <suture/component/required.h>
 #include <suture/manager/clock_offset.h>
+#include <suture/manager/frame_links.h>
 #include <suture/manager/lane.h>
 #include <suture/manager/manager_link.h>
 #include <suture/manager/network.h>
 #include <suture/peer.capnp.h>
-#include <suture/transport/frame/lane_thread.h>
 #include <suture/transport/rpc/address.h>
 #include <suture/transport/rpc/client_end.h>
 #include <suture/transport/rpc/link.h>
@@ -34,7 +34,7 @@ class RemoteConnection {
   };
 
   /// `from` and `to` with their processes.
-  RemoteConnection(rpc::ControlThread& control, frame::LaneThread& frames, ManagerLink& manager,
+  RemoteConnection(rpc::ControlThread& control, FrameLinks& frames, ManagerLink& manager,
                    RequiredBase& required, Endpoint from, Endpoint to, Lane lane, Told told,
                    const Interposer& interposer, std::shared_ptr<ConnectionWatch> watch);
   ~RemoteConnection() noexcept(false);
@@ -67,8 +67,9 @@ class RemoteConnection {
   kj::Promise<void> beginFaster(wire::ConnectResults::Accepted::Reader accepted);
   void beginCalls(wire::ConnectResults::Accepted::Reader accepted);
   void beginSharing(const shm::SharedParts& parts);
+  kj::Promise<FrameLinks::Link> openLink(wire::FrameOffer::Reader offer);
   kj::Promise<rpc::ByteStream> openSocket(wire::FrameOffer::Reader offer);
-  void beginFrames(rpc::ByteStream bytes, std::uint32_t epoch, std::uint32_t rows);
+  void beginFrames(const FrameLinks::Link& link, std::uint32_t number, std::uint32_t rows);
   std::shared_ptr<Channel> mirroredChannel(Lane lane, rt::Doorbell& carrier, std::uint32_t rows);
   void use(std::shared_ptr<Channel> channel);
   Component& client() const;
@@ -79,7 +80,7 @@ class RemoteConnection {
   void drop();
 
   rpc::ControlThread& control_;
-  frame::LaneThread& frames_;
+  FrameLinks& frames_;
   ManagerLink& manager_;
   RequiredBase& required_;
   const Endpoint from_, to_;

@@ -119,14 +119,17 @@ struct SharedChannel {
 struct FrameRequest {
   layout @0 :Text;       # of the contract's slots; equal layouts may send them as they are
   handsOver @1 :Bool;    # the link carries descriptors: the provider can hand a socket over
+  client @2 :Data;       # connections that say the same here may share a socket; none: it is not shared
 }
 
 struct FrameOffer {
-  epoch @0 :UInt32;         # of every frame of the connection
+  epoch @0 :UInt32;         # of every frame on the socket
+  connection @3 :UInt32;    # which of those on the socket this is
   socket @1 :FrameSocket;   # one end of a pair
   token @2 :Data;
-  # Not there: the caller has the socket. Otherwise a second connection to the address of this link awaits
-  # it, once: it says the eight letters SUTFRAME and these bytes, is told the same, and then carries frames.
+  # A second connection to the address of this link awaits it, once: it says the eight letters SUTFRAME and
+  # these bytes, is told the same, and then carries frames. Neither a token nor a socket: an earlier answer to
+  # the same client, with the same epoch, brings the socket.
 }
 
 interface FrameSocket {

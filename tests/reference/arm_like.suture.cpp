@@ -136,9 +136,7 @@ bool store(const PoseStamped& goal, ArmLikeServoCpArguments& slot) {
   return store(goal, slot.goal);
 }
 
-void shiftStamps(ArmLikeServoCpArguments& slot, suture::Duration shift) {
-  shiftStamps(slot.goal, shift);
-}
+void shiftStamps(ArmLikeServoCpArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
 
 bool store(const JointState& goal, ArmLikeServoJpArguments& slot) { return store(goal, slot.goal); }
 
@@ -146,18 +144,14 @@ bool store(const Mode& mode, ArmLikeSetModeArguments& slot) { return store(mode,
 
 bool store(const PoseStamped& to, ArmLikeDistanceArguments& slot) { return store(to, slot.to); }
 
-void shiftStamps(ArmLikeDistanceArguments& slot, suture::Duration shift) {
-  shiftStamps(slot.to, shift);
-}
+void shiftStamps(ArmLikeDistanceArguments& slot, Duration shift) { shiftStamps(slot.to, shift); }
 
 bool store(const PoseStamped& goal, const double& speed, const std::string& reason,
            ArmLikeMoveArguments& slot) {
   return store(goal, slot.goal) && store(speed, slot.speed) && store(reason, slot.reason);
 }
 
-void shiftStamps(ArmLikeMoveArguments& slot, suture::Duration shift) {
-  shiftStamps(slot.goal, shift);
-}
+void shiftStamps(ArmLikeMoveArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
 
 bool store(const double& speed, const Mode& mode, ArmLikeLimitArguments& slot) {
   return store(speed, slot.speed) && store(mode, slot.mode);
@@ -172,9 +166,7 @@ void load(const ArmLikeMovedPayload& slot, PoseStamped& value, double& value2) {
   load(slot.value2, value2);
 }
 
-void shiftStamps(ArmLikeMovedPayload& slot, suture::Duration shift) {
-  shiftStamps(slot.value, shift);
-}
+void shiftStamps(ArmLikeMovedPayload& slot, Duration shift) { shiftStamps(slot.value, shift); }
 
 namespace {
 

@@ -17,6 +17,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "reference/still_arm.h"
 #include "support/eventually.h"
@@ -70,6 +71,9 @@ class RemoteArm : public testing::Test {
     console = std::make_unique<Manager>("console", global_->address(), securityOf("console"));
     robot->add("PSM", psm);
     console->add("Teleop", teleop);
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      console->add("Other" + std::to_string(i), *others[i]);
+    }
     robot->start();
     console->start();
   }
@@ -115,6 +119,7 @@ class RemoteArm : public testing::Test {
 
   MovingArm psm;
   Teleop teleop;
+  std::vector<std::unique_ptr<Teleop>> others;  // more of the console's; before begin()
   std::unique_ptr<Manager> robot, console;
 
  private:

@@ -16,6 +16,14 @@ inline std::size_t entriesOf(const char* folder) {
 }
 
 inline std::size_t openDescriptors() { return entriesOf("/proc/self/fd"); }
+inline std::size_t openSockets() {
+  std::size_t count = 0;
+  for (const auto& one : std::filesystem::directory_iterator("/proc/self/fd")) {
+    std::error_code closed;
+    if (read_symlink(one.path(), closed).string().starts_with("socket:")) ++count;
+  }
+  return count;
+}
 inline std::size_t threads() { return entriesOf("/proc/self/task"); }
 
 inline std::size_t residentBytes() {

@@ -21,6 +21,7 @@ namespace scenarios {
 
 using suture::CommandInfo;
 using suture::CommandKind;
+using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
 using suture::checkSlot;
@@ -323,7 +324,7 @@ bool store(const robots::PosePrm& value, AllKindsSetRecordArguments& slot) {
   return store(value, slot.value);
 }
 
-void shiftStamps(AllKindsSetRecordArguments& slot, suture::Duration shift) {
+void shiftStamps(AllKindsSetRecordArguments& slot, Duration shift) {
   shiftStamps(slot.value, shift);
 }
 
@@ -343,7 +344,7 @@ bool store(const robots::PosePrm& value, AllKindsTwiceRecordArguments& slot) {
   return store(value, slot.value);
 }
 
-void shiftStamps(AllKindsTwiceRecordArguments& slot, suture::Duration shift) {
+void shiftStamps(AllKindsTwiceRecordArguments& slot, Duration shift) {
   shiftStamps(slot.value, shift);
 }
 
@@ -363,7 +364,7 @@ bool store(const robots::PosePrm& value, AllKindsSwapRecordArguments& slot) {
   return store(value, slot.value);
 }
 
-void shiftStamps(AllKindsSwapRecordArguments& slot, suture::Duration shift) {
+void shiftStamps(AllKindsSwapRecordArguments& slot, Duration shift) {
   shiftStamps(slot.value, shift);
 }
 

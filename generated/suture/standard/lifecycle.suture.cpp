@@ -138,9 +138,7 @@ void reserve(const StateChangeSlot*, StateChange& value) {
   suture::reserveFor<decltype(StateChangeSlot::fault)>(value.fault);
 }
 
-void shiftStamps(StateChangeSlot& slot, suture::Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
-}
+void shiftStamps(StateChangeSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
 
 // --- between slots and Cap'n Proto
 

@@ -112,9 +112,7 @@ void reserve(const MessageSlot*, Message& value) {
   suture::reserveFor<decltype(MessageSlot::text)>(value.text);
 }
 
-void shiftStamps(MessageSlot& slot, suture::Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
-}
+void shiftStamps(MessageSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
 
 // --- between slots and Cap'n Proto
 

@@ -159,7 +159,7 @@ void load(const TaskWindowSlot& slot, TaskWindow& value) {
   load(slot.compute, value.compute);
 }
 
-void shiftStamps(TaskWindowSlot& slot, suture::Duration shift) {
+void shiftStamps(TaskWindowSlot& slot, Duration shift) {
   slot.begin = shifted(slot.begin, shift);
   slot.end = shifted(slot.end, shift);
 }

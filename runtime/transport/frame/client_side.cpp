@@ -13,9 +13,10 @@ void add(std::atomic<std::uint64_t>& counter, std::uint64_t count) {
 
 }  // namespace
 
-// The provider's channel was made with what is subscribed to.
-ClientSide::ClientSide(std::shared_ptr<Channel> channel, rpc::ByteStream bytes, const Terms& terms)
-    : Connection(std::move(channel), std::move(bytes), terms),
+// The provider's channel was made with what is subscribed to; the first frame says so once more, so
+// that the provider's side hears of this one.
+ClientSide::ClientSide(std::shared_ptr<Channel> channel, const Terms& terms)
+    : Connection(std::move(channel), terms),
       events_(channel_->subscribed()),
       since_(channel_->info.events.size()),
       lent_(channel_->info.commands.size()),
@@ -125,8 +126,9 @@ void ClientSide::give() {
 void ClientSide::giveSubscription() {
   const rt::ColumnSet columns = channel_->state->demand();
   const EventSet events = channel_->subscribed();
-  if (!channel_->joining() && columns == columns_ && events == events_) return;
-  if (!socket_.hasRoom()) return;
+  const bool known = subscription_ != 0 && columns == columns_ && events == events_;
+  if (known && !channel_->joining()) return;
+  if (!hasRoom()) return;
   ++subscription_;
   const EventSet joining = channel_->takeJoining();
   for (std::size_t i = 0; i < since_.size(); ++i) {
@@ -142,10 +144,10 @@ void ClientSide::giveSubscription() {
 // them.
 void ClientSide::giveCommands() {
   rt::Mailbox& commands = channel_->commands;
-  if (!socket_.hasRoom() || !commands.pending()) return;
+  if (!hasRoom() || !commands.pending()) return;
   commands.fixCut();
   giveSubscription();  // ahead of commands that were sent later
-  while (socket_.hasRoom()) {
+  while (hasRoom()) {
     const rt::CommandRecord* const record = commands.next();
     if (record == nullptr) return;
     giveCommand(*record);

@@ -15,6 +15,11 @@ std::size_t rowBytes(const InterfaceInfo& contract) {
   return size;
 }
 
+// It has one writer.
+void add(std::atomic<std::uint64_t>& counter, std::size_t count) {
+  counter.store(counter.load(std::memory_order_relaxed) + count, std::memory_order_relaxed);
+}
+
 }  // namespace
 
 std::size_t mostPayload(const InterfaceInfo& contract) {
@@ -26,35 +31,46 @@ std::size_t mostPayload(const InterfaceInfo& contract) {
   return most;
 }
 
-Connection::Connection(std::shared_ptr<Channel> channel, rpc::ByteStream bytes, const Terms& terms)
-    : channel_(std::move(channel)),
-      socket_(std::move(bytes), terms.epoch, mostPayload(channel_->info)),
-      shift_(terms.shift) {}
+Connection::Connection(std::shared_ptr<Channel> channel, const Terms& terms)
+    : channel_(std::move(channel)), number_(terms.number), shift_(terms.shift) {}
 
 bool Connection::over() const {
   const ChannelStatus status = channel_->status.load(std::memory_order_acquire);
   return broken() || status == ChannelStatus::Closed || status == ChannelStatus::Lost;
 }
 
-void Connection::turn() {
+void Connection::breakOff(const std::string& why) {
   if (over()) return;
-  receive();
-  give();
-  socket_.flush();
-  channel_->bytesSent.store(socket_.sentBytes(), std::memory_order_relaxed);
-  channel_->bytesReceived.store(socket_.receivedBytes(), std::memory_order_relaxed);
-  if (!socket_.broken()) return;
+  why_ = why;
   broken_.store(true, std::memory_order_release);
   channel_->ends.watcher->ring();
 }
 
-void Connection::receive() {
-  bool any = false;
-  while (const Header* const header = socket_.next()) {
-    if (!take(*header, socket_.payload())) return socket_.breakOff("a frame makes no sense");
-    any = true;
+bool Connection::arrived(const Header& header, std::span<std::byte> payload) {
+  add(channel_->bytesReceived, sizeof(header) + wordBytes(payload.size()));
+  if (!window_.takes(header)) return false;
+  return header.kind == Kind::Acknowledge || take(header, payload);
+}
+
+void Connection::send() {
+  give();
+  if (window_.owesAcknowledgement() && socket_->hasRoom()) {
+    begin({.kind = Kind::Acknowledge}, 0);
+    finish();
   }
-  if (any) taken();
+}
+
+std::byte* Connection::begin(Header header, std::size_t size) {
+  header.connection = number_;
+  window_.sends(header);
+  add(channel_->bytesSent, sizeof(header) + wordBytes(size));
+  return socket_->begin(header, size);
+}
+
+void Connection::send(const Header& header, std::span<const std::byte> payload) {
+  std::byte* const memory = begin(header, payload.size());
+  if (!payload.empty()) std::memcpy(memory, payload.data(), payload.size());
+  finish();
 }
 
 Time Connection::here(std::int64_t stamp) const {
@@ -63,12 +79,6 @@ Time Connection::here(std::int64_t stamp) const {
 
 void Connection::bringHere(StampShift shift, std::byte* slot) const {
   if (shift != nullptr && shift_ != Duration{0}) shift(slot, shift_);
-}
-
-void Connection::send(const Header& header, std::span<const std::byte> payload) {
-  std::byte* const memory = socket_.begin(header, payload.size());
-  if (!payload.empty()) std::memcpy(memory, payload.data(), payload.size());
-  socket_.finish();
 }
 
 }  // namespace suture::frame

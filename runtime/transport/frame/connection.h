@@ -3,6 +3,7 @@
 
 #include <suture/component/channel.h>
 #include <suture/transport/frame/frame_socket.h>
+#include <suture/transport/frame/window.h>
 
 #include <atomic>
 #include <cstdint>
@@ -18,43 +19,44 @@ std::size_t mostPayload(const InterfaceInfo& contract);
 
 /// How the two ends of a connection agree.
 struct Terms {
-  std::uint32_t epoch = 0;  ///< in every frame
-  Duration shift{0};        ///< turns the peer's steady clock into this process's
+  std::uint32_t number = 0;  ///< of the connection on its link
+  Duration shift{0};         ///< turns the peer's steady clock into this process's
 };
 
-/// Carries everything between a channel and a socket. Belongs to the lane thread, but for what is
-/// said to be any thread's.
+/// Carries everything between a channel and its share of a link. Belongs to the lane thread, but
+/// for what is said to be any thread's.
 class Connection {
  public:
   virtual ~Connection() = default;
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
-  int descriptor() const { return socket_.descriptor(); }
-  /// The socket tells that something has arrived.
-  void arrived() { socket_.arrived(); }
-  /// Takes what has come from either side, and gives it to the other.
-  void turn();
-  /// The socket has not taken all, and tells when it takes more.
-  bool isFull() const { return socket_.isFull(); }
-  /// There is nothing to carry any more.
-  bool over() const;
-  /// The other end is told so.
-  void end() { socket_.cut(); }
+  std::uint32_t number() const { return number_; }
+  std::size_t mostPayload() const { return frame::mostPayload(channel_->info); }
 
-  /// Any thread: the socket carries nothing any more. Then the channel's watcher has been rung.
-  bool broken() const { return broken_.load(std::memory_order_acquire); }
-  /// Any thread, once broken(): why, in words.
-  const std::string& why() const { return socket_.why(); }
-
- protected:
-  Connection(std::shared_ptr<Channel> channel, rpc::ByteStream bytes, const Terms& terms);
-
-  /// A frame of the peer; false if there can be no such.
-  virtual bool take(const Header& header, std::span<std::byte> payload) = 0;
-  /// Behind all that have arrived.
+  /// Of the link; for as long as this is turned.
+  void use(FrameSocket& socket) { socket_ = &socket; }
+  /// A frame of this connection has arrived; false if there can be no such.
+  bool arrived(const Header& header, std::span<std::byte> payload);
+  /// Behind all that have arrived: wakes whom they are for.
   virtual void taken() {}
   /// Sends what the channel has, as far as there is room.
+  void send();
+
+  /// There is nothing to carry any more.
+  bool over() const;
+  /// The link carries nothing any more.
+  void breakOff(const std::string& why);
+
+  /// Any thread: the link carries nothing any more. Then the channel's watcher has been rung.
+  bool broken() const { return broken_.load(std::memory_order_acquire); }
+  /// Any thread, once broken(): why, in words.
+  const std::string& why() const { return why_; }
+
+ protected:
+  Connection(std::shared_ptr<Channel> channel, const Terms& terms);
+
+  virtual bool take(const Header& header, std::span<std::byte> payload) = 0;
   virtual void give() = 0;
 
   /// A stamp of the peer on this process's clock. What has not happened yet would have a negative
@@ -62,15 +64,21 @@ class Connection {
   Time here(std::int64_t stamp) const;
   /// The same of all stamps in a slot that has arrived. `shift`: null if it has none.
   void bringHere(StampShift shift, std::byte* slot) const;
+
+  bool hasRoom() const { return window_.isOpen() && socket_->hasRoom(); }
+  /// Memory for the payload; finish() ends the frame. Only if hasRoom().
+  std::byte* begin(Header header, std::size_t size);
+  void finish() { socket_->finish(); }
   void send(const Header& header, std::span<const std::byte> payload = {});
 
   const std::shared_ptr<Channel> channel_;
-  FrameSocket socket_;
 
  private:
-  void receive();
-
+  const std::uint32_t number_;
   const Duration shift_;
+  FrameSocket* socket_ = nullptr;
+  Window window_;
+  std::string why_;
   std::atomic<bool> broken_{false};
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// What goes over the wire of a frame connection: headers, each with a payload behind it.
+// What goes over the wire of a frame link: headers, each with a payload behind it.
 
 #include <bit>
 #include <cstddef>
@@ -27,15 +27,16 @@ inline constexpr unsigned kKinds = 8;
 struct Header {
   std::uint32_t checksum = 0;      ///< CRC-32C of the rest of the header and of the payload
   std::uint32_t size = 0;          ///< of the payload, without what fills it up to words
-  std::uint32_t epoch = 0;         ///< of the connection
+  std::uint32_t epoch = 0;         ///< of the link
   std::uint32_t sequence = 0;      ///< 1, 2, ... in each direction
-  std::uint32_t acknowledged = 0;  ///< how many its sender has taken, but for Acknowledge
+  std::uint32_t acknowledged = 0;  ///< how many of the connection its sender has taken, but for
+                                   ///< Acknowledge
   Kind kind{};
   std::uint8_t error = 0;  ///< an Errc
   std::uint16_t number = 0;
   std::uint32_t call = 0;
-  std::uint32_t reserved = 0;
-  std::int64_t stamp = 0;  ///< the sender's steady clock, ns
+  std::uint32_t connection = 0;  ///< which of the link's
+  std::int64_t stamp = 0;        ///< the sender's steady clock, ns
 };
 static_assert(sizeof(Header) == 40 && std::is_trivially_copyable_v<Header>);
 static_assert(std::endian::native == std::endian::little);

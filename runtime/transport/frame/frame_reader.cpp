@@ -7,11 +7,22 @@
 
 namespace suture::frame {
 
+namespace {
+
+std::size_t wordsFor(std::size_t mostPayload) {
+  return std::max(kLeastRoom, 2 * (sizeof(Header) + wordBytes(mostPayload))) /
+         sizeof(std::uint64_t);
+}
+
+}  // namespace
+
 FrameReader::FrameReader(std::uint32_t epoch, std::size_t mostPayload)
-    : epoch_(epoch),
-      mostPayload_(mostPayload),
-      storage_(std::max(kLeastRoom, 2 * (sizeof(Header) + wordBytes(mostPayload))) /
-               sizeof(std::uint64_t)) {}
+    : epoch_(epoch), mostPayload_(mostPayload), storage_(wordsFor(mostPayload)) {}
+
+void FrameReader::makeRoom(std::size_t mostPayload) {
+  mostPayload_ = std::max(mostPayload_, mostPayload);
+  storage_.resize(wordsFor(mostPayload_));
+}
 
 // A whole frame always fits behind what has been taken out.
 std::span<std::byte> FrameReader::space() {

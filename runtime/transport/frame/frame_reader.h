@@ -15,8 +15,11 @@ namespace suture::frame {
 /// thread.
 class FrameReader {
  public:
-  /// `mostPayload`: no frame of the connection has more.
+  /// `mostPayload`: no frame has more.
   FrameReader(std::uint32_t epoch, std::size_t mostPayload);
+
+  /// From now on there may be larger ones. Ends what next() returned.
+  void makeRoom(std::size_t mostPayload);
 
   /// Where the next bytes go; never empty. Ends what next() returned.
   std::span<std::byte> space();
@@ -37,7 +40,7 @@ class FrameReader {
   const Header* broken(Fault fault);
 
   const std::uint32_t epoch_;
-  const std::size_t mostPayload_;
+  std::size_t mostPayload_;
   std::vector<std::uint64_t> storage_;  // words: frames lie at words
   std::size_t begin_ = 0, end_ = 0;     // bytes
   std::size_t taken_ = 0;               // of the frame that next() returned

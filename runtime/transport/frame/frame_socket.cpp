@@ -31,58 +31,42 @@ FrameSocket::FrameSocket(rpc::ByteStream bytes, std::uint32_t epoch, std::size_t
       reader_(epoch, mostPayload),
       writer_(epoch, mostPayload) {}
 
-std::byte* FrameSocket::begin(Header header, std::size_t size) {
-  header.acknowledged = told_ = taken_;
-  ++sent_;
-  return writer_.begin(header, size);
+void FrameSocket::makeRoom(std::size_t mostPayload) {
+  reader_.makeRoom(mostPayload);
+  writer_.makeRoom(mostPayload);
 }
 
 const Header* FrameSocket::next() {
-  while (!broken()) {
-    if (const Header* const header = reader_.next()) {
-      // Not fewer than before, and not more than there were.
-      if (header->acknowledged - acknowledged_ > sent_ - acknowledged_) {
-        breakOff("the peer has taken more frames than it was sent");
-        return nullptr;
-      }
-      acknowledged_ = header->acknowledged;
-      if (header->kind == Kind::Acknowledge) continue;
-      ++taken_;
-      return header;
-    }
-    if (reader_.fault() != Fault::None) breakOff(toString(reader_.fault()));
-    if (broken() || empty_) return nullptr;
-    receive();
-  }
-  return nullptr;
+  if (broken()) return nullptr;
+  const Header* const header = reader_.next();
+  if (reader_.fault() != Fault::None) breakOff(toString(reader_.fault()));
+  return header;
 }
 
-void FrameSocket::receive() {
-  rpc::Descriptors none;
-  const auto space = reader_.space();
-  const ssize_t count = bytes_.receive(space, none);
-  if (count > 0) {
-    tellReceived(epoch_);
-    reader_.arrived(static_cast<std::size_t>(count));
-    receivedBytes_ += static_cast<std::uint64_t>(count);
-    empty_ = static_cast<std::size_t>(count) < space.size() && bytes_.shortMeansEmpty();
-  } else if (count == 0) {
-    breakOff("the other end has closed it");
-  } else if (errno == EAGAIN) {
-    empty_ = true;
-  } else if (errno != EINTR) {
-    breakOff(bytes_.lost(errno).getDescription().cStr());
+bool FrameSocket::receive() {
+  while (!broken() && !empty_) {
+    rpc::Descriptors none;
+    const auto space = reader_.space();
+    const ssize_t count = bytes_.receive(space, none);
+    if (count > 0) {
+      tellReceived(epoch_);
+      reader_.arrived(static_cast<std::size_t>(count));
+      empty_ = static_cast<std::size_t>(count) < space.size() && bytes_.shortMeansEmpty();
+      return true;
+    }
+    if (count == 0) {
+      breakOff("the other end has closed it");
+    } else if (errno == EAGAIN) {
+      empty_ = true;
+    } else if (errno != EINTR) {
+      breakOff(bytes_.lost(errno).getDescription().cStr());
+    }
   }
+  return false;
 }
 
 void FrameSocket::flush() {
   if (broken()) return;
-  // Half a window: the other end need not stop for it.
-  if (taken_ - told_ >= kWindow / 2 && writer_.hasRoom()) {
-    writer_.begin({.acknowledged = taken_, .kind = Kind::Acknowledge}, 0);
-    writer_.finish();
-    told_ = taken_;
-  }
   if (!writer_.unsent().empty()) tellSent(epoch_);
   while (!writer_.unsent().empty()) {
     const ssize_t count = bytes_.send(writer_.unsent(), {});
@@ -90,7 +74,6 @@ void FrameSocket::flush() {
     if (count < 0 && errno == EAGAIN) return;
     if (count < 0) return breakOff(bytes_.lost(errno).getDescription().cStr());
     writer_.sent(static_cast<std::size_t>(count));
-    sentBytes_ += static_cast<std::uint64_t>(count);
   }
 }
 

@@ -6,8 +6,12 @@
 
 namespace suture::frame {
 
-FrameWriter::FrameWriter(std::uint32_t epoch, std::size_t mostPayload)
-    : epoch_(epoch), frameBytes_(sizeof(Header) + wordBytes(mostPayload)) {
+FrameWriter::FrameWriter(std::uint32_t epoch, std::size_t mostPayload) : epoch_(epoch) {
+  makeRoom(mostPayload);
+}
+
+void FrameWriter::makeRoom(std::size_t mostPayload) {
+  frameBytes_ = std::max(frameBytes_, sizeof(Header) + wordBytes(mostPayload));
   bytes_.reserve(std::max(kLeastRoom, 2 * frameBytes_) + sizeof(Header));
 }
 

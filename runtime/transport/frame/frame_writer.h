@@ -10,11 +10,14 @@
 
 namespace suture::frame {
 
-/// Collects frames until they are sent: many leave in one send. No allocation after construction as
+/// Collects frames until they are sent: many leave in one send. No allocation but for makeRoom() as
 /// long as hasRoom() is asked. One thread.
 class FrameWriter {
  public:
   FrameWriter(std::uint32_t epoch, std::size_t mostPayload);
+
+  /// From now on there may be larger ones.
+  void makeRoom(std::size_t mostPayload);
 
   /// True if the largest frame, and an Acknowledge behind it, have room.
   bool hasRoom() const;
@@ -30,7 +33,7 @@ class FrameWriter {
 
  private:
   const std::uint32_t epoch_;
-  const std::size_t frameBytes_;  // of the largest frame
+  std::size_t frameBytes_ = 0;  // of the largest frame
   std::vector<std::byte> bytes_;
   std::size_t sent_ = 0, open_ = 0;
   std::uint32_t sequence_ = 0;

@@ -51,10 +51,10 @@ void LaneThread::stop() {
   carried_.clear();
 }
 
-void LaneThread::add(std::shared_ptr<Connection> connection) {
+void LaneThread::add(std::shared_ptr<Link> link) {
   {
     const std::lock_guard lock(mutex_);
-    added_.push_back(std::move(connection));
+    added_.push_back(std::move(link));
     anyAdded_ = true;
     if (!thread_.joinable()) start();
   }
@@ -70,7 +70,7 @@ void LaneThread::loop() {
     turnAll();
     sleep();
   }
-  for (const Carried& one : carried_) letGo(one);
+  for (const Carried& one : carried_) one.link->end();
 }
 
 void LaneThread::takeOver() {
@@ -85,28 +85,31 @@ void LaneThread::takeOver() {
 
 void LaneThread::watch(const Carried& carried, int operation) {
   const std::uint32_t room = carried.full ? std::uint32_t{EPOLLOUT} : 0;
-  epoll_event event{.events = EPOLLIN | room, .data = {.ptr = carried.connection.get()}};
-  epoll_ctl(poll_, operation, carried.connection->descriptor(), &event);
+  epoll_event event{.events = EPOLLIN | room, .data = {.ptr = carried.link.get()}};
+  epoll_ctl(poll_, operation, carried.link->descriptor(), &event);
 }
 
 void LaneThread::turnAll() {
   for (Carried& one : carried_) {
-    one.connection->turn();
-    if (one.connection->isFull() == one.full || one.connection->over()) continue;
+    one.link->turn();
+    if (one.link->isFull() == one.full) continue;
     one.full = !one.full;
     watch(one, EPOLL_CTL_MOD);
   }
-  std::erase_if(carried_, [this](const Carried& one) {
-    const bool over = one.connection->over();
-    if (over) letGo(one);
-    return over;
+  std::erase_if(carried_, [this](Carried& one) {
+    if (one.link->broken()) watch(one, EPOLL_CTL_DEL);  // others may hold it still
+    return isDone(one);
   });
 }
 
-// Others may hold it still.
-void LaneThread::letGo(const Carried& carried) {
-  watch(carried, EPOLL_CTL_DEL);
-  carried.connection->end();
+// Whoever else holds an empty link is about to let a connection join.
+bool LaneThread::isDone(Carried& carried) {
+  if (carried.link->broken()) return true;
+  if (!carried.link->isEmpty()) return false;
+  const std::weak_ptr<Link> others = carried.link;
+  carried.link.reset();  // its socket leaves the poll when it closes
+  carried.link = others.lock();
+  return carried.link == nullptr;
 }
 
 void LaneThread::sleep() {
@@ -115,10 +118,8 @@ void LaneThread::sleep() {
   const int count = epoll_wait(poll_, events, kArrivals, lies ? -1 : 0);
   if (lies) bell_->doorbell.standUp();
   for (int i = 0; i < count; ++i) {
-    auto* const connection = static_cast<Connection*>(events[i].data.ptr);
-    if (connection != nullptr && (events[i].events & ~std::uint32_t{EPOLLOUT}) != 0) {
-      connection->arrived();
-    }
+    auto* const link = static_cast<Link*>(events[i].data.ptr);
+    if (link != nullptr && (events[i].events & ~std::uint32_t{EPOLLOUT}) != 0) link->arrived();
   }
 }
 

@@ -1,9 +1,9 @@
 #pragma once
-// The one thread of a process that carries its frame connections.
+// The one thread of a process that carries its frame links.
 
 #include <kj/io.h>
 #include <suture/rt/doorbell.h>
-#include <suture/transport/frame/connection.h>
+#include <suture/transport/frame/link.h>
 
 #include <atomic>
 #include <memory>
@@ -15,22 +15,23 @@ namespace suture::frame {
 
 /// Sleeps until a task rings or a socket has something, then takes and gives everything that can
 /// be. In steady state it neither allocates nor locks; TLS does. A slow handshake or a slow peer on
-/// another connection delays nobody here. All signals are blocked in it.
+/// another link delays nobody here. All signals are blocked in it.
 class LaneThread {
  public:
-  /// The thread begins with the first connection. Throws SetupError if the kernel refuses.
+  /// The thread begins with the first link. Throws SetupError if the kernel refuses.
   LaneThread();
   ~LaneThread() { stop(); }
   LaneThread(const LaneThread&) = delete;
   LaneThread& operator=(const LaneThread&) = delete;
 
-  /// Any thread: carries it until it is over.
-  void add(std::shared_ptr<Connection> connection);
+  /// Any thread: carries it until it breaks, or is empty and nobody else's.
+  void add(std::shared_ptr<Link> link);
 
-  /// Whoever made it: lets go of all connections, and rings nobody any more.
+  /// Whoever made it: lets go of all links, and rings nobody any more.
   void stop();
 
-  /// Any thread rings it when a channel has something, and may when this object is gone.
+  /// Any thread rings it when a channel has something, or a link another connection or owner, and
+  /// may when this object is gone.
   std::shared_ptr<rt::Doorbell> doorbell() { return {bell_, &bell_->doorbell}; }
 
  private:
@@ -39,7 +40,7 @@ class LaneThread {
     rt::Doorbell doorbell;
   };
   struct Carried {
-    std::shared_ptr<Connection> connection;
+    std::shared_ptr<Link> link;
     bool full = false;  // the poll waits for room in its socket
   };
 
@@ -49,14 +50,14 @@ class LaneThread {
   void takeOver();
   void watch(const Carried& carried, int operation);
   void turnAll();
-  void letGo(const Carried& carried);
+  static bool isDone(Carried& carried);
   void sleep();
 
   const std::shared_ptr<Bell> bell_ = makeBell();
   kj::AutoCloseFd poll_;
   std::atomic<bool> stopping_{false}, anyAdded_{false};
-  std::mutex mutex_;  // connections are made rarely, and no control loop waits here
-  std::vector<std::shared_ptr<Connection>> added_;
+  std::mutex mutex_;  // links are made rarely, and no control loop waits here
+  std::vector<std::shared_ptr<Link>> added_;
   std::vector<Carried> carried_;  // the thread's
   std::thread thread_;
 };

@@ -5,9 +5,8 @@
 
 namespace suture::frame {
 
-ProviderSide::ProviderSide(std::shared_ptr<Channel> channel, rpc::ByteStream bytes,
-                           const Terms& terms)
-    : Connection(std::move(channel), std::move(bytes), terms),
+ProviderSide::ProviderSide(std::shared_ptr<Channel> channel, const Terms& terms)
+    : Connection(std::move(channel), terms),
       waiting_(channel_->info.commands.size()),
       refused_(channel_->info.commands.size()),
       since_(channel_->info.events.size(), now()),
@@ -24,6 +23,7 @@ ProviderSide::ProviderSide(std::shared_ptr<Channel> channel, rpc::ByteStream byt
 // ---- from the client
 
 bool ProviderSide::take(const Header& header, std::span<std::byte> payload) {
+  heard_ = true;
   switch (header.kind) {
     case Kind::Command: return takeCommand(header, payload);
     case Kind::Subscribe: return takeSubscription(header, payload);
@@ -102,6 +102,7 @@ bool ProviderSide::takeSubscription(const Header& header, std::span<const std::b
 // ---- to the client
 
 void ProviderSide::give() {
+  if (!heard_) return;
   giveReplies();
   giveRefusals();
   giveCredits();
@@ -110,7 +111,7 @@ void ProviderSide::give() {
 }
 
 void ProviderSide::giveReplies() {
-  while (socket_.hasRoom()) {
+  while (hasRoom()) {
     const ReplyRecord* const reply = channel_->nextReply();
     if (reply == nullptr) return;
     const bool value = reply->error == Errc{};
@@ -125,13 +126,13 @@ void ProviderSide::giveReplies() {
 }
 
 void ProviderSide::giveRefusals() {
-  while (refusedCallCount_ > 0 && socket_.hasRoom()) {
+  while (refusedCallCount_ > 0 && hasRoom()) {
     const RefusedCall& one = refusedCalls_[--refusedCallCount_];
     send({.kind = Kind::Reply, .error = static_cast<std::uint8_t>(one.error), .call = one.call});
   }
   for (std::uint16_t command = 0; anyRefused_ && command < refused_.size(); ++command) {
     if (refused_[command] == 0) continue;
-    if (!socket_.hasRoom()) return;
+    if (!hasRoom()) return;
     send({.kind = Kind::Refused, .number = command, .call = std::exchange(refused_[command], 0)});
   }
   anyRefused_ = false;
@@ -142,14 +143,14 @@ void ProviderSide::giveCredits() {
     if (waiting_[command] == 0) continue;
     const std::uint32_t there = channel_->commands.waiting(command);
     if (there >= waiting_[command]) continue;
-    if (!socket_.hasRoom()) return;
+    if (!hasRoom()) return;
     send({.kind = Kind::Taken, .number = command, .call = waiting_[command] - there});
     waiting_[command] = there;
   }
 }
 
 void ProviderSide::giveEvents() {
-  while (socket_.hasRoom()) {
+  while (hasRoom()) {
     const rt::EventRecord* const record = channel_->events.next();
     if (record == nullptr) return;
     if (wanted(*record)) {
@@ -171,7 +172,7 @@ bool ProviderSide::wanted(const rt::EventRecord& record) const {
 
 void ProviderSide::giveRow() {
   rt::StateTable& state = *channel_->state;
-  if (columns_ == 0 || !socket_.hasRoom() || state.rows() == lastRow_) return;
+  if (columns_ == 0 || !hasRoom() || state.rows() == lastRow_) return;
   rt::StateTable::Row row = state.readRow(wantedSlots_);
   lastRow_ = row.sequence;
   row.valid &= columns_;
@@ -185,7 +186,7 @@ void ProviderSide::sendRow(const rt::StateTable::Row& row) {
   for (unsigned i = 0; i < slots_.size(); ++i) {
     if (row.valid >> i & 1) size += slots_[i].size() * sizeof(std::uint64_t);
   }
-  std::byte* memory = socket_.begin({.kind = Kind::Row, .stamp = toNanoseconds(row.stamp)}, size);
+  std::byte* memory = begin({.kind = Kind::Row, .stamp = toNanoseconds(row.stamp)}, size);
   const auto put = [&memory](const void* bytes, std::size_t count) {
     std::memcpy(memory, bytes, count);
     memory += count;
@@ -194,7 +195,7 @@ void ProviderSide::sendRow(const rt::StateTable::Row& row) {
   for (unsigned i = 0; i < slots_.size(); ++i) {
     if (row.valid >> i & 1) put(slots_[i].data(), slots_[i].size() * sizeof(std::uint64_t));
   }
-  socket_.finish();
+  finish();
 }
 
 }  // namespace suture::frame

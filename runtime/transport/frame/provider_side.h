@@ -14,7 +14,7 @@ namespace suture::frame {
 class ProviderSide final : public Connection {
  public:
   /// `channel`'s client doorbell is the lane thread's.
-  ProviderSide(std::shared_ptr<Channel> channel, rpc::ByteStream bytes, const Terms& terms);
+  ProviderSide(std::shared_ptr<Channel> channel, const Terms& terms);
 
   /// Before it is carried: only what reads is taken, a command is refused (Errc::NotPermitted).
   void setReadOnly() { readOnly_ = true; }
@@ -38,6 +38,7 @@ class ProviderSide final : public Connection {
   bool wanted(const rt::EventRecord& record) const;
 
   bool readOnly_ = false;
+  bool heard_ = false;                  // the client's side: from then on it is there
   std::vector<std::uint32_t> waiting_;  // by command: credits that the client has not got back
   std::vector<std::uint32_t> refused_;  // by command: not executed, and the client not yet told
   bool anyRefused_ = false;

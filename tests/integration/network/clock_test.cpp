@@ -73,8 +73,9 @@ TEST_P(ClockTest, AgesAreRightWithinTheErrorThatIsShown) {
 
 std::string nameOf(const testing::TestParamInfo<std::tuple<Duration, Lane>>& info) {
   const auto [skew, lane] = info.param;
-  return std::string(skew > Duration{0} ? "Ahead" : "Behind") +
-         (lane == Lane::Auto ? "OnAuto" : lane == Lane::Frame ? "OnFrame" : "OnRpc");
+  return std::string(skew > Duration{0} ? "Ahead" : "Behind") + (lane == Lane::Auto    ? "OnAuto"
+                                                                 : lane == Lane::Frame ? "OnFrame"
+                                                                                       : "OnRpc");
 }
 
 INSTANTIATE_TEST_SUITE_P(Skews, ClockTest,

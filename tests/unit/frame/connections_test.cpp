@@ -84,20 +84,62 @@ TEST_F(FrameConnections, ComeBackWhenTheirProviderDoes) {
   restarted.stop();
 }
 
+/// Both ends of each socket are in this process.
+TEST_F(FrameConnections, OfOneProcessShareASocket) {
+  constexpr std::size_t kMore = 8;
+  for (std::size_t i = 0; i < kMore; ++i) others.push_back(std::make_unique<Teleop>());
+  begin("tcp://127.0.0.1:0");
+  connect();
+  const std::size_t before = openSockets();
+  for (std::size_t i = 0; i < kMore; ++i) {
+    console->connect("Other" + std::to_string(i) + "/Slave", "robot:PSM/Arm");
+    ASSERT_TRUE(eventually([&] { return others[i]->seen.load(); })) << i;
+  }
+  EXPECT_EQ(openSockets(), before + 2 * kMore);  // of control connections
+  EXPECT_EQ(outcomeOf(0.5), Errc{});
+}
+
+// Connections that are lost at once meet again on one link, whichever of them opens it.
+TEST_F(FrameConnections, ShareASocketWhenTheyComeBack) {
+  for (int i = 0; i < 8; ++i) others.push_back(std::make_unique<Teleop>());
+  begin("tcp://127.0.0.1:0");
+  connect();
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    console->connect("Other" + std::to_string(i) + "/Slave", "robot:PSM/Arm");
+  }
+  const std::size_t before = openSockets();
+  robot->stop();
+  robot.reset();
+  EXPECT_TRUE(eventually([&] { return !teleop.reachable; }));
+  MovingArm again;
+  Manager restarted("robot", manager());
+  restarted.add("PSM", again);
+  restarted.start();
+  for (const auto& one : others) {
+    EXPECT_TRUE(eventually([&] { return one->reachable.load(); }));
+  }
+  EXPECT_TRUE(eventually([&] { return teleop.reachable.load(); }));
+  for (const auto& one : console->channels()) EXPECT_EQ(one->lane, "frame") << one->laneReason;
+  EXPECT_TRUE(eventually([&] { return openSockets() <= before; })) << openSockets();
+  restarted.stop();
+}
+
 /// A caller that plays the client's end itself.
 class Caller {
  public:
   explicit Caller(const std::string& manager) : manager_(rpc::Address::parse(manager)) {}
 
   struct Offer {
-    std::uint32_t epoch = 0;
+    std::uint32_t epoch = 0, connection = 0;
+    bool hasToken = false;
     rpc::Token token;
     rpc::Address provider;
   };
 
   /// Connects as a client would, up to the second connection. The offer is good as long as this.
-  Offer connect() {
-    return control_.run(5s, [this] {
+  /// `client`: whose connections share a socket.
+  Offer connect(const std::string& client = "") {
+    return control_.run(5s, [this, client] {
       link_ = kj::heap<ManagerLink>(control_, std::vector{manager_}, "test");
       return link_->open(5s)
           .then([this] { return link_->resolve("robot", 5s); })
@@ -105,32 +147,36 @@ class Caller {
             offer_.provider = rpc::Address::parse(robot.addresses.at(0));
             return link_->reach(robot, 5s);
           })
-          .then([this](rpc::ByteStream bytes) {
+          .then([this, client](rpc::ByteStream bytes) {
             auto stream = kj::heap<rpc::MessageStream>(control_.port(), kj::mv(bytes));
-            peer_ = kj::heap<rpc::Link>(kj::mv(stream), capnp::rpc::twoparty::Side::CLIENT);
-            return ask(peer_->bootstrap<wire::Peer>());
+            peers_.add(kj::heap<rpc::Link>(kj::mv(stream), capnp::rpc::twoparty::Side::CLIENT));
+            return ask(peers_.back()->bootstrap<wire::Peer>(), client);
           });
     });
   }
   ~Caller() {
     control_.run(5s, [this] {
-      connection_ = nullptr;
-      peer_ = nullptr;
+      connections_.clear();
+      peers_.clear();
       link_ = nullptr;
     });
   }
 
  private:
-  kj::Promise<Offer> ask(wire::Peer::Client peer) {
+  kj::Promise<Offer> ask(wire::Peer::Client peer, const std::string& client) {
     auto request = peer.connectRequest();
     reference::askForArm(request, "test");
-    request.initFrame().setLayout(memoryLayout(interfaceInfo<reference::ArmLike>()).c_str());
+    auto frame = request.initFrame();
+    frame.setLayout(memoryLayout(interfaceInfo<reference::ArmLike>()).c_str());
+    frame.setClient(kj::StringPtr(client.c_str(), client.size()).asBytes());
     return request.send().then([this](auto&& results) {
-      connection_ = results.getAccepted().getConnection();
-      const auto frame = results.getAccepted().getFrame();
-      offer_.epoch = frame.getEpoch();
-      std::copy_n(reinterpret_cast<const std::byte*>(frame.getToken().begin()), offer_.token.size(),
-                  offer_.token.begin());
+      connections_.add(results.getAccepted().getConnection());
+      const auto offer = results.getAccepted().getFrame();
+      offer_.epoch = offer.getEpoch();
+      offer_.connection = offer.getConnection();
+      offer_.hasToken = offer.hasToken();
+      std::copy_n(reinterpret_cast<const std::byte*>(offer.getToken().begin()),
+                  offer.getToken().size(), offer_.token.begin());
       return offer_;
     });
   }
@@ -139,8 +185,8 @@ class Caller {
   const rpc::Address manager_;
   Offer offer_;
   kj::Own<ManagerLink> link_;
-  kj::Own<rpc::Link> peer_;
-  kj::Maybe<wire::Connection::Client> connection_;
+  kj::Vector<kj::Own<rpc::Link>> peers_;
+  kj::Vector<wire::Connection::Client> connections_;
 };
 
 /// A second connection, blocking, that shows the offer's token and sends a subscription.
@@ -153,8 +199,9 @@ kj::AutoCloseFd secondConnection(const Caller::Offer& offer) {
   rpc::sendAll(socket, rpc::openingOf(offer.token));
   frame::FrameWriter writer(offer.epoch, sizeof(frame::Subscription));
   const frame::Subscription everything{0, 0, ~std::uint64_t{0}};
-  std::memcpy(writer.begin({.kind = frame::Kind::Subscribe, .call = 1}, sizeof(everything)),
-              &everything, sizeof(everything));
+  const frame::Header header{
+      .kind = frame::Kind::Subscribe, .call = 1, .connection = offer.connection};
+  std::memcpy(writer.begin(header, sizeof(everything)), &everything, sizeof(everything));
   writer.finish();
   rpc::sendAll(socket, writer.unsent());
   return socket;
@@ -175,6 +222,23 @@ TEST_F(FrameConnections, ATokenIsGoodForOneConnection) {
   const kj::AutoCloseFd replayed = secondConnection(offer);
   EXPECT_FALSE(isServed(replayed));
   EXPECT_TRUE(isServed(first));
+}
+
+TEST_F(FrameConnections, OnlyThoseOfOneClientShareASocket) {
+  begin("tcp://127.0.0.1:0");
+  Caller caller(manager());
+  const Caller::Offer first = caller.connect("one"), second = caller.connect("one"),
+                      other = caller.connect("other"), nobodys = caller.connect(),
+                      nobodysToo = caller.connect();
+  EXPECT_TRUE(first.hasToken);
+  EXPECT_FALSE(second.hasToken);
+  EXPECT_EQ(second.epoch, first.epoch);
+  EXPECT_NE(second.connection, first.connection);
+  for (const Caller::Offer& own : {other, nobodys, nobodysToo}) {
+    EXPECT_TRUE(own.hasToken);
+    EXPECT_NE(own.epoch, first.epoch);
+  }
+  EXPECT_NE(nobodys.epoch, nobodysToo.epoch);
 }
 
 TEST_F(FrameConnections, ATokenThatNobodyGaveIsGoodForNothing) {

@@ -1,6 +1,7 @@
 // Frames that are whole and undamaged, and say what they like: a channel is all that they reach.
 #include <gtest/gtest.h>
 #include <suture/transport/frame/client_side.h>
+#include <suture/transport/frame/link.h>
 #include <suture/transport/frame/provider_side.h>
 
 #include <array>
@@ -13,7 +14,7 @@
 namespace suture::frame {
 namespace {
 
-constexpr std::uint32_t kEpoch = 9;
+constexpr std::uint32_t kEpoch = 9, kConnection = 4;
 constexpr unsigned kSessions = 2000;
 
 const InterfaceInfo& contract() { return interfaceInfo<reference::ArmLike>(); }
@@ -63,7 +64,8 @@ class Liar {
                   .kind = any(100) == 0 ? static_cast<Kind>(any(kKinds)) : kinds[any(N)],
                   .error = static_cast<std::uint8_t>(any(3) == 0 ? any(256) : 0),
                   .number = static_cast<std::uint16_t>(any(100) == 0 ? any(65536) : any(8)),
-                  .call = any(3) == 0 ? word() : any(20)};
+                  .call = any(3) == 0 ? word() : any(20),
+                  .connection = any(50) == 0 ? word() : kConnection};
     header.stamp = any(2) == 0 ? toNanoseconds(now()) : static_cast<std::int64_t>(word()) << 32;
     return header;
   }
@@ -115,19 +117,21 @@ TEST(HostileFrames, OfAClientReachNothingButItsChannel) {
   for (unsigned seed = 0; seed < kSessions; ++seed) {
     Played played;
     auto pair = rpc::makeSocketPair();
-    ProviderSide side(played.channel, rpc::ByteStream(kj::mv(pair.ours)), {.epoch = kEpoch});
-    if (seed % 2 == 0) side.setReadOnly();
+    const auto side = std::make_shared<ProviderSide>(played.channel, Terms{.number = kConnection});
+    if (seed % 2 == 0) side->setReadOnly();
+    Link link(rpc::ByteStream(kj::mv(pair.ours)), kEpoch);
+    link.join(side);
     Peer peer(kj::mv(pair.theirs));
     Liar liar(seed);
-    for (int step = 0; step < 40 && !side.broken(); ++step) {
+    for (int step = 0; step < 40 && !side->broken(); ++step) {
       const Header header = liar.header(kKindsOfClients);
       peer.send(header, liar.payload(header));
-      side.arrived();
-      side.turn();
+      link.arrived();
+      link.turn();
       if (liar.any(3) == 0) serve(*played.channel, executed);
       peer.drain();
     }
-    if (side.broken()) ++ended;
+    if (side->broken()) ++ended;
   }
   EXPECT_GT(executed, 100u);
   EXPECT_GT(ended, kSessions / 10);
@@ -141,10 +145,12 @@ TEST(HostileFrames, OfAProviderReachNothingButItsClientsChannel) {
   for (unsigned seed = 0; seed < kSessions; ++seed) {
     Played played;
     auto pair = rpc::makeSocketPair();
-    ClientSide side(played.channel, rpc::ByteStream(kj::mv(pair.ours)), {.epoch = kEpoch});
+    const auto side = std::make_shared<ClientSide>(played.channel, Terms{.number = kConnection});
+    Link link(rpc::ByteStream(kj::mv(pair.ours)), kEpoch);
+    link.join(side);
     Peer peer(kj::mv(pair.theirs));
     Liar liar(seed);
-    for (int step = 0; step < 40 && !side.broken(); ++step) {
+    for (int step = 0; step < 40 && !side->broken(); ++step) {
       played.channel->state->ask(liar.any(2));
       const auto command = static_cast<std::uint16_t>(liar.any(3));
       if (played.channel->commands.claim(command, now(), liar.any(20))) {
@@ -152,13 +158,13 @@ TEST(HostileFrames, OfAProviderReachNothingButItsClientsChannel) {
       }
       const Header header = liar.header(kKindsOfProviders);
       peer.send(header, liar.payload(header));
-      side.arrived();
-      side.turn();
+      link.arrived();
+      link.turn();
       for (; played.channel->events.next() != nullptr; ++events) played.channel->events.pop();
       while (played.channel->nextReply() != nullptr) played.channel->popReply();
       peer.drain();
     }
-    if (side.broken()) ++ended;
+    if (side->broken()) ++ended;
   }
   EXPECT_GT(events, 100u);
   EXPECT_GT(ended, kSessions / 10);

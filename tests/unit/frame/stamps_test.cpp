@@ -1,6 +1,7 @@
 // Whose clocks differ: a stamp is the reader's.
 #include <gtest/gtest.h>
 #include <suture/transport/frame/client_side.h>
+#include <suture/transport/frame/link.h>
 #include <suture/transport/frame/provider_side.h>
 
 #include "reference/arm_like.suture.h"
@@ -24,21 +25,23 @@ std::shared_ptr<Channel> makeChannel(rt::Doorbell& bell) {
 struct Ends {
   Ends() : Ends(rpc::makeSocketPair()) {}
   explicit Ends(rpc::SocketPair pair)
-      : client(near, rpc::ByteStream(kj::mv(pair.ours)), {.epoch = 1, .shift = -7s}),
-        provider(far, rpc::ByteStream(kj::mv(pair.theirs)), {.epoch = 1, .shift = -5s}) {}
+      : client(rpc::ByteStream(kj::mv(pair.ours)), 1),
+        provider(rpc::ByteStream(kj::mv(pair.theirs)), 1) {
+    provider.join(std::make_shared<ProviderSide>(far, Terms{.number = 1, .shift = -5s}));
+    client.join(std::make_shared<ClientSide>(near, Terms{.number = 1, .shift = -7s}));
+  }
   void exchange() {
     for (int lap = 0; lap < 3; ++lap) {
-      client.arrived();
-      client.turn();
-      provider.arrived();
-      provider.turn();
+      for (Link* const one : {&client, &provider}) {
+        one->arrived();
+        one->turn();
+      }
     }
   }
 
   rt::Doorbell bell;
   const std::shared_ptr<Channel> near = makeChannel(bell), far = makeChannel(bell);
-  ClientSide client;
-  ProviderSide provider;
+  Link client, provider;
 };
 
 TEST(FrameStamps, OfCommandsAreTheProviders) {

@@ -114,7 +114,9 @@ TEST(Moments, TheContractSaysWhereTheyAre) {
   const auto& latest = info.commands[number(JournalCommand::latest)];
   EXPECT_EQ(turned(latest.shiftResult, std::int64_t{1}), 7'000'000'001);
   const auto& moments = info.commands[number(JournalCommand::moments)];
-  EXPECT_EQ(turned(moments.shiftResult, MomentsSlot{.pair = {1, 0}}).pair[0], 7'000'000'001);
+  MomentsSlot slot{};
+  slot.pair[1] = 1;
+  EXPECT_EQ(turned(moments.shiftResult, slot).pair[1], 7'000'000'001);
   EXPECT_EQ(turned(info.events[0].shiftPayload, std::int64_t{1}), 7'000'000'001);
   EXPECT_NE(info.events[1].shiftPayload, nullptr);
   EXPECT_EQ(info.events[2].shiftPayload, nullptr);

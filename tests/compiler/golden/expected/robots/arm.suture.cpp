@@ -333,7 +333,7 @@ void reserve(const EverythingSlot*, Everything& value) {
   suture::reserveFor<decltype(EverythingSlot::track)>(value.track);
 }
 
-void shiftStamps(EverythingSlot& slot, suture::Duration shift) {
+void shiftStamps(EverythingSlot& slot, Duration shift) {
   shiftStamps(slot.goal, shift);
   for (auto& element : elementsIn(slot.track)) {
     shiftStamps(element, shift);
@@ -343,9 +343,7 @@ void shiftStamps(EverythingSlot& slot, suture::Duration shift) {
 
 bool store(const PoseStamped& goal, ArmServoCpArguments& slot) { return store(goal, slot.goal); }
 
-void shiftStamps(ArmServoCpArguments& slot, suture::Duration shift) {
-  shiftStamps(slot.goal, shift);
-}
+void shiftStamps(ArmServoCpArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
 
 bool store(const double& speed, ArmSetSpeedArguments& slot) { return store(speed, slot.speed); }
 
@@ -353,7 +351,7 @@ bool store(const PoseStamped& x, const double& tolerance, ArmInverseKinematicsAr
   return store(x, slot.x) && store(tolerance, slot.tolerance);
 }
 
-void shiftStamps(ArmInverseKinematicsArguments& slot, suture::Duration shift) {
+void shiftStamps(ArmInverseKinematicsArguments& slot, Duration shift) {
   shiftStamps(slot.x, shift);
 }
 
@@ -372,7 +370,7 @@ void load(const ArmMovedPayload& slot, PoseStamped& value, double& value2, Mode&
   load(slot.value3, value3);
 }
 
-void shiftStamps(ArmMovedPayload& slot, suture::Duration shift) { shiftStamps(slot.value, shift); }
+void shiftStamps(ArmMovedPayload& slot, Duration shift) { shiftStamps(slot.value, shift); }
 
 // --- between slots and Cap'n Proto
 

@@ -41,9 +41,7 @@ void load(const PoseStampedSlot& slot, PoseStamped& value) {
   load(slot.valid, value.valid);
 }
 
-void shiftStamps(PoseStampedSlot& slot, suture::Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
-}
+void shiftStamps(PoseStampedSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
 
 // --- between slots and Cap'n Proto
 

@@ -59,11 +59,9 @@ static_assert(std::is_same_v<decltype(Moments::entry),
 static_assert(std::is_same_v<decltype(Moments::either),
                              std::variant<std::int64_t, std::chrono::steady_clock::time_point, shapes::Moment>>);
 
-void shiftJournalLatestResult(std::int64_t& slot, suture::Duration shift) {
-  slot = shifted(slot, shift);
-}
+void shiftJournalLatestResult(std::int64_t& slot, Duration shift) { slot = shifted(slot, shift); }
 
-void shiftJournalFindResult(suture::SlotOptional<MomentSlot>& slot, suture::Duration shift) {
+void shiftJournalFindResult(suture::SlotOptional<MomentSlot>& slot, Duration shift) {
   if (slot.present != 0) {
     shiftStamps(slot.value, shift);
   }
@@ -99,9 +97,7 @@ constexpr CommandInfo kJournalCommands[] = {
      .shiftResult = shiftSlot<suture::SlotOptional<MomentSlot>, shiftJournalFindResult>},
 };
 
-void shiftJournalAddedPayload(std::int64_t& slot, suture::Duration shift) {
-  slot = shifted(slot, shift);
-}
+void shiftJournalAddedPayload(std::int64_t& slot, Duration shift) { slot = shifted(slot, shift); }
 
 constexpr EventInfo kJournalEvents[] = {
     {.name = "added",
@@ -217,9 +213,7 @@ void load(const MomentSlot& slot, Moment& value) {
   load(slot.number, value.number);
 }
 
-void shiftStamps(MomentSlot& slot, suture::Duration shift) {
-  slot.steady = shifted(slot.steady, shift);
-}
+void shiftStamps(MomentSlot& slot, Duration shift) { slot.steady = shifted(slot.steady, shift); }
 
 bool store(const Moments& value, MomentsSlot& slot) {
   bool fits = true;
@@ -253,7 +247,7 @@ void reserve(const MomentsSlot*, Moments& value) {
   suture::reserveFor<decltype(MomentsSlot::nested)>(value.nested);
 }
 
-void shiftStamps(MomentsSlot& slot, suture::Duration shift) {
+void shiftStamps(MomentsSlot& slot, Duration shift) {
   for (auto& element : slot.pair) {
     element = shifted(element, shift);
   }
@@ -292,7 +286,7 @@ bool store(const std::chrono::steady_clock::time_point& from, const std::int64_t
   return store(from, slot.from) && store(number, slot.number);
 }
 
-void shiftStamps(JournalPutArguments& slot, suture::Duration shift) {
+void shiftStamps(JournalPutArguments& slot, Duration shift) {
   slot.from = shifted(slot.from, shift);
 }
 
@@ -313,9 +307,7 @@ void load(const JournalChangedPayload& slot, Moment& value, std::int64_t& value2
   load(slot.value2, value2);
 }
 
-void shiftStamps(JournalChangedPayload& slot, suture::Duration shift) {
-  shiftStamps(slot.value, shift);
-}
+void shiftStamps(JournalChangedPayload& slot, Duration shift) { shiftStamps(slot.value, shift); }
 
 // --- between slots and Cap'n Proto
 

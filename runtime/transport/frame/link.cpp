@@ -1,0 +1,93 @@
+#include <suture/transport/frame/link.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace suture::frame {
+namespace {
+
+bool isBefore(const std::shared_ptr<Connection>& connection, std::uint32_t number) {
+  return connection->number() < number;
+}
+
+}  // namespace
+
+void Link::join(std::shared_ptr<Connection> connection) {
+  const std::lock_guard lock(mutex_);
+  if (broken_) return connection->breakOff(socket_.why());
+  joined_.push_back(std::move(connection));
+  anyJoined_ = true;
+}
+
+void Link::takeJoined() {
+  if (!anyJoined_) return;
+  const std::lock_guard lock(mutex_);
+  for (auto& one : joined_) {
+    if (find(one->number()) != nullptr) {
+      one->breakOff("another connection has its number");
+      continue;
+    }
+    socket_.makeRoom(one->mostPayload());
+    one->use(socket_);
+    const auto place =
+        std::lower_bound(connections_.begin(), connections_.end(), one->number(), isBefore);
+    connections_.insert(place, std::move(one));
+  }
+  joined_.clear();
+  anyJoined_ = false;
+}
+
+Connection* Link::find(std::uint32_t number) const {
+  const auto place = std::lower_bound(connections_.begin(), connections_.end(), number, isBefore);
+  return place != connections_.end() && (*place)->number() == number ? place->get() : nullptr;
+}
+
+void Link::turn() {
+  receive();
+  send();
+  socket_.flush();
+  if (socket_.broken()) breakAll();
+  std::erase_if(connections_, [](const auto& one) { return one->over(); });
+}
+
+// Who joins does so before its peer sends: at the latest behind a receipt it is there.
+void Link::receive() {
+  bool any = false;
+  do {
+    takeJoined();
+    while (const Header* const header = socket_.next()) {
+      if (!take(*header)) return socket_.breakOff("a frame makes no sense");
+      any = true;
+    }
+  } while (socket_.receive());
+  if (!any) return;
+  for (const auto& one : connections_) one->taken();
+}
+
+// What comes for a connection that has ended is for nobody.
+bool Link::take(const Header& header) {
+  Connection* const connection = find(header.connection);
+  return connection == nullptr || connection->over() ||
+         connection->arrived(header, socket_.payload());
+}
+
+// None can take all the room at each turn.
+void Link::send() {
+  const std::size_t count = connections_.size();
+  if (count == 0 || socket_.broken()) return;
+  first_ = (first_ + 1) % count;
+  for (std::size_t i = 0; i < count; ++i) {
+    Connection& connection = *connections_[(first_ + i) % count];
+    if (!connection.over()) connection.send();
+  }
+}
+
+// Who comes later finds it broken.
+void Link::breakAll() {
+  const std::lock_guard lock(mutex_);
+  broken_.store(true, std::memory_order_release);
+  for (const auto& one : joined_) one->breakOff(socket_.why());
+  for (const auto& one : connections_) one->breakOff(socket_.why());
+}
+
+}  // namespace suture::frame

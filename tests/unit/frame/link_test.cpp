@@ -1,0 +1,206 @@
+// Several connections on one socket.
+#include <gtest/gtest.h>
+#include <suture/transport/frame/client_side.h>
+#include <suture/transport/frame/lane_thread.h>
+#include <suture/transport/frame/link.h>
+#include <suture/transport/frame/provider_side.h>
+
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "reference/arm_like.suture.h"
+#include "support/eventually.h"
+#include "unit/rpc/socket_pair.h"
+
+namespace suture::frame {
+namespace {
+
+constexpr std::uint16_t kHold = 2, kStopped = 2;
+
+/// Both ends of a connection, whose tasks are played by the test.
+struct Pair {
+  explicit Pair(std::uint32_t number)
+      : client(std::make_shared<ClientSide>(near, Terms{.number = number})),
+        provider(std::make_shared<ProviderSide>(far, Terms{.number = number})) {}
+
+  static std::shared_ptr<Channel> makeChannel(rt::Doorbell& bell) {
+    const InterfaceInfo& contract = interfaceInfo<reference::ArmLike>();
+    return std::make_shared<Channel>(
+        contract, "client -> provider", "frame",
+        Channel::Ends{.client = &bell, .provider = &bell, .watcher = &bell},
+        makeStateTable(contract), ~EventSet{0});
+  }
+  bool hold() {
+    if (!near->commands.claim(kHold, now(), 0)) return false;
+    near->commands.commit();
+    return true;
+  }
+  int held() {
+    int count = 0;
+    far->commands.fixCut();
+    for (; far->commands.next() != nullptr; ++count) {
+      far->commands.pop();
+      far->commands.returnCredit(kHold);
+    }
+    return count;
+  }
+  int heard() {
+    int count = 0;
+    for (; near->events.next() != nullptr; ++count) near->events.pop();
+    return count;
+  }
+
+  rt::Doorbell bell;
+  const std::shared_ptr<Channel> near = makeChannel(bell), far = makeChannel(bell);
+  const std::shared_ptr<ClientSide> client;
+  const std::shared_ptr<ProviderSide> provider;
+};
+
+class LinkTest : public testing::Test {
+ protected:
+  LinkTest() : LinkTest(rpc::makeSocketPair()) {}
+  explicit LinkTest(rpc::SocketPair pair)
+      : near(std::make_unique<Link>(rpc::ByteStream(kj::mv(pair.ours)), 1)),
+        far(std::make_unique<Link>(rpc::ByteStream(kj::mv(pair.theirs)), 1)) {}
+
+  Pair& add(std::uint32_t number) {
+    pairs.push_back(std::make_unique<Pair>(number));
+    far->join(pairs.back()->provider);
+    near->join(pairs.back()->client);
+    return *pairs.back();
+  }
+  void exchange() {
+    for (int lap = 0; lap < 3; ++lap) {
+      for (Link* const one : {near.get(), far.get()}) {
+        one->arrived();
+        one->turn();
+      }
+    }
+  }
+
+  std::vector<std::unique_ptr<Pair>> pairs;
+  std::unique_ptr<Link> near, far;
+};
+
+TEST_F(LinkTest, CarriesEachConnectionsOwn) {
+  Pair& one = add(1);
+  Pair& other = add(2);
+  exchange();
+  ASSERT_TRUE(one.hold());
+  ASSERT_TRUE(other.far->events.push(kStopped, now(), {}));
+  exchange();
+  EXPECT_EQ(one.held(), 1);
+  EXPECT_EQ(other.held(), 0);
+  EXPECT_EQ(one.heard(), 0);
+  EXPECT_EQ(other.heard(), 1);
+}
+
+TEST_F(LinkTest, TakesWhoJoinsWhileItCarriesOthers) {
+  Pair& late = *(add(7), pairs.back());
+  exchange();
+  Pair& early = add(3);
+  ASSERT_TRUE(early.hold());
+  exchange();
+  EXPECT_EQ(early.held(), 1);
+  EXPECT_EQ(late.held(), 0);
+}
+
+TEST_F(LinkTest, AConnectionThatEndsLeavesTheOthers) {
+  Pair& ended = add(1);
+  Pair& stays = add(2);
+  exchange();
+  ASSERT_TRUE(ended.hold());
+  near->turn();  // on its way to an end that is there no more
+  ended.far->status = ChannelStatus::Closed;
+  exchange();
+  ended.near->status = ChannelStatus::Closed;
+  ASSERT_TRUE(stays.hold());
+  exchange();
+  EXPECT_EQ(stays.held(), 1);
+  EXPECT_FALSE(near->broken() || far->broken() || stays.client->broken());
+}
+
+TEST_F(LinkTest, ProviderIsSilentUntilItsClientIsThere) {
+  pairs.push_back(std::make_unique<Pair>(1));
+  Pair& pair = *pairs.back();
+  far->join(pair.provider);
+  ASSERT_TRUE(pair.far->events.push(kStopped, now(), {}));
+  exchange();
+  near->join(pair.client);
+  exchange();
+  EXPECT_EQ(pair.heard(), 1);
+}
+
+TEST_F(LinkTest, BreaksForAllAndForWhoComesLater) {
+  Pair& one = add(1);
+  exchange();
+  far.reset();
+  near->arrived();
+  near->turn();
+  EXPECT_TRUE(near->broken());
+  EXPECT_TRUE(one.client->broken());
+  EXPECT_EQ(one.client->why(), "the other end has closed it");
+  Pair late(2);
+  near->join(late.client);
+  EXPECT_TRUE(late.client->broken());
+}
+
+TEST_F(LinkTest, ANumberIsOneConnections) {
+  Pair& one = add(1);
+  exchange();
+  Pair second(1);
+  near->join(second.client);
+  exchange();
+  EXPECT_EQ(second.client->why(), "another connection has its number");
+  ASSERT_TRUE(one.hold());
+  exchange();
+  EXPECT_EQ(one.held(), 1);
+}
+
+// One that floods its link: the window and the turns leave the others theirs.
+TEST_F(LinkTest, NobodyTakesAllTheRoom) {
+  Pair& loud = add(1);
+  Pair& quiet = add(2);
+  exchange();
+  for (int lap = 0; lap < 100; ++lap) {
+    while (loud.far->events.push(kStopped, now(), {})) continue;
+    ASSERT_TRUE(quiet.far->events.push(kStopped, now(), {}));
+    exchange();
+    ASSERT_EQ(quiet.heard(), 1) << lap;
+    loud.heard();
+  }
+}
+
+TEST(LaneThread, DropsALinkThatIsEmptyAndNobodys) {
+  auto pair = rpc::makeSocketPair();
+  Link far(rpc::ByteStream(kj::mv(pair.theirs)), 1);
+  Pair first(1), second(2);
+  for (Pair* const one : {&first, &second}) far.join(one->provider);
+  const auto isHeard = [&far](Pair& one) {
+    return eventually([&] {
+      far.arrived();
+      far.turn();
+      return one.far->bytesReceived > 0;
+    });
+  };
+  LaneThread lane;
+  auto link = std::make_shared<Link>(rpc::ByteStream(kj::mv(pair.ours)), 1);
+  const std::weak_ptr<Link> seen = link;
+  link->join(first.client);
+  lane.add(link);
+  EXPECT_TRUE(isHeard(first));
+  first.near->status = ChannelStatus::Closed;
+  lane.doorbell()->ring();
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  link->join(second.client);  // it is ours, and so still carried
+  lane.doorbell()->ring();
+  EXPECT_TRUE(isHeard(second));
+  link.reset();
+  second.near->status = ChannelStatus::Closed;
+  lane.doorbell()->ring();
+  EXPECT_TRUE(eventually([&] { return seen.expired(); }));
+}
+
+}  // namespace
+}  // namespace suture::frame

@@ -1,0 +1,58 @@
+#include <gtest/gtest.h>
+#include <suture/transport/frame/window.h>
+
+namespace suture::frame {
+namespace {
+
+/// Sends up to `most` of one end's frames to the other.
+unsigned send(Window& from, Window& to, unsigned most = 1000) {
+  unsigned count = 0;
+  for (; count < most && from.isOpen(); ++count) {
+    Header header{.kind = Kind::Event};
+    from.sends(header);
+    EXPECT_TRUE(to.takes(header));
+  }
+  return count;
+}
+
+void acknowledge(Window& from, Window& to) {
+  Header header{.kind = Kind::Acknowledge};
+  from.sends(header);
+  EXPECT_TRUE(to.takes(header));
+}
+
+TEST(Window, AStoppedPeerFindsSoManyFramesAndNoMore) {
+  Window near, far;
+  EXPECT_EQ(send(near, far), Window::kFrames);
+  EXPECT_EQ(send(near, far), 0u);
+  EXPECT_TRUE(far.owesAcknowledgement());
+  acknowledge(far, near);
+  EXPECT_FALSE(far.owesAcknowledgement());
+  EXPECT_EQ(send(near, far), Window::kFrames);
+}
+
+TEST(Window, FramesTheOtherWayAcknowledge) {
+  Window near, far;
+  for (int lap = 0; lap < 100; ++lap) {
+    ASSERT_EQ(send(near, far, 1), 1u) << lap;
+    ASSERT_EQ(send(far, near, 1), 1u) << lap;
+    ASSERT_FALSE(near.owesAcknowledgement());
+  }
+}
+
+TEST(Window, BelievesNoAcknowledgementOfWhatWasNotSent) {
+  Window window;
+  EXPECT_FALSE(window.takes({.acknowledged = 1, .kind = Kind::Event}));
+}
+
+TEST(Window, TakesNoFrameTooMany) {
+  Window window;
+  for (unsigned i = 0; i < Window::kFrames; ++i) {
+    ASSERT_TRUE(window.takes({.kind = Kind::Event})) << i;
+  }
+  EXPECT_TRUE(window.takes({.kind = Kind::Acknowledge}));
+  EXPECT_FALSE(window.takes({.kind = Kind::Event}));
+}
+
+}  // namespace
+}  // namespace suture::frame
