@@ -52,12 +52,14 @@ bool Connection::arrived(const Header& header, std::span<std::byte> payload) {
   return header.kind == Kind::Acknowledge || take(header, payload);
 }
 
-void Connection::send() {
+bool Connection::send() {
   give();
-  if (window_.owesAcknowledgement() && socket_->hasRoom()) {
+  if (!socket_->hasRoom()) return window_.isOpen() || window_.owesAcknowledgement();
+  if (window_.owesAcknowledgement()) {
     begin({.kind = Kind::Acknowledge}, 0);
     finish();
   }
+  return false;
 }
 
 std::byte* Connection::begin(Header header, std::size_t size) {

@@ -40,8 +40,9 @@ class Connection {
   bool arrived(const Header& header, std::span<std::byte> payload);
   /// Behind all that have arrived: wakes whom they are for.
   virtual void taken() {}
-  /// Sends what the channel has, as far as there is room.
-  void send();
+  /// Sends what the channel has, as far as there is room; true if it may have more, which the
+  /// socket had no room for.
+  bool send();
 
   /// There is nothing to carry any more.
   bool over() const;

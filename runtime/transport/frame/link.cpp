@@ -44,8 +44,13 @@ Connection* Link::find(std::uint32_t number) const {
 
 void Link::turn() {
   receive();
-  send();
-  socket_.flush();
+  // What did not fit goes when the socket has taken the rest; if it has not, it tells when it takes
+  // more.
+  bool more = false;
+  do {
+    more = send();
+    socket_.flush();
+  } while (more && !socket_.isFull() && !socket_.broken());
   if (socket_.broken()) breakAll();
   std::erase_if(connections_, [](const auto& one) { return one->over(); });
 }
@@ -72,14 +77,16 @@ bool Link::take(const Header& header) {
 }
 
 // None can take all the room at each turn.
-void Link::send() {
+bool Link::send() {
   const std::size_t count = connections_.size();
-  if (count == 0 || socket_.broken()) return;
+  if (count == 0) return false;
+  bool more = false;
   first_ = (first_ + 1) % count;
   for (std::size_t i = 0; i < count; ++i) {
     Connection& connection = *connections_[(first_ + i) % count];
-    if (!connection.over()) connection.send();
+    if (!connection.over() && connection.send()) more = true;
   }
+  return more;
 }
 
 // Who comes later finds it broken.

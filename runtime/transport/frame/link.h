@@ -45,7 +45,7 @@ class Link {
   void takeJoined();
   void receive();
   bool take(const Header& header);
-  void send();
+  bool send();
   void breakAll();
   Connection* find(std::uint32_t number) const;
 

@@ -16,7 +16,7 @@
 namespace suture::frame {
 namespace {
 
-constexpr std::uint16_t kHold = 2, kStopped = 2;
+constexpr std::uint16_t kHold = 2, kStopped = 2, kMoved = 3;
 
 /// Both ends of a connection, whose tasks are played by the test.
 struct Pair {
@@ -170,6 +170,37 @@ TEST_F(LinkTest, NobodyTakesAllTheRoom) {
     ASSERT_EQ(quiet.heard(), 1) << lap;
     loud.heard();
   }
+}
+
+// More than a link sends at once; there is nothing else that would wake its thread.
+TEST(LaneThread, LeavesNothingBehindForWantOfRoom) {
+  auto sockets = rpc::makeSocketPair();
+  LaneThread nearLane, farLane;
+  const auto near = std::make_shared<Link>(rpc::ByteStream(kj::mv(sockets.ours)), 1);
+  const auto far = std::make_shared<Link>(rpc::ByteStream(kj::mv(sockets.theirs)), 1);
+  std::vector<std::unique_ptr<Pair>> pairs;
+  for (std::uint32_t i = 0; i < 64; ++i) {
+    pairs.push_back(std::make_unique<Pair>(i));
+    far->join(pairs.back()->provider);
+    near->join(pairs.back()->client);
+  }
+  farLane.add(far);
+  nearLane.add(near);
+  const std::vector<std::byte> payload(pairs[0]->far->info.events[kMoved].payloadSize);
+  constexpr std::uint32_t kUnacknowledged = Window::kFrames / 2 - 1;
+  std::size_t sent = 0, heard = 0;
+  for (const auto& one : pairs) {
+    for (std::uint32_t i = 0; i < kUnacknowledged; ++i, ++sent) {
+      ASSERT_TRUE(one->far->events.push(kMoved, now(), payload));
+    }
+  }
+  ASSERT_GT(sent * (sizeof(Header) + payload.size()), kLeastRoom);
+  farLane.doorbell()->ring();
+  EXPECT_TRUE(eventually([&] {
+    for (const auto& one : pairs) heard += static_cast<std::size_t>(one->heard());
+    return heard == sent;
+  })) << heard
+      << " of " << sent;
 }
 
 TEST(LaneThread, DropsALinkThatIsEmptyAndNobodys) {
