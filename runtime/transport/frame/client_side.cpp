@@ -4,15 +4,6 @@
 #include <cstring>
 
 namespace suture::frame {
-namespace {
-
-// The counters have one writer each.
-void add(std::atomic<std::uint64_t>& counter, std::uint64_t count) {
-  counter.store(counter.load(std::memory_order_relaxed) + count, std::memory_order_relaxed);
-}
-
-}  // namespace
-
 // The provider's channel was made with what is subscribed to; the first frame says so once more, so
 // that the provider's side hears of this one.
 ClientSide::ClientSide(std::shared_ptr<Channel> channel, const Terms& terms)

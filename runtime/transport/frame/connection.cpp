@@ -15,11 +15,6 @@ std::size_t rowBytes(const InterfaceInfo& contract) {
   return size;
 }
 
-// It has one writer.
-void add(std::atomic<std::uint64_t>& counter, std::size_t count) {
-  counter.store(counter.load(std::memory_order_relaxed) + count, std::memory_order_relaxed);
-}
-
 }  // namespace
 
 std::size_t mostPayload(const InterfaceInfo& contract) {
@@ -29,6 +24,10 @@ std::size_t mostPayload(const InterfaceInfo& contract) {
   }
   for (const EventInfo& one : contract.events) most = std::max<std::size_t>(most, one.payloadSize);
   return most;
+}
+
+void Connection::add(std::atomic<std::uint64_t>& counter, std::uint64_t count) {
+  counter.store(counter.load(std::memory_order_relaxed) + count, std::memory_order_relaxed);
 }
 
 Connection::Connection(std::shared_ptr<Channel> channel, const Terms& terms)

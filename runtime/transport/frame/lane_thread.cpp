@@ -64,8 +64,10 @@ void LaneThread::add(std::shared_ptr<Link> link) {
 void LaneThread::loop() {
   pthread_setname_np(pthread_self(), "suture-lane");
   rt::askForSlice(rt::kServiceSlice);
-  while (!stopping_) {
+  // The ring of stop() is taken before it is asked whether there was one, or it ends the sleep.
+  for (;;) {
     bell_->doorbell.takeRing();
+    if (stopping_) break;
     takeOver();
     turnAll();
     sleep();

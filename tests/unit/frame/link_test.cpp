@@ -203,6 +203,16 @@ TEST(LaneThread, LeavesNothingBehindForWantOfRoom) {
       << " of " << sent;
 }
 
+TEST(LaneThread, StopsWheneverItIsTold) {
+  for (int lap = 0; lap < 3000; ++lap) {
+    auto sockets = rpc::makeSocketPair();
+    LaneThread lane;
+    lane.add(std::make_shared<Link>(rpc::ByteStream(kj::mv(sockets.ours)), 1));
+    const Time end = now() + std::chrono::microseconds(30 + lap % 50);
+    while (now() < end) lane.doorbell()->ring();
+  }
+}
+
 TEST(LaneThread, DropsALinkThatIsEmptyAndNobodys) {
   auto pair = rpc::makeSocketPair();
   Link far(rpc::ByteStream(kj::mv(pair.theirs)), 1);
