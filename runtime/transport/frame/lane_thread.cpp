@@ -98,20 +98,21 @@ void LaneThread::turnAll() {
     one.full = !one.full;
     watch(one, EPOLL_CTL_MOD);
   }
-  std::erase_if(carried_, [this](Carried& one) {
-    if (one.link->broken()) watch(one, EPOLL_CTL_DEL);  // others may hold it still
-    return isDone(one);
-  });
+  std::erase_if(carried_, [this](Carried& one) { return isDone(one); });
 }
 
-// Whoever else holds an empty link is about to let a connection join.
+// Whoever else holds an empty link is about to let a connection join. The poll forgets a link ahead
+// of its end: to close the socket is not enough as long as another descriptor of it is open.
 bool LaneThread::isDone(Carried& carried) {
+  if (!carried.link->broken() && !carried.link->isEmpty()) return false;
+  watch(carried, EPOLL_CTL_DEL);
   if (carried.link->broken()) return true;
-  if (!carried.link->isEmpty()) return false;
   const std::weak_ptr<Link> others = carried.link;
-  carried.link.reset();  // its socket leaves the poll when it closes
+  carried.link.reset();
   carried.link = others.lock();
-  return carried.link == nullptr;
+  if (carried.link == nullptr) return true;
+  watch(carried, EPOLL_CTL_ADD);
+  return false;
 }
 
 void LaneThread::sleep() {

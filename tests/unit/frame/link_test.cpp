@@ -175,7 +175,6 @@ TEST_F(LinkTest, NobodyTakesAllTheRoom) {
 // More than a link sends at once; there is nothing else that would wake its thread.
 TEST(LaneThread, LeavesNothingBehindForWantOfRoom) {
   auto sockets = rpc::makeSocketPair();
-  LaneThread nearLane, farLane;
   const auto near = std::make_shared<Link>(rpc::ByteStream(kj::mv(sockets.ours)), 1);
   const auto far = std::make_shared<Link>(rpc::ByteStream(kj::mv(sockets.theirs)), 1);
   std::vector<std::unique_ptr<Pair>> pairs;
@@ -184,6 +183,7 @@ TEST(LaneThread, LeavesNothingBehindForWantOfRoom) {
     far->join(pairs.back()->provider);
     near->join(pairs.back()->client);
   }
+  LaneThread nearLane, farLane;
   farLane.add(far);
   nearLane.add(near);
   const std::vector<std::byte> payload(pairs[0]->far->info.events[kMoved].payloadSize);
