@@ -46,6 +46,11 @@ std::size_t payloadBytes(std::span<const std::uint32_t> columnSizes) {
   return bytes;
 }
 
+// Another process may have written anything: its age can be computed all the same.
+Time possible(std::uint64_t stamp) {
+  return fromNanoseconds(std::max<std::int64_t>(0, static_cast<std::int64_t>(stamp)));
+}
+
 }  // namespace
 
 StateTable::StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows, ColumnSet shared)
@@ -173,8 +178,7 @@ bool StateTable::tryRead(Row& row, const Copy& copy) const {
   const std::uint64_t sequence = row.sequence;
   RowHeader& header = headerAt(sequence);
   if (header.sequence.load(std::memory_order_acquire) != sequence) return false;
-  row.stamp =
-      fromNanoseconds(static_cast<std::int64_t>(header.stamp.load(std::memory_order_acquire)));
+  row.stamp = possible(header.stamp.load(std::memory_order_acquire));
   row.valid = header.valid.load(std::memory_order_acquire);
   row.tooLarge = header.tooLarge.load(std::memory_order_acquire);
   if (shared_.which() != 0 && sequence != newest_->load(std::memory_order_relaxed)) {
@@ -194,7 +198,7 @@ StateTable::Row StateTable::readNewest(const Copy& copy) const {
   Row row;  // the only one: a copy of what has just been written costs as much as all the rest
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     row.tooOld = false;
-    row.sequence = newest_->load(std::memory_order_acquire);
+    row.sequence = rows();
     if (row.sequence == 0 || tryRead(row, copy)) return row;
   }
   row = Row{};
@@ -216,7 +220,7 @@ bool StateTable::stampOf(std::uint64_t sequence, Time& stamp) const {
 
 // Stamps ascend with the numbers, and what has been overwritten is older than what has not.
 StateTable::Row StateTable::findAt(Time at) const {
-  std::uint64_t last = newest_->load(std::memory_order_acquire);
+  std::uint64_t last = rows();  // so that no number beyond it overflows
   std::uint64_t first = oldest(last);
   Row found{.tooOld = first > 1};
   while (first <= last) {

@@ -8,28 +8,17 @@
 #include <cstring>
 #include <vector>
 
+#include "tests/fuzz/input.h"
 #include "tests/fuzz/require.h"
 
 namespace {
 
 using namespace suture::frame;
+using suture::fuzz::Input;
 using suture::fuzz::require;
 
 constexpr std::uint32_t kEpoch = 3;
 constexpr std::size_t kMostPayload = 500;
-
-/// The input, a byte at a time; zeros behind its end.
-class Input {
- public:
-  Input(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
-  bool ended() const { return at_ >= size_; }
-  std::size_t byte() { return ended() ? 0 : data_[at_++]; }
-  std::size_t two() { return byte() * 256 + byte(); }
-
- private:
-  const std::uint8_t* data_;
-  std::size_t size_, at_ = 0;
-};
 
 std::byte fillOf(std::uint32_t sequence) { return static_cast<std::byte>(sequence * 7); }
 

@@ -293,6 +293,40 @@ TEST(ForeignStateTable, IsReadInAnotherProcessAndAskedThere) {
   EXPECT_EQ(view.rows(), 10u);
 }
 
+// As many rows as there cannot be: the search for a time ends all the same.
+TEST(ForeignStateTable, IsReadWhateverItsNumberOfRows) {
+  const std::array<std::uint32_t, 1> columns = {8};
+  StateTable provider(columns, 4);
+  const StateTable client(columns, 4, provider.memory(),
+                          std::make_shared<std::atomic<ColumnSet>>());
+  std::uint64_t value = 0;
+  const std::array<std::byte*, 1> slots = {reinterpret_cast<std::byte*>(&value)};
+  for (const std::uint64_t rows : {~std::uint64_t{0}, ~std::uint64_t{0} - 1, StateTable::kMostRows,
+                                   StateTable::kMostRows + 1, std::uint64_t{1} << 63}) {
+    std::memcpy(provider.memory()->data(), &rows, sizeof(rows));
+    EXPECT_TRUE(client.readRowAt(now(), slots).tooOld);
+    EXPECT_EQ(client.readAt(now(), 0, slots[0]).error(), Errc::TooOld);
+    EXPECT_EQ(client.readRow(slots).valid, 0u);
+  }
+}
+
+TEST(ForeignStateTable, StampsHaveAnAge) {
+  const std::array<std::uint32_t, 1> columns = {8};
+  StateTable provider(columns, 4);
+  const StateTable client(columns, 4, provider.memory(),
+                          std::make_shared<std::atomic<ColumnSet>>());
+  provider.publish(now(), 1, 0);
+  std::vector<std::uint64_t> words(provider.memory()->size() / 8);
+  std::memcpy(words.data(), provider.memory()->data(), words.size() * 8);
+  for (std::uint64_t& word : words) {
+    if (word > 1) word = std::uint64_t{1} << 63;  // the stamp is the only number beyond 1
+  }
+  std::memcpy(provider.memory()->data(), words.data(), words.size() * 8);
+  const auto stamp = client.read(0, reinterpret_cast<std::byte*>(words.data()));
+  ASSERT_TRUE(stamp);
+  EXPECT_GE(*stamp, Time{});
+}
+
 TEST(MemoryBlock, OthersMayOnlyReadWhereItSaysSo) {
   const MemoryBlock readable("test", 4096, MemoryBlock::Others::Read);
   EXPECT_THROW(MemoryBlock::open(readable.descriptor(), 4096, MemoryBlock::Others::Write),

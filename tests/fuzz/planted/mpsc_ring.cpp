@@ -1,0 +1,32 @@
+// A ring that hands out another process's memory as it is: the fuzzer of shared memory must see it
+// change.
+
+#include <suture/rt/mpsc_ring.h>
+
+#include <bit>
+#include <new>
+
+namespace suture::rt {
+
+MpscRing::MpscRing(std::size_t cells, std::size_t cellSize, Arena& arena)
+    : mask_(std::bit_ceil(cells) - 1),
+      stride_(sizeof(std::uint64_t) + ((cellSize + 7) & ~std::size_t{7})),
+      data_(arena.take((mask_ + 1) * stride_)) {
+  if (!arena.fresh()) return;
+  for (std::uint64_t i = 0; i <= mask_; ++i) new (&turnAt(i)) std::atomic<std::uint64_t>(i);
+}
+
+bool MpscRing::pending() const {
+  return turnAt(head_).load(std::memory_order_acquire) == head_ + 1;
+}
+
+const std::byte* MpscRing::front() {
+  return pending() ? reinterpret_cast<const std::byte*>(&turnAt(head_) + 1) : nullptr;
+}
+
+void MpscRing::pop() {
+  turnAt(head_).store(head_ + mask_ + 1, std::memory_order_release);
+  ++head_;
+}
+
+}  // namespace suture::rt
