@@ -19,7 +19,7 @@ python3 tests/compiler/errors/errors_test.py "$PWD/$build/bin/suturec" "$eigen" 
 cmake --preset dev --log-level=WARNING
 cmake --build --preset dev --target fuzzers -- --quiet
 export build=$PWD/build/dev seconds
-printf '%s\n' lock deployment frames generated golden | xargs -P "$(nproc)" -I{} bash -o pipefail -c '
+printf '%s\n' lock deployment frames shared handshake generated golden | xargs -P "$(nproc)" -I{} bash -o pipefail -c '
   cd "$build/tests/fuzz"
   ./{}_fuzz -max_total_time="$seconds" -max_len=8192 -timeout=10 -artifact_prefix=found/{}_ \
     found/{} corpus/{} 2>&1 | sed -u "s/^/{}: /"'
