@@ -1,14 +1,26 @@
 #include <suture/manager/frame_links.h>
 #include <suture/manager/frame_sockets.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace suture {
 
-FrameLinks::FrameLinks(frame::LaneThread& lane) : lane_(lane) {
-  fillWithRandom(id_.data(), id_.size());
+bool FrameLinks::Known::isOver() const {
+  const Link held = link.lock();
+  return awaiting.empty() && (held == nullptr || held->broken());
 }
 
-std::string FrameLinks::client(Duration silence) const {
-  return std::string(id_.begin(), id_.end()) + std::to_string(silence.count());
+std::string FrameLinks::client(const std::string& provider, Duration silence) {
+  Provider& known = providers_[provider];
+  for (auto& [epoch, one] : known.links) {
+    std::erase_if(one.awaiting, [](auto& who) { return !who->isWaiting(); });
+  }
+  const std::size_t ended =
+      std::erase_if(known.links, [](const auto& one) { return one.second.isOver(); });
+  if (ended > 0) known.name.reset();
+  if (!known.name) fillWithRandom(known.name.emplace().data(), known.name->size());
+  return std::string(known.name->begin(), known.name->end()) + std::to_string(silence.count());
 }
 
 // The lane thread looks again whether anybody has joined what it kept for us.
@@ -18,28 +30,26 @@ FrameLinks::Hold::~Hold() {
   bell_->ring();
 }
 
-FrameLinks::Hold FrameLinks::hold() {
+FrameLinks::Hold FrameLinks::hold(const std::string& provider) {
   std::vector<Link> links;
-  for (const auto& [name, known] : links_) {
+  for (const auto& [epoch, known] : providers_[provider].links) {
     if (Link link = known.link.lock()) links.push_back(std::move(link));
   }
   return {std::move(links), doorbell()};
 }
 
-FrameLinks::Link FrameLinks::open(const Name& name, rpc::ByteStream bytes) {
-  std::erase_if(links_, [](const auto& one) {
-    return one.second.link.expired() && one.second.awaiting.empty();
-  });
-  const auto link = std::make_shared<frame::Link>(kj::mv(bytes), name.second);
-  Known& known = links_[name];
+FrameLinks::Link FrameLinks::open(const std::string& provider, std::uint32_t epoch,
+                                  rpc::ByteStream bytes) {
+  const auto link = std::make_shared<frame::Link>(kj::mv(bytes), epoch);
+  Known& known = providers_[provider].links[epoch];
   known.link = link;
   for (auto& one : std::exchange(known.awaiting, {})) one->fulfill(Link(link));
   lane_.add(link);
   return link;
 }
 
-kj::Promise<FrameLinks::Link> FrameLinks::find(const Name& name) {
-  Known& known = links_[name];
+kj::Promise<FrameLinks::Link> FrameLinks::find(const std::string& provider, std::uint32_t epoch) {
+  Known& known = providers_[provider].links[epoch];
   if (Link link = known.link.lock()) return kj::mv(link);
   auto pair = kj::newPromiseAndFulfiller<Link>();
   known.awaiting.push_back(kj::mv(pair.fulfiller));

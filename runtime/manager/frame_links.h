@@ -12,28 +12,30 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace suture {
 
-/// Belongs to the control thread.
+/// By the provider's process, and by what that calls each link, its epoch. Belongs to the control
+/// thread.
 class FrameLinks {
  public:
   using Link = std::shared_ptr<frame::Link>;
-  /// The provider's process and what it calls the link.
-  using Name = std::pair<std::string, std::uint32_t>;
 
-  /// Throws SetupError if the kernel refuses.
-  explicit FrameLinks(frame::LaneThread& lane);
+  explicit FrameLinks(frame::LaneThread& lane) : lane_(lane) {}
 
   /// Rung by clients for what goes out.
   std::shared_ptr<rt::Doorbell> doorbell() { return lane_.doorbell(); }
 
-  /// What a provider is told: connections of this process for which the same bound of silence holds
-  /// may share a link, as their socket has one bound only.
-  std::string client(Duration silence) const;
+  /// What that provider is told: connections of this process for which the same bound of silence
+  /// holds may share a link, as their socket has one bound only. Nobody else can know it, and it is
+  /// another one when a link has ended: the provider may not have noticed. Throws SetupError if the
+  /// kernel refuses.
+  std::string client(const std::string& provider, Duration silence);
+  /// Another one from now on: no link that the provider knows is joined any more.
+  void rename(const std::string& provider) { providers_[provider].name.reset(); }
 
   /// While this lives no link ends for want of connections: an answer may name it.
   class Hold {
@@ -47,22 +49,27 @@ class FrameLinks {
     std::vector<Link> links_;
     std::shared_ptr<rt::Doorbell> bell_;
   };
-  Hold hold();
+  Hold hold(const std::string& provider);
 
   /// The socket of a new link has come. Whoever has one of its connections lets that join.
-  Link open(const Name& name, rpc::ByteStream bytes);
-  /// A link that there is, or will be; rejects never.
-  kj::Promise<Link> find(const Name& name);
+  Link open(const std::string& provider, std::uint32_t epoch, rpc::ByteStream bytes);
+  /// A link that there is, or will be; never resolves if there will not.
+  kj::Promise<Link> find(const std::string& provider, std::uint32_t epoch);
 
  private:
   struct Known {
-    std::weak_ptr<frame::Link> link;
+    bool isOver() const;
+
+    std::weak_ptr<frame::Link> link;  // none until its socket has come
     std::vector<kj::Own<kj::PromiseFulfiller<Link>>> awaiting;
+  };
+  struct Provider {
+    std::optional<std::array<char, 16>> name;
+    std::map<std::uint32_t, Known> links;
   };
 
   frame::LaneThread& lane_;
-  std::array<char, 16> id_;  // no other process's
-  std::map<Name, Known> links_;
+  std::map<std::string, Provider> providers_;
 };
 
 }  // namespace suture

@@ -131,12 +131,13 @@ void FrameSockets::arrived(const rpc::Token& token, rpc::ByteStream bytes) {
 }
 
 void FrameSockets::forgetEnded() {
+  for (auto& [epoch, shared] : links_) {
+    std::erase_if(shared.awaiting, [](const auto& end) { return end->over(); });
+  }
   std::erase_if(links_, [](const auto& one) {
     const Shared& shared = one.second;
     const auto link = shared.link.lock();
-    return (link == nullptr || link->broken()) &&
-           std::all_of(shared.awaiting.begin(), shared.awaiting.end(),
-                       [](const auto& end) { return end->over(); });
+    return (link == nullptr || link->broken()) && shared.awaiting.empty();
   });
 }
 

@@ -70,6 +70,13 @@ void setClock(Channel& channel, std::int64_t offset, std::int64_t error) {
   channel.clockError = Duration(rpc::bounded(error));
 }
 
+/// Of a client whose connections share a link, no longer than it needs.
+std::string nameOf(capnp::Data::Reader client) {
+  constexpr std::size_t kMost = 64;
+  const auto text = client.asChars();
+  return text.size() > kMost ? "" : std::string(text.begin(), text.end());
+}
+
 }  // namespace
 
 PeerServer::PeerServer(PeerHost& host, std::shared_ptr<rpc::Caller> caller)
@@ -321,7 +328,7 @@ void PeerServer::sendFrames(Asked& asked, const InterfaceInfo& contract,
   const auto asks = in.getFrame();
   FrameSockets::Offered offered = host_.frames_.offer(
       {.channel = channel, .shift = channel->clockShift, .readOnly = mayOnlyRead(asked.endpoint)},
-      {.name = std::string(asks.getClient().asChars().begin(), asks.getClient().asChars().end()),
+      {.name = nameOf(asks.getClient()),
        .who = caller_->identity,
        .handsOver = asks.getHandsOver()});
   auto out = accepted(asked, *kj::refcounted<StatusPort>(host_.control_, channel));

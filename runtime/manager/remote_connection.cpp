@@ -231,12 +231,22 @@ RemoteConnection::Lanes RemoteConnection::wantedLanes() {
   return {.memory = sharesMachine_, .frames = true};
 }
 
-// Who agrees to a faster lane, and it cannot be had after all, is asked for calls.
+// Who agrees to a faster lane, and it cannot be had after all, is asked for frames on a new link,
+// and then for calls.
 kj::Promise<void> RemoteConnection::ask() {
-  return ask(wantedLanes()).catch_([this](kj::Exception&& failure) -> kj::Promise<void> {
-    if (!std::exchange(fasterFailed_, false)) return kj::mv(failure);
-    return ask(Lanes{});
-  });
+  const Lanes wanted = wantedLanes();
+  return ask(wanted)
+      .catch_([this, wanted, reason = laneReason_](kj::Exception&& failure) {
+        if (!wanted.memory) laneReason_ = reason;
+        return askAgain(kj::mv(failure), {.frames = wanted.frames});
+      })
+      .catch_([this](kj::Exception&& failure) { return askAgain(kj::mv(failure), {}); });
+}
+
+kj::Promise<void> RemoteConnection::askAgain(kj::Exception&& failure, Lanes lanes) {
+  if (!std::exchange(fasterFailed_, false)) return kj::mv(failure);
+  frames_.rename(to_.process);
+  return ask(lanes);
 }
 
 kj::Promise<void> RemoteConnection::ask(Lanes lanes) {
@@ -250,7 +260,8 @@ kj::Promise<void> RemoteConnection::ask(Lanes lanes) {
   request.setContract(required_.info().name);
   request.setHash(required_.info().hash);
   request.setDescription(required_.info().description);
-  request.setEvents(required_.subscribed());
+  asked_ = required_.subscribed();
+  request.setEvents(asked_);
   request.setClockOffset(-clock_.offset().count());
   request.setClockError(clock_.error().count());
   request.setEpoch(toNanoseconds(now()));
@@ -263,7 +274,7 @@ kj::Promise<void> RemoteConnection::ask(Lanes lanes) {
     memory.setBell(handOut(client().doorbell().share()));
   }
   if (lanes.frames) {
-    const std::string client = frames_.client(longestSilence_);
+    const std::string client = frames_.client(to_.process, longestSilence_);
     auto frame = request.initFrame();
     frame.setLayout(textOf(memoryLayout(required_.info())));
     frame.setHandsOver(sharesMachine_);
@@ -275,7 +286,7 @@ kj::Promise<void> RemoteConnection::ask(Lanes lanes) {
         if (results.isRefused()) return refused(results.getRefused());
         return begin(results.getAccepted());
       })
-      .attach(frames_.hold());
+      .attach(frames_.hold(to_.process));
 }
 
 kj::Promise<void> RemoteConnection::begin(wire::ConnectResults::Accepted::Reader accepted) {
@@ -309,9 +320,8 @@ std::shared_ptr<Channel> RemoteConnection::mirroredChannel(Lane lane, rt::Doorbe
                                                            std::uint32_t rows) {
   const Channel::Ends ends{
       .client = &client().doorbell(), .provider = &carrier, .watcher = &control_.doorbell()};
-  auto channel =
-      std::make_shared<Channel>(required_.info(), name(), toString(lane), ends,
-                                makeStateTable(required_.info()), required_.subscribed());
+  auto channel = std::make_shared<Channel>(required_.info(), name(), toString(lane), ends,
+                                           makeStateTable(required_.info()), asked_);
   channel->clientsBell = client().sharedDoorbell();
   channel->laneReason = laneReason_;
   channel->clockShift = -clock_.offset();
@@ -331,12 +341,13 @@ void RemoteConnection::beginCalls(wire::ConnectResults::Accepted::Reader accepte
 }
 
 kj::Promise<FrameLinks::Link> RemoteConnection::openLink(wire::FrameOffer::Reader offer) {
-  const FrameLinks::Name name(to_.process, offer.getEpoch());
+  const std::uint32_t epoch = offer.getEpoch();
   if (offer.hasSocket() || offer.hasToken()) {
-    return openSocket(offer).then(
-        [this, name](rpc::ByteStream bytes) { return frames_.open(name, kj::mv(bytes)); });
+    return openSocket(offer).then([this, epoch](rpc::ByteStream bytes) {
+      return frames_.open(to_.process, epoch, kj::mv(bytes));
+    });
   }
-  return rpc::within(control_.timer(), kDialLimit, frames_.find(name),
+  return rpc::within(control_.timer(), kDialLimit, frames_.find(to_.process, epoch),
                      "the socket that the provider says is on its way has not come");
 }
 

@@ -56,11 +56,12 @@ class RemoteConnection {
   kj::Promise<void> greet();
   kj::Promise<void> compareClocks(unsigned times);
   kj::Promise<void> requireClocksThatCanTell();
-  kj::Promise<void> ask();
   /// What is asked for: the faster ones first, and calls if there is none.
   struct Lanes {
     bool memory = false, frames = false;
   };
+  kj::Promise<void> ask();
+  kj::Promise<void> askAgain(kj::Exception&& failure, Lanes lanes);
   kj::Promise<void> ask(Lanes lanes);
   Lanes wantedLanes();
   kj::Promise<void> begin(wire::ConnectResults::Accepted::Reader accepted);
@@ -92,6 +93,7 @@ class RemoteConnection {
   bool sharesMachine_ = false;  // with the peer, by a Unix socket
   std::string laneReason_;      // why it is not a faster one
   bool fasterFailed_ = false;   // the provider had agreed to one
+  EventSet asked_ = 0;          // what was subscribed to when it was asked
   kj::Maybe<kj::Own<rpc::Link>> link_;
   kj::Maybe<wire::Peer::Client> peer_;
   kj::Maybe<wire::Connection::Client> connection_;

@@ -28,6 +28,7 @@ class FrameSocket {
 
   /// The socket tells that something has arrived: receive() looks.
   void arrived() { empty_ = false; }
+  bool mayHaveMore() const { return !empty_ && !broken(); }
   /// Fetches some of it; false: there is nothing. Ends what next() returned.
   bool receive();
   /// The next frame of what receive() has fetched, nullptr: none. Valid until the next call.

@@ -94,25 +94,22 @@ void LaneThread::watch(const Carried& carried, int operation) {
 void LaneThread::turnAll() {
   for (Carried& one : carried_) {
     one.link->turn();
+    if (one.link->hasMore()) bell_->doorbell.ring();
     if (one.link->isFull() == one.full) continue;
     one.full = !one.full;
     watch(one, EPOLL_CTL_MOD);
   }
-  std::erase_if(carried_, [this](Carried& one) { return isDone(one); });
+  std::erase_if(carried_, [this](const Carried& one) { return isDone(one); });
 }
 
 // Whoever else holds an empty link is about to let a connection join. The poll forgets a link ahead
 // of its end: to close the socket is not enough as long as another descriptor of it is open.
-bool LaneThread::isDone(Carried& carried) {
-  if (!carried.link->broken() && !carried.link->isEmpty()) return false;
+bool LaneThread::isDone(const Carried& carried) {
+  const bool unused = carried.link.use_count() == 1 && carried.link->endIfEmpty();
+  if (!unused && !carried.link->broken()) return false;
   watch(carried, EPOLL_CTL_DEL);
-  if (carried.link->broken()) return true;
-  const std::weak_ptr<Link> others = carried.link;
-  carried.link.reset();
-  carried.link = others.lock();
-  if (carried.link == nullptr) return true;
-  watch(carried, EPOLL_CTL_ADD);
-  return false;
+  carried.link->end();
+  return true;
 }
 
 void LaneThread::sleep() {

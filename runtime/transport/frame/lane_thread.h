@@ -50,7 +50,7 @@ class LaneThread {
   void takeOver();
   void watch(const Carried& carried, int operation);
   void turnAll();
-  bool isDone(Carried& carried);
+  bool isDone(const Carried& carried);
   void sleep();
 
   const std::shared_ptr<Bell> bell_ = makeBell();

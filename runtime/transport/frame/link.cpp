@@ -55,8 +55,11 @@ void Link::turn() {
   std::erase_if(connections_, [](const auto& one) { return one->over(); });
 }
 
-// Who joins does so before its peer sends: at the latest behind a receipt it is there.
+// Who joins does so before its peer sends: at the latest behind a receipt it is there. A peer that
+// sends without end leaves the others their turns.
 void Link::receive() {
+  constexpr int kMostFills = 8;
+  int fills = 0;
   bool any = false;
   do {
     takeJoined();
@@ -64,7 +67,7 @@ void Link::receive() {
       if (!take(*header)) return socket_.breakOff("a frame makes no sense");
       any = true;
     }
-  } while (socket_.receive());
+  } while (++fills < kMostFills && socket_.receive());
   if (!any) return;
   for (const auto& one : connections_) one->taken();
 }
@@ -80,6 +83,7 @@ bool Link::take(const Header& header) {
 bool Link::send() {
   const std::size_t count = connections_.size();
   if (count == 0) return false;
+  if (!socket_.hasRoom()) return true;
   bool more = false;
   first_ = (first_ + 1) % count;
   for (std::size_t i = 0; i < count; ++i) {
@@ -95,6 +99,15 @@ void Link::breakAll() {
   broken_.store(true, std::memory_order_release);
   for (const auto& one : joined_) one->breakOff(socket_.why());
   for (const auto& one : connections_) one->breakOff(socket_.why());
+}
+
+bool Link::endIfEmpty() {
+  if (!connections_.empty()) return false;
+  const std::lock_guard lock(mutex_);
+  if (!joined_.empty()) return false;
+  socket_.breakOff("all of its connections have ended");
+  broken_.store(true, std::memory_order_release);
+  return true;
 }
 
 }  // namespace suture::frame

@@ -28,14 +28,16 @@ class Link {
   void join(std::shared_ptr<Connection> connection);
   /// Any thread: it carries nothing any more.
   bool broken() const { return broken_.load(std::memory_order_acquire); }
-  /// It has no connection, as before the first one and behind the last one.
-  bool isEmpty() const { return connections_.empty() && !anyJoined_; }
+  /// Breaks it if it has no connection, as behind the last one; false: it has one.
+  bool endIfEmpty();
 
   int descriptor() const { return socket_.descriptor(); }
   /// The socket tells that something has arrived.
   void arrived() { socket_.arrived(); }
   /// Takes what has come from either side of each connection, and gives it to the other.
   void turn();
+  /// More has arrived than one turn takes: nobody tells that again.
+  bool hasMore() const { return socket_.mayHaveMore(); }
   /// The socket has not taken all, and tells when it takes more.
   bool isFull() const { return socket_.isFull(); }
   /// The other end is told so.

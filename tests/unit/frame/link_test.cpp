@@ -5,6 +5,9 @@
 #include <suture/transport/frame/link.h>
 #include <suture/transport/frame/provider_side.h>
 
+#include <sys/socket.h>
+
+#include <atomic>
 #include <memory>
 #include <thread>
 #include <vector>
@@ -146,6 +149,19 @@ TEST_F(LinkTest, BreaksForAllAndForWhoComesLater) {
   EXPECT_TRUE(late.client->broken());
 }
 
+TEST_F(LinkTest, WhoComesAfterItsEndIsTold) {
+  Pair& one = add(1);
+  EXPECT_FALSE(near->endIfEmpty());  // it is joining
+  exchange();
+  EXPECT_FALSE(near->endIfEmpty());
+  one.near->status = ChannelStatus::Closed;
+  exchange();
+  EXPECT_TRUE(near->endIfEmpty());
+  Pair late(2);
+  near->join(late.client);
+  EXPECT_EQ(late.client->why(), "all of its connections have ended");
+}
+
 TEST_F(LinkTest, ANumberIsOneConnections) {
   Pair& one = add(1);
   exchange();
@@ -211,6 +227,34 @@ TEST(LaneThread, StopsWheneverItIsTold) {
     const Time end = now() + std::chrono::microseconds(30 + lap % 50);
     while (now() < end) lane.doorbell()->ring();
   }
+}
+
+// Acknowledgements and frames of nobody's count in no window.
+TEST(LaneThread, StopsThoughAPeerSendsWithoutEnd) {
+  auto sockets = rpc::makeSocketPair();
+  std::atomic<bool> stopped{false};
+  std::thread flood([&] {
+    FrameWriter writer(1, 0);
+    while (!stopped) {
+      while (writer.hasRoom()) {
+        writer.begin({.kind = Kind::Acknowledge, .connection = 9}, 0);
+        writer.finish();
+      }
+      const ssize_t count =
+          send(sockets.theirs, writer.unsent().data(), writer.unsent().size(), MSG_NOSIGNAL);
+      if (count > 0) writer.sent(static_cast<std::size_t>(count));
+    }
+  });
+  Pair carried(1);
+  {
+    LaneThread lane;
+    const auto link = std::make_shared<Link>(rpc::ByteStream(kj::mv(sockets.ours)), 1);
+    link->join(carried.client);
+    lane.add(link);
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  stopped = true;
+  flood.join();
 }
 
 TEST(LaneThread, DropsALinkThatIsEmptyAndNobodys) {
