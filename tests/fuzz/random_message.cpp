@@ -3,6 +3,7 @@
 #include <capnp/dynamic.h>
 #include <suture/transport/rpc/frame_header.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 
@@ -31,12 +32,6 @@ DynamicValue::Reader real(Random& random) {
   return oneOf<double>({0.0, -0.0, 0.5, -3.25, Limits::quiet_NaN(), Limits::infinity(),
                         Limits::denorm_min(), Limits::max(), static_cast<double>(random()) / 1e6},
                        random);
-}
-
-/// Most within what a container may hold, some beyond all.
-capnp::uint length(Random& random) {
-  const auto most = random() % 8 == 0 ? 90u : 5u;
-  return static_cast<capnp::uint>(random() % most);
 }
 
 /// Numbers are cut to what the field holds: capnp checks that they fit.
@@ -85,8 +80,8 @@ class Filler {
     if (!type.isList()) return out.set(field, number(type.which(), random_));
     // The length that it has may be the only one that is taken.
     const bool keeps = out.has(field) && random_() % 2 == 0;
-    auto list = keeps ? out.get(field).as<DynamicList>()
-                      : out.init(field, length(random_)).as<DynamicList>();
+    auto list =
+        keeps ? out.get(field).as<DynamicList>() : out.init(field, length()).as<DynamicList>();
     for (capnp::uint i = 0; i < list.size(); ++i) fillElement(list, i, depth - 1);
   }
 
@@ -98,7 +93,7 @@ class Filler {
     if (type.isStruct()) return fill(list[i].as<DynamicStruct>(), depth - 1);
     if (type.isData()) return;
     if (!type.isList()) return list.set(i, number(type.which(), random_));
-    auto inner = list.init(i, length(random_)).as<DynamicList>();
+    auto inner = list.init(i, length()).as<DynamicList>();
     for (capnp::uint j = 0; j < inner.size(); ++j) fillElement(inner, j, depth - 1);
   }
 
@@ -116,11 +111,21 @@ class Filler {
     return capnp::DynamicEnum(type.asEnum(), ordinal);
   }
 
+  /// Most within what a container may hold, some beyond all; none any more when there are many.
+  capnp::uint length() {
+    const auto most = random_() % 8 == 0 ? 90u : 5u;
+    const auto wanted = static_cast<capnp::uint>(random_() % most);
+    const capnp::uint given = std::min(wanted, left_);
+    left_ -= given;
+    return given;
+  }
+
   std::string text() {
     return std::string(random_() % 12, static_cast<char>('a' + random_() % 26));
   }
 
   Random& random_;
+  capnp::uint left_ = 20'000;  // elements: lists of lists of what holds itself have no end
 };
 
 }  // namespace
