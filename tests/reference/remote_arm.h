@@ -116,8 +116,17 @@ class RemoteArm : public testing::Test {
     EXPECT_TRUE(eventually([&] { return openDescriptors() <= before + 3; })) << openDescriptors();
   }
   const std::string& manager() const { return global_->address(); }
+  /// Another process of that name, in the place of the one before.
+  void restartRobot() {
+    robot->stop();
+    robot.reset();
+    EXPECT_TRUE(eventually([&] { return !teleop.reachable; }));
+    robot = std::make_unique<Manager>("robot", manager());
+    robot->add("PSM", psmAgain);
+    robot->start();
+  }
 
-  MovingArm psm;
+  MovingArm psm, psmAgain;  // of the robot, and when it is restarted
   Teleop teleop;
   std::vector<std::unique_ptr<Teleop>> others;  // more of the console's; before begin()
   std::unique_ptr<Manager> robot, console;

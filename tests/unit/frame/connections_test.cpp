@@ -71,17 +71,10 @@ TEST_F(FrameConnections, GiveEverythingBack) {
 TEST_F(FrameConnections, ComeBackWhenTheirProviderDoes) {
   begin("tcp://127.0.0.1:0");
   connect();
-  robot->stop();
-  robot.reset();
-  EXPECT_TRUE(eventually([&] { return !teleop.reachable; }));
-  MovingArm again;
-  Manager restarted("robot", manager());
-  restarted.add("PSM", again);
-  restarted.start();
+  restartRobot();
   EXPECT_TRUE(eventually([&] { return teleop.reachable.load(); }));
   EXPECT_EQ(outcomeOf(0.5), Errc{});
   EXPECT_EQ(channel()->lane, "frame");
-  restarted.stop();
 }
 
 /// Both ends of each socket are in this process.
@@ -108,20 +101,13 @@ TEST_F(FrameConnections, ShareASocketWhenTheyComeBack) {
     console->connect("Other" + std::to_string(i) + "/Slave", "robot:PSM/Arm");
   }
   const std::size_t before = openSockets();
-  robot->stop();
-  robot.reset();
-  EXPECT_TRUE(eventually([&] { return !teleop.reachable; }));
-  MovingArm again;
-  Manager restarted("robot", manager());
-  restarted.add("PSM", again);
-  restarted.start();
+  restartRobot();
   for (const auto& one : others) {
     EXPECT_TRUE(eventually([&] { return one->reachable.load(); }));
   }
   EXPECT_TRUE(eventually([&] { return teleop.reachable.load(); }));
   for (const auto& one : console->channels()) EXPECT_EQ(one->lane, "frame") << one->laneReason;
   EXPECT_TRUE(eventually([&] { return openSockets() <= before; })) << openSockets();
-  restarted.stop();
 }
 
 /// A caller that plays the client's end itself.
