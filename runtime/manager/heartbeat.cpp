@@ -4,6 +4,7 @@
 #include <suture/transport/rpc/stamps.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace suture {
 namespace {
@@ -38,12 +39,12 @@ Heartbeat::Heartbeat(kj::Timer& timer, wire::Peer::Client peer, std::string comp
       interval_(std::min(bounds.silence, bounds.hang) / kPerBound) {}
 
 kj::Promise<std::string> Heartbeat::whenLost() {
-  auto pair = kj::newPromiseAndFulfiller<std::string>();
-  lost_ = kj::mv(pair.fulfiller);
   ask();
   looking_ = look().eagerlyEvaluate(nullptr);
-  return kj::mv(pair.promise);
+  return kj::mv(lost_.promise);
 }
+
+kj::Promise<void> Heartbeat::whenWell() { return kj::mv(well_.promise); }
 
 kj::Promise<void> Heartbeat::look() {
   const Time due = std::min(now() + interval_, heard_ + bounds_.silence);
@@ -52,7 +53,8 @@ kj::Promise<void> Heartbeat::look() {
     // It was this process that did not run; what the peer has sent meanwhile has yet to be read.
     if (present - due > interval_) heard_ = std::max(heard_, present - bounds_.silence + interval_);
     if (present - heard_ >= bounds_.silence) {
-      lost_->fulfill("silent: its process has not answered for " + milliseconds(bounds_.silence));
+      lost_.fulfiller->fulfill("silent: its process has not answered for " +
+                               milliseconds(bounds_.silence));
       return kj::READY_NOW;
     }
     if (!asked_) ask();
@@ -74,20 +76,27 @@ void Heartbeat::heard(wire::Peer::PingResults::Reader told) {
   heard_ = now();
   const Time then = fromNanoseconds(rpc::bounded(told.getSent()));
   for (const auto task : told.getTasks()) {
-    if (stringOf(task.getComponent()) == component_) judge(task, then);
+    if (stringOf(task.getComponent()) == component_ && hangs(task, then)) return;
   }
+  well_.fulfiller->fulfill();
 }
 
-// On the peer's clock alone, so that neither its offset nor the way of the answer matters.
-void Heartbeat::judge(wire::TaskPulse::Reader task, Time then) {
+// On the peer's clock alone, so that neither its offset nor the way of the answer matters. A
+// process that was stopped as a whole answers before its tasks have had a turn: a task hangs if it
+// has not moved between two answers.
+bool Heartbeat::hangs(wire::TaskPulse::Reader task, Time then) {
   const bool running = task.getActivity() == WireActivity::RUNNING;
   const Pulse::Reading pulse{running ? Activity::Running : Activity::Asleep,
                              fromNanoseconds(rpc::bounded(task.getDue()))};
   const Duration overdue = pulse.overdue(then);
-  if (overdue <= bounds_.hang) return;
-  lost_->fulfill("hung: the thread of '" + component_ + "' " +
-                 (running ? "has been in one cycle for " : "should have begun a cycle before ") +
-                 milliseconds(overdue) + ", after " + std::to_string(task.getCycles()) + " others");
+  const bool moved = std::exchange(due_, pulse.due) != pulse.due;
+  if (overdue <= bounds_.hang) return false;
+  if (moved) return true;
+  lost_.fulfiller->fulfill(
+      "hung: the thread of '" + component_ + "' " +
+      (running ? "has been in one cycle for " : "should have begun a cycle before ") +
+      milliseconds(overdue) + ", after " + std::to_string(task.getCycles()) + " others");
+  return true;
 }
 
 }  // namespace suture

@@ -26,12 +26,14 @@ class Heartbeat {
 
   /// Asks from now on. Resolves, in words for people, when a bound has passed. Call it once.
   kj::Promise<std::string> whenLost();
+  /// Resolves at the first answer by which the component does not hang. Call it once.
+  kj::Promise<void> whenWell();
 
  private:
   kj::Promise<void> look();
   void ask();
   void heard(wire::Peer::PingResults::Reader told);
-  void judge(wire::TaskPulse::Reader task, Time then);
+  bool hangs(wire::TaskPulse::Reader task, Time then);
 
   kj::Timer& timer_;
   wire::Peer::Client peer_;
@@ -40,7 +42,9 @@ class Heartbeat {
   const Duration interval_;
   Time heard_ = now();
   bool asked_ = false;  // and not answered
-  kj::Own<kj::PromiseFulfiller<std::string>> lost_;
+  Time due_{};          // of the component's thread, by the latest answer
+  kj::PromiseFulfillerPair<std::string> lost_ = kj::newPromiseAndFulfiller<std::string>();
+  kj::PromiseFulfillerPair<void> well_ = kj::newPromiseAndFulfiller<void>();
   kj::Promise<void> asking_ = kj::READY_NOW, looking_ = kj::READY_NOW;  // last: cancelled first
 };
 

@@ -1,6 +1,5 @@
 #include <suture/manager/frame_end.h>
 #include <suture/manager/frame_sockets.h>
-#include <suture/manager/heartbeat.h>
 #include <suture/manager/peer_host.h>
 #include <suture/manager/remote_connection.h>
 #include <suture/manager/shared_memory.h>
@@ -161,15 +160,21 @@ kj::Promise<void> RemoteConnection::dial(const ProcessRecord& process, Duration 
   });
 }
 
-// A provider that hangs says so before the question is asked: it is not connected, to be lost
-// again.
+// A provider that hangs is not connected, to be lost again.
 kj::Promise<void> RemoteConnection::introduce(Duration limit) {
-  auto lost = whenLost(limit).then([this](std::string&& why) -> kj::Promise<void> {
+  auto heartbeat = makeHeartbeat(limit);
+  auto lost = heartbeat->whenLost().then([this](std::string&& why) -> kj::Promise<void> {
     return rpc::failure(Type::FAILED, "connecting " + from_.toString() + " -> " + to_.toString() +
                                           ": the provider is " + why +
                                           ". Look at what it is doing.");
   });
-  return lost.exclusiveJoin(greet().then([this] { return ask(); }));
+  auto well = heartbeat->whenWell();
+  return lost
+      .exclusiveJoin(
+          greet().then([well = kj::mv(well)]() mutable { return kj::mv(well); }).then([this] {
+            return ask();
+          }))
+      .attach(kj::mv(heartbeat));
 }
 
 kj::Promise<void> RemoteConnection::greet() {
@@ -395,7 +400,9 @@ kj::Promise<void> RemoteConnection::keep() {
   auto closed = KJ_ASSERT_NONNULL(link_)->onDisconnect().then(
       [] { return std::string("closed: its process has ended, or the link is broken"); });
   auto broken = std::exchange(framesBroken_, kj::NEVER_DONE);
-  return closed.exclusiveJoin(whenLost(longestSilence_))
+  auto heartbeat = makeHeartbeat(longestSilence_);
+  auto lost = heartbeat->whenLost();
+  return closed.exclusiveJoin(lost.attach(kj::mv(heartbeat)))
       .exclusiveJoin(kj::mv(broken))
       .then([this](std::string&& why) {
         told_.lost(name(), std::move(why));
@@ -406,12 +413,9 @@ kj::Promise<void> RemoteConnection::keep() {
 }
 
 // A peer that is stopped, or behind a cable that was pulled, says nothing; so it is asked.
-kj::Promise<std::string> RemoteConnection::whenLost(Duration silence) {
-  auto heartbeat =
-      kj::heap<Heartbeat>(control_.timer(), KJ_ASSERT_NONNULL(peer_), to_.component,
-                          Heartbeat::Bounds{.silence = silence, .hang = longestSilence_});
-  auto lost = heartbeat->whenLost();
-  return lost.attach(kj::mv(heartbeat));
+kj::Own<Heartbeat> RemoteConnection::makeHeartbeat(Duration silence) {
+  return kj::heap<Heartbeat>(control_.timer(), KJ_ASSERT_NONNULL(peer_), to_.component,
+                             Heartbeat::Bounds{.silence = silence, .hang = longestSilence_});
 }
 
 void RemoteConnection::drop() {

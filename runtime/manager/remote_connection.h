@@ -4,6 +4,7 @@
 #include <suture/component/required.h>
 #include <suture/manager/clock_offset.h>
 #include <suture/manager/frame_links.h>
+#include <suture/manager/heartbeat.h>
 #include <suture/manager/lane.h>
 #include <suture/manager/manager_link.h>
 #include <suture/manager/network.h>
@@ -77,7 +78,7 @@ class RemoteConnection {
   std::string name() const { return from_.toString() + " -> " + to_.toString(); }
   kj::Promise<void> keep();
   kj::Promise<void> comeBack(Duration pause);
-  kj::Promise<std::string> whenLost(Duration silence);
+  kj::Own<Heartbeat> makeHeartbeat(Duration silence);
   void drop();
 
   rpc::ControlThread& control_;

@@ -51,7 +51,12 @@ class Child {
     }
     return text;
   }
-  void signal(int number) const { kill(pid_, number); }
+  void signal(int number) const {
+    kill(pid_, number);
+    if (number != SIGSTOP) return;
+    siginfo_t stopped;  // for a while after it was told so it still runs
+    waitid(P_PID, static_cast<id_t>(pid_), &stopped, WSTOPPED | WEXITED | WNOWAIT);
+  }
   pid_t pid() const { return pid_; }
   /// Its exit status, or minus the signal that ended it. `number` 0: waits for it to end by itself.
   int end(int number) {
