@@ -5,10 +5,12 @@
 #include <suture/component/device.h>
 #include <suture/component/event_task.h>
 #include <suture/component/periodic_task.h>
+#include <unistd.h>
 
+#include <atomic>
+#include <functional>
 #include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "conformance/gate.h"
@@ -25,6 +27,9 @@ using reference::PoseStamped;
 /// The contract's implementation. Its log may be read by any thread.
 class RecordingArm : public GripperArm {
  public:
+  /// Where set_mode(Disabled) and move(..., "wait") are held up.
+  explicit RecordingArm(Gate& tests) : gate(tests) {}
+
   void servo_cp(const PoseStamped& goal) override {
     {
       const std::lock_guard lock(mutex_);
@@ -55,6 +60,7 @@ class RecordingArm : public GripperArm {
   }
   const JointState& measured_js() const override { return joints_; }
   double distance(const PoseStamped& to) const override {
+    answeredBy_ = getpid();
     return (measured_cp().pose.translation() - to.pose.translation()).norm();
   }
 
@@ -83,15 +89,17 @@ class RecordingArm : public GripperArm {
   double opening() const override { return opening_; }
   void release() override {
     log("release");
-    ranIn_ = std::this_thread::get_id();
+    ranIn_ = gettid();
   }
   bool fits(double width) const override {
     if (width < 0) throw std::runtime_error("no such width");
-    ranIn_ = std::this_thread::get_id();
+    ranIn_ = gettid();
     return width < 0.1;
   }
-  /// Where the last release() or fits() ran.
-  std::thread::id ranIn() const { return ranIn_; }
+  /// The process in which the last distance() ran.
+  pid_t answeredBy() const { return answeredBy_; }
+  /// The thread, of all on this machine, in which the last release() or fits() ran.
+  pid_t ranIn() const { return ranIn_; }
 
   std::vector<std::string> taken() const {
     const std::lock_guard lock(mutex_);
@@ -106,13 +114,7 @@ class RecordingArm : public GripperArm {
   /// Provider's thread: from now on its joints do not fit what the contract declares.
   void outgrow() { joints_.name = {"a name of 16 chr"}; }
 
-  /// "" if nothing has been taken.
-  std::string lastTaken() const {
-    const std::lock_guard lock(mutex_);
-    return log_.empty() ? "" : log_.back();
-  }
-
-  Gate gate;
+  Gate& gate;
   std::atomic<bool> throwOnEnable{false};
 
  private:
@@ -127,7 +129,7 @@ class RecordingArm : public GripperArm {
   mutable suture::Time evaluated_;
   JointState joints_;
   std::atomic<double> opening_{0};
-  mutable std::atomic<std::thread::id> ranIn_;
+  mutable std::atomic<pid_t> ranIn_{0}, answeredBy_{0};
 };
 
 /// What a component provides: the contract, and one that derives from it.
@@ -157,22 +159,39 @@ class Emissions {
 /// What every kind of provider offers the test.
 class ArmComponent : public RecordingArm {
  public:
+  using RecordingArm::RecordingArm;
   virtual suture::Component& component() = 0;
   /// Has `emission` run where this kind of component emits.
-  virtual void emitSoon(std::function<void(Ports)> emission) = 0;
+  void emitSoon(std::function<void(Ports)> emission) {
+    perform([this, emission = std::move(emission)](Ports ports) {
+      emittedIn_ = gettid();
+      emission(ports);
+      ++emitted_;
+    });
+  }
+  /// How many emissions have run, and in which thread the last one began.
+  int emitted() const { return emitted_; }
+  pid_t emittedIn() const { return emittedIn_; }
+
+ private:
+  virtual void perform(std::function<void(Ports)> emission) = 0;
+
+  std::atomic<int> emitted_{0};
+  std::atomic<pid_t> emittedIn_{0};
 };
 
 template <class Task>
 class ArmTask final : public Task, public ArmComponent {
  public:
-  using Task::Task;
+  template <class Options>
+  ArmTask(Gate& tests, const Options& options) : Task(options), ArmComponent(tests) {}
   suture::Component& component() override { return *this; }
-  void emitSoon(std::function<void(Ports)> emission) override {
+
+ private:
+  void perform(std::function<void(Ports)> emission) override {
     emissions_.ask(std::move(emission));
     this->doorbell().ring();
   }
-
- private:
   void run() override { emissions_.perform({arm_, gripper_}); }
 
   Emissions emissions_;
@@ -182,11 +201,12 @@ class ArmTask final : public Task, public ArmComponent {
 
 class ArmDevice final : public suture::Device, public ArmComponent {
  public:
-  ArmDevice() : Device(std::chrono::milliseconds(2)) {}
+  explicit ArmDevice(Gate& tests) : Device(std::chrono::milliseconds(2)), ArmComponent(tests) {}
   suture::Component& component() override { return *this; }
-  void emitSoon(std::function<void(Ports)> emission) override { emission({arm_, gripper_}); }
 
  private:
+  void perform(std::function<void(Ports)> emission) override { emission({arm_, gripper_}); }
+
   suture::Provided<ArmLike> arm_{*this, "Arm", *this};
   suture::Provided<GripperArm> gripper_{*this, "Gripper", *this};
 };

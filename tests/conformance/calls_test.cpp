@@ -12,14 +12,14 @@ class Calls : public Conformance {
  protected:
   /// Runs `work` in the client's thread while the provider, a task or elsewhere, sits in a handler.
   void whileBusy(const std::function<void(Arm&)>& work) {
-    arm->gate.close();
+    arm->gate().close();
     client->with([&](Arm& remote) {
       EXPECT_TRUE(remote.set_mode(Mode::Disabled));
       remote.owner().ringNow();
-      arm->gate.awaitVisitor();
+      arm->gate().awaitVisitor();
       work(remote);
     });
-    arm->gate.open();
+    arm->gate().open();
   }
 };
 
@@ -44,14 +44,14 @@ TEST_P(Calls, ACancelledOneIsNeverExecutedAndAnyOtherIs) {
 
 TEST_P(Calls, OneThatIsBeingExecutedCannotBeCancelled) {
   if (runsInCallersThread()) return;  // start() returns behind the gate
-  arm->gate.close();
+  arm->gate().close();
   client->with([&](Arm& remote) {
     auto call = remote.move.start(poseAt(1), 1, "wait");
     remote.owner().ringNow();
-    arm->gate.awaitVisitor();
+    arm->gate().awaitVisitor();
     EXPECT_FALSE(call.cancel());
     EXPECT_FALSE(call.poll());
-    arm->gate.open();
+    arm->gate().open();
     EXPECT_TRUE(call.within(5s));
     EXPECT_FALSE(call.cancel());
   });
@@ -106,7 +106,7 @@ TEST_P(Calls, AHandlerMayStartTheNext) {
   EXPECT_TRUE(client->await([&](const Received&) { return chain.ended == 40; }));
 }
 
-INSTANTIATE_TEST_SUITE_P(Lanes, Calls, allCombinations(), nameOf);
+INSTANTIATE_TEST_SUITE_P(Lanes, Calls, testing::ValuesIn(allCombinations()), nameOf);
 
 }  // namespace
 }  // namespace conformance

@@ -34,7 +34,7 @@ TEST_P(Events, SeveralValuesArriveTogether) {
   }));
 }
 
-INSTANTIATE_TEST_SUITE_P(Lanes, Events, allCombinations(), nameOf);
+INSTANTIATE_TEST_SUITE_P(Lanes, Events, testing::ValuesIn(allCombinations()), nameOf);
 
 }  // namespace
 }  // namespace conformance

@@ -10,15 +10,14 @@ using suture::Errc;
 class Failures : public Conformance {};
 
 TEST_P(Failures, AHandlerThatThrowsParksItsComponentOnly) {
-  arm->throwOnEnable = true;
+  arm->at([](ArmComponent& one) { one.throwOnEnable = true; });
   client->with([](Arm& remote) {
     const auto answer = remote.set_mode.start(Mode::Enabled).within(5s);
     ASSERT_FALSE(answer);
     EXPECT_EQ(answer.error(), Errc::Faulted);
   });
-  EXPECT_TRUE(suture::eventually(
-      [&] { return arm->component().state() == suture::ComponentState::Faulted; }));
-  EXPECT_EQ(arm->component().fault(), "the drive did not answer");
+  EXPECT_TRUE(suture::eventually([&] { return arm->state() == suture::ComponentState::Faulted; }));
+  EXPECT_EQ(arm->fault(), "the drive did not answer");
   EXPECT_TRUE(suture::eventually([&] {
     Errc error{};
     client->with([&](Arm& remote) {
@@ -41,9 +40,9 @@ TEST_P(Failures, ASuspendedProviderSaysSoUntilItIsResumed) {
   };
   EXPECT_EQ(answer(), Errc{});
   const std::vector<std::string> taken = arm->taken();
-  arm->component().request(suture::Transition::Suspend);
-  EXPECT_TRUE(suture::eventually(
-      [&] { return arm->component().state() == suture::ComponentState::Suspended; }));
+  arm->at([](ArmComponent& one) { one.component().request(suture::Transition::Suspend); });
+  EXPECT_TRUE(
+      suture::eventually([&] { return arm->state() == suture::ComponentState::Suspended; }));
   EXPECT_EQ(answer(), Errc::Suspended) << "whether or not the client has been told";
   EXPECT_TRUE(suture::eventually([&] {
     Errc error{};
@@ -55,7 +54,7 @@ TEST_P(Failures, ASuspendedProviderSaysSoUntilItIsResumed) {
     EXPECT_EQ(remote.measured_cp().error(), Errc::Suspended);
   });
 
-  arm->component().request(suture::Transition::Resume);
+  arm->at([](ArmComponent& one) { one.component().request(suture::Transition::Resume); });
   EXPECT_TRUE(suture::eventually([&] { return answer() == Errc{}; }));
   EXPECT_EQ(arm->taken().front(), taken.front());
   EXPECT_EQ(arm->taken().size(), taken.size() + 1) << "what was refused was executed later";
@@ -74,7 +73,7 @@ TEST_P(Failures, AnotherThreadIsTurnedAway) {
 }
 
 TEST_P(Failures, AProviderThatEndsIsLost) {
-  if (withinOneProcess() && providerIsDevice()) return;  // it has no life of its own
+  if (shareManager() && providerIsDevice()) return;  // it has no life of its own
   stopProvider();
   EXPECT_TRUE(suture::eventually([&] {
     Errc error{};
@@ -88,16 +87,16 @@ TEST_P(Failures, AProviderThatEndsIsLost) {
 
 TEST_P(Failures, ACallUnderWayWhenTheProviderEndsIsOfUnknownOutcome) {
   if (providerIsDevice()) return;  // it would have to end inside its own handler
-  arm->gate.close();
+  arm->gate().close();
   client->with([&](Arm& remote) {
     auto call = remote.set_mode.start(Mode::Disabled);
     remote.owner().ringNow();
-    arm->gate.awaitVisitor();
+    arm->gate().awaitVisitor();
     auto behind = remote.distance.start(poseAt(1));
     remote.owner().ringNow();
     std::thread opener([&] {
       std::this_thread::sleep_for(20ms);
-      arm->gate.open();
+      arm->gate().open();
     });
     stopProvider();
     EXPECT_TRUE(behind.within(5s).has_value() || behind.within(0s).error() == Errc::OutcomeUnknown);
@@ -114,7 +113,7 @@ TEST_P(Failures, AnUnconnectedInterfaceSaysSo) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(Lanes, Failures, allCombinations(), nameOf);
+INSTANTIATE_TEST_SUITE_P(Lanes, Failures, testing::ValuesIn(allCombinations()), nameOf);
 
 }  // namespace
 }  // namespace conformance

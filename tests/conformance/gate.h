@@ -1,39 +1,34 @@
 #pragma once
 
-#include <condition_variable>
-#include <mutex>
+#include <atomic>
+#include <chrono>
+#include <thread>
 
 namespace conformance {
 
-/// Lets the test hold a provider inside a handler.
+/// Lets the test hold a provider inside a handler. May lie in memory that two processes share.
 class Gate {
  public:
-  void close() { set(false); }
-  void open() { set(true); }
+  void close() { open_ = false; }
+  void open() { open_ = true; }
   void pass() {
-    std::unique_lock lock(mutex_);
     ++waiting_;
-    changed_.notify_all();
-    changed_.wait(lock, [this] { return open_; });
+    waitUntil([this] { return open_.load(); });
     --waiting_;
   }
   /// Returns when somebody waits at the closed gate.
-  void awaitVisitor() {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return waiting_ > 0; });
+  void awaitVisitor() const {
+    waitUntil([this] { return waiting_ > 0; });
   }
 
  private:
-  void set(bool open) {
-    const std::lock_guard lock(mutex_);
-    open_ = open;
-    changed_.notify_all();
+  template <class Condition>
+  static void waitUntil(const Condition& condition) {
+    while (!condition()) std::this_thread::sleep_for(std::chrono::microseconds(100));
   }
 
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  bool open_ = true;
-  int waiting_ = 0;
+  std::atomic<bool> open_{true};
+  std::atomic<int> waiting_{0};
 };
 
 }  // namespace conformance

@@ -60,7 +60,7 @@ TEST_P(History, TwoReadsOfOneRowBelongTogether) {
   }));
 }
 
-INSTANTIATE_TEST_SUITE_P(Lanes, History, allCombinations(), nameOf);
+INSTANTIATE_TEST_SUITE_P(Lanes, History, testing::ValuesIn(allCombinations()), nameOf);
 
 }  // namespace
 }  // namespace conformance

@@ -11,11 +11,11 @@ class Order : public Conformance {
  protected:
   /// Runs `work` at the client while the provider is held inside a handler.
   void whileStalled(const std::function<void(Arm&)>& work) {
-    arm->gate.close();
+    arm->gate().close();
     client->with([](Arm& remote) { EXPECT_TRUE(remote.set_mode(Mode::Disabled)); });
-    arm->gate.awaitVisitor();
+    arm->gate().awaitVisitor();
     client->with(work);
-    arm->gate.open();
+    arm->gate().open();
   }
 };
 
@@ -108,16 +108,12 @@ TEST_P(Order, EndsInTheLastCommandSentHoweverTheyRace) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Lanes, Order,
-    testing::Combine(testing::Values(LaneUnderTest::Local, LaneUnderTest::Shm,
-                                     LaneUnderTest::DelayedLocal, LaneUnderTest::DelayedShm,
-                                     LaneUnderTest::DelayedFrame, LaneUnderTest::DelayedRpc,
-                                     LaneUnderTest::FrameUnix, LaneUnderTest::FrameTcp,
-                                     LaneUnderTest::RpcUnix, LaneUnderTest::RpcTcp),
-                     testing::Values(ProviderKind::Periodic, ProviderKind::EventDriven),
-                     testing::Values(ClientKind::Task, ClientKind::Device)),
-    nameOf);
+// A device has no queue to be stalled; what faults delay is in order, but not what comes between.
+INSTANTIATE_TEST_SUITE_P(Lanes, Order,
+                         testing::ValuesIn(combinations([](LaneUnderTest lane, ProviderKind kind) {
+                           return lane != LaneUnderTest::FaultyShm && kind != ProviderKind::Device;
+                         })),
+                         nameOf);
 
 }  // namespace
 }  // namespace conformance

@@ -1,5 +1,6 @@
 #include "conformance/setup.h"
 
+#include <suture/component/channel.h>
 #include <suture/manager/global_manager.h>
 #include <suture/transport/rpc/control_thread.h>
 #include <unistd.h>
@@ -10,19 +11,6 @@
 
 namespace conformance {
 namespace {
-
-std::unique_ptr<ArmComponent> makeArm(ProviderKind kind) {
-  using namespace std::chrono_literals;
-  switch (kind) {
-    case ProviderKind::Periodic:
-      return std::make_unique<ArmTask<suture::PeriodicTask>>(
-          suture::PeriodicOptions{.period = 1ms});
-    case ProviderKind::EventDriven:
-      return std::make_unique<ArmTask<suture::EventTask>>(suture::EventOptions{});
-    case ProviderKind::Device: return std::make_unique<ArmDevice>();
-  }
-  return nullptr;
-}
 
 std::unique_ptr<Client> makeClient(ClientKind kind) {
   if (kind == ClientKind::Task) return std::make_unique<TaskClient>();
@@ -38,32 +26,50 @@ struct Conformance::Names {
   suture::GlobalManager global;
 };
 
-Conformance::Conformance()
-    : arm(makeArm(std::get<1>(GetParam()))), client(makeClient(std::get<2>(GetParam()))) {
-  // Seconds of the past, however long a scenario takes.
-  for (suture::ProvidedBase* one : arm->component().provided()) one->keepState({.rows = 4096});
-}
+Conformance::Conformance() : client(makeClient(std::get<2>(GetParam()))) {}
 
 // Two managers in one process are two processes to each other: nothing is shared but the sockets.
 void Conformance::SetUp() {
-  const LaneUnderTest lane = std::get<0>(GetParam());
-  if (withinOneProcess()) {
-    providerManager_ = std::make_unique<suture::Manager>("alone");
-    clientManager_ = providerManager_.get();
+  if (where() == Where::TwoNamespaces && geteuid() != 0) {
+    GTEST_SKIP() << "only root may make network namespaces";
+  }
+  arm = std::make_unique<Provider>(std::get<1>(GetParam()), where());  // the first thread is later
+  if (shareManager()) {
+    arm->start("");
+    clientManager_ = &arm->manager();
   } else {
-    const bool tcp = lane == LaneUnderTest::RpcTcp || lane == LaneUnderTest::FrameTcp;
-    names_ = std::make_unique<Names>(tcp ? "tcp://127.0.0.1:0"
-                                         : "unix:" + directory_.file("manager.sock"));
-    const std::string& address = names_->global.address();
-    providerManager_ = std::make_unique<suture::Manager>("provider", address);
-    ownClientManager_ = std::make_unique<suture::Manager>("client", address);
+    names_ = std::make_unique<Names>(managerAddress());
+    arm->start(names_->global.address());
+    ownClientManager_ = std::make_unique<suture::Manager>("client", names_->global.address());
     clientManager_ = ownClientManager_.get();
   }
-  providerManager_->add("PSM", arm->component());
   clientManager_->add("Console", client->component());
-  providerManager_->start();
-  if (ownClientManager_ != nullptr) ownClientManager_->start();
+  clientManager_->start();
   connect("Arm", provided());
+  expectWhereItBelongs();
+}
+
+std::string Conformance::managerAddress() const {
+  if (where() == Where::TwoNamespaces)
+    return std::string("tcp://") + suture::Cable::kHere + ":0?insecure";
+  const LaneUnderTest lane = std::get<0>(GetParam());
+  const bool tcp = lane == LaneUnderTest::RpcTcp || lane == LaneUnderTest::FrameTcp;
+  return tcp ? "tcp://127.0.0.1:0" : "unix:" + directory_.file("manager.sock");
+}
+
+void Conformance::expectWhereItBelongs() const {
+  const pid_t process = arm->at([](ArmComponent& one) { return one.answeredBy(); });
+  EXPECT_EQ(process == getpid(), where() == Where::OneProcess) << process;
+  const std::string there = suture::Cable::namespaceOf(std::to_string(process));
+  EXPECT_EQ(there == suture::Cable::namespaceOf("thread-self"), where() != Where::TwoNamespaces);
+  const std::string lane = expectedLane();
+  EXPECT_EQ(channel()->lane, isFaulty() ? lane + "+fault" : isDelayed() ? lane + "+delay" : lane);
+  if (shareManager()) {
+    EXPECT_EQ(channel()->bytesSent, 0u);
+  } else {
+    EXPECT_TRUE(suture::eventually(
+        [&] { return channel()->bytesSent > 100 && channel()->bytesReceived > 0; }));
+  }
 }
 
 suture::Lane Conformance::askedLane() const {
@@ -79,7 +85,7 @@ suture::Lane Conformance::askedLane() const {
 }
 
 std::string Conformance::expectedLane() const {
-  if (withinOneProcess()) return "local";
+  if (shareManager()) return "local";
   return askedLane() == suture::Lane::Auto ? "shm" : toString(askedLane());
 }
 
@@ -88,10 +94,9 @@ void Conformance::connect(const std::string& required, const std::string& provid
   suture::FaultPlan faults;
   if (isFaulty()) faults = {.seed = 1, .duplicate = 0.3, .delay = 0.1};
   faults.delayLength = std::chrono::milliseconds(3);
-  clientManager_->connect("Console/" + required,
-                          (withinOneProcess() ? "PSM/" : "provider:PSM/") + provided, askedLane(),
-                          suture::Manager::kDefaultPatience,
-                          {.commands = each, .answers = each, .faults = faults});
+  clientManager_->connect(
+      "Console/" + required, (shareManager() ? "PSM/" : "provider:PSM/") + provided, askedLane(),
+      suture::Manager::kDefaultPatience, {.commands = each, .answers = each, .faults = faults});
   const auto with = [&](const std::function<void(Arm&)>& work) {
     if (required == "Gripper") return client->withGripper(work);
     client->with(work);
@@ -111,17 +116,18 @@ void Conformance::connect(const std::string& required, const std::string& provid
 }
 
 void Conformance::TearDown() {
-  arm->gate.open();
+  if (IsSkipped()) return;
+  arm->gate().open();
   if (ownClientManager_ != nullptr) ownClientManager_->stop();
-  if (providerManager_ != nullptr) providerManager_->stop();
+  arm->stop();
 }
 
 Conformance::~Conformance() = default;
 
 void Conformance::stopProvider() {
   // On `local` both live in one manager, and only the provider's task is to end.
-  if (!withinOneProcess()) return providerManager_->stop();
-  dynamic_cast<suture::Task&>(arm->component()).stop();
+  if (!shareManager()) return arm->stop();
+  arm->at([](ArmComponent& one) { dynamic_cast<suture::Task&>(one.component()).stop(); });
 }
 
 std::string nameOf(const testing::TestParamInfo<Combination>& info) {
@@ -130,9 +136,41 @@ std::string nameOf(const testing::TestParamInfo<Combination>& info) {
       "DelayedLocal", "DelayedShm", "DelayedFrame", "DelayedRpc", "FaultyShm"};
   static constexpr const char* kProviders[] = {"Periodic", "EventDriven", "Device"};
   static constexpr const char* kClients[] = {"Task", "Device"};
-  const auto [lane, provider, client] = info.param;
+  static constexpr const char* kWhere[] = {"", "InTwoProcesses", "InTwoNamespaces"};
+  const auto [lane, provider, client, where] = info.param;
   return std::string(kLanes[static_cast<int>(lane)]) + "To" +
-         kProviders[static_cast<int>(provider)] + "From" + kClients[static_cast<int>(client)];
+         kProviders[static_cast<int>(provider)] + "From" + kClients[static_cast<int>(client)] +
+         kWhere[static_cast<int>(where)];
+}
+
+std::vector<Combination> allCombinations() {
+  using enum LaneUnderTest;
+  std::vector<Combination> all;
+  for (const auto provider :
+       {ProviderKind::Periodic, ProviderKind::EventDriven, ProviderKind::Device}) {
+    for (const auto lane : {Local, Shm, FrameUnix, FrameTcp, RpcUnix, RpcTcp, DelayedLocal,
+                            DelayedShm, DelayedFrame, DelayedRpc, FaultyShm}) {
+      for (const auto client : {ClientKind::Task, ClientKind::Device}) {
+        all.emplace_back(lane, provider, client, Where::OneProcess);
+      }
+    }
+    for (const auto lane : {Shm, FrameUnix, FrameTcp, RpcUnix, RpcTcp, FaultyShm}) {
+      all.emplace_back(lane, provider, ClientKind::Task, Where::TwoProcesses);
+    }
+    for (const auto lane : {FrameTcp, RpcTcp}) {
+      all.emplace_back(lane, provider, ClientKind::Task, Where::TwoNamespaces);
+    }
+  }
+  return all;
+}
+
+std::vector<Combination> combinations(
+    const std::function<bool(LaneUnderTest, ProviderKind)>& keep) {
+  std::vector<Combination> kept = allCombinations();
+  std::erase_if(kept, [&](const Combination& one) {
+    return !keep(std::get<LaneUnderTest>(one), std::get<ProviderKind>(one));
+  });
+  return kept;
 }
 
 }  // namespace conformance

@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 #include <suture/manager/manager.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <tuple>
+#include <vector>
 
-#include "conformance/arm.h"
 #include "conformance/client.h"
+#include "conformance/provider.h"
 #include "support/eventually.h"
 #include "support/temporary_directory.h"
 
@@ -28,10 +30,9 @@ enum class LaneUnderTest {
   DelayedRpc,
   FaultyShm,  ///< delayed, and messages come twice or late, but none is lost
 };
-enum class ProviderKind { Periodic, EventDriven, Device };
 enum class ClientKind { Task, Device };
 
-using Combination = std::tuple<LaneUnderTest, ProviderKind, ClientKind>;
+using Combination = std::tuple<LaneUnderTest, ProviderKind, ClientKind, Where>;
 
 /// Every combination runs every scenario. `arm` and `client` are connected when the scenario
 /// begins.
@@ -46,7 +47,8 @@ class Conformance : public testing::TestWithParam<Combination> {
   void connect(const std::string& required, const std::string& provided);
 
   bool providerIsDevice() const { return std::get<1>(GetParam()) == ProviderKind::Device; }
-  bool withinOneProcess() const {
+  /// Then nothing crosses a wire.
+  bool shareManager() const {
     const LaneUnderTest lane = std::get<0>(GetParam());
     return lane == LaneUnderTest::Local || lane == LaneUnderTest::DelayedLocal;
   }
@@ -74,30 +76,27 @@ class Conformance : public testing::TestWithParam<Combination> {
   /// The provider's process goes away; its component object stays.
   void stopProvider();
 
-  std::unique_ptr<ArmComponent> arm;
+  std::unique_ptr<Provider> arm;
   std::unique_ptr<Client> client;
 
  private:
   struct Names;
 
+  Where where() const { return std::get<3>(GetParam()); }
+  std::string managerAddress() const;
+  void expectWhereItBelongs() const;
+
   suture::TemporaryDirectory directory_;
   std::unique_ptr<Names> names_;
-  std::unique_ptr<suture::Manager> providerManager_;
   std::unique_ptr<suture::Manager> ownClientManager_;
   suture::Manager* clientManager_ = nullptr;  // the provider's on `local`
 };
 
-/// Every lane, every kind of provider, every kind of client.
-inline auto allCombinations() {
-  return testing::Combine(
-      testing::Values(LaneUnderTest::Local, LaneUnderTest::Shm, LaneUnderTest::FrameUnix,
-                      LaneUnderTest::FrameTcp, LaneUnderTest::RpcUnix, LaneUnderTest::RpcTcp,
-                      LaneUnderTest::DelayedLocal, LaneUnderTest::DelayedShm,
-                      LaneUnderTest::DelayedFrame, LaneUnderTest::DelayedRpc,
-                      LaneUnderTest::FaultyShm),
-      testing::Values(ProviderKind::Periodic, ProviderKind::EventDriven, ProviderKind::Device),
-      testing::Values(ClientKind::Task, ClientKind::Device));
-}
+/// In one process: every lane, every kind of provider, every kind of client. In two, and on two
+/// machines: every lane that there is between them, and every kind of provider, of one client each.
+std::vector<Combination> allCombinations();
+/// Those of them for which `keep` says so.
+std::vector<Combination> combinations(const std::function<bool(LaneUnderTest, ProviderKind)>& keep);
 
 std::string nameOf(const testing::TestParamInfo<Combination>& info);
 

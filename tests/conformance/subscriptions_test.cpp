@@ -146,7 +146,7 @@ TEST_P(Subscriptions, AnotherThreadIsTurnedAway) {
   EXPECT_TRUE(afterStop(1));
 }
 
-INSTANTIATE_TEST_SUITE_P(Lanes, Subscriptions, allCombinations(), nameOf);
+INSTANTIATE_TEST_SUITE_P(Lanes, Subscriptions, testing::ValuesIn(allCombinations()), nameOf);
 
 }  // namespace
 }  // namespace conformance

@@ -1,7 +1,5 @@
-// A client and a provider in two network namespaces, with a cable between them: two machines as far
-// as the network goes. As root, with iproute2.
+// A client and a provider on two machines, as far as the network goes.
 #include <gtest/gtest.h>
-#include <sched.h>
 #include <suture/component/channel.h>
 #include <suture/manager/global_manager.h>
 #include <suture/manager/manager.h>
@@ -11,9 +9,11 @@
 #include <suture/transport/tls/keys.h>
 
 #include <csignal>
-#include <filesystem>
+#include <optional>
+#include <thread>
 
 #include "integration/network/console.h"
+#include "support/cable.h"
 #include "support/child.h"
 #include "support/eventually.h"
 #include "support/temporary_directory.h"
@@ -21,28 +21,16 @@
 namespace suture {
 namespace {
 
-constexpr const char* kHere = "10.213.7.1";
-constexpr const char* kThere = "10.213.7.2";
+using namespace std::chrono_literals;
 
 /// Address of the manager, lane asked for, lane expected.
 using Case = std::tuple<const char*, Lane, const char*>;
-
-int run(const std::string& command) { return std::system(command.c_str()); }
-
-std::string namespaceOf(const std::string& process) {
-  return std::filesystem::read_symlink("/proc/" + process + "/ns/net").string();
-}
 
 class Namespaces : public testing::TestWithParam<Case> {
  protected:
   void SetUp() override {
     if (geteuid() != 0) GTEST_SKIP() << "only root may make network namespaces";
-    // Of this thread, and of those that it starts.
-    ASSERT_EQ(unshare(CLONE_NEWNET), 0);
-    ASSERT_EQ(run("ip link set lo up && ip link add here type veth peer name there && "
-                  "ip addr add " +
-                  std::string(kHere) + "/24 dev here && ip link set here up"),
-              0);
+    cable_.emplace();
     if (isSecure()) tls::makeKeys(keys(), {tls::kManagerName, "robot", "console"});
     names_ = std::make_unique<GlobalManager>(control(), std::get<0>(GetParam()),
                                              securityOf(tls::kManagerName));
@@ -66,18 +54,20 @@ class Namespaces : public testing::TestWithParam<Case> {
   std::unique_ptr<Child> host() {
     const std::string program = std::string(ARM_HOST) + " '" + names_->address() + "' robot" +
                                 (isSecure() ? " " + keys() : "");
-    auto child = std::make_unique<Child>(std::vector<std::string>{
-        "/usr/bin/unshare", "--net", "/bin/sh", "-c",
-        "until ip link show there >/dev/null 2>&1; do sleep 0.01; done; ip addr add " +
-            std::string(kThere) + "/24 dev there && ip link set there up && exec " + program});
+    auto child = std::make_unique<Child>(
+        std::vector<std::string>{"/usr/bin/unshare", "--net", "/bin/sh", "-c",
+                                 "until ip link show there >/dev/null 2>&1; do sleep 0.01; done; " +
+                                     Cable::pluggingIn() + " && exec " + program});
     const std::string pid = std::to_string(child->pid());
-    EXPECT_TRUE(eventually([&] { return namespaceOf(pid) != namespaceOf("thread-self"); }));
-    EXPECT_EQ(run("ip link set there netns " + pid), 0);
+    EXPECT_TRUE(
+        eventually([&] { return Cable::namespaceOf(pid) != Cable::namespaceOf("thread-self"); }));
+    cable_->stretchTo(child->pid());
     EXPECT_EQ(child->line(), "ready");
     return child;
   }
 
   TemporaryDirectory directory_;
+  std::optional<Cable> cable_;
   std::unique_ptr<rpc::ControlThread> control_;  // of the namespace, so not before it
   std::unique_ptr<GlobalManager> names_;
 };
@@ -96,12 +86,18 @@ TEST_P(Namespaces, AreConnectedAsMachinesAre) {
   EXPECT_GT(channel->bytesReceived, 100u);
   EXPECT_NE(provider->pid(), getpid());
 
-  // The cable is pulled, and put back.
-  ASSERT_EQ(run("ip link set here down"), 0);
-  EXPECT_TRUE(eventually([&] { return !console.arm.connected(); }));
-  ASSERT_EQ(run("ip link set here up"), 0);
-  EXPECT_TRUE(eventually([&] { return console.arm.connected(); }));
-  EXPECT_TRUE(reaches(console, 4));
+  // The cable is pulled, and put back as soon as that is noticed, or long after.
+  for (const Duration out : {0s, 3s}) {
+    cable_->pull();
+    EXPECT_TRUE(eventually([&] { return !console.arm.connected(); }));
+    std::this_thread::sleep_for(out);
+    cable_->putBack();
+    const Time back = now();
+    EXPECT_TRUE(eventually([&] { return console.arm.connected(); }));
+    EXPECT_LE(now() - back, 1s) << "out for " << out.count();
+    EXPECT_TRUE(reaches(console, 4 + static_cast<double>(out.count())));
+    EXPECT_EQ(manager.channels().at(0)->lane, std::get<2>(GetParam())) << "the same lane";
+  }
   manager.stop();
   EXPECT_EQ(provider->end(SIGTERM), 0);
 }

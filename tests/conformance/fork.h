@@ -1,0 +1,37 @@
+#pragma once
+// A second process of the test program's own.
+
+#include <sys/types.h>
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+
+namespace conformance {
+
+/// A copy of this process that does what it is asked, one thing after the other.
+class Fork {
+ public:
+  /// What it does: a function of this program, of what the copy has made and of bytes that it is
+  /// sent. Answers with bytes.
+  using Deed = std::string (*)(void* made, const std::string& given);
+
+  /// `make` runs in the copy, before all deeds. Call it before this process has a second thread.
+  explicit Fork(const std::function<std::shared_ptr<void>()>& make);
+  /// Has the copy destroy what it has made, and end; a failure of a test in it is one here.
+  ~Fork();
+  Fork(const Fork&) = delete;
+  Fork& operator=(const Fork&) = delete;
+
+  /// Any thread; returns when it is done.
+  std::string ask(Deed deed, const std::string& given);
+  pid_t pid() const { return pid_; }
+
+ private:
+  pid_t pid_ = 0;
+  int socket_ = -1;
+  std::mutex asking_;
+};
+
+}  // namespace conformance

@@ -1,0 +1,50 @@
+#pragma once
+// Two network namespaces and the cable between them: two machines as far as the network goes. As
+// root, with iproute2.
+
+#include <gtest/gtest.h>
+#include <sched.h>
+#include <sys/types.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+namespace suture {
+
+/// Of the namespace of the calling thread, and of the threads and processes that it starts later.
+class Cable {
+ public:
+  static constexpr const char* kHere = "10.213.7.1";
+  static constexpr const char* kThere = "10.213.7.2";
+
+  /// Moves the calling thread to a namespace of its own.
+  Cable() {
+    leave();
+    run("ip link set lo up && ip link add here type veth peer name there && ip addr add " +
+        std::string(kHere) + "/24 dev here && ip link set here up");
+  }
+  static void leave() { EXPECT_EQ(unshare(CLONE_NEWNET), 0); }
+  /// To a process that has left.
+  void stretchTo(pid_t process) const { run("ip link set there netns " + std::to_string(process)); }
+  /// The other process, once the cable has come.
+  static void plugIn() { run(pluggingIn()); }
+  static std::string pluggingIn() {
+    return "ip addr add " + std::string(kThere) + "/24 dev there && ip link set there up";
+  }
+
+  /// "thread-self", or a process's id.
+  static std::string namespaceOf(const std::string& process) {
+    return std::filesystem::read_symlink("/proc/" + process + "/ns/net").string();
+  }
+
+  void pull() const { run("ip link set here down"); }
+  void putBack() const { run("ip link set here up"); }
+
+ private:
+  static void run(const std::string& command) {
+    EXPECT_EQ(std::system(command.c_str()), 0) << command;
+  }
+};
+
+}  // namespace suture
