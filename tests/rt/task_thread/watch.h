@@ -10,7 +10,7 @@ namespace proof {
 
 /// What a thread may ask of the kernel in one cycle.
 struct Allowance {
-  unsigned sleeps = 0;  ///< waits for its doorbell
+  unsigned sleeps = 0;  ///< waits for its doorbell; in a thousandth of the cycles one more
   unsigned wakes = 0;   ///< sleeping peers that it rings, each once
 };
 
@@ -54,6 +54,7 @@ class Watch {
   void begin();
   void end();
   bool allowed(long number, long address, long operation);
+  bool allowedSleep();
   bool allowedWake(long address);
   void record(const char* what, long number = -1);
   std::string describe(const Finding& finding) const;
@@ -64,6 +65,7 @@ class Watch {
   std::uint64_t cycle_ = 0;
   std::uint64_t faultsBefore_ = 0;
   unsigned sleeps_ = 0, wakes_ = 0;  // of this cycle
+  std::uint64_t lateWakes_ = 0;
   long woken_[kMaxWoken] = {};
   std::vector<Finding> findings_;
   std::atomic<bool> done_{false};
