@@ -1,6 +1,7 @@
 #include <suture/cli/link.h>
 #include <suture/cli/wait.h>
 #include <suture/transport/rpc/dialer.h>
+#include <suture/transport/rpc/host_lookup.h>
 
 namespace suture::cli {
 namespace {
@@ -18,8 +19,11 @@ void knock(rpc::EventPort& loop, const rpc::Address& address, Duration limit) {
 kj::Own<rpc::Link> reach(rpc::EventPort& loop, const rpc::Address& address, const rpc::Trust& trust,
                          const std::string& expected, Duration limit) {
   rpc::requireKeys(address, trust);
-  auto bytes = wait(loop, limit + std::chrono::seconds(1),
-                    rpc::reach(loop, address, trust, expected, limit), noAnswer(address));
+  rpc::HostLookup lookup(loop, address);
+  auto reached = lookup.places(limit).then([&](std::vector<rpc::Address> places) {
+    return rpc::reachFirst(loop, std::move(places), trust, expected, limit);
+  });
+  auto bytes = wait(loop, 2 * limit + std::chrono::seconds(1), kj::mv(reached), noAnswer(address));
   auto stream = kj::heap<rpc::MessageStream>(loop, kj::mv(bytes));
   return kj::heap<rpc::Link>(kj::mv(stream), capnp::rpc::twoparty::Side::CLIENT);
 }

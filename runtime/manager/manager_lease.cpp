@@ -23,10 +23,14 @@ ManagerLease::ManagerLease(rpc::ControlThread& control, const rpc::Address& mana
       manager_(manager),
       program_(std::move(program)),
       trust_(std::move(trust)),
+      lookup_(control.port(), manager),
       here_(manager) {}
 
 kj::Promise<void> ManagerLease::open() {
-  auto reached = rpc::reach(control_.port(), manager_, trust_, tls::kManagerName, kAnswerLimit);
+  auto reached = lookup_.places(kAnswerLimit).then([this](std::vector<rpc::Address> places) {
+    return rpc::reachFirst(control_.port(), std::move(places), trust_, tls::kManagerName,
+                           kAnswerLimit);
+  });
   return reached.then([this](rpc::ByteStream bytes) {
     here_ = rpc::localAddress(manager_, bytes.socket());
     auto stream = kj::heap<rpc::MessageStream>(control_.port(), kj::mv(bytes));

@@ -4,6 +4,7 @@
 #include <suture/manager/records.h>
 #include <suture/transport/rpc/address.h>
 #include <suture/transport/rpc/control_thread.h>
+#include <suture/transport/rpc/host_lookup.h>
 #include <suture/transport/rpc/link.h>
 #include <suture/transport/rpc/secure.h>
 
@@ -56,6 +57,7 @@ class ManagerLease {
   const rpc::Address manager_;
   const std::string program_;
   const rpc::Trust trust_;
+  rpc::HostLookup lookup_;
   rpc::Address here_;
   kj::Maybe<kj::Own<rpc::Link>> link_;
   kj::Maybe<wire::Session::Client> session_;

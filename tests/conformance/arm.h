@@ -58,7 +58,7 @@ class RecordingArm : public GripperArm {
     evaluated_ = suture::now();
     return measured_;
   }
-  const JointState& measured_js() const override { return joints_; }
+  const JointState& measured_js() const override { return outgrown_ ? tooLarge_ : joints_; }
   double distance(const PoseStamped& to) const override {
     answeredBy_ = getpid();
     return (measured_cp().pose.translation() - to.pose.translation()).norm();
@@ -111,8 +111,8 @@ class RecordingArm : public GripperArm {
     const std::lock_guard lock(mutex_);
     return evaluated_;
   }
-  /// Provider's thread: from now on its joints do not fit what the contract declares.
-  void outgrow() { joints_.name = {"a name of 16 chr"}; }
+  /// Any thread: from now on its joints do not fit what the contract declares.
+  void outgrow() { outgrown_ = true; }
 
   Gate& gate;
   std::atomic<bool> throwOnEnable{false};
@@ -128,6 +128,8 @@ class RecordingArm : public GripperArm {
   PoseStamped measured_;
   mutable suture::Time evaluated_;
   JointState joints_;
+  const JointState tooLarge_{{"a name of 16 chr"}, {}};
+  std::atomic<bool> outgrown_{false};
   std::atomic<double> opening_{0};
   mutable std::atomic<pid_t> ranIn_{0}, answeredBy_{0};
 };

@@ -6,9 +6,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <memory>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fault/history.h"
@@ -29,29 +31,38 @@ inline unsigned faultSeed() {
 class System {
  public:
   using Arguments = std::vector<std::string>;
+  using Prepare = std::function<void()>;  ///< runs in a child before the program
 
-  std::unique_ptr<Child> manager() {
-    auto child = std::make_unique<Child>(Arguments{SUTURE_MANAGER, "--listen", address()});
-    EXPECT_EQ(child->line(), "suture-manager: ready on " + address());
+  /// `address`: where provider and client look for the manager; "": a Unix socket of the test's.
+  /// `prepare`: for all, where no other is given.
+  explicit System(std::string address = "", Prepare prepare = {})
+      : address_(address.empty() ? "unix:" + directory_.file("m.sock") : std::move(address)),
+        prepare_(std::move(prepare)) {}
+
+  std::unique_ptr<Child> manager() { return managerAt(address()); }
+  std::unique_ptr<Child> managerAt(const std::string& address) {
+    auto child = std::make_unique<Child>(Arguments{SUTURE_MANAGER, "--listen", address}, prepare_);
+    EXPECT_EQ(child->line(), "suture-manager: ready on " + address);
     return child;
   }
-  /// `name`: what it registers as. `prepare` runs in the child before the program.
-  std::unique_ptr<Child> provider(const std::string& name = "robot",
-                                  const std::function<void()>& prepare = {}) {
+  /// `name`: what it registers as.
+  std::unique_ptr<Child> provider(const std::string& name = "robot", const Prepare& prepare = {}) {
     ++providers_;
     return std::make_unique<Child>(Arguments{HISTORY_PROVIDER, address(), name,
                                              newLog("p", providers_), std::to_string(providers_)},
-                                   prepare);
+                                   prepare ? prepare : prepare_);
   }
   std::unique_ptr<Child> client(const char* mode, int silenceMilliseconds = 500,
                                 const char* lane = "auto") {
     ++clients_;
-    return std::make_unique<Child>(Arguments{
-        HISTORY_CLIENT, address(), "client" + std::to_string(clients_), newLog("c", clients_),
-        std::to_string(clients_), "robot", mode, std::to_string(silenceMilliseconds), lane});
+    return std::make_unique<Child>(
+        Arguments{HISTORY_CLIENT, address(), "client" + std::to_string(clients_),
+                  newLog("c", clients_), std::to_string(clients_), "robot", mode,
+                  std::to_string(silenceMilliseconds), lane},
+        prepare_);
   }
 
-  std::string address() const { return "unix:" + directory_.file("m.sock"); }
+  const std::string& address() const { return address_; }
   /// Where a process of that name listens.
   std::string socketOf(const std::string& name, const Child& child) const {
     return directory_.file(name + "." + std::to_string(child.pid()) + ".sock");
@@ -101,6 +112,8 @@ class System {
   }
 
   const TemporaryDirectory directory_;
+  const std::string address_;
+  const Prepare prepare_;
   std::vector<std::string> logs_;
   std::vector<HistoryEntry> killed_;
   int providers_ = 0, clients_ = 0;

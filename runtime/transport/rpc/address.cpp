@@ -3,6 +3,7 @@
 #include <suture/transport/rpc/address.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstring>
 
@@ -24,10 +25,21 @@ bool isLoopback(const std::string& host) {
   return host == "::1";
 }
 
-bool isNumeric(const std::string& host) {
+bool isNumber(const std::string& host) {
   in6_addr any;
   return inet_pton(AF_INET, host.c_str(), &any) == 1 ||
          inet_pton(AF_INET6, host.c_str(), &any) == 1;
+}
+
+// Not the numbers that inet_aton() takes, as 127.1: a name service would take them too.
+bool isName(const std::string& host) {
+  constexpr std::size_t kLongest = 253;
+  const auto mayBe = [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '-' || c == '.' || c == '_';
+  };
+  return !host.empty() && host.size() <= kLongest &&
+         std::isalpha(static_cast<unsigned char>(host.front())) != 0 &&
+         std::all_of(host.begin(), host.end(), mayBe);
 }
 
 Address parseUnix(const std::string& text) {
@@ -60,9 +72,9 @@ void parsePort(Address& address, const std::string& text, std::string_view hostA
     address.host = address.host.substr(1, address.host.size() - 2);
   }
   if (address.host == "localhost") address.host = "127.0.0.1";
-  if (isNumeric(address.host)) return;
-  refuse(text, "its host is neither localhost nor a numeric address",
-         "Use 127.0.0.1, the number of the other machine, or unix:/path.");
+  if (isNumber(address.host) || isName(address.host)) return;
+  refuse(text, "its host is neither a number nor a name",
+         "Use 127.0.0.1, the number or the name of the other machine, or unix:/path.");
 }
 
 Address parseTls(const std::string& text) {
@@ -103,6 +115,8 @@ std::string Address::text() const {
   return std::string(kind == Kind::Tls ? kTls : kTcp) + (six ? "[" + host + "]" : host) + ":" +
          std::to_string(port) + std::string(insecure ? kInsecure : "");
 }
+
+bool Address::isNumeric() const { return kind == Kind::Unix || isNumber(host); }
 
 std::vector<Address> parseAddresses(const std::string& text) {
   std::vector<Address> all;
@@ -149,7 +163,9 @@ SocketAddress::SocketAddress(const Address& address) {
     length = sizeof(four);
   } else {
     auto& six = reinterpret_cast<sockaddr_in6&>(storage);
-    inet_pton(AF_INET6, address.host.c_str(), &six.sin6_addr);
+    if (inet_pton(AF_INET6, address.host.c_str(), &six.sin6_addr) != 1) {
+      refuse(address.text(), "its host is a name", "Use the host's number.");
+    }
     six.sin6_family = AF_INET6;
     six.sin6_port = htons(address.port);
     length = sizeof(six);

@@ -16,16 +16,18 @@ struct Address {
   enum class Kind : std::uint8_t { Unix, Tcp, Tls };
 
   /// Throws SetupError: of no such form, a path longer than a socket can have or with a comma, a
-  /// host that is neither a number nor localhost, or plain TCP beyond this machine, unless that is
-  /// asked for: "tcp://192.168.1.5:7700?insecure".
+  /// host that can be neither a number nor a name, or plain TCP to what may lie beyond this
+  /// machine, unless that is asked for: "tcp://192.168.1.5:7700?insecure".
   static Address parse(const std::string& text);
 
   /// The form that parse() takes.
   std::string text() const;
+  /// It needs no name service.
+  bool isNumeric() const;
 
   Kind kind = Kind::Unix;
   std::string path;  ///< Unix
-  std::string host;  ///< Tcp and Tls, numeric
+  std::string host;  ///< Tcp and Tls: a number, or a name for lookUp(); localhost is 127.0.0.1
   std::uint16_t port = 0;
   bool insecure = false;  ///< Tcp: may lead beyond this machine
 };
@@ -39,7 +41,7 @@ std::vector<Address> parseAddresses(const std::string& text);
 /// `far`.
 Address localAddress(const Address& far, int socket);
 
-/// The kernel's form of an Address.
+/// The kernel's form of an Address. Throws SetupError if that is not numeric.
 struct SocketAddress {
   explicit SocketAddress(const Address& address);
 

@@ -1,5 +1,6 @@
 #include <netinet/in.h>
 #include <netinet/tcp.h>
+#include <suture/transport/rpc/host_lookup.h>
 #include <suture/transport/rpc/listener.h>
 #include <suture/transport/rpc/socket.h>
 #include <sys/stat.h>
@@ -29,14 +30,15 @@ constexpr Duration kForgotten = std::chrono::seconds(60);
 }
 
 kj::AutoCloseFd bindTo(const Address& address, Listener::Opens opens) {
-  kj::AutoCloseFd listening = openSocket(address);
+  const Address place = lookUp(address).front();
+  kj::AutoCloseFd listening = openSocket(place);
   const int on = 1;
   if (address.kind != Address::Kind::Unix) {
     setsockopt(listening, SOL_SOCKET, SO_REUSEADDR, &on, sizeof(on));
   } else {
     fchmod(listening, S_IRUSR | S_IWUSR);  // the file that bind() makes inherits it
   }
-  const SocketAddress target(address);
+  const SocketAddress target(place);
   if (bind(listening, target.get(), target.length) != 0) {
     if (errno != EADDRINUSE || !Listener::isStale(address)) cannotListen(address, errno);
     unlink(address.path.c_str());

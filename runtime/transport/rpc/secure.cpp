@@ -111,4 +111,17 @@ kj::Promise<ByteStream> reach(kj::UnixEventPort& port, const Address& address, c
       });
 }
 
+kj::Promise<ByteStream> reachFirst(kj::UnixEventPort& port, std::vector<Address> places,
+                                   const Trust& trust, const std::string& expected,
+                                   Duration deadline) {
+  auto reached = reach(port, places.front(), trust, expected, deadline);
+  places.erase(places.begin());
+  if (places.empty()) return reached;
+  return reached.catch_([&port, places = std::move(places), trust, expected,
+                         deadline](kj::Exception&& failure) -> kj::Promise<ByteStream> {
+    if (failure.getType() != kj::Exception::Type::DISCONNECTED) return kj::mv(failure);
+    return reachFirst(port, places, trust, expected, deadline);
+  });
+}
+
 }  // namespace suture::rpc

@@ -28,6 +28,11 @@ kj::Promise<ByteStream> handshake(kj::UnixEventPort& port, kj::AutoCloseFd socke
 kj::Promise<ByteStream> reach(kj::UnixEventPort& port, const Address& address, const Trust& trust,
                               const std::string& expected, Duration deadline);
 
+/// The same at the first of `places` that can be reached: those of one host. `deadline`: for each.
+kj::Promise<ByteStream> reachFirst(kj::UnixEventPort& port, std::vector<Address> places,
+                                   const Trust& trust, const std::string& expected,
+                                   Duration deadline);
+
 /// Throws SetupError if `address` needs keys and there are none.
 void requireKeys(const Address& address, const Trust& trust);
 

@@ -16,7 +16,8 @@ TEST(Address, ParsesWhatItPrints) {
   for (const char* text :
        {"unix:/tmp/a.sock", "tcp://127.0.0.1:7700", "tcp://[::1]:80", "tcp://127.1.2.3:0",
         "tls://192.168.0.1:7700", "tls://[fe80::1]:1", "tls://0.0.0.0:0",
-        "tcp://192.168.0.1:7700?insecure", "tcp://[2001:db8::1]:7?insecure"}) {
+        "tcp://192.168.0.1:7700?insecure", "tcp://[2001:db8::1]:7?insecure",
+        "tls://robot-2.local:7700", "tcp://robot:7700?insecure"}) {
     EXPECT_EQ(Address::parse(text).text(), text);
   }
   EXPECT_EQ(Address::parse("tcp://localhost:1").text(), "tcp://127.0.0.1:1");
@@ -33,8 +34,11 @@ TEST(Address, EveryRefusalNamesTheAddressAndTheReason) {
       {"tcp://192.168.0.1:7700", "not a loopback"},
       {"tcp://0.0.0.0:7700", "not a loopback"},
       {"tcp://[fe80::1]:7700", "not a loopback"},
-      {"tcp://manager:7700", "neither localhost nor a numeric"},
-      {"tls://manager:7700", "neither localhost nor a numeric"},
+      {"tcp://manager:7700", "not a loopback"},
+      {"tls://:7700", "neither a number nor a name"},
+      {"tls://127.1:7700", "neither a number nor a name"},
+      {"tls://a b:7700", "neither a number nor a name"},
+      {"tls://" + std::string(254, 'a') + ":7700", "neither a number nor a name"},
       {"tls://192.168.0.1", "no port"},
       {"tls://192.168.0.1:7700?insecure", "no port"},
       {"tcp://192.168.0.1:7700?secure", "no port"},

@@ -1,0 +1,128 @@
+#include <netdb.h>
+#include <suture/transport/rpc/deadline.h>
+#include <suture/transport/rpc/host_lookup.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstring>
+#include <system_error>
+#include <thread>
+
+namespace suture::rpc {
+namespace {
+
+// Who knows where the host was does not wait long to hear whether it has moved.
+constexpr Duration kToHearAgain = std::chrono::milliseconds(250);
+
+std::string asked(const Address& address) { return "look up the host '" + address.host + "'"; }
+
+constexpr const char* kRemedy =
+    "Correct the name, make it known to this machine, or use the host's number.";
+
+std::string errorText(int error) {
+  return error == EAI_SYSTEM ? std::strerror(errno) : gai_strerror(error);
+}
+
+Address at(const Address& address, const addrinfo& place) {
+  Address found = address;
+  char host[NI_MAXHOST] = "";
+  getnameinfo(place.ai_addr, place.ai_addrlen, host, sizeof host, nullptr, 0, NI_NUMERICHOST);
+  found.host = host;
+  return found;
+}
+
+void blockAllSignals() {
+  sigset_t all;
+  sigfillset(&all);
+  pthread_sigmask(SIG_BLOCK, &all, nullptr);
+}
+
+}  // namespace
+
+std::vector<Address> lookUp(const Address& address) {
+  if (address.isNumeric()) return {address};
+  addrinfo hints{};
+  hints.ai_socktype = SOCK_STREAM;
+  hints.ai_flags = AI_ADDRCONFIG;
+  addrinfo* all = nullptr;
+  const int error = getaddrinfo(address.host.c_str(), nullptr, &hints, &all);
+  if (error != 0) throw SetupError(asked(address), errorText(error), kRemedy);
+  const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owned(all, &freeaddrinfo);
+  std::vector<Address> places;
+  for (const addrinfo* one = all; one != nullptr; one = one->ai_next) {
+    places.push_back(at(address, *one));
+  }
+  return places;
+}
+
+/// To the name service; outlives who asked.
+struct HostLookup::Question {
+  explicit Question(const Address& of) : address(of) {}
+
+  void ask() {
+    try {
+      places = lookUp(address);
+    } catch (const SetupError& error) {
+      why = error.what();
+    }
+    const std::uint64_t one = 1;
+    [[maybe_unused]] const auto written = write(answered, &one, sizeof one);
+  }
+  /// Once it can be read.
+  void take() const {
+    std::uint64_t count;
+    [[maybe_unused]] const auto taken = read(answered, &count, sizeof count);
+  }
+
+  const Address address;
+  const kj::AutoCloseFd answered{eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)};
+  std::vector<Address> places;
+  std::string why;
+};
+
+HostLookup::HostLookup(kj::UnixEventPort& port, const Address& address)
+    : port_(port), address_(address) {}
+
+kj::Promise<std::vector<Address>> HostLookup::places(Duration limit) {
+  if (address_.isNumeric()) return std::vector<Address>{address_};
+  if (!std::exchange(asking_, true)) answer_ = ask().fork();
+  auto answered = answer_.addBranch().then([this] { return known(why_); });
+  auto late =
+      port_.getTimer()
+          .afterDelay(toKj(known_.empty() ? limit : std::min(limit, kToHearAgain)))
+          .then([this] {
+            return known(asked(address_) + ": the name service does not answer. " + kRemedy);
+          });
+  return answered.exclusiveJoin(kj::mv(late));
+}
+
+kj::Promise<std::vector<Address>> HostLookup::known(const std::string& why) const {
+  if (known_.empty()) return disconnected(why);
+  return known_;
+}
+
+kj::Promise<void> HostLookup::ask() {
+  auto question = std::make_shared<Question>(address_);
+  auto observer = kj::heap<kj::UnixEventPort::FdObserver>(
+      port_, question->answered, kj::UnixEventPort::FdObserver::OBSERVE_READ);
+  auto answered = observer->whenBecomesReadable();
+  try {
+    std::thread([question] {
+      blockAllSignals();
+      question->ask();
+    }).detach();
+  } catch (const std::system_error& error) {
+    asking_ = false;
+    return disconnected(asked(address_) + ": " + error.what() + ". Let this process have threads.");
+  }
+  return answered.attach(kj::mv(observer)).then([this, question] {
+    question->take();
+    asking_ = false;
+    why_ = question->why;
+    if (!question->places.empty()) known_ = question->places;
+  });
+}
+
+}  // namespace suture::rpc

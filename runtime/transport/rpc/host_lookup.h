@@ -1,0 +1,43 @@
+#pragma once
+// Hosts that are known by name.
+
+#include <kj/async-unix.h>
+#include <suture/base/time.h>
+#include <suture/transport/rpc/address.h>
+#include <suture/transport/rpc/kj_comparisons.h>
+
+#include <memory>
+#include <vector>
+
+namespace suture::rpc {
+
+/// The address with a number for its host: itself if it has one, else what the system's name
+/// service says, the best first. Blocks for as long as that takes. Throws SetupError.
+std::vector<Address> lookUp(const Address& address);
+
+/// The same for those who must not block: asks in a thread of its own, which ends when the name
+/// service answers; of each object there is at most one. Belongs to the thread of `port`.
+class HostLookup {
+ public:
+  HostLookup(kj::UnixEventPort& port, const Address& address);
+
+  /// Where the host is now, or where it was last if the name service does not say. Rejects, as
+  /// DISCONNECTED, if it never did, with what was found and what to do; at the latest after
+  /// `limit`.
+  kj::Promise<std::vector<Address>> places(Duration limit);
+
+ private:
+  struct Question;
+
+  kj::Promise<void> ask();
+  kj::Promise<std::vector<Address>> known(const std::string& why) const;
+
+  kj::UnixEventPort& port_;
+  const Address address_;
+  std::vector<Address> known_;
+  std::string why_;  // of the latest answer, if it was none
+  bool asking_ = false;
+  kj::ForkedPromise<void> answer_ = kj::Promise<void>(kj::READY_NOW).fork();
+};
+
+}  // namespace suture::rpc

@@ -1,0 +1,145 @@
+// The global manager is known by the name of its host, and the name service fails. As root: the
+// processes have a name service of their own.
+
+#include <arpa/inet.h>
+#include <gtest/gtest.h>
+#include <kj/io.h>
+#include <netinet/in.h>
+#include <sched.h>
+#include <suture/manager/manager.h>
+#include <sys/mount.h>
+#include <sys/socket.h>
+
+#include <fstream>
+#include <thread>
+
+#include "fault/system.h"
+#include "support/contains.h"
+#include "support/refusal.h"
+
+namespace suture {
+namespace {
+
+constexpr const char* kServer = "127.0.0.53";
+
+/// Of those who call enter(): a file of names, and a server that knows nothing.
+class NameService {
+ public:
+  NameService() {
+    write("nsswitch.conf", "hosts: files dns\n");
+    write("resolv.conf", std::string("nameserver ") + kServer + "\noptions timeout:3 attempts:1\n");
+    forget();
+  }
+  /// A child, before its program.
+  void enter() const {
+    if (unshare(CLONE_NEWNS) != 0 ||
+        mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0)
+      std::abort();
+    for (const std::string name : {"hosts", "nsswitch.conf", "resolv.conf"}) {
+      const std::string mine = directory_.file(name), systems = "/etc/" + name;
+      if (mount(mine.c_str(), systems.c_str(), nullptr, MS_BIND, nullptr) != 0) std::abort();
+    }
+  }
+
+  void know(const std::string& host, const std::string& number) {
+    write("hosts", number + " " + host + "\n");
+    silent_ = nullptr;
+  }
+  /// Names cannot be found any more, which is said at once.
+  void forget() { write("hosts", "127.0.0.1 localhost\n"); }
+  /// ...or is not said at all.
+  void fallSilent() {
+    forget();
+    silent_ = kj::AutoCloseFd(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+    sockaddr_in here{};
+    here.sin_family = AF_INET;
+    here.sin_port = htons(53);
+    inet_pton(AF_INET, kServer, &here.sin_addr);
+    EXPECT_EQ(bind(silent_, reinterpret_cast<sockaddr*>(&here), sizeof here), 0);
+  }
+
+ private:
+  // In place: it is mounted elsewhere.
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(directory_.file(name)) << text;
+  }
+
+  const TemporaryDirectory directory_;
+  kj::AutoCloseFd silent_;  // the server, when it takes questions and does not answer
+};
+
+class HostNames : public testing::Test {
+ public:
+  ~HostNames() noexcept override {}
+
+ protected:
+  void SetUp() override {
+    if (geteuid() != 0) GTEST_SKIP() << "only root may give processes a name service of their own";
+    ASSERT_EQ(unshare(CLONE_NEWNET), 0);
+    ASSERT_EQ(std::system("ip link set lo up"), 0);
+  }
+
+  /// The provider is known to the manager at that number.
+  static bool knows(const std::string& number) {
+    const std::string why =
+        refusal([&] { Manager("robot", at(number), std::chrono::milliseconds(20)); });
+    return contains(why, "the name is held by");
+  }
+  /// Where the host is, as a manager is told to listen.
+  static std::string at(const std::string& number) { return "tcp://" + number + ":7700?insecure"; }
+
+  NameService names_;
+  System system_{"tcp://operating-room.test:7700?insecure", [this] { names_.enter(); }};
+};
+
+TEST_F(HostNames, WhoHasFoundTheManagerGoesOnWithoutThem) {
+  names_.know("operating-room.test", "127.0.0.1");
+  auto manager = system_.managerAt(at("127.0.0.1"));
+  const auto provider = system_.provider();
+  ASSERT_EQ(provider->line(), "ready");
+  const auto client = system_.client("busy");
+  ASSERT_EQ(client->line(), "begun");
+  ASSERT_EQ(client->line(), "ready");
+  ASSERT_TRUE(system_.works(true));
+
+  // The manager is lost, and back where it was: nobody can find that out.
+  int faults = 0;
+  for (const bool silent : {false, true}) {
+    silent ? names_.fallSilent() : names_.forget();
+    manager->end(SIGKILL);
+    EXPECT_TRUE(system_.works(true)) << "connections need neither";
+    manager = system_.managerAt(at("127.0.0.1"));
+    EXPECT_TRUE(eventually([&] { return knows("127.0.0.1"); })) << "silent: " << silent;
+    EXPECT_TRUE(system_.works(true));
+    ++faults;
+  }
+
+  // It moves to another machine, which only the name service tells.
+  manager->end(SIGKILL);
+  manager = system_.managerAt(at("127.0.0.2"));
+  names_.know("operating-room.test", "127.0.0.2");
+  EXPECT_TRUE(eventually([&] { return knows("127.0.0.2"); }));
+  EXPECT_TRUE(system_.works(true));
+  EXPECT_EQ(client->end(SIGTERM), 0);
+  EXPECT_EQ(provider->end(SIGTERM), 0);
+  for (const std::string& violation : violations(system_.history(), kBusyMachine)) {
+    ADD_FAILURE() << violation;
+  }
+  std::printf("%d failures of the name service\n", faults);
+  EXPECT_GT(faults, 0);
+}
+
+TEST_F(HostNames, WhoHasNotWaitsForThem) {
+  const auto manager = system_.managerAt(at("127.0.0.1"));
+  for (const bool silent : {false, true}) {
+    silent ? names_.fallSilent() : names_.forget();
+    const auto provider = system_.provider(silent ? "silent" : "refused");
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));  // it asks, and is not told
+    names_.know("operating-room.test", "127.0.0.1");
+    EXPECT_EQ(provider->line(), "ready");
+    EXPECT_EQ(provider->end(SIGTERM), 0);
+  }
+}
+
+}  // namespace
+}  // namespace suture
