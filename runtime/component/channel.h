@@ -99,8 +99,8 @@ class Channel {
   std::string laneReason;
   /// What is added to the stamps of the other end so that they are on this process's clock, and how
   /// wrong that may be, either way: so much can be wrong with an age. Zero where both have one
-  /// clock. Set before either end is attached.
-  Duration clockShift{0}, clockError{0};
+  /// clock. Set before either end is attached, and again and again while the connection stands.
+  std::atomic<Duration> clockShift{Duration{0}}, clockError{Duration{0}};
   /// What `ends.client` belongs to, so that it can be rung as long as somebody has this; of a
   /// provider in another process, what `ends.provider` does. Set before either end is attached.
   std::shared_ptr<rt::Doorbell> clientsBell, providersBell;
@@ -140,6 +140,12 @@ class Channel {
   /// them out, with what the queues add.
   void countSent(std::size_t bytes) { count(bytesSent, bytes); }
   void countReceived(std::size_t bytes) { count(bytesReceived, bytes); }
+
+  /// Whoever keeps the connection.
+  void setClock(Duration shift, Duration error) {
+    clockShift.store(shift, std::memory_order_relaxed);
+    clockError.store(error, std::memory_order_relaxed);
+  }
 
   /// Client endpoint: keeps the age of a value that has just been read from the row of `stamp`.
   void noteRead(Time stamp) {

@@ -5,8 +5,8 @@
 
 namespace suture {
 
-/// What questions with stamps around them tell, as in NTP (RFC 5905): of several, the one that was
-/// answered fastest counts. A value.
+/// What questions with stamps around them tell, as in NTP (RFC 5905): of several, the one counts by
+/// which the error is smallest. A value.
 class ClockOffset {
  public:
   /// Both have one clock: nothing has to be measured.
@@ -22,18 +22,21 @@ class ClockOffset {
   /// True if both have one clock.
   bool isOne() const { return one_; }
 
-  /// Asked and answered on this process's clock; received and sent on the peer's, ns.
-  void add(Time asked, std::int64_t received, std::int64_t sent, Time answered);
+  /// Asked and answered on this process's clock; received and sent on the peer's, ns. True if that
+  /// tells more than what was known by then.
+  bool add(Time asked, std::int64_t received, std::int64_t sent, Time answered);
 
   /// The peer's clock minus ours.
   Duration offset() const { return offset_; }
-  /// How wrong that may be, either way: half of the time for which the question was under way.
-  Duration error() const { return error_; }
+  /// How wrong that may be at `present`, either way: half of the time for which the question was
+  /// under way, and what the clocks may have drifted apart since.
+  Duration error(Time present) const;
 
  private:
   bool one_ = false;
   Duration offset_{0};
-  Duration error_ = Duration::max();
+  Duration error_ = Duration::max();  // when it was compared
+  Time compared_{};
 };
 
 }  // namespace suture

@@ -83,8 +83,7 @@ FrameSockets::Offered FrameSockets::offer(const UncarriedEnd& end, const FrameCl
   forgetEnded();
   Offered offered;
   offered.connection = ++latest_;
-  const auto side = std::make_shared<frame::ProviderSide>(
-      end.channel, frame::Terms{.number = offered.connection, .shift = end.shift});
+  const auto side = std::make_shared<frame::ProviderSide>(end.channel, offered.connection);
   if (end.readOnly) side->setReadOnly();
   for (auto& [epoch, shared] : links_) {
     if (!isSame(shared.client, client) || !shared.take(side)) continue;

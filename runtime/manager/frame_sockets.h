@@ -21,7 +21,6 @@ namespace suture {
 /// A provider's end of a connection that no link carries yet.
 struct UncarriedEnd {
   std::shared_ptr<Channel> channel;
-  Duration shift;
   bool readOnly = false;
 };
 

@@ -65,15 +65,17 @@ kj::Promise<void> Heartbeat::look() {
 void Heartbeat::ask() {
   asked_ = true;
   // A broken link is told of elsewhere.
-  asking_ = peer_.pingRequest()
-                .send()
-                .then([this](auto&& told) { heard(told); }, [](kj::Exception&&) {})
-                .eagerlyEvaluate(nullptr);
+  asking_ =
+      peer_.pingRequest()
+          .send()
+          .then([this, asked = now()](auto&& told) { heard(asked, told); }, [](kj::Exception&&) {})
+          .eagerlyEvaluate(nullptr);
 }
 
-void Heartbeat::heard(wire::Peer::PingResults::Reader told) {
+void Heartbeat::heard(Time asked, wire::Peer::PingResults::Reader told) {
   asked_ = false;
   heard_ = now();
+  if (answered_) answered_(asked, told);
   const Time then = fromNanoseconds(rpc::bounded(told.getSent()));
   for (const auto task : told.getTasks()) {
     if (stringOf(task.getComponent()) == component_ && hangs(task, then)) return;

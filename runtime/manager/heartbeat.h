@@ -8,7 +8,9 @@
 #include <kj/async.h>
 #include <kj/timer.h>
 
+#include <functional>
 #include <string>
+#include <utility>
 
 namespace suture {
 
@@ -24,6 +26,9 @@ class Heartbeat {
 
   Heartbeat(kj::Timer& timer, wire::Peer::Client peer, std::string component, Bounds bounds);
 
+  /// Before whenLost(): called with each answer, and when it was asked for.
+  using Answered = std::function<void(Time asked, wire::Peer::PingResults::Reader answer)>;
+  void onAnswer(Answered answered) { answered_ = std::move(answered); }
   /// Asks from now on. Resolves, in words for people, when a bound has passed. Call it once.
   kj::Promise<std::string> whenLost();
   /// Resolves at the first answer by which the component does not hang. Call it once.
@@ -32,7 +37,7 @@ class Heartbeat {
  private:
   kj::Promise<void> look();
   void ask();
-  void heard(wire::Peer::PingResults::Reader told);
+  void heard(Time asked, wire::Peer::PingResults::Reader told);
   bool hangs(wire::TaskPulse::Reader task, Time then);
 
   kj::Timer& timer_;
@@ -40,6 +45,7 @@ class Heartbeat {
   const std::string component_;
   const Bounds bounds_;
   const Duration interval_;
+  Answered answered_;
   Time heard_ = now();
   bool asked_ = false;  // and not answered
   Time due_{};          // of the component's thread, by the latest answer

@@ -22,10 +22,28 @@ using Kind = wire::Refusal::Kind;
 constexpr std::size_t kMostPorts = 256;
 
 /// Ends the connection when the client lets go of it.
+/// What Channel keeps of a caller's clock.
+struct Clock {
+  Duration shift, error;
+};
+
+/// `offset`: how far it is ahead of ours, ns.
+Clock clockOf(std::int64_t offset, std::int64_t error) {
+  return {Duration(-rpc::bounded(offset)), Duration(rpc::bounded(error))};
+}
+
 class ConnectionServer final : public wire::Connection::Server {
  public:
   explicit ConnectionServer(kj::Own<rpc::ProviderEnd> end) : end_(kj::mv(end)) {}
   ~ConnectionServer() noexcept(false) { end_->close(); }
+
+ protected:
+  kj::Promise<void> compared(ComparedContext context) override {
+    const auto in = context.getParams();
+    const Clock clock = clockOf(in.getClockOffset(), in.getClockError());
+    end_->setClock(clock.shift, clock.error);
+    return kj::READY_NOW;
+  }
 
  private:
   kj::Own<rpc::ProviderEnd> end_;
@@ -64,10 +82,9 @@ class NoticesSender final : public rpc::ProviderEnd::Listener {
   wire::Notices::Client client_;
 };
 
-/// `offset`: how far the caller's clock is ahead of ours, ns.
 void setClock(Channel& channel, std::int64_t offset, std::int64_t error) {
-  channel.clockShift = Duration(-rpc::bounded(offset));
-  channel.clockError = Duration(rpc::bounded(error));
+  const Clock clock = clockOf(offset, error);
+  channel.setClock(clock.shift, clock.error);
 }
 
 /// Of a client whose connections share a link, no longer than it needs.
@@ -326,11 +343,11 @@ void PeerServer::sendFrames(Asked& asked, const InterfaceInfo& contract,
   channel->clientsBell = bell;
   setClock(*channel, in.getClockOffset(), in.getClockError());
   const auto asks = in.getFrame();
-  FrameSockets::Offered offered = host_.frames_.offer(
-      {.channel = channel, .shift = channel->clockShift, .readOnly = mayOnlyRead(asked.endpoint)},
-      {.name = nameOf(asks.getClient()),
-       .who = caller_->identity,
-       .handsOver = asks.getHandsOver()});
+  FrameSockets::Offered offered =
+      host_.frames_.offer({.channel = channel, .readOnly = mayOnlyRead(asked.endpoint)},
+                          {.name = nameOf(asks.getClient()),
+                           .who = caller_->identity,
+                           .handsOver = asks.getHandsOver()});
   auto out = accepted(asked, *kj::refcounted<StatusPort>(host_.control_, channel));
   if (!laneReason.empty()) out.setLaneReason(textOf(laneReason));
   auto offer = out.initFrame();
@@ -396,8 +413,7 @@ kj::Own<rpc::ServantPort> PeerServer::serve(ProvidedBase& provided, const Endpoi
       std::make_shared<Channel>(provided.info(), name, "rpc", ends, provided.state(), events);
   channel->clientsBell = bell;
   setClock(*channel, clockOffset, clockError);
-  auto port = kj::refcounted<rpc::ServantPort>(host_.control_, channel, channel->clockShift,
-                                               caller_->counters);
+  auto port = kj::refcounted<rpc::ServantPort>(host_.control_, channel, caller_->counters);
   if (mayOnlyRead(endpoint)) port->setReadOnly();
   provided.attach(channel);
   host_.remember(std::move(channel));

@@ -206,13 +206,13 @@ kj::Promise<void> RemoteConnection::compareClocks(unsigned times) {
 
 // A command that is late by no more than that would be executed, or one that is in time be late.
 kj::Promise<void> RemoteConnection::requireClocksThatCanTell() {
+  const Duration error = clock_.error(now());
   for (const CommandInfo& one : required_.info().commands) {
-    if (one.ttl == Duration{0} || one.ttl > clock_.error()) continue;
-    return rpc::failure(Type::FAILED, "connecting " + name() + ": '" + one.name +
-                                          "' has a ttl of " + microseconds(one.ttl) +
-                                          ", and the two clocks can be compared to " +
-                                          microseconds(clock_.error()) +
-                                          " only. Use a faster link, or a longer ttl.");
+    if (one.ttl == Duration{0} || one.ttl > error) continue;
+    return rpc::failure(Type::FAILED,
+                        "connecting " + name() + ": '" + one.name + "' has a ttl of " +
+                            microseconds(one.ttl) + ", and the two clocks can be compared to " +
+                            microseconds(error) + " only. Use a faster link, or a longer ttl.");
   }
   return kj::READY_NOW;
 }
@@ -268,7 +268,7 @@ kj::Promise<void> RemoteConnection::ask(Lanes lanes) {
   asked_ = required_.subscribed();
   request.setEvents(asked_);
   request.setClockOffset(-clock_.offset().count());
-  request.setClockError(clock_.error().count());
+  request.setClockError(clockError().count());
   request.setEpoch(toNanoseconds(now()));
   request.setNotices(kj::heap<NoticesReceiver>(
       kj::addRef(*notified),
@@ -329,8 +329,7 @@ std::shared_ptr<Channel> RemoteConnection::mirroredChannel(Lane lane, rt::Doorbe
                                            makeStateTable(required_.info()), asked_);
   channel->clientsBell = client().sharedDoorbell();
   channel->laneReason = laneReason_;
-  channel->clockShift = -clock_.offset();
-  channel->clockError = clock_.error();
+  channel->setClock(-clock_.offset(), clockError());
   mirrorRows(rows, *channel->state);
   return channel;
 }
@@ -338,8 +337,8 @@ std::shared_ptr<Channel> RemoteConnection::mirroredChannel(Lane lane, rt::Doorbe
 void RemoteConnection::beginCalls(wire::ConnectResults::Accepted::Reader accepted) {
   auto channel = mirroredChannel(Lane::Rpc, control_.doorbell(), accepted.getRows());
   channel->offered = std::min<std::size_t>(accepted.getOffered(), channel->info.commands.size());
-  auto port = kj::refcounted<rpc::ProxyPort>(control_, channel, -clock_.offset(),
-                                             KJ_ASSERT_NONNULL(link_)->counters());
+  auto port =
+      kj::refcounted<rpc::ProxyPort>(control_, channel, KJ_ASSERT_NONNULL(link_)->counters());
   end_ = kj::addRef(*port);
   port->open(required_.info().binding().makeProxy(accepted.getContract(), *port));
   use(std::move(channel));
@@ -370,8 +369,7 @@ void RemoteConnection::beginFrames(const FrameLinks::Link& link, std::uint32_t n
   const std::shared_ptr<rt::Doorbell> bell = frames_.doorbell();
   auto channel = mirroredChannel(Lane::Frame, *bell, rows);
   channel->providersBell = bell;
-  const auto connection = std::make_shared<frame::ClientSide>(
-      channel, frame::Terms{.number = number, .shift = -clock_.offset()});
+  const auto connection = std::make_shared<frame::ClientSide>(channel, number);
   auto end = kj::refcounted<FrameEnd>(control_, channel, connection);
   framesBroken_ = end->whenBroken();
   end_ = kj::mv(end);
@@ -401,6 +399,9 @@ kj::Promise<void> RemoteConnection::keep() {
       [] { return std::string("closed: its process has ended, or the link is broken"); });
   auto broken = std::exchange(framesBroken_, kj::NEVER_DONE);
   auto heartbeat = makeHeartbeat(longestSilence_);
+  if (!clock_.isOne()) {
+    heartbeat->onAnswer([this](Time asked, auto answer) { followClock(asked, answer); });
+  }
   auto lost = heartbeat->whenLost();
   return closed.exclusiveJoin(lost.attach(kj::mv(heartbeat)))
       .exclusiveJoin(kj::mv(broken))
@@ -410,6 +411,23 @@ kj::Promise<void> RemoteConnection::keep() {
         return comeBack(kFirstRedialPause);
       })
       .then([this] { return keep(); });
+}
+
+// Until the next comparison: without one the connection is lost by then.
+Duration RemoteConnection::clockError() const { return clock_.error(now() + longestSilence_); }
+
+// Clocks drift apart. Who provides learns as much as matters: each time that it is known better.
+void RemoteConnection::followClock(Time asked, wire::Peer::PingResults::Reader answer) {
+  const bool better = clock_.add(asked, answer.getReceived(), answer.getSent(), now());
+  const Duration offset = clock_.offset(), error = clockError();
+  KJ_IF_MAYBE (end, end_) (*end)->setClock(-offset, error);
+  KJ_IF_MAYBE (connection, connection_) {
+    if (!better) return;
+    auto request = connection->comparedRequest();
+    request.setClockOffset(-offset.count());
+    request.setClockError(error.count());
+    control_.spawn(request.send().ignoreResult().catch_([](kj::Exception&&) {}));
+  }
 }
 
 // A peer that is stopped, or behind a cable that was pulled, says nothing; so it is asked.

@@ -79,6 +79,8 @@ class RemoteConnection {
   kj::Promise<void> keep();
   kj::Promise<void> comeBack(Duration pause);
   kj::Own<Heartbeat> makeHeartbeat(Duration silence);
+  Duration clockError() const;
+  void followClock(Time asked, wire::Peer::PingResults::Reader answer);
   void drop();
 
   rpc::ControlThread& control_;

@@ -172,4 +172,8 @@ interface Notices {
 
 interface Connection {
   # Lives as long as the connection: dropping it disconnects.
+
+  compared @0 (clockOffset :Int64, clockError :Int64);
+  # The clocks have been compared again, as in ConnectRequest. A provider of before this was added
+  # refuses it, and goes on with what it knows.
 }

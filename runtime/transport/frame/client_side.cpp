@@ -6,8 +6,8 @@
 namespace suture::frame {
 // The provider's channel was made with what is subscribed to; the first frame says so once more, so
 // that the provider's side hears of this one.
-ClientSide::ClientSide(std::shared_ptr<Channel> channel, const Terms& terms)
-    : Connection(std::move(channel), terms),
+ClientSide::ClientSide(std::shared_ptr<Channel> channel, std::uint32_t number)
+    : Connection(std::move(channel), number),
       events_(channel_->subscribed()),
       since_(channel_->info.events.size()),
       lent_(channel_->info.commands.size()),

@@ -15,7 +15,7 @@ class ClientSide final : public Connection {
  public:
   /// `channel`'s state table is a mirror that this writes; its provider doorbell is the lane
   /// thread's.
-  ClientSide(std::shared_ptr<Channel> channel, const Terms& terms);
+  ClientSide(std::shared_ptr<Channel> channel, std::uint32_t number);
 
  private:
   bool take(const Header& header, std::span<std::byte> payload) override;

@@ -30,8 +30,8 @@ void Connection::add(std::atomic<std::uint64_t>& counter, std::uint64_t count) {
   counter.store(counter.load(std::memory_order_relaxed) + count, std::memory_order_relaxed);
 }
 
-Connection::Connection(std::shared_ptr<Channel> channel, const Terms& terms)
-    : channel_(std::move(channel)), number_(terms.number), shift_(terms.shift) {}
+Connection::Connection(std::shared_ptr<Channel> channel, std::uint32_t number)
+    : channel_(std::move(channel)), number_(number) {}
 
 bool Connection::over() const {
   const ChannelStatus status = channel_->status.load(std::memory_order_acquire);
@@ -75,11 +75,14 @@ void Connection::send(const Header& header, std::span<const std::byte> payload) 
 }
 
 Time Connection::here(std::int64_t stamp) const {
-  return std::clamp(fromNanoseconds(rpc::shifted(stamp, shift_)), Time{}, now());
+  const Duration ahead = channel_->clockShift.load(std::memory_order_relaxed);
+  return std::clamp(fromNanoseconds(rpc::shifted(stamp, ahead)), Time{}, now());
 }
 
 void Connection::bringHere(StampShift shift, std::byte* slot) const {
-  if (shift != nullptr && shift_ != Duration{0}) shift(slot, shift_);
+  if (shift == nullptr) return;
+  const Duration ahead = channel_->clockShift.load(std::memory_order_relaxed);
+  if (ahead != Duration{0}) shift(slot, ahead);
 }
 
 }  // namespace suture::frame

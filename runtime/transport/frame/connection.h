@@ -17,12 +17,6 @@ namespace suture::frame {
 /// equal, see memoryLayout(). Values of a peer are judged before a component sees them.
 std::size_t mostPayload(const InterfaceInfo& contract);
 
-/// How the two ends of a connection agree.
-struct Terms {
-  std::uint32_t number = 0;  ///< of the connection on its link
-  Duration shift{0};         ///< turns the peer's steady clock into this process's
-};
-
 /// Carries everything between a channel and its share of a link. Belongs to the lane thread, but
 /// for what is said to be any thread's.
 class Connection {
@@ -55,7 +49,8 @@ class Connection {
   const std::string& why() const { return why_; }
 
  protected:
-  Connection(std::shared_ptr<Channel> channel, const Terms& terms);
+  /// `number`: on its link.
+  Connection(std::shared_ptr<Channel> channel, std::uint32_t number);
 
   virtual bool take(const Header& header, std::span<std::byte> payload) = 0;
   virtual void give() = 0;
@@ -79,7 +74,6 @@ class Connection {
 
  private:
   const std::uint32_t number_;
-  const Duration shift_;
   FrameSocket* socket_ = nullptr;
   Window window_;
   std::string why_;

@@ -5,8 +5,8 @@
 
 namespace suture::frame {
 
-ProviderSide::ProviderSide(std::shared_ptr<Channel> channel, const Terms& terms)
-    : Connection(std::move(channel), terms),
+ProviderSide::ProviderSide(std::shared_ptr<Channel> channel, std::uint32_t number)
+    : Connection(std::move(channel), number),
       waiting_(channel_->info.commands.size()),
       refused_(channel_->info.commands.size()),
       since_(channel_->info.events.size(), now()),

@@ -14,7 +14,7 @@ namespace suture::frame {
 class ProviderSide final : public Connection {
  public:
   /// `channel`'s client doorbell is the lane thread's.
-  ProviderSide(std::shared_ptr<Channel> channel, const Terms& terms);
+  ProviderSide(std::shared_ptr<Channel> channel, std::uint32_t number);
 
   /// Before it is carried: only what reads is taken, a command is refused (Errc::NotPermitted).
   void setReadOnly() { readOnly_ = true; }

@@ -17,6 +17,8 @@ class ClientEnd : public kj::Refcounted {
 
   /// How it stands with the provider's component.
   void tell(ChannelStatus status) { channel_->tell(status); }
+  /// How the provider's clock stands to this process's.
+  void setClock(Duration shift, Duration error) { channel_->setClock(shift, error); }
   /// The connection is over: the client is told `why`, calls under way end with their outcome
   /// unknown. May be called again.
   void close(ChannelStatus why);

@@ -26,6 +26,8 @@ class ProviderEnd : public kj::Refcounted {
 
   void setListener(kj::Own<Listener> listener) { listener_ = kj::mv(listener); }
 
+  /// How the client's clock stands to this process's.
+  void setClock(Duration shift, Duration error) { channel_->setClock(shift, error); }
   /// The connection is over: the provider lets go of the channel. May be called again.
   void close();
   /// The same for a later connection of the same interface, and the client is told, if it can still

@@ -12,11 +12,10 @@ void increment(std::atomic<std::uint64_t>& counter) {
 
 }  // namespace
 
-ProxyPort::ProxyPort(ControlThread& control, std::shared_ptr<Channel> channel, Duration shift,
+ProxyPort::ProxyPort(ControlThread& control, std::shared_ptr<Channel> channel,
                      std::shared_ptr<const LinkCounters> counters)
     : ClientEnd(std::move(channel)),
       control_(control),
-      shift_(shift),
       counters_(std::move(counters)),
       replays_(channel_->info.events.size()),
       calls_(*this) {}
@@ -40,7 +39,7 @@ void ProxyPort::ending() {
 // What has not happened yet would have a negative age.
 Time ProxyPort::here(std::int64_t stamp) const {
   const Time received = now();
-  return stamp == 0 ? received : std::min(received, fromNanoseconds(shifted(stamp, shift_)));
+  return stamp == 0 ? received : std::min(received, fromNanoseconds(shifted(stamp, shift())));
 }
 
 void ProxyPort::publish(std::int64_t stamp, rt::ColumnSet valid, rt::ColumnSet tooLarge) {

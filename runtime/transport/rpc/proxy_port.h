@@ -28,8 +28,8 @@ class ProxyPort final : public ClientEnd, private Pump, private kj::TaskSet::Err
   static constexpr unsigned kWindow = 16;
 
   /// `channel`'s provider doorbell is the control thread's, its state table a mirror that this
-  /// writes. `shift` turns the provider's steady clock into this process's.
-  ProxyPort(ControlThread& control, std::shared_ptr<Channel> channel, Duration shift,
+  /// writes.
+  ProxyPort(ControlThread& control, std::shared_ptr<Channel> channel,
             std::shared_ptr<const LinkCounters> counters);
   ~ProxyPort() noexcept(false);
 
@@ -39,7 +39,8 @@ class ProxyPort final : public ClientEnd, private Pump, private kj::TaskSet::Err
 
   // --- for generated code
 
-  Duration shift() const { return shift_; }
+  /// Turns the peer's steady clock into this process's.
+  Duration shift() const { return channel_->clockShift.load(std::memory_order_relaxed); }
 
   /// Answers call `call`: `produce(Slot&)` converts the result and returns an Errc. `stamp`: when
   /// the provider produced it, on its clock, ns; 0: not said.
@@ -107,7 +108,6 @@ class ProxyPort final : public ClientEnd, private Pump, private kj::TaskSet::Err
   void taskFailed(kj::Exception&& exception) override;
 
   ControlThread& control_;
-  const Duration shift_;
   const std::shared_ptr<const LinkCounters> counters_;
   kj::Maybe<kj::Own<Proxy>> proxy_;
   unsigned latestInFlight_ = 0;

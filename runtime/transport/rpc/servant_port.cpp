@@ -13,11 +13,10 @@ void throwUnlessTooLarge(kj::Exception&& failure) {
 
 }  // namespace
 
-ServantPort::ServantPort(ControlThread& control, std::shared_ptr<Channel> channel, Duration shift,
+ServantPort::ServantPort(ControlThread& control, std::shared_ptr<Channel> channel,
                          std::shared_ptr<const LinkCounters> counters)
     : ProviderEnd(std::move(channel)),
       control_(control),
-      shift_(shift),
       counters_(std::move(counters)),
       taken_(channel_->info.commands.size()),
       since_(channel_->info.events.size(), now()),
@@ -71,7 +70,7 @@ void ServantPort::subscribe(kj::Own<EventSink> sink, EventSet events, rt::Column
 Time ServantPort::stampOf(wire::Sent::Reader sent) const {
   const Time received = now();
   if (sent.getStamp() == 0) return received;
-  return std::min(received, fromNanoseconds(shifted(sent.getStamp(), shift_)));
+  return std::min(received, fromNanoseconds(shifted(sent.getStamp(), shift())));
 }
 
 kj::Promise<void> ServantPort::whenTaken(std::uint16_t command) {

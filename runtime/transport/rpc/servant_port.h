@@ -28,15 +28,16 @@ class ServantPort final : public ProviderEnd, private Pump, private kj::TaskSet:
   static constexpr unsigned kWindow = 4;
 
   /// `channel` has been, or is about to be, attached to the provider; its client doorbell is the
-  /// control thread's. `shift` turns the client's steady clock into this process's.
-  ServantPort(ControlThread& control, std::shared_ptr<Channel> channel, Duration shift,
+  /// control thread's.
+  ServantPort(ControlThread& control, std::shared_ptr<Channel> channel,
               std::shared_ptr<const LinkCounters> counters);
   ~ServantPort() noexcept(false);
 
   /// From now on only what reads is taken: a command is refused (Errc::NotPermitted).
   void setReadOnly() { readOnly_ = true; }
   const InterfaceInfo& info() const { return channel_->info; }
-  Duration shift() const { return shift_; }
+  /// Turns the peer's steady clock into this process's.
+  Duration shift() const { return channel_->clockShift.load(std::memory_order_relaxed); }
 
   // --- for generated servants
 
@@ -119,7 +120,6 @@ class ServantPort final : public ProviderEnd, private Pump, private kj::TaskSet:
   void taskFailed(kj::Exception&& exception) override;
 
   ControlThread& control_;
-  const Duration shift_;
   const std::shared_ptr<const LinkCounters> counters_;
   bool readOnly_ = false;
 

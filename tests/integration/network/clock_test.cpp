@@ -6,6 +6,7 @@
 #include <suture/transport/rpc/control_thread.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <tuple>
 
 #include "integration/network/console.h"
@@ -22,10 +23,10 @@ class ClockTest : public testing::TestWithParam<std::tuple<Duration, Lane>> {
  protected:
   ClockTest() : names_(control_, "unix:" + directory_.file("m.sock")) {}
 
-  std::unique_ptr<Child> hostAhead(std::chrono::seconds ahead) {
+  std::unique_ptr<Child> hostAhead(std::chrono::seconds ahead, const char* program = ARM_HOST) {
     auto child = std::make_unique<Child>(std::vector<std::string>{
         "/usr/bin/unshare", "--time", "--monotonic", std::to_string(ahead.count()), "--fork",
-        "--kill-child", ARM_HOST, names_.address(), "skewed"});
+        "--kill-child", program, names_.address(), "skewed"});
     EXPECT_EQ(child->line(), "ready");
     return child;
   }
@@ -50,10 +51,10 @@ TEST_P(ClockTest, AgesAreRightWithinTheErrorThatIsShown) {
   EXPECT_EQ(channel->lane, lane == Lane::Rpc ? "rpc" : "frame");
   EXPECT_EQ(channel->laneReason,
             lane == Lane::Auto ? "the two processes have different clocks" : "");
-  EXPECT_GT(channel->clockError, Duration{0});
-  EXPECT_LT(channel->clockError, 100ms);
-  const Duration wrong = channel->clockShift + Duration(ahead);
-  EXPECT_LE(std::max(wrong, -wrong), channel->clockError + 2ns);  // of halving
+  const Duration error = channel->clockError, wrong = channel->clockShift.load() + ahead;
+  EXPECT_GT(error, Duration{0});
+  EXPECT_LT(error, 100ms);
+  EXPECT_LE(std::max(wrong, -wrong), error + 2ns);  // of halving
 
   // Its ttl is 500 ms; and its stamp comes back as it went.
   const auto pose = poseAt(2);
@@ -66,8 +67,34 @@ TEST_P(ClockTest, AgesAreRightWithinTheErrorThatIsShown) {
   const auto read = console.arm.measured_cp();
   EXPECT_EQ(read->stamp, pose.stamp);
   EXPECT_GE(read.age(), Duration{0});
-  EXPECT_LE(read.age(), now() - pose.stamp + channel->clockError)
-      << "asked at " << toNanoseconds(before);
+  EXPECT_LE(read.age(), now() - pose.stamp + error) << "asked at " << toNanoseconds(before);
+  EXPECT_EQ(host->end(SIGKILL), -SIGKILL);
+}
+
+// A clock that falls behind by 100 us in each second.
+TEST_P(ClockTest, AClockThatDriftsIsFollowed) {
+  const auto [ahead, lane] = GetParam();
+  if (geteuid() != 0) GTEST_SKIP() << "only root may give a process another clock";
+  if (ahead < Duration{0} || lane == Lane::Auto) return;  // one of each is enough
+  const Time begin = now();
+  setenv("DRIFT_FROM", std::to_string(toNanoseconds(begin + ahead)).c_str(), 1);
+  const auto host =
+      hostAhead(std::chrono::duration_cast<std::chrono::seconds>(ahead), DRIFTING_HOST);
+  Console console;
+  Manager manager("console", names_.address());
+  manager.add("Console", console);
+  manager.start();
+  manager.connect("Console/Arm", "skewed:PSM/Arm", lane);
+
+  const auto channel = manager.channels().at(0);
+  const Duration first = channel->clockShift;
+  ASSERT_TRUE(eventually([&] {
+    const Duration error = channel->clockError, shift = channel->clockShift;
+    const Duration wrong = shift + ahead - (now() - begin) / 10'000;
+    EXPECT_LE(std::max(wrong, -wrong), std::max(error, channel->clockError.load()) + 1us);
+    return shift - first > 300us;
+  })) << "after three seconds it must be seen";
+  EXPECT_TRUE(reaches(console, 2));
   EXPECT_EQ(host->end(SIGKILL), -SIGKILL);
 }
 

@@ -117,7 +117,7 @@ TEST(HostileFrames, OfAClientReachNothingButItsChannel) {
   for (unsigned seed = 0; seed < kSessions; ++seed) {
     Played played;
     auto pair = rpc::makeSocketPair();
-    const auto side = std::make_shared<ProviderSide>(played.channel, Terms{.number = kConnection});
+    const auto side = std::make_shared<ProviderSide>(played.channel, kConnection);
     if (seed % 2 == 0) side->setReadOnly();
     Link link(rpc::ByteStream(kj::mv(pair.ours)), kEpoch);
     link.join(side);
@@ -145,7 +145,7 @@ TEST(HostileFrames, OfAProviderReachNothingButItsClientsChannel) {
   for (unsigned seed = 0; seed < kSessions; ++seed) {
     Played played;
     auto pair = rpc::makeSocketPair();
-    const auto side = std::make_shared<ClientSide>(played.channel, Terms{.number = kConnection});
+    const auto side = std::make_shared<ClientSide>(played.channel, kConnection);
     Link link(rpc::ByteStream(kj::mv(pair.ours)), kEpoch);
     link.join(side);
     Peer peer(kj::mv(pair.theirs));

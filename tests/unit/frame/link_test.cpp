@@ -23,8 +23,8 @@ constexpr std::uint16_t kHold = 2, kStopped = 2, kMoved = 3;
 /// Both ends of a connection, whose tasks are played by the test.
 struct Pair {
   explicit Pair(std::uint32_t number)
-      : client(std::make_shared<ClientSide>(near, Terms{.number = number})),
-        provider(std::make_shared<ProviderSide>(far, Terms{.number = number})) {}
+      : client(std::make_shared<ClientSide>(near, number)),
+        provider(std::make_shared<ProviderSide>(far, number)) {}
 
   static std::shared_ptr<Channel> makeChannel(rt::Doorbell& bell) {
     const InterfaceInfo& contract = interfaceInfo<reference::ArmLike>();

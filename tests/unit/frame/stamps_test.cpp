@@ -27,8 +27,10 @@ struct Ends {
   explicit Ends(rpc::SocketPair pair)
       : client(rpc::ByteStream(kj::mv(pair.ours)), 1),
         provider(rpc::ByteStream(kj::mv(pair.theirs)), 1) {
-    provider.join(std::make_shared<ProviderSide>(far, Terms{.number = 1, .shift = -5s}));
-    client.join(std::make_shared<ClientSide>(near, Terms{.number = 1, .shift = -7s}));
+    far->setClock(-5s, 1ms);
+    near->setClock(-7s, 1ms);
+    provider.join(std::make_shared<ProviderSide>(far, 1));
+    client.join(std::make_shared<ClientSide>(near, 1));
   }
   void exchange() {
     for (int lap = 0; lap < 3; ++lap) {

@@ -20,7 +20,7 @@ TEST(ClockOffset, IsKnownToHalfOfTheWay) {
   ClockOffset clock;
   ask(clock, 3ms, 5ms, 1ms);
   EXPECT_EQ(clock.offset(), 1h + 1ms);
-  EXPECT_EQ(clock.error(), 2ms);
+  EXPECT_EQ(clock.error(kAsked + 9ms), 2ms);
 }
 
 TEST(ClockOffset, IsThatOfTheFastestQuestion) {
@@ -29,12 +29,35 @@ TEST(ClockOffset, IsThatOfTheFastestQuestion) {
   ask(clock, 100us, 5ms, 100us);
   ask(clock, 9ms, 0ms, 1ms);
   EXPECT_EQ(clock.offset(), 1h);
-  EXPECT_EQ(clock.error(), 100us);
+  EXPECT_EQ(clock.error(kAsked + 5200us), 100us);
+}
+
+// They drift apart by no more than 100 us in a second.
+TEST(ClockOffset, IsKnownWorseAsTimeGoesBy) {
+  ClockOffset clock;
+  ask(clock, 100us, 0ms, 100us);
+  const Time compared = kAsked + 200us;
+  EXPECT_EQ(clock.error(compared), 100us);
+  EXPECT_EQ(clock.error(compared + 10s), 1100us);
+}
+
+TEST(ClockOffset, ASlowQuestionTellsMoreThanOneOfLongAgo) {
+  ClockOffset clock;
+  ask(clock, 100us, 0ms, 100us);
+  const auto askAgain = [&](Time asked) {
+    const Time received = asked + 500us + 2h;
+    return clock.add(asked, toNanoseconds(received), toNanoseconds(received), asked + 1ms);
+  };
+  EXPECT_FALSE(askAgain(kAsked + 1s));
+  EXPECT_EQ(clock.offset(), 1h);
+  EXPECT_TRUE(askAgain(kAsked + 10s));
+  EXPECT_EQ(clock.offset(), 2h);
+  EXPECT_EQ(clock.error(kAsked + 10s + 1ms), 500us);
 }
 
 TEST(ClockOffset, IsNoneWhereBothHaveOneClock) {
   EXPECT_TRUE(ClockOffset::none().isOne());
-  EXPECT_EQ(ClockOffset::none().error(), 0ns);
+  EXPECT_EQ(ClockOffset::none().error(kAsked + 1h), 0ns);
   ClockOffset clock;
   ask(clock, 0ms, 0ms, 0ms);
   EXPECT_FALSE(clock.isOne());
@@ -46,7 +69,7 @@ TEST(ClockOffset, APeerCannotMakeItBetterThanItIs) {
     ClockOffset clock;
     const Time received = kAsked + 1h;
     clock.add(kAsked, toNanoseconds(received), toNanoseconds(received + lie), kAsked + 4ms);
-    EXPECT_EQ(clock.error(), 2ms);
+    EXPECT_EQ(clock.error(kAsked + 4ms), 2ms);
   }
 }
 
