@@ -2,8 +2,12 @@
 // The global manager between the processes of a measurement.
 
 #include <suture/manager/global_manager.h>
+#include <suture/manager/security.h>
 #include <suture/transport/rpc/control_thread.h>
+#include <suture/transport/tls/key_maker.h>
+#include <suture/transport/tls/keys.h>
 
+#include <memory>
 #include <string>
 
 #include "bench/table2/setup.h"
@@ -11,20 +15,41 @@
 
 namespace bench {
 
+/// How `process` proves who it is; `keys`: a folder, "" without TLS. Throws SetupError.
+inline suture::Security securityWith(const std::string& keys, const std::string& process) {
+  if (keys.empty()) return {};
+  return {.keys = std::make_shared<const suture::tls::Keys>(keys, process), .policy = {}};
+}
+
 /// Made before the processes that it serves, and gone after them.
 class Names {
  public:
   /// Throws SetupError.
-  explicit Names(Transport transport) : manager_(control_, wanted(transport)) {}
+  explicit Names(Transport transport)
+      : keys_(transport == Transport::Tls ? folder_.file("keys") : ""),
+        manager_(control_, wanted(transport), madeSecurity()) {}
 
   const std::string& address() const { return manager_.address(); }
+  /// The folder with those of the processes "server" and "client"; "" without TLS.
+  const std::string& keys() const { return keys_; }
 
  private:
   std::string wanted(Transport transport) const {
-    return transport == Transport::Tcp ? "tcp://127.0.0.1:0" : "unix:" + folder_.file("manager");
+    switch (transport) {
+      case Transport::Unix: return "unix:" + folder_.file("manager");
+      case Transport::Tcp: return "tcp://127.0.0.1:0";
+      case Transport::Tls: return "tls://127.0.0.1:0";
+    }
+    return "";
+  }
+  suture::Security madeSecurity() const {
+    const std::string own = suture::tls::kManagerName;
+    if (!keys_.empty()) suture::tls::makeKeys(keys_, {own, "server", "client"});
+    return securityWith(keys_, own);
   }
 
   const suture::TemporaryDirectory folder_;
+  const std::string keys_;
   suture::rpc::ControlThread control_;
   const suture::GlobalManager manager_;
 };

@@ -29,8 +29,10 @@ constexpr Row kRows[] = {
     {"shm", "shm", Transport::Unix, Lane::Shm, "raw.shm"},
     {"frame, Unix socket", "frame.unix", Transport::Unix, Lane::Frame, "raw.unix"},
     {"frame, TCP", "frame.tcp", Transport::Tcp, Lane::Frame, "raw.tcp"},
+    {"frame, TLS", "frame.tls", Transport::Tls, Lane::Frame, "raw.tcp"},
     {"rpc, Unix socket", "rpc.unix", Transport::Unix, Lane::Rpc, "raw.unix"},
     {"rpc, TCP", "rpc.tcp", Transport::Tcp, Lane::Rpc, "raw.tcp"},
+    {"rpc, TLS", "rpc.tls", Transport::Tls, Lane::Rpc, "raw.tcp"},
 };
 
 Samples taskRounds(const NetworkOptions& options, const Row& row) {

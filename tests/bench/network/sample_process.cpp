@@ -11,14 +11,14 @@ namespace {
 constexpr const char* kSubcommand = "network-server";
 
 struct Options {
-  std::string manager;
+  std::string manager, keys;
   int cpu = 0;
 };
 
 void serve(const Options& options) {
   const Pinned pinned(options.cpu);
   SampleTask server(options.cpu);
-  suture::Manager manager{"server", options.manager};
+  suture::Manager manager{"server", options.manager, securityWith(options.keys, "server")};
   manager.add("Server", server);
   manager.start();
   awaitEndOfInput();
@@ -32,14 +32,16 @@ void addSampleProcess(CLI::App& program) {
   CLI::App* process = program.add_subcommand(kSubcommand, "the server process of a loop");
   process->group("");  // hidden
   process->add_option("--manager", options->manager)->required();
+  process->add_option("--keys", options->keys)->required();
   process->add_option("--cpu", options->cpu)->required();
   process->callback([options] { serve(*options); });
 }
 
 SampleProcess::SampleProcess(Transport transport, int serverCpu)
     : names_(transport),
-      process_({kSubcommand, "--manager", names_.address(), "--cpu", std::to_string(serverCpu)}),
-      manager_("client", names_.address()) {}
+      process_({kSubcommand, "--manager", names_.address(), "--keys", names_.keys(), "--cpu",
+                std::to_string(serverCpu)}),
+      manager_("client", names_.address(), securityWith(names_.keys(), "client")) {}
 
 SampleProcess::~SampleProcess() {
   manager_.stop();

@@ -18,7 +18,7 @@ enum class Pace {
   Periodic,     ///< both tasks run once a period, as in the paper
   EventDriven,  ///< both tasks sleep until something arrives; SCS uses fresh() and a blocking write
 };
-enum class Transport { Unix, Tcp };
+enum class Transport { Unix, Tcp, Tls };  ///< Tls: of suture-bench network only
 
 struct LoopSetup {
   Loop loop = Loop::Scs;
