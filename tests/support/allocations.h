@@ -12,4 +12,17 @@ std::uint64_t allocations();
 /// False under a sanitizer, which needs malloc for itself.
 bool countsAllocations();
 
+/// Counts, while it lives, what all threads of one name allocate. One at a time in a process; any
+/// thread.
+class NamedThreadAllocations {
+ public:
+  /// `name`: at most 15 characters, kept by reference.
+  explicit NamedThreadAllocations(const char* name);
+  ~NamedThreadAllocations();
+  NamedThreadAllocations(const NamedThreadAllocations&) = delete;
+  NamedThreadAllocations& operator=(const NamedThreadAllocations&) = delete;
+
+  std::uint64_t count() const;
+};
+
 }  // namespace suture

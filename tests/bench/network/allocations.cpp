@@ -15,6 +15,7 @@ using suture::SetupError;
 
 struct Counts {
   std::uint64_t client, arm;
+  std::uint64_t lane, laneThreads;  // of both processes together
 };
 
 void awaitCycles(const AllocationCount& count, std::uint64_t cycles) {
@@ -29,8 +30,8 @@ void awaitCycles(const AllocationCount& count, std::uint64_t cycles) {
 }
 
 // What nobody used has not been shown to allocate nothing.
-void requireUse(const proof::ArmUser& user, const std::vector<std::uint64_t>& arm) {
-  if (user.reads > 0 && user.events > 0 && user.answers > 0 && arm.size() == 2 && arm[0] > 0)
+void requireUse(const proof::ArmUser& user, const std::vector<ArmResult>& arm) {
+  if (user.reads > 0 && user.events > 0 && user.answers > 0 && arm.size() == 1 && arm[0].cycles > 0)
     return;
   throw SetupError("an arm in use",
                    std::to_string(user.reads) + " reads, " + std::to_string(user.events) +
@@ -49,23 +50,42 @@ Counts countOver(suture::Lane lane, std::uint64_t cycles) {
   manager.start();
   connectBy(lane, manager, "Client/Arm", "arm:Arm/Crtk");
   awaitCycles(count, cycles);
-  const std::uint64_t found = count.found();  // ending allocates
-  const auto written = resultIn<std::uint64_t>(arm.finish());
+  // Ending allocates.
+  Counts counts{
+      .client = count.found(), .arm = 0, .lane = count.foundInLane(), .laneThreads = laneThreads()};
+  const auto written = resultIn<ArmResult>(arm.finish());
   manager.stop();
   requireUse(client.user, written);
-  return {.client = found, .arm = written[1]};
+  counts.arm = written[0].allocations;
+  counts.lane += written[0].laneAllocations;
+  counts.laneThreads += written[0].laneThreads;
+  return counts;
+}
+
+// On shm and rpc there is no such thread: tasks do it themselves, or the control threads do. That
+// there is none is the figure of shm.
+void addLane(suture::Lane lane, const std::string& figure, const Counts& counts, Report& report) {
+  if (lane == suture::Lane::Rpc) return;
+  report.add(figure + ".lane_threads", "threads", static_cast<double>(counts.laneThreads));
+  if (lane == suture::Lane::Shm) return;
+  if (counts.laneThreads != 2) {
+    throw SetupError("a lane thread at both ends", std::to_string(counts.laneThreads) + " threads",
+                     std::string("Look for another name than ") + kLaneThread);
+  }
+  report.add(figure + ".lane", "allocations", static_cast<double>(counts.lane));
 }
 
 }  // namespace
 
 std::string allocationRows(const NetworkOptions& options, Report& report) {
   Table table(1);
-  table.row({"allocations in the task's thread, CRTK arm at 1 kHz", "client", "arm"});
+  table.row({"allocations in steady state, CRTK arm at 1 kHz", "client's task", "arm's task",
+             "lane threads"});
   table.line();
   for (const suture::Lane lane : kLanes) {
     const std::string figure = std::string("allocations.") + toString(lane);
     if (!suture::countsAllocations()) {
-      for (const char* end : {".client", ".arm"}) {
+      for (const char* end : {".client", ".arm", ".lane", ".lane_threads"}) {
         report.addUnavailable(figure + end, "a sanitizer has the heap for itself");
       }
       continue;
@@ -73,7 +93,9 @@ std::string allocationRows(const NetworkOptions& options, Report& report) {
     const Counts counts = countOver(lane, options.steadyCycles());
     report.add(figure + ".client", "allocations", static_cast<double>(counts.client));
     report.add(figure + ".arm", "allocations", static_cast<double>(counts.arm));
-    table.row({toString(lane), std::to_string(counts.client), std::to_string(counts.arm)});
+    addLane(lane, figure, counts, report);
+    table.row({toString(lane), std::to_string(counts.client), std::to_string(counts.arm),
+               counts.laneThreads == 0 ? "there is none" : std::to_string(counts.lane)});
   }
   return table.toString();
 }

@@ -2,7 +2,6 @@
 
 #include <suture/manager/manager.h>
 
-#include <array>
 #include <memory>
 #include <span>
 
@@ -22,9 +21,12 @@ void serve(const std::string& managerAddress) {
   manager.add("Arm", arm);
   manager.start();
   awaitEndOfInput();
-  const std::array result{count.cycles(), count.found()};
+  const ArmResult result{.cycles = count.cycles(),
+                         .allocations = count.found(),
+                         .laneAllocations = count.foundInLane(),
+                         .laneThreads = laneThreads()};
   manager.stop();
-  writeResult(std::span<const std::uint64_t>(result));
+  writeResult(std::span(&result, 1));
 }
 
 }  // namespace

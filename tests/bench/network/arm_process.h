@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/network/lane_threads.h"
 #include "support/allocations.h"
 
 namespace bench {
@@ -16,7 +17,8 @@ namespace bench {
 /// Of both ends.
 inline constexpr suture::PeriodicOptions kCycle{.period = std::chrono::milliseconds(1)};
 
-/// Allocations of a task's thread in steady state: after its first connected cycles.
+/// Allocations of a task's thread and of the lane threads of its process in steady state: after its
+/// first connected cycles.
 class AllocationCount {
  public:
   /// The task's thread, once a cycle.
@@ -24,8 +26,12 @@ class AllocationCount {
     if (!connected) return;
     const std::uint64_t total = suture::allocations();
     const std::uint64_t cycles = cycles_.load(std::memory_order_relaxed) + 1;
-    if (cycles <= kWarmUp) before_ = total;
+    if (cycles <= kWarmUp) {
+      before_ = total;
+      laneBefore_ = lane_.count();
+    }
     found_.store(total - before_, std::memory_order_relaxed);
+    foundInLane_.store(lane_.count() - laneBefore_, std::memory_order_relaxed);
     cycles_.store(cycles, std::memory_order_release);
   }
 
@@ -35,16 +41,24 @@ class AllocationCount {
     return cycles < kWarmUp ? 0 : cycles - kWarmUp;
   }
   std::uint64_t found() const { return found_.load(std::memory_order_relaxed); }
+  std::uint64_t foundInLane() const { return foundInLane_.load(std::memory_order_relaxed); }
 
  private:
   static constexpr std::uint64_t kWarmUp = 50;
 
-  std::uint64_t before_ = 0;
-  std::atomic<std::uint64_t> cycles_{0}, found_{0};
+  const suture::NamedThreadAllocations lane_{kLaneThread};
+  std::uint64_t before_ = 0, laneBefore_ = 0;
+  std::atomic<std::uint64_t> cycles_{0}, found_{0}, foundInLane_{0};
+};
+
+/// What an arm process says of itself.
+struct ArmResult {
+  std::uint64_t cycles, allocations, laneAllocations;  ///< of its AllocationCount
+  std::uint64_t laneThreads;
 };
 
 /// Adds the hidden subcommand: serves "arm:Arm/Crtk" at 1 kHz until it is told to end, then writes
-/// the cycles and the allocations of its AllocationCount, two std::uint64_t.
+/// an ArmResult.
 void addArmProcess(CLI::App& program);
 /// How this program is called to be that process.
 std::vector<std::string> armProcessArguments(const std::string& managerAddress);

@@ -19,7 +19,8 @@ std::string roundTripRows(const NetworkOptions& options, Report& report);
 std::string mirrorRows(const NetworkOptions& options, Report& report);
 
 /// "allocations.shm.client", "allocations.shm.arm", ...: what the task threads at both ends of a
-/// complete CRTK arm allocate in steady state, nothing of it waiting.
+/// complete CRTK arm allocate in steady state, nothing of it waiting; "allocations.frame.lane":
+/// what the lane threads of both do; "allocations.shm.lane_threads": how many there are.
 std::string allocationRows(const NetworkOptions& options, Report& report);
 
 /// "fan_out.raw", "fan_out.shm", ...: the ages of an event when its handlers run, at 1 kHz to 64

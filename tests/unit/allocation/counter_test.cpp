@@ -1,6 +1,7 @@
 // What the counter must not miss, or every other test here would pass for nothing.
 
 #include <gtest/gtest.h>
+#include <pthread.h>
 
 #include <cstdlib>
 #include <new>
@@ -38,6 +39,22 @@ TEST(Allocations, AreThoseOfTheCallingThread) {
   EXPECT_GE(there, 1u);
   const std::uint64_t before = allocations();
   EXPECT_EQ(allocations(), before);
+}
+
+TEST(Allocations, OfThreadsOfOneName) {
+  const auto allocateAs = [](const char* name) {
+    std::thread([name] {
+      pthread_setname_np(pthread_self(), name);
+      void* volatile memory = ::operator new(8);
+      ::operator delete(memory);
+    }).join();
+  };
+  const NamedThreadAllocations named("some-name");
+  allocateAs("another-name");
+  EXPECT_EQ(named.count(), 0u);
+  allocateAs("some-name");
+  allocateAs("some-name");
+  EXPECT_EQ(named.count(), 2u);
 }
 
 }  // namespace
