@@ -2,12 +2,11 @@
 #include <suture/rt/histogram.h>
 #include <suture/rt/thread.h>
 
-#include <cerrno>
-#include <ctime>
 #include <semaphore>
 #include <thread>
 
 #include "bench/local/rows.h"
+#include "bench/sleep_until.h"
 #include "bench/table.h"
 
 namespace bench {
@@ -41,13 +40,6 @@ class IdleTask final : public suture::PeriodicTask {
   std::size_t cycles_, left_ = 0;
   std::binary_semaphore finished_{0};
 };
-
-void sleepUntil(Time due) {
-  const auto count = suture::toNanoseconds(due);
-  const timespec until{count / 1'000'000'000, count % 1'000'000'000};
-  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) == EINTR) {
-  }
-}
 
 void bareTurn(int cpu, std::size_t cycles, Histogram& lateness) {
   std::thread([=, &lateness] {

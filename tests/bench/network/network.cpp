@@ -6,11 +6,9 @@
 namespace bench {
 namespace {
 
-constexpr Part<NetworkOptions> kParts[] = {{"round trips", roundTripRows},
-                                           {"reads", mirrorRows},
-                                           {"fan-out", networkFanOutRows},
-                                           {"allocations", allocationRows},
-                                           {"connections", linkTimeRows}};
+constexpr Part<NetworkOptions> kParts[] = {
+    {"round trips", roundTripRows},  {"reads", mirrorRows},         {"fan-out", networkFanOutRows},
+    {"allocations", allocationRows}, {"connections", linkTimeRows}, {"survivors", survivorRows}};
 
 }  // namespace
 

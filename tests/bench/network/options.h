@@ -2,6 +2,7 @@
 // What a user may choose of `suture-bench network`.
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <nlohmann/json.hpp>
@@ -22,6 +23,11 @@ struct NetworkOptions {
   std::uint64_t steadyCycles() const { return quick ? 100 : 5000; }
   std::size_t fanOutRounds() const { return quick ? 100 : 3000; }
   std::size_t links() const { return quick ? 2 : 20; }
+  std::size_t survivorRounds() const { return quick ? 1 : 3; }
+  /// The least length; it ends with the fault under way.
+  std::chrono::milliseconds survivorWindow() const {
+    return std::chrono::milliseconds(quick ? 1 : 1700);
+  }
   std::size_t readLoops() const { return quick ? 2 : 200; }
 };
 

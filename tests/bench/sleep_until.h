@@ -1,0 +1,19 @@
+#pragma once
+// How a loop without Suture is on time.
+
+#include <suture/base/time.h>
+
+#include <cerrno>
+#include <ctime>
+
+namespace bench {
+
+/// The calling thread, with clock_nanosleep.
+inline void sleepUntil(suture::Time due) {
+  const auto count = suture::toNanoseconds(due);
+  const timespec until{count / 1'000'000'000, count % 1'000'000'000};
+  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) == EINTR) {
+  }
+}
+
+}  // namespace bench
