@@ -34,8 +34,8 @@ std::string linkTimeRows(const NetworkOptions& options, Report& report);
 
 /// "survivors.shm.skipped", ...: the share of its periods that a client at 1 kHz skips while its
 /// arm's process is killed and stopped again and again; "survivors.bare.skipped": that of a bare
-/// loop beside the same faults, by turns with it; ".excess": the difference; ".faults". Both loops
-/// are SCHED_FIFO where this process may.
+/// loop beside the same faults, by turns with it; ".excess": the difference; ".longest": the
+/// client's longest cycle; ".faults". Both loops are SCHED_FIFO where this process may.
 std::string survivorRows(const NetworkOptions& options, Report& report);
 
 }  // namespace bench

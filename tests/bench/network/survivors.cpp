@@ -4,6 +4,7 @@
 #include <suture/rt/period.h>
 #include <suture/rt/thread.h>
 
+#include <algorithm>
 #include <atomic>
 #include <map>
 #include <optional>
@@ -38,10 +39,12 @@ suture::rt::Scheduling scheduling(const NetworkOptions& options) {
 
 struct Periods {
   std::uint64_t executed = 0, skipped = 0;
+  suture::Duration longest{0};  // of the cycles
 
   Periods& operator+=(const Periods& other) {
     executed += other.executed;
     skipped += other.skipped;
+    longest = std::max(longest, other.longest);
     return *this;
   }
   double skippedPercent() const {
@@ -109,7 +112,6 @@ class Survivor {
     connectBy(lane, manager_, "Client/Arm", "arm:Arm/Crtk", {.silence = kSilence});
     awaitConnection();
   }
-  ~Survivor() { manager_.stop(); }
 
   /// Waits for one more than there have been. Throws SetupError: the fault has not been noticed, or
   /// its end has not.
@@ -121,22 +123,28 @@ class Survivor {
       }
       std::this_thread::sleep_for(1ms);
     }
-    ++awaited_;
+    awaited_ = connections_;
   }
 
   Periods periods() const {
-    return {.executed = client_.statistics().cycles, .skipped = client_.statistics().skipped};
+    const suture::TaskStatistics& counted = client_.statistics();
+    return {.executed = counted.cycles,
+            .skipped = counted.skipped,
+            .longest = counted.computeTime.max()};
   }
 
-  /// Throws SetupError if it did not command and read over its lane.
-  void requireUse() {
+  /// Throws SetupError if it did not command and read over its lane to the end.
+  void end() {
+    std::string others;
     for (const auto& channel : manager_.channels()) {
-      if (channel->lane == toString(lane_) && client_.user.reads > 0 && client_.user.commands > 0)
-        return;
+      if (channel->lane != toString(lane_)) others += ", lane " + channel->lane;
     }
+    manager_.stop();
+    const proof::ArmUser& user = client_.user;
+    if (others.empty() && user.reads > 0 && user.commands > 0) return;
     throw SetupError(std::string("an arm in use over the lane ") + toString(lane_),
-                     std::to_string(client_.user.reads) + " reads, " +
-                         std::to_string(client_.user.commands) + " commands",
+                     std::to_string(user.reads) + " reads, " + std::to_string(user.commands) +
+                         " commands" + others,
                      "Run it again");
   }
 
@@ -161,8 +169,10 @@ Periods survive(suture::Lane lane, const Names& names, Victim& victim,
   const Periods before = survivor.periods();
   injectFor(options.survivorWindow(), victim, [&] { survivor.awaitConnection(); });
   const Periods after = survivor.periods();
-  survivor.requireUse();
-  return {.executed = after.executed - before.executed, .skipped = after.skipped - before.skipped};
+  survivor.end();
+  return {.executed = after.executed - before.executed,
+          .skipped = after.skipped - before.skipped,
+          .longest = after.longest};
 }
 
 /// Beside the same faults, which concern it in no way.
@@ -203,22 +213,25 @@ std::string survivorRows(const NetworkOptions& options, Report& report) {
   const bool fifo = scheduling(options).fifoPriority.has_value();
   table.row({std::string("1 kHz while the arm is killed and stopped, ") +
                  (fifo ? "SCHED_FIFO" : "default policy"),
-             "faults", "periods", "skipped, %"});
+             "faults", "periods", "skipped, %", "longest cycle, ms"});
   table.line();
-  const auto row = [&](const char* name, std::uint64_t count, const Periods& periods) {
+  const auto row = [&](const char* name, std::uint64_t count, const Periods& periods,
+                       const std::string& longest) {
     report.add(std::string("survivors.") + name + ".skipped", "%", periods.skippedPercent());
     table.row({name, std::to_string(count), std::to_string(periods.executed + periods.skipped),
-               number(periods.skippedPercent(), 3)});
+               number(periods.skippedPercent(), 3), longest});
   };
   std::uint64_t beside = victim.faults();
   for (const suture::Lane lane : kLanes) {
     const std::string figure = std::string("survivors.") + toString(lane);
-    row(toString(lane), faults[lane], survived[lane]);
+    const double longest = static_cast<double>(survived[lane].longest.count()) / 1e6;
+    row(toString(lane), faults[lane], survived[lane], number(longest, 2));
+    report.add(figure + ".longest", "ms", longest);
     report.add(figure + ".excess", "%", survived[lane].skippedPercent() - bare.skippedPercent());
     report.add(figure + ".faults", "faults", static_cast<double>(faults[lane]));
     beside -= faults[lane];
   }
-  row("bare", beside, bare);
+  row("bare", beside, bare, "");
   return table.toString();
 }
 
