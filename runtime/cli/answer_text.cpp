@@ -2,16 +2,7 @@
 #include <suture/cli/answer_text.h>
 #include <suture/cli/screen.h>
 
-#include <chrono>
-
 namespace suture::cli {
-namespace {
-
-double inMilliseconds(Duration duration) {
-  return std::chrono::duration<double, std::milli>(duration).count();
-}
-
-}  // namespace
 
 const Member& readCommand(const Contract& contract, const std::string& name) {
   const Member& command = contract.command(name);
@@ -24,7 +15,8 @@ const Member& readCommand(const Contract& contract, const std::string& name) {
 std::string answerText(const Answer& answer) {
   std::string text = answer.value.is_null() ? "done\n" : valueText(answer.value);
   if (!answer.age) return text;
-  const std::string age = milliseconds(inMilliseconds(*answer.age)) + " old\n";
+  const std::string age =
+      milliseconds(inMilliseconds(*answer.age)) + " old" + knownTo(answer.ageError) + "\n";
   if (answer.value.is_structured()) return text + age;
   text.back() = ',';
   return text + " " + age;
@@ -33,7 +25,10 @@ std::string answerText(const Answer& answer) {
 Json answerJson(const Member& command, const Answer& answer) {
   Json json{{"command", command.name}, {"kind", command.kind}};
   if (!answer.value.is_null()) json["value"] = answer.value;
-  if (answer.age) json["age_ms"] = inMilliseconds(*answer.age);
+  if (answer.age) {
+    json["age_ms"] = inMilliseconds(*answer.age);
+    json["age_error_ms"] = inMilliseconds(answer.ageError);
+  }
   return json;
 }
 

@@ -12,7 +12,7 @@ const Member& readCommand(const Contract& contract, const std::string& name);
 
 /// Ends with a line break.
 std::string answerText(const Answer& answer);
-/// {"command", "kind", "value", "age_ms"}: the last two if there are any.
+/// {"command", "kind", "value", "age_ms", "age_error_ms"}: the last three if there are any.
 Json answerJson(const Member& command, const Answer& answer);
 
 }  // namespace suture::cli

@@ -40,9 +40,12 @@ int describe(rpc::EventPort& loop, const Options& options) {
                            ? peer.components()
                            : std::vector<ComponentRecord>{findComponent(peer, target)};
   if (options.json) {
-    printJson(toJson(process));
+    Json told = toJson(process);
+    told["clock"] = toJson(peer.clock());
+    printJson(told);
   } else {
-    print(plain(process.name) + "\n" + componentsText(process.components));
+    print(plain(process.name) + "\n" + clockText(peer.clock()) +
+          componentsText(process.components));
   }
   return 0;
 }

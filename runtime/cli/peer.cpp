@@ -43,11 +43,11 @@ void Peer::greet() {
   request.setVersion(wire::PROTOCOL_VERSION);
   request.setProcess(kOwnName);
   request.setBootId(textOf(bootId()));
-  auto answer = request.send().then([this](auto&& results) -> kj::Promise<void> {
+  auto answer = request.send().then([this, asked = now()](auto&& results) -> kj::Promise<void> {
     if (results.isRefused()) return refused(results.getRefused());
-    const bool sameMachine = stringOf(results.getBootId()) == bootId();
-    const Duration theirs(rpc::bounded(results.getSent()));
-    clockOffset_ = sameMachine ? Duration{0} : theirs - now().time_since_epoch();
+    const bool oneClock = stringOf(results.getBootId()) == bootId();
+    clock_ = oneClock ? ClockOffset::none() : ClockOffset();
+    if (!oneClock) clock_.add(asked, results.getReceived(), results.getSent(), now());
     return kj::READY_NOW;
   });
   wait(loop_, patience_, kj::mv(answer), noAnswer());
@@ -88,7 +88,7 @@ capnp::DynamicCapability::Client Peer::open(const Target& target, const Contract
 }
 
 Time Peer::here(std::int64_t stamp) const {
-  return Time(Duration(rpc::shifted(stamp, -clockOffset_)));
+  return Time(Duration(rpc::shifted(stamp, -clock_.offset())));
 }
 
 std::string Peer::noAnswer() const {

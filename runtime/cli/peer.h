@@ -6,6 +6,7 @@
 #include <suture/cli/link.h>
 #include <suture/cli/options.h>
 #include <suture/cli/target.h>
+#include <suture/manager/clock_offset.h>
 #include <suture/manager/records.h>
 #include <suture/peer.capnp.h>
 
@@ -35,7 +36,9 @@ class Peer {
   /// The provided interface itself.
   capnp::DynamicCapability::Client open(const Target& target, const Contract& contract);
 
-  /// A stamp of its clock, on ours; as exact as the greeting was fast.
+  /// How its clock stands to ours, once it has been greeted: as exact as the greeting was fast.
+  const ClockOffset& clock() const { return clock_; }
+  /// A stamp of its clock, on ours; as exact as that.
   Time here(std::int64_t stamp) const;
   /// Resolves when it is gone.
   kj::Promise<void> onDisconnect() { return link_->onDisconnect(); }
@@ -50,7 +53,7 @@ class Peer {
   const rpc::Address address_;
   kj::Own<rpc::Link> link_;
   wire::Peer::Client peer_ = nullptr;
-  Duration clockOffset_{0};  // theirs minus ours
+  ClockOffset clock_;
 };
 
 }  // namespace suture::cli

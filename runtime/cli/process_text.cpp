@@ -1,6 +1,11 @@
 #include <suture/cli/process_text.h>
 #include <suture/cli/screen.h>
 
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+
 namespace suture::cli {
 namespace {
 
@@ -30,6 +35,22 @@ Json toJson(const ProcessRecord& process) {
           {"generation", process.generation},
           {"silent", process.silent},
           {"components", std::move(components)}};
+}
+
+Json toJson(const ClockOffset& clock) {
+  return {{"same", clock.isOne()},
+          {"offset_ms", inMilliseconds(clock.offset())},
+          {"error_ms", inMilliseconds(clock.error())}};
+}
+
+std::string clockText(const ClockOffset& clock) {
+  if (clock.isOne()) return "";
+  const Duration offset = clock.offset();
+  std::array<char, 64> seconds{};
+  std::snprintf(seconds.data(), seconds.size(), "%.6f s",
+                std::chrono::duration<double>(std::max(offset, -offset)).count());
+  return std::string("  clock  ") + seconds.data() +
+         (offset < Duration{0} ? " behind ours" : " ahead of ours") + knownTo(clock.error()) + "\n";
 }
 
 std::string componentsText(const std::vector<ComponentRecord>& components) {

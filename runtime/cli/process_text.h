@@ -2,6 +2,7 @@
 // What a process offers and needs.
 
 #include <suture/cli/json.h>
+#include <suture/manager/clock_offset.h>
 #include <suture/manager/records.h>
 
 #include <string>
@@ -10,6 +11,10 @@
 namespace suture::cli {
 
 Json toJson(const ProcessRecord& process);
+/// {"same", "offset_ms", "error_ms"}: the process's clock minus ours, and how wrong that may be.
+Json toJson(const ClockOffset& clock);
+/// A line of it for people; nothing if both have one clock.
+std::string clockText(const ClockOffset& clock);
 /// A line a component and one an interface.
 std::string componentsText(const std::vector<ComponentRecord>& components);
 

@@ -17,6 +17,7 @@ namespace suture::cli {
 struct Answer {
   Json value;                   ///< null: it has none
   std::optional<Duration> age;  ///< of what was read, when it arrived
+  Duration ageError{0};         ///< how wrong that may be: zero if both have one clock
 };
 
 /// Finds, links and opens. All of it throws SetupError.

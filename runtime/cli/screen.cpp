@@ -144,6 +144,16 @@ std::string milliseconds(double value) {
   return text.data();
 }
 
+double inMilliseconds(Duration duration) {
+  return std::chrono::duration<double, std::milli>(duration).count();
+}
+
+std::string knownTo(Duration error) {
+  if (error == Duration{0}) return "";
+  const auto shown = std::chrono::ceil<std::chrono::microseconds>(error);
+  return ", known to " + std::to_string(shown.count()) + " us";
+}
+
 void print(const std::string& text) {
   std::fputs(text.c_str(), stdout);
   std::fflush(stdout);

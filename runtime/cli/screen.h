@@ -1,6 +1,7 @@
 #pragma once
 // What is shown to people.
 
+#include <suture/base/time.h>
 #include <suture/cli/json.h>
 
 #include <string>
@@ -22,6 +23,9 @@ std::string columns(const std::vector<std::vector<std::string>>& rows, unsigned 
 
 /// "3.1 ms"
 std::string milliseconds(double value);
+double inMilliseconds(Duration duration);
+/// ", known to 40 us": how wrong a time may be for another clock, rounded up. Nothing for zero.
+std::string knownTo(Duration error);
 
 /// To standard output, at once: a text for people; JSON for programs, laid out or on one line.
 void print(const std::string& text);

@@ -58,6 +58,29 @@ class Inspect(System):
         names = [one["name"] for one in self.told("describe", "robot")["components"]]
         self.assertEqual(names, ["Hand", "Surgeon"])
 
+    def test_describe_says_how_the_clocks_stand(self):
+        self.start_robot()
+        self.assertNotIn("clock", self.said("describe", "robot"))
+        self.assertEqual(self.told("describe", "robot")["clock"], {"same": True, "offset_ms": 0, "error_ms": 0})
+        self.assertEqual(self.told("read", GRIPPER, "opening")["age_error_ms"], 0)
+
+    def test_describe_says_how_another_clock_stands(self):
+        if os.geteuid() != 0:
+            self.skipTest("only root may give a process another clock")
+        for ahead in (5000, -60):
+            with self.subTest(ahead=ahead):
+                name = f"skewed{ahead}"
+                self.start_robot_ahead(ahead, name)
+                which = "ahead of" if ahead > 0 else "behind"
+                self.assertRegex(self.said("describe", name), rf"^{name}\n  clock  [\d.]+ s {which} ours, known to \d+ us\n  Hand\n")
+                clock = self.told("describe", name)["clock"]
+                self.assertEqual((clock["same"], clock["error_ms"] > 0), (False, True))
+                self.assertLessEqual(abs(clock["offset_ms"] - ahead * 1000), clock["error_ms"] + 1e-3)
+                self.assertRegex(self.said("read", f"{name}:Hand/Gripper", "opening"), r" ms old, known to \d+ us\n$")
+                told = self.told("read", f"{name}:Hand/Gripper", "opening")
+                self.assertGreaterEqual(told["age_ms"], -told["age_error_ms"])
+                self.assertLess(told["age_ms"], 60_000)
+
     def test_describe_an_interface(self):
         self.start_robot()
         text = self.said("describe", GRIPPER)
