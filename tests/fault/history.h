@@ -10,7 +10,7 @@
 
 namespace suture {
 
-/// One line of a log. All clocks are this machine's.
+/// One line of a log. All steady clocks are this machine's.
 struct HistoryEntry {
   enum class Kind : std::uint8_t {
     Sent,   ///< the client is about to send a command; `limit`: the deadline of its call, 0: none
@@ -27,6 +27,7 @@ struct HistoryEntry {
   std::uint64_t epoch = 0;   ///< command: which connection of the client. Event: which provider.
   Duration limit{0};
   Errc error{};
+  std::int64_t wall = 0;  ///< the wall clock of who wrote it down, ns: no rule is about it
 };
 
 /// Writes each entry at once, so that it survives a SIGKILL. One thread.
@@ -37,6 +38,7 @@ class HistoryLog {
   HistoryLog(const HistoryLog&) = delete;
   HistoryLog& operator=(const HistoryLog&) = delete;
 
+  /// With the wall clock of this moment.
   void write(const HistoryEntry& entry);
 
  private:

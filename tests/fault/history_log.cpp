@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -9,6 +10,15 @@
 #include "fault/history.h"
 
 namespace suture {
+
+namespace {
+
+std::int64_t wallClock() {
+  const auto since = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(since).count();
+}
+
+}  // namespace
 
 HistoryLog::HistoryLog(const std::string& file)
     : file_(open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600)) {
@@ -18,11 +28,11 @@ HistoryLog::HistoryLog(const std::string& file)
 HistoryLog::~HistoryLog() { close(file_); }
 
 void HistoryLog::write(const HistoryEntry& entry) {
-  const std::string line = std::to_string(static_cast<int>(entry.kind)) + " " +
-                           std::to_string(toNanoseconds(entry.at)) + " " +
-                           std::to_string(entry.client) + " " + std::to_string(entry.id) + " " +
-                           std::to_string(entry.epoch) + " " + std::to_string(entry.limit.count()) +
-                           " " + std::to_string(static_cast<int>(entry.error)) + " .\n";
+  const std::string line =
+      std::to_string(static_cast<int>(entry.kind)) + " " + std::to_string(toNanoseconds(entry.at)) +
+      " " + std::to_string(entry.client) + " " + std::to_string(entry.id) + " " +
+      std::to_string(entry.epoch) + " " + std::to_string(entry.limit.count()) + " " +
+      std::to_string(static_cast<int>(entry.error)) + " " + std::to_string(wallClock()) + " .\n";
   if (::write(file_, line.data(), line.size()) != static_cast<ssize_t>(line.size())) {
     throw std::runtime_error("cannot write a history");
   }
@@ -38,7 +48,8 @@ std::vector<HistoryEntry> readHistory(const std::vector<std::string>& files) {
       int kind = 0, error = 0;
       std::int64_t at = 0, limit = 0;
       std::string last;
-      words >> kind >> at >> entry.client >> entry.id >> entry.epoch >> limit >> error >> last;
+      words >> kind >> at >> entry.client >> entry.id >> entry.epoch >> limit >> error >>
+          entry.wall >> last;
       if (last != ".") continue;
       entry.kind = static_cast<HistoryEntry::Kind>(kind);
       entry.at = fromNanoseconds(at);

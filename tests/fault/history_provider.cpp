@@ -1,20 +1,37 @@
 // A provider that writes down what it executes: history_provider <manager address> <process name>
-// <log> <its number>. The events that it emits are numbered. Ends on SIGTERM.
+// <log> <its number> [<folder>]. The events that it emits are numbered. With a folder it also has a
+// component that fails all the time, and a black box there for it, and prints what the box tells.
+// Ends on SIGTERM.
 
 #include <suture/manager/manager.h>
+#include <suture/record/black_box.h>
 
 #include <chrono>
 #include <cstdlib>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "fault/history_arm.h"
+#include "fault/shaky_task.h"
 #include "support/hosted_process.h"
 
 int main(int, char** argv) {
   return suture::statusOf([argv] {
     const suture::HostedProcess process;
     reference::HistoryArm arm(argv[3], std::atof(argv[4]));
+    suture::ShakyTask shaky;
     suture::Manager manager(argv[2], argv[1], std::chrono::minutes(1));
     manager.add("PSM", arm);
+    std::optional<suture::BlackBox> box;
+    if (argv[5] != nullptr) {
+      manager.add("Shaky", shaky);
+      box.emplace(std::vector<suture::Component*>{&shaky},
+                  suture::BlackBoxOptions{
+                      .folder = argv[5], .rows = 256, .tell = [](const std::string& text) {
+                        suture::say(text.c_str());
+                      }});
+    }
     manager.start();
     process.awaitEnd();
     manager.stop();

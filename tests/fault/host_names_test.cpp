@@ -89,15 +89,16 @@ class HostNames : public testing::Test {
   static std::string at(const std::string& number) { return "tcp://" + number + ":7700?insecure"; }
 
   NameService names_;
-  System system_{"tcp://operating-room.test:7700?insecure", [this] { names_.enter(); }};
+  const System::Prepare enter_ = [this] { names_.enter(); };
+  System system_{"tcp://operating-room.test:7700?insecure"};
 };
 
 TEST_F(HostNames, WhoHasFoundTheManagerGoesOnWithoutThem) {
   names_.know("operating-room.test", "127.0.0.1");
   auto manager = system_.managerAt(at("127.0.0.1"));
-  const auto provider = system_.provider();
+  const auto provider = system_.provider("robot", enter_);
   ASSERT_EQ(provider->line(), "ready");
-  const auto client = system_.client("busy");
+  const auto client = system_.client("busy", 500, "auto", enter_);
   ASSERT_EQ(client->line(), "begun");
   ASSERT_EQ(client->line(), "ready");
   ASSERT_TRUE(system_.works(true));
@@ -133,7 +134,7 @@ TEST_F(HostNames, WhoHasNotWaitsForThem) {
   const auto manager = system_.managerAt(at("127.0.0.1"));
   for (const bool silent : {false, true}) {
     silent ? names_.fallSilent() : names_.forget();
-    const auto provider = system_.provider(silent ? "silent" : "refused");
+    const auto provider = system_.provider(silent ? "silent" : "refused", enter_);
     std::this_thread::sleep_for(std::chrono::milliseconds(300));  // it asks, and is not told
     names_.know("operating-room.test", "127.0.0.1");
     EXPECT_EQ(provider->line(), "ready");

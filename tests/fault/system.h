@@ -34,35 +34,40 @@ class System {
   using Prepare = std::function<void()>;  ///< runs in a child before the program
 
   /// `address`: where provider and client look for the manager; "": a Unix socket of the test's.
-  /// `prepare`: for all, where no other is given.
-  explicit System(std::string address = "", Prepare prepare = {})
-      : address_(address.empty() ? "unix:" + directory_.file("m.sock") : std::move(address)),
-        prepare_(std::move(prepare)) {}
+  explicit System(std::string address = "")
+      : address_(address.empty() ? "unix:" + file("m.sock") : std::move(address)) {}
 
-  std::unique_ptr<Child> manager() { return managerAt(address()); }
-  std::unique_ptr<Child> managerAt(const std::string& address) {
-    auto child = std::make_unique<Child>(Arguments{SUTURE_MANAGER, "--listen", address}, prepare_);
+  /// Here and below, `prepare` runs in the child before the program.
+  std::unique_ptr<Child> manager(const Prepare& prepare = {}) {
+    return managerAt(address(), prepare);
+  }
+  std::unique_ptr<Child> managerAt(const std::string& address, const Prepare& prepare = {}) {
+    auto child = std::make_unique<Child>(Arguments{SUTURE_MANAGER, "--listen", address}, prepare);
     EXPECT_EQ(child->line(), "suture-manager: ready on " + address);
     return child;
   }
-  /// `name`: what it registers as.
-  std::unique_ptr<Child> provider(const std::string& name = "robot", const Prepare& prepare = {}) {
+  /// `name`: what it registers as. `more`: arguments of history_provider.
+  std::unique_ptr<Child> provider(const std::string& name = "robot", const Prepare& prepare = {},
+                                  const Arguments& more = {}) {
     ++providers_;
-    return std::make_unique<Child>(Arguments{HISTORY_PROVIDER, address(), name,
-                                             newLog("p", providers_), std::to_string(providers_)},
-                                   prepare ? prepare : prepare_);
+    Arguments all{HISTORY_PROVIDER, address(), name, newLog("p", providers_),
+                  std::to_string(providers_)};
+    all.insert(all.end(), more.begin(), more.end());
+    return std::make_unique<Child>(all, prepare);
   }
   std::unique_ptr<Child> client(const char* mode, int silenceMilliseconds = 500,
-                                const char* lane = "auto") {
+                                const char* lane = "auto", const Prepare& prepare = {}) {
     ++clients_;
     return std::make_unique<Child>(
         Arguments{HISTORY_CLIENT, address(), "client" + std::to_string(clients_),
                   newLog("c", clients_), std::to_string(clients_), "robot", mode,
                   std::to_string(silenceMilliseconds), lane},
-        prepare_);
+        prepare);
   }
 
   const std::string& address() const { return address_; }
+  /// In the folder of this system.
+  std::string file(const std::string& name) const { return directory_.file(name); }
   /// Where a process of that name listens.
   std::string socketOf(const std::string& name, const Child& child) const {
     return directory_.file(name + "." + std::to_string(child.pid()) + ".sock");
@@ -113,7 +118,6 @@ class System {
 
   const TemporaryDirectory directory_;
   const std::string address_;
-  const Prepare prepare_;
   std::vector<std::string> logs_;
   std::vector<HistoryEntry> killed_;
   int providers_ = 0, clients_ = 0;

@@ -1,0 +1,107 @@
+// The file system of a provider's black box fills up, and has room again, while a client commands
+// the provider.
+
+#include <gtest/gtest.h>
+#include <sched.h>
+#include <sys/mount.h>
+
+#include <nlohmann/json.hpp>
+
+#include "fault/system.h"
+
+namespace suture {
+namespace {
+
+constexpr int kRounds = 3;
+
+/// For this process and its program alone.
+void mountSmallDisk(const std::string& folder) {
+  const bool done = unshare(CLONE_NEWNS) == 0 &&
+                    mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
+                    mount("none", folder.c_str(), "tmpfs", 0, "size=256k") == 0;
+  if (!done) _exit(125);
+}
+
+/// The file that the box says that it has written; empty: it says that it has not.
+std::string fileIn(const std::string& told) {
+  const std::string before = "Its last state is in ";
+  const auto at = told.find(before);
+  if (at != std::string::npos) return told.substr(at + before.size());
+  EXPECT_NE(told.find(". Its last state is not kept: "), std::string::npos) << told;
+  EXPECT_TRUE(told.find("the file system did not take all of it") != std::string::npos ||
+              told.find("the file cannot be written") != std::string::npos)
+      << told;
+  return "";
+}
+
+/// Its first line names the fault; rows follow, none left out.
+void expectWhole(const std::string& file) {
+  std::ifstream in(file);
+  std::string line;
+  ASSERT_TRUE(std::getline(in, line)) << file;
+  EXPECT_EQ(nlohmann::json::parse(line).at("fault"), "a loose contact");
+  int rows = 0, last = 0;
+  for (; std::getline(in, line); ++rows) {
+    const auto row = nlohmann::json::parse(line, nullptr, false);
+    ASSERT_TRUE(row.is_object()) << line;
+    ASSERT_TRUE(rows == 0 || row.at("row") == last + 1) << line;
+    last = row.at("row");
+  }
+  EXPECT_GT(rows, 20) << file;
+}
+
+TEST(FullDisk, OfABlackBoxIsToldAndHurtsNobody) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root may mount a file system";
+  System system;
+  const std::string folder = system.file("box");
+  std::filesystem::create_directory(folder);
+  const auto manager = system.manager();
+  const auto provider = system.provider("robot", [&] { mountSmallDisk(folder); }, {folder});
+  // It fails from the start.
+  std::string said = provider->line();
+  while (said.find("component 'Shaky' faulted") == 0) said = provider->line();
+  ASSERT_EQ(said, "ready");
+  const auto client = system.client("busy", 5000);
+  ASSERT_EQ(client->line(), "begun");
+  ASSERT_EQ(client->line(), "ready");
+  ASSERT_TRUE(system.works(true));
+
+  const std::string root = "/proc/" + std::to_string(provider->pid()) + "/root";
+  std::mt19937 random(faultSeed());
+  int lost = 0;
+  std::size_t kept = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    std::string file = fileIn(provider->line());
+    while (file.empty() && !HasFailure()) file = fileIn(provider->line());  // it has room again
+    std::vector<std::string> files;
+    for (; !file.empty(); file = fileIn(provider->line())) files.push_back(root + file);
+    ASSERT_FALSE(HasFailure());
+    ++lost;
+    for (int more = std::uniform_int_distribution<int>(1, 8)(random); more > 0; --more, ++lost) {
+      ASSERT_EQ(fileIn(provider->line()), "") << "on a disk that is full";
+    }
+    EXPECT_TRUE(system.works(true)) << "while the disk is full";
+    // What is not said to be whole stays: the box may be at it.
+    for (const std::string& whole : files) {
+      expectWhole(whole);
+      std::filesystem::remove(whole);
+    }
+    kept += files.size();
+  }
+  for (const HistoryEntry& entry : system.clientsHistory()) {
+    const bool event = entry.kind == HistoryEntry::Kind::Heard;
+    ASSERT_TRUE(event || entry.epoch == 1) << "it reconnected";
+  }
+  for (Child* child : {client.get(), provider.get(), manager.get()}) {
+    EXPECT_EQ(child->end(SIGTERM), 0);
+  }
+  for (const std::string& violation : violations(system.history(), kBusyMachine)) {
+    ADD_FAILURE() << violation;
+  }
+  std::printf("seed %u: %d files that there was no room for, %zu whole, %zu entries\n", faultSeed(),
+              lost, kept, system.history().size());
+  EXPECT_GT(lost, 0);
+}
+
+}  // namespace
+}  // namespace suture
