@@ -35,7 +35,8 @@ std::string fileIn(const std::string& told) {
   return "";
 }
 
-/// Its first line names the fault; rows follow, none left out.
+/// Its first line names the fault; rows follow. The task goes on and may replace the oldest of them
+/// before they are read.
 void expectWhole(const std::string& file) {
   std::ifstream in(file);
   std::string line;
@@ -45,7 +46,7 @@ void expectWhole(const std::string& file) {
   for (; std::getline(in, line); ++rows) {
     const auto row = nlohmann::json::parse(line, nullptr, false);
     ASSERT_TRUE(row.is_object()) << line;
-    ASSERT_TRUE(rows == 0 || row.at("row") == last + 1) << line;
+    ASSERT_GT(row.at("row"), last) << line;
     last = row.at("row");
   }
   EXPECT_GT(rows, 20) << file;
