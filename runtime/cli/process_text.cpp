@@ -40,7 +40,7 @@ Json toJson(const ProcessRecord& process) {
 Json toJson(const ClockOffset& clock) {
   return {{"same", clock.isOne()},
           {"offset_ms", inMilliseconds(clock.offset())},
-          {"error_ms", inMilliseconds(clock.error())}};
+          {"error_ms", inMilliseconds(clock.error(now()))}};
 }
 
 std::string clockText(const ClockOffset& clock) {
@@ -50,7 +50,8 @@ std::string clockText(const ClockOffset& clock) {
   std::snprintf(seconds.data(), seconds.size(), "%.6f s",
                 std::chrono::duration<double>(std::max(offset, -offset)).count());
   return std::string("  clock  ") + seconds.data() +
-         (offset < Duration{0} ? " behind ours" : " ahead of ours") + knownTo(clock.error()) + "\n";
+         (offset < Duration{0} ? " behind ours" : " ahead of ours") + knownTo(clock.error(now())) +
+         "\n";
 }
 
 std::string componentsText(const std::vector<ComponentRecord>& components) {

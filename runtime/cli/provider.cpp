@@ -71,7 +71,7 @@ Answer Provider::call(const Member& command, const Json& arguments, Labels label
         Json all = toJson(results, labels);
         const auto age = ageIn(results);
         if (age) all.erase("stamp");
-        return Answer{unwrapped(all), age, peer_.clock().error()};
+        return Answer{unwrapped(all), age, peer_.clock().error(now())};
       },
       [title, target](kj::Exception&& failure) -> kj::Promise<Answer> {
         return rpc::failure(

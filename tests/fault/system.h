@@ -37,7 +37,6 @@ class System {
   explicit System(std::string address = "")
       : address_(address.empty() ? "unix:" + file("m.sock") : std::move(address)) {}
 
-  /// Here and below, `prepare` runs in the child before the program.
   std::unique_ptr<Child> manager(const Prepare& prepare = {}) {
     return managerAt(address(), prepare);
   }
