@@ -1,11 +1,13 @@
 #include <suture/manager/clock_offset.h>
 #include <suture/transport/rpc/stamps.h>
 
+#include <algorithm>
+
 namespace suture {
 
 namespace {
 
-// A quartz is off by some 50 us in a second, in a machine that is warm or cold by twice that.
+// Of two clocks of quartz, each off by up to 50 us in a second.
 constexpr int kMicrosecondsOfDrift = 100;
 
 }  // namespace
@@ -15,6 +17,11 @@ Duration ClockOffset::error(Time present) const {
   return error_ + (present - compared_) * kMicrosecondsOfDrift / 1'000'000;
 }
 
+// A clock that steps, or is slewed faster than quartz drifts.
+bool ClockOffset::contradicts(Duration offset, Duration errors) const {
+  return std::max(offset - offset_, offset_ - offset) > errors;
+}
+
 bool ClockOffset::add(Time asked, std::int64_t received, std::int64_t sent, Time answered) {
   const Duration there(rpc::bounded(received) / 2 + rpc::bounded(sent) / 2);
   const Duration here = asked.time_since_epoch() / 2 + answered.time_since_epoch() / 2;
@@ -22,9 +29,10 @@ bool ClockOffset::add(Time asked, std::int64_t received, std::int64_t sent, Time
   // Who says that answering took longer than everything, or less than no time, is not believed.
   const bool possible = answering >= Duration{0} && answering <= whole;
   const Duration underWay = possible ? whole - answering : whole;
-  if (underWay / 2 >= error(answered)) return false;
-  offset_ = there - here;
-  error_ = underWay / 2;
+  const Duration offset = there - here, known = error(answered), found = underWay / 2;
+  if (found >= known && !contradicts(offset, known + found)) return false;
+  offset_ = offset;
+  error_ = found;
   compared_ = answered;
   return true;
 }

@@ -6,7 +6,7 @@
 namespace suture {
 
 /// What questions with stamps around them tell, as in NTP (RFC 5905): of several, the one counts by
-/// which the error is smallest. A value.
+/// which the error is smallest, unless a later one shows that it cannot be so. A value.
 class ClockOffset {
  public:
   /// Both have one clock: nothing has to be measured.
@@ -33,6 +33,8 @@ class ClockOffset {
   Duration error(Time present) const;
 
  private:
+  bool contradicts(Duration offset, Duration errors) const;
+
   bool one_ = false;
   Duration offset_{0};
   Duration error_ = Duration::max();  // when it was compared

@@ -21,17 +21,14 @@ using Kind = wire::Refusal::Kind;
 // Each has a mailbox of its own, for as long as the link stands.
 constexpr std::size_t kMostPorts = 256;
 
-/// Ends the connection when the client lets go of it.
-/// What Channel keeps of a caller's clock.
-struct Clock {
-  Duration shift, error;
-};
-
-/// `offset`: how far it is ahead of ours, ns.
-Clock clockOf(std::int64_t offset, std::int64_t error) {
-  return {Duration(-rpc::bounded(offset)), Duration(rpc::bounded(error))};
+/// Of either end's channel. `offset`: how far the caller's clock is ahead of ours, ns.
+template <class End>
+void setClock(End& end, std::int64_t offset, std::int64_t error) {
+  const std::int64_t known = std::max<std::int64_t>(rpc::bounded(error), 0);
+  end.setClock(Duration(-rpc::bounded(offset)), Duration(known));
 }
 
+/// Ends the connection when the client lets go of it.
 class ConnectionServer final : public wire::Connection::Server {
  public:
   explicit ConnectionServer(kj::Own<rpc::ProviderEnd> end) : end_(kj::mv(end)) {}
@@ -40,8 +37,7 @@ class ConnectionServer final : public wire::Connection::Server {
  protected:
   kj::Promise<void> compared(ComparedContext context) override {
     const auto in = context.getParams();
-    const Clock clock = clockOf(in.getClockOffset(), in.getClockError());
-    end_->setClock(clock.shift, clock.error);
+    setClock(*end_, in.getClockOffset(), in.getClockError());
     return kj::READY_NOW;
   }
 
@@ -81,11 +77,6 @@ class NoticesSender final : public rpc::ProviderEnd::Listener {
   rpc::ControlThread& control_;
   wire::Notices::Client client_;
 };
-
-void setClock(Channel& channel, std::int64_t offset, std::int64_t error) {
-  const Clock clock = clockOf(offset, error);
-  channel.setClock(clock.shift, clock.error);
-}
 
 /// Of a client whose connections share a link, no longer than it needs.
 std::string nameOf(capnp::Data::Reader client) {

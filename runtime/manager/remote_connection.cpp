@@ -268,7 +268,8 @@ kj::Promise<void> RemoteConnection::ask(Lanes lanes) {
   asked_ = required_.subscribed();
   request.setEvents(asked_);
   request.setClockOffset(-clock_.offset().count());
-  request.setClockError(clockError().count());
+  toldError_ = clockError();
+  request.setClockError(toldError_.count());
   request.setEpoch(toNanoseconds(now()));
   request.setNotices(kj::heap<NoticesReceiver>(
       kj::addRef(*notified),
@@ -416,17 +417,18 @@ kj::Promise<void> RemoteConnection::keep() {
 // Until the next comparison: without one the connection is lost by then.
 Duration RemoteConnection::clockError() const { return clock_.error(now() + longestSilence_); }
 
-// Clocks drift apart. Who provides learns as much as matters: each time that it is known better.
+// Clocks drift apart. Who provides is told what is known better, or much worse.
 void RemoteConnection::followClock(Time asked, wire::Peer::PingResults::Reader answer) {
   const bool better = clock_.add(asked, answer.getReceived(), answer.getSent(), now());
   const Duration offset = clock_.offset(), error = clockError();
   KJ_IF_MAYBE (end, end_) (*end)->setClock(-offset, error);
   KJ_IF_MAYBE (connection, connection_) {
-    if (!better) return;
+    if (!better && error < toldError_ + toldError_ / 2) return;
+    toldError_ = error;
     auto request = connection->comparedRequest();
     request.setClockOffset(-offset.count());
     request.setClockError(error.count());
-    control_.spawn(request.send().ignoreResult().catch_([](kj::Exception&&) {}));
+    telling_ = request.send().ignoreResult().eagerlyEvaluate([](kj::Exception&&) {});
   }
 }
 
@@ -440,6 +442,7 @@ void RemoteConnection::drop() {
   KJ_IF_MAYBE (end, end_) (*end)->close(ChannelStatus::Lost);
   end_ = nullptr;
   notified_ = nullptr;
+  telling_ = kj::READY_NOW;
   connection_ = nullptr;
   peer_ = nullptr;
   link_ = nullptr;

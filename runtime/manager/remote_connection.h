@@ -100,6 +100,8 @@ class RemoteConnection {
   kj::Maybe<kj::Own<rpc::Link>> link_;
   kj::Maybe<wire::Peer::Client> peer_;
   kj::Maybe<wire::Connection::Client> connection_;
+  kj::Promise<void> telling_ = kj::READY_NOW;
+  Duration toldError_{0};  // of the clock, to the provider
   kj::Maybe<kj::Own<Notified>> notified_;
   kj::Maybe<kj::Own<rpc::ClientEnd>> end_;
   kj::Promise<std::string> framesBroken_ = kj::NEVER_DONE;

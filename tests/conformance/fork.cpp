@@ -28,7 +28,9 @@ bool hear(int socket, std::string& bytes) {
   return size > 0;
 }
 
-[[noreturn]] void serve(int socket, std::shared_ptr<void> made) {
+// What is thrown in it must not bring the copy back among the tests.
+[[noreturn]] void serve(int socket, const std::function<std::shared_ptr<void>()>& make) noexcept {
+  std::shared_ptr<void> made = make();
   for (std::string asked; hear(socket, asked);) {
     Fork::Deed deed;
     std::memcpy(&deed, asked.data(), sizeof deed);
@@ -47,10 +49,11 @@ Fork::Fork(const std::function<std::shared_ptr<void>()>& make) {
   if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, sockets) != 0) std::abort();
   std::fflush(stdout);
   pid_ = fork();
+  if (pid_ < 0) std::abort();
   if (pid_ == 0) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     close(sockets[0]);
-    serve(sockets[1], make());
+    serve(sockets[1], make);
   }
   close(sockets[1]);
   socket_ = sockets[0];

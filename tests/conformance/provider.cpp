@@ -75,7 +75,9 @@ void Provider::start(const std::string& address) {
 }
 
 void Provider::stop() {
-  run([](Hosted& hosted) { hosted.manager->stop(); });
+  run([](Hosted& hosted) {
+    if (hosted.manager != nullptr) hosted.manager->stop();
+  });
 }
 
 }  // namespace conformance

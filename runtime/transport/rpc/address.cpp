@@ -31,14 +31,15 @@ bool isNumber(const std::string& host) {
          inet_pton(AF_INET6, host.c_str(), &any) == 1;
 }
 
-// Not the numbers that inet_aton() takes, as 127.1: a name service would take them too.
+// Not the numbers that inet_aton() takes, as 127.1 or 0x7f.1: a name service would take them too.
 bool isName(const std::string& host) {
   constexpr std::size_t kLongest = 253;
   const auto mayBe = [](unsigned char c) {
     return std::isalnum(c) != 0 || c == '-' || c == '.' || c == '_';
   };
-  return !host.empty() && host.size() <= kLongest &&
-         std::isalpha(static_cast<unsigned char>(host.front())) != 0 &&
+  const std::string_view last = std::string_view(host).substr(host.rfind('.') + 1);
+  return !last.empty() && host.size() <= kLongest &&
+         std::isalpha(static_cast<unsigned char>(last.front())) != 0 &&
          std::all_of(host.begin(), host.end(), mayBe);
 }
 

@@ -54,6 +54,9 @@ std::vector<Address> lookUp(const Address& address) {
   for (const addrinfo* one = all; one != nullptr; one = one->ai_next) {
     places.push_back(at(address, *one));
   }
+  // fe80::1%eth0 is a place for this machine alone, and not one that an Address can name.
+  std::erase_if(places, [](const Address& place) { return !place.isNumeric(); });
+  if (places.empty()) throw SetupError(asked(address), "it has link-local numbers only", kRemedy);
   return places;
 }
 
@@ -87,7 +90,14 @@ HostLookup::HostLookup(kj::UnixEventPort& port, const Address& address)
 
 kj::Promise<std::vector<Address>> HostLookup::places(Duration limit) {
   if (address_.isNumeric()) return std::vector<Address>{address_};
-  if (!std::exchange(asking_, true)) answer_ = ask().fork();
+  if (!std::exchange(asking_, true)) {
+    answer_ = kj::evalNow([this] { return ask(); })
+                  .catch_([this](kj::Exception&& failure) {
+                    asking_ = false;
+                    why_ = describe(failure);
+                  })
+                  .fork();
+  }
   auto answered = answer_.addBranch().then([this] { return known(why_); });
   auto late =
       port_.getTimer()
@@ -105,6 +115,10 @@ kj::Promise<std::vector<Address>> HostLookup::known(const std::string& why) cons
 
 kj::Promise<void> HostLookup::ask() {
   auto question = std::make_shared<Question>(address_);
+  if (question->answered.get() < 0) {
+    return disconnected(asked(address_) + ": " + std::strerror(errno) +
+                        ". Raise the limit of descriptors (ulimit -n).");
+  }
   auto observer = kj::heap<kj::UnixEventPort::FdObserver>(
       port_, question->answered, kj::UnixEventPort::FdObserver::OBSERVE_READ);
   auto answered = observer->whenBecomesReadable();
@@ -114,7 +128,6 @@ kj::Promise<void> HostLookup::ask() {
       question->ask();
     }).detach();
   } catch (const std::system_error& error) {
-    asking_ = false;
     return disconnected(asked(address_) + ": " + error.what() + ". Let this process have threads.");
   }
   return answered.attach(kj::mv(observer)).then([this, question] {

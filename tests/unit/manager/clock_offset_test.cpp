@@ -45,14 +45,23 @@ TEST(ClockOffset, ASlowQuestionTellsMoreThanOneOfLongAgo) {
   ClockOffset clock;
   ask(clock, 100us, 0ms, 100us);
   const auto askAgain = [&](Time asked) {
-    const Time received = asked + 500us + 2h;
+    const Time received = asked + 500us + 1h + 300us;
     return clock.add(asked, toNanoseconds(received), toNanoseconds(received), asked + 1ms);
   };
   EXPECT_FALSE(askAgain(kAsked + 1s));
   EXPECT_EQ(clock.offset(), 1h);
   EXPECT_TRUE(askAgain(kAsked + 10s));
-  EXPECT_EQ(clock.offset(), 2h);
+  EXPECT_EQ(clock.offset(), 1h + 300us);
   EXPECT_EQ(clock.error(kAsked + 10s + 1ms), 500us);
+}
+
+// As when a machine was held up, or its clock is slewed faster than quartz drifts.
+TEST(ClockOffset, IsGivenUpForOneThatContradictsIt) {
+  ClockOffset clock;
+  ask(clock, 100us, 0ms, 100us);
+  const Time asked = kAsked + 1s, received = asked + 500us + 1h + 5ms;
+  EXPECT_TRUE(clock.add(asked, toNanoseconds(received), toNanoseconds(received), asked + 1ms));
+  EXPECT_EQ(clock.offset(), 1h + 5ms);
 }
 
 TEST(ClockOffset, IsNoneWhereBothHaveOneClock) {

@@ -17,7 +17,7 @@ TEST(Address, ParsesWhatItPrints) {
        {"unix:/tmp/a.sock", "tcp://127.0.0.1:7700", "tcp://[::1]:80", "tcp://127.1.2.3:0",
         "tls://192.168.0.1:7700", "tls://[fe80::1]:1", "tls://0.0.0.0:0",
         "tcp://192.168.0.1:7700?insecure", "tcp://[2001:db8::1]:7?insecure",
-        "tls://robot-2.local:7700", "tcp://robot:7700?insecure"}) {
+        "tls://robot-2.local:7700", "tls://7dof-arm.local:7700", "tcp://robot:7700?insecure"}) {
     EXPECT_EQ(Address::parse(text).text(), text);
   }
   EXPECT_EQ(Address::parse("tcp://localhost:1").text(), "tcp://127.0.0.1:1");
@@ -37,6 +37,7 @@ TEST(Address, EveryRefusalNamesTheAddressAndTheReason) {
       {"tcp://manager:7700", "not a loopback"},
       {"tls://:7700", "neither a number nor a name"},
       {"tls://127.1:7700", "neither a number nor a name"},
+      {"tls://0x7f.1:7700", "neither a number nor a name"},
       {"tls://a b:7700", "neither a number nor a name"},
       {"tls://" + std::string(254, 'a') + ":7700", "neither a number nor a name"},
       {"tls://192.168.0.1", "no port"},
