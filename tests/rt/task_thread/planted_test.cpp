@@ -3,12 +3,17 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <linux/futex.h>
 #include <suture/component/callback_task.h>
 #include <suture/component/continuous_task.h>
 #include <suture/component/event_task.h>
 #include <suture/wiring/connect.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include <atomic>
+#include <cstdint>
+#include <ctime>
 #include <functional>
 #include <thread>
 
@@ -109,6 +114,25 @@ TEST(Watch, ReportsASecondSleepAndASecondRingOfOneCycle) {
   EXPECT_THAT(watch.findings(),
               testing::ElementsAre(AllOf(StartsWith("PSM: system call 202, 2 times in 1 cycles"),
                                          HasSubstr("suture::rt::Doorbell::waitUntil"))));
+}
+
+// A ring that came before the sleep allows one more sleep, so the second one more is reported.
+TEST(Watch, ReportsASleepThatNoLateWakeExplains) {
+  std::uint32_t word = 0;
+  const auto sleepIf = [&word](std::uint32_t value) {
+    const timespec briefly{.tv_sec = 0, .tv_nsec = 1'000'000};
+    syscall(SYS_futex, &word, FUTEX_WAIT_PRIVATE, value, &briefly, nullptr, 0);
+  };
+  Watch watch("PSM", 2, 1, {.sleeps = 1});
+  std::thread([&] {
+    for (int cycle = 0; cycle < 3; ++cycle) {
+      watch.cycle();
+      sleepIf(1);                              // rung already
+      for (int i = 0; i < 2; ++i) sleepIf(0);  // the first is allowed, the second has no reason
+    }
+  }).join();
+  EXPECT_THAT(watch.findings(),
+              testing::ElementsAre(StartsWith("PSM: system call 202, 1 times in 1 cycles")));
 }
 
 }  // namespace

@@ -55,6 +55,7 @@ void tellAndMake(int, siginfo_t*, void* context) {
   const long number = registers[REG_RAX];
   Watch::noteSystemCall(number, arguments[0], arguments[1]);
   registers[REG_RAX] = proof_system_call(number, arguments);
+  Watch::noteResult(number, arguments[1], registers[REG_RAX]);
   errno = errorBefore;
 }
 

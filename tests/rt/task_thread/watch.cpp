@@ -8,6 +8,7 @@
 #include <sys/syscall.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <memory>
 #include <utility>
@@ -92,11 +93,19 @@ bool Watch::allowed(long number, long address, long operation) {
   }
 }
 
-// Who rings may be held up between the ring and the wake. The sleeper has then gone on by itself,
-// and the wake ends its next sleep, for nothing.
+// The kernel refuses to let a thread sleep that was rung meanwhile. The wake of that ring may still
+// come and end a later sleep for nothing, so each refusal allows one more sleep.
 bool Watch::allowedSleep() {
   if (++sleeps_ <= allowance_.sleeps) return true;
-  return allowance_.sleeps > 0 && ++lateWakes_ <= cycles_ / 1000;
+  if (lateWakes_ == 0) return false;
+  --lateWakes_;
+  return true;
+}
+
+void Watch::noteResult(long number, long second, long result) {
+  if (current == nullptr || number != SYS_futex || result != -EAGAIN) return;
+  const long operation = second & FUTEX_CMD_MASK;
+  if (operation == FUTEX_WAIT || operation == FUTEX_WAIT_BITSET) ++current->lateWakes_;
 }
 
 bool Watch::allowedWake(long address) {

@@ -10,7 +10,7 @@ namespace proof {
 
 /// What a thread may ask of the kernel in one cycle.
 struct Allowance {
-  unsigned sleeps = 0;  ///< waits for its doorbell; in a thousandth of the cycles one more
+  unsigned sleeps = 0;  ///< waits for its doorbell, beside those that a late wake ends
   unsigned wakes = 0;   ///< sleeping peers that it rings, each once
 };
 
@@ -39,6 +39,8 @@ class Watch {
   static void noteCall(const char* function);
   /// ...is making a system call, with its first two arguments.
   static void noteSystemCall(long number, long first, long second);
+  /// ...has made it, and got `result`.
+  static void noteResult(long number, long second, long result);
 
  private:
   static constexpr int kMaxFrames = 24;
@@ -65,7 +67,7 @@ class Watch {
   std::uint64_t cycle_ = 0;
   std::uint64_t faultsBefore_ = 0;
   unsigned sleeps_ = 0, wakes_ = 0;  // of this cycle
-  std::uint64_t lateWakes_ = 0;
+  unsigned lateWakes_ = 0;           // wakes that may still come
   long woken_[kMaxWoken] = {};
   std::vector<Finding> findings_;
   std::atomic<bool> done_{false};
