@@ -1,6 +1,7 @@
 #pragma once
 // The one clock of a control system: monotonic, never stepped.
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 
@@ -14,13 +15,31 @@ using Clock = std::chrono::steady_clock;
 /// receipt.
 using Time = std::chrono::time_point<Clock, Duration>;
 
+class VirtualTime;
+
+namespace detail {
+extern std::atomic<VirtualTime*> virtualTime;
+Time virtualNow(VirtualTime& time);
+}  // namespace detail
+
+/// What steps this process's time; null in production. Any thread.
+inline VirtualTime* virtualTime() {
+  return detail::virtualTime.load(std::memory_order_relaxed);
+}
+
 /// Any thread; no allocation.
-inline Time now() { return Clock::now(); }
+inline Time now() {
+  VirtualTime* const time = virtualTime();
+  if (time != nullptr) [[unlikely]] {
+    return detail::virtualNow(*time);
+  }
+  return Clock::now();
+}
 
 inline std::int64_t toNanoseconds(Time time) { return time.time_since_epoch().count(); }
 inline Time fromNanoseconds(std::int64_t count) { return Time{Duration{count}}; }
 
-// In counts: every file that includes this would compile chrono's operators.
+// These use raw counts so that includers need not compile chrono's operators.
 inline Duration since(Time then) { return Duration{toNanoseconds(now()) - toNanoseconds(then)}; }
 inline Time ago(Duration age) { return fromNanoseconds(toNanoseconds(now()) - age.count()); }
 

@@ -1,3 +1,4 @@
+#include <suture/base/virtual_time.h>
 #include <suture/component/channel.h>
 #include <suture/component/provided.h>
 
@@ -86,9 +87,17 @@ void Channel::tell(ChannelStatus news) {
     const bool restarted = news == ChannelStatus::Connected;  // the only way out of a fault
     if (over || present == news || (present == ChannelStatus::Faulted && !restarted)) return;
   } while (!status.compare_exchange_weak(present, news));
+  noteStatus(news);
   if (news == ChannelStatus::Faulted) faults.fetch_add(1, std::memory_order_release);
   ends.client->ring();
   if (ends.watcher != nullptr) ends.watcher->ring();
+}
+
+void Channel::noteStatus(ChannelStatus news) const {
+  VirtualTime* const time = virtualTime();
+  if (time == nullptr) return;
+  time->note(VirtualTime::Kind::Status, name.c_str(), lane.c_str(),
+             static_cast<std::uint64_t>(news));
 }
 
 void Channel::replyError(std::uint32_t call, Errc error) {

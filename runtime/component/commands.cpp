@@ -1,4 +1,5 @@
 // What a required interface does for its commands.
+#include <suture/base/virtual_time.h>
 #include <suture/component/channel.h>
 #include <suture/component/required.h>
 
@@ -68,6 +69,10 @@ ProvidedBase* RequiredBase::callee(std::uint16_t command) const {
 Errc RequiredBase::claim(std::uint16_t command, std::uint32_t call, std::byte*& arguments) {
   const Result<std::byte*> claimed = channel_->commands.claim(command, now(), call);
   if (!claimed) return claimed.error();
+  if (VirtualTime* const time = virtualTime(); time != nullptr) {
+    time->note(VirtualTime::Kind::Send, name_.c_str(), info_.commands[command].name,
+               channel_->commands.nextSequence());
+  }
   arguments = *claimed;
   return Errc{};
 }

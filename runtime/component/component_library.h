@@ -3,8 +3,10 @@
 // a target that is LOADABLE:
 //   extern "C" const suture::ComponentLibrary& suture_components();
 
+#include <suture/base/time.h>
 #include <suture/component/component_class.h>
 
+#include <atomic>
 #include <span>
 
 namespace suture {
@@ -18,6 +20,8 @@ inline constexpr const char kComponentsEntry[] = "suture_components";
 struct ComponentLibrary {
   const char* version;  ///< of the Suture it was built with; first, so that any other can read it
   std::span<const ComponentClass> classes;
+  /// Of the runtime inside the library: whoever loads it lets it follow the program's stepped clock.
+  std::atomic<VirtualTime*>* virtualTime = &detail::virtualTime;
 };
 
 using ComponentsEntry = const ComponentLibrary& (*)();

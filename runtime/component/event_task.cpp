@@ -9,7 +9,7 @@ bool EventTask::awaitCycle() {
   if (work || workPending()) return !stopping();
   const Time due = now() + longestSleep_;
   mutablePulse().sleep(due);
-  doorbell().waitUntil(due);
+  sleepForWork(due);
   return !stopping();
 }
 

@@ -1,3 +1,4 @@
+#include <suture/base/virtual_time.h>
 #include <suture/component/books.h>
 #include <suture/component/channel.h>
 #include <suture/component/events.h>
@@ -113,6 +114,10 @@ void RequiredBase::deliver(const rt::EventRecord& record) {
   const Books::HeardEvent& heard = books_->events[record.event];
   // Of a latched event the value may be older than its subscription: a replay.
   if (record.stamp < heard.since && !info_.events[record.event].latched) return;
+  if (VirtualTime* const time = virtualTime(); time != nullptr) {
+    time->note(VirtualTime::Kind::Event, name_.c_str(), info_.events[record.event].name,
+               channel_->events.delivered());
+  }
   const auto handler = heard.handler;  // lives on if it ends its own subscription
   if (handler != nullptr) (*handler)(record.payload());
 }

@@ -1,3 +1,4 @@
+#include <suture/base/virtual_time.h>
 #include <suture/component/channel.h>
 #include <suture/component/provided.h>
 
@@ -212,6 +213,9 @@ void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time d
     increment(channel.commands.counters.failed);
     turn.error = Errc::Invalid;
     return;
+  }
+  if (VirtualTime* const time = virtualTime(); time != nullptr) {
+    time->note(VirtualTime::Kind::Execute, name_.c_str(), command.name, record.sequence);
   }
   channel.commandAge.record(drainStart - record.stamp);
   increment(channel.commands.counters.executed);

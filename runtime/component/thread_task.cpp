@@ -1,7 +1,8 @@
 #include <suture/component/thread_task.h>
 
+#include <suture/base/virtual_time.h>
+
 #include <exception>
-#include <future>
 
 namespace suture {
 
@@ -16,25 +17,24 @@ void ThreadTask::start() {
   if (thread_.joinable()) requireLegal(name(), state(), Transition::Start);
   prepare();
   stopping_ = false;
-  std::promise<void> configured;
-  auto outcome = configured.get_future();
-  thread_ = std::thread([this, &configured] {
-    try {
-      rt::configureThisThread(name(), scheduling_);
-    } catch (...) {
-      configured.set_exception(std::current_exception());
-      return;
-    }
-    enter();
-    configured.set_value();
-    loop();
-  });
+  refused_ = nullptr;
+  thread_.start(name(), [this] { configureAndLoop(); });
+  entered_.wait();
+  if (refused_ == nullptr) return;
+  thread_.join();
+  std::rethrow_exception(refused_);
+}
+
+void ThreadTask::configureAndLoop() {
   try {
-    outcome.get();
+    rt::configureThisThread(name(), scheduling_);
+    enter();
   } catch (...) {
-    thread_.join();
-    throw;
+    refused_ = std::current_exception();
   }
+  const bool runs = refused_ == nullptr;
+  entered_.ring();
+  if (runs) loop();
 }
 
 void ThreadTask::stop() {
@@ -64,7 +64,13 @@ void ThreadTask::loop() {
 // A ring may announce what is not work pending: somebody asks for the first time for a read of an
 // interface that is served in every state.
 void ThreadTask::awaitWork() {
-  if (!stopping() && !workPending()) doorbell().waitUntil(now() + std::chrono::seconds(1));
+  if (!stopping() && !workPending()) sleepForWork(now() + std::chrono::seconds(1));
+}
+
+void ThreadTask::sleepForWork(Time due) {
+  const bool rung = doorbell().waitUntil(due) != rt::RungFor::Nothing;
+  VirtualTime* const time = virtualTime();
+  if (time != nullptr && !rung && workPending()) time->missedRing(name());
 }
 
 }  // namespace suture

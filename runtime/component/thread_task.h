@@ -5,7 +5,7 @@
 #include <suture/rt/thread.h>
 
 #include <atomic>
-#include <thread>
+#include <exception>
 
 namespace suture {
 
@@ -26,16 +26,23 @@ class ThreadTask : public Task {
   /// Called in the thread before the first awaitCycle(), and before the first after a rest.
   virtual void beginCycles() {}
 
+  /// Sleeps until something rings, at the latest until `due`, which is there in case a ring is
+  /// lost.
+  void sleepForWork(Time due);
+
   bool stopping() const { return stopping_.load(std::memory_order_acquire); }
   /// Rung by stop() only.
   rt::Doorbell& stopBell() { return stopBell_; }
 
  private:
+  void configureAndLoop();
   void loop();
   void awaitWork();
 
   const rt::Scheduling scheduling_;
-  std::thread thread_;
+  rt::Thread thread_;
+  rt::Doorbell entered_;
+  std::exception_ptr refused_;  // why the thread could not be configured; read after entered_
   std::atomic<bool> stopping_{false};
   rt::Doorbell stopBell_;
 };

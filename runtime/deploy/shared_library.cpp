@@ -33,6 +33,7 @@ SharedLibrary::SharedLibrary(const std::filesystem::path& file) {
                      "Build both with the same release");
   }
   classes_ = library.classes;
+  library.virtualTime->store(virtualTime());
 }
 
 }  // namespace suture

@@ -153,7 +153,7 @@ kj::Promise<rpc::ByteStream> receiveSocket(wire::FrameSocket::Client socket) {
   });
 }
 
-kj::Promise<rpc::ByteStream> showToken(kj::UnixEventPort& port, rpc::ByteStream bytes,
+kj::Promise<rpc::ByteStream> showToken(rpc::EventPort& port, rpc::ByteStream bytes,
                                        capnp::Data::Reader token) {
   rpc::Token own;
   if (token.size() != own.size()) return refused("the provider's token has an impossible size");

@@ -82,7 +82,7 @@ void fillWithRandom(void* memory, std::size_t size);
 /// The client's end of a socket that was handed over.
 kj::Promise<rpc::ByteStream> receiveSocket(wire::FrameSocket::Client socket);
 /// Says on a second connection what it is for, and waits until the provider says the same.
-kj::Promise<rpc::ByteStream> showToken(kj::UnixEventPort& port, rpc::ByteStream bytes,
+kj::Promise<rpc::ByteStream> showToken(rpc::EventPort& port, rpc::ByteStream bytes,
                                        capnp::Data::Reader token);
 
 }  // namespace suture

@@ -19,20 +19,26 @@ timespec toTimespec(Time time) {
   return {static_cast<time_t>(count / 1'000'000'000), static_cast<long>(count % 1'000'000'000)};
 }
 
-#ifdef __SANITIZE_THREAD__
-// ThreadSanitizer knows memory by its address. What is mapped twice, as where two ends of the shm
-// lane are in one process, has two; this is one place for both.
-void* placeOf(const std::shared_ptr<MemoryBlock>& memory) {
-  static char places[4096];
+// The two ends of the shm lane may be in one process, which then maps the word twice: its file is
+// one and the same.
+std::uint64_t placeOf(const MemoryBlock& memory) {
   struct stat status {};
-  fstat(memory->descriptor(), &status);
-  return &places[status.st_ino % sizeof(places)];
+  fstat(memory.descriptor(), &status);
+  return status.st_ino;
+}
+
+#ifdef __SANITIZE_THREAD__
+// ThreadSanitizer knows memory by its address, of which a word that is mapped twice has two; this
+// is one place for both.
+void* addressOf(const std::shared_ptr<MemoryBlock>& memory) {
+  static char places[4096];
+  return &places[placeOf(*memory) % sizeof(places)];
 }
 void tellRung(const std::shared_ptr<MemoryBlock>& memory) {
-  if (memory != nullptr) __tsan_release(placeOf(memory));
+  if (memory != nullptr) __tsan_release(addressOf(memory));
 }
 void tellTaken(const std::shared_ptr<MemoryBlock>& memory) {
-  if (memory != nullptr) __tsan_acquire(placeOf(memory));
+  if (memory != nullptr) __tsan_acquire(addressOf(memory));
 }
 #else
 void tellRung(const std::shared_ptr<MemoryBlock>&) {}
@@ -71,13 +77,25 @@ void Doorbell::ring(RungFor what) {
   tellRung(memory_);
   const auto bit = static_cast<std::uint32_t>(what);
   if (word_.fetch_or(bit, std::memory_order_seq_cst) != kAsleep) return;
-  if (eventDescriptor_ < 0) {
+  if (VirtualTime* const time = virtualTime(); time != nullptr) {
+    time->wake(sleeper().place);
+  } else if (eventDescriptor_ < 0) {
     wake(flavour());
-    return;
+  } else {
+    writeEvent();
   }
+}
+
+void Doorbell::writeEvent() {
   const std::uint64_t one = 1;
   // A full eventfd counter is as good as a write: the sleeper is due to wake.
   [[maybe_unused]] const auto written = write(eventDescriptor_, &one, sizeof(one));
+}
+
+VirtualTime::Sleeper Doorbell::sleeper() const {
+  const auto place =
+      memory_ == nullptr ? reinterpret_cast<VirtualTime::Place>(&word_) : placeOf(*memory_);
+  return {.place = place, .word = word_, .asleep = kAsleep};
 }
 
 bool Doorbell::lieDown() {
@@ -100,13 +118,27 @@ RungFor Doorbell::takeRing() {
 RungFor Doorbell::waitUntil(Time deadline) {
   const timespec until = toTimespec(deadline);
   while (lieDown()) {
-    // FUTEX_WAIT_BITSET takes an absolute time on the monotonic clock.
-    syscall(SYS_futex, &word_, FUTEX_WAIT_BITSET | flavour(), kAsleep, &until, nullptr,
-            FUTEX_BITSET_MATCH_ANY);
+    if (VirtualTime* const time = virtualTime(); time != nullptr) {
+      time->sleep(sleeper(), deadline);
+    } else {
+      // FUTEX_WAIT_BITSET takes an absolute time on the monotonic clock.
+      syscall(SYS_futex, &word_, FUTEX_WAIT_BITSET | flavour(), kAsleep, &until, nullptr,
+              FUTEX_BITSET_MATCH_ANY);
+    }
     if (word_.load(std::memory_order_seq_cst) != kAsleep) break;
     if (now() >= deadline) return takeRing();
   }
   return takeRing();
+}
+
+void Doorbell::wait() {
+  while (waitUntil(Time::max()) == RungFor::Nothing) {
+  }
+}
+
+void Doorbell::sleepAt(VirtualTime::Sockets& sockets, Time deadline) {
+  if (lieDown()) virtualTime()->sleepAt(sockets, sleeper(), deadline);
+  standUp();
 }
 
 }  // namespace suture::rt

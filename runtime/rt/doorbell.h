@@ -3,6 +3,7 @@
 
 #include <suture/base/memory_block.h>
 #include <suture/base/time.h>
+#include <suture/base/virtual_time.h>
 
 #include <atomic>
 #include <cstdint>
@@ -41,12 +42,17 @@ class Doorbell {
   /// The owner only: sleeps until rung or until `deadline`. Returns what it was rung for since it
   /// last asked.
   RungFor waitUntil(Time deadline);
+  /// The owner only: sleeps until rung, which whoever rings must be certain to do.
+  void wait();
 
   /// For an owner that sleeps in epoll: true if it may go to sleep, false if there is a ring to
   /// take. After true, the next ring writes the eventfd.
   bool lieDown();
   /// For an owner that sleeps in epoll, when it is back: a ring costs no system call from here on.
   void standUp();
+  /// For an owner that sleeps in epoll, instead of that while time is virtual: sleeps until rung,
+  /// until `sockets` have something or until `deadline`.
+  void sleepAt(VirtualTime::Sockets& sockets, Time deadline);
   /// For an owner that sleeps in epoll: what it has been rung for since it last asked.
   RungFor takeRing();
 
@@ -60,7 +66,9 @@ class Doorbell {
   using Word = std::atomic<std::uint32_t>;
 
   void wake(int flavour);
+  void writeEvent();
   int flavour() const;
+  VirtualTime::Sleeper sleeper() const;
 
   const std::shared_ptr<MemoryBlock> memory_;
   std::atomic<bool> shared_{false};

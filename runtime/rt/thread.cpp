@@ -1,14 +1,17 @@
 #include <pthread.h>
 #include <sched.h>
 #include <suture/base/errors.h>
+#include <suture/base/virtual_time.h>
 #include <suture/rt/thread.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 namespace suture::rt {
 namespace {
@@ -45,6 +48,36 @@ struct SchedulingAttributes {
   std::uint64_t runtime = 0, deadline = 0, period = 0;
 };
 
+/// While it lives, the calling thread starts threads that no signal interrupts.
+class BlockedSignals {
+ public:
+  BlockedSignals() {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before_);
+  }
+  ~BlockedSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  BlockedSignals(const BlockedSignals&) = delete;
+  BlockedSignals& operator=(const BlockedSignals&) = delete;
+
+ private:
+  sigset_t before_;
+};
+
+std::thread startUnder(VirtualTime& time, const std::string& name, std::function<void()> body) {
+  const std::size_t number = time.announce(name);
+  try {
+    return std::thread([&time, number, body = std::move(body)] {
+      time.begin(number);
+      body();
+      time.end();
+    });
+  } catch (...) {
+    time.retract(number);
+    throw;
+  }
+}
+
 }  // namespace
 
 void askForSlice(Duration slice) {
@@ -64,6 +97,23 @@ void configureThisThread(const std::string& name, const Scheduling& scheduling) 
   } else {
     askForSlice(kTaskSlice);
   }
+}
+
+void Thread::start(const std::string& name, std::function<void()> body, Signals signals) {
+  std::optional<BlockedSignals> blocked;
+  if (signals == Signals::None) blocked.emplace();
+  auto whole = [this, body = std::move(body)] {
+    body();
+    ended_.ring();
+  };
+  VirtualTime* const time = virtualTime();
+  thread_ = time == nullptr ? std::thread(std::move(whole)) : startUnder(*time, name, whole);
+}
+
+// The kernel lets nobody wait for a thread on a stepped clock, so its end is rung first.
+void Thread::join() {
+  ended_.wait();
+  thread_.join();
 }
 
 }  // namespace suture::rt

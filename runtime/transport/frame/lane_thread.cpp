@@ -1,12 +1,10 @@
 #include <suture/base/errors.h>
-#include <suture/rt/thread.h>
 #include <suture/transport/frame/lane_thread.h>
 
 #include <sys/epoll.h>
 #include <sys/eventfd.h>
 
 #include <cerrno>
-#include <csignal>
 #include <cstring>
 #include <iterator>
 
@@ -36,14 +34,6 @@ LaneThread::LaneThread() : poll_(opened(epoll_create1(EPOLL_CLOEXEC), "an epoll"
   epoll_ctl(poll_, EPOLL_CTL_ADD, bell_->eventDescriptor, &event);
 }
 
-void LaneThread::start() {
-  sigset_t all, before;
-  sigfillset(&all);
-  pthread_sigmask(SIG_SETMASK, &all, &before);
-  thread_ = std::thread([this] { loop(); });
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
-}
-
 void LaneThread::stop() {
   stopping_ = true;
   bell_->doorbell.ring();
@@ -56,7 +46,10 @@ void LaneThread::add(std::shared_ptr<Link> link) {
     const std::lock_guard lock(mutex_);
     added_.push_back(std::move(link));
     anyAdded_ = true;
-    if (!thread_.joinable()) start();
+    if (!thread_.joinable()) {
+      thread_.start(
+          "lane", [this] { loop(); }, rt::Thread::Signals::None);
+    }
   }
   bell_->doorbell.ring();
 }
@@ -113,14 +106,26 @@ bool LaneThread::isDone(const Carried& carried) {
 }
 
 void LaneThread::sleep() {
+  if (virtualTime() != nullptr) {
+    bell_->doorbell.sleepAt(*this, Time::max());
+    takeArrivals(0);
+    return;
+  }
   const bool lies = bell_->doorbell.lieDown();
+  takeArrivals(lies ? -1 : 0);
+}
+
+bool LaneThread::look() { return takeArrivals(0) > 0; }
+
+int LaneThread::takeArrivals(int timeout) {
   epoll_event events[kArrivals];
-  const int count = epoll_wait(poll_, events, kArrivals, lies ? -1 : 0);
-  if (lies) bell_->doorbell.standUp();
+  const int count = epoll_wait(poll_, events, kArrivals, timeout);
+  bell_->doorbell.standUp();
   for (int i = 0; i < count; ++i) {
     auto* const link = static_cast<Link*>(events[i].data.ptr);
     if (link != nullptr && (events[i].events & ~std::uint32_t{EPOLLOUT}) != 0) link->arrived();
   }
+  return count;
 }
 
 }  // namespace suture::frame

@@ -3,12 +3,12 @@
 
 #include <kj/io.h>
 #include <suture/rt/doorbell.h>
+#include <suture/rt/thread.h>
 #include <suture/transport/frame/link.h>
 
 #include <atomic>
 #include <memory>
 #include <mutex>
-#include <thread>
 #include <vector>
 
 namespace suture::frame {
@@ -16,7 +16,7 @@ namespace suture::frame {
 /// Sleeps until a task rings or a socket has something, then takes and gives everything that can
 /// be. In steady state it neither allocates nor locks; TLS does. A slow handshake or a slow peer on
 /// another link delays nobody here. All signals are blocked in it.
-class LaneThread {
+class LaneThread : private VirtualTime::Sockets {
  public:
   /// The thread begins with the first link. Throws SetupError if the kernel refuses.
   LaneThread();
@@ -45,13 +45,14 @@ class LaneThread {
   };
 
   static std::shared_ptr<Bell> makeBell();
-  void start();
   void loop();
   void takeOver();
   void watch(const Carried& carried, int operation);
   void turnAll();
   bool isDone(const Carried& carried);
   void sleep();
+  bool look() final;
+  int takeArrivals(int timeout);
 
   const std::shared_ptr<Bell> bell_ = makeBell();
   kj::AutoCloseFd poll_;
@@ -59,7 +60,7 @@ class LaneThread {
   std::mutex mutex_;  // links are made rarely, and no control loop waits here
   std::vector<std::shared_ptr<Link>> added_;
   std::vector<Carried> carried_;  // the thread's
-  std::thread thread_;
+  rt::Thread thread_;
 };
 
 }  // namespace suture::frame

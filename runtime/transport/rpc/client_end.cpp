@@ -7,6 +7,7 @@ void ClientEnd::close(ChannelStatus why) {
   closed_ = true;
   ending();
   channel_->status.store(why, std::memory_order_release);
+  channel_->noteStatus(why);
   channel_->ends.client->ring();
   channel_->ends.provider->ring();  // whoever carries it lets go
 }

@@ -1,13 +1,10 @@
 #include <suture/base/errors.h>
-#include <suture/rt/thread.h>
 #include <suture/transport/rpc/control_thread.h>
 #include <sys/eventfd.h>
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <cstring>
-#include <future>
 
 namespace suture::rpc {
 
@@ -21,7 +18,8 @@ kj::AutoCloseFd ControlThread::makeEventDescriptor() {
 }
 
 ControlThread::Loop::Loop(ControlThread& thread)
-    : owner(thread),
+    : EventPort(&thread.doorbell()),
+      owner(thread),
       rung(*this, thread.bell_->eventDescriptor, FdObserver::OBSERVE_READ),
       tasks(*this) {}
 
@@ -42,21 +40,19 @@ void ControlThread::Loop::report(const kj::Exception& exception) {
 }
 
 ControlThread::ControlThread() {
-  sigset_t all, before;
-  sigfillset(&all);
-  pthread_sigmask(SIG_SETMASK, &all, &before);
-  std::promise<void> started;
-  thread_ = std::thread([this, &started] {
-    rt::askForSlice(rt::kServiceSlice);
-    Loop loop(*this);
-    loop_ = &loop;
-    started.set_value();
-    loop.runUntilStopped();
-    std::lock_guard lock(mutex_);
-    posted_.clear();
-  });
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  started.get_future().wait();
+  thread_.start(
+      "control", [this] { serve(); }, rt::Thread::Signals::None);
+  started_.wait();
+}
+
+void ControlThread::serve() {
+  rt::askForSlice(rt::kServiceSlice);
+  Loop loop(*this);
+  loop_ = &loop;
+  started_.ring();
+  loop.runUntilStopped();
+  std::lock_guard lock(mutex_);
+  posted_.clear();
 }
 
 ControlThread::~ControlThread() noexcept {

@@ -6,13 +6,13 @@
 #include <kj/io.h>
 #include <suture/base/time.h>
 #include <suture/rt/doorbell.h>
+#include <suture/rt/thread.h>
 #include <suture/transport/rpc/event_port.h>
 #include <suture/transport/rpc/outcome.h>
 
 #include <atomic>
 #include <memory>
 #include <mutex>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -63,7 +63,7 @@ class ControlThread {
   std::shared_ptr<rt::Doorbell> sharedDoorbell() { return {bell_, &bell_->doorbell}; }
 
   /// The rest is for the control thread only.
-  bool isCurrent() const { return std::this_thread::get_id() == thread_.get_id(); }
+  bool isCurrent() const { return thread_.isCurrent(); }
   EventPort& port() { return *loop_; }
   kj::Timer& timer() { return loop_->getTimer(); }
   /// Keeps a promise running until it ends or the thread does. A failure is reported on standard
@@ -86,8 +86,6 @@ class ControlThread {
     void report(const kj::Exception& exception);
 
     void takeWork() override;
-    bool lieDown() override { return owner.doorbell().lieDown(); }
-    void standUp() override { owner.doorbell().standUp(); }
     void taskFailed(kj::Exception&& exception) override { report(exception); }
 
     ControlThread& owner;
@@ -97,6 +95,7 @@ class ControlThread {
   };
 
   static kj::AutoCloseFd makeEventDescriptor();
+  void serve();
   void requireOther() const;
   void runPosted();
   void runPumps();
@@ -107,7 +106,8 @@ class ControlThread {
   std::atomic<bool> anyPosted_{false};
   std::vector<Pump*> pumps_;
   Loop* loop_ = nullptr;
-  std::thread thread_;
+  rt::Doorbell started_;
+  rt::Thread thread_;
 };
 
 }  // namespace suture::rpc

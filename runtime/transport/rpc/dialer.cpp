@@ -24,7 +24,7 @@ int pendingError(int socket) {
 }
 
 /// The connection has been started; waits until it stands.
-kj::Promise<kj::AutoCloseFd> finish(kj::UnixEventPort& port, kj::AutoCloseFd socket,
+kj::Promise<kj::AutoCloseFd> finish(EventPort& port, kj::AutoCloseFd socket,
                                     const Address& address) {
   auto observer = kj::heap<WriteObserver>(port, socket);
   auto writable = observer->whenWritable();
@@ -36,7 +36,7 @@ kj::Promise<kj::AutoCloseFd> finish(kj::UnixEventPort& port, kj::AutoCloseFd soc
 }
 
 /// A Unix socket whose listener is busy refuses for the moment.
-kj::Promise<kj::AutoCloseFd> tryConnect(kj::UnixEventPort& port, const Address& address) {
+kj::Promise<kj::AutoCloseFd> tryConnect(EventPort& port, const Address& address) {
   kj::AutoCloseFd socket = openSocket(address);
   if (address.kind != Address::Kind::Unix) sendWithoutDelay(socket);
   const SocketAddress target(address);
@@ -50,8 +50,7 @@ kj::Promise<kj::AutoCloseFd> tryConnect(kj::UnixEventPort& port, const Address& 
 
 }  // namespace
 
-kj::Promise<kj::AutoCloseFd> dial(kj::UnixEventPort& port, const Address& address,
-                                  Duration deadline) {
+kj::Promise<kj::AutoCloseFd> dial(EventPort& port, const Address& address, Duration deadline) {
   auto late = port.getTimer()
                   .afterDelay(deadline.count() * kj::NANOSECONDS)
                   .then([address]() -> kj::Promise<kj::AutoCloseFd> {

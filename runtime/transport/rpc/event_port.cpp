@@ -8,7 +8,23 @@ namespace {
 // Work that never ends must keep neither written messages nor sockets waiting.
 constexpr unsigned kMaxBusyTurns = 4;
 
+kj::TimePoint toKj(Time time) {
+  return kj::origin<kj::TimePoint>() + toNanoseconds(time) * kj::NANOSECONDS;
+}
+
+Time fromKj(kj::TimePoint time) {
+  return fromNanoseconds((time - kj::origin<kj::TimePoint>()) / kj::NANOSECONDS);
+}
+
 }  // namespace
+
+EventPort::EventPort(rt::Doorbell* bell) : bell_(bell) {
+  if (virtualTime() != nullptr) steppedTimer_.emplace(toKj(now()));
+}
+
+kj::Timer& EventPort::getTimer() {
+  return steppedTimer_ ? *steppedTimer_ : UnixEventPort::getTimer();
+}
 
 void EventPort::flushBeforeSleep(Output& output) {
   if (std::find(outputs_.begin(), outputs_.end(), &output) == outputs_.end()) {
@@ -22,16 +38,42 @@ bool EventPort::wait() {
   if (bringWork()) return false;
   flushAll();
   busyTurns_ = 0;
-  if (loop_.isRunnable() || !lieDown()) return UnixEventPort::poll();
-  const bool woken = UnixEventPort::wait();
-  standUp();
-  return woken;
+  if (loop_.isRunnable()) return UnixEventPort::poll();
+  if (steppedTimer_) {
+    sleepOnSteppedClock();
+    return false;
+  }
+  return sleep();
 }
 
 bool EventPort::poll() {
   takeWork();
   flushAll();
-  return UnixEventPort::poll();
+  look();
+  return false;
+}
+
+bool EventPort::sleep() {
+  if (bell_ != nullptr && !bell_->lieDown()) return UnixEventPort::poll();
+  const bool woken = UnixEventPort::wait();
+  if (bell_ != nullptr) bell_->standUp();
+  return woken;
+}
+
+void EventPort::sleepOnSteppedClock() {
+  Time deadline = Time::max();
+  KJ_IF_MAYBE (next, steppedTimer_->nextEvent()) {
+    deadline = fromKj(*next);
+  }
+  rt::Doorbell silent;
+  (bell_ != nullptr ? *bell_ : silent).sleepAt(*this, deadline);
+  look();
+}
+
+bool EventPort::look() {
+  UnixEventPort::poll();
+  if (steppedTimer_) steppedTimer_->advanceTo(toKj(now()));
+  return loop_.isRunnable();
 }
 
 bool EventPort::bringWork() {

@@ -3,7 +3,10 @@
 
 #include <kj/async-unix.h>
 #include <kj/async.h>
+#include <kj/timer.h>
+#include <suture/rt/doorbell.h>
 
+#include <optional>
 #include <vector>
 
 namespace suture::rpc {
@@ -11,8 +14,9 @@ namespace suture::rpc {
 /// The event loop of one thread, and what wakes it. When KJ's queue is empty, this first brings in
 /// what other threads have handed over and lets that run, then sends what all of it has written:
 /// one send a link and turn, however many messages, and no sleep while there is something to do.
-/// Belongs to the thread that makes it.
-class EventPort : public kj::UnixEventPort {
+/// Belongs to the thread that makes it. Its sleep and its timer follow the stepped clock that the
+/// process has when it is made.
+class EventPort : public kj::UnixEventPort, private VirtualTime::Sockets {
  public:
   /// Output that is collected until the loop has nothing else to do.
   class Output {
@@ -23,7 +27,11 @@ class EventPort : public kj::UnixEventPort {
     ~Output() = default;
   };
 
-  EventPort() = default;
+  /// `bell`, if there is one, also ends the sleep. Its eventfd must be observed here.
+  explicit EventPort(rt::Doorbell* bell = nullptr);
+
+  /// Hides KJ's own, which knows the kernel's clock only.
+  kj::Timer& getTimer();
 
   /// What a promise's wait() asks for.
   kj::WaitScope& scope() { return scope_; }
@@ -39,15 +47,16 @@ class EventPort : public kj::UnixEventPort {
  protected:
   /// Makes events of what other threads have handed over.
   virtual void takeWork() {}
-  /// The last thing before sleep. False if work has come meanwhile: then the loop does not sleep.
-  virtual bool lieDown() { return true; }
-  /// The first thing after it.
-  virtual void standUp() {}
 
  private:
   bool bringWork();
   void flushAll();
+  bool sleep();
+  void sleepOnSteppedClock();
+  bool look() final;
 
+  rt::Doorbell* const bell_;
+  std::optional<kj::TimerImpl> steppedTimer_;
   std::vector<Output*> outputs_;
   unsigned busyTurns_ = 0;
   kj::EventLoop loop_{*this};

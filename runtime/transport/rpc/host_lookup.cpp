@@ -85,8 +85,7 @@ struct HostLookup::Question {
   std::string why;
 };
 
-HostLookup::HostLookup(kj::UnixEventPort& port, const Address& address)
-    : port_(port), address_(address) {}
+HostLookup::HostLookup(EventPort& port, const Address& address) : port_(port), address_(address) {}
 
 kj::Promise<std::vector<Address>> HostLookup::places(Duration limit) {
   if (address_.isNumeric()) return std::vector<Address>{address_};

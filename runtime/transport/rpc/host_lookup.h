@@ -1,9 +1,9 @@
 #pragma once
 // Hosts that are known by name.
 
-#include <kj/async-unix.h>
 #include <suture/base/time.h>
 #include <suture/transport/rpc/address.h>
+#include <suture/transport/rpc/event_port.h>
 #include <suture/transport/rpc/kj_comparisons.h>
 
 #include <memory>
@@ -19,7 +19,7 @@ std::vector<Address> lookUp(const Address& address);
 /// service answers; of each object there is at most one. Belongs to the thread of `port`.
 class HostLookup {
  public:
-  HostLookup(kj::UnixEventPort& port, const Address& address);
+  HostLookup(EventPort& port, const Address& address);
 
   /// Where the host is now, or where it was last if the name service does not say. Rejects, as
   /// DISCONNECTED, if it never did, with what was found and what to do; at the latest after
@@ -32,7 +32,7 @@ class HostLookup {
   kj::Promise<void> ask();
   kj::Promise<std::vector<Address>> known(const std::string& why) const;
 
-  kj::UnixEventPort& port_;
+  EventPort& port_;
   const Address address_;
   std::vector<Address> known_;
   std::string why_;  // of the latest answer, if it was none

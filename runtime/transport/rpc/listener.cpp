@@ -77,7 +77,7 @@ bool Listener::isStale(const Address& address) {
   return refused;
 }
 
-Listener::Listener(kj::UnixEventPort& port, const Address& address, Opens opens)
+Listener::Listener(EventPort& port, const Address& address, Opens opens)
     : port_(port),
       address_(address),
       socket_(bindTo(address, opens)),

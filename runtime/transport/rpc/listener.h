@@ -1,10 +1,10 @@
 #pragma once
 // Waits for connections at an address.
 
-#include <kj/async-unix.h>
 #include <kj/function.h>
 #include <kj/io.h>
 #include <suture/transport/rpc/address.h>
+#include <suture/transport/rpc/event_port.h>
 
 #include <sys/types.h>
 
@@ -21,7 +21,7 @@ class Listener {
   enum class Opens { ToOwner, ToOthers };
 
   /// Throws SetupError: in use, no such directory, no permission.
-  Listener(kj::UnixEventPort& port, const Address& address, Opens opens = Opens::ToOwner);
+  Listener(EventPort& port, const Address& address, Opens opens = Opens::ToOwner);
   ~Listener() noexcept(false);
   Listener(const Listener&) = delete;
   Listener& operator=(const Listener&) = delete;
@@ -39,7 +39,7 @@ class Listener {
  private:
   kj::Promise<void> acceptAll();
 
-  kj::UnixEventPort& port_;
+  EventPort& port_;
   Address address_;
   kj::AutoCloseFd socket_;
   kj::UnixEventPort::FdObserver observer_;

@@ -11,7 +11,7 @@ namespace {
 
 class OpeningReader {
  public:
-  OpeningReader(kj::UnixEventPort& port, ByteStream bytes)
+  OpeningReader(EventPort& port, ByteStream bytes)
       : bytes_(kj::mv(bytes)),
         observer_(kj::heap<kj::UnixEventPort::FdObserver>(
             port, bytes_.socket(), kj::UnixEventPort::FdObserver::OBSERVE_READ)) {}
@@ -65,8 +65,7 @@ std::array<std::byte, sizeof(Token) + 8> openingOf(const Token& token) {
   return opening;
 }
 
-kj::Promise<Opened> readOpening(kj::UnixEventPort& port, ByteStream bytes,
-                                const StreamLimits& limits) {
+kj::Promise<Opened> readOpening(EventPort& port, ByteStream bytes, const StreamLimits& limits) {
   auto reader = kj::heap<OpeningReader>(port, kj::mv(bytes));
   auto opened = kj::evalNow([&] { return reader->read(); }).attach(kj::mv(reader));
   if (limits.firstMilliseconds == 0) return opened;

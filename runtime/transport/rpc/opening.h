@@ -1,8 +1,8 @@
 #pragma once
 // What a connection is for, as its first bytes tell: messages, or somebody who awaits it.
 
-#include <kj/async-unix.h>
 #include <suture/transport/rpc/byte_stream.h>
+#include <suture/transport/rpc/event_port.h>
 #include <suture/transport/rpc/frame_header.h>
 
 #include <array>
@@ -31,7 +31,6 @@ struct Opened {
 
 /// Control thread: reads as far as that needs; descriptors that come with so few bytes are closed.
 /// Rejects if the peer says nothing in time, or leaves.
-kj::Promise<Opened> readOpening(kj::UnixEventPort& port, ByteStream bytes,
-                                const StreamLimits& limits);
+kj::Promise<Opened> readOpening(EventPort& port, ByteStream bytes, const StreamLimits& limits);
 
 }  // namespace suture::rpc

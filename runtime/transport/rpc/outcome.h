@@ -3,9 +3,9 @@
 
 #include <kj/async.h>
 #include <suture/base/time.h>
+#include <suture/rt/doorbell.h>
 #include <suture/transport/rpc/failure.h>
 
-#include <condition_variable>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -26,7 +26,7 @@ class ControlFailure : public std::runtime_error {
   Kind kind_;
 };
 
-/// A value or a failure, set once. Any thread.
+/// A value or a failure, set once by any thread, for one thread that waits.
 template <class T>
 class Outcome {
  public:
@@ -45,9 +45,10 @@ class Outcome {
   /// Waits a little longer than `deadline`: the control thread itself settles at the deadline
   /// unless it hangs.
   T wait(Duration deadline) {
-    std::unique_lock lock(mutex_);
-    settled_.wait_until(lock, now() + deadline + std::chrono::seconds(1),
-                        [this] { return value_ || failure_; });
+    const Time late = now() + deadline + std::chrono::seconds(1);
+    while (settled_.waitUntil(late) == rt::RungFor::Nothing && now() < late) {
+    }
+    const std::lock_guard lock(mutex_);
     if (failure_) throw ControlFailure(*failure_, text_);
     if (!value_) throw ControlFailure(ControlFailure::Kind::TimedOut, "the control thread hangs");
     if constexpr (!std::is_void_v<T>) return std::move(*value_);
@@ -56,14 +57,14 @@ class Outcome {
  private:
   template <class Set>
   void settle(Set set) {
-    std::lock_guard lock(mutex_);
+    const std::lock_guard lock(mutex_);
     if (value_ || failure_) return;
     set();
-    settled_.notify_all();
+    settled_.ring();
   }
 
   std::mutex mutex_;
-  std::condition_variable settled_;
+  rt::Doorbell settled_;
   std::optional<Stored> value_;
   std::optional<ControlFailure::Kind> failure_;
   std::string text_;

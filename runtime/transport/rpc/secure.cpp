@@ -12,7 +12,7 @@ using Type = kj::Exception::Type;
 /// A handshake under way.
 class Handshake {
  public:
-  Handshake(kj::UnixEventPort& port, kj::AutoCloseFd socket, std::shared_ptr<const tls::Keys> keys,
+  Handshake(EventPort& port, kj::AutoCloseFd socket, std::shared_ptr<const tls::Keys> keys,
             tls::Session::Side side)
       : socket_(kj::mv(socket)),
         observer_(kj::heap<kj::UnixEventPort::FdObserver>(
@@ -72,7 +72,7 @@ kj::Promise<ByteStream> checkProcess(ByteStream stream, const Address& address,
 
 }  // namespace
 
-kj::Promise<ByteStream> handshake(kj::UnixEventPort& port, kj::AutoCloseFd socket,
+kj::Promise<ByteStream> handshake(EventPort& port, kj::AutoCloseFd socket,
                                   std::shared_ptr<const tls::Keys> keys, tls::Session::Side side,
                                   Duration deadline) {
   auto under = kj::heap<Handshake>(port, kj::mv(socket), std::move(keys), side);
@@ -90,7 +90,7 @@ void requireKeys(const Address& address, const Trust& trust) {
                    "file, or --keys.");
 }
 
-kj::Promise<ByteStream> reach(kj::UnixEventPort& port, const Address& address, const Trust& trust,
+kj::Promise<ByteStream> reach(EventPort& port, const Address& address, const Trust& trust,
                               const std::string& expected, Duration deadline) {
   requireKeys(address, trust);
   auto dialled = dial(port, address, deadline);
@@ -111,9 +111,8 @@ kj::Promise<ByteStream> reach(kj::UnixEventPort& port, const Address& address, c
       });
 }
 
-kj::Promise<ByteStream> reachFirst(kj::UnixEventPort& port, std::vector<Address> places,
-                                   const Trust& trust, const std::string& expected,
-                                   Duration deadline) {
+kj::Promise<ByteStream> reachFirst(EventPort& port, std::vector<Address> places, const Trust& trust,
+                                   const std::string& expected, Duration deadline) {
   auto reached = reach(port, places.front(), trust, expected, deadline);
   places.erase(places.begin());
   if (places.empty()) return reached;

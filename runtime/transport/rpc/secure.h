@@ -1,10 +1,10 @@
 #pragma once
 // From a connected socket to a stream whose far end is known.
 
-#include <kj/async-unix.h>
 #include <suture/base/time.h>
 #include <suture/transport/rpc/address.h>
 #include <suture/transport/rpc/byte_stream.h>
+#include <suture/transport/rpc/event_port.h>
 #include <suture/transport/rpc/trust.h>
 #include <suture/transport/tls/keys.h>
 #include <suture/transport/tls/session.h>
@@ -17,7 +17,7 @@ namespace suture::rpc {
 
 /// Control thread: does the TLS handshake on a connected, non-blocking socket. Rejects with what
 /// was found and what to do; gives up at `deadline` from now.
-kj::Promise<ByteStream> handshake(kj::UnixEventPort& port, kj::AutoCloseFd socket,
+kj::Promise<ByteStream> handshake(EventPort& port, kj::AutoCloseFd socket,
                                   std::shared_ptr<const tls::Keys> keys, tls::Session::Side side,
                                   Duration deadline);
 
@@ -25,13 +25,12 @@ kj::Promise<ByteStream> handshake(kj::UnixEventPort& port, kj::AutoCloseFd socke
 /// proof that it is that process; on a Unix socket, with proof that it is run by a trusted user.
 /// Rejects with what was asked, what was found and what to do, as DISCONNECTED where trying again
 /// may help. Gives up at `deadline` from now.
-kj::Promise<ByteStream> reach(kj::UnixEventPort& port, const Address& address, const Trust& trust,
+kj::Promise<ByteStream> reach(EventPort& port, const Address& address, const Trust& trust,
                               const std::string& expected, Duration deadline);
 
 /// The same at the first of `places` that can be reached: those of one host. `deadline`: for each.
-kj::Promise<ByteStream> reachFirst(kj::UnixEventPort& port, std::vector<Address> places,
-                                   const Trust& trust, const std::string& expected,
-                                   Duration deadline);
+kj::Promise<ByteStream> reachFirst(EventPort& port, std::vector<Address> places, const Trust& trust,
+                                   const std::string& expected, Duration deadline);
 
 /// Throws SetupError if `address` needs keys and there are none.
 void requireKeys(const Address& address, const Trust& trust);

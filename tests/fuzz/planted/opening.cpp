@@ -12,7 +12,7 @@ std::array<std::byte, sizeof(Token) + 8> openingOf(const Token& token) {
   return opening;
 }
 
-kj::Promise<Opened> readOpening(kj::UnixEventPort&, ByteStream bytes, const StreamLimits&) {
+kj::Promise<Opened> readOpening(EventPort&, ByteStream bytes, const StreamLimits&) {
   return Opened{kj::mv(bytes), Token{}, {}};
 }
 
