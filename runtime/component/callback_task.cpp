@@ -1,7 +1,5 @@
 #include <suture/component/callback_task.h>
 
-#include <thread>
-
 namespace suture {
 
 void CallbackTask::start() {
@@ -16,9 +14,7 @@ void CallbackTask::start() {
 
 void CallbackTask::stop() {
   if (!running_.exchange(false)) return;
-  while (cycling_.test_and_set(std::memory_order_acquire)) {
-    std::this_thread::sleep_for(std::chrono::microseconds(100));
-  }
+  while (cycling_.test_and_set(std::memory_order_seq_cst)) cycleEnded_.wait();
   claimThread();
   leave();
   mutablePulse().suspend();
@@ -34,6 +30,13 @@ void CallbackTask::restUntilTriggered() {
   }
 }
 
+// In one order with stop(), which says that it stops before it looks for a cycle under way: either
+// it sees the end of this cycle, or it is rung.
+void CallbackTask::endCycle() {
+  cycling_.clear(std::memory_order_seq_cst);
+  if (!running_.load(std::memory_order_seq_cst)) cycleEnded_.ring();
+}
+
 bool CallbackTask::trigger() {
   if (cycling_.test_and_set(std::memory_order_acquire)) {
     mutableStatistics().skipped.fetch_add(1, std::memory_order_relaxed);
@@ -46,7 +49,7 @@ bool CallbackTask::trigger() {
     cycle();
     restUntilTriggered();
   }
-  cycling_.clear(std::memory_order_release);
+  endCycle();
   return runs;
 }
 

@@ -22,9 +22,11 @@ class CallbackTask : public Task {
 
  private:
   void restUntilTriggered();
+  void endCycle();
 
   std::atomic<bool> running_{false};
   std::atomic_flag cycling_ = ATOMIC_FLAG_INIT;
+  rt::Doorbell cycleEnded_;  // rung once stop() may wait for it
 };
 
 }  // namespace suture

@@ -2,6 +2,7 @@
 #include <suture/manager/lifecycle_face.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace suture {
 namespace {
@@ -23,8 +24,10 @@ constexpr std::size_t kLongestFault = 255;  // as StateChange declares
 
 }  // namespace
 
-LifecycleFace::LifecycleFace(Component& component)
-    : component_(withoutFace(component)), provided_(component, kName, *this) {
+LifecycleFace::LifecycleFace(Component& component, std::shared_ptr<rt::Doorbell> changed)
+    : component_(withoutFace(component)),
+      provided_(component, kName, *this),
+      changed_(std::move(changed)) {
   provided_.serveInEveryState();
   stateChanged(component.state());
 }
@@ -33,6 +36,7 @@ void LifecycleFace::stateChanged(ComponentState state) {
   StateChange change{.state = state, .fault = {}, .stamp = now()};
   if (state == ComponentState::Faulted) change.fault = component_.fault().substr(0, kLongestFault);
   (void)provided_.emit().state_changed(change);  // it fits
+  changed_->ring();
 }
 
 bool LifecycleFace::request(Transition transition) {

@@ -2,7 +2,10 @@
 // The provided interface "component" that a manager gives each of its components.
 
 #include <suture/component/component.h>
+#include <suture/rt/doorbell.h>
 #include <suture/standard/lifecycle.suture.h>
+
+#include <memory>
 
 namespace suture {
 
@@ -12,9 +15,9 @@ class LifecycleFace final : public Lifecycle, public StateListener {
  public:
   static constexpr const char* kName = "component";
 
-  /// Before the component starts, in the manager's thread. Throws SetupError if the component has
-  /// another interface of that name.
-  explicit LifecycleFace(Component& component);
+  /// Before the component starts, in the manager's thread. `changed` is rung at each change. Throws
+  /// SetupError if the component has another interface of that name.
+  LifecycleFace(Component& component, std::shared_ptr<rt::Doorbell> changed);
 
   bool suspend() override { return request(Transition::Suspend); }
   bool resume() override { return request(Transition::Resume); }
@@ -27,6 +30,7 @@ class LifecycleFace final : public Lifecycle, public StateListener {
 
   Component& component_;
   Provided<Lifecycle> provided_;
+  const std::shared_ptr<rt::Doorbell> changed_;
 };
 
 }  // namespace suture

@@ -12,14 +12,13 @@
 #include <suture/wiring/connect.h>
 
 #include <algorithm>
-#include <thread>
 #include <utility>
 
 namespace suture {
 namespace {
 
-// How often what another thread does is looked at.
-constexpr Duration kPoll = std::chrono::milliseconds(1);
+// A change of a component's state is rung; whether a lost provider is back is looked at so often.
+constexpr Duration kLookAgain = std::chrono::milliseconds(10);
 
 Task* taskOf(Component& component) {
   return component.ownsThread() ? static_cast<Task*>(&component) : nullptr;
@@ -106,7 +105,7 @@ void Manager::add(const std::string& name, Component& component) {
   directory_.add(name, component, [&] {
     component.name_ = name;
     if (!component.hasStateListener())
-      component.setStateListener(std::make_shared<LifecycleFace>(component));
+      component.setStateListener(std::make_shared<LifecycleFace>(component, changed_));
   });
 }
 
@@ -135,8 +134,9 @@ void Manager::awaitStart(Duration patience) const {
       return component->state() == ComponentState::Faulted;
     });
   };
-  while (!missing().empty() && now() < begin + patience && !faulted()) {
-    std::this_thread::sleep_for(kPoll);
+  const Time deadline = begin + patience;
+  while (!missing().empty() && now() < deadline && !faulted()) {
+    changed_->waitUntil(std::min(deadline, now() + kLookAgain));
   }
   const std::vector<std::string> lines = missing();
   if (lines.empty()) return;
@@ -186,7 +186,7 @@ void Manager::change(const std::string& name, Transition transition, Duration pa
   const ComponentState before = component.state();
   component.request(transition);
   const Time deadline = now() + patience;
-  while (component.state() == before && now() < deadline) std::this_thread::sleep_for(kPoll);
+  while (component.state() == before && now() < deadline) changed_->waitUntil(deadline);
   const ComponentState reached = component.state();
   const ComponentState* const meant = after(before, transition);
   if (meant != nullptr && reached == *meant) return;

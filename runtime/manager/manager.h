@@ -142,6 +142,8 @@ class Manager {
 
   Directory directory_;
   bool started_ = false;
+  // Rung when a component's state has changed; also by components that outlive this.
+  const std::shared_ptr<rt::Doorbell> changed_ = std::make_shared<rt::Doorbell>();
   std::mutex executorMutex_;  // never taken by a task thread
   std::unique_ptr<DeviceExecutor> executor_;
   std::unique_ptr<DelayThread> delays_;

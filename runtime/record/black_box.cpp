@@ -65,23 +65,18 @@ BlackBox::BlackBox(std::vector<Component*> components, BlackBoxOptions options)
     keepAll(*component, options_.rows);
     watched_.push_back({component, component->faults()});
   }
-  thread_ = std::thread([this] { watch(); });
+  thread_.start("black box", [this] { watch(); });
 }
 
 BlackBox::~BlackBox() {
-  {
-    const std::lock_guard lock(mutex_);
-    end_ = true;
-  }
-  ending_.notify_one();
+  ending_.ring();
   thread_.join();
 }
 
 void BlackBox::watch() {
-  std::unique_lock lock(mutex_);
   bool last = false;
   while (!last) {
-    last = ending_.wait_for(lock, options_.period, [this] { return end_; });
+    last = ending_.waitUntil(now() + options_.period) != rt::RungFor::Nothing;
     for (Watched& watched : watched_) look(watched);
   }
 }

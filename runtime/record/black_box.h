@@ -3,15 +3,12 @@
 
 #include <suture/base/time.h>
 #include <suture/component/component.h>
+#include <suture/rt/thread.h>
 
-#include <atomic>
-#include <condition_variable>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace suture {
@@ -57,10 +54,8 @@ class BlackBox {
 
   const BlackBoxOptions options_;
   std::vector<Watched> watched_;
-  std::mutex mutex_;  // no task takes it
-  std::condition_variable ending_;
-  bool end_ = false;
-  std::thread thread_;  // last: it uses the others
+  rt::Doorbell ending_;
+  rt::Thread thread_;  // last: it uses the others
 };
 
 }  // namespace suture
