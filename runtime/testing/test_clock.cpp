@@ -1,0 +1,39 @@
+#include <suture/base/errors.h>
+#include <suture/base/virtual_time.h>
+#include <suture/testing/scheduler.h>
+#include <suture/testing/test_clock.h>
+
+#include <utility>
+
+namespace suture {
+
+using testing_detail::Scheduler;
+
+TestClock::TestClock(TestClockOptions options)
+    : scheduler_(std::make_unique<Scheduler>(std::move(options))) {
+  VirtualTime* none = nullptr;
+  if (!detail::virtualTime.compare_exchange_strong(none, scheduler_.get())) {
+    throw SetupError("making a TestClock", "this process has one", "Destroy that first");
+  }
+  scheduler_->adoptTest();
+}
+
+TestClock::~TestClock() {
+  scheduler_->finish();
+  detail::virtualTime.store(nullptr);
+}
+
+void TestClock::advance(Duration duration) { scheduler_->spend(duration); }
+
+void TestClock::spend(Duration duration) {
+  VirtualTime* const time = virtualTime();
+  if (time != nullptr) time->spend(duration);
+}
+
+const Trace& TestClock::trace() const { return scheduler_->trace(); }
+
+TestClock::Hold::Hold(TestClock& clock) : clock_(clock) { clock_.scheduler_->hold(); }
+
+TestClock::Hold::~Hold() { clock_.scheduler_->release(); }
+
+}  // namespace suture

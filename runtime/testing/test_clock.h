@@ -1,0 +1,99 @@
+#pragma once
+// A clock that a test steps, and the order in which the threads of its process run.
+
+#include <suture/base/time.h>
+#include <suture/testing/trace.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace suture {
+
+namespace testing_detail {
+class Scheduler;
+}
+
+/// How the threads of the process run while a TestClock exists.
+enum class Threads : std::uint8_t {
+  /// One at a time, in an order that depends on nothing but the program and the seed.
+  OneAtATime,
+  /// All that have something to do, as in production: for ThreadSanitizer. There is no trace.
+  Together,
+};
+
+struct TestClockOptions {
+  Threads threads = Threads::OneAtATime;
+  /// 0: among threads that may run, the one with the earliest deadline comes first, then the one
+  /// that was rung first, then the one that was started first. Any other number chooses by chance,
+  /// repeatably.
+  std::uint64_t seed = 0;
+  /// Told what must not happen: a thread found work at a deadline that is there in case a ring is
+  /// lost, or nothing can happen any more. May be called in any thread. Without, the program is
+  /// aborted.
+  std::function<void(const std::string&)> problem = nullptr;
+};
+
+/// Takes the place of the process's clock while it exists, and of the kernel where a thread of
+/// Suture sleeps. Time stands still while any thread runs, a ring is pending or a socket has
+/// something; then it goes on to the next deadline at once. So a test of seconds takes
+/// milliseconds, and its result does not depend on the machine.
+///
+/// Belongs to the thread that makes it, which is the test's. It is made before anything of Suture
+/// in the process, and destroyed after that. Two managers of one process are both ends of every
+/// lane, on Unix sockets. Another process cannot follow the clock: a connection to one is refused.
+/// The kernel's own timers, TCP's among them, do not follow it either.
+///
+/// A thread that the test has made itself runs whenever it can, and sleeps on this clock where it
+/// waits for Suture; see Hold. A thread that does not sleep for ten seconds of real time is named
+/// on standard error.
+class TestClock {
+ public:
+  /// Throws SetupError if the process has such a clock.
+  explicit TestClock(TestClockOptions options = {});
+  /// Throws nothing, but tells of a problem if threads of Suture are left.
+  ~TestClock();
+  TestClock(const TestClock&) = delete;
+  TestClock& operator=(const TestClock&) = delete;
+
+  /// The test's thread: lets everything happen that is due in the next `duration`, its end
+  /// included.
+  void advance(Duration duration);
+  /// The test's thread: lets time pass until `condition`, which is asked every kStep; false if it
+  /// does not hold after `limit`.
+  template <class Condition>
+  bool until(const Condition& condition, Duration limit = std::chrono::seconds(10)) {
+    const Time deadline = now() + limit;
+    while (!condition()) {
+      if (now() >= deadline) return false;
+      advance(kStep);
+    }
+    return true;
+  }
+  static constexpr Duration kStep = std::chrono::microseconds(100);
+
+  /// Any thread of Suture: its cycle takes `duration` longer. Others run meanwhile.
+  static void spend(Duration duration);
+
+  /// What has happened, of all threads, in order; only if they run one at a time.
+  const Trace& trace() const;
+
+  /// While it lives, time stands still even if nothing runs: for what a thread that the test has
+  /// made itself, or another process, is about to bring.
+  class Hold {
+   public:
+    explicit Hold(TestClock& clock);
+    ~Hold();
+    Hold(const Hold&) = delete;
+    Hold& operator=(const Hold&) = delete;
+
+   private:
+    TestClock& clock_;
+  };
+
+ private:
+  std::unique_ptr<testing_detail::Scheduler> scheduler_;
+};
+
+}  // namespace suture

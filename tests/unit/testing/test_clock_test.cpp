@@ -1,0 +1,134 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <suture/base/errors.h>
+#include <suture/component/event_task.h>
+#include <suture/component/periodic_task.h>
+#include <suture/testing/test_clock.h>
+
+#include <atomic>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// A periodic task that counts its cycles, each of which takes `length`.
+struct Counter final : PeriodicTask {
+  explicit Counter(Duration period, Duration length = {})
+      : PeriodicTask({.period = period}), length_(length) {}
+  ~Counter() override { stop(); }
+  void run() override {
+    ++cycles;
+    if (length_ > Duration{}) TestClock::spend(length_);
+  }
+  std::atomic<int> cycles{0};
+
+ private:
+  const Duration length_;
+};
+
+TEST(TestClock, StandsStillUntilItIsStepped) {
+  TestClock clock;
+  const Time begin = now();
+  EXPECT_EQ(now(), begin);
+  clock.advance(5ms);
+  EXPECT_EQ(now() - begin, 5ms);
+}
+
+TEST(TestClock, IsTheOnlyOneOfItsProcess) {
+  TestClock clock;
+  EXPECT_THROW(TestClock(), SetupError);
+  clock.advance(1ms);
+}
+
+TEST(TestClock, LeavesTheKernelsClockBehindWhenItEnds) {
+  { TestClock clock; }
+  EXPECT_EQ(virtualTime(), nullptr);
+  const Time begin = now();
+  EXPECT_GE(Clock::now(), begin);
+}
+
+TEST(TestClock, RunsAPeriodicTaskExactlyOncePerPeriod) {
+  TestClock clock;
+  Counter counter(1ms);
+  counter.start();
+  clock.advance(3600s / 100);
+  EXPECT_EQ(counter.cycles, 36'000);
+  EXPECT_EQ(counter.statistics().skipped, 0u);
+}
+
+TEST(TestClock, SkipsThePeriodsThatALongCycleTakes) {
+  TestClock clock;
+  Counter counter(1ms, 2500us);
+  counter.start();
+  clock.advance(30ms);
+  EXPECT_EQ(counter.cycles, 10);
+  EXPECT_EQ(counter.statistics().skipped, 18u);  // the last cycle has not ended yet
+}
+
+/// A periodic task that writes its name down in each cycle.
+struct Named final : PeriodicTask {
+  Named(Duration period, std::string called, std::vector<std::string>& all)
+      : PeriodicTask({.period = period}), called_(std::move(called)), all_(all) {}
+  ~Named() override { stop(); }
+  void run() override { all_.push_back(called_); }
+
+ private:
+  const std::string called_;
+  std::vector<std::string>& all_;
+};
+
+TEST(TestClock, RunsThreadsInTheOrderOfTheirDeadlines) {
+  TestClock clock;
+  std::vector<std::string> order;
+  Named slow(3ms, "slow", order), fast(2ms, "fast", order);
+  slow.start();
+  fast.start();
+  clock.advance(6ms);
+  EXPECT_THAT(order, testing::ElementsAre("fast", "slow", "fast", "slow", "fast"));
+}
+
+TEST(TestClock, HoldsTimeForAThreadOfTheTest) {
+  TestClock clock;
+  Counter counter(1ms);
+  counter.start();
+  std::atomic<bool> done{false};
+  rt::Doorbell bell;
+  TestClock::Hold hold(clock);
+  std::thread other([&] {
+    EXPECT_EQ(counter.cycles, 0);  // a second of real time would have brought a thousand
+    done = true;
+    bell.ring();
+  });
+  bell.wait();
+  EXPECT_TRUE(done);
+  EXPECT_EQ(counter.cycles, 0);
+  other.join();
+}
+
+void leaveAThread() {
+  rt::Thread thread;
+  TestClock clock;
+  thread.start("left over", [] { TestClock::spend(1h); });
+  clock.advance(1ms);
+}
+
+TEST(TestClockDeathTest, NamesThreadsThatAreLeftAtItsEnd) {
+  EXPECT_DEATH(leaveAThread(), "'left over' sleeps for");
+}
+
+TEST(TestClock, RunsThreadsTogetherIfAskedTo) {
+  TestClock clock({.threads = Threads::Together});
+  Counter one(1ms), other(1ms);
+  one.start();
+  other.start();
+  clock.advance(100ms);
+  EXPECT_EQ(one.cycles, 100);
+  EXPECT_EQ(other.cycles, 100);
+}
+
+}  // namespace
+}  // namespace suture
