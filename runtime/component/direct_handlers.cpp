@@ -1,27 +1,27 @@
 #include <suture/component/component.h>
 #include <suture/component/direct_handlers.h>
 
-#include <thread>
 #include <utility>
 
 namespace suture {
-namespace {
 
 /// While one exists, no handler is deleted.
-class Calling {
+class DirectHandlers::Calling {
  public:
-  explicit Calling(std::atomic<unsigned>& count) : count_(count) {
-    count_.fetch_add(1, std::memory_order_seq_cst);
+  explicit Calling(const DirectHandlers& handlers) : handlers_(handlers) {
+    handlers_.calling_.fetch_add(1, std::memory_order_seq_cst);
   }
-  ~Calling() { count_.fetch_sub(1, std::memory_order_release); }
+  // In one order with awaitCalls(): either that sees the end of this call, or it is rung.
+  ~Calling() {
+    handlers_.calling_.fetch_sub(1, std::memory_order_seq_cst);
+    if (handlers_.awaited_.load(std::memory_order_seq_cst)) handlers_.returned_.ring();
+  }
   Calling(const Calling&) = delete;
   Calling& operator=(const Calling&) = delete;
 
  private:
-  std::atomic<unsigned>& count_;
+  const DirectHandlers& handlers_;
 };
-
-}  // namespace
 
 DirectHandlers::~DirectHandlers() { clear(); }
 
@@ -50,11 +50,13 @@ void DirectHandlers::replace(std::uint16_t event, Entry* entry) {
 }
 
 void DirectHandlers::awaitCalls() const {
-  while (calling_.load(std::memory_order_seq_cst) != 0) std::this_thread::yield();
+  awaited_.store(true, std::memory_order_seq_cst);
+  while (calling_.load(std::memory_order_seq_cst) != 0) returned_.wait();
+  awaited_.store(false, std::memory_order_relaxed);
 }
 
 bool DirectHandlers::call(std::uint16_t event, const std::byte* payload) const {
-  const Calling calling(calling_);
+  const Calling calling(*this);
   const Entry* const entry = handlers_[event].load(std::memory_order_seq_cst);
   if (entry == nullptr || !entry->owner.mayRunHandlers()) return false;
   entry->owner.parkSoonOnThrow([&] { (*entry->handler)(payload); });

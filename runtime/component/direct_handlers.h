@@ -1,6 +1,8 @@
 #pragma once
 // The handlers of one subscriber that run in the thread of whoever emits.
 
+#include <suture/rt/doorbell.h>
+
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -37,6 +39,7 @@ class DirectHandlers {
   bool call(std::uint16_t event, const std::byte* payload) const;
 
  private:
+  class Calling;
   struct Entry {
     Component& owner;
     std::shared_ptr<const Handler> handler;
@@ -47,6 +50,8 @@ class DirectHandlers {
   std::vector<std::atomic<Entry*>> handlers_;  // by event
   std::atomic<std::uint64_t> events_{0};
   mutable std::atomic<unsigned> calling_{0};
+  mutable std::atomic<bool> awaited_{false};
+  mutable rt::Doorbell returned_;  // rung by calls that end while they are awaited
   std::vector<std::unique_ptr<Entry>> replaced_;
 };
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "reference/still_arm.h"
+#include "support/pass.h"
 
 namespace suture {
 
@@ -34,7 +35,12 @@ class DrivenArm final : public Task {
     enter();
   }
   void stop() override { leave(); }
-  using Task::cycle;
+  /// Each cycle begins later than the one before, on a stepped clock too.
+  void cycle() {
+    pass(std::chrono::microseconds(1));
+    Task::cycle();
+    pass(std::chrono::microseconds(1));
+  }
 
   CountingArm automatic, manual;
   Provided<reference::ArmLike> automaticPort{*this, "Automatic", automatic};

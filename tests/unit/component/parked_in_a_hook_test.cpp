@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "support/eventually.h"
+#include "support/test_thread.h"
 
 namespace suture {
 namespace {
@@ -63,7 +64,7 @@ TEST(ParkedInAHook, ARestartIsAFaultAndNotTheLastThatCounts) {
 TEST(ParkedInAHook, ADeviceStaysSo) {
   struct Called final : Device {
     void onSuspend() override {
-      std::thread([this] { park("a call threw"); }).join();
+      TestThread([this] { park("a call threw"); }).join();
     }
   } device;
   device.start();

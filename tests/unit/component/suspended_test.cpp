@@ -27,7 +27,7 @@ using reference::ArmLike;
 template <class Kind>
 int cyclesDuring(const Living<Kind>& task, Duration time) {
   const int before = task.cycles;
-  std::this_thread::sleep_for(time);
+  pass(time);
   return task.cycles - before;
 }
 
@@ -85,6 +85,7 @@ TEST(Suspended, WhatWasSentBeforeTheResumeIsRefusedHoweverLateItArrives) {
   const auto channel = connectLocally(client.arm, task.arm, "test");
   task.start();
   const Time sent = now();
+  pass(1ms);
   task.request(Transition::Suspend);
   task.trigger();
   task.request(Transition::Resume);
@@ -147,7 +148,7 @@ TEST(Suspended, EventsWaitUntilItIsResumed) {
   EXPECT_TRUE(reaches(listener, State::Suspended));
   sender.wanted = 2;
   EXPECT_TRUE(eventually([&] { return sender.emitted == 2; }));
-  std::this_thread::sleep_for(10ms);
+  pass(10ms);
   EXPECT_EQ(listener.stops, 1);
   listener.request(Transition::Resume);
   EXPECT_TRUE(eventually([&] { return listener.stops == 2; }));
@@ -172,7 +173,7 @@ void expectItSleeps(Living<Kind>& task) {
   channel->status = ChannelStatus::Connected;
   EXPECT_EQ(client.arm.hold.start().within(5s).error(), Errc::Suspended);
   const Duration before = processorTime();
-  std::this_thread::sleep_for(200ms);
+  pass(200ms);
   EXPECT_LT(processorTime() - before, 100ms) << "a suspended task spins";
   EXPECT_EQ(task.state(), State::Suspended);
   task.request(Transition::Resume);
@@ -205,7 +206,7 @@ TEST(Suspended, ItsPeriodsAreNotCountedAsSkipped) {
   task.request(Transition::Suspend);
   EXPECT_TRUE(reaches(task, State::Suspended));
   const Time suspended = now();
-  std::this_thread::sleep_for(300ms);
+  pass(300ms);
   const auto missed = static_cast<std::uint64_t>((now() - suspended) / 1ms);
   task.request(Transition::Resume);
   EXPECT_TRUE(eventually([&, before = task.cycles.load()] { return task.cycles > before + 3; }));

@@ -20,6 +20,7 @@
 #include "reference/simulated_arm.h"
 #include "support/eventually.h"
 #include "support/refusal.h"
+#include "support/test_thread.h"
 
 namespace suture {
 namespace {
@@ -59,7 +60,7 @@ TEST(ContinuousTask, RunsWithoutWaitingForAnything) {
   EXPECT_TRUE(client.arm.hold.start().within(5s));
   task.stop();
   const int atTheEnd = cycles;
-  std::this_thread::sleep_for(5ms);
+  pass(5ms);
   EXPECT_EQ(cycles, atTheEnd);
 }
 
@@ -77,7 +78,7 @@ TEST(CallbackTask, RunsInTheThreadThatCallsIt) {
   EXPECT_EQ(ranIn, std::this_thread::get_id());
 
   std::thread::id other;
-  std::thread caller([&] {
+  TestThread caller([&] {
     other = std::this_thread::get_id();
     EXPECT_TRUE(task.trigger());
   });
@@ -105,11 +106,11 @@ TEST(CallbackTask, StopWaitsForTheCycleUnderWay) {
   std::atomic<bool> inside{false}, ended{false};
   Worker<CallbackTask> task([&] {
     inside = true;
-    std::this_thread::sleep_for(20ms);
+    pass(20ms);
     ended = true;
   });
   task.start();
-  std::thread caller([&] { task.trigger(); });
+  TestThread caller([&] { task.trigger(); });
   EXPECT_TRUE(eventually([&] { return inside.load(); }));
   task.stop();
   EXPECT_TRUE(ended);
@@ -185,7 +186,7 @@ TEST(GuestTask, OutlivesAHostThatThrows) {
   EXPECT_TRUE(ofGuest.arm.hold.start().within(5s));
   // What waits for the parked host must not keep its thread busy.
   const std::uint64_t before = guest.statistics().cycles;
-  std::this_thread::sleep_for(50ms);
+  pass(50ms);
   EXPECT_LT(guest.statistics().cycles - before, 10u);
 }
 

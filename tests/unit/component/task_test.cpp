@@ -52,7 +52,7 @@ class CountingArm final : public Kind, public ArmLike {
  private:
   void run() override {
     ++cycles;
-    if (cycleTime > Duration{0}) std::this_thread::sleep_for(cycleTime);
+    if (cycleTime > Duration{0}) pass(cycleTime);
   }
   PoseStamped pose_;
 };
@@ -114,7 +114,7 @@ struct AskingTask : EventTask {
   /// True once it has what it asked for.
   bool ask() {
     if (!eventually([&] { return connected.load(); })) return false;
-    std::this_thread::sleep_for(20ms);
+    pass(20ms);
     asks = true;
     doorbell().ring();
     return eventually([&] { return answered.load(); });
@@ -208,7 +208,7 @@ void expectRest(const Ask& ask) {
   arm.start();
   client.start();
   EXPECT_TRUE(eventually([&] { return client.cycles > 0; }));
-  std::this_thread::sleep_for(50ms);
+  pass(50ms);
   EXPECT_LT(client.cycles, 6) << "it runs without pause";
 }
 
@@ -220,7 +220,7 @@ TEST(EventTask, IsNotWokenAgainByTheAnswerThatItHasPolledFor) {
   expectRest([](Required<ArmLike>& arm) {
     auto call = arm.hold.start();
     arm.owner().ringNow();
-    while (!call.poll()) std::this_thread::yield();
+    while (!call.poll()) pass(10us);
     return true;
   });
 }

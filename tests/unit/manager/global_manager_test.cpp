@@ -15,6 +15,7 @@
 #include "support/eventually.h"
 #include "support/refusal.h"
 #include "support/temporary_directory.h"
+#include "support/test_thread.h"
 
 namespace suture {
 namespace {
@@ -105,7 +106,7 @@ class GlobalManagerTest : public testing::TestWithParam<const char*> {
   std::string address_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Sockets, GlobalManagerTest, testing::Values("unix", "tcp"),
+INSTANTIATE_TEST_SUITE_P(Sockets, GlobalManagerTest, testing::Values(SOCKET),
                          [](const auto& test) { return std::string(test.param); });
 
 TEST_P(GlobalManagerTest, TellsWhereAProcessIsAndWhatItOffers) {
@@ -149,8 +150,8 @@ TEST_P(GlobalManagerTest, AnUnknownProcessIsRefusedWithWhatThereIs) {
 TEST_P(GlobalManagerTest, ResolvingWaitsForAProcessToAppear) {
   auto left = enrolled("left");
   std::unique_ptr<Peer> right;
-  std::thread late([&] {
-    std::this_thread::sleep_for(20ms);
+  TestThread late([&] {
+    pass(20ms);
     right = enrolled("right");
   });
   EXPECT_EQ(left->resolve("right", 10s).name, "right");
@@ -169,8 +170,8 @@ TEST_P(GlobalManagerTest, SoManyMayWaitAndNoMore) {
   EXPECT_TRUE(contains(answer, "find process 'nobody'")) << answer;
   // Those who have gone leave their places to others.
   std::unique_ptr<Peer> late;
-  std::thread other([&] {
-    std::this_thread::sleep_for(50ms);
+  TestThread other([&] {
+    pass(50ms);
     late = enrolled("late");
   });
   EXPECT_EQ(refusal([&] { peer->resolve("late", 10s); }), "");
@@ -234,8 +235,8 @@ TEST(ManagerLink, WaitsForAManagerToStart) {
   const std::string address = "unix:" + directory.file("late.sock");
   rpc::ControlThread control;
   std::unique_ptr<GlobalManager> manager;
-  std::thread late([&] {
-    std::this_thread::sleep_for(20ms);
+  TestThread late([&] {
+    pass(20ms);
     manager = std::make_unique<GlobalManager>(control, address);
   });
   Peer left("left", address);

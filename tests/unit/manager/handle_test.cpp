@@ -8,11 +8,10 @@
 #include <suture/manager/handle.h>
 #include <suture/transport/rpc/control_thread.h>
 
-#include <thread>
-
 #include "reference/still_arm.h"
 #include "support/eventually.h"
 #include "support/temporary_directory.h"
+#include "support/test_thread.h"
 
 namespace suture {
 namespace {
@@ -89,7 +88,7 @@ class Handles : public testing::TestWithParam<bool> {
 
 TEST_P(Handles, OffersWhatARequiredInterfaceDoes) {
   Handle<ArmLike> handle(*manager, "Gui/Arm", arm());
-  std::thread([&] {
+  TestThread([&] {
     std::vector<Mode> modes;
     handle.on().mode([&](const Mode& mode) { modes.push_back(mode); });
     EXPECT_TRUE(handle.hold());
@@ -100,6 +99,7 @@ TEST_P(Handles, OffersWhatARequiredInterfaceDoes) {
     while (modes.empty() && handle.waitForEvents(now() + 5s)) continue;
     EXPECT_EQ(modes, std::vector<Mode>{Mode::Enabled});
     EXPECT_TRUE(handle.on().mode.reset());
+    pass(1us);  // or the last event would be as new as the wait for the next
     auto changed = handle.on().mode.next();
     EXPECT_TRUE(handle.set_mode(Mode::Disabled));
     EXPECT_EQ(changed.within(5s).value(), Mode::Disabled);
@@ -110,7 +110,7 @@ TEST_P(Handles, OffersWhatARequiredInterfaceDoes) {
 
 TEST_P(Handles, BelongToOneThreadEach) {
   Handle<ArmLike> handle(*manager, "Gui/Arm", arm());
-  std::thread([&] { EXPECT_TRUE(handle.hold()); }).join();
+  TestThread([&] { EXPECT_TRUE(handle.hold()); }).join();
   EXPECT_EQ(handle.hold().error(), Errc::WrongThread);
   EXPECT_EQ(handle.measured_cp().error(), Errc::WrongThread);
   EXPECT_EQ(handle.reset.start().within(1s).error(), Errc::WrongThread);
@@ -125,13 +125,13 @@ TEST_P(Handles, AnyNumberOfThemInAnyNumberOfThreads) {
     const std::string name = "Logger" + std::to_string(i) + "/Arm";
     handles.push_back(std::make_unique<Handle<ArmLike>>(*manager, name, arm()));
   }
-  std::vector<std::thread> threads;
+  std::vector<std::unique_ptr<TestThread>> threads;
   for (const auto& handle : handles) {
-    threads.emplace_back([&arm = *handle] {
+    threads.push_back(std::make_unique<TestThread>([&arm = *handle] {
       for (int i = 0; i < 50; ++i) EXPECT_TRUE(arm.hold.start().within(5s));
-    });
+    }));
   }
-  for (std::thread& thread : threads) thread.join();
+  threads.clear();
   EXPECT_EQ(psm.holds, 200);
 }
 

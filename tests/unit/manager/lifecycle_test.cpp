@@ -18,6 +18,7 @@
 #include "support/eventually.h"
 #include "support/refusal.h"
 #include "support/temporary_directory.h"
+#include "support/test_thread.h"
 
 namespace suture {
 namespace {
@@ -155,8 +156,8 @@ TEST(AwaitStart, WaitsForWhatComesLater) {
   manager.add("Worker", worker);
   manager.start();
   manager.add("Idle", idle);
-  std::thread later([&] {
-    std::this_thread::sleep_for(20ms);
+  TestThread later([&] {
+    pass(20ms);
     idle.start();
   });
   EXPECT_EQ(refusal([&] { manager.awaitStart(); }), "");
@@ -211,7 +212,7 @@ TEST(ManagerLifecycle, RefusesAnInterfaceOfTheReservedName) {
 TEST(LifecycleInterface, IsThereAsSoonAsItsComponentIsFound) {
   std::vector<Worker> workers(200);
   Manager manager("here");
-  std::thread peer([&] {
+  TestThread peer([&] {
     for (const Component* found = nullptr; found != &workers.back();) {
       for (const Component* component : manager.directory().components()) {
         EXPECT_EQ(component->provided().size(), 1u) << component->name();
@@ -276,7 +277,7 @@ TEST(LifecycleInterface, AnswersWhoAsksASuspendedComponentForTheFirstTime) {
   manager.start();
   manager.suspend("Worker");
   manager.connect("Watcher/Watched", "Worker/component");
-  std::this_thread::sleep_for(10ms);  // it has taken over the connection, and sleeps
+  pass(10ms);  // it has taken over the connection, and sleeps
   EXPECT_TRUE(eventually([&] {
     const auto state = watcher.component.component_state();
     return state && *state == State::Suspended;

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "reference/simulated_arm.suture.h"
+#include "support/pass.h"
 
 namespace {
 
@@ -18,6 +19,7 @@ class Client final : public suture::PeriodicTask {
 
  private:
   void run() override {
+    suture::pass(10us);
     (void)arm_.servo_cp({});
     (void)arm_.measured_cp();
   }
@@ -38,7 +40,7 @@ TEST(Observe, CountsWhatALocalConnectionDoes) {
   suture::Report report;
   const auto deadline = suture::now() + 10s;
   do {
-    std::this_thread::yield();
+    suture::pass(std::chrono::microseconds(100));
     report = suture::observe(manager, began);
   } while ((report.connections.at(0).executed < 3 || report.connections.at(0).readAge.count < 3 ||
             report.tasks.at(0).window.cycles == 0) &&
@@ -64,7 +66,7 @@ TEST(Observe, CountsWhatALocalConnectionDoes) {
   EXPECT_EQ(report.tasks[0].state, suture::ComponentState::Running);
   EXPECT_GE(report.tasks[0].cycles, 3u);
   EXPECT_GE(report.tasks[1].lateness.count, 3u);
-  EXPECT_GT(report.tasks[1].computeTime.max, 0ns);
+  EXPECT_GT(report.tasks[0].computeTime.max, 0ns);
   EXPECT_GE(report.tasks[0].window.length, 2ms);
   EXPECT_GT(report.tasks[0].window.period.mean, 0ns);
   EXPECT_GT(report.tasks[0].window.compute.p99, 0ns);
@@ -86,7 +88,8 @@ TEST(Observe, TellsHowAContractIsKeptAndWhatDevicesAre) {
   const auto deadline = suture::now() + 10s;
   const auto contract = [&] { return present().connections.at(0).contract; };
   ASSERT_TRUE(contract());
-  while (contract()->staleReads < 3 && suture::now() < deadline) std::this_thread::yield();
+  while (contract()->staleReads < 3 && suture::now() < deadline)
+    suture::pass(std::chrono::microseconds(100));
   EXPECT_GE(contract()->staleReads, 3u);
   EXPECT_TRUE(contract()->awaitsOperator);
   EXPECT_EQ(contract()->losses, 0u);

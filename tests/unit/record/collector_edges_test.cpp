@@ -41,7 +41,7 @@ struct Providing final : Kind, private Lifecycle {
 struct Slow final : PeriodicTask {
   Slow() : PeriodicTask({.period = 60ms}) {}
   ~Slow() override { stop(); }
-  void run() override { std::this_thread::sleep_for(50ms); }
+  void run() override { pass(50ms); }
 };
 
 TEST(CollectorEdges, TheFirstRowIsAmongThoseCounted) {

@@ -9,6 +9,8 @@
 #include <thread>
 #include <vector>
 
+#include "support/pass.h"
+
 namespace suture {
 
 class CountingSink final : public Sink {
@@ -22,14 +24,14 @@ class CountingSink final : public Sink {
     numbers.push_back(number);
     stamps.push_back(stamp);
     for (const CollectedValue& value : values) absent += value.slot == nullptr ? 1 : 0;
-    std::this_thread::sleep_for(delay_);
+    pass(delay_);
   }
   void event(const CollectedInterface&, std::uint16_t event, Time stamp,
              const std::byte*) override {
     const std::lock_guard lock(mutex_);
     numbers.push_back(event);
     stamps.push_back(stamp);
-    std::this_thread::sleep_for(delay_);
+    pass(delay_);
   }
   void missed(const CollectedInterface&, std::uint64_t count) override {
     const std::lock_guard lock(mutex_);

@@ -46,7 +46,7 @@ struct Collected {
     manager.start();
     // Both ends have taken the connection over.
     EXPECT_TRUE(eventually([&] { return !options.collecting || collector.collecting(); }));
-    std::this_thread::sleep_for(20ms);
+    pass(20ms);
     arm.on = true;
   }
   /// Ends the events and waits until the collector has come to the last of `perCycle` each cycle.
@@ -67,7 +67,7 @@ struct Collected {
 TEST(EventCollector, EventsCollectedAndMissedAreThoseEmitted) {
   CountingSink sink;
   Collected run({.events = {"arrived", "stopped"}}, sink);
-  std::this_thread::sleep_for(1s);
+  pass(1s);
   run.finish(2);
   const CollectedCounts counts = run.collector.counts();
   EXPECT_GT(counts.collected, 0u);

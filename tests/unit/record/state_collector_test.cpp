@@ -50,7 +50,7 @@ void expectAscending(const std::vector<std::uint64_t>& numbers) {
 TEST(StateCollector, RowsCollectedAndMissedAreThoseProduced) {
   CountingSink sink;
   Collected run({.reads = {"measured_cp", "measured_js"}}, sink);
-  std::this_thread::sleep_for(1500ms);
+  pass(1500ms);
   run.finish();
   const CollectedCounts counts = run.collector.counts();
   EXPECT_GT(counts.collected, 0u);
@@ -105,7 +105,7 @@ TEST(StateCollector, KeepsAtMostOneRowEachInterval) {
 TEST(StateCollector, CollectsFromStartToStopAlone) {
   CountingSink sink;
   Collected run({.collecting = false}, sink);
-  std::this_thread::sleep_for(30ms);
+  pass(30ms);
   EXPECT_FALSE(run.collector.collecting());
   EXPECT_EQ(run.produced(), 0u);  // nobody has asked
 

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <suture/rt/thread.h>
+
+#include <functional>
+#include <utility>
+
+namespace suture {
+
+/// A thread of a test: one that a stepped clock knows. Joined at the end at the latest.
+class TestThread {
+ public:
+  explicit TestThread(std::function<void()> body) {
+    thread_.start("a thread of the test", std::move(body));
+  }
+  ~TestThread() { join(); }
+  TestThread(const TestThread&) = delete;
+  TestThread& operator=(const TestThread&) = delete;
+
+  void join() {
+    if (thread_.joinable()) thread_.join();
+  }
+
+ private:
+  rt::Thread thread_;
+};
+
+}  // namespace suture
