@@ -30,13 +30,7 @@ class RecordingArm : public GripperArm {
   /// Where set_mode(Disabled) and move(..., "wait") are held up.
   explicit RecordingArm(Gate& tests) : gate(tests) {}
 
-  void servo_cp(const PoseStamped& goal) override {
-    {
-      const std::lock_guard lock(mutex_);
-      measured_ = goal;
-    }
-    log("servo_cp " + std::to_string(static_cast<int>(goal.pose.translation().x())));
-  }
+  void servo_cp(const PoseStamped& goal) override { goTo(goal); }
   void servo_jp(const JointState& goal) override {
     {
       const std::lock_guard lock(mutex_);
@@ -67,7 +61,7 @@ class RecordingArm : public GripperArm {
   bool move(const PoseStamped& goal, double speed, const std::string& reason) override {
     if (reason == "wait") gate.pass();
     if (reason == "throw") throw std::runtime_error("the drive did not answer");
-    servo_cp(goal);
+    goTo(goal);
     log("move " + std::to_string(static_cast<int>(speed * 100)) + "% " + reason);
     return speed > 0.5;
   }
@@ -122,6 +116,13 @@ class RecordingArm : public GripperArm {
     const std::lock_guard lock(mutex_);
     log_.push_back(std::move(line));
   }
+  void goTo(const PoseStamped& goal) {
+    {
+      const std::lock_guard lock(mutex_);
+      measured_ = goal;
+    }
+    log("servo_cp " + std::to_string(static_cast<int>(goal.pose.translation().x())));
+  }
 
   mutable std::mutex mutex_;
   std::vector<std::string> log_;
@@ -148,9 +149,12 @@ class Emissions {
     asked_.push_back(std::move(emission));
   }
   void perform(Ports ports) {
-    const std::lock_guard lock(mutex_);
-    for (auto& emission : asked_) emission(ports);
-    asked_.clear();
+    std::vector<std::function<void(Ports)>> now;
+    {
+      const std::lock_guard lock(mutex_);
+      now.swap(asked_);
+    }
+    for (const auto& emission : now) emission(ports);
   }
 
  private:

@@ -1,0 +1,87 @@
+#pragma once
+// Which lane, provider and client a scenario meets, and how they are chosen.
+
+#include <functional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace conformance {
+
+enum class BaseLane { Local, Shm, Frame, Rpc };
+
+/// What lies on the way of each message.
+enum class Filter {
+  None,
+  Delay,
+  Faults,  ///< delayed, and messages come twice or late, but none is lost
+  // The lossy ones: only the rules of a history hold.
+  Loss,
+  BurstLoss,
+  Duplicates,
+  Reordering,
+};
+
+/// What the two processes reach each other by.
+enum class Transport { None, Unix, Tcp, Tls };
+
+enum class ProviderKind { Periodic, EventDriven, Device };
+enum class ClientKind { Task, Device };
+
+/// The client and its provider live there.
+enum class Where { OneProcess, TwoProcesses, TwoNamespaces };
+
+struct Row {
+  BaseLane lane;
+  Filter filter;
+  Transport transport;
+  ProviderKind provider;
+  ClientKind client;
+  Where where;
+
+  /// Then nothing crosses a wire.
+  bool sharesManager() const { return lane == BaseLane::Local; }
+  /// The ends share a process, and nothing lies between them: one may run what is the other's.
+  bool isDirect() const { return sharesManager() && filter == Filter::None; }
+  bool providerIsDevice() const { return provider == ProviderKind::Device; }
+  /// The provider's commands are executed before the call of the client returns.
+  bool runsInCallersThread() const { return isDirect() && providerIsDevice(); }
+  /// The provider can end while the client lives.
+  bool providerCanEnd() const { return !(sharesManager() && providerIsDevice()); }
+  /// A message may be lost, or be dropped because it came behind a newer one.
+  bool isLossy() const { return filter >= Filter::Loss; }
+
+  /// "FrameTcp": the lane, the transport and the filter.
+  std::string laneName() const;
+  /// The lane; where something lies on its way, that.
+  std::string laneKind() const;
+  std::string providerName() const;
+  std::string clientName() const;
+  std::string placeName() const;
+  std::string name() const;
+  friend std::ostream& operator<<(std::ostream& out, const Row& row) { return out << row.name(); }
+};
+
+using Keep = std::function<bool(const Row&)>;
+/// Commands wait for the provider's thread.
+inline bool isQueued(const Row& row) { return !row.runsInCallersThread(); }
+
+/// For a scenario that concerns the lane: in one process, by Unix sockets. The fewest rows that a
+/// simple search finds in which every pair of lane kind and provider, lane kind and client, and
+/// provider and client occurs, of those that `keep` leaves possible.
+std::vector<Row> laneRows(const Keep& keep = {});
+/// For a scenario that concerns what is below the lane, too: besides, each lane on each transport,
+/// in two processes and in two namespaces, with each kind of provider.
+std::vector<Row> wireRows(const Keep& keep = {});
+/// For scenarios of which only the history is judged: each lane with each lossy filter, in one
+/// process and in two.
+std::vector<Row> lossyRows();
+
+/// All that `laneRows` and `wireRows` choose from. With SUTURE_CONFORMANCE=full they choose all of
+/// it, which takes an hour.
+std::vector<Row> everyRow();
+std::vector<Row> everyLaneRow();
+std::vector<Row> everyLossyRow();
+bool fullCrossIsAsked();
+
+}  // namespace conformance
