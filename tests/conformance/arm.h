@@ -10,10 +10,12 @@
 #include <atomic>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "conformance/gate.h"
+#include "fault/history.h"
 #include "reference/gripper_arm.suture.h"
 
 namespace conformance {
@@ -30,7 +32,10 @@ class RecordingArm : public GripperArm {
   /// Where set_mode(Disabled) and move(..., "wait") are held up.
   explicit RecordingArm(Gate& tests) : gate(tests) {}
 
-  void servo_cp(const PoseStamped& goal) override { goTo(goal); }
+  void servo_cp(const PoseStamped& goal) override {
+    writeHistory(goal, std::chrono::milliseconds(500));
+    goTo(goal);
+  }
   void servo_jp(const JointState& goal) override {
     {
       const std::lock_guard lock(mutex_);
@@ -61,6 +66,7 @@ class RecordingArm : public GripperArm {
   bool move(const PoseStamped& goal, double speed, const std::string& reason) override {
     if (reason == "wait") gate.pass();
     if (reason == "throw") throw std::runtime_error("the drive did not answer");
+    writeHistory(goal, {});
     goTo(goal);
     log("move " + std::to_string(static_cast<int>(speed * 100)) + "% " + reason);
     return speed > 0.5;
@@ -107,6 +113,11 @@ class RecordingArm : public GripperArm {
   }
   /// Any thread: from now on its joints do not fit what the contract declares.
   void outgrow() { outgrown_ = true; }
+  /// From now on writes down each goal: its place is its client, its number and its connection.
+  void keepHistory(const std::string& file) {
+    const std::lock_guard lock(mutex_);
+    history_.emplace(file);
+  }
 
   Gate& gate;
   std::atomic<bool> throwOnEnable{false};
@@ -123,9 +134,21 @@ class RecordingArm : public GripperArm {
     }
     log("servo_cp " + std::to_string(static_cast<int>(goal.pose.translation().x())));
   }
+  void writeHistory(const PoseStamped& goal, suture::Duration ttl) {
+    const std::lock_guard lock(mutex_);
+    if (!history_) return;
+    const auto& tag = goal.pose.translation();
+    history_->write({.kind = suture::HistoryEntry::Kind::Executed,
+                     .at = suture::now(),
+                     .client = static_cast<std::uint32_t>(tag.x()),
+                     .id = static_cast<std::uint64_t>(tag.y()),
+                     .epoch = static_cast<std::uint64_t>(tag.z()),
+                     .limit = ttl});
+  }
 
   mutable std::mutex mutex_;
   std::vector<std::string> log_;
+  std::optional<suture::HistoryLog> history_;
   PoseStamped measured_;
   mutable suture::Time evaluated_;
   JointState joints_;
