@@ -78,7 +78,7 @@ class Losses : public Conformance {
   bool isAnswered() {
     bool answered = false;
     client->with(
-        [&](Arm& remote) { answered = remote.distance.start({}).within(200ms).has_value(); });
+        [&](Arm& remote) { answered = remote.distance.start({}).within(50ms).has_value(); });
     return answered;
   }
   // Nothing keeps a place at the provider for ever.

@@ -77,11 +77,12 @@ std::vector<Row> wireRows(const Keep& keep = {});
 /// process and in two.
 std::vector<Row> lossyRows();
 
-/// All that `laneRows` and `wireRows` choose from. With SUTURE_CONFORMANCE=full they choose all of
-/// it, which takes an hour.
+// What is possible.
 std::vector<Row> everyRow();
-std::vector<Row> everyLaneRow();
+std::vector<Row> everyLaneRow();  ///< those of laneRows()
 std::vector<Row> everyLossyRow();
+/// By SUTURE_CONFORMANCE=full in the environment: then every scenario runs on all rows that are
+/// possible, those of the wire included.
 bool fullCrossIsAsked();
 
 }  // namespace conformance

@@ -125,7 +125,7 @@ void Conformance::connect(const std::string& required, const std::string& provid
   ASSERT_TRUE(eventually([](auto& remote) { return remote.connected(); }));
   // A task sends its events to a new client from its next cycle on: the one that answers a command.
   ASSERT_TRUE(eventually([](auto& remote) {
-    const suture::Duration patience = GetParam().isLossy() ? 200ms : 5s;
+    const suture::Duration patience = GetParam().isLossy() ? 50ms : 5s;
     const bool answered = remote.distance.start({}).within(patience).has_value();
     EXPECT_TRUE(answered || GetParam().isLossy()) << "the first call on this connection was lost";
     return answered;
