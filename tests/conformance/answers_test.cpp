@@ -9,7 +9,7 @@ using suture::Errc;
 
 class Answers : public Conformance {};
 class WireAnswers : public Conformance {};
-/// What a call is told of a provider that does not execute it at once.
+/// The provider does not execute them before start() returns.
 class QueuedAnswers : public Conformance {};
 /// A process judges what another one sends, not what it sends itself.
 class JudgedArguments : public Conformance {};

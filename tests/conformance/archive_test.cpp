@@ -180,7 +180,7 @@ TEST_P(Archives, TheLastValueAwaitsLateJoiners) {
   EXPECT_TRUE(await([&] { return !reader.names.empty() && reader.names.back() == "two"; }));
 }
 
-/// Of which messages are sent.
+/// Values are sent as messages.
 class RemoteArchives : public Archives {};
 
 TEST_P(RemoteArchives, WhatExceedsAMessageIsRefusedAlone) {

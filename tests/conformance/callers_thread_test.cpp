@@ -18,7 +18,7 @@ class CallersThread : public Conformance {
     EXPECT_EQ(here, GetParam().isDirect());
   }
 };
-/// Of a task in this process, whose other commands wait for its thread.
+/// The provider is a task of this process, so that its other commands wait for its thread.
 class CallersThreadAndATask : public CallersThread {};
 
 TEST_P(CallersThread, ADirectCommandRunsThere) {

@@ -10,7 +10,7 @@
 
 namespace conformance {
 
-/// A text, in what a function may take along to another process.
+/// A function may take it along to another process, as it cannot a std::string.
 struct Text {
   explicit Text(const std::string& from) {
     if (from.size() >= sizeof text) throw std::length_error("too long to cross: " + from);

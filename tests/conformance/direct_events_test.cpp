@@ -23,9 +23,9 @@ class DirectEvents : public Conformance {
   std::atomic<pid_t> handledIn{0};
   std::atomic<int> handled{0};
 };
-/// Of a provider that runs them itself.
+/// The provider runs them itself.
 class LentHandlers : public DirectEvents {};
-/// Where a throw does not end in the test's own thread, which is a device's.
+/// No throw ends in the test's own thread, as it would where that is the client's.
 class ThrowingDirectEvents : public DirectEvents {};
 
 TEST_P(DirectEvents, TheyRunInTheEmittersThread) {

@@ -10,9 +10,9 @@ using namespace std::chrono_literals;
 using suture::Errc;
 
 class Failures : public Conformance {};
-/// Of a provider that has a life of its own.
+/// The provider has a life of its own: it can end while the client lives.
 class Endings : public Conformance {};
-/// Of a task: a device would have to end inside its own handler.
+/// The provider is a task: a device would have to end inside its own handler.
 class EndingsOfTasks : public Conformance {};
 
 TEST_P(Failures, AHandlerThatThrowsParksItsComponentOnly) {

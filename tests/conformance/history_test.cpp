@@ -28,7 +28,7 @@ class History : public Conformance {
   }
 };
 class WireHistory : public History {};
-/// Of a provider that is called where its client runs, and so has no past.
+/// The provider is called where its client runs, and so has no past.
 class NoHistory : public History {};
 
 TEST_P(WireHistory, AReadOfThenTellsWhatWasThen) {

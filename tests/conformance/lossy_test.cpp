@@ -1,5 +1,5 @@
-// Lanes that lose, repeat and reorder messages: of what the client sent and the provider executed,
-// the rules of a history hold (fault/history.h).
+// Some lanes lose, repeat and reorder messages: of what the client sent and the provider executed,
+// the rules of a history hold all the same (fault/history.h).
 #include <suture/component/channel.h>
 
 #include <algorithm>
@@ -58,7 +58,7 @@ class Losses : public Conformance {
     }
   }
 
-  /// A command, a call and an event, and what has arrived until then.
+  /// Sends a command, a call and an event, and takes what has arrived until then.
   void exchange() {
     client->with([this](Arm& remote) {
       const PoseStamped goal = sent({});

@@ -20,7 +20,7 @@ class NextEvents : public Conformance {
     arm->emitSoon([](Ports ports) { ports.arm.emit().stopped(); });
   }
 };
-/// Of a provider that has a life of its own.
+/// The provider has a life of its own: it can end while the client lives.
 class LastEvents : public NextEvents {};
 
 double placeOf(const PoseStamped& pose) { return pose.pose.translation().x(); }

@@ -17,7 +17,7 @@ class Order : public Conformance {
   }
 };
 class WireOrder : public Order {};
-/// Of one queue, whose end the client's own call sees.
+/// Nothing lies between the client and the queue: what is replaced there has not been sent on.
 class DirectOrder : public Order {};
 
 TEST_P(Order, ServoThenHoldEndsInHold) {

@@ -18,7 +18,7 @@
 
 namespace conformance {
 
-/// What proves that a process is `process`: its files in the folder `keys`; "": nothing.
+/// Returns what proves that a process is `process`: its files in the folder `keys`; "": nothing.
 suture::Security securityOf(const std::string& process, const std::string& keys);
 
 /// What there is in the provider's process.

@@ -16,8 +16,8 @@ constexpr std::array kClients = {ClientKind::Task, ClientKind::Device};
 
 // --- every row that is possible
 
-/// A lane on one transport. In two processes and namespaces the client is a task: what a client
-/// does it does in its own process.
+/// Adds a lane on one transport. In two processes and namespaces the client is a task: what a
+/// client does it does in its own process.
 void addLane(std::vector<Row>& rows, BaseLane lane, Filter filter, Transport transport,
              const std::vector<Where>& places) {
   for (const Where where : places) {
@@ -32,7 +32,7 @@ void addLane(std::vector<Row>& rows, BaseLane lane, Filter filter, Transport tra
 
 // --- the choice
 
-/// Two properties of a row that are to meet, each with its value, as one number.
+/// It says in one number that two properties of a row meet, and the value of each.
 using Pair = std::uint32_t;
 
 std::array<Pair, 6> pairsOf(const Row& row) {
@@ -138,7 +138,7 @@ constexpr const char* kFilters[] = {"",       "Delayed",     "Faulty",    "Lossy
 constexpr const char* kTransports[] = {"", "", "Tcp", "Tls"};
 constexpr const char* kProviderNames[] = {"Periodic", "EventDriven", "Device"};
 constexpr const char* kClientNames[] = {"Task", "Device"};
-constexpr const char* kPlaces[] = {"", "InTwoProcesses", "InTwoNamespaces"};
+constexpr const char* kPlaces[] = {"InOneProcess", "InTwoProcesses", "InTwoNamespaces"};
 
 }  // namespace
 
@@ -157,7 +157,8 @@ std::string Row::clientName() const { return kClientNames[static_cast<int>(clien
 std::string Row::placeName() const { return kPlaces[static_cast<int>(where)]; }
 
 std::string Row::name() const {
-  return laneName() + "To" + providerName() + "From" + clientName() + placeName();
+  return laneName() + "To" + providerName() + "From" + clientName() +
+         (where == Where::OneProcess ? "" : placeName());
 }
 
 }  // namespace conformance

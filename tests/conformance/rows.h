@@ -1,5 +1,5 @@
 #pragma once
-// Which lane, provider and client a scenario meets, and how they are chosen.
+// Says which lanes, providers and clients there are, and which of them a scenario meets.
 
 #include <functional>
 #include <ostream>
@@ -10,19 +10,19 @@ namespace conformance {
 
 enum class BaseLane { Local, Shm, Frame, Rpc };
 
-/// What lies on the way of each message.
+/// It lies on the way of each message.
 enum class Filter {
   None,
   Delay,
   Faults,  ///< delayed, and messages come twice or late, but none is lost
-  // The lossy ones: only the rules of a history hold.
+  // These are lossy: only the rules of a history hold.
   Loss,
   BurstLoss,
   Duplicates,
   Reordering,
 };
 
-/// What the two processes reach each other by.
+/// The two processes reach each other by it.
 enum class Transport { None, Unix, Tcp, Tls };
 
 enum class ProviderKind { Periodic, EventDriven, Device };
@@ -51,9 +51,9 @@ struct Row {
   /// A message may be lost, or be dropped because it came behind a newer one.
   bool isLossy() const { return filter >= Filter::Loss; }
 
-  /// "FrameTcp": the lane, the transport and the filter.
+  /// Names the filter, the lane and the transport, as in "FrameTcp" and "DelayedRpc".
   std::string laneName() const;
-  /// The lane; where something lies on its way, that.
+  /// Names the lane, or the filter if there is one.
   std::string laneKind() const;
   std::string providerName() const;
   std::string clientName() const;
@@ -66,23 +66,24 @@ using Keep = std::function<bool(const Row&)>;
 /// Commands wait for the provider's thread.
 inline bool isQueued(const Row& row) { return !row.runsInCallersThread(); }
 
-/// For a scenario that concerns the lane: in one process, by Unix sockets. The fewest rows that a
-/// simple search finds in which every pair of lane kind and provider, lane kind and client, and
-/// provider and client occurs, of those that `keep` leaves possible.
+/// A scenario that concerns the lane runs on these: in one process, by Unix sockets. They are the
+/// fewest that a simple search finds in which every pair of lane kind and provider, lane kind and
+/// client, and provider and client occurs, of those that `keep` leaves possible.
 std::vector<Row> laneRows(const Keep& keep = {});
-/// For a scenario that concerns what is below the lane, too: besides, each lane on each transport,
-/// in two processes and in two namespaces, with each kind of provider.
+/// A scenario that also concerns what is below the lane runs on these: besides, each lane occurs on
+/// each transport, in one process, two processes and two namespaces; and each transport and place
+/// with each kind of provider.
 std::vector<Row> wireRows(const Keep& keep = {});
-/// For scenarios of which only the history is judged: each lane with each lossy filter, in one
-/// process and in two.
+/// A scenario of which only the history is judged runs on these: each lane with each lossy filter,
+/// in one process and in two.
 std::vector<Row> lossyRows();
 
-// What is possible.
+// These are all that is possible.
 std::vector<Row> everyRow();
 std::vector<Row> everyLaneRow();  ///< those of laneRows()
 std::vector<Row> everyLossyRow();
-/// By SUTURE_CONFORMANCE=full in the environment: then every scenario runs on all rows that are
-/// possible, those of the wire included.
+/// SUTURE_CONFORMANCE=full in the environment asks for it: then every scenario runs on all rows
+/// that are possible for it, those of the wire included.
 bool fullCrossIsAsked();
 
 }  // namespace conformance

@@ -19,7 +19,7 @@ std::string transportOf(const Row& row) {
   return "transport " + std::to_string(static_cast<int>(row.transport));
 }
 
-/// Of lane kind and provider, lane kind and client, provider and client.
+/// These are lane kind and provider, lane kind and client, provider and client.
 Pairs lanePairs(const std::vector<Row>& rows) {
   Pairs pairs;
   for (const Row& row : rows) {
@@ -31,7 +31,7 @@ Pairs lanePairs(const std::vector<Row>& rows) {
   return pairs;
 }
 
-/// Of lane and place, place and provider, transport and provider.
+/// These are lane and place, place and provider, transport and provider.
 Pairs wirePairs(const std::vector<Row>& rows) {
   Pairs pairs;
   for (const Row& row : rows) {
@@ -94,7 +94,7 @@ TEST(Rows, LoseOnEachLaneInOneProcessAndInTwo) {
   EXPECT_EQ(wirePairs(lossyRows()).contains({"LossyRpc", "InTwoProcesses"}), true);
 }
 
-/// The lane kinds on which the scenarios of each suite run.
+/// Maps each suite to the lane kinds on which its scenarios run.
 std::map<std::string, std::set<std::string>> laneKindsBySuite() {
   std::map<std::string, std::set<std::string>> found;
   const testing::UnitTest& all = *testing::UnitTest::GetInstance();
@@ -129,7 +129,7 @@ TEST(Rows, LeaveNoLaneOutButWhereThisListSaysSo) {
   EXPECT_GT(laneKindsBySuite().size(), fewer.size());
 }
 
-// So that they do not become more unseen: three presets run each.
+// Their number must not grow unseen: three presets run each of them.
 TEST(Rows, MakeNoMoreCasesThanIsSaidHere) {
   const int cases = testing::UnitTest::GetInstance()->total_test_count();
   std::printf("%d cases; %zu rows of lanes, %zu of the wire, %zu lossy ones\n", cases,

@@ -32,7 +32,8 @@ class Conformance : public testing::TestWithParam<Row> {
   bool eventuallyTaken(const std::vector<std::string>& lines) {
     return suture::eventually([&] { return arm->taken() == lines; });
   }
-  /// When the provider knows what the client did last: it has executed a command sent later.
+  /// Returns when the provider knows what the client did last: it has executed a command sent
+  /// later.
   void settle();
   /// Holds the provider inside a handler until the gate is opened.
   void stall();
@@ -41,11 +42,11 @@ class Conformance : public testing::TestWithParam<Row> {
 
   /// The provided interface that the client's "Arm" is connected to.
   virtual const char* provided() const { return "Arm"; }
-  /// What befalls each message.
+  /// Says what befalls each message.
   virtual suture::FaultPlan faults() const;
   /// The provider's process goes away; its component object stays.
   void stopProvider();
-  /// In a folder of this test.
+  /// Names a file in a folder of this test.
   std::string file(const std::string& name) const { return directory_.file(name); }
 
   std::unique_ptr<Provider> arm;
@@ -54,12 +55,12 @@ class Conformance : public testing::TestWithParam<Row> {
  private:
   struct Names;
 
-  /// Of the processes of this test; returns their folder.
+  /// Makes those of the processes of this test, and returns their folder.
   std::string makeKeys() const;
   std::string managerAddress() const;
-  /// That is asked for. Shared memory nobody has to ask for.
+  /// It is asked for; nobody has to ask for shared memory.
   suture::Lane askedLane() const;
-  /// The lane's name, with what lies on its way.
+  /// The connection's lane must be called so.
   std::string expectedLane() const;
   void expectWhereItBelongs() const;
 

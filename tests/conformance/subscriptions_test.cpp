@@ -33,7 +33,7 @@ class Subscriptions : public Conformance {
   }
 };
 class WireSubscriptions : public Subscriptions {};
-/// Of a task: a device emits when it is told to, here by the test.
+/// The provider is a task: a device emits when it is told to, here by the test.
 class SubscriptionsToTasks : public Subscriptions {};
 
 TEST_P(Subscriptions, NoHandlerRunsAfterReset) {
