@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <set>
@@ -91,23 +92,22 @@ TEST(Rows, DelayEachLane) {
 TEST(Rows, LoseOnEachLaneInOneProcessAndInTwo) {
   expectAll(lanePairs(everyLossyRow()), lanePairs(lossyRows()), "lossy ones");
   expectAll(wirePairs(everyLossyRow()), wirePairs(lossyRows()), "lossy ones");
-  EXPECT_EQ(wirePairs(lossyRows()).contains({"LossyRpc", "InTwoProcesses"}), true);
+  EXPECT_TRUE(wirePairs(lossyRows()).contains({"LossyRpc", "InTwoProcesses"}));
 }
 
-/// Maps each suite to the lane kinds on which its scenarios run.
-std::map<std::string, std::set<std::string>> laneKindsBySuite() {
-  std::map<std::string, std::set<std::string>> found;
+/// Calls `look` with the suite and the row of each case that has one of everyRow().
+void forEachCase(const std::function<void(const std::string&, const Row&)>& look) {
+  std::map<std::string, Row> rows;
+  for (const Row& row : everyRow()) rows.emplace(row.name(), row);
   const testing::UnitTest& all = *testing::UnitTest::GetInstance();
   for (int i = 0; i < all.total_test_suite_count(); ++i) {
     const testing::TestSuite& suite = *all.GetTestSuite(i);
     for (int j = 0; j < suite.total_test_count(); ++j) {
-      const char* const row = suite.GetTestInfo(j)->value_param();
-      for (const Row& one : everyRow()) {
-        if (row != nullptr && one.name() == row) found[suite.name()].insert(one.laneKind());
-      }
+      const char* const name = suite.GetTestInfo(j)->value_param();
+      const auto row = rows.find(name == nullptr ? "" : name);
+      if (row != rows.end()) look(suite.name(), row->second);
     }
   }
-  return found;
 }
 
 // A filter that leaves out more than it means would do so in silence.
@@ -122,11 +122,25 @@ TEST(Rows, LeaveNoLaneOutButWhereThisListSaysSo) {
       {"Lanes/Order", {"Local", "Shm", "Frame", "Rpc", "Delayed"}},
       {"Lanes/WireOrder", {"Local", "Shm", "Frame", "Rpc", "Delayed"}},
   };
-  for (const auto& [suite, kinds] : laneKindsBySuite()) {
+  std::map<std::string, std::set<std::string>> kindsBySuite;
+  forEachCase([&](const std::string& suite, const Row& row) {
+    kindsBySuite[suite].insert(row.laneKind());
+  });
+  for (const auto& [suite, kinds] : kindsBySuite) {
     const auto one = fewer.find(suite);
     EXPECT_EQ(kinds, one == fewer.end() ? all : one->second) << suite;
   }
-  EXPECT_GT(laneKindsBySuite().size(), fewer.size());
+  EXPECT_GT(kindsBySuite.size(), fewer.size());
+}
+
+TEST(Rows, TakeADozenScenariosToEachLaneOnEachTransportInEachPlace) {
+  std::map<std::pair<std::string, std::string>, int> scenarios;
+  forEachCase([&](const std::string&, const Row& row) {
+    ++scenarios[{row.laneName(), row.placeName()}];
+  });
+  for (const Row& row : everyRow()) {
+    EXPECT_GE((scenarios[{row.laneName(), row.placeName()}]), 12) << row;
+  }
 }
 
 // Their number must not grow unseen: three presets run each of them.
