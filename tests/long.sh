@@ -2,7 +2,7 @@
 # What takes too long for every push: suturec under AddressSanitizer and UBSan on 10,000 mutated headers and on all its
 # tests, ten minutes of each fuzzer, a minute of stress on each part between threads, a thousand restarts of a peer, a million
 # changed sessions, twenty rounds of faults between processes, ten minutes of faults of messages, and ten draws of random types
-# and contracts.
+# and contracts; each scenario of conformance on each row that is possible.
 #   tests/long.sh [MUTANTS] [SECONDS]
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -25,6 +25,7 @@ printf '%s\n' lock deployment frames shared handshake generated golden | xargs -
     found/{} corpus/{} 2>&1 | sed -u "s/^/{}: /"'
 
 cmake --build --preset dev -- --quiet
+SUTURE_CONFORMANCE=full "$build/bin/conformance_test" --gtest_brief=1
 SUTURE_STRESS_SECONDS=60 "$build/bin/stress_test" --gtest_brief=1
 SUTURE_SESSIONS=1000000 "$build/bin/fault_test" --gtest_filter=Sessions.*
 SUTURE_RECONNECTS=1000 "$build/bin/fault_test" --gtest_filter='*Restarts.OfAPeer*'

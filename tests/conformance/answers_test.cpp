@@ -8,6 +8,11 @@ using namespace std::chrono_literals;
 using suture::Errc;
 
 class Answers : public Conformance {};
+class WireAnswers : public Conformance {};
+/// The provider does not execute them before start() returns.
+class QueuedAnswers : public Conformance {};
+/// A process judges what another one sends, not what it sends itself.
+class JudgedArguments : public Conformance {};
 
 TEST_P(Answers, SeveralArgumentsArriveInTheirPlaces) {
   client->with([](Arm& remote) {
@@ -17,7 +22,7 @@ TEST_P(Answers, SeveralArgumentsArriveInTheirPlaces) {
   EXPECT_TRUE(eventuallyTaken({"limit 12 enabled", "limit 7 disabled"}));
 }
 
-TEST_P(Answers, AWriteWithReturnIsExecutedAndAnswers) {
+TEST_P(WireAnswers, AWriteWithReturnIsExecutedAndAnswers) {
   client->with([&](Arm& remote) {
     const auto fast = remote.move.start(poseAt(3), 0.75, "a hurry").within(5s);
     ASSERT_TRUE(fast) << suture::toString(fast.error());
@@ -56,15 +61,12 @@ TEST_P(Answers, TheyKeepTheOrderOfTheOtherCommands) {
 TEST_P(Answers, ItCanBePolled) {
   client->with([](Arm& remote) {
     auto call = remote.reset.start();
-    const auto deadline = suture::now() + 5s;
-    while (!call.poll() && suture::now() < deadline) remote.owner().ringNow();
-    ASSERT_TRUE(call.poll());
+    ASSERT_TRUE(awaitInPlace(remote, [&] { return call.poll() != nullptr; }));
     EXPECT_TRUE(call.poll()->has_value());
   });
 }
 
-TEST_P(Answers, WithoutALimitTheDeadlineOfTheContractHolds) {
-  if (runsInCallersThread()) return;  // is executed at once
+TEST_P(QueuedAnswers, WithoutALimitTheDeadlineOfTheContractHolds) {
   arm->gate().close();
   client->with([](Arm& remote) {
     const auto begin = suture::now();
@@ -76,14 +78,16 @@ TEST_P(Answers, WithoutALimitTheDeadlineOfTheContractHolds) {
   arm->gate().open();
 }
 
-TEST_P(Answers, WhatTheHeaderForbidsIsRefused) {
-  if (runsInCallersThread()) return;  // takes its arguments as they are
+TEST_P(QueuedAnswers, WhatDoesNotFitIsRefused) {
   client->with([](Arm& remote) {
     const auto text = remote.move.start(poseAt(1), 1, "a reason of 16 c").within(5s);
     ASSERT_FALSE(text);
     EXPECT_EQ(text.error(), Errc::TooLarge);
   });
-  if (shareManager()) return;  // a process does not judge itself
+  EXPECT_TRUE(arm->taken().empty());
+}
+
+TEST_P(JudgedArguments, WhatTheHeaderForbidsIsRefused) {
   client->with([](Arm& remote) {
     const auto speed = remote.move.start(poseAt(1), 1.5, "").within(5s);
     ASSERT_FALSE(speed);
@@ -104,7 +108,13 @@ TEST_P(Answers, AnOptionalCommandThatIsThereWorks) {
   client->with([](Arm& remote) { EXPECT_TRUE(remote.park.start().within(5s)); });
 }
 
-INSTANTIATE_TEST_SUITE_P(Lanes, Answers, testing::ValuesIn(allCombinations()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Lanes, Answers, testing::ValuesIn(laneRows()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Lanes, WireAnswers, testing::ValuesIn(wireRows()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Lanes, QueuedAnswers, testing::ValuesIn(laneRows(isQueued)), nameOf);
+INSTANTIATE_TEST_SUITE_P(Lanes, JudgedArguments, testing::ValuesIn(wireRows([](const Row& row) {
+                           return !row.sharesManager();
+                         })),
+                         nameOf);
 
 }  // namespace
 }  // namespace conformance

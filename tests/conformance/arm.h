@@ -10,10 +10,12 @@
 #include <atomic>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "conformance/gate.h"
+#include "fault/history.h"
 #include "reference/gripper_arm.suture.h"
 
 namespace conformance {
@@ -31,11 +33,8 @@ class RecordingArm : public GripperArm {
   explicit RecordingArm(Gate& tests) : gate(tests) {}
 
   void servo_cp(const PoseStamped& goal) override {
-    {
-      const std::lock_guard lock(mutex_);
-      measured_ = goal;
-    }
-    log("servo_cp " + std::to_string(static_cast<int>(goal.pose.translation().x())));
+    writeHistory(goal, std::chrono::milliseconds(500));
+    goTo(goal);
   }
   void servo_jp(const JointState& goal) override {
     {
@@ -67,7 +66,8 @@ class RecordingArm : public GripperArm {
   bool move(const PoseStamped& goal, double speed, const std::string& reason) override {
     if (reason == "wait") gate.pass();
     if (reason == "throw") throw std::runtime_error("the drive did not answer");
-    servo_cp(goal);
+    writeHistory(goal, {});
+    goTo(goal);
     log("move " + std::to_string(static_cast<int>(speed * 100)) + "% " + reason);
     return speed > 0.5;
   }
@@ -113,6 +113,11 @@ class RecordingArm : public GripperArm {
   }
   /// Any thread: from now on its joints do not fit what the contract declares.
   void outgrow() { outgrown_ = true; }
+  /// From now on writes down each goal: its place is its client, its number and its connection.
+  void keepHistory(const std::string& file) {
+    const std::lock_guard lock(mutex_);
+    history_.emplace(file);
+  }
 
   Gate& gate;
   std::atomic<bool> throwOnEnable{false};
@@ -122,9 +127,28 @@ class RecordingArm : public GripperArm {
     const std::lock_guard lock(mutex_);
     log_.push_back(std::move(line));
   }
+  void goTo(const PoseStamped& goal) {
+    {
+      const std::lock_guard lock(mutex_);
+      measured_ = goal;
+    }
+    log("servo_cp " + std::to_string(static_cast<int>(goal.pose.translation().x())));
+  }
+  void writeHistory(const PoseStamped& goal, suture::Duration ttl) {
+    const std::lock_guard lock(mutex_);
+    if (!history_) return;
+    const auto& tag = goal.pose.translation();
+    history_->write({.kind = suture::HistoryEntry::Kind::Executed,
+                     .at = suture::now(),
+                     .client = static_cast<std::uint32_t>(tag.x()),
+                     .id = static_cast<std::uint64_t>(tag.y()),
+                     .epoch = static_cast<std::uint64_t>(tag.z()),
+                     .limit = ttl});
+  }
 
   mutable std::mutex mutex_;
   std::vector<std::string> log_;
+  std::optional<suture::HistoryLog> history_;
   PoseStamped measured_;
   mutable suture::Time evaluated_;
   JointState joints_;
@@ -148,9 +172,12 @@ class Emissions {
     asked_.push_back(std::move(emission));
   }
   void perform(Ports ports) {
-    const std::lock_guard lock(mutex_);
-    for (auto& emission : asked_) emission(ports);
-    asked_.clear();
+    std::vector<std::function<void(Ports)>> now;
+    {
+      const std::lock_guard lock(mutex_);
+      now.swap(asked_);
+    }
+    for (const auto& emission : now) emission(ports);
   }
 
  private:

@@ -1,4 +1,6 @@
 // Calls that are taken back, and calls that say themselves when they have ended.
+#include <optional>
+
 #include "conformance/setup.h"
 
 namespace conformance {
@@ -8,25 +10,14 @@ using namespace std::chrono_literals;
 using suture::Errc;
 using suture::Result;
 
-class Calls : public Conformance {
- protected:
-  /// Runs `work` in the client's thread while the provider, a task or elsewhere, sits in a handler.
-  void whileBusy(const std::function<void(Arm&)>& work) {
-    arm->gate().close();
-    client->with([&](Arm& remote) {
-      EXPECT_TRUE(remote.set_mode(Mode::Disabled));
-      remote.owner().ringNow();
-      arm->gate().awaitVisitor();
-      work(remote);
-    });
-    arm->gate().open();
-  }
-};
+class Calls : public Conformance {};
+/// The provider does not execute them before start() returns.
+class QueuedCalls : public Conformance {};
 
-TEST_P(Calls, ACancelledOneIsNeverExecutedAndAnyOtherIs) {
-  if (runsInCallersThread()) return;  // has been executed when start() returns
+TEST_P(QueuedCalls, ACancelledOneIsNeverExecutedAndAnyOtherIs) {
   bool cancelled = false;
-  whileBusy([&](Arm& remote) {
+  stall();
+  client->with([&](Arm& remote) {
     auto call = remote.move.start(poseAt(1), 1, "");
     cancelled = call.cancel();
     ASSERT_EQ(call.poll() != nullptr, cancelled);
@@ -34,31 +25,32 @@ TEST_P(Calls, ACancelledOneIsNeverExecutedAndAnyOtherIs) {
       EXPECT_EQ(call.poll()->error(), Errc::Cancelled);
     }
     EXPECT_FALSE(cancelled && call.cancel()) << "it has ended";
-    EXPECT_TRUE(cancelled || std::get<0>(GetParam()) != LaneUnderTest::Local);
+    EXPECT_TRUE(cancelled || !GetParam().isDirect());
   });
+  arm->gate().open();
   client->with([](Arm& remote) { EXPECT_TRUE(remote.limit.start(1, Mode::Enabled).within(5s)); });
   std::vector<std::string> expected = {"disable", "servo_cp 1", "move 100% ", "limit 1 enabled"};
   if (cancelled) expected.erase(expected.begin() + 1, expected.begin() + 3);
   EXPECT_EQ(arm->taken(), expected);
 }
 
-TEST_P(Calls, OneThatIsBeingExecutedCannotBeCancelled) {
-  if (runsInCallersThread()) return;  // start() returns behind the gate
+TEST_P(QueuedCalls, OneThatIsBeingExecutedCannotBeCancelled) {
+  using Moved = decltype(std::declval<Arm&>().move.start(poseAt(1), 1, ""));
+  std::optional<Moved> call;
   arm->gate().close();
-  client->with([&](Arm& remote) {
-    auto call = remote.move.start(poseAt(1), 1, "wait");
-    remote.owner().ringNow();
-    arm->gate().awaitVisitor();
-    EXPECT_FALSE(call.cancel());
-    EXPECT_FALSE(call.poll());
+  client->with([&](Arm& remote) { call.emplace(remote.move.start(poseAt(1), 1, "wait")); });
+  ASSERT_TRUE(suture::eventually([&] { return arm->gate().hasVisitor(); }));
+  client->with([&](Arm&) {
+    EXPECT_FALSE(call->cancel());
+    EXPECT_FALSE(call->poll());
     arm->gate().open();
-    EXPECT_TRUE(call.within(5s));
-    EXPECT_FALSE(call.cancel());
+    EXPECT_TRUE(call->within(5s));
+    EXPECT_FALSE(call->cancel());
+    call.reset();
   });
 }
 
-TEST_P(Calls, CancelledOnesGiveTheirPlacesBack) {
-  if (runsInCallersThread()) return;
+TEST_P(QueuedCalls, CancelledOnesGiveTheirPlacesBack) {
   for (int i = 0; i < 40; ++i) {  // more than can be under way
     client->with([](Arm& remote) {
       auto call = remote.hold.start();
@@ -106,7 +98,8 @@ TEST_P(Calls, AHandlerMayStartTheNext) {
   EXPECT_TRUE(client->await([&](const Received&) { return chain.ended == 40; }));
 }
 
-INSTANTIATE_TEST_SUITE_P(Lanes, Calls, testing::ValuesIn(allCombinations()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Lanes, Calls, testing::ValuesIn(laneRows()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Lanes, QueuedCalls, testing::ValuesIn(laneRows(isQueued)), nameOf);
 
 }  // namespace
 }  // namespace conformance

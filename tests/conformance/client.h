@@ -2,16 +2,18 @@
 // The client of all scenarios: runs what the test gives it in the thread that owns the required
 // interface.
 
+#include <gtest/gtest.h>
 #include <suture/component/device.h>
 #include <suture/component/event_task.h>
 
+#include <atomic>
 #include <functional>
-#include <future>
 #include <mutex>
 #include <utility>
 #include <vector>
 
 #include "conformance/arm.h"
+#include "support/eventually.h"
 
 namespace conformance {
 
@@ -65,37 +67,41 @@ class TaskClient final : public suture::EventTask, public Client {
   }
   suture::Component& component() override { return *this; }
   void with(const std::function<void(Arm&)>& work) override {
-    std::packaged_task<void()> task([this, &work] { work(arm_); });
-    auto done = task.get_future();
+    std::atomic<bool> done{false};
     {
       const std::lock_guard lock(mutex_);
-      work_.push_back(std::move(task));
+      work_.push_back([&] {
+        try {
+          work(arm_);
+        } catch (const std::exception& error) {
+          ADD_FAILURE() << error.what();
+        }
+        done = true;
+      });
     }
     doorbell().ring();
-    done.get();
+    while (!suture::eventually([&] { return done.load(); })) continue;  // it uses what lives here
   }
   bool await(const std::function<bool(const Received&)>& enough) override {
-    const auto deadline = suture::now() + std::chrono::seconds(10);
-    bool arrived = false;
-    while (!arrived && suture::now() < deadline) {
+    return suture::eventually([&] {
+      bool arrived = false;
       with([&](Arm&) { arrived = enough(received_); });
-      if (!arrived) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return arrived;
+      return arrived;
+    });
   }
 
  private:
   void run() override {
-    std::vector<std::packaged_task<void()>> work;
+    std::vector<std::function<void()>> work;
     {
       const std::lock_guard lock(mutex_);
       work.swap(work_);
     }
-    for (auto& task : work) task();
+    for (const auto& each : work) each();
   }
 
   std::mutex mutex_;
-  std::vector<std::packaged_task<void()>> work_;
+  std::vector<std::function<void()>> work_;
   Received received_;
   Gripper& gripper() override { return gripper_; }
 

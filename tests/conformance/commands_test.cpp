@@ -9,13 +9,17 @@ using namespace std::chrono_literals;
 using suture::Errc;
 
 class Commands : public Conformance {};
+class WireCommands : public Conformance {};
+/// A copy of what they carry is taken; in the caller's thread it is passed on as it is.
+class QueuedCommands : public Conformance {};
+class QueuedWireCommands : public Conformance {};
 
 TEST_P(Commands, AVoidCommandIsExecuted) {
   client->with([](Arm& remote) { EXPECT_TRUE(remote.hold()); });
   EXPECT_TRUE(eventuallyTaken({"hold"}));
 }
 
-TEST_P(Commands, AWriteCommandBringsItsArgument) {
+TEST_P(WireCommands, AWriteCommandBringsItsArgument) {
   client->with([](Arm& remote) { EXPECT_TRUE(remote.servo_cp(poseAt(7))); });
   EXPECT_TRUE(eventuallyTaken({"servo_cp 7"}));
   EXPECT_EQ(arm->at([](ArmComponent& one) { return one.measured_cp().valid; }), true);
@@ -29,7 +33,7 @@ TEST_P(Commands, ABlockingWriteReturnsAfterItsExecution) {
   });
 }
 
-TEST_P(Commands, StringsAndListsArriveWhole) {
+TEST_P(WireCommands, StringsAndListsArriveWhole) {
   JointState goal;
   goal.name = {"yaw", "", "a name of 15 ch"};
   goal.position = {0.1, -0.0, 1e300};
@@ -42,8 +46,7 @@ TEST_P(Commands, StringsAndListsArriveWhole) {
   });
 }
 
-TEST_P(Commands, WhatExceedsItsCapacityIsRefusedToTheCaller) {
-  if (runsInCallersThread()) return;  // takes its arguments by reference, whatever their size
+TEST_P(QueuedCommands, WhatExceedsItsCapacityIsRefusedToTheCaller) {
   JointState goal;
   goal.name = {"a name of 16 chr"};
   client->with([&](Arm& remote) {
@@ -74,7 +77,7 @@ TEST_P(Commands, AReadIsNotYetThereAndThenIs) {
   }));
 }
 
-TEST_P(Commands, AReadFollowsTheProvider) {
+TEST_P(WireCommands, AReadFollowsTheProvider) {
   for (int x = 1; x <= 20; ++x) {
     client->with([&](Arm& remote) { EXPECT_TRUE(remote.servo_cp.start(poseAt(x)).within(5s)); });
     EXPECT_TRUE(suture::eventually([&] {
@@ -100,8 +103,7 @@ TEST_P(Commands, AFreshReadIsEvaluatedForTheCall) {
 }
 
 // The way back to the client is part of its age.
-TEST_P(Commands, AFreshReadIsStampedWhereItIsEvaluated) {
-  if (runsInCallersThread()) return;
+TEST_P(QueuedWireCommands, AFreshReadIsStampedWhereItIsEvaluated) {
   client->with([this](Arm& remote) {
     const suture::Time asked = suture::now();
     const auto pose = remote.measured_cp.fresh().within(5s);
@@ -111,8 +113,7 @@ TEST_P(Commands, AFreshReadIsStampedWhereItIsEvaluated) {
   });
 }
 
-TEST_P(Commands, AReadThatDoesNotFitIsToldSo) {
-  if (runsInCallersThread()) return;  // gives its value by reference, whatever its size
+TEST_P(QueuedCommands, AReadThatDoesNotFitIsToldSo) {
   arm->at([](ArmComponent& one) {
     one.outgrow();
     one.emitSoon([](Ports) {});  // in a cycle, after which it is known
@@ -149,14 +150,15 @@ TEST_P(Commands, SeveralCallsMayBeUnderWay) {
 TEST_P(Commands, PollingNeverBlocks) {
   client->with([](Arm& remote) {
     auto call = remote.distance.start(poseAt(2));
-    const auto deadline = suture::now() + 5s;
-    while (!call.poll() && suture::now() < deadline) remote.owner().ringNow();
-    ASSERT_TRUE(call.poll());
+    ASSERT_TRUE(awaitInPlace(remote, [&] { return call.poll() != nullptr; }));
     EXPECT_EQ(**call.poll(), 2.0);
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(Lanes, Commands, testing::ValuesIn(allCombinations()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Lanes, Commands, testing::ValuesIn(laneRows()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Lanes, WireCommands, testing::ValuesIn(wireRows()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Lanes, QueuedCommands, testing::ValuesIn(laneRows(isQueued)), nameOf);
+INSTANTIATE_TEST_SUITE_P(Lanes, QueuedWireCommands, testing::ValuesIn(wireRows(isQueued)), nameOf);
 
 }  // namespace
 }  // namespace conformance

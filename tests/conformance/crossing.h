@@ -3,11 +3,21 @@
 
 #include <algorithm>
 #include <cstring>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 namespace conformance {
+
+/// A function may take it along to another process, as it cannot a std::string.
+struct Text {
+  explicit Text(const std::string& from) {
+    if (from.size() >= sizeof text) throw std::length_error("too long to cross: " + from);
+    from.copy(text, sizeof text - 1);
+  }
+  char text[200]{};
+};
 
 inline std::string toBytes(const std::string& text) { return text; }
 inline std::string toBytes(const std::vector<std::string>& lines) {

@@ -1,34 +1,48 @@
 #pragma once
 
+#include <suture/base/memory_block.h>
+#include <suture/base/time.h>
+#include <suture/rt/doorbell.h>
+
 #include <atomic>
-#include <chrono>
-#include <thread>
+#include <memory>
+#include <new>
 
 namespace conformance {
 
-/// Lets the test hold a provider inside a handler. May lie in memory that two processes share.
+/// Lets the test hold a provider inside a handler. A fork of the process that made it has the same
+/// one.
 class Gate {
  public:
-  void close() { open_ = false; }
-  void open() { open_ = true; }
+  Gate() { bell_.share(); }
+
+  void close() { opensAt(suture::Time::max()); }
+  void open() { opensAt({}); }
+  /// The steady clock is the machine's: a fork reads the same.
+  void opensAt(suture::Time time) {
+    state_.opensAt = time;
+    bell_.ring();
+  }
+  /// Only one visitor at a time may come.
   void pass() {
-    ++waiting_;
-    waitUntil([this] { return open_.load(); });
-    --waiting_;
+    ++state_.waiting;
+    while (suture::now() < state_.opensAt.load()) bell_.waitUntil(state_.opensAt);
+    --state_.waiting;
   }
-  /// Returns when somebody waits at the closed gate.
-  void awaitVisitor() const {
-    waitUntil([this] { return waiting_ > 0; });
-  }
+  /// Somebody waits at the gate.
+  bool hasVisitor() const { return state_.waiting > 0; }
 
  private:
-  template <class Condition>
-  static void waitUntil(const Condition& condition) {
-    while (!condition()) std::this_thread::sleep_for(std::chrono::microseconds(100));
-  }
+  struct State {
+    std::atomic<suture::Time> opensAt{suture::Time{}};
+    std::atomic<int> waiting{0};
+  };
+  static constexpr std::size_t kStateAt = 64;  // the doorbell's word comes first
 
-  std::atomic<bool> open_{true};
-  std::atomic<int> waiting_{0};
+  const std::shared_ptr<suture::MemoryBlock> memory_ =
+      std::make_shared<suture::MemoryBlock>("gate", kStateAt + sizeof(State));
+  suture::rt::Doorbell bell_{memory_, suture::rt::Doorbell::Sleeper::Here};
+  State& state_{*new (memory_->data() + kStateAt) State};
 };
 
 }  // namespace conformance

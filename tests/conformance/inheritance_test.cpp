@@ -71,7 +71,7 @@ TEST_P(Inheritance, TheOtherWayRoundIsRefused) {
   EXPECT_THROW(connect("Gripper", "Arm"), suture::SetupError);
 }
 
-INSTANTIATE_TEST_SUITE_P(Lanes, Inheritance, testing::ValuesIn(allCombinations()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Lanes, Inheritance, testing::ValuesIn(laneRows()), nameOf);
 
 }  // namespace
 }  // namespace conformance

@@ -1,21 +1,10 @@
 #include "conformance/provider.h"
 
 #include <gtest/gtest.h>
-#include <sys/mman.h>
-
-#include <cstdlib>
-#include <new>
+#include <suture/transport/tls/keys.h>
 
 namespace conformance {
 namespace {
-
-/// In memory that forks share.
-std::shared_ptr<Gate> makeGate() {
-  void* const memory =
-      mmap(nullptr, sizeof(Gate), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (memory == MAP_FAILED) std::abort();
-  return {new (memory) Gate, [](Gate* gate) { munmap(gate, sizeof *gate); }};
-}
 
 std::unique_ptr<ArmComponent> makeArm(ProviderKind kind, Gate& gate) {
   using namespace std::chrono_literals;
@@ -37,18 +26,14 @@ Hosted makeHosted(ProviderKind kind, Gate& gate) {
   return {.arm = std::move(arm), .manager = nullptr};
 }
 
-/// An address or a name, in what may cross to another process.
-struct Text {
-  explicit Text(const std::string& from) {
-    EXPECT_LT(from.size(), sizeof text);
-    from.copy(text, sizeof text - 1);
-  }
-  char text[200]{};
-};
-
 }  // namespace
 
-Provider::Provider(ProviderKind kind, Where where) : gate_(makeGate()) {
+suture::Security securityOf(const std::string& process, const std::string& keys) {
+  if (keys.empty()) return {};
+  return {.keys = std::make_shared<const suture::tls::Keys>(keys, process), .policy = {}};
+}
+
+Provider::Provider(ProviderKind kind, Where where) {
   if (where == Where::OneProcess) {
     hosted_ = std::make_unique<Hosted>(makeHosted(kind, gate()));
     return;
@@ -64,13 +49,14 @@ Provider::Provider(ProviderKind kind, Where where) : gate_(makeGate()) {
   run([](Hosted&) { suture::Cable::plugIn(); });
 }
 
-void Provider::start(const std::string& address) {
-  run([address = Text(address)](Hosted& hosted) {
-    const bool shared = *address.text == '\0';
-    hosted.manager = shared ? std::make_unique<suture::Manager>("alone")
-                            : std::make_unique<suture::Manager>("provider", address.text);
+void Provider::start(const std::string& address, const std::string& keys) {
+  run([address = Text(address), keys = Text(keys)](Hosted& hosted) {
+    const std::string where = address.text;
+    hosted.manager = where.empty() ? std::make_unique<suture::Manager>("alone")
+                                   : std::make_unique<suture::Manager>(
+                                         "provider", where, securityOf("provider", keys.text));
     hosted.manager->add("PSM", hosted.arm->component());
-    if (!shared) hosted.manager->start();
+    if (!where.empty()) hosted.manager->start();
   });
 }
 

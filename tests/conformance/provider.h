@@ -2,6 +2,7 @@
 // The provider's end of the connection under test, wherever it lives.
 
 #include <suture/manager/manager.h>
+#include <suture/manager/security.h>
 
 #include <memory>
 #include <optional>
@@ -12,14 +13,13 @@
 #include "conformance/arm.h"
 #include "conformance/crossing.h"
 #include "conformance/fork.h"
+#include "conformance/rows.h"
 #include "support/cable.h"
 
 namespace conformance {
 
-enum class ProviderKind { Periodic, EventDriven, Device };
-
-/// Of the client and its provider.
-enum class Where { OneProcess, TwoProcesses, TwoNamespaces };
+/// Returns what proves that a process is `process`: its files in the folder `keys`; "": nothing.
+suture::Security securityOf(const std::string& process, const std::string& keys);
 
 /// What there is in the provider's process.
 struct Hosted {
@@ -35,7 +35,7 @@ class Provider {
 
   /// As process "provider" of that global manager; "": the client shares its manager, and starts
   /// it.
-  void start(const std::string& address);
+  void start(const std::string& address, const std::string& keys = "");
   void stop();
   /// Only in one process.
   suture::Manager& manager() { return *hosted_->manager; }
@@ -74,7 +74,7 @@ class Provider {
   }
 
  private:
-  const std::shared_ptr<Gate> gate_;
+  const std::unique_ptr<Gate> gate_ = std::make_unique<Gate>();
   std::optional<suture::Cable> cable_;
   std::unique_ptr<Hosted> hosted_;  // if it is here
   std::unique_ptr<Fork> fork_;      // if it is not

@@ -2,41 +2,24 @@
 // A provider and a client, connected over the lane under test.
 
 #include <gtest/gtest.h>
+#include <suture/component/sleep.h>
 #include <suture/manager/manager.h>
 
 #include <functional>
 #include <memory>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "conformance/client.h"
 #include "conformance/provider.h"
+#include "conformance/rows.h"
 #include "support/eventually.h"
 #include "support/temporary_directory.h"
 
 namespace conformance {
 
-enum class LaneUnderTest {
-  Local,
-  Shm,
-  FrameUnix,
-  FrameTcp,
-  RpcUnix,
-  RpcTcp,
-  DelayedLocal,
-  DelayedShm,
-  DelayedFrame,
-  DelayedRpc,
-  FaultyShm,  ///< delayed, and messages come twice or late, but none is lost
-};
-enum class ClientKind { Task, Device };
-
-using Combination = std::tuple<LaneUnderTest, ProviderKind, ClientKind, Where>;
-
-/// Every combination runs every scenario. `arm` and `client` are connected when the scenario
-/// begins.
-class Conformance : public testing::TestWithParam<Combination> {
+/// `arm` and `client` are connected when the scenario begins.
+class Conformance : public testing::TestWithParam<Row> {
  protected:
   Conformance();
   ~Conformance() override;
@@ -46,35 +29,25 @@ class Conformance : public testing::TestWithParam<Combination> {
   /// Connects another required interface of the client.
   void connect(const std::string& required, const std::string& provided);
 
-  bool providerIsDevice() const { return std::get<1>(GetParam()) == ProviderKind::Device; }
-  /// Then nothing crosses a wire.
-  bool shareManager() const {
-    const LaneUnderTest lane = std::get<0>(GetParam());
-    return lane == LaneUnderTest::Local || lane == LaneUnderTest::DelayedLocal;
-  }
-  bool isDelayed() const {
-    const LaneUnderTest lane = std::get<0>(GetParam());
-    return lane == LaneUnderTest::DelayedLocal || lane == LaneUnderTest::DelayedShm ||
-           lane == LaneUnderTest::DelayedFrame || lane == LaneUnderTest::DelayedRpc || isFaulty();
-  }
-  bool isFaulty() const { return std::get<0>(GetParam()) == LaneUnderTest::FaultyShm; }
-  /// That is asked for. Shared memory nobody has to ask for.
-  suture::Lane askedLane() const;
-  /// Its name, without the delay.
-  std::string expectedLane() const;
-  bool runsInCallersThread() const {
-    return providerIsDevice() && std::get<0>(GetParam()) == LaneUnderTest::Local;
-  }
   bool eventuallyTaken(const std::vector<std::string>& lines) {
     return suture::eventually([&] { return arm->taken() == lines; });
   }
+  /// Returns when the provider knows what the client did last: it has executed a command sent
+  /// later.
+  void settle();
+  /// Holds the provider inside a handler until the gate is opened.
+  void stall();
   /// The connection as the client's process sees it.
   std::shared_ptr<suture::Channel> channel() const { return clientManager_->channels().at(0); }
 
   /// The provided interface that the client's "Arm" is connected to.
   virtual const char* provided() const { return "Arm"; }
+  /// Says what befalls each message.
+  virtual suture::FaultPlan faults() const;
   /// The provider's process goes away; its component object stays.
   void stopProvider();
+  /// Names a file in a folder of this test.
+  std::string file(const std::string& name) const { return directory_.file(name); }
 
   std::unique_ptr<Provider> arm;
   std::unique_ptr<Client> client;
@@ -82,8 +55,13 @@ class Conformance : public testing::TestWithParam<Combination> {
  private:
   struct Names;
 
-  Where where() const { return std::get<3>(GetParam()); }
+  /// Makes those of the processes of this test, and returns their folder.
+  std::string makeKeys() const;
   std::string managerAddress() const;
+  /// It is asked for; nobody has to ask for shared memory.
+  suture::Lane askedLane() const;
+  /// The connection's lane must be called so.
+  std::string expectedLane() const;
   void expectWhereItBelongs() const;
 
   suture::TemporaryDirectory directory_;
@@ -92,13 +70,17 @@ class Conformance : public testing::TestWithParam<Combination> {
   suture::Manager* clientManager_ = nullptr;  // the provider's on `local`
 };
 
-/// In one process: every lane, every kind of provider, every kind of client. In two, and on two
-/// machines: every lane that there is between them, and every kind of provider, of one client each.
-std::vector<Combination> allCombinations();
-/// Those of them for which `keep` says so.
-std::vector<Combination> combinations(const std::function<bool(LaneUnderTest, ProviderKind)>& keep);
+std::string nameOf(const testing::TestParamInfo<Row>& info);
 
-std::string nameOf(const testing::TestParamInfo<Combination>& info);
+/// In the client's own thread, inside of Client::with(): waits for what rings the client, and
+/// neither handles an event nor begins a cycle meanwhile. False after ten seconds.
+template <class Condition>
+bool awaitInPlace(suture::RequiredBase& remote, const Condition& condition) {
+  bool held = false;
+  suture::sleepUntil(remote.owner(), suture::now() + std::chrono::seconds(10),
+                     [&] { return held = condition(); });
+  return held;
+}
 
 inline PoseStamped poseAt(double x) {
   PoseStamped pose;

@@ -1,0 +1,145 @@
+// Some lanes lose, repeat and reorder messages: of what the client sent and the provider executed,
+// the rules of a history hold all the same (fault/history.h).
+#include <suture/component/channel.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+
+#include "conformance/setup.h"
+#include "fault/history.h"
+
+namespace conformance {
+namespace {
+
+using namespace std::chrono_literals;
+using suture::Errc;
+using suture::HistoryEntry;
+
+/// SUTURE_FAULT_SEED chooses another one.
+std::uint64_t seed() {
+  const char* const asked = std::getenv("SUTURE_FAULT_SEED");
+  return asked == nullptr ? 1 : std::strtoull(asked, nullptr, 10);
+}
+
+class Losses : public Conformance {
+ protected:
+  static constexpr suture::Duration kDeadline = 20ms;
+
+  void SetUp() override {
+    Conformance::SetUp();
+    arm->at([log = Text(file("provider"))](ArmComponent& one) { one.keepHistory(log.text); });
+    log_.emplace(file("client"));
+    client->with([this](Arm& remote) {
+      EXPECT_TRUE(remote.on().arrived([this](const PoseStamped& tag) {
+        note({.kind = HistoryEntry::Kind::Heard,
+              .id = static_cast<std::uint64_t>(tag.pose.translation().y()),
+              .epoch = 1});
+      }));
+    });
+  }
+
+  suture::FaultPlan faults() const override {
+    switch (GetParam().filter) {
+      case Filter::Loss: return {.seed = seed(), .loss = 0.1, .counts = counts_};
+      case Filter::BurstLoss:
+        return {.seed = seed(), .burst = 0.02, .burstLength = 12, .counts = counts_};
+      case Filter::Duplicates: return {.seed = seed(), .duplicate = 0.3, .counts = counts_};
+      default: return {.seed = seed(), .reorder = 0.2, .counts = counts_};
+    }
+  }
+  /// The receivers have found out what the lane does.
+  bool isNoticed() const {
+    const suture::DeliveryCounters& seen = channel()->delivery;
+    switch (GetParam().filter) {
+      case Filter::Duplicates: return seen.duplicated > 0;
+      case Filter::Reordering: return seen.overtaken > 0;
+      default: return seen.lost > 0;
+    }
+  }
+
+  /// Sends a command, a call and an event, and takes what has arrived until then.
+  void exchange() {
+    client->with([this](Arm& remote) {
+      const PoseStamped goal = sent({});
+      const auto posted = remote.servo_cp(goal);
+      ended(posted ? Errc{} : posted.error());
+      const PoseStamped target = sent(kDeadline);
+      const auto moved = remote.move.start(target, 1, "").within(kDeadline);
+      ended(moved ? Errc{} : moved.error());
+    });
+    arm->emitSoon([number = ++events_](Ports ports) {
+      PoseStamped tag = poseAt(1);
+      tag.pose.translation().y() = number;
+      ports.arm.emit().arrived(tag);  // full: it is counted
+    });
+    client->await([](const Received&) { return true; });
+  }
+  bool isAnswered() {
+    bool answered = false;
+    client->with(
+        [&](Arm& remote) { answered = remote.distance.start({}).within(50ms).has_value(); });
+    return answered;
+  }
+  // Nothing keeps a place at the provider for ever.
+  bool creditsAreBack() const {
+    const auto connection = channel();
+    for (std::uint16_t i = 0; i < connection->info.commands.size(); ++i) {
+      if (connection->commands.waiting(i) != 0) return false;
+    }
+    return true;
+  }
+
+  const std::shared_ptr<suture::FaultCounts> counts_ = std::make_shared<suture::FaultCounts>();
+
+ private:
+  void note(HistoryEntry entry) {
+    entry.at = suture::now();
+    entry.client = 1;
+    log_->write(entry);
+  }
+  PoseStamped sent(suture::Duration limit) {
+    note({.kind = HistoryEntry::Kind::Sent, .id = ++commands_, .epoch = 1, .limit = limit});
+    PoseStamped tag = poseAt(1);
+    tag.pose.translation().tail<2>() << static_cast<double>(commands_), 1;
+    return tag;
+  }
+  void ended(Errc error) {
+    note({.kind = HistoryEntry::Kind::Ended, .id = commands_, .epoch = 1, .error = error});
+  }
+
+  std::optional<suture::HistoryLog> log_;
+  std::uint64_t commands_ = 0;
+  int events_ = 0;
+};
+
+TEST_P(Losses, LeaveASoundHistory) {
+  constexpr int kEnough = 40, kTooMany = 2000;
+  int exchanges = 0;
+  while (exchanges < kEnough || (!isNoticed() && exchanges < kTooMany)) {
+    exchange();
+    ++exchanges;
+  }
+  EXPECT_TRUE(isNoticed()) << "seed " << seed();
+  EXPECT_GT(counts_->total(), 0u);
+  EXPECT_TRUE(suture::eventually([&] { return isAnswered(); }));
+  EXPECT_TRUE(suture::eventually([&] { return creditsAreBack(); }));
+
+  const auto history = suture::readHistory({file("client"), file("provider")});
+  const auto entries = [&history](HistoryEntry::Kind kind) {
+    return std::count_if(history.begin(), history.end(),
+                         [kind](const HistoryEntry& entry) { return entry.kind == kind; });
+  };
+  EXPECT_EQ(entries(HistoryEntry::Kind::Ended), 2 * exchanges);
+  EXPECT_GT(entries(HistoryEntry::Kind::Executed), exchanges / 2);
+  EXPECT_GT(entries(HistoryEntry::Kind::Heard), exchanges / 4);
+  // A busy machine may hold a thread up between what the runtime judges and what is written down.
+  for (const std::string& violation : violations(history, {.deadline = 2s, .ttl = 500ms})) {
+    ADD_FAILURE() << violation << ", seed " << seed();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Lanes, Losses, testing::ValuesIn(lossyRows()), nameOf);
+
+}  // namespace
+}  // namespace conformance
