@@ -197,7 +197,8 @@ void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time d
   const CommandInfo& command = info_.commands[record.command];
   Turn turn(channel, owner_, record);
   channel.countReceived(rt::SpscRing::recordSize(sizeof(record) + command.argumentsSize));
-  if (command.ttl > Duration{0} && drainStart - record.stamp > command.ttl) {
+  commandAge_ = drainStart - record.stamp;
+  if (command.ttl > Duration{0} && commandAge_ > command.ttl) {
     increment(channel.commands.counters.late);
     turn.error = Errc::Late;
     return;
@@ -213,7 +214,7 @@ void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time d
     turn.error = Errc::Invalid;
     return;
   }
-  channel.commandAge.record(drainStart - record.stamp);
+  channel.commandAge.record(commandAge_);
   increment(channel.commands.counters.executed);
   if (record.call == 0) {
     execute(record.command, record.arguments(), nullptr);
