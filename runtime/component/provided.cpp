@@ -198,7 +198,8 @@ void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time d
   const CommandInfo& command = info_.commands[record.command];
   Turn turn(channel, owner_, record);
   channel.countReceived(rt::SpscRing::recordSize(sizeof(record) + command.argumentsSize));
-  if (command.ttl > Duration{0} && drainStart - record.stamp > command.ttl) {
+  commandAge_ = drainStart - record.stamp;
+  if (command.ttl > Duration{0} && commandAge_ > command.ttl) {
     increment(channel.commands.counters.late);
     turn.error = Errc::Late;
     return;
@@ -217,7 +218,7 @@ void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time d
   if (VirtualTime* const time = virtualTime(); time != nullptr) {
     time->note(VirtualTime::Kind::Execute, name_.c_str(), command.name, record.sequence);
   }
-  channel.commandAge.record(drainStart - record.stamp);
+  channel.commandAge.record(commandAge_);
   increment(channel.commands.counters.executed);
   if (record.call == 0) {
     execute(record.command, record.arguments(), nullptr);

@@ -76,6 +76,9 @@ class ProvidedBase {
   void advance();
   /// True if commands are waiting.
   bool pending() const;
+  /// In the handler of a command that has waited: how old that was when it was compared with its
+  /// ttl. Says nothing of one that runs in its caller's thread.
+  Duration commandAge() const { return commandAge_; }
   /// Tells all clients how it stands with the component.
   void announce(ChannelStatus status);
 
@@ -116,6 +119,7 @@ class ProvidedBase {
   bool manual_ = false;
   ChannelList channels_;
   bool everyState_ = false;
+  Duration commandAge_{0};
   struct Latched;
   std::vector<std::unique_ptr<Latched>> latched_;  // by event; null: it is not latched
   std::vector<std::uint64_t> replayed_;            // one payload, for the thread that serves
