@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# What takes too long for every push: suturec under AddressSanitizer and UBSan on 10,000 mutated headers and on all its
-# tests, ten minutes of each fuzzer, a minute of stress on each part between threads, a thousand restarts of a peer, a million
-# changed sessions, twenty rounds of faults between processes, ten minutes of faults of messages, and ten draws of random types
-# and contracts.
+# What takes too long for every push: the tests labelled long (docs/tests.md lists them), suturec under AddressSanitizer and
+# UBSan on 10,000 mutated headers and on all its tests, ten minutes of each fuzzer, a minute of stress on each part between
+# threads, a thousand restarts of a peer, a million changed sessions, twenty rounds of faults between processes, ten minutes of
+# faults of messages, and ten draws of random types and contracts.
 #   tests/long.sh [MUTANTS] [SECONDS]
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -25,6 +25,7 @@ printf '%s\n' lock deployment frames shared handshake generated golden | xargs -
     found/{} corpus/{} 2>&1 | sed -u "s/^/{}: /"'
 
 cmake --build --preset dev -- --quiet
+ctest --preset dev -j "$(nproc)" -L long
 SUTURE_STRESS_SECONDS=60 "$build/bin/stress_test" --gtest_brief=1
 SUTURE_SESSIONS=1000000 "$build/bin/fault_test" --gtest_filter=Sessions.*
 SUTURE_RECONNECTS=1000 "$build/bin/fault_test" --gtest_filter='*Restarts.OfAPeer*'
