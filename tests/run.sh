@@ -1,23 +1,47 @@
 #!/usr/bin/env bash
-# Everything: installs what is missing, builds, runs all tests, then the runtime's suite under the sanitizers.
-#   tests/run.sh            what CI runs
-#   tests/run.sh dev        only one of the presets dev, tsan, asan
+# Installs what is missing, builds, and runs a tier of the tests; README.md says what each tier is for.
+#   tests/run.sh                       what CI runs: dev, then the runtime's suite under tsan and asan
+#   tests/run.sh dev|tsan|asan...      only these
+#   tests/run.sh fast                  what a change is tried with before it is pushed
 set -euo pipefail
 cd "$(dirname "$0")/.."
 .ci/install tests
 
-presets=("${@:-}")
-[ -n "${presets[0]}" ] || presets=(tsan asan dev)
+presets=("$@")
+[ $# -gt 0 ] || presets=(dev tsan asan)
 
-for preset in "${presets[@]}"; do
-  echo "=== $preset: build"
-  cmake --preset "$preset" --log-level=WARNING
-  # What the sanitizers run waits more than it works; dev's tests compile, and judge control at 1 kHz.
-  case "$preset" in
-    dev) target=all only=() jobs=$(nproc) ;;
-    *) target=runtime_tests only=(-L runtime) jobs=$((2 * $(nproc))) ;;
-  esac
-  cmake --build --preset "$preset" -j "$(nproc)" --target "$target" -- --quiet
+# A preset's minutes are kept beside its build for tests/timing.sh, and printed whether or not all went well.
+trap 'tests/timing.sh --summary "${presets[@]/fast/dev}"' EXIT
+timed() {  # timed FILE COMMAND...
+  local file=$1 begin=$SECONDS status=0
+  shift
+  "$@" || status=$?
+  echo $((SECONDS - begin)) >"$file"
+  return $status
+}
+
+# run_tier PRESET TARGET JOBS [ARGUMENT OF CTEST...]
+run_tier() {
+  local preset=$1 target=$2 jobs=$3 records=build/$1/Testing
+  shift 3
+  echo "=== $preset: build $target"
+  mkdir -p "$records/cases"
+  rm -f "$records"/seconds.* "$records"/cases/*.json "$records/tests.xml"
+  cmake --preset "$preset" --log-level=WARNING >/dev/null
+  timed "$records/seconds.build" cmake --build --preset "$preset" -j "$(nproc)" --target "$target" -- --quiet
   echo "=== $preset: test"
-  ctest --preset "$preset" -j "$jobs" "${only[@]}"
+  timed "$records/seconds.test" ctest --preset "$preset" -j "$jobs" --output-junit Testing/tests.xml "$@"
+}
+
+# What the sanitizers run waits more than it works, and so does most of the fast tier; the rest of dev compiles, and judges
+# control at 1 kHz.
+for preset in "${presets[@]}"; do
+  case "$preset" in
+    dev) run_tier dev all "$(nproc)" -LE long ;;
+    fast)
+      run_tier dev fast_tests $((2 * $(nproc))) -L fast
+      tests/tidy.sh
+      ;;
+    *) run_tier "$preset" runtime_tests $((2 * $(nproc))) -L runtime ;;
+  esac
 done

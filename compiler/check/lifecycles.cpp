@@ -4,9 +4,9 @@
 namespace suture::compiler::check {
 namespace {
 
-class Rule {
+class LifecycleRule {
  public:
-  Rule(const model::Lookup& lookup, model::Diagnostics& findings)
+  LifecycleRule(const model::Lookup& lookup, model::Diagnostics& findings)
       : lookup_(lookup), findings_(findings) {}
 
   void checkSince(const std::string& subject, const model::Lifecycle& lifecycle,
@@ -40,7 +40,7 @@ class Rule {
   model::Diagnostics& findings_;
 };
 
-void checkStruct(const model::Struct& type, Rule& rule) {
+void checkStruct(const model::Struct& type, LifecycleRule& rule) {
   rule.checkSince("type '" + model::unqualified(type.name) + "'", type.lifecycle, type.source);
   for (const model::Field& field : type.fields) {
     const std::string subject = "field '" + field.name + "'";
@@ -50,14 +50,14 @@ void checkStruct(const model::Struct& type, Rule& rule) {
   }
 }
 
-void checkEnum(const model::Enum& type, Rule& rule) {
+void checkEnum(const model::Enum& type, LifecycleRule& rule) {
   rule.checkSince("type '" + model::unqualified(type.name) + "'", type.lifecycle, type.source);
   for (const model::Enumerator& one : type.enumerators) {
     rule.checkSince("enumerator '" + one.name + "'", one.lifecycle, one.source);
   }
 }
 
-void checkInterface(const model::Interface& interface, Rule& rule) {
+void checkLifecyclesOf(const model::Interface& interface, LifecycleRule& rule) {
   for (const model::Command& command : interface.commands) {
     for (const model::Parameter& parameter : command.parameters) {
       rule.checkUse("parameter '" + parameter.name + "'", command.lifecycle, parameter.type,
@@ -79,10 +79,10 @@ void checkInterface(const model::Interface& interface, Rule& rule) {
 
 void checkLifecycles(const model::Header& header, const model::Lookup& lookup,
                      model::Diagnostics& findings) {
-  Rule rule(lookup, findings);
+  LifecycleRule rule(lookup, findings);
   for (const model::Struct& type : header.structs) checkStruct(type, rule);
   for (const model::Enum& type : header.enums) checkEnum(type, rule);
-  for (const model::Interface& interface : header.interfaces) checkInterface(interface, rule);
+  for (const model::Interface& interface : header.interfaces) checkLifecyclesOf(interface, rule);
 }
 
 }  // namespace suture::compiler::check

@@ -117,7 +117,7 @@ void checkBuiltIn(const std::array<std::string_view, N>& builtIn, const std::str
            std::string(kNameAdvice));
 }
 
-void checkInterface(const model::Interface& interface, model::Diagnostics& findings) {
+void checkNamesOf(const model::Interface& interface, model::Diagnostics& findings) {
   Scope commands(false, findings), events(false, findings);
   for (const model::Command& command : interface.commands) {
     commands.add("command", command.name, command.wireName, command.source);
@@ -163,7 +163,7 @@ void checkNames(const model::Header& header, model::Diagnostics& findings) {
     types.add("the state of contract", interface.name, interface.wireName + "StateRow",
               interface.source);
     checkReserved(interface.name, interface.wireName, true, interface.source, findings);
-    checkInterface(interface, findings);
+    checkNamesOf(interface, findings);
   }
 }
 

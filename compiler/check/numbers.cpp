@@ -10,9 +10,9 @@ using Range = std::optional<std::pair<double, double>>;
 
 std::string shown(double number) { return nlohmann::json(number).dump(); }
 
-class Rule {
+class NumberRule {
  public:
-  explicit Rule(model::Diagnostics& findings) : findings_(findings) {}
+  explicit NumberRule(model::Diagnostics& findings) : findings_(findings) {}
 
   void apply(const std::string& subject, const std::string& unit, const Range& range,
              const model::Source& source) {
@@ -32,7 +32,7 @@ class Rule {
   model::Diagnostics& findings_;
 };
 
-void checkInterface(const model::Interface& interface, Rule& rule) {
+void checkNumbersOf(const model::Interface& interface, NumberRule& rule) {
   for (const model::Command& command : interface.commands) {
     for (const model::Parameter& parameter : command.parameters) {
       rule.apply("parameter '" + parameter.name + "'", parameter.unit, parameter.range,
@@ -51,13 +51,13 @@ void checkInterface(const model::Interface& interface, Rule& rule) {
 }  // namespace
 
 void checkNumbers(const model::Header& header, model::Diagnostics& findings) {
-  Rule rule(findings);
+  NumberRule rule(findings);
   for (const model::Struct& type : header.structs) {
     for (const model::Field& field : type.fields) {
       rule.apply("field '" + field.name + "'", field.unit, field.range, field.source);
     }
   }
-  for (const model::Interface& interface : header.interfaces) checkInterface(interface, rule);
+  for (const model::Interface& interface : header.interfaces) checkNumbersOf(interface, rule);
 }
 
 }  // namespace suture::compiler::check

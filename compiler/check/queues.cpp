@@ -40,7 +40,7 @@ bool returns(model::CommandKind kind) {
   return kind == model::CommandKind::VoidReturn || kind == model::CommandKind::WriteReturn;
 }
 
-void checkCommand(const model::Command& command, model::Diagnostics& findings) {
+void checkQueueOf(const model::Command& command, model::Diagnostics& findings) {
   const std::string subject = "command '" + command.name + "'";
   checkDepth(subject, command.queue, command.source, findings);
   checkExclusive(subject, command.latest, command.queueGiven, command.source, findings);
@@ -64,7 +64,7 @@ void checkCommand(const model::Command& command, model::Diagnostics& findings) {
 
 void checkQueues(const model::Header& header, model::Diagnostics& findings) {
   for (const model::Interface& interface : header.interfaces) {
-    for (const model::Command& command : interface.commands) checkCommand(command, findings);
+    for (const model::Command& command : interface.commands) checkQueueOf(command, findings);
     for (const model::Event& event : interface.events) {
       const std::string subject = "event '" + event.name + "'";
       checkDepth(subject, event.queue, event.source, findings);

@@ -9,7 +9,7 @@ using Shape = model::Type::Shape;
 
 constexpr std::uint64_t kLongestArray = 1u << 20;
 
-std::string spelled(clang::QualType type) {
+std::string spelledPlainly(clang::QualType type) {
   clang::LangOptions language;
   language.CPlusPlus = language.Bool = true;
   return type.getAsString(clang::PrintingPolicy(language));
@@ -111,7 +111,7 @@ std::optional<TypeProblem> addElement(model::Type& outer, clang::QualType elemen
                                       const NamedTypes& names) {
   MappedType mapped = mapType(element, names);
   if (auto* problem = std::get_if<TypeProblem>(&mapped)) {
-    problem->reason = "element of type '" + spelled(element) + "': " + problem->reason;
+    problem->reason = "element of type '" + spelledPlainly(element) + "': " + problem->reason;
     return *problem;
   }
   outer.element.push_back(std::get<model::Type>(std::move(mapped)));

@@ -7,6 +7,8 @@
 namespace suture::compiler::frontend {
 namespace {
 
+using Shape = model::Type::Shape;
+
 using Specialisation = clang::ClassTemplateSpecializationDecl;
 
 // Eigen's own constants, part of its stable interface.
@@ -76,7 +78,6 @@ std::optional<unsigned> boundOf(const Specialisation* type, unsigned index) {
 /// An Eigen type some extent of which is known at run time only. A vector is a list of its
 /// coefficients, a matrix of so many rows a list of its columns.
 MappedType mapDynamic(const Specialisation* type, model::Type scalar) {
-  using Shape = model::Type::Shape;
   const std::int64_t rows = number(type, 1), columns = number(type, 2);
   model::Type mapped;
   mapped.spelling = spellingOf(type, scalar.spelling);

@@ -13,6 +13,8 @@
 namespace suture::compiler::frontend {
 namespace {
 
+using Shape = model::Type::Shape;
+
 TypeProblem unannotated(const clang::TagDecl* declaration, const std::string& keyword) {
   return {"unannotated-type", "'" + declaration->getNameAsString() + "' is not a SUTURE_TYPE",
           "declare it as '" + keyword + " SUTURE_TYPE() " + declaration->getNameAsString() + "'",
@@ -137,7 +139,6 @@ namespace {
 
 /// Hands out bounds outside in; `next` is the first that is left.
 void handOut(model::Type& type, const std::vector<unsigned>& bounds, std::size_t& next) {
-  using Shape = model::Type::Shape;
   const auto give = [&](std::optional<unsigned>& capacity) {
     if (capacity || next == bounds.size()) return;
     const unsigned bound = bounds[next++];
@@ -153,7 +154,6 @@ void handOut(model::Type& type, const std::vector<unsigned>& bounds, std::size_t
 
 /// What a container holds; null of anything else.
 const model::Type* contentOf(const model::Type& type) {
-  using Shape = model::Type::Shape;
   switch (type.shape) {
     case Shape::Array:
     case Shape::List:
@@ -172,7 +172,6 @@ bool applyCapacity(model::Type& type, const std::vector<unsigned>& bounds) {
 }
 
 bool makeBulk(model::Type& type) {
-  using Shape = model::Type::Shape;
   const auto isNumber = [](const model::Type& one) {
     return one.shape == Shape::Scalar && one.scalar != model::Scalar::Bool;
   };
@@ -183,14 +182,12 @@ bool makeBulk(model::Type& type) {
 }
 
 bool holdsNumbers(const model::Type& type) {
-  using Shape = model::Type::Shape;
   if (const model::Type* content = contentOf(type)) return holdsNumbers(*content);
   if (type.shape == Shape::Scalar) return type.scalar != model::Scalar::Bool;
   return type.shape == Shape::Matrix || type.shape == Shape::AnyMatrix;
 }
 
 bool holdsQuantities(const model::Type& type) {
-  using Shape = model::Type::Shape;
   if (const model::Type* content = contentOf(type)) return holdsQuantities(*content);
   return type.shape == Shape::Isometry || type.shape == Shape::Affine || holdsNumbers(type);
 }

@@ -13,6 +13,8 @@
 namespace suture::compiler::lock {
 namespace {
 
+using Shape = model::Type::Shape;
+
 constexpr char kSent[] = "/suture/rpc.capnp:Sent";
 
 /// The annotations that name what a node stands for.
@@ -164,7 +166,6 @@ WantedNode wantedComposite(const model::Type& type, const model::Source& source,
   const std::string name = compositeName(type, lookup, header);
   WantedNode result =
       startNode(Node::Kind::Struct, "", name, "the wire form of '" + type.spelling + "'", source);
-  using Shape = model::Type::Shape;
   result.node.isUnion = type.shape == Shape::Optional || type.shape == Shape::Variant;
   if (type.shape == Shape::Optional) addMember(result, plain("none", "Void"));
   const std::vector<std::string> names = compositeMembers(type, lookup, header);

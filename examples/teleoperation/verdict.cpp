@@ -12,7 +12,7 @@ namespace {
 
 using suture::ConnectionReport;
 
-constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr double kDegreesOfRadian = 180 / std::numbers::pi;
 
 suture::TaskReport taskOf(const std::vector<suture::Report>& reports, const std::string& name) {
   for (const suture::Report& report : reports) {
@@ -67,8 +67,8 @@ Check checkFollowing(FollowingWatch& watch, ArmFigures& slave) {
   const auto violations = robots::violations(judgement);
   if (!violations.empty()) return {false, fmt::format("{}: {}", pair, fmt::join(violations, "; "))};
   return {true, fmt::format("{} within {:.2f} mm and {:.2f} deg at p99, over {:.0f} mm", pair,
-                            1e3 * judgement.position.p99, kDegrees * judgement.orientation.p99,
-                            1e3 * judgement.travel)};
+                            1e3 * judgement.position.p99,
+                            kDegreesOfRadian * judgement.orientation.p99, 1e3 * judgement.travel)};
 }
 
 }  // namespace

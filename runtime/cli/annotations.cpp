@@ -14,7 +14,8 @@ constexpr std::uint64_t kBulk = 0xe60b8c2f94a7d135;
 constexpr std::uint64_t kRemoved = 0xd3b1f04c6a8e9275;
 
 template <class Declaration>
-std::optional<std::string> textOf(const Declaration& declaration, std::uint64_t annotation) {
+std::optional<std::string> annotationText(const Declaration& declaration,
+                                          std::uint64_t annotation) {
   for (const auto one : declaration.getProto().getAnnotations()) {
     if (one.getId() != annotation) continue;
     const auto value = one.getValue();
@@ -25,7 +26,7 @@ std::optional<std::string> textOf(const Declaration& declaration, std::uint64_t 
 
 template <class Declaration>
 std::string nameIn(const Declaration& declaration) {
-  return textOf(declaration, kCxx).value_or(declaration.getProto().getName().cStr());
+  return annotationText(declaration, kCxx).value_or(declaration.getProto().getName().cStr());
 }
 
 }  // namespace
@@ -34,15 +35,21 @@ std::string nameOf(capnp::StructSchema::Field field) { return nameIn(field); }
 
 std::string nameOf(capnp::EnumSchema::Enumerant value) { return nameIn(value); }
 
-std::string unitOf(capnp::StructSchema::Field field) { return textOf(field, kUnit).value_or(""); }
+std::string unitOf(capnp::StructSchema::Field field) {
+  return annotationText(field, kUnit).value_or("");
+}
 
-std::string bulkOf(capnp::StructSchema::Field field) { return textOf(field, kBulk).value_or(""); }
+std::string bulkOf(capnp::StructSchema::Field field) {
+  return annotationText(field, kBulk).value_or("");
+}
 
 bool isSent(capnp::StructSchema::Field field) {
   const capnp::Type type = field.getType();
   return type.isStruct() && type.asStruct().getProto().getId() == capnp::typeId<wire::Sent>();
 }
 
-bool isRemoved(capnp::StructSchema::Field field) { return textOf(field, kRemoved).has_value(); }
+bool isRemoved(capnp::StructSchema::Field field) {
+  return annotationText(field, kRemoved).has_value();
+}
 
 }  // namespace suture::cli

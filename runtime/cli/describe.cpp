@@ -7,7 +7,7 @@
 namespace suture::cli {
 namespace {
 
-const char* nameOf(wire::Peer::Side side) {
+const char* sideName(wire::Peer::Side side) {
   return side == wire::Peer::Side::REQUIRED ? "required" : "provided";
 }
 
@@ -21,10 +21,10 @@ int describeInterface(Peer& peer, const Options& options, const Target& target) 
   const Found found = findInterface(peer, target);
   if (options.json) {
     printJson({{"interface", target.toString()},
-               {"side", nameOf(found.side)},
+               {"side", sideName(found.side)},
                {"description", forPeople(found.contract->description())}});
   } else {
-    print(target.toString() + ", " + nameOf(found.side) + ": " + contractText(*found.contract));
+    print(target.toString() + ", " + sideName(found.side) + ": " + contractText(*found.contract));
   }
   return 0;
 }

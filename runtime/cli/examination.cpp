@@ -6,7 +6,7 @@
 namespace suture::cli {
 namespace {
 
-const char* nameOf(Step::State state) {
+const char* stateName(Step::State state) {
   switch (state) {
     case Step::State::Ok: return "ok";
     case Step::State::Skipped: return "skipped";
@@ -39,7 +39,7 @@ std::string Examination::text() const {
   std::string text = subject_ + "\n";
   std::vector<std::vector<std::string>> rows;
   for (const Step& step : steps_) {
-    rows.push_back({step.name, nameOf(step.state), step.found});
+    rows.push_back({step.name, stateName(step.state), step.found});
     if (!step.remedy.empty()) rows.push_back({"", "", step.remedy});
   }
   return plain(text + columns(rows, 2));
@@ -48,7 +48,7 @@ std::string Examination::text() const {
 Json Examination::json() const {
   Json steps = Json::array();
   for (const Step& step : steps_) {
-    Json one{{"step", step.name}, {"state", nameOf(step.state)}};
+    Json one{{"step", step.name}, {"state", stateName(step.state)}};
     if (!step.found.empty()) one["found"] = step.found;
     if (!step.remedy.empty()) one["remedy"] = step.remedy;
     steps.push_back(std::move(one));

@@ -36,7 +36,7 @@ kj::Promise<wire::Session::Client> greet(wire::GlobalManager::Client manager) {
   });
 }
 
-std::string noAnswer(const rpc::Address& address) {
+std::string noManagerAnswers(const rpc::Address& address) {
   return "talk to " + address.text() +
          ": what listens there does not answer as a global manager. Check the address; if it is "
          "right, restart the manager.";
@@ -64,7 +64,7 @@ Names::Manager Names::open(rpc::EventPort& loop, const rpc::Address& address,
                            const Options& options) {
   auto link = reachManager(loop, address, options);
   auto greeted = greet(link->bootstrap<wire::GlobalManager>());
-  auto session = wait(loop, options.patience, kj::mv(greeted), noAnswer(address));
+  auto session = wait(loop, options.patience, kj::mv(greeted), noManagerAnswers(address));
   return {address, kj::mv(link), kj::mv(session)};
 }
 
@@ -74,7 +74,7 @@ std::vector<ProcessRecord> Names::processes() {
     for (const auto process : results.getProcesses()) all.push_back(fromWire(process));
     return all;
   });
-  return wait(loop_, patience_, kj::mv(answer), noAnswer(manager_.address));
+  return wait(loop_, patience_, kj::mv(answer), noManagerAnswers(manager_.address));
 }
 
 ProcessRecord Names::process(const std::string& name) {
@@ -84,7 +84,7 @@ ProcessRecord Names::process(const std::string& name) {
     if (results.isRefused()) return refused(results.getRefused());
     return fromWire(results.getFound());
   });
-  return wait(loop_, patience_, kj::mv(answer), noAnswer(manager_.address));
+  return wait(loop_, patience_, kj::mv(answer), noManagerAnswers(manager_.address));
 }
 
 }  // namespace suture::cli

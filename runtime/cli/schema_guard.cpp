@@ -8,25 +8,25 @@ namespace {
 
 using capnp::schema::Field;
 using capnp::schema::Node;
-using capnp::schema::Type;
+using WireType = capnp::schema::Type;
 
 constexpr std::uint64_t kWordBits = 64, kDiscriminantBits = 16;
 
 /// Bits of a value in the data section of its struct; 0: nothing there.
-std::uint64_t bitsOf(Type::Reader type) {
+std::uint64_t bitsOf(WireType::Reader type) {
   switch (type.which()) {
-    case Type::BOOL: return 1;
-    case Type::INT8:
-    case Type::UINT8: return 8;
-    case Type::INT16:
-    case Type::UINT16:
-    case Type::ENUM: return 16;
-    case Type::INT32:
-    case Type::UINT32:
-    case Type::FLOAT32: return 32;
-    case Type::INT64:
-    case Type::UINT64:
-    case Type::FLOAT64: return 64;
+    case WireType::BOOL: return 1;
+    case WireType::INT8:
+    case WireType::UINT8: return 8;
+    case WireType::INT16:
+    case WireType::UINT16:
+    case WireType::ENUM: return 16;
+    case WireType::INT32:
+    case WireType::UINT32:
+    case WireType::FLOAT32: return 32;
+    case WireType::INT64:
+    case WireType::UINT64:
+    case WireType::FLOAT64: return 64;
     default: return 0;
   }
 }

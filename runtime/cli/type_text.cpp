@@ -22,7 +22,7 @@ std::string matrixText(const Json& type) {
   return rows.dump() + " x " + columnCount.dump() + " matrix of " + scalar;
 }
 
-std::string clockText(const Json& type) {
+std::string clockTypeText(const Json& type) {
   return "time, ns of the " + textAt(type, "clock") + " clock";
 }
 
@@ -44,7 +44,7 @@ std::string typeText(const Json& type) {
   if (kind == "isometry") return "rotation and translation";
   if (kind == "affine") return "affine transform";
   if (kind == "duration") return "duration, ns";
-  if (kind == "time") return clockText(type);
+  if (kind == "time") return clockTypeText(type);
   if (kind == "optional") return "optional " + typeText(element);
   if (kind == "variant") return listText(listAt(type, "alternatives"), " or ");
   if (kind == "tuple") return listText(listAt(type, "elements"), " and ");

@@ -25,7 +25,7 @@ constexpr Duration kFirstRedialPause = std::chrono::milliseconds(50);
 // A pause and an attempt that came to nothing together are shorter than the second within which the
 // connection is to be back after a fault.
 constexpr Duration kLongestRedialPause = std::chrono::milliseconds(250);
-constexpr Duration kAnswerLimit = std::chrono::milliseconds(500);
+constexpr Duration kTakeOverLimit = std::chrono::milliseconds(500);
 constexpr Duration kComeBackPatience = std::chrono::seconds(5);
 
 constexpr unsigned kClockQuestions = 8;
@@ -451,7 +451,7 @@ void RemoteConnection::drop() {
 kj::Promise<void> RemoteConnection::comeBack(Duration pause) {
   return control_.timer()
       .afterDelay(rpc::toKj(pause))
-      .then([this] { return connect(kComeBackPatience, kAnswerLimit); })
+      .then([this] { return connect(kComeBackPatience, kTakeOverLimit); })
       .catch_([this, pause](kj::Exception&&) {
         drop();
         return comeBack(std::min(2 * pause, kLongestRedialPause));

@@ -19,7 +19,7 @@ class MemoryServer final : public wire::SharedMemory::Server {
   const std::shared_ptr<MemoryBlock> block_;
 };
 
-kj::Exception refused(const std::string& text) {
+kj::Exception noMemory(const std::string& text) {
   return rpc::failure(kj::Exception::Type::FAILED, text);
 }
 
@@ -27,7 +27,7 @@ kj::Promise<shm::SharedParts> receiveBlocks(wire::SharedChannel::Reader in,
                                             const InterfaceInfo& contract, shm::SharedParts parts) {
   using Others = MemoryBlock::Others;
   const std::size_t stateBytes = shm::stateBytes(parts);
-  if (stateBytes > kMostStateBytes) return refused("the provider keeps too many rows to map");
+  if (stateBytes > kMostStateBytes) return noMemory("the provider keeps too many rows to map");
   auto promise = receive(in.getChannel(), shm::channelBytes(contract), Others::Write);
   return promise.then([bell = in.getBell(), state = in.getState(), stateBytes,
                        parts = std::move(parts)](std::shared_ptr<MemoryBlock> channel) mutable {
@@ -60,10 +60,10 @@ kj::Promise<std::shared_ptr<MemoryBlock>> receive(wire::SharedMemory::Client mem
           try {
             return MemoryBlock::open(*handle, size, others);
           } catch (const SetupError& error) {
-            return refused(error.what());
+            return noMemory(error.what());
           }
         }
-        return refused("no descriptor came with the memory");
+        return noMemory("no descriptor came with the memory");
       });
 }
 
@@ -81,7 +81,7 @@ kj::Promise<shm::SharedParts> receive(wire::SharedChannel::Reader in,
   shm::SharedParts parts;
   parts.rows = in.getRows();
   if (parts.rows > kMostRows || in.getColumns().size() > kMostColumns) {
-    return refused("the provider's state table has an impossible form");
+    return noMemory("the provider's state table has an impossible form");
   }
   for (const std::uint32_t size : in.getColumns()) parts.columns.push_back(size);
   return receiveBlocks(in, contract, std::move(parts));

@@ -102,7 +102,7 @@ TEST_P(Namespaces, AreConnectedAsMachinesAre) {
   EXPECT_EQ(provider->end(SIGTERM), 0);
 }
 
-std::string nameOf(const testing::TestParamInfo<Case>& info) {
+std::string caseName(const testing::TestParamInfo<Case>& info) {
   const std::string address = std::get<0>(info.param);
   return address.substr(0, address.find(':')) + "_" + std::get<2>(info.param);
 }
@@ -112,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(Lanes, Namespaces,
                                          Case{"tcp://10.213.7.1:0?insecure", Lane::Rpc, "rpc"},
                                          Case{"tls://10.213.7.1:0", Lane::Auto, "frame"},
                                          Case{"tls://10.213.7.1:0", Lane::Rpc, "rpc"}),
-                         nameOf);
+                         caseName);
 
 }  // namespace
 }  // namespace suture

@@ -12,7 +12,7 @@ namespace {
 using reference::ArmLike;
 using reference::Mode;
 
-struct Client final : Device {
+struct Caller final : Device {
   Required<ArmLike> arm{*this, "Arm"};
 };
 
@@ -40,7 +40,7 @@ struct Provider final : Task {
 
 TEST(Calls, AnAnswerThatCameOutlivesItsConnection) {
   Provider provider, successor;
-  Client client;
+  Caller client;
   connectLocally(client.arm, provider.port, "old");
   auto first = client.arm.hold.start(), second = client.arm.hold.start();
   auto third = client.arm.hold.start();
@@ -59,7 +59,7 @@ TEST(Calls, AnAnswerThatCameOutlivesItsConnection) {
 
 TEST(Calls, AnAnswerThatNobodyHadLookedForOutlivesItsConnection) {
   Provider provider, successor;
-  Client client;
+  Caller client;
   connectLocally(client.arm, provider.port, "old");
   auto call = client.arm.hold.start();
   provider.cycle();
@@ -72,7 +72,7 @@ TEST(Calls, AnAnswerThatNobodyHadLookedForOutlivesItsConnection) {
 TEST(Fairness, AFloodingClientDelaysAnotherByItsQueueAtMost) {
   for (const bool flooderFirst : {true, false}) {
     Provider provider;
-    Client flooder, other;
+    Caller flooder, other;
     connectLocally((flooderFirst ? flooder : other).arm, provider.port, "one");
     connectLocally((flooderFirst ? other : flooder).arm, provider.port, "two");
     int held = 0;
@@ -94,7 +94,7 @@ TEST(Fairness, AFloodingClientDelaysAnotherByItsQueueAtMost) {
 }
 
 TEST(Call, ItsHandlerIsToldOfTheLoss) {
-  Client client;
+  Caller client;
   Errc end{};
   {
     Provider provider;
@@ -108,7 +108,7 @@ TEST(Call, ItsHandlerIsToldOfTheLoss) {
 }
 
 TEST(Call, ItsHandlerIsToldAtOnceOfARefusal) {
-  Client client;
+  Caller client;
   Errc end{};
   client.arm.hold.start().then([&end](const Result<void>& answer) { end = answer.error(); });
   EXPECT_EQ(end, Errc::NotConnected);
@@ -116,7 +116,7 @@ TEST(Call, ItsHandlerIsToldAtOnceOfARefusal) {
 
 TEST(Call, TakenBackInTimeItIsNotExecutedButCounted) {
   Provider provider;
-  Client client;
+  Caller client;
   const auto channel = connectLocally(client.arm, provider.port, "test");
   int held = 0;
   provider.arm.onHold = [&] { ++held; };

@@ -13,8 +13,8 @@
 namespace suture {
 namespace {
 
-struct Listener final : Device {
-  Listener() {
+struct GoneListener final : Device {
+  GoneListener() {
     arm.on().stopped([] {});
   }
   Required<reference::ArmLike> arm{*this, "Arm"};
@@ -24,7 +24,7 @@ struct Listener final : Device {
 TEST(GoneClient, WhoseDoorbellIsDueIsRungNoMore) {
   DrivenArm arm;
   arm.start();
-  auto listener = std::make_unique<Listener>();
+  auto listener = std::make_unique<GoneListener>();
   connectLocally(listener->arm, arm.automaticPort, "test");
   EXPECT_TRUE(listener->arm.connected());
   arm.cycle();

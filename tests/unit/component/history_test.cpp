@@ -16,7 +16,7 @@ using reference::ArmLike;
 using reference::JointState;
 using reference::PoseStamped;
 
-struct Client final : Device {
+struct HistoryClient final : Device {
   Required<ArmLike> arm{*this, "Arm"};
 };
 
@@ -39,7 +39,7 @@ struct History : testing::Test {
   static double x(const PoseStamped& pose) { return pose.pose.translation().x(); }
 
   DrivenArm arm;
-  Client client, manualClient;
+  HistoryClient client, manualClient;
 };
 
 TEST_F(History, AClientReadsTheRowAtOrBeforeATime) {
@@ -157,7 +157,7 @@ class ArmDevice final : public Device {
 
 TEST(DeviceHistory, ADeviceHasNone) {
   ArmDevice device;
-  Client client;
+  HistoryClient client;
   EXPECT_THROW(device.port.keepState({.manual = true}), SetupError);
   connectLocally(client.arm, device.port, "device");
   EXPECT_TRUE(client.arm.measured_cp());

@@ -18,9 +18,9 @@ namespace {
 using namespace std::chrono_literals;
 using State = ComponentState;
 
-struct Worker final : PeriodicTask {
-  Worker() : PeriodicTask({.period = 1ms}) {}
-  ~Worker() override { stop(); }
+struct ParkedWorker final : PeriodicTask {
+  ParkedWorker() : PeriodicTask({.period = 1ms}) {}
+  ~ParkedWorker() override { stop(); }
   void onSuspend() override { suspending(); }
   void onRestart() override { restarting(); }
   void onFault() override { ++madeSafe; }
@@ -34,7 +34,7 @@ struct Worker final : PeriodicTask {
 };
 
 TEST(ParkedInAHook, ATaskStaysSo) {
-  Worker worker;
+  ParkedWorker worker;
   worker.suspending = [&] { worker.park("a value was stale"); };
   worker.start();
   worker.request(Transition::Suspend);
@@ -44,7 +44,7 @@ TEST(ParkedInAHook, ATaskStaysSo) {
 }
 
 TEST(ParkedInAHook, ARestartIsAFaultAndNotTheLastThatCounts) {
-  Worker worker;
+  ParkedWorker worker;
   worker.restartAfterFaults({.most = 2, .per = 1h});
   worker.restarting = [&] {
     worker.broken = false;

@@ -117,11 +117,11 @@ TEST(Suspended, ALateClientIsToldAtOnceAndWelcomeAfterwards) {
 }
 
 /// Uses an arm, and counts the events that reach it.
-struct Listener final : PeriodicTask {
-  Listener() : PeriodicTask(kQuick) {
+struct SuspendedListener final : PeriodicTask {
+  SuspendedListener() : PeriodicTask(kQuick) {
     arm.on().stopped([this] { ++stops; });
   }
-  ~Listener() override { stop(); }
+  ~SuspendedListener() override { stop(); }
   void run() override {}
   std::atomic<int> stops{0};
   Required<ArmLike> arm{*this, "Arm"};
@@ -138,7 +138,7 @@ TEST(Suspended, EventsWaitUntilItIsResumed) {
     reference::SimulatedArm simulated{{}};
     Provided<ArmLike> arm{*this, "Arm", simulated};
   } sender;
-  Listener listener;
+  SuspendedListener listener;
   connectLocally(listener.arm, sender.arm, "test");
   sender.start();
   listener.start();

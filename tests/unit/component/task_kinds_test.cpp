@@ -46,14 +46,14 @@ struct Worker final : Kind {
   Provided<ArmLike> arm{*this, "Arm", simulated};
 };
 
-struct Client final : Device {
+struct ArmClient final : Device {
   Required<ArmLike> arm{*this, "Arm"};
 };
 
 TEST(ContinuousTask, RunsWithoutWaitingForAnything) {
   std::atomic<int> cycles{0};
   Worker<ContinuousTask> task([&] { ++cycles; });
-  Client client;
+  ArmClient client;
   connectLocally(client.arm, task.arm, "test");
   task.start();
   EXPECT_TRUE(eventually([&] { return cycles > 1000; }));
@@ -67,7 +67,7 @@ TEST(ContinuousTask, RunsWithoutWaitingForAnything) {
 TEST(CallbackTask, RunsInTheThreadThatCallsIt) {
   std::thread::id ranIn;
   Worker<CallbackTask> task([&] { ranIn = std::this_thread::get_id(); });
-  Client client;
+  ArmClient client;
   connectLocally(client.arm, task.arm, "test");
   EXPECT_FALSE(task.trigger());
   task.start();
@@ -148,7 +148,7 @@ TEST(GuestTask, ACommandForItWakesTheHost) {
   Worker<EventTask> host({}, EventOptions{.longestSleep = 1h});
   guest.lend(inner);
   host.lend(guest);
-  Client client, deep;
+  ArmClient client, deep;
   connectLocally(client.arm, guest.arm, "test");
   connectLocally(deep.arm, inner.arm, "test");
   host.start();
@@ -162,7 +162,7 @@ TEST(GuestTask, WhatThrowsIsParkedAlone) {
   Worker<GuestTask> guest([] { throw std::runtime_error("the guest's fault"); });
   Worker<PeriodicTask> host({}, PeriodicOptions{.period = 1ms});
   host.lend(guest);
-  Client ofHost, ofGuest;
+  ArmClient ofHost, ofGuest;
   connectLocally(ofHost.arm, host.arm, "test");
   connectLocally(ofGuest.arm, guest.arm, "test");
   host.start();
@@ -178,7 +178,7 @@ TEST(GuestTask, OutlivesAHostThatThrows) {
   Worker<GuestTask> guest;
   Worker<EventTask> host([] { throw std::runtime_error("the host's fault"); });
   host.lend(guest);
-  Client ofHost, ofGuest;
+  ArmClient ofHost, ofGuest;
   connectLocally(ofHost.arm, host.arm, "test");
   connectLocally(ofGuest.arm, guest.arm, "test");
   host.start();
@@ -197,7 +197,7 @@ TEST(GuestTask, IsRefusedWithoutAHostWithTwoAndWhenConnected) {
   host.configure();
   host.lend(guest);
   EXPECT_NE(refusal([&] { other.lend(guest); }).find("it already has that of"), std::string::npos);
-  Client client;
+  ArmClient client;
   connectLocally(client.arm, connected.arm, "test");
   EXPECT_NE(refusal([&] { host.lend(connected); }).find("is already connected"), std::string::npos);
   host.start();

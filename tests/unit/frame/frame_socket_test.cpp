@@ -7,14 +7,14 @@
 namespace suture::frame {
 namespace {
 
-constexpr std::size_t kMostPayload = 64;
+constexpr std::size_t kSmallPayload = 64;
 
 /// Two ends of a connection.
 struct Ends {
   Ends() : Ends(rpc::makeSocketPair()) {}
   explicit Ends(rpc::SocketPair pair)
-      : near(rpc::ByteStream(kj::mv(pair.ours)), 5, kMostPayload),
-        far(rpc::ByteStream(kj::mv(pair.theirs)), 5, kMostPayload) {}
+      : near(rpc::ByteStream(kj::mv(pair.ours)), 5, kSmallPayload),
+        far(rpc::ByteStream(kj::mv(pair.theirs)), 5, kSmallPayload) {}
 
   FrameSocket near, far;
 };
@@ -22,7 +22,7 @@ struct Ends {
 unsigned send(FrameSocket& socket, unsigned wanted) {
   unsigned count = 0;
   for (; count < wanted && socket.hasRoom(); ++count) {
-    socket.begin({.kind = Kind::Event}, kMostPayload);
+    socket.begin({.kind = Kind::Event}, kSmallPayload);
     socket.finish();
   }
   socket.flush();

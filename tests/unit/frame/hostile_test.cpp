@@ -14,7 +14,7 @@
 namespace suture::frame {
 namespace {
 
-constexpr std::uint32_t kEpoch = 9, kConnection = 4;
+constexpr std::uint32_t kHostileEpoch = 9, kConnection = 4;
 constexpr unsigned kSessions = 2000;
 
 const InterfaceInfo& contract() { return interfaceInfo<reference::ArmLike>(); }
@@ -50,7 +50,7 @@ class Peer {
 
  private:
   kj::AutoCloseFd socket_;
-  FrameWriter writer_{kEpoch, std::size_t{1} << 14};
+  FrameWriter writer_{kHostileEpoch, std::size_t{1} << 14};
 };
 
 /// As a peer's own, then with a number or two that are any.
@@ -119,7 +119,7 @@ TEST(HostileFrames, OfAClientReachNothingButItsChannel) {
     auto pair = rpc::makeSocketPair();
     const auto side = std::make_shared<ProviderSide>(played.channel, kConnection);
     if (seed % 2 == 0) side->setReadOnly();
-    Link link(rpc::ByteStream(kj::mv(pair.ours)), kEpoch);
+    Link link(rpc::ByteStream(kj::mv(pair.ours)), kHostileEpoch);
     link.join(side);
     Peer peer(kj::mv(pair.theirs));
     Liar liar(seed);
@@ -146,7 +146,7 @@ TEST(HostileFrames, OfAProviderReachNothingButItsClientsChannel) {
     Played played;
     auto pair = rpc::makeSocketPair();
     const auto side = std::make_shared<ClientSide>(played.channel, kConnection);
-    Link link(rpc::ByteStream(kj::mv(pair.ours)), kEpoch);
+    Link link(rpc::ByteStream(kj::mv(pair.ours)), kHostileEpoch);
     link.join(side);
     Peer peer(kj::mv(pair.theirs));
     Liar liar(seed);

@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::uint16_t kHold = 2, kStopped = 2;
+constexpr std::uint16_t kHoldMethod = 2, kStoppedMethod = 2;
 
 std::shared_ptr<Channel> makeChannel(rt::Doorbell& bell) {
   const InterfaceInfo& contract = interfaceInfo<reference::ArmLike>();
@@ -22,9 +22,9 @@ std::shared_ptr<Channel> makeChannel(rt::Doorbell& bell) {
       ~EventSet{0});
 }
 
-struct Ends {
-  Ends() : Ends(rpc::makeSocketPair()) {}
-  explicit Ends(rpc::SocketPair pair)
+struct StampedEnds {
+  StampedEnds() : StampedEnds(rpc::makeSocketPair()) {}
+  explicit StampedEnds(rpc::SocketPair pair)
       : client(rpc::ByteStream(kj::mv(pair.ours)), 1),
         provider(rpc::ByteStream(kj::mv(pair.theirs)), 1) {
     far->setClock(-5s, 1ms);
@@ -47,9 +47,9 @@ struct Ends {
 };
 
 TEST(FrameStamps, OfCommandsAreTheProviders) {
-  Ends ends;
+  StampedEnds ends;
   const Time sent = now();
-  ASSERT_TRUE(ends.near->commands.claim(kHold, sent, 0));
+  ASSERT_TRUE(ends.near->commands.claim(kHoldMethod, sent, 0));
   ends.near->commands.commit();
   ends.exchange();
   ends.far->commands.fixCut();
@@ -59,11 +59,11 @@ TEST(FrameStamps, OfCommandsAreTheProviders) {
 }
 
 TEST(FrameStamps, OfEventsAndRowsAreTheClients) {
-  Ends ends;
+  StampedEnds ends;
   ends.near->state->ask(0);
   ends.exchange();
   const Time produced = now();
-  ASSERT_TRUE(ends.far->events.push(kStopped, produced, {}));
+  ASSERT_TRUE(ends.far->events.push(kStoppedMethod, produced, {}));
   ends.far->state->publish(produced, 1, 0);
   ends.exchange();
   const rt::EventRecord* const event = ends.near->events.next();
@@ -73,8 +73,8 @@ TEST(FrameStamps, OfEventsAndRowsAreTheClients) {
 }
 
 TEST(FrameStamps, NothingComesFromTheFuture) {
-  Ends ends;
-  ASSERT_TRUE(ends.far->events.push(kStopped, now() + 1h, {}));
+  StampedEnds ends;
+  ASSERT_TRUE(ends.far->events.push(kStoppedMethod, now() + 1h, {}));
   ends.exchange();
   const rt::EventRecord* const event = ends.near->events.next();
   ASSERT_NE(event, nullptr);

@@ -24,8 +24,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-struct ArmTask final : EventTask, StillArm {
-  ~ArmTask() override { stop(); }
+struct EventArm final : EventTask, StillArm {
+  ~EventArm() override { stop(); }
   void run() override {}
   Provided<reference::ArmLike> port{*this, "Arm", *this};
 };
@@ -121,7 +121,7 @@ class Epochs : public testing::Test {
   const TemporaryDirectory directory_;
   rpc::ControlThread control_;
   GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
-  ArmTask arm_;
+  EventArm arm_;
   Manager there_{"there", names_.address()};
   std::string provider_;
 };

@@ -31,9 +31,9 @@ struct Psm final : EventTask, StillArm {
 };
 
 /// Emits as fast as it can.
-struct Busy final : PeriodicTask, StillArm {
-  Busy() : PeriodicTask({.period = 100us}) {}
-  ~Busy() override { stop(); }
+struct BusyArm final : PeriodicTask, StillArm {
+  BusyArm() : PeriodicTask({.period = 100us}) {}
+  ~BusyArm() override { stop(); }
   void run() override { port.emit().stopped(); }
   Provided<ArmLike> port{*this, "Arm", *this};
 };
@@ -76,7 +76,7 @@ class Handles : public testing::TestWithParam<bool> {
   }
 
   Psm psm;
-  Busy busy;
+  BusyArm busy;
   std::unique_ptr<Manager> manager;
 
  private:

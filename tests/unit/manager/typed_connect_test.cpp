@@ -15,12 +15,12 @@ namespace {
 using reference::ArmLike;
 using reference::GripperArm;
 
-struct ArmDevice final : Device {
+struct DeviceArm final : Device {
   StillArm still;
   Provided<ArmLike> arm{*this, "Arm", still};
 };
 
-struct Client final : Device {
+struct TypedClient final : Device {
   Required<ArmLike> arm{*this, "Arm"};
 };
 
@@ -34,8 +34,8 @@ static_assert(Connects<ArmLike, GripperArm>, "it derives from the other");
 static_assert(!Connects<GripperArm, ArmLike>);
 
 TEST(TypedConnect, ConnectsTwoMembers) {
-  ArmDevice arm;
-  Client client;
+  DeviceArm arm;
+  TypedClient client;
   Manager manager("here");
   manager.add("PSM", arm);
   manager.add("Console", client);
@@ -49,8 +49,8 @@ TEST(TypedConnect, ConnectsTwoMembers) {
 }
 
 TEST(TypedConnect, RefusesWhatHasNotBeenAddedHere) {
-  ArmDevice arm, elsewhere;
-  Client client;
+  DeviceArm arm, elsewhere;
+  TypedClient client;
   Manager manager("here"), other("there");
   manager.add("PSM", arm);
   other.add("PSM", elsewhere);

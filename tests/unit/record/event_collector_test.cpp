@@ -37,8 +37,8 @@ class Emitting final : public PeriodicTask, public StillArm {
   Provided<ArmLike> arm_{*this, "Arm", *this};
 };
 
-struct Collected {
-  Collected(const EventCollectorOptions& options, Sink& sink)
+struct CollectedEvents {
+  CollectedEvents(const EventCollectorOptions& options, Sink& sink)
       : collector(interfaceInfo<ArmLike>(), options, sink) {
     manager.add("PSM", arm);
     manager.add("Collector", collector);
@@ -66,7 +66,7 @@ struct Collected {
 
 TEST(EventCollector, EventsCollectedAndMissedAreThoseEmitted) {
   CountingSink sink;
-  Collected run({.events = {"arrived", "stopped"}}, sink);
+  CollectedEvents run({.events = {"arrived", "stopped"}}, sink);
   pass(1s);
   run.finish(2);
   const CollectedCounts counts = run.collector.counts();
@@ -81,7 +81,7 @@ TEST(EventCollector, EventsCollectedAndMissedAreThoseEmitted) {
 
 TEST(EventCollector, ASlowSinkLosesEventsAndTheyAreCounted) {
   CountingSink sink(10ms);
-  Collected run({.events = {"arrived"}}, sink);
+  CollectedEvents run({.events = {"arrived"}}, sink);
   EXPECT_TRUE(eventually([&] { return run.collector.counts().missed > 100; }));
   run.finish(1);
   EXPECT_EQ(sink.numbers.size(), run.collector.counts().collected);
@@ -90,7 +90,7 @@ TEST(EventCollector, ASlowSinkLosesEventsAndTheyAreCounted) {
 
 TEST(EventCollector, KeepsEveryNthEvent) {
   CountingSink sink;
-  Collected run({.events = {"arrived"}, .interval = {.every = 4}}, sink);
+  CollectedEvents run({.events = {"arrived"}, .interval = {.every = 4}}, sink);
   EXPECT_TRUE(eventually([&] { return run.collector.counts().collected >= 10; }));
   run.finish(1);
   const CollectedCounts counts = run.collector.counts();
@@ -99,7 +99,7 @@ TEST(EventCollector, KeepsEveryNthEvent) {
 
 TEST(EventCollector, CollectsFromStartToStopAlone) {
   CountingSink sink;
-  Collected run({.collecting = false}, sink);
+  CollectedEvents run({.collecting = false}, sink);
   EXPECT_TRUE(eventually([&] { return run.arm.emitted > 20; }));
   EXPECT_EQ(run.collector.counts().produced(), 0u);
   run.collector.startCollecting();

@@ -21,8 +21,8 @@ using namespace std::chrono_literals;
 using reference::ArmLike;
 
 /// An arm at 1 kHz and a collector, connected.
-struct Collected {
-  Collected(StateCollectorOptions options, Sink& sink)
+struct CollectedStates {
+  CollectedStates(StateCollectorOptions options, Sink& sink)
       : collector(interfaceInfo<ArmLike>(), options, sink) {
     manager.add("PSM", arm);
     manager.add("Collector", collector);
@@ -49,7 +49,7 @@ void expectAscending(const std::vector<std::uint64_t>& numbers) {
 
 TEST(StateCollector, RowsCollectedAndMissedAreThoseProduced) {
   CountingSink sink;
-  Collected run({.reads = {"measured_cp", "measured_js"}}, sink);
+  CollectedStates run({.reads = {"measured_cp", "measured_js"}}, sink);
   pass(1500ms);
   run.finish();
   const CollectedCounts counts = run.collector.counts();
@@ -66,7 +66,7 @@ TEST(StateCollector, RowsCollectedAndMissedAreThoseProduced) {
 
 TEST(StateCollector, ASlowSinkLosesRowsAndTheyAreCounted) {
   CountingSink sink(4ms);
-  Collected run({}, sink);
+  CollectedStates run({}, sink);
   EXPECT_TRUE(eventually([&] { return run.collector.counts().missed > 100; }));
   run.finish();
   const CollectedCounts counts = run.collector.counts();
@@ -84,7 +84,7 @@ TEST(StateCollector, ASlowSinkLosesRowsAndTheyAreCounted) {
 
 TEST(StateCollector, KeepsEveryNthRow) {
   CountingSink sink;
-  Collected run({.interval = {.every = 3}}, sink);
+  CollectedStates run({.interval = {.every = 3}}, sink);
   EXPECT_TRUE(eventually([&] { return run.collector.counts().collected >= 20; }));
   run.finish();
   const CollectedCounts counts = run.collector.counts();
@@ -93,7 +93,7 @@ TEST(StateCollector, KeepsEveryNthRow) {
 
 TEST(StateCollector, KeepsAtMostOneRowEachInterval) {
   CountingSink sink;
-  Collected run({.interval = {.atLeast = 5ms}}, sink);
+  CollectedStates run({.interval = {.atLeast = 5ms}}, sink);
   EXPECT_TRUE(eventually([&] { return run.collector.counts().collected >= 10; }));
   run.finish();
   EXPECT_GT(run.collector.counts().passedOver, 0u);
@@ -104,7 +104,7 @@ TEST(StateCollector, KeepsAtMostOneRowEachInterval) {
 
 TEST(StateCollector, CollectsFromStartToStopAlone) {
   CountingSink sink;
-  Collected run({.collecting = false}, sink);
+  CollectedStates run({.collecting = false}, sink);
   pass(30ms);
   EXPECT_FALSE(run.collector.collecting());
   EXPECT_EQ(run.produced(), 0u);  // nobody has asked
@@ -171,7 +171,7 @@ struct FullDisk final : Sink {
 
 TEST(StateCollector, ASinkThatThrowsParksTheCollectorAlone) {
   FullDisk sink;
-  Collected run({}, sink);
+  CollectedStates run({}, sink);
   EXPECT_TRUE(eventually([&] { return run.collector.state() == ComponentState::Faulted; }));
   EXPECT_EQ(run.collector.fault(), "no space left");
   EXPECT_EQ(run.arm.state(), ComponentState::Running);

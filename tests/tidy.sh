@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# clang-tidy on the sources that differ from origin/main, or from the commit before where there is none: .clang-tidy says what it
+# looks for. Needs the build folder of the preset dev.
+#   tests/tidy.sh [--all | FILE...]
+set -euo pipefail
+cd "$(dirname "$0")/.."
+case "${1:-}" in
+  --all) sources=$(git ls-files '*.cpp') ;;
+  "")
+    base=$(git merge-base HEAD origin/main 2>/dev/null) || base=$(git rev-parse --verify --quiet HEAD~) || base=HEAD
+    sources=$({ git diff --name-only --diff-filter=d "$base"; git ls-files --others --exclude-standard; } | grep '\.cpp$' | sort -u) || true
+    ;;
+  *) sources=$(printf '%s\n' "$@") ;;
+esac
+printf '%s' "$sources" | python3 tests/support/tidy.py build/dev
