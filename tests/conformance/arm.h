@@ -123,6 +123,9 @@ class RecordingArm : public GripperArm {
   std::atomic<bool> throwOnEnable{false};
 
  private:
+  /// How old the runtime found the command whose handler runs.
+  virtual suture::Duration commandAge() const = 0;
+
   void log(std::string line) {
     const std::lock_guard lock(mutex_);
     log_.push_back(std::move(line));
@@ -143,7 +146,8 @@ class RecordingArm : public GripperArm {
                      .client = static_cast<std::uint32_t>(tag.x()),
                      .id = static_cast<std::uint64_t>(tag.y()),
                      .epoch = static_cast<std::uint64_t>(tag.z()),
-                     .limit = ttl});
+                     .limit = ttl,
+                     .age = commandAge()});
   }
 
   mutable std::mutex mutex_;
@@ -221,6 +225,7 @@ class ArmTask final : public Task, public ArmComponent {
     emissions_.ask(std::move(emission));
     this->doorbell().ring();
   }
+  suture::Duration commandAge() const override { return arm_.commandAge(); }
   void run() override { emissions_.perform({arm_, gripper_}); }
 
   Emissions emissions_;
@@ -235,6 +240,7 @@ class ArmDevice final : public suture::Device, public ArmComponent {
 
  private:
   void perform(std::function<void(Ports)> emission) override { emission({arm_, gripper_}); }
+  suture::Duration commandAge() const override { return arm_.commandAge(); }
 
   suture::Provided<ArmLike> arm_{*this, "Arm", *this};
   suture::Provided<GripperArm> gripper_{*this, "Gripper", *this};

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "conformance/setup.h"
+#include "support/test_thread.h"
 
 namespace conformance {
 namespace {
@@ -69,7 +70,7 @@ TEST_P(Failures, ASuspendedProviderSaysSoUntilItIsResumed) {
 TEST_P(Failures, AnotherThreadIsTurnedAway) {
   client->with([](Arm& remote) {
     EXPECT_TRUE(remote.hold());
-    std::thread stranger([&remote] {
+    suture::TestThread stranger([&remote] {
       const auto answer = remote.hold();
       ASSERT_FALSE(answer);
       EXPECT_EQ(answer.error(), Errc::WrongThread);

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "conformance/setup.h"
+#include "support/test_thread.h"
 
 namespace conformance {
 namespace {
@@ -54,6 +55,7 @@ TEST_P(NextEvents, WhatWaitsInTheQueueIsNotCountedButHandled) {
   client->with([&](Arm& remote) {
     emitArrival(1);
     ASSERT_TRUE(awaitInPlace(remote, [&] { return channel()->events.pending(); }));
+    suture::pass(1us);  // or the first would be as new as the wait for the next
     auto arrived = remote.on().arrived.next();
     emitArrival(2);
     const auto place = arrived.within(5s);
@@ -88,6 +90,7 @@ TEST_P(NextEvents, TheReplayOfALatchedOneIsNotCounted) {
       ports.arm.emit().stopped();
     });
     ASSERT_TRUE(stopped.within(5s));
+    suture::pass(1us);  // or the replay would be as new as the wait for the next
     auto changed = remote.on().mode.next();
     ASSERT_TRUE(awaitInPlace(remote, [&] { return channel()->events.pending(); })) << "the replay";
     EXPECT_EQ(remote.on().mode.next().within(1ms).error(), Errc::Timeout);
@@ -126,7 +129,7 @@ TEST_P(NextEvents, TheWaitEndsAtItsLimit) {
 TEST_P(LastEvents, TheWaitEndsWithTheProvider) {
   client->with([&](Arm& remote) {
     auto stopped = remote.on().stopped.next();
-    std::thread ender([&] { stopProvider(); });
+    suture::TestThread ender([&] { stopProvider(); });
     EXPECT_EQ(stopped.within(10s).error(), Errc::Lost);
     ender.join();
     EXPECT_EQ(remote.on().stopped.next().within(10s).error(), Errc::Lost);
@@ -148,7 +151,7 @@ TEST_P(NextEvents, NobodyWaitsInAHandler) {
 TEST_P(NextEvents, AnotherThreadIsTurnedAway) {
   client->with([](Arm& remote) {
     EXPECT_TRUE(remote.hold());
-    std::thread([&remote] {
+    suture::TestThread([&remote] {
       EXPECT_EQ(remote.on().stopped.next().within(1s).error(), Errc::WrongThread);
     }).join();
   });

@@ -51,6 +51,12 @@ struct Row {
   /// A message may be lost, or be dropped because it came behind a newer one.
   bool isLossy() const { return filter >= Filter::Loss; }
 
+  /// Nothing of it follows the kernel's time: it runs on a stepped clock.
+  bool isStepped() const {
+    return where == Where::OneProcess &&
+           (transport == Transport::None || transport == Transport::Unix);
+  }
+
   /// Names the filter, the lane and the transport, as in "FrameTcp" and "DelayedRpc".
   std::string laneName() const;
   /// Names the lane, or the filter if there is one.

@@ -27,7 +27,10 @@ struct Conformance::Names {
   suture::GlobalManager global;
 };
 
-Conformance::Conformance() : client(makeClient(GetParam().client)) {}
+Conformance::Conformance() {
+  if (GetParam().isStepped()) clock.emplace(suture::steppedOptions());
+  client = makeClient(GetParam().client);
+}
 
 // Two managers in one process are two processes to each other: nothing is shared but the sockets.
 void Conformance::SetUp() {

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "conformance/provider.h"
 #include "conformance/rows.h"
 #include "support/eventually.h"
+#include "support/stepped.h"
 #include "support/temporary_directory.h"
 
 namespace conformance {
@@ -49,6 +51,7 @@ class Conformance : public testing::TestWithParam<Row> {
   /// Names a file in a folder of this test.
   std::string file(const std::string& name) const { return directory_.file(name); }
 
+  std::optional<suture::TestClock> clock;  ///< if the row can have one
   std::unique_ptr<Provider> arm;
   std::unique_ptr<Client> client;
 

@@ -2,6 +2,7 @@
 #include <suture/component/channel.h>
 
 #include "conformance/setup.h"
+#include "support/test_thread.h"
 
 namespace conformance {
 namespace {
@@ -61,6 +62,7 @@ TEST_P(Subscriptions, WhatWaitsInTheQueueReachesNoLaterHandler) {
     emitArrival(1);
     ASSERT_TRUE(awaitInPlace(remote, [&] { return channel()->events.pending(); }));
     EXPECT_TRUE(remote.on().arrived.reset());
+    suture::pass(std::chrono::microseconds(1));  // or the event would be as new as the handler
     listenTo(remote, later);
   });
   settle();
@@ -133,7 +135,7 @@ TEST_P(Subscriptions, AnotherHandlerTakesThePlaceOfTheFirst) {
 TEST_P(Subscriptions, AnotherThreadIsTurnedAway) {
   settle();  // by now a device's interface is this thread's
   client->with([](Arm& remote) {
-    std::thread stranger([&remote] {
+    suture::TestThread stranger([&remote] {
       EXPECT_EQ(remote.on().stopped([] {}).error(), Errc::WrongThread);
       EXPECT_EQ(remote.on().stopped.reset().error(), Errc::WrongThread);
       EXPECT_EQ(remote.on().arrived([](const PoseStamped&) {}).error(), Errc::WrongThread);

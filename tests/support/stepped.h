@@ -1,0 +1,22 @@
+#pragma once
+// How the tests of this project make their clocks.
+
+#include <gtest/gtest.h>
+#include <suture/testing/test_clock.h>
+
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+namespace suture {
+
+/// A problem fails the test. Threads run together if the environment says
+/// SUTURE_TEST_THREADS=together, as ThreadSanitizer needs them.
+inline TestClockOptions steppedOptions() {
+  const char* const threads = std::getenv("SUTURE_TEST_THREADS");
+  const bool together = threads != nullptr && threads == std::string_view("together");
+  return {.threads = together ? Threads::Together : Threads::OneAtATime,
+          .problem = [](const std::string& problem) { ADD_FAILURE() << problem; }};
+}
+
+}  // namespace suture
