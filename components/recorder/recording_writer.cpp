@@ -3,8 +3,6 @@
 #include <suture/base/errors.h>
 
 #include <chrono>
-#include <condition_variable>
-#include <mutex>
 
 namespace robots {
 namespace {
@@ -17,17 +15,16 @@ constexpr std::size_t kRecords = 4096;
 }  // namespace
 
 RecordingWriter::RecordingWriter(const std::filesystem::path& file)
-    : out_(file, std::ios::trunc), ring_(kRecords) {
+    : PeriodicTask({.period = 50ms}), out_(file, std::ios::trunc), ring_(kRecords) {
   if (!out_) {
     throw suture::SetupError("recording to " + file.string(), "the file cannot be written",
                              "name a file in an existing folder that you may write to");
   }
-  thread_ = std::jthread([this](std::stop_token stop) { writeUntil(stop); });
+  start();
 }
 
 RecordingWriter::~RecordingWriter() {
-  thread_.request_stop();
-  thread_.join();
+  stop();
   drain();
 }
 
@@ -37,16 +34,6 @@ bool RecordingWriter::push(const Record& record) {
   ring_[pushed % ring_.size()] = record;
   pushed_.store(pushed + 1, std::memory_order_release);
   return true;
-}
-
-void RecordingWriter::writeUntil(std::stop_token stop) {
-  std::mutex mutex;
-  std::condition_variable_any wake;
-  std::unique_lock lock(mutex);
-  while (!stop.stop_requested()) {
-    wake.wait_for(lock, stop, 50ms, [] { return false; });
-    drain();
-  }
 }
 
 void RecordingWriter::drain() {

@@ -1,24 +1,25 @@
 #pragma once
 // Takes records from a control loop to a file.
 
+#include <suture/component/periodic_task.h>
+
 #include <atomic>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
-#include <thread>
 #include <vector>
 
 #include "recorder/recording.h"
 
 namespace robots {
 
-/// A ring that a task fills and a thread of its own that writes to the file, twenty times a second.
+/// A ring that a task fills, and a task of its own that writes to the file, twenty times a second.
 /// The destructor writes what is left.
-class RecordingWriter {
+class RecordingWriter final : private suture::PeriodicTask {
  public:
   /// Replaces the file. Throws suture::SetupError if it cannot be written.
   explicit RecordingWriter(const std::filesystem::path& file);
-  ~RecordingWriter();
+  ~RecordingWriter() override;
   RecordingWriter(const RecordingWriter&) = delete;
   RecordingWriter& operator=(const RecordingWriter&) = delete;
 
@@ -27,7 +28,7 @@ class RecordingWriter {
   bool push(const Record& record);
 
  private:
-  void writeUntil(std::stop_token stop);
+  void run() override { drain(); }
   void drain();
 
   std::ofstream out_;
@@ -36,7 +37,6 @@ class RecordingWriter {
   std::vector<Record> ring_;
   std::atomic<std::size_t> pushed_{0};
   std::atomic<std::size_t> written_{0};
-  std::jthread thread_;
 };
 
 }  // namespace robots

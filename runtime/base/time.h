@@ -23,9 +23,7 @@ Time virtualNow(VirtualTime& time);
 }  // namespace detail
 
 /// What steps this process's time; null in production. Any thread.
-inline VirtualTime* virtualTime() {
-  return detail::virtualTime.load(std::memory_order_relaxed);
-}
+inline VirtualTime* virtualTime() { return detail::virtualTime.load(std::memory_order_relaxed); }
 
 /// Any thread; no allocation.
 inline Time now() {

@@ -1,8 +1,13 @@
+#include <poll.h>
 #include <suture/deploy/signal_wait.h>
+#include <sys/eventfd.h>
+#include <sys/signalfd.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <iterator>
 #include <utility>
 
 namespace suture {
@@ -26,11 +31,28 @@ bool SignalWait::endBefore(Time deadline) const {
   }
 }
 
+kj::AutoCloseFd SignalWait::descriptor() const {
+  return kj::AutoCloseFd(signalfd(-1, &signals_, SFD_CLOEXEC | SFD_NONBLOCK));
+}
+
 OnToldToEnd::OnToldToEnd(const SignalWait& signals, std::function<void()> act)
-    : thread_([&signals, act = std::move(act)](std::stop_token stop) {
-        while (!stop.stop_requested()) {
-          if (signals.endBefore(now() + 20ms)) return act();
-        }
-      }) {}
+    : told_(signals.descriptor()), over_(eventfd(0, EFD_CLOEXEC)), act_(std::move(act)) {
+  thread_ = std::thread([this] { wait(); });
+}
+
+OnToldToEnd::~OnToldToEnd() {
+  const std::uint64_t one = 1;
+  [[maybe_unused]] const auto written = write(over_, &one, sizeof one);
+  thread_.join();
+}
+
+void OnToldToEnd::wait() const {
+  pollfd awaited[] = {{.fd = told_, .events = POLLIN, .revents = 0},
+                      {.fd = over_, .events = POLLIN, .revents = 0}};
+  while (poll(awaited, std::size(awaited), -1) < 0 && errno == EINTR) {
+  }
+  signalfd_siginfo signal;
+  if (read(told_, &signal, sizeof signal) > 0) act_();
+}
 
 }  // namespace suture

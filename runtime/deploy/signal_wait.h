@@ -1,11 +1,11 @@
 #pragma once
 // Being told to end, without signal handlers.
 
+#include <kj/io.h>
 #include <suture/base/time.h>
 
 #include <csignal>
 #include <functional>
-#include <stop_token>
 #include <thread>
 
 namespace suture {
@@ -18,6 +18,8 @@ class SignalWait {
 
   /// True as soon as the process is told to end; false at `deadline`.
   bool endBefore(Time deadline) const;
+  /// Can be read as soon as the process is told to end, and takes the signal by that.
+  kj::AutoCloseFd descriptor() const;
 
  private:
   sigset_t signals_;
@@ -27,11 +29,17 @@ class SignalWait {
 /// work that does not ask, such as waiting for other processes to appear.
 class OnToldToEnd {
  public:
-  /// `signals` outlives this.
   OnToldToEnd(const SignalWait& signals, std::function<void()> act);
+  ~OnToldToEnd();
+  OnToldToEnd(const OnToldToEnd&) = delete;
+  OnToldToEnd& operator=(const OnToldToEnd&) = delete;
 
  private:
-  std::jthread thread_;
+  void wait() const;
+
+  const kj::AutoCloseFd told_, over_;
+  const std::function<void()> act_;
+  std::thread thread_;
 };
 
 }  // namespace suture

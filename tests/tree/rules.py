@@ -80,6 +80,34 @@ def check_components_see_public_headers(root):
                 yield f"{path.relative_to(root)}: a component includes {include}, which is not public"
 
 
+# A wait that a stepped clock does not know stops it for ever. These are the places that wait for the kernel, and why.
+WAITS = re.compile(r"condition_variable|std::(future|promise|async|jthread|thread)\b|sleep_(for|until)|\b(u|nano)sleep\(|"
+                   r"this_thread::yield|\bpoll\(&?\w+, |epoll_wait\(|sigtimedwait\(|SYS_futex")
+MAY_WAIT = {
+    "runtime/rt/doorbell.cpp": "the one place where threads sleep",
+    "runtime/rt/thread.h": "threads that a stepped clock knows",
+    "runtime/rt/thread.cpp": "threads that a stepped clock knows",
+    "runtime/testing/scheduler.h": "is the stepped clock",
+    "runtime/testing/scheduler.cpp": "is the stepped clock",
+    "runtime/transport/frame/lane_thread.cpp": "sleeps at sockets, and asks the stepped clock first",
+    "runtime/transport/rpc/host_lookup.cpp": "asks the system's name service, which knows no other clock",
+    "runtime/deploy/signal_wait.h": "waits for signals, which come from outside",
+    "runtime/deploy/signal_wait.cpp": "waits for signals, which come from outside",
+    "runtime/deploy/report_writer.cpp": "waits for a pipe, which another process empties",
+}
+
+
+def check_waits(root):
+    for path in sources(root, "runtime"):
+        name = path.relative_to(root)
+        if str(name) in MAY_WAIT or name.parts[1] == "cli":  # that is a program of one thread, and part of no system
+            continue
+        for line in path.read_text(encoding="utf-8").splitlines():
+            found = WAITS.search(line)
+            if found and not line.lstrip().startswith("//"):
+                yield f"{name}: waits by {found[0]}; only a doorbell may (rt/doorbell.h), so that a stepped clock knows of it"
+
+
 def check_lengths(root):
     for folder in ("compiler", "runtime", "components", "examples", "tests"):
         for path in sources(root, folder):
@@ -116,8 +144,8 @@ def check_format(root):
             yield f"{pathlib.Path(path).relative_to(root)}: not formatted; run clang-format-14 -i on it"
 
 
-CHECKS = [check_layers, check_compiler_is_alone, check_components_see_public_headers, check_lengths, check_readmes,
-          check_format]
+CHECKS = [check_layers, check_compiler_is_alone, check_components_see_public_headers, check_waits, check_lengths,
+          check_readmes, check_format]
 
 
 def main():

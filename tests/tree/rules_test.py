@@ -54,6 +54,15 @@ class Planted(unittest.TestCase):
         self.write("components/arm/arm.h", "#include <suture/transport/rpc/link.h>\n")
         self.expect(rules.check_components_see_public_headers, "not public")
 
+    def test_a_wait_that_is_no_doorbell(self):
+        self.write("runtime/manager/a.cpp", "std::this_thread::sleep_for(kPoll);\n")
+        self.write("runtime/rt/doorbell.cpp", "syscall(SYS_futex, &word_);\n")
+        self.expect(rules.check_waits, "manager/a.cpp: waits by sleep_for")
+
+    def test_a_thread_that_no_clock_knows(self):
+        self.write("runtime/record/a.h", "std::thread thread_;\n")
+        self.expect(rules.check_waits, "waits by std::thread")
+
     def test_a_file_that_is_too_long(self):
         self.write("runtime/base/a.h", "\n" * 701)
         self.expect(rules.check_lengths, "701 lines")
