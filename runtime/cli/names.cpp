@@ -19,7 +19,7 @@ std::vector<rpc::Address> addressesOf(const std::string& text) {
 kj::Own<rpc::Link> reachManager(rpc::EventPort& loop, const rpc::Address& address,
                                 const Options& options) {
   try {
-    return reach(loop, address, options.trust, tls::kManagerName, options.patience);
+    return cli::reach(loop, address, options.trust, tls::kManagerName, options.patience);
   } catch (const SetupError& error) {
     throw SetupError(std::string("reach the global manager: ") + error.what() +
                      " Start it with: suture-manager --listen " + address.text());

@@ -34,7 +34,7 @@ Peer::Peer(rpc::EventPort& loop, ProcessRecord process, const Options& options)
 void Peer::knock() { cli::knock(loop_, address_, patience_); }
 
 void Peer::dial() {
-  link_ = reach(loop_, address_, trust_, process_.name, patience_);
+  link_ = cli::reach(loop_, address_, trust_, process_.name, patience_);
   peer_ = link_->bootstrap<wire::Peer>();
 }
 

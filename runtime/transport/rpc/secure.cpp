@@ -1,8 +1,11 @@
 #include <suture/base/errors.h>
+#include <suture/base/virtual_time.h>
 #include <suture/transport/rpc/deadline.h>
 #include <suture/transport/rpc/dialer.h>
 #include <suture/transport/rpc/failure.h>
 #include <suture/transport/rpc/secure.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 namespace suture::rpc {
 namespace {
@@ -61,6 +64,21 @@ kj::Promise<ByteStream> checkUser(ByteStream stream, const Address& address, con
                                  "or name that user in the policy.");
 }
 
+// Of a TCP socket the kernel does not tell whose it is.
+bool isOfAnotherProcess(int socket) {
+  ucred peer{};
+  socklen_t size = sizeof peer;
+  const bool known = getsockopt(socket, SOL_SOCKET, SO_PEERCRED, &peer, &size) == 0;
+  return known && peer.pid != 0 && peer.pid != getpid();
+}
+
+kj::Promise<ByteStream> checkClock(ByteStream stream, const Address& address) {
+  if (virtualTime() == nullptr || !isOfAnotherProcess(stream.socket())) return kj::mv(stream);
+  return cannotTalk(address,
+                    "it is another process, which cannot follow the stepped clock of this one. Run "
+                    "both in one process, or without a suture::TestClock.");
+}
+
 kj::Promise<ByteStream> checkProcess(ByteStream stream, const Address& address,
                                      const std::string& expected) {
   const PeerIdentity peer = stream.peer();
@@ -95,9 +113,11 @@ kj::Promise<ByteStream> reach(EventPort& port, const Address& address, const Tru
   requireKeys(address, trust);
   auto dialled = dial(port, address, deadline);
   if (address.kind != Address::Kind::Tls) {
-    return dialled.then([address, trust](kj::AutoCloseFd socket) {
-      return checkUser(ByteStream(kj::mv(socket)), address, trust);
-    });
+    return dialled
+        .then([address, trust](kj::AutoCloseFd socket) {
+          return checkUser(ByteStream(kj::mv(socket)), address, trust);
+        })
+        .then([address](ByteStream stream) { return checkClock(kj::mv(stream), address); });
   }
   return dialled
       .then([&port, address, trust, deadline](kj::AutoCloseFd socket) {

@@ -3,14 +3,21 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <suture/component/channel.h>
+#include <suture/component/device.h>
 #include <suture/component/event_task.h>
 #include <suture/component/periodic_task.h>
 #include <suture/manager/global_manager.h>
 #include <suture/manager/manager.h>
 #include <suture/testing/test_clock.h>
 #include <suture/transport/rpc/control_thread.h>
+#include <suture/transport/rpc/failure.h>
+#include <suture/transport/rpc/listener.h>
+#include <suture/transport/rpc/secure.h>
+#include <suture/wiring/connect.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
-#include <optional>
+#include <csignal>
 #include <string>
 #include <vector>
 
@@ -96,6 +103,75 @@ Trace traceOf(Lane lane, std::uint64_t seed) {
     clock.advance(300ms);
   }
   return clock.trace();
+}
+
+/// A process that listens at `path` until it is killed.
+class OtherProcess {
+ public:
+  explicit OtherProcess(const std::string& path) {
+    int ready[2];
+    EXPECT_EQ(pipe(ready), 0);
+    process_ = fork();
+    if (process_ == 0) {
+      rpc::EventPort port;
+      const rpc::Listener listener(port, rpc::Address::parse("unix:" + path));
+      [[maybe_unused]] const auto told = write(ready[1], "r", 1);
+      for (;;) pause();
+    }
+    char byte;
+    EXPECT_EQ(read(ready[0], &byte, 1), 1);
+    close(ready[0]);
+    close(ready[1]);
+  }
+  ~OtherProcess() {
+    kill(process_, SIGKILL);
+    waitpid(process_, nullptr, 0);
+  }
+
+ private:
+  pid_t process_;
+};
+
+TEST(SteppedClock, RefusesToTalkToAnotherProcess) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("other.sock");
+  const OtherProcess other(path);
+  TestClock clock;
+  rpc::EventPort port;
+  std::string said;
+  KJ_IF_MAYBE (failure, kj::runCatchingExceptions([&] {
+                 reach(port, rpc::Address::parse("unix:" + path), {}, "other", 1s)
+                     .wait(port.scope());
+               })) {
+    said = rpc::describe(*failure);
+  }
+  EXPECT_THAT(said, testing::HasSubstr("cannot follow the stepped clock of this one"));
+}
+
+struct SleepingArm final : EventTask, StillArm {
+  SleepingArm() : EventTask({.longestSleep = 1s}) {}
+  ~SleepingArm() override { stop(); }
+  void run() override {}
+  Provided<reference::ArmLike> port{*this, "Arm", *this};
+};
+
+struct Caller final : Device {
+  Required<reference::ArmLike> arm{*this, "Arm"};
+};
+
+TEST(SteppedClock, TellsOfWorkThatNobodyHasRungFor) {
+  std::vector<std::string> problems;
+  TestClock clock({.problem = [&](const std::string& one) { problems.push_back(one); }});
+  SleepingArm arm;
+  Caller caller;
+  connectLocally(caller.arm, arm.port, "test");
+  arm.start();
+  clock.advance(1ms);
+  EXPECT_TRUE(caller.arm.hold());
+  arm.doorbell().takeRing();  // as a defect would lose it
+  clock.advance(2s);
+  EXPECT_EQ(arm.holds, 1);
+  EXPECT_THAT(problems, testing::ElementsAre(testing::HasSubstr("which nobody had rung")));
 }
 
 TEST_P(TwoManagers, DoTheSameInEachRunOfOneSeed) {
