@@ -8,6 +8,7 @@ namespace bench {
 namespace {
 
 constexpr Part<LocalOptions> kParts[] = {
+    {"clock", clockRows},
     {"ring", ringRow},
     {"reads", readRows},
     {"CSC", cscRows},

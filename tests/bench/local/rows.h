@@ -9,6 +9,9 @@
 
 namespace bench {
 
+/// "now": now(), and what it costs beyond the kernel's clock, taken by turns.
+std::string clockRows(const LocalOptions& options, Report& report);
+
 /// "ring": a 128-byte command into a ring and out again, on one thread.
 std::string ringRow(const LocalOptions& options, Report& report);
 
