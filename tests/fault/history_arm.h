@@ -7,12 +7,12 @@
 #include <chrono>
 #include <cstdint>
 #include <string>
-#include <thread>
 
 #include "fault/history.h"
 #include "fault/tag.h"
 #include "reference/still_arm.h"
 #include "support/hosted_process.h"
+#include "support/pass.h"
 
 namespace reference {
 
@@ -37,7 +37,8 @@ class HistoryArm final : public suture::PeriodicTask, public suture::StillArm {
   bool move(const PoseStamped& goal, double speed, const std::string& reason) override {
     executed(goal, suture::Duration{0});
     if (reason == kTellsThatItRuns) suture::say(kTellsThatItRuns);
-    std::this_thread::sleep_for(std::chrono::duration<double>(speed));
+    suture::pass(
+        std::chrono::duration_cast<suture::Duration>(std::chrono::duration<double>(speed)));
     return true;
   }
 

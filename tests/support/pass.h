@@ -6,8 +6,8 @@
 
 namespace suture {
 
-/// Lets so much time pass: at once on a stepped clock, while everybody else goes on; else as long as
-/// it takes.
+/// Lets so much time pass: at once on a stepped clock, while everybody else goes on; else as long
+/// as it takes.
 inline void pass(Duration duration) {
   VirtualTime* const time = virtualTime();
   if (time == nullptr) return std::this_thread::sleep_for(duration);

@@ -1,0 +1,209 @@
+#include "explorer/world.h"
+
+#include <suture/manager/global_manager.h>
+#include <suture/manager/manager.h>
+#include <suture/testing/test_clock.h>
+#include <suture/transport/rpc/control_thread.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <random>
+
+#include "fault/history_arm.h"
+#include "fault/history_caller.h"
+#include "support/temporary_directory.h"
+#include "support/test_thread.h"
+
+namespace explorer {
+namespace {
+
+using namespace std::chrono_literals;
+using suture::Duration;
+
+constexpr Duration kHarm = 1500ms;   // how long a world is done harm
+constexpr Duration kRecovery = 1s;   // within which it works again
+constexpr Duration kLateness = 2ms;  // of a call that ends beyond its deadline: a cycle of the arm
+constexpr Duration kLongestPause = 200ms;
+
+/// Chooses all that is left to chance.
+class Chance {
+ public:
+  explicit Chance(std::uint64_t seed) : numbers_(seed) {}
+  /// Below `end`.
+  std::uint64_t below(std::uint64_t end) { return numbers_() % end; }
+  bool oneIn(std::uint64_t cases) { return below(cases) == 0; }
+  Duration upTo(Duration longest) {
+    return Duration{static_cast<std::int64_t>(below(static_cast<std::uint64_t>(longest.count())))};
+  }
+
+ private:
+  std::mt19937_64 numbers_;
+};
+
+suture::Lane chooseLane(Chance& chance) {
+  return std::array{suture::Lane::Shm, suture::Lane::Frame, suture::Lane::Rpc}[chance.below(3)];
+}
+
+suture::ConnectionDelay chooseFaults(Chance& chance, std::uint64_t seed) {
+  suture::ConnectionDelay delay;
+  if (chance.oneIn(2)) return delay;
+  delay.commands = chance.upTo(3ms);
+  delay.answers = chance.upTo(3ms);
+  suture::FaultPlan& plan = delay.faults;
+  plan.seed = seed;
+  if (chance.oneIn(3)) plan.loss = 0.05;
+  if (chance.oneIn(3)) plan.duplicate = 0.2;
+  if (chance.oneIn(3)) plan.reorder = 0.1;
+  if (chance.oneIn(4)) plan.burst = 0.01;
+  if (chance.oneIn(4)) plan.jitter = chance.upTo(4ms);
+  return delay;
+}
+
+std::string describe(suture::Lane lane, const suture::ConnectionDelay& delay) {
+  const suture::FaultPlan& plan = delay.faults;
+  return std::string(toString(lane)) + ", delays " + std::to_string(delay.commands.count()) +
+         " and " + std::to_string(delay.answers.count()) + " ns, loss " +
+         std::to_string(plan.loss) + ", duplicates " + std::to_string(plan.duplicate) +
+         ", reordering " + std::to_string(plan.reorder) + ", bursts " + std::to_string(plan.burst) +
+         ", jitter " + std::to_string(plan.jitter.count()) + " ns";
+}
+
+/// The provider's process: an arm with a history of its own.
+struct Robot {
+  Robot(const std::string& address, const std::string& log, std::uint32_t number)
+      : arm(log, number), manager("robot", address) {
+    manager.add("PSM", arm);
+    manager.start();
+  }
+  ~Robot() { manager.stop(); }
+
+  reference::HistoryArm arm;
+  suture::Manager manager;
+};
+
+class World {
+ public:
+  World(std::uint64_t seed, Outcome& outcome) : chance_(seed), outcome_(outcome) {
+    const suture::Lane lane = chooseLane(chance_);
+    const suture::ConnectionDelay delay = chooseFaults(chance_, seed);
+    outcome_.setup = describe(lane, delay);
+    bringManagerUp();
+    bringRobotUp();
+    console_ = std::make_unique<suture::Manager>("console", address_);
+    console_->add("Operator", caller_);
+    console_->start();
+    console_->connect("Operator/Arm", "robot:PSM/Arm", lane, suture::Manager::kDefaultPatience,
+                      delay);
+  }
+  ~World() {
+    console_->stop();
+    robot_ = nullptr;
+  }
+
+  void run() {
+    {
+      suture::TestThread harm([this] { doHarm(); });
+      while (!harmed_) work();
+    }
+    recover();
+  }
+  std::vector<suture::HistoryEntry> history() const { return suture::readHistory(logs_); }
+
+ private:
+  std::string newLog(const std::string& name) {
+    logs_.push_back(directory_.file(name));
+    return logs_.back();
+  }
+  void bringManagerUp() { names_ = std::make_unique<suture::GlobalManager>(control_, address_); }
+  void bringRobotUp() {
+    ++robots_;
+    robot_ = std::make_unique<Robot>(address_, newLog("robot" + std::to_string(robots_)), robots_);
+  }
+
+  void work() {
+    chance_.oneIn(8) ? caller_.burst() : caller_.ask();
+    (void)caller_.processEvents();
+    suture::pass(1ms);
+  }
+  /// The world works as soon as a call is answered.
+  void recover() {
+    const suture::Time deadline = suture::now() + kRecovery;
+    while (suture::now() < deadline) {
+      const auto answer = caller_.arm.distance.start({}).within(20ms);
+      if (answer) {
+        ++outcome_.answered;
+        return;
+      }
+      suture::pass(1ms);
+    }
+    outcome_.broken.push_back("no call is answered within a second of the last fault");
+  }
+
+  // In a thread of its own, beside the client's.
+  void doHarm() {
+    const suture::Time end = suture::now() + kHarm;
+    Chance chance(chance_.below(UINT64_MAX));
+    while (suture::now() < end) {
+      suture::pass(chance.upTo(kLongestPause));
+      harm(chance);
+      ++outcome_.harms;
+    }
+    harmed_ = true;
+  }
+  void harm(Chance& chance) {
+    switch (chance.below(4)) {
+      case 0:
+        robot_ = nullptr;
+        suture::pass(chance.upTo(kLongestPause));
+        bringRobotUp();
+        break;
+      case 1:
+        names_ = nullptr;
+        suture::pass(chance.upTo(kLongestPause));
+        bringManagerUp();
+        break;
+      case 2:
+        robot_->manager.suspend("PSM");
+        suture::pass(chance.upTo(kLongestPause));
+        robot_->manager.resume("PSM");
+        break;
+      default: suture::pass(chance.upTo(kLongestPause));
+    }
+  }
+
+  Chance chance_;
+  Outcome& outcome_;
+  suture::TemporaryDirectory directory_;
+  const std::string address_ = "unix:" + directory_.file("manager.sock");
+  std::vector<std::string> logs_;
+  suture::rpc::ControlThread control_;
+  std::unique_ptr<suture::GlobalManager> names_;
+  std::uint32_t robots_ = 0;
+  std::unique_ptr<Robot> robot_;
+  suture::HistoryCaller caller_{newLog("operator"), 1};
+  std::unique_ptr<suture::Manager> console_;
+  std::atomic<bool> harmed_{false};
+};
+
+}  // namespace
+
+Outcome runWorld(std::uint64_t seed) {
+  Outcome outcome;
+  suture::TestClock clock({.seed = seed, .problem = [&outcome](const std::string& problem) {
+                             outcome.broken.push_back(problem);
+                           }});
+  World world(seed, outcome);
+  world.run();
+  for (const suture::Violation& violation : suture::violations(world.history(), kLateness)) {
+    if (violation.severity == suture::Severity::Fails) {
+      outcome.broken.push_back(violation.text);
+    } else {
+      ++outcome.reported;
+    }
+  }
+  outcome.trace = clock.trace();
+  return outcome;
+}
+
+}  // namespace explorer

@@ -1,0 +1,26 @@
+#pragma once
+// One system under the faults that one seed chooses.
+
+#include <suture/testing/trace.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace explorer {
+
+/// What became of it.
+struct Outcome {
+  std::string setup;  ///< lane and faults, for people
+  std::vector<std::string>
+      broken;             ///< what must not be: rules of the history, problems of the clock
+  unsigned reported = 0;  ///< rules that the runtime does not keep yet
+  unsigned answered = 0;  ///< calls that were
+  unsigned harms = 0;     ///< faults other than those of messages
+  suture::Trace trace;
+};
+
+/// Runs one on a clock of its own. The calling thread has none.
+Outcome runWorld(std::uint64_t seed);
+
+}  // namespace explorer

@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# Plants one fault after another in a copy of the tree, and requires the fast tier to find each.
+#   tests/planted.sh [FAULT...]      lost_wake_up dropped_credit swapped_order silent_heartbeat missing_fence
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+# plant FAULT: replaces a text of a source, which must be there exactly once.
+plant() {
+  case "$1" in
+    lost_wake_up) replace runtime/component/commands.cpp \
+      '  owner_.ringLater(*channel_->ends.provider);
+  return Errc{};' '  return Errc{};' ;;
+    dropped_credit) replace runtime/rt/mailbox.cpp \
+      'credits.store(credits.load(std::memory_order_relaxed) + 1' \
+      'credits.store(credits.load(std::memory_order_relaxed) + (lastReturned_ % 8 == 7 ? 0 : 1)' ;;
+    swapped_order) replace runtime/rt/mailbox.cpp \
+      'record->sequence < earliest->sequence' 'record->sequence > earliest->sequence' ;;
+    silent_heartbeat) replace runtime/manager/heartbeat.cpp \
+      '    if (!asked_) ask();
+    return look();' '    if (!asked_) ask();
+    return kj::READY_NOW;' ;;
+    missing_fence) replace runtime/rt/spsc_ring.cpp \
+      'knownTail_ = shared_->tail.load(std::memory_order_acquire)' \
+      'knownTail_ = shared_->tail.load(std::memory_order_relaxed)' ;;
+    *) echo "there is no planted fault '$1'" >&2; exit 2 ;;
+  esac
+}
+
+replace() {
+  python3 - "$tree/$1" "$2" "$3" <<'PYTHON'
+import sys
+path, old, new = sys.argv[1:]
+text = open(path, encoding="utf-8").read()
+if text.count(old) != 1:
+    sys.exit(f"{path} has {text.count(old)} times what a fault is to replace:\n{old}\nSay in tests/planted.sh what it has now.")
+open(path, "w", encoding="utf-8").write(text.replace(old, new))
+PYTHON
+}
+
+tree=$PWD/build/planted
+trap 'git worktree remove --force "$tree"' EXIT
+git worktree add --force --detach "$tree" HEAD >/dev/null
+faults=("$@")
+[ $# -gt 0 ] || faults=(lost_wake_up dropped_credit swapped_order silent_heartbeat missing_fence)
+
+missed=()
+for fault in "${faults[@]}"; do
+  git -C "$tree" checkout --quiet -- .
+  plant "$fault"
+  cmake -S "$tree" --preset dev --log-level=WARNING >/dev/null
+  cmake --build "$tree/build/dev" -j "$(nproc)" --target fast_tests -- --quiet
+  # A fault may make a test wait for ever; the first program that fails is enough.
+  if found=$(ctest --test-dir "$tree/build/dev" -L fast -j "$((2 * $(nproc)))" --stop-on-failure --timeout 120 2>&1); then
+    missed+=("$fault")
+  else
+    echo "$fault is found by: $(sed -nE 's/^[[:space:]]*[0-9]+ - ([^ ]+) \(.*/\1/p' <<<"$found" | tr '\n' ' ')"
+  fi
+done
+[ ${#missed[@]} -eq 0 ] || { echo "The fast tier does not find: ${missed[*]}" >&2; exit 1; }
