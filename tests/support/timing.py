@@ -8,10 +8,12 @@ import argparse
 import collections
 import json
 import pathlib
+import subprocess
 import xml.etree.ElementTree
 
 PRESETS = ("dev", "tsan", "asan")
 SLOWEST = 20
+MOST_PARTS = 15
 
 
 def minutes(seconds):
@@ -35,6 +37,16 @@ class Run:
             return []
         cases = xml.etree.ElementTree.parse(file).getroot().iter("testcase")
         return [(case.get("name"), float(case.get("time"))) for case in cases]
+
+    def labels(self):
+        """The labels of each test, joined; ctest's records have none."""
+        command = ["ctest", "--test-dir", self.records.parent, "--show-only=json-v1"]
+        known = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)["tests"]
+        named = {}
+        for test in known:
+            properties = {one["name"]: one["value"] for one in test.get("properties", [])}
+            named[test["name"]] = " and ".join(properties.get("LABELS", [])) or "no label"
+        return named
 
     def cases(self):
         """Name and seconds of each case of the gtest programs, which run many in one test."""
@@ -68,12 +80,13 @@ def print_summary(runs):
     print(f"total {minutes(total)}")
 
 
-def print_parts(run):
-    parts = collections.Counter()
+def print_sums(run, what, group):
+    """Sums of tests that run side by side: more than the minutes that passed."""
+    sums = collections.Counter()
     for name, seconds in run.tests():
-        parts[part_of(name)] += seconds
-    print(f"\n{run.preset}: seconds by part, of tests that run side by side")
-    for part, seconds in parts.most_common(12):
+        sums[group(name)] += seconds
+    print(f"\n{run.preset}: seconds by {what}")
+    for part, seconds in sums.most_common(MOST_PARTS):
         print(f"{seconds:8.1f}  {part}")
 
 
@@ -97,7 +110,9 @@ def main():
     if not arguments.summary:
         for run in runs:
             if run.tests():
-                print_parts(run)
+                labels = run.labels()
+                print_sums(run, "tier", lambda name, labels=labels: labels.get(name, "no longer there"))
+                print_sums(run, "part", part_of)
                 print_slowest(run)
 
 
