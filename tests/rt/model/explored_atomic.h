@@ -29,7 +29,8 @@ template <class T>
 class explored_atomic {
  public:
   explored_atomic() noexcept : value_() {}
-  explored_atomic(T value) noexcept : value_(value) {}
+  // Both conversions are those of std::atomic.
+  explored_atomic(T value) noexcept : value_(value) {}  // NOLINT(google-explicit-constructor)
   explored_atomic(const explored_atomic&) = delete;
   explored_atomic& operator=(const explored_atomic&) = delete;
 
@@ -69,7 +70,7 @@ class explored_atomic {
                                memory_order order = memory_order_seq_cst) noexcept {
     return compare_exchange_weak(expected, value, order);
   }
-  operator T() const noexcept { return load(); }
+  operator T() const noexcept { return load(); }  // NOLINT(google-explicit-constructor)
 
  private:
   static bool acquires(memory_order order) {
