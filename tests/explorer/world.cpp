@@ -21,7 +21,7 @@ namespace {
 using namespace std::chrono_literals;
 using suture::Duration;
 
-constexpr Duration kHarm = 1500ms;   // how long a world is done harm
+constexpr Duration kHarm = 1s;       // how long a world is done harm
 constexpr Duration kRecovery = 1s;   // within which it works again
 constexpr Duration kLateness = 2ms;  // of a call that ends beyond its deadline: a cycle of the arm
 constexpr Duration kLongestPause = 200ms;

@@ -6,12 +6,12 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "fault/history.h"
 #include "fault/tag.h"
 #include "reference/still_arm.h"
-#include "support/hosted_process.h"
 #include "support/pass.h"
 
 namespace reference {
@@ -28,6 +28,9 @@ class HistoryArm final : public suture::PeriodicTask, public suture::StillArm {
         number_(number),
         eventsPerCycle_(eventsPerCycle) {}
 
+  /// Called by a move that is to tell so.
+  std::function<void()> whenItRuns = [] {};
+
   /// How many events so far. Any thread.
   std::uint64_t emitted() const { return events_; }
 
@@ -36,7 +39,7 @@ class HistoryArm final : public suture::PeriodicTask, public suture::StillArm {
   }
   bool move(const PoseStamped& goal, double speed, const std::string& reason) override {
     executed(goal, suture::Duration{0});
-    if (reason == kTellsThatItRuns) suture::say(kTellsThatItRuns);
+    if (reason == kTellsThatItRuns) whenItRuns();
     suture::pass(
         std::chrono::duration_cast<suture::Duration>(std::chrono::duration<double>(speed)));
     return true;
