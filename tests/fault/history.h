@@ -15,19 +15,23 @@ struct HistoryEntry {
   enum class Kind : std::uint8_t {
     Sent,   ///< the client is about to send a command; `limit`: the deadline of its call, 0: none
     Ended,  ///< the client knows how that ended: `error`
-    Executed,  ///< the provider executed it; `limit`: its ttl, 0: none
-    Heard,     ///< the client's handler got an event; `id`: its number
-    Killed,    ///< the client was, by the test: what is under way needs no end
+    Executed,   ///< the provider executed it; `limit`: its ttl, 0: none
+    Heard,      ///< the client's handler got an event; `id`: its number
+    Killed,     ///< the client was, by the test: what is under way needs no end
+    Connected,  ///< the client found a new connection: `epoch`, over `lane`
+    Told,       ///< the client was told that its connection `epoch` is lost: `error`
   };
 
   Kind kind = Kind::Sent;
   Time at{};
   std::uint32_t client = 0;  ///< whose command, or who heard
   std::uint64_t id = 0;      ///< of the command: counts up, over all connections of a client
-  std::uint64_t epoch = 0;   ///< command: which connection of the client. Event: which provider.
+  std::uint64_t epoch = 0;   ///< which connection of the client; heard: which provider
   Duration limit{0};
   Errc error{};
   std::int64_t wall = 0;  ///< the wall clock of who wrote it down, ns: no rule is about it
+  Duration age{0};        ///< executed: what the runtime compared with the ttl
+  std::string lane = {};  ///< by its name
 };
 
 /// Writes each entry at once, so that it survives a SIGKILL. One thread.
@@ -49,20 +53,26 @@ class HistoryLog {
 /// line that a kill cut off is left out.
 std::vector<HistoryEntry> readHistory(const std::vector<std::string>& files);
 
-/// How much later than its limit something may be seen to happen.
-struct HistorySlack {
-  Duration deadline = std::chrono::milliseconds(100);
-  Duration ttl{0};
+/// What breaking a rule means for the test that finds it.
+enum class Severity {
+  Fails,
+  Reports,  ///< the runtime does not keep the rule yet: it is counted and shown
 };
 
-/// Every violation, in words; none: the history is sound.
-///  - each call ends, within its deadline and the slack;
-///  - no command is executed twice, nor after its ttl, nor if its sender was told that it was not;
+struct Violation {
+  Severity severity;
+  std::string text;
+};
+
+/// None: the history is sound.
+///  - each call ends, at most `lateness` after its deadline;
+///  - no command is executed twice, nor if the runtime found it older than its ttl, nor if its
+///    sender was told that it was not;
+///  - none begins to be executed after its sender was told that its connection is lost;
 ///  - those of a client are executed in the order in which it sent them, so that none of an older
 ///    connection comes after one of a newer;
 ///  - a client hears the events of one provider in their order, each once, and none of an older
 ///    provider after one of a newer.
-std::vector<std::string> violations(const std::vector<HistoryEntry>& history,
-                                    const HistorySlack& slack = {});
+std::vector<Violation> violations(const std::vector<HistoryEntry>& history, Duration lateness);
 
 }  // namespace suture

@@ -11,8 +11,12 @@
 
 #include "fault/history.h"
 #include "reference/still_arm.h"
+#include "support/hosted_process.h"
 
 namespace reference {
+
+/// The reason of a move that tells the test that it runs.
+inline constexpr const char* kTellsThatItRuns = "tell";
 
 /// Emits events in each cycle: the arm's number and the event's.
 class HistoryArm final : public suture::PeriodicTask, public suture::StillArm {
@@ -29,8 +33,9 @@ class HistoryArm final : public suture::PeriodicTask, public suture::StillArm {
   void servo_cp(const PoseStamped& goal) override {
     executed(goal, std::chrono::milliseconds(500));
   }
-  bool move(const PoseStamped& goal, double speed, const std::string&) override {
+  bool move(const PoseStamped& goal, double speed, const std::string& reason) override {
     executed(goal, suture::Duration{0});
+    if (reason == kTellsThatItRuns) suture::say(kTellsThatItRuns);
     std::this_thread::sleep_for(std::chrono::duration<double>(speed));
     return true;
   }
@@ -43,7 +48,8 @@ class HistoryArm final : public suture::PeriodicTask, public suture::StillArm {
                 .client = static_cast<std::uint32_t>(tag.x()),
                 .id = static_cast<std::uint64_t>(tag.y()),
                 .epoch = static_cast<std::uint64_t>(tag.z()),
-                .limit = ttl});
+                .limit = ttl,
+                .age = arm_.commandAge()});
   }
   void run() override {
     PoseStamped tag;

@@ -8,6 +8,9 @@ namespace {
 
 using Kind = HistoryEntry::Kind;
 
+// The one switch of this rule: it fails tests as soon as providers keep it.
+constexpr Severity kExecutedAfterLoss = Severity::Reports;
+
 // runtime/base/errors.h says which.
 bool saysNotExecuted(Errc error) {
   switch (error) {
@@ -33,30 +36,28 @@ std::string milliseconds(Duration duration) {
 
 class Checker {
  public:
-  explicit Checker(const HistorySlack& slack) : slack_(slack) {}
+  explicit Checker(Duration lateness) : lateness_(lateness) {}
 
   void take(const HistoryEntry& entry) {
     switch (entry.kind) {
-      case Kind::Sent: commands_[key(entry)].sent = entry; break;
+      case Kind::Sent: sent(entry); break;
       case Kind::Ended: ended(entry); break;
       case Kind::Executed: executed(entry); break;
       case Kind::Heard: heard(entry); break;
       case Kind::Killed: killed_[entry.client] = entry.at; break;
+      case Kind::Connected: break;
+      case Kind::Told: told_.try_emplace({entry.client, entry.epoch}, entry.at); break;
     }
   }
 
-  std::vector<std::string> finish() {
+  std::vector<Violation> finish() {
     for (const auto& [which, command] : commands_) {
       if (command.executions > 0 && command.isEnded && saysNotExecuted(command.error)) {
         say(which,
             "was executed, and its sender was told: " + std::string(toString(command.error)));
       }
-      const Duration limit = command.sent.limit;
-      if (limit == Duration{0} || command.isEnded) continue;
-      const auto end = killed_.find(which.first);
-      const Time latest = command.sent.at + limit + slack_.deadline;
-      if (end != killed_.end() && end->second <= latest) continue;
-      say(which, "never ended");
+      requireEnd(which, command);
+      forbidExecutionAfterLoss(which, command);
     }
     return std::move(found_);
   }
@@ -68,21 +69,48 @@ class Checker {
     bool isEnded = false;
     Errc error{};
     int executions = 0;
+    Time lastExecuted{};
+    std::uint64_t epoch = 0;  // its connection
   };
 
   static Key key(const HistoryEntry& entry) { return {entry.client, entry.id}; }
 
-  void say(const Key& which, const std::string& what) {
-    found_.push_back("command " + std::to_string(which.second) + " of client " +
-                     std::to_string(which.first) + " " + what);
+  void say(const Key& which, const std::string& what, Severity severity = Severity::Fails) {
+    found_.push_back({severity, "command " + std::to_string(which.second) + " of client " +
+                                    std::to_string(which.first) + " " + what});
+  }
+
+  void requireEnd(const Key& which, const Command& command) {
+    const Duration limit = command.sent.limit;
+    if (limit == Duration{0} || command.isEnded) return;
+    const auto end = killed_.find(which.first);
+    const Time latest = command.sent.at + limit + lateness_;
+    if (end == killed_.end() || end->second > latest) say(which, "never ended");
+  }
+
+  void forbidExecutionAfterLoss(const Key& which, const Command& command) {
+    const auto told = told_.find({which.first, command.epoch});
+    if (told == told_.end() || command.lastExecuted <= told->second) return;
+    say(which,
+        "was executed " + milliseconds(command.lastExecuted - told->second) +
+            " after its sender was told that connection " + std::to_string(command.epoch) +
+            " is lost",
+        kExecutedAfterLoss);
+  }
+
+  void sent(const HistoryEntry& entry) {
+    Command& command = commands_[key(entry)];
+    command.sent = entry;
+    command.epoch = entry.epoch;
   }
 
   void ended(const HistoryEntry& entry) {
     Command& command = commands_[key(entry)];
     command.isEnded = true;
     command.error = entry.error;
+    command.epoch = entry.epoch;  // a new connection may have come just before it was sent
     const Duration limit = command.sent.limit, took = entry.at - command.sent.at;
-    if (limit != Duration{0} && took > limit + slack_.deadline) {
+    if (limit != Duration{0} && took > limit + lateness_) {
       say(key(entry),
           "ended after " + milliseconds(took) + ", its deadline is " + milliseconds(limit));
     }
@@ -92,10 +120,10 @@ class Checker {
     Command& command = commands_[key(entry)];
     if (command.sent.at == Time{}) return say(key(entry), "was executed, and nobody sent it");
     if (++command.executions > 1) say(key(entry), "was executed twice");
-    const Duration age = entry.at - command.sent.at;
-    if (entry.limit != Duration{0} && age > entry.limit + slack_.ttl) {
-      say(key(entry),
-          "was executed " + milliseconds(age) + " old, its ttl is " + milliseconds(entry.limit));
+    command.lastExecuted = entry.at;
+    if (entry.limit != Duration{0} && entry.age > entry.limit) {
+      say(key(entry), "was executed " + milliseconds(entry.age) + " old, its ttl is " +
+                          milliseconds(entry.limit));
     }
     HistoryEntry& newest = newest_[entry.client];
     if (entry.epoch < newest.epoch) {
@@ -116,26 +144,27 @@ class Checker {
       return std::to_string(one.id) + " of provider " + std::to_string(one.epoch);
     };
     if (std::pair(entry.epoch, entry.id) <= std::pair(before.epoch, before.id)) {
-      found_.push_back("client " + std::to_string(entry.client) + " heard event " + number(entry) +
-                       " after " + number(before));
+      found_.push_back({Severity::Fails, "client " + std::to_string(entry.client) +
+                                             " heard event " + number(entry) + " after " +
+                                             number(before)});
     } else {
       before = entry;
     }
   }
 
-  const HistorySlack slack_;
+  const Duration lateness_;
   std::map<Key, Command> commands_;
   std::map<std::uint32_t, HistoryEntry> newest_;  // executed, by client
   std::map<std::uint32_t, HistoryEntry> heard_;   // the newest, by client
   std::map<std::uint32_t, Time> killed_;
-  std::vector<std::string> found_;
+  std::map<std::pair<std::uint32_t, std::uint64_t>, Time> told_;  // by client and connection
+  std::vector<Violation> found_;
 };
 
 }  // namespace
 
-std::vector<std::string> violations(const std::vector<HistoryEntry>& history,
-                                    const HistorySlack& slack) {
-  Checker checker(slack);
+std::vector<Violation> violations(const std::vector<HistoryEntry>& history, Duration lateness) {
+  Checker checker(lateness);
   for (const HistoryEntry& entry : history) checker.take(entry);
   return checker.finish();
 }

@@ -1,6 +1,6 @@
 // A client that writes down what it sends, how that ends, and what it hears: history_client
-// <manager address> <process name> <log> <its number> <robot> busy|idle <longest silence, ms>
-// <lane>. Says "begun", then "ready" when it is connected to <robot>:PSM/Arm. An idle one only
+// <manager address> <process name> <log> <its number> <robot> busy|idle|bursts <longest silence,
+// ms> <lane>. Says "begun", then "ready" when it is connected to <robot>:PSM/Arm. An idle one only
 // listens. Ends on SIGTERM.
 
 #include <suture/manager/manager.h>
@@ -34,8 +34,8 @@ void connect(const suture::HostedProcess& process, suture::Manager& manager, con
 }  // namespace
 
 int main(int, char** argv) {
-  const bool busy = std::string_view(argv[6]) == "busy";
-  return suture::statusOf([argv, busy] {
+  const std::string_view mode = argv[6];
+  return suture::statusOf([argv, mode] {
     const suture::HostedProcess process;
     suture::HistoryCaller client(argv[3], static_cast<std::uint32_t>(std::atoi(argv[4])));
     suture::Manager manager(argv[2], argv[1], 60s);
@@ -48,7 +48,9 @@ int main(int, char** argv) {
     while (!process.ended()) {
       client.waitForEvents(suture::now() + 5ms);
       client.processEvents();
-      if (busy) client.ask();
+      if (mode == "idle") client.look();
+      if (mode == "busy") client.ask();
+      if (mode == "bursts") client.burst();
     }
     manager.stop();
   });

@@ -13,6 +13,8 @@ namespace suture {
 
 namespace {
 
+const std::string kNone = "-";  // stands for no word at all
+
 std::int64_t wallClock() {
   const auto since = std::chrono::system_clock::now().time_since_epoch();
   return std::chrono::duration_cast<std::chrono::nanoseconds>(since).count();
@@ -32,7 +34,8 @@ void HistoryLog::write(const HistoryEntry& entry) {
       std::to_string(static_cast<int>(entry.kind)) + " " + std::to_string(toNanoseconds(entry.at)) +
       " " + std::to_string(entry.client) + " " + std::to_string(entry.id) + " " +
       std::to_string(entry.epoch) + " " + std::to_string(entry.limit.count()) + " " +
-      std::to_string(static_cast<int>(entry.error)) + " " + std::to_string(wallClock()) + " .\n";
+      std::to_string(static_cast<int>(entry.error)) + " " + std::to_string(wallClock()) + " " +
+      std::to_string(entry.age.count()) + " " + (entry.lane.empty() ? kNone : entry.lane) + " .\n";
   if (::write(file_, line.data(), line.size()) != static_cast<ssize_t>(line.size())) {
     throw std::runtime_error("cannot write a history");
   }
@@ -46,15 +49,17 @@ std::vector<HistoryEntry> readHistory(const std::vector<std::string>& files) {
       std::istringstream words(line);
       HistoryEntry entry;
       int kind = 0, error = 0;
-      std::int64_t at = 0, limit = 0;
+      std::int64_t at = 0, limit = 0, age = 0;
       std::string last;
       words >> kind >> at >> entry.client >> entry.id >> entry.epoch >> limit >> error >>
-          entry.wall >> last;
+          entry.wall >> age >> entry.lane >> last;
       if (last != ".") continue;
       entry.kind = static_cast<HistoryEntry::Kind>(kind);
       entry.at = fromNanoseconds(at);
       entry.limit = Duration(limit);
       entry.error = static_cast<Errc>(error);
+      entry.age = Duration(age);
+      if (entry.lane == kNone) entry.lane.clear();
       all.push_back(entry);
     }
   }

@@ -108,9 +108,7 @@ class Proxy : public testing::Test {
   }
   void expectSound() {
     end();
-    for (const std::string& violation : violations(system_.history(), kBusyMachine)) {
-      ADD_FAILURE() << violation;
-    }
+    expectSoundHistory(system_.history());
   }
 
   System system_;

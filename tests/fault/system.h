@@ -3,12 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <memory>
 #include <random>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,6 +29,28 @@ inline unsigned faultSeed() {
   static const unsigned kSeed =
       asked == nullptr ? std::random_device()() : static_cast<unsigned>(std::atoi(asked));
   return kSeed;
+}
+
+/// How often each fault strikes in each test; SUTURE_FAULT_ROUNDS.
+inline int faultRounds() {
+  const char* asked = std::getenv("SUTURE_FAULT_ROUNDS");
+  return asked == nullptr ? 1 : std::atoi(asked);
+}
+
+/// What a machine that does something else may add to the time that a call takes.
+inline constexpr Duration kBusyMachine = std::chrono::seconds(2);
+
+/// Fails for each rule that is broken. What the runtime does not keep yet is counted and shown.
+inline void expectSoundHistory(const std::vector<HistoryEntry>& history,
+                               Duration lateness = kBusyMachine) {
+  int reported = 0;
+  for (const Violation& one : violations(history, lateness)) {
+    if (one.severity == Severity::Fails) {
+      ADD_FAILURE() << one.text;
+    } else {
+      std::printf("reported %d: %s\n", ++reported, one.text.c_str());
+    }
+  }
 }
 
 class System {
@@ -87,6 +112,11 @@ class System {
     return readHistory({directory_.file("c" + std::to_string(clients_))});
   }
 
+  /// Of the latest provider.
+  std::vector<HistoryEntry> providersHistory() const {
+    return readHistory({directory_.file("p" + std::to_string(providers_))});
+  }
+
   /// How much the latest client has written down, in bytes: nobody has to read it.
   std::uintmax_t clientsHistorySize() const {
     return std::filesystem::file_size(directory_.file("c" + std::to_string(clients_)));
@@ -96,19 +126,41 @@ class System {
   /// heard something.
   bool works(bool busy) const {
     const Time asked = now();
-    return eventually([&] {
-      bool answered = !busy, heard = false;
-      for (const HistoryEntry& entry : clientsHistory()) {
-        if (entry.at < asked) continue;
-        heard = heard || entry.kind == HistoryEntry::Kind::Heard;
-        const bool ended = entry.kind == HistoryEntry::Kind::Ended && entry.error == Errc{};
-        answered = answered || (ended && entry.id % 2 == 0);
-      }
-      return answered && heard;
+    return clientNotes(asked, HistoryEntry::Kind::Heard) &&
+           (!busy || eventually([&] { return answered(asked); }));
+  }
+  /// True once the latest client has written down something of that kind since then.
+  bool clientNotes(Time since, HistoryEntry::Kind kind) const {
+    return eventually([&] { return clientHasNoted(since, kind); });
+  }
+  bool clientHasNoted(Time since, HistoryEntry::Kind kind) const {
+    return has(clientsHistory(), since,
+               [kind](const HistoryEntry& entry) { return entry.kind == kind; });
+  }
+  /// A call of the latest client has been answered since then.
+  bool answered(Time since) const {
+    return has(clientsHistory(), since, [](const HistoryEntry& entry) {
+      return entry.kind == HistoryEntry::Kind::Ended && entry.error == Errc{} &&
+             entry.limit != Duration{0};
     });
+  }
+  /// Those over which clients have been connected, by their names.
+  using Lanes = std::set<std::string>;
+  Lanes lanes() const {
+    Lanes lanes;
+    for (const HistoryEntry& entry : history()) {
+      if (entry.kind == HistoryEntry::Kind::Connected) lanes.insert(entry.lane);
+    }
+    return lanes;
   }
 
  private:
+  template <class Wanted>
+  static bool has(const std::vector<HistoryEntry>& history, Time since, const Wanted& wanted) {
+    return std::any_of(history.begin(), history.end(), [&](const HistoryEntry& entry) {
+      return entry.at >= since && wanted(entry);
+    });
+  }
   std::string newLog(const char* prefix, int number) {
     logs_.push_back(directory_.file(prefix + std::to_string(number)));
     std::ofstream(logs_.back());
@@ -121,10 +173,5 @@ class System {
   std::vector<HistoryEntry> killed_;
   int providers_ = 0, clients_ = 0;
 };
-
-/// What a machine that is busy adds to the time between the beginning of a cycle and what it
-/// executes.
-inline constexpr HistorySlack kBusyMachine{.deadline = std::chrono::milliseconds(100),
-                                           .ttl = std::chrono::milliseconds(50)};
 
 }  // namespace suture
