@@ -1,55 +1,129 @@
-// Each role of a system is stopped and goes on, again and again, at any moment.
+// Whole processes of a system stand still (SIGSTOP) and go on, on each lane: at any moment, and
+// while the provider is in the middle of a drain.
 
 #include <gtest/gtest.h>
 
+#include <string>
 #include <thread>
+#include <tuple>
 
+#include "fault/history_caller.h"
 #include "fault/system.h"
 
 namespace suture {
 namespace {
 
 using namespace std::chrono_literals;
+using Kind = HistoryEntry::Kind;
 
-enum class Role { Manager, Provider, Client };
-constexpr const char* kRoles[] = {"Manager", "Provider", "Client"};
+// What a connection bears.
+constexpr int kSilenceMilliseconds = 400;
+// Longer than that. Nobody else can tell how long a client has stood still.
+constexpr Duration kStopped = 600ms;
+// How long a provider runs before its client does.
+constexpr Duration kAlone = 50ms;
 
-constexpr Duration kStopped = 700ms;  // longer than the silence that the connection bears
-constexpr int kRounds = 3;
+enum class Stopped { Manager, Provider, Client, BothProviderFirst, BothClientFirst };
+enum class Moment { Any, InADrain };
 
-class Stop : public testing::TestWithParam<Role> {};
+/// What stands still and, of two, which goes on first; and when.
+struct Row {
+  const char* name;
+  Stopped stopped;
+  Moment moment;
+};
 
-INSTANTIATE_TEST_SUITE_P(Roles, Stop, testing::Values(Role::Manager, Role::Provider, Role::Client),
-                         [](const auto& test) {
-                           return std::string(kRoles[static_cast<int>(test.param)]);
-                         });
+const Row kRows[] = {
+    {"Manager", Stopped::Manager, Moment::Any},
+    {"Provider", Stopped::Provider, Moment::Any},
+    {"Client", Stopped::Client, Moment::Any},
+    {"BothThenProviderFirst", Stopped::BothProviderFirst, Moment::Any},
+    {"BothThenClientFirst", Stopped::BothClientFirst, Moment::Any},
+    {"ProviderInADrain", Stopped::Provider, Moment::InADrain},
+    {"BothInADrainThenProviderFirst", Stopped::BothProviderFirst, Moment::InADrain},
+    {"BothInADrainThenClientFirst", Stopped::BothClientFirst, Moment::InADrain},
+};
+
+class Stop : public testing::TestWithParam<std::tuple<Row, const char*>> {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(provider_->line(), "ready");
+    client_ = system_.client(row().moment == Moment::InADrain ? "bursts" : "busy",
+                             kSilenceMilliseconds, lane());
+    ASSERT_EQ(client_->line(), "begun");
+    ASSERT_EQ(client_->line(), "ready");
+  }
+
+  const Row& row() const { return std::get<0>(GetParam()); }
+  const char* lane() const { return std::get<1>(GetParam()); }
+  bool both() const { return row().stopped >= Stopped::BothProviderFirst; }
+
+  void stopAnyTime() {
+    std::this_thread::sleep_for(
+        std::chrono::microseconds(std::uniform_int_distribution<int>(0, 20'000)(random_)));
+    if (row().stopped == Stopped::Manager) manager_->signal(SIGSTOP);
+    if (row().stopped == Stopped::Provider || both()) provider_->signal(SIGSTOP);
+    if (row().stopped == Stopped::Client || both()) client_->signal(SIGSTOP);
+  }
+  /// The provider's latest command is the one that tells that it runs: those behind it wait.
+  bool standsInADrain() const {
+    const auto executed = system_.providersHistory();
+    return !executed.empty() && executed.back().id % HistoryCaller::kBurst == 2;
+  }
+  /// A command may have ended by the time that the test hears that it runs.
+  void stopInADrain() {
+    do {
+      provider_->signal(SIGCONT);
+      ASSERT_EQ(provider_->line(), reference::kTellsThatItRuns);
+      provider_->signal(SIGSTOP);
+    } while (!standsInADrain());
+    if (both()) client_->signal(SIGSTOP);
+  }
+  /// After so long that the connection is lost, if that can be: a client that runs is told so
+  /// before its provider goes on.
+  void goOn() {
+    const Time stopped = now();
+    if (row().stopped != Stopped::Provider) std::this_thread::sleep_for(kStopped);
+    if (row().stopped == Stopped::Manager) return manager_->signal(SIGCONT);
+    if (row().stopped == Stopped::BothProviderFirst) {
+      provider_->signal(SIGCONT);
+      std::this_thread::sleep_for(kAlone);
+    }
+    client_->signal(SIGCONT);
+    if (row().stopped == Stopped::Provider || row().stopped == Stopped::BothClientFirst) {
+      EXPECT_TRUE(system_.clientNotes(stopped, Kind::Told));
+    }
+    provider_->signal(SIGCONT);
+  }
+
+  System system_;
+  std::mt19937 random_{faultSeed()};
+  const std::unique_ptr<Child> manager_ = system_.manager(), provider_ = system_.provider();
+  std::unique_ptr<Child> client_;
+};
+
+INSTANTIATE_TEST_SUITE_P(
+    Rows, Stop, testing::Combine(testing::ValuesIn(kRows), testing::Values("shm", "frame", "rpc")),
+    [](const auto& test) {
+      return std::string(std::get<0>(test.param).name) + "_" + std::get<1>(test.param);
+    });
 
 TEST_P(Stop, LeavesSoundHistories) {
-  System system;
-  const auto manager = system.manager(), provider = system.provider();
-  ASSERT_EQ(provider->line(), "ready");
-  const auto client = system.client("busy", 300);
-  ASSERT_EQ(client->line(), "begun");
-  ASSERT_EQ(client->line(), "ready");
-  Child& stopped = GetParam() == Role::Manager    ? *manager
-                   : GetParam() == Role::Provider ? *provider
-                                                  : *client;
-  std::mt19937 random(faultSeed());
   int stops = 0;
-  for (; stops < kRounds; ++stops) {
-    ASSERT_TRUE(system.works(true));
-    std::this_thread::sleep_for(
-        std::chrono::microseconds(std::uniform_int_distribution<int>(0, 20'000)(random)));
-    stopped.signal(SIGSTOP);
-    std::this_thread::sleep_for(kStopped);
-    stopped.signal(SIGCONT);
+  for (; stops < faultRounds(); ++stops) {
+    ASSERT_TRUE(system_.works(true));
+    row().moment == Moment::InADrain ? stopInADrain() : stopAnyTime();
+    ASSERT_FALSE(HasFatalFailure());
+    goOn();
   }
-  EXPECT_TRUE(system.works(true));
-  EXPECT_EQ(client->end(SIGTERM), 0);
-  EXPECT_EQ(provider->end(SIGTERM), 0);
-  EXPECT_EQ(manager->end(SIGTERM), 0);
-  expectSoundHistory(system.history(), kBusyMachine + kStopped);  // who is stopped is late
-  std::printf("seed %u: %d stops, %zu entries\n", faultSeed(), stops, system.history().size());
+  EXPECT_TRUE(system_.works(true));
+  EXPECT_EQ(client_->end(SIGTERM), 0);
+  EXPECT_EQ(provider_->end(SIGTERM), 0);
+  EXPECT_EQ(manager_->end(SIGTERM), 0);
+  EXPECT_EQ(system_.lanes(), System::Lanes{lane()});
+  expectSoundHistory(system_.history(),
+                     kBusyMachine + kStopped);  // a client that stands still is late
+  std::printf("seed %u: %d stops, %zu entries\n", faultSeed(), stops, system_.history().size());
   EXPECT_GT(stops, 0);
 }
 
