@@ -1,6 +1,6 @@
 #include "fault/byte_proxy.h"
 
-#include <arpa/inet.h>
+#include <fcntl.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <poll.h>
@@ -11,6 +11,7 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <span>
 #include <stdexcept>
 
 namespace suture {
@@ -19,34 +20,38 @@ namespace {
 constexpr std::size_t kChunk = 16384;
 constexpr std::size_t kTrickle = 64;  // bytes each time
 constexpr auto kTricklePause = std::chrono::milliseconds(2);
+constexpr unsigned kFirstWords = 24;  // chunks: more than it takes to connect
 
 bool wouldBlock() { return errno == EAGAIN || errno == EINTR; }
 
 int connectTo(const rpc::Address& target) {
   const rpc::SocketAddress address(target);
   const int to = socket(address.family(), SOCK_STREAM | SOCK_CLOEXEC, 0);
-  if (to >= 0 && connect(to, address.get(), address.length) == 0) return to;
+  if (to >= 0 && connect(to, address.get(), address.length) == 0 &&
+      fcntl(to, F_SETFL, O_NONBLOCK) == 0) {
+    return to;
+  }
   if (to >= 0) ::close(to);
   return -1;
 }
 
+std::string tcpAddressOf(int listener) {
+  sockaddr_in bound{};
+  socklen_t length = sizeof(bound);
+  getsockname(listener, reinterpret_cast<sockaddr*>(&bound), &length);
+  return "tcp://127.0.0.1:" + std::to_string(ntohs(bound.sin_port));
+}
+
 }  // namespace
 
-ByteProxy::ByteProxy(const rpc::Address& target, unsigned seed)
-    : target_(target),
-      random_(seed),
-      listener_(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)),
-      bell_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
-  sockaddr_in any{};
-  any.sin_family = AF_INET;
-  any.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t length = sizeof(any);
-  auto* const address = reinterpret_cast<sockaddr*>(&any);
-  if (bind(listener_, address, length) != 0 || listen(listener_, 128) != 0 ||
-      getsockname(listener_, address, &length) != 0) {
+ByteProxy::ByteProxy(const rpc::Address& here, const rpc::Address& target, unsigned seed)
+    : target_(target), random_(seed), bell_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
+  const rpc::SocketAddress wanted(here);
+  listener_ = socket(wanted.family(), SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+  if (bind(listener_, wanted.get(), wanted.length) != 0 || listen(listener_, 128) != 0) {
     throw std::runtime_error("the proxy cannot listen");
   }
-  address_ = "tcp://127.0.0.1:" + std::to_string(ntohs(any.sin_port));
+  address_ = here.kind == rpc::Address::Kind::Unix ? here.text() : tcpAddressOf(listener_);
   thread_ = std::thread([this] { run(); });
 }
 
@@ -141,7 +146,9 @@ void ByteProxy::accept() {
     const int on = 1;
     setsockopt(from, IPPROTO_TCP, TCP_NODELAY, &on, sizeof(on));
     setsockopt(to, IPPROTO_TCP, TCP_NODELAY, &on, sizeof(on));
-    links_.push_back({{from, to, "", false}, {to, from, "", false}, false});
+    Link& link = links_.emplace_back();
+    link.there.from = link.back.to = from;
+    link.there.to = link.back.from = to;
   }
 }
 
@@ -152,33 +159,37 @@ bool ByteProxy::serve(Link& link) {
   for (const bool there : {true, false}) {
     Stream& stream = there ? link.there : link.back;
     if (!passes(stream, there)) continue;
-    if ((stream.waiting.empty() && !take(stream, there)) || !give(stream)) stream.ended = true;
+    if ((stream.waiting.empty() && !take(link, there)) || !give(stream)) stream.ended = true;
   }
   return link.endless || (!link.there.ended && !link.back.ended);
 }
 
-bool ByteProxy::take(Stream& stream, bool there) {
-  std::array<char, kChunk> bytes;
+bool ByteProxy::take(Link& link, bool there) {
+  Stream& stream = there ? link.there : link.back;
+  std::array<std::byte, kChunk> bytes;
   const std::size_t most = mode_ == Mode::Throttle ? kTrickle : bytes.size();
-  const ssize_t count = recv(stream.from, bytes.data(), most, MSG_DONTWAIT);
+  const ssize_t count =
+      rpc::receiveWith(stream.from, std::span(bytes).first(most), stream.descriptors);
   if (count < 0) return wouldBlock();
   if (count == 0) {
     stream.ended = true;
     return true;
   }
-  stream.waiting.assign(bytes.data(), static_cast<std::size_t>(count));
-  if (there) hurt(stream);
+  stream.waiting.assign(bytes.begin(), bytes.begin() + count);
+  ++link.said;
+  hurt(link, there);
   return true;
 }
 
-void ByteProxy::hurt(Stream& stream) {
-  std::string& bytes = stream.waiting;
-  if (std::exchange(flips_, false)) {
+void ByteProxy::hurt(Link& link, bool there) {
+  Stream& stream = there ? link.there : link.back;
+  std::vector<std::byte>& bytes = stream.waiting;
+  if (link.said > kFirstWords && std::exchange(flips_, false)) {
     const auto bit = std::uniform_int_distribution<std::size_t>(0, 8 * bytes.size() - 1)(random_);
-    bytes[bit / 8] = static_cast<char>(bytes[bit / 8] ^ (1 << bit % 8));
+    bytes[bit / 8] ^= std::byte{1} << bit % 8;
     ++injected_;
   }
-  if (std::exchange(truncates_, false)) {
+  if (there && std::exchange(truncates_, false)) {
     bytes.resize(bytes.size() / 2);
     stream.ended = true;
     ++injected_;
@@ -187,10 +198,10 @@ void ByteProxy::hurt(Stream& stream) {
 
 bool ByteProxy::give(Stream& stream) {
   if (stream.waiting.empty()) return true;
-  const ssize_t count =
-      send(stream.to, stream.waiting.data(), stream.waiting.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+  const ssize_t count = rpc::sendWith(stream.to, stream.waiting, stream.descriptors);
   if (count < 0) return wouldBlock();
-  stream.waiting.erase(0, static_cast<std::size_t>(count));
+  stream.descriptors.clear();
+  stream.waiting.erase(stream.waiting.begin(), stream.waiting.begin() + count);
   return true;
 }
 

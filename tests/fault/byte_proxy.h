@@ -2,8 +2,10 @@
 // Stands between two processes and breaks what they say, by the byte.
 
 #include <suture/transport/rpc/address.h>
+#include <suture/transport/rpc/descriptor_passing.h>
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <list>
 #include <mutex>
@@ -14,8 +16,8 @@
 
 namespace suture {
 
-/// Listens on a TCP port of the loopback interface and passes each connection on to another
-/// address. Any thread may use it.
+/// Listens at one address and passes each connection on to another, with the descriptors that it
+/// carries between two Unix sockets. Any thread may use it.
 class ByteProxy {
  public:
   enum class Mode : std::uint8_t {
@@ -31,15 +33,17 @@ class ByteProxy {
     Cut,       ///< all connections are closed
     Reset,     ///< the same, by a reset
     Truncate,  ///< what the caller says next passes by half, then its connection is closed
-    BitFlip,   ///< one bit of what the caller says next is wrong
+    BitFlip,   ///< one bit of what either says next is wrong, but for the first words of a
+               ///< connection: by those another lane may be agreed on
   };
 
-  ByteProxy(const rpc::Address& target, unsigned seed);
+  /// `here`: a Unix socket, or TCP with a number, where port 0 is any.
+  ByteProxy(const rpc::Address& here, const rpc::Address& target, unsigned seed);
   ~ByteProxy();
   ByteProxy(const ByteProxy&) = delete;
   ByteProxy& operator=(const ByteProxy&) = delete;
 
-  const std::string& address() const { return address_; }
+  const std::string& address() const { return address_; }  ///< where it listens
   /// From now on, for connections present and to come.
   void set(Mode mode);
   /// Now; returns when it has been done, or at the latest with what the callers say next.
@@ -51,7 +55,8 @@ class ByteProxy {
  private:
   struct Stream {
     int from = -1, to = -1;
-    std::string waiting;  // has been read and not yet been written
+    std::vector<std::byte> waiting;  // has been read and not yet been written
+    rpc::Descriptors descriptors;    // which go with that
     bool ended = false;
   };
   struct Link {
@@ -59,6 +64,7 @@ class ByteProxy {
     bool held = false;  // counted in this mode
     bool stranded = false;
     bool endless = false;  // it has been stranded
+    unsigned said = 0;     // chunks, either way
   };
 
   void run();
@@ -66,9 +72,9 @@ class ByteProxy {
   void accept();
   bool passes(const Stream& stream, bool there) const;
   bool serve(Link& link);
-  bool take(Stream& stream, bool there);
+  bool take(Link& link, bool there);
   static bool give(Stream& stream);
-  void hurt(Stream& stream);
+  void hurt(Link& link, bool there);
   void closeAll(bool reset);
   static void close(Link& link, bool reset);
 
