@@ -50,13 +50,10 @@ std::chrono::seconds aheadAt(const HistoryEntry& entry) {
   return std::chrono::round<std::chrono::seconds>(Duration(entry.wall) - machine);
 }
 
-/// The newest entry of the provider or of the clients.
+/// What the latest provider, or the latest client, has written down last.
 HistoryEntry newest(const System& system, bool provider) {
-  const auto history = system.history();
-  const auto found = std::find_if(history.rbegin(), history.rend(), [&](const auto& entry) {
-    return (entry.kind == HistoryEntry::Kind::Executed) == provider;
-  });
-  return found == history.rend() ? HistoryEntry{} : *found;
+  const auto history = provider ? system.providersHistory() : system.clientsHistory();
+  return history.empty() ? HistoryEntry{} : history.back();
 }
 
 bool has(const Child& child, const std::string& library) {

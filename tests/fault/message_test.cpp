@@ -63,7 +63,7 @@ constexpr int kEnoughAsked = 10;
 
 Duration faultTime() {
   const char* asked = std::getenv("SUTURE_FAULT_SECONDS");
-  return asked == nullptr ? 800ms : Duration(std::chrono::seconds(std::atoi(asked)));
+  return asked == nullptr ? 400ms : Duration(std::chrono::seconds(std::atoi(asked)));
 }
 
 /// Two managers in one process are two processes to each other: nothing is shared but the sockets.
