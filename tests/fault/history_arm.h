@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "fault/history.h"
+#include "fault/tag.h"
 #include "reference/still_arm.h"
 #include "support/hosted_process.h"
 
@@ -21,7 +22,7 @@ inline constexpr const char* kTellsThatItRuns = "tell";
 /// Emits events in each cycle: the arm's number and the event's.
 class HistoryArm final : public suture::PeriodicTask, public suture::StillArm {
  public:
-  HistoryArm(const std::string& log, double number, int eventsPerCycle = 1)
+  HistoryArm(const std::string& log, std::uint32_t number, int eventsPerCycle = 1)
       : PeriodicTask({.period = std::chrono::milliseconds(2)}),
         log_(log),
         number_(number),
@@ -42,26 +43,23 @@ class HistoryArm final : public suture::PeriodicTask, public suture::StillArm {
 
  private:
   void executed(const PoseStamped& goal, suture::Duration ttl) {
-    const auto& tag = goal.pose.translation();
+    const Tag tag = tagIn(goal);
     log_.write({.kind = suture::HistoryEntry::Kind::Executed,
                 .at = suture::now(),
-                .client = static_cast<std::uint32_t>(tag.x()),
-                .id = static_cast<std::uint64_t>(tag.y()),
-                .epoch = static_cast<std::uint64_t>(tag.z()),
+                .client = tag.who,
+                .id = tag.number,
+                .epoch = tag.epoch,
                 .limit = ttl,
                 .age = arm_.commandAge()});
   }
   void run() override {
-    PoseStamped tag;
-    tag.valid = true;
     for (int i = 0; i < eventsPerCycle_; ++i) {
-      tag.pose.translation() << number_, static_cast<double>(++events_), 0;
-      arm_.emit().arrived(tag);
+      arm_.emit().arrived(poseOf({number_, ++events_}));
     }
   }
 
   suture::HistoryLog log_;
-  const double number_;
+  const std::uint32_t number_;
   const int eventsPerCycle_;
   std::atomic<std::uint64_t> events_{0};
   suture::Provided<reference::ArmLike> arm_{*this, "Arm", *this};

@@ -17,6 +17,7 @@
 
 #include "fault/history.h"
 #include "fault/history_arm.h"
+#include "fault/tag.h"
 #include "reference/arm_like.suture.h"
 
 namespace suture {
@@ -31,10 +32,9 @@ struct HistoryPort final : Required<reference::ArmLike> {
 class HistoryCaller final : public Device {
  public:
   HistoryCaller(const std::string& log, std::uint32_t number) : log_(log), number_(number) {
-    arm.on().arrived([this](const reference::PoseStamped& tag) {
-      note({.kind = HistoryEntry::Kind::Heard,
-            .id = static_cast<std::uint64_t>(tag.pose.translation().y()),
-            .epoch = static_cast<std::uint64_t>(tag.pose.translation().x())});
+    arm.on().arrived([this](const reference::PoseStamped& pose) {
+      const reference::Tag tag = reference::tagIn(pose);
+      note({.kind = HistoryEntry::Kind::Heard, .id = tag.number, .epoch = tag.who});
     });
   }
 
@@ -50,7 +50,7 @@ class HistoryCaller final : public Device {
     look();
     post();
     Command move = command(kDeadline);
-    auto moving = arm.move.start(move.tag, kMoveTakes, "");
+    auto moving = arm.move.start(move.goal, kMoveTakes, "");
     move.epoch = follow();
     const auto moved = moving.within(kDeadline);
     noteEnd(move, moved ? Errc{} : moved.error());
@@ -67,12 +67,12 @@ class HistoryCaller final : public Device {
     std::vector<decltype(arm.move.start(reference::PoseStamped{}, 0, ""))> moving;
     for (const auto& [takes, reason] : kMoves) {
       moves.push_back(command(kBurstDeadline));
-      moving.push_back(arm.move.start(moves.back().tag, takes, reason));
+      moving.push_back(arm.move.start(moves.back().goal, takes, reason));
       moves.back().epoch = follow();
     }
     post();
     for (std::size_t i = 0; i < moves.size(); ++i) {
-      const Time due = moves[i].tag.stamp + kBurstDeadline;
+      const Time due = moves[i].goal.stamp + kBurstDeadline;
       const auto moved = moving[i].within(std::max(due - now(), Duration{0}));
       noteEnd(moves[i], moved ? Errc{} : moved.error());
     }
@@ -85,7 +85,7 @@ class HistoryCaller final : public Device {
   struct Command {
     std::uint64_t id, epoch;
     Duration deadline;
-    reference::PoseStamped tag;
+    reference::PoseStamped goal;
   };
   struct Move {
     double takes;  // s
@@ -108,15 +108,13 @@ class HistoryCaller final : public Device {
   Command command(Duration deadline) {
     ++id_;
     note({.kind = HistoryEntry::Kind::Sent, .id = id_, .epoch = epoch_, .limit = deadline});
-    Command made{id_, epoch_, deadline, {}};
-    made.tag.pose.translation() << number_, static_cast<double>(id_), static_cast<double>(epoch_);
-    made.tag.stamp = now();
-    made.tag.valid = true;
+    Command made{id_, epoch_, deadline, reference::poseOf({number_, id_, epoch_})};
+    made.goal.stamp = now();
     return made;
   }
   void post() {
     Command servo = command(Duration{0});
-    const auto posted = arm.servo_cp(servo.tag);
+    const auto posted = arm.servo_cp(servo.goal);
     servo.epoch = follow();
     noteEnd(servo, posted ? Errc{} : posted.error());
   }

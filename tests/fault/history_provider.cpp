@@ -19,7 +19,7 @@
 int main(int, char** argv) {
   return suture::statusOf([argv] {
     const suture::HostedProcess process;
-    reference::HistoryArm arm(argv[3], std::atof(argv[4]));
+    reference::HistoryArm arm(argv[3], static_cast<std::uint32_t>(std::atoi(argv[4])));
     suture::ShakyTask shaky;
     suture::Manager manager(argv[2], argv[1], std::chrono::minutes(1));
     manager.add("PSM", arm);

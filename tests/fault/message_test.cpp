@@ -91,8 +91,8 @@ class Messages : public testing::TestWithParam<std::tuple<LaneUnderFault, Fault>
   Fault fault() const { return std::get<1>(GetParam()); }
   void startProvider() {
     logs_.push_back(directory_.file("p" + std::to_string(logs_.size())));
-    arms_.push_back(std::make_unique<reference::HistoryArm>(logs_.back(),
-                                                            static_cast<double>(arms_.size() + 1)));
+    arms_.push_back(std::make_unique<reference::HistoryArm>(
+        logs_.back(), static_cast<std::uint32_t>(arms_.size() + 1)));
     if (names_ == nullptr) return clients_->add("PSM", *arms_.back());
     providers_ = makeManager("robot");
     providers_->add("PSM", *arms_.back());
