@@ -29,7 +29,7 @@ SUTURE_STRESS_SECONDS=60 "$build/bin/stress_test" --gtest_brief=1
 SUTURE_SESSIONS=1000000 "$build/bin/fault_test" --gtest_filter=Sessions.*
 SUTURE_RECONNECTS=1000 "$build/bin/fault_test" --gtest_filter='*Restarts.OfAPeer*'
 SUTURE_FAULT_SECONDS=20 "$build/bin/fault_test" --gtest_filter='*Messages*' --gtest_brief=1
-for _ in {1..20}; do "$build/bin/fault_test" --gtest_filter='*Kill.*:*Stop.*:Proxy.*:*Messages*:Lanes/Stopped*' --gtest_brief=1; done
+for _ in {1..20}; do SUTURE_FAULT_ROUNDS=3 "$build/bin/fault_test" --gtest_filter='*Kill.*:*Stop.*:*Proxy.*:*Messages*:Lanes/Stopped*' --gtest_brief=1; done
 for _ in {1..10}; do
   for test in random_types_test random_contract; do
     python3 "tests/integration/random_contract/$test.py" --suture "$build"
