@@ -1,4 +1,4 @@
-// Who does not run, or is slow, costs bounded memory and delays nobody else.
+// A process or task that does not run, or is slow, costs bounded memory and delays nobody else.
 
 #include <gtest/gtest.h>
 #include <suture/component/device.h>
@@ -31,7 +31,7 @@ constexpr std::size_t kMostBytes = std::size_t{2} << 20;
 constexpr std::uint64_t kEvents = 30'000;
 constexpr int kEventsPerCycle = 50;
 constexpr int kCommands = 100'000;
-// What may wait for a subscriber: its queue, what the lane has under way, and what is counted late.
+// So many may wait for a subscriber: in its queue, on the lane, and to be counted.
 constexpr std::uint64_t kMayWait = 200;
 
 std::string nameOf(Lane lane) { return lane == Lane::Auto ? "local" : toString(lane); }

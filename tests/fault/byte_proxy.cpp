@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kChunk = 16384;
 constexpr std::size_t kTrickle = 64;  // bytes each time
 constexpr auto kTricklePause = std::chrono::milliseconds(2);
-constexpr unsigned kFirstWords = 24;  // chunks: more than it takes to connect
+constexpr unsigned kFirstWords = 24;  // chunks: connecting takes fewer
 
 bool wouldBlock() { return errno == EAGAIN || errno == EINTR; }
 
@@ -95,7 +95,7 @@ void ByteProxy::strike(Strike strike) {
   }
 }
 
-// What is held is not looked at: its end would be reported again and again.
+// It does not look at what is held: the end of that would be reported again and again.
 void ByteProxy::run() {
   std::vector<pollfd> waiting;
   for (;;) {

@@ -33,8 +33,8 @@ class ByteProxy {
     Cut,       ///< all connections are closed
     Reset,     ///< the same, by a reset
     Truncate,  ///< what the caller says next passes by half, then its connection is closed
-    BitFlip,   ///< one bit of what either says next is wrong, but for the first words of a
-               ///< connection: by those another lane may be agreed on
+    BitFlip,   ///< one bit of what either says next is wrong; the first words of a connection are
+               ///< spared, as they may agree on another lane
   };
 
   /// `here`: a Unix socket, or TCP with a number, where port 0 is any.

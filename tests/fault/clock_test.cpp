@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 constexpr int kSteps = 40;
 constexpr std::chrono::seconds kOffsets[] = {0s, 1s, -1s, 1h, -1h, 24h, -24h};
 
-/// What some processes have for a wall clock, by Debian's libfaketime. Their steady clocks and the
+/// Some processes have this for a wall clock, by Debian's libfaketime. Their steady clocks and the
 /// machine's own stay as they are.
 class WallClock {
  public:
@@ -50,7 +50,7 @@ std::chrono::seconds aheadAt(const HistoryEntry& entry) {
   return std::chrono::round<std::chrono::seconds>(Duration(entry.wall) - machine);
 }
 
-/// What the latest provider, or the latest client, has written down last.
+/// The latest provider, or the latest client, has written this down last.
 HistoryEntry newest(const System& system, bool provider) {
   const auto history = provider ? system.providersHistory() : system.clientsHistory();
   return history.empty() ? HistoryEntry{} : history.back();
@@ -106,7 +106,7 @@ TEST_P(ClockSteps, AreNothingToAConnection) {
     ASSERT_TRUE(event || entry.epoch == 1) << "it reconnected";
   }
 
-  // Who comes now is as welcome.
+  // A client that comes now is as welcome.
   clocks[Client].stepTo(-24h);
   clocks[Provider].stepTo(24h);
   const auto second = system.client("busy", 5000, GetParam(), [&] { clocks[Client].enter(); });

@@ -90,7 +90,7 @@ TEST(FullDisk, OfABlackBoxIsToldAndHurtsNobody) {
       ASSERT_EQ(fileIn(provider->line()), "") << "on a disk that is full";
     }
     EXPECT_TRUE(system.works(true)) << "while the disk is full";
-    // What is not said to be whole stays: the box may be at it.
+    // A file that is not said to be whole stays: the box may be at it.
     for (const std::string& whole : files) {
       expectWhole(whole);
       std::filesystem::remove(whole);

@@ -1,5 +1,6 @@
 #pragma once
-// What clients asked and providers did, as each wrote it down; and what must hold of it.
+// A history says what clients asked and providers did, as each wrote it down; rules say what must
+// hold of it.
 
 #include <suture/base/errors.h>
 #include <suture/base/time.h>
@@ -49,14 +50,14 @@ class HistoryLog {
   int file_;
 };
 
-/// What HistoryLog wrote to these files, in the order of time; those of one file in theirs. A last
-/// line that a kill cut off is left out.
+/// Reads what HistoryLog wrote to these files, in the order of time; entries of one file keep
+/// theirs. A last line that a kill cut off is left out.
 std::vector<HistoryEntry> readHistory(const std::vector<std::string>& files);
 
-/// What breaking a rule means for the test that finds it.
+/// A test that finds a rule broken acts by this.
 enum class Severity {
   Fails,
-  Reports,  ///< the runtime does not keep the rule yet: it is counted and shown
+  Reports,  ///< the runtime does not keep the rule yet, so the test counts it and shows it
 };
 
 struct Violation {
@@ -64,7 +65,7 @@ struct Violation {
   std::string text;
 };
 
-/// None: the history is sound.
+/// The rules that a history breaks; it is sound if there are none.
 ///  - each call ends, at most `lateness` after its deadline;
 ///  - no command is executed twice, nor if the runtime found it older than its ttl, nor if its
 ///    sender was told that it was not;

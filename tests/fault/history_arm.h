@@ -16,7 +16,7 @@
 
 namespace reference {
 
-/// The reason of a move that tells the test that it runs.
+/// A move for this reason tells the test that it runs.
 inline constexpr const char* kTellsThatItRuns = "tell";
 
 /// Emits events in each cycle: the arm's number and the event's.

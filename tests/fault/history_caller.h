@@ -28,7 +28,7 @@ struct HistoryPort final : Required<reference::ArmLike> {
   using Required::Required;
 };
 
-/// Its connections count from 1: their epochs.
+/// Its connections count from 1, which are their epochs.
 class HistoryCaller final : public Device {
  public:
   HistoryCaller(const std::string& log, std::uint32_t number) : log_(log), number_(number) {
@@ -125,7 +125,7 @@ class HistoryCaller final : public Device {
           .limit = command.deadline,
           .error = error});
   }
-  /// The connection over which was sent what has just been sent.
+  /// Answers the connection that took what has just been sent.
   std::uint64_t follow() {
     if (arm.channel() == known_) return epoch_;
     if (known_ != nullptr) noteLoss();
@@ -144,7 +144,7 @@ class HistoryCaller final : public Device {
   HistoryLog log_;
   const std::uint32_t number_;
   std::uint64_t id_ = 0, epoch_ = 0;
-  std::uint64_t lost_ = 0;  // the latest connection of which it has been told so
+  std::uint64_t lost_ = 0;  // of this connection it has been told so
   std::shared_ptr<Channel> known_;
 };
 

@@ -8,7 +8,7 @@ namespace {
 
 using Kind = HistoryEntry::Kind;
 
-// The one switch of this rule: it fails tests as soon as providers keep it.
+// This is the one switch of the rule: it shall fail tests as soon as providers keep it.
 constexpr Severity kExecutedAfterLoss = Severity::Reports;
 
 // runtime/base/errors.h says which.

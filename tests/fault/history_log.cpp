@@ -13,7 +13,7 @@ namespace suture {
 
 namespace {
 
-const std::string kNone = "-";  // stands for no word at all
+const std::string kNone = "-";  // it stands for no word at all
 
 std::int64_t wallClock() {
   const auto since = std::chrono::system_clock::now().time_since_epoch();

@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* kServer = "127.0.0.53";
 
-/// Of those who call enter(): a file of names, and a server that knows nothing.
+/// Those who call enter() have a file of names, and a server that knows nothing.
 class NameService {
  public:
   NameService() {

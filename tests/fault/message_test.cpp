@@ -29,7 +29,7 @@ constexpr const char* kLaneNames[] = {"local+fault", "shm+fault", "frame+fault",
 struct Fault {
   const char* name;
   FaultPlan plan;
-  // What the receiver is to notice of it; whatever else it does is not checked.
+  // The receiver is to notice these of it; whatever else it does is not checked.
   bool loses = false, duplicates = false, overtakes = false;
   // Not even one message is to be lost.
   bool keeps = false;
@@ -219,7 +219,7 @@ INSTANTIATE_TEST_SUITE_P(Faults, MessagesAndLosses,
                                           testing::Values(kFaults[7])),
                          nameOf);
 
-// What is held up on a connection that was lost does not arrive on the next.
+// Messages that are held up on a connection that was lost do not arrive on the next.
 TEST_P(MessagesAndLosses, LeaveASoundHistory) {
   for (int restart = 0; restart < 3; ++restart) {
     const int before = asked_;

@@ -20,10 +20,10 @@ using Kind = HistoryEntry::Kind;
 
 constexpr int kSilenceMilliseconds = 300;
 
-/// What the global manager is told by whoever forwards a port: a name, and where it is.
+/// Tells the global manager what whoever forwards a port would: a name, and where it is.
 class Forwarder {
  public:
-  /// `here`: where its proxy listens.
+  /// Its proxy listens at `here`.
   Forwarder(const std::string& manager, std::string name, std::string behind,
             const rpc::Address& here, unsigned seed) {
     control_.run(20s, [&, name, behind, here, address = rpc::Address::parse(manager)] {
@@ -65,7 +65,7 @@ class Proxy : public testing::TestWithParam<const char*> {
                                                : "tcp://127.0.0.1:0");
   }
   void awaitLoss(Time since) const { ASSERT_TRUE(system_.clientNotes(since, Kind::Told)); }
-  /// Again and again, and sees it whole after each end.
+  /// Breaks it again and again, and sees it whole each time.
   void breakAndMend(const std::function<void()>& breaks) {
     for (int round = 0; round < faultRounds(); ++round) {
       ASSERT_TRUE(system_.works(true)) << round;
@@ -82,7 +82,7 @@ class Proxy : public testing::TestWithParam<const char*> {
       awaitLoss(struck);
     });
   }
-  /// Until an attempt to come back has come to nothing.
+  /// Holds it up until an attempt to come back has come to nothing.
   void holdUp(Mode mode) {
     breakAndMend([this, mode] {
       const Time held = now();
@@ -131,7 +131,7 @@ TEST_P(Proxy, OneWayThere) { holdUp(Mode::OnlyThere); }
 
 TEST_P(Proxy, OneWayBack) { holdUp(Mode::OnlyBack); }
 
-// A trickle may be enough.
+// A trickle may be enough to stay connected.
 TEST_P(Proxy, Throttle) {
   breakAndMend([this] {
     const auto before = proxy().injected();
@@ -156,7 +156,7 @@ TEST_P(Proxy, Flap) {
   });
 }
 
-// What was under way on a connection that was lost arrives when another has taken its place.
+// Bytes that were under way on a connection that was lost arrive when another has taken its place.
 TEST_P(Proxy, StrandedBytes) {
   breakAndMend([this] {
     const Time stranded = now();

@@ -83,7 +83,7 @@ TEST_P(Restarts, OfAPeerOverAndOverCostNothing) {
     ASSERT_EQ(here.channels().size(), 1u);
   }
   EXPECT_EQ(here.channels()[0]->watch->losses, static_cast<std::uint64_t>(all));
-  // What the latest restart left may be on its way.
+  // The latest restart may have left something that is on its way.
   EXPECT_TRUE(eventually([&] { return openDescriptors() == before.descriptors; }))
       << openDescriptors() << " descriptors after " << before.descriptors;
   EXPECT_TRUE(eventually([&] { return threads() == before.threads; }))

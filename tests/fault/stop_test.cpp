@@ -16,17 +16,17 @@ namespace {
 using namespace std::chrono_literals;
 using Kind = HistoryEntry::Kind;
 
-// What a connection bears.
+// A connection bears so much.
 constexpr int kSilenceMilliseconds = 400;
-// Longer than that. Nobody else can tell how long a client has stood still.
+// This is longer. It is a time, as nobody else can tell how long a client has stood still.
 constexpr Duration kStopped = 600ms;
-// How long a provider runs before its client does.
+// A provider runs so long before its client does.
 constexpr Duration kAlone = 50ms;
 
 enum class Stopped { Manager, Provider, Client, BothProviderFirst, BothClientFirst };
 enum class Moment { Any, InADrain };
 
-/// What stands still and, of two, which goes on first; and when.
+/// A row says what stands still, when, and which of two goes on first.
 struct Row {
   const char* name;
   Stopped stopped;
@@ -79,7 +79,7 @@ class Stop : public testing::TestWithParam<std::tuple<Row, const char*>> {
     } while (!standsInADrain());
     if (both()) client_->signal(SIGSTOP);
   }
-  /// After so long that the connection is lost, if that can be: a client that runs is told so
+  /// Waits so long that the connection is lost, if that can be: a client that runs is told so
   /// before its provider goes on.
   void goOn() {
     const Time stopped = now();

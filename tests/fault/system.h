@@ -23,7 +23,7 @@
 
 namespace suture {
 
-/// Of this run; SUTURE_FAULT_SEED replays one.
+/// This run draws everything from it; SUTURE_FAULT_SEED replays one.
 inline unsigned faultSeed() {
   const char* asked = std::getenv("SUTURE_FAULT_SEED");
   static const unsigned kSeed =
@@ -31,16 +31,16 @@ inline unsigned faultSeed() {
   return kSeed;
 }
 
-/// How often each fault strikes in each test; SUTURE_FAULT_ROUNDS.
+/// SUTURE_FAULT_ROUNDS says how often each fault strikes in each test.
 inline int faultRounds() {
   const char* asked = std::getenv("SUTURE_FAULT_ROUNDS");
   return asked == nullptr ? 1 : std::atoi(asked);
 }
 
-/// What a machine that does something else may add to the time that a call takes.
+/// A machine that does something else may add so much to the time that a call takes.
 inline constexpr Duration kBusyMachine = std::chrono::seconds(2);
 
-/// Fails for each rule that is broken. What the runtime does not keep yet is counted and shown.
+/// Fails for each rule that is broken; counts and shows what the runtime does not keep yet.
 inline void expectSoundHistory(const std::vector<HistoryEntry>& history,
                                Duration lateness = kBusyMachine) {
   int reported = 0;
@@ -107,12 +107,12 @@ class System {
                        .at = now(),
                        .client = static_cast<std::uint32_t>(clients_)});
   }
-  /// Of the latest client.
+  /// Reads what the latest client has written down.
   std::vector<HistoryEntry> clientsHistory() const {
     return readHistory({directory_.file("c" + std::to_string(clients_))});
   }
 
-  /// Of the latest provider.
+  /// Reads what the latest provider has written down.
   std::vector<HistoryEntry> providersHistory() const {
     return readHistory({directory_.file("p" + std::to_string(providers_))});
   }
@@ -144,7 +144,7 @@ class System {
              entry.limit != Duration{0};
     });
   }
-  /// Those over which clients have been connected, by their names.
+  /// Clients have been connected over these, by their names.
   using Lanes = std::set<std::string>;
   Lanes lanes() const {
     Lanes lanes;

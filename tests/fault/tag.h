@@ -9,7 +9,7 @@
 
 namespace reference {
 
-/// Of a command: its client, its number, and its connection. Of an event: its provider and number.
+/// A command has a client, a number and a connection; an event has a provider and a number.
 struct Tag {
   std::uint32_t who = 0;
   std::uint64_t number = 0, epoch = 0;
@@ -24,7 +24,7 @@ inline PoseStamped poseOf(const Tag& tag) {
   return pose;
 }
 
-/// A tag that nobody has if one bit of the numbers in the pose is wrong.
+/// Answers a tag that nobody has if one bit of the numbers in the pose is wrong.
 inline Tag tagIn(const PoseStamped& pose) {
   const auto& numbers = pose.pose.translation();
   for (int i = 0; i < 3; ++i) {
