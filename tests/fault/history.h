@@ -65,7 +65,7 @@ struct Violation {
   std::string text;
 };
 
-/// The rules that a history breaks; it is sound if there are none.
+/// Tells where a history breaks one of these rules:
 ///  - each call ends, at most `lateness` after its deadline;
 ///  - no command is executed twice, nor if the runtime found it older than its ttl, nor if its
 ///    sender was told that it was not;

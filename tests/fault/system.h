@@ -133,6 +133,18 @@ class System {
   bool clientNotes(Time since, HistoryEntry::Kind kind) const {
     return eventually([&] { return clientHasNoted(since, kind); });
   }
+  /// True once the latest client has no connection: it has been told that the last one is lost.
+  bool clientIsCutOff() const {
+    return eventually([&] {
+      auto last = HistoryEntry::Kind::Told;
+      for (const HistoryEntry& entry : clientsHistory()) {
+        const bool tells =
+            entry.kind == HistoryEntry::Kind::Connected || entry.kind == HistoryEntry::Kind::Told;
+        if (tells) last = entry.kind;
+      }
+      return last == HistoryEntry::Kind::Told;
+    });
+  }
   bool clientHasNoted(Time since, HistoryEntry::Kind kind) const {
     return has(clientsHistory(), since,
                [kind](const HistoryEntry& entry) { return entry.kind == kind; });
