@@ -22,7 +22,7 @@ extern std::atomic<VirtualTime*> virtualTime;
 Time virtualNow(VirtualTime& time);
 }  // namespace detail
 
-/// What steps this process's time; null in production. Any thread.
+/// The clock that steps this process's time; null in production. Any thread.
 inline VirtualTime* virtualTime() { return detail::virtualTime.load(std::memory_order_relaxed); }
 
 /// Any thread; no allocation.

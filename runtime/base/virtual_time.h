@@ -58,7 +58,7 @@ class VirtualTime {
   /// The thread that was announced could not be started.
   virtual void retract(std::size_t thread) = 0;
 
-  /// What the calling thread does to `what`, for the trace. `number`: which one, or which status.
+  /// Notes what the calling thread does to `what`. `number`: which one, or which status.
   virtual void note(Kind kind, const char* interface, const char* what, std::uint64_t number) = 0;
   /// Work waited for the calling thread, of `name`, when it woke at the deadline that is there in
   /// case a ring is lost.

@@ -167,7 +167,7 @@ class Channel {
   /// Any thread: how it stands with the provider, unless the connection is past that; the client
   /// is rung if that is news.
   void tell(ChannelStatus news);
-  /// Whoever changes the status without tell(): for the trace of a stepped clock.
+  /// Notes a status that was changed without tell(), for the trace of a stepped clock.
   void noteStatus(ChannelStatus news) const;
 
   /// Either endpoint, as its claim on a call: the client's to cancel it, the provider's to execute

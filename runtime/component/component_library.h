@@ -20,8 +20,8 @@ inline constexpr const char kComponentsEntry[] = "suture_components";
 struct ComponentLibrary {
   const char* version;  ///< of the Suture it was built with; first, so that any other can read it
   std::span<const ComponentClass> classes;
-  /// Of the runtime inside the library: whoever loads it lets it follow the program's stepped
-  /// clock.
+  /// The runtime inside the library asks it for time. The program that loads the library stores its
+  /// own stepped clock there.
   std::atomic<VirtualTime*>* virtualTime = &detail::virtualTime;
 };
 

@@ -72,7 +72,7 @@ class Mailbox {
   /// up.
   std::size_t commit();
   void abandon();
-  /// That of the next command to be committed.
+  /// The next command that is committed gets this one.
   std::uint64_t nextSequence() const { return nextSequence_; }
   /// How many of `command` use a credit that the consumer has not returned yet.
   std::uint32_t waiting(std::uint16_t command) const {

@@ -76,7 +76,7 @@ class TestClock {
   /// Any thread of Suture: its cycle takes `duration` longer. Others run meanwhile.
   static void spend(Duration duration);
 
-  /// What has happened, of all threads, in order; only if they run one at a time.
+  /// Everything that the threads have done, in order; empty if they run together.
   const Trace& trace() const;
 
   /// While it lives, time stands still even if nothing runs: for what a thread that the test has
