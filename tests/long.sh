@@ -2,7 +2,8 @@
 # What takes too long for every push: the tests labelled long (docs/tests.md lists them), suturec under AddressSanitizer and
 # UBSan on 10,000 mutated headers and on all its tests, ten minutes of each fuzzer, a minute of stress on each part between
 # threads, a thousand restarts of a peer, a million changed sessions, twenty rounds of faults between processes, ten minutes of
-# faults of messages, ten draws of random types and contracts, and each scenario of conformance on each row that is possible.
+# faults of messages, ten draws of random types and contracts, each scenario of conformance on each row that
+# is possible, a million seeds of the explorer, and the planted faults.
 #   tests/long.sh [MUTANTS] [SECONDS]
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -26,6 +27,8 @@ printf '%s\n' lock deployment frames shared handshake generated golden | xargs -
 
 cmake --build --preset dev -- --quiet
 SUTURE_CONFORMANCE=full "$build/bin/conformance_test" --gtest_brief=1
+SUTURE_SEEDS=1000000 "$build/bin/explorer_test" --gtest_filter='*NewSeeds*' --gtest_brief=1
+tests/planted.sh
 ctest --preset dev -j "$(nproc)" -L long
 SUTURE_STRESS_SECONDS=60 "$build/bin/stress_test" --gtest_brief=1
 SUTURE_SESSIONS=1000000 "$build/bin/fault_test" --gtest_filter=Sessions.*
