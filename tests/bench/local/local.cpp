@@ -8,12 +8,8 @@ namespace bench {
 namespace {
 
 constexpr Part<LocalOptions> kParts[] = {
-    {"clock", clockRows},
-    {"ring", ringRow},
-    {"reads", readRows},
-    {"CSC", cscRows},
-    {"fan-out", fanOutRow},
-    {"throughput", throughputRows},
+    {"clock", clockRows},   {"ring", ringRow},      {"reads", readRows},
+    {"CSC", cscRows},       {"fan-out", fanOutRow}, {"throughput", throughputRows},
     {"jitter", jitterRows},
 };
 
