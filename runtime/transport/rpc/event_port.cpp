@@ -49,8 +49,9 @@ bool EventPort::wait() {
 bool EventPort::poll() {
   takeWork();
   flushAll();
-  look();
-  return false;
+  const bool woken = UnixEventPort::poll();
+  if (steppedTimer_) steppedTimer_->advanceTo(toKj(now()));
+  return woken;
 }
 
 bool EventPort::sleep() {
@@ -72,7 +73,7 @@ void EventPort::sleepOnSteppedClock() {
 
 bool EventPort::look() {
   UnixEventPort::poll();
-  if (steppedTimer_) steppedTimer_->advanceTo(toKj(now()));
+  steppedTimer_->advanceTo(toKj(now()));
   return loop_.isRunnable();
 }
 
