@@ -104,7 +104,7 @@ def main():
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--summary", action="store_true", help="the minutes of each preset alone")
     parser.add_argument("presets", nargs="*", default=PRESETS)
-    arguments = parser.parse_args()
+    arguments = parser.parse_intermixed_args()
     runs = [Run(arguments.build, preset) for preset in arguments.presets]
     print_summary(runs)
     if not arguments.summary:
