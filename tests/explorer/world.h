@@ -9,7 +9,7 @@
 
 namespace explorer {
 
-/// What became of it.
+/// Tells what became of a world.
 struct Outcome {
   std::string setup;  ///< lane and faults, for people
   std::vector<std::string>

@@ -64,7 +64,7 @@ kj::Promise<ByteStream> checkUser(ByteStream stream, const Address& address, con
                                  "or name that user in the policy.");
 }
 
-// Of a TCP socket the kernel does not tell whose it is.
+// The kernel does not tell whose a TCP socket is, so those pass.
 bool isOfAnotherProcess(int socket) {
   ucred peer{};
   socklen_t size = sizeof peer;
