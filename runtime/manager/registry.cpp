@@ -42,7 +42,7 @@ tl::expected<std::uint64_t, Refusal> Registry::add(ProcessRecord process) {
   process.silent = false;
   process.generation = ++generation_;
   const std::string name = process.name;
-  processes_.insert_or_assign(name, Entry{std::move(process), std::nullopt});
+  processes_.insert_or_assign(name, Entry{std::move(process)});
   return generation_;
 }
 
@@ -68,8 +68,8 @@ bool Registry::renew(const std::string& name, std::uint64_t generation) {
 
 void Registry::age() {
   for (auto& [name, entry] : processes_) {
-    if (!entry.missed || entry.process.silent) continue;
-    entry.process.silent = ++*entry.missed > wire::MISSABLE_RENEWALS;
+    if (entry.process.silent) continue;
+    entry.process.silent = ++entry.missed > wire::MISSABLE_RENEWALS;
   }
 }
 

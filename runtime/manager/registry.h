@@ -4,7 +4,6 @@
 #include <suture/manager/records.h>
 
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -23,9 +22,8 @@ class Registry {
               std::vector<ComponentRecord> components);
   /// The process lives. False: the name has gone to a later generation.
   bool renew(const std::string& name, std::uint64_t generation);
-  /// To be called as often as leases are to be renewed, while this thread runs: who has begun to
-  /// renew and has not done so for too many calls is silent. So a manager that was stopped itself
-  /// holds nobody to be.
+  /// To be called as often as leases are to be renewed, while this thread runs: who has not
+  /// renewed for too many calls is silent. So a manager that was stopped itself holds nobody to be.
   void age();
   /// Frees the name. Ignored if it has gone to a later generation.
   void remove(const std::string& name, std::uint64_t generation);
@@ -41,7 +39,7 @@ class Registry {
  private:
   struct Entry {
     ProcessRecord process;
-    std::optional<unsigned> missed;  ///< renewals; none before the first
+    unsigned missed = 0;  ///< renewals, since the latest or since it was added
   };
 
   Entry* held(const std::string& name, std::uint64_t generation);

@@ -72,7 +72,7 @@ interface GlobalManager {
 interface Session {
   register @0 (process :ProcessRecord) -> RegisterResults;
   # The name is held as long as the lease is: dropping it, or losing the connection, frees the name. A
-  # process that has begun to renew its lease has to go on.
+  # process that misses more than missableRenewals of its lease is silent.
   struct RegisterResults {
     generation @0 :UInt64;
     union {

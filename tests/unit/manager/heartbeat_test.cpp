@@ -1,9 +1,10 @@
-// Whether a task hangs, by what its process answers.
+// Whether a peer has fallen silent and whether a task hangs, by what its process answers.
 
 #include <gtest/gtest.h>
 #include <suture/manager/heartbeat.h>
 #include <suture/transport/rpc/event_port.h>
 
+#include <limits>
 #include <vector>
 
 namespace suture {
@@ -16,6 +17,7 @@ constexpr Heartbeat::Bounds kBounds{.silence = 5s, .hang = 100ms};
 /// What a process tells of its task "Arm": one answer after the other, the last again and again.
 struct Answers {
   std::vector<Duration> overdue;
+  unsigned silentAfter = std::numeric_limits<unsigned>::max();
   unsigned asked = 0;
 };
 
@@ -27,6 +29,7 @@ class AnsweringPeer final : public wire::Peer::Server {
   kj::Promise<void> ping(PingContext context) override {
     // One that does not move stays due at the moment at which it first was.
     const unsigned turn = answers_.asked++;
+    if (turn >= answers_.silentAfter) return kj::NEVER_DONE;
     if (turn < answers_.overdue.size()) due_ = now() - answers_.overdue[turn];
     auto out = context.getResults();
     out.setSent(toNanoseconds(now()));
@@ -49,13 +52,20 @@ class HeartbeatTest : public testing::Test {
   /// Which comes first: the component is well, or lost and why.
   std::string firstOf(std::vector<Duration> overdue) {
     answers_.overdue = std::move(overdue);
-    Heartbeat heartbeat(port_.getTimer(), kj::heap<AnsweringPeer>(answers_), "Arm", kBounds);
-    auto well = heartbeat.whenWell().then([] { return std::string("well"); });
-    return heartbeat.whenLost().exclusiveJoin(kj::mv(well)).wait(port_.scope());
+    auto well = heartbeat_.whenWell().then([] { return std::string("well"); });
+    return heartbeat_.whenLost().exclusiveJoin(kj::mv(well)).wait(port_.scope());
+  }
+  /// Why the component is lost, or "not lost" after many times what any bound takes.
+  std::string whyLost(std::vector<Duration> overdue) {
+    answers_.overdue = std::move(overdue);
+    auto never =
+        port_.getTimer().afterDelay(1 * kj::MINUTES).then([] { return std::string("not lost"); });
+    return heartbeat_.whenLost().exclusiveJoin(kj::mv(never)).wait(port_.scope());
   }
 
   rpc::EventPort port_;
   Answers answers_;
+  Heartbeat heartbeat_{port_.getTimer(), kj::heap<AnsweringPeer>(answers_), "Arm", kBounds};
 };
 
 TEST_F(HeartbeatTest, ATaskThatIsInTimeIsWell) {
@@ -65,6 +75,30 @@ TEST_F(HeartbeatTest, ATaskThatIsInTimeIsWell) {
 
 TEST_F(HeartbeatTest, ATaskThatDoesNotMoveHangs) {
   EXPECT_TRUE(firstOf({3s}).starts_with("hung: the thread of 'Arm' should have begun a cycle"));
+}
+
+TEST_F(HeartbeatTest, ATaskThatStopsMovingLaterHangs) {
+  EXPECT_TRUE(whyLost({0ms, 0ms, 0ms, 3s}).starts_with("hung: the thread of 'Arm'"));
+}
+
+TEST_F(HeartbeatTest, APeerThatNeverAnswersIsLostWhenTheBoundHasPassed) {
+  answers_.silentAfter = 0;
+  const Time begun = now();
+  EXPECT_TRUE(whyLost({}).starts_with("silent: its process has not answered for 5000 ms"));
+  EXPECT_EQ(now() - begun, kBounds.silence);
+}
+
+TEST_F(HeartbeatTest, APeerThatFallsSilentAfterSomeAnswersIsLost) {
+  answers_.silentAfter = 3;
+  const Time begun = now();
+  EXPECT_TRUE(whyLost({0ms, 0ms, 0ms}).starts_with("silent: its process has not answered"));
+  EXPECT_EQ(now() - begun, kBounds.silence + 2 * (kBounds.hang / 10));
+}
+
+TEST_F(HeartbeatTest, APeerThatGoesOnAnsweringIsNeverLost) {
+  const std::size_t asksOfAMinute = 1min / (kBounds.hang / 10);
+  EXPECT_EQ(whyLost(std::vector<Duration>(asksOfAMinute + 1, 0ms)), "not lost");
+  EXPECT_GE(answers_.asked, asksOfAMinute);
 }
 
 // It answers before its tasks have had a turn.

@@ -47,7 +47,7 @@ TEST(Registry, ALateRemovalDoesNotTakeTheNameFromItsNextHolder) {
   EXPECT_TRUE(registry.find("left")->components.empty());
 }
 
-/// As often as it takes until who has begun to renew is silent.
+/// As often as it takes until who does not renew is silent.
 void ageBeyondLeases(Registry& registry) {
   for (int i = 0; i <= wire::MISSABLE_RENEWALS; ++i) registry.age();
 }
@@ -68,11 +68,12 @@ TEST(Registry, WhoMissesTooManyRenewalsIsSilentUntilTheNext) {
   EXPECT_FALSE(registry.list().at(0).silent);
 }
 
-TEST(Registry, WhoHasNeverRenewedIsHeldByItsConnectionAlone) {
+TEST(Registry, WhoIsStoppedBeforeItsFirstRenewalIsSilentToo) {
   Registry registry;
-  ASSERT_TRUE(registry.add(process("left")));
+  ASSERT_TRUE(registry.add(process("left", 4711)));
   ageBeyondLeases(registry);
-  EXPECT_NE(registry.find("left"), nullptr);
+  EXPECT_EQ(registry.find("left"), nullptr);
+  EXPECT_TRUE(registry.add(process("left", 4712)));
 }
 
 TEST(Registry, TheNameOfASilentProcessGoesToWhoAsksForIt) {
