@@ -59,12 +59,16 @@ def placed(text, slug):
     return text
 
 
-def header_of(text, slug):
+def stands_outside(text):
+    """Whether the example says itself in which namespace it is."""
+    return re.search(r"^namespace ", text, re.M) or "suture::Wire<" in text
+
+
+def header_of(text, slug, namespace="demo"):
     """A whole header; what stands outside of namespaces on the page does so here."""
     own = [line for line in text.splitlines() if line.startswith("#include")]
     rest = "".join(line + "\n" for line in text.splitlines() if not line.startswith("#include"))
-    outside = re.search(r"^namespace ", rest, re.M) or "suture::Wire<" in rest
-    body = rest if outside else f"namespace demo {{\n{placed(rest, slug)}}}\n"
+    body = rest if stands_outside(rest) else f"namespace {namespace} {{\n{placed(rest, slug)}}}\n"
     lines = [f"#include {name}" for name in includes_of(text, slug)] + own
     return "#pragma once\n" + "\n".join(lines) + "\n" + body
 
@@ -74,8 +78,13 @@ class Folder:
         self.suturec, self.eigen, self.root = suturec, eigen, pathlib.Path(folder)
 
     def run(self, text, *options):
-        (self.root / "page.h").write_text(text, encoding="utf-8")
-        command = [self.suturec, "--base-dir", ".", "--lock-dir", "schemas", *options, "page.h", "--",
+        return self.run_all({"page": text}, *options)
+
+    def run_all(self, texts, *options):
+        """One run of suturec on headers by their names."""
+        for name, text in texts.items():
+            (self.root / f"{name}.h").write_text(text, encoding="utf-8")
+        command = [self.suturec, "--base-dir", ".", "--lock-dir", "schemas", *options, *(f"{name}.h" for name in texts), "--",
                    f"-I{HERE}/include", f"-I{HERE}/examples", "-isystem", self.eigen]
         done = subprocess.run(command, cwd=self.root, capture_output=True, text=True, timeout=TIME_LIMIT)
         return done.returncode, done.stdout + done.stderr
@@ -95,11 +104,27 @@ def check_wrong(folder, slug, text):
     return [f"{slug}.md: the first example gives {sorted(slugs)}, status {status}:\n{header_of(text, slug)}{printed}"]
 
 
-def check_right(folder, slug, text):
-    status, printed = folder.run(header_of(text, slug), "--update-lock")
+def check_right(suturec, eigen, texts):
+    """`texts`: headers by the names of their pages."""
+    with tempfile.TemporaryDirectory() as folder:
+        status, printed = Folder(suturec, eigen, folder).run_all(texts, "--update-lock")
     if status == 0 and "[suture-" not in printed:
         return []
-    return [f"{slug}.md: what it shows instead is refused:\n{header_of(text, slug)}{printed}"]
+    refused = {name: text for name, text in texts.items() if f"{name}.h:" in printed} or texts
+    return [f"what these pages show instead is refused:\n{''.join(refused.values())}{printed}"]
+
+
+def right_runs(pages):
+    """The right examples, for as few runs as they can share: most are in one, each in a namespace of its own."""
+    shared, own = {}, []
+    for page in pages:
+        for number, text in enumerate(examples_of(page)[1]):
+            name = f"{page.stem.replace('-', '_')}_{number}"
+            if stands_outside(text):
+                own.append({name: header_of(text, page.stem)})
+            else:
+                shared[name] = header_of(text, page.stem, f"demo::{name}")
+    return [shared, *own] if shared else own
 
 
 def examples_of(page):
@@ -113,16 +138,13 @@ def examples_of(page):
 
 def check_page(suturec, eigen, page):
     slug = page.stem
-    wrong, right = examples_of(page)
-    if slug in WITHOUT_EXAMPLE:
-        return []
+    wrong, _ = examples_of(page)
     if not wrong:
         return [f"{slug}.md shows no example"]
     problems = []
-    for check, examples in ((check_wrong, wrong), (check_right, right)):
-        for example in examples:
-            with tempfile.TemporaryDirectory() as folder:
-                problems += check(Folder(suturec, eigen, folder), slug, example)
+    for example in wrong:
+        with tempfile.TemporaryDirectory() as folder:
+            problems += check_wrong(Folder(suturec, eigen, folder), slug, example)
     return problems
 
 
@@ -139,9 +161,10 @@ def main():
     pages = sorted(page for page in PAGES.glob("*.md") if page.stem != "README")
     known = {page.stem for page in pages}
     problems = [f"WITHOUT_EXAMPLE names {slug}, which has no page" for slug in sorted(WITHOUT_EXAMPLE - known)]
-    chosen = choose(pages, sys.argv[3:])
+    chosen = [page for page in choose(pages, sys.argv[3:]) if page.stem not in WITHOUT_EXAMPLE]
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         jobs = [pool.submit(check_page, suturec, eigen, page) for page in chosen]
+        jobs += [pool.submit(check_right, suturec, eigen, texts) for texts in right_runs(chosen)]
         problems += [problem for job in jobs for problem in job.result()]
     print("\n".join(problems) or f"the examples of {len(chosen)} pages are true")
     return 1 if problems else 0
