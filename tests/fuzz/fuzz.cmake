@@ -23,13 +23,16 @@ function(suture_fuzz_objects group)
   set(${group}_objects ${objects} PARENT_SCOPE)
 endfunction()
 
+# A source that is compiled for fuzzing stands before the same in a library, which may be one object of many sources.
 function(suture_fuzz_program name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "OBJECTS;LIBRARIES;FLAGS")
+  set(ours ${arg_LIBRARIES})
+  list(FILTER ours INCLUDE REGEX TARGET_FILE)
   add_custom_command(
     OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${name}
     COMMAND ${SUTURE_CLANGXX} ${SUTURE_FUZZ_FLAGS} ${arg_FLAGS} ${arg_OBJECTS}
-      -Wl,--start-group ${arg_LIBRARIES} -Wl,--end-group -o ${CMAKE_CURRENT_BINARY_DIR}/${name}
-    DEPENDS ${arg_OBJECTS}
+      -Wl,--allow-multiple-definition -Wl,--start-group ${arg_LIBRARIES} -Wl,--end-group -o ${CMAKE_CURRENT_BINARY_DIR}/${name}
+    DEPENDS ${arg_OBJECTS} ${ours}
     COMMENT "${name} with clang 19"
     VERBATIM)
 endfunction()
@@ -41,7 +44,7 @@ function(suture_fuzzer name)
   set(folder ${CMAKE_CURRENT_BINARY_DIR})
   suture_fuzz_program(${name}_fuzz OBJECTS ${arg_COMMON} ${arg_RIGHT} LIBRARIES ${arg_LIBRARIES} FLAGS -fsanitize=fuzzer)
   suture_fuzz_program(${name}_planted OBJECTS ${arg_COMMON} ${arg_WRONG} LIBRARIES ${arg_LIBRARIES} FLAGS -fsanitize=fuzzer)
-  add_custom_target(${name}_fuzzer ALL DEPENDS ${folder}/${name}_fuzz ${folder}/${name}_planted)
+  add_custom_target(${name}_fuzzer DEPENDS ${folder}/${name}_fuzz ${folder}/${name}_planted)
   add_dependencies(fuzzers ${name}_fuzzer)
 
   file(MAKE_DIRECTORY ${folder}/corpus/${name} ${folder}/found/${name} ${folder}/found/${name}_planted)
@@ -54,6 +57,7 @@ function(suture_fuzzer name)
     -artifact_prefix=found/${name}_ found/${name} corpus/${name} WORKING_DIRECTORY ${folder})
   add_test(NAME fuzz.${name}.planted COMMAND ${name}_planted ${options}
     -artifact_prefix=found/${name}_planted_ found/${name}_planted corpus/${name} WORKING_DIRECTORY ${folder})
+  set_tests_properties(fuzz.${name} fuzz.${name}.planted PROPERTIES LABELS long)
   set_tests_properties(fuzz.${name}.planted PROPERTIES PASS_REGULAR_EXPRESSION "libFuzzer: deadly signal")
 endfunction()
 
@@ -74,7 +78,7 @@ function(suture_decoders_fuzzer name)
   add_dependencies(${name}_fuzzer ${arg_TARGET})
 
   suture_fuzz_program(${name}_seeds OBJECTS ${right_objects} ${seeds_objects} ${messages_objects} ${arg_OBJECTS} LIBRARIES ${arg_LIBRARIES})
-  add_custom_target(${name}_corpus ALL DEPENDS ${folder}/${name}_seeds
+  add_custom_target(${name}_corpus DEPENDS ${folder}/${name}_seeds
     COMMAND ${folder}/${name}_seeds ${folder}/corpus/${name})
   add_dependencies(${name}_fuzzer ${name}_corpus)
 endfunction()
