@@ -20,5 +20,6 @@ Statistics statisticsOf(std::vector<double> samples);
 std::vector<double> inUnits(const std::vector<std::int64_t>& nanoseconds, double unitNanoseconds);
 
 constexpr double kMicrosecond = 1e3;
+constexpr double kMillisecond = 1e6;
 
 }  // namespace bench

@@ -187,7 +187,8 @@ class Messages : public testing::TestWithParam<std::tuple<LaneUnderFault, Fault>
   int asked_ = 0, reads_ = 0;
 };
 
-std::string nameOf(const testing::TestParamInfo<std::tuple<LaneUnderFault, Fault>>& info) {
+std::string nameOfFaultOnLane(
+    const testing::TestParamInfo<std::tuple<LaneUnderFault, Fault>>& info) {
   return std::string(std::get<1>(info.param).name) + "On" +
          kLanes[static_cast<int>(std::get<0>(info.param))];
 }
@@ -197,7 +198,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Combine(testing::Values(LaneUnderFault::Local, LaneUnderFault::Shm,
                                      LaneUnderFault::Frame, LaneUnderFault::Rpc),
                      testing::ValuesIn(kFaults)),
-    nameOf);
+    nameOfFaultOnLane);
 
 TEST_P(Messages, LeaveASoundHistory) {
   EXPECT_TRUE(askFor(faultTime(), [this] { return wasUnderFault() && asked_ > kEnoughAsked; }));
@@ -218,7 +219,7 @@ INSTANTIATE_TEST_SUITE_P(Faults, MessagesAndLosses,
                                                           LaneUnderFault::Frame,
                                                           LaneUnderFault::Rpc),
                                           testing::Values(kFaults[7])),
-                         nameOf);
+                         nameOfFaultOnLane);
 
 // Messages that are held up on a connection that was lost do not arrive on the next.
 TEST_P(MessagesAndLosses, LeaveASoundHistory) {

@@ -18,8 +18,6 @@ using Mode = ByteProxy::Mode;
 using Strike = ByteProxy::Strike;
 using Kind = HistoryEntry::Kind;
 
-constexpr int kSilenceMilliseconds = 300;
-
 /// Tells the global manager what whoever forwards a port would: a name, and where it is.
 class Forwarder {
  public:
@@ -54,6 +52,8 @@ class Forwarder {
 
 class Proxy : public testing::TestWithParam<const char*> {
  protected:
+  static constexpr int kSilenceMilliseconds = 300;
+
   Proxy() { EXPECT_EQ(client_->line(), "ready"); }
 
   std::string lane() const { return GetParam(); }

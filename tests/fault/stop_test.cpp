@@ -17,9 +17,8 @@ namespace {
 using namespace std::chrono_literals;
 using Kind = HistoryEntry::Kind;
 
-// A connection bears so much.
-constexpr int kSilenceMilliseconds = 400;
-// This is longer. It is a time, as nobody else can tell how long a client has stood still.
+// Longer than a connection bears. It is a time, as nobody else can tell how long a client has stood
+// still.
 constexpr Duration kStopped = 600ms;
 // A provider runs so long before its client does.
 constexpr Duration kAlone = 50ms;
@@ -47,6 +46,9 @@ const Row kRows[] = {
 
 class Stop : public testing::TestWithParam<std::tuple<Row, const char*>> {
  protected:
+  // A connection bears so much.
+  static constexpr int kSilenceMilliseconds = 400;
+
   void SetUp() override {
     ASSERT_EQ(provider_->line(), "ready");
     client_ = system_.client(row().moment == Moment::InADrain ? "bursts" : "busy",

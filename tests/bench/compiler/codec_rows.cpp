@@ -34,7 +34,7 @@ using Scratch = std::array<capnp::word, 64>;
 
 /// One way to turn a record into the bytes of a message and back.
 template <class Value, class Wire, class Conversion>
-class Codec {
+class RecordCodec {
  public:
   void encode(const Value& value) {
     capnp::MallocMessageBuilder message(kj::arrayPtr(scratch_.data(), scratch_.size()));
@@ -81,8 +81,8 @@ void append(std::vector<double>& to, const Statistics& loops) { to.push_back(loo
 template <class Value, class Slot, class Wire>
 void compare(const char* title, const char* figure, const Value& value, std::size_t loops,
              Report& report, Table& table) {
-  Codec<Value, Wire, Generated<Slot>> generated;
-  Codec<Value, Wire, ByHand> byHand;
+  RecordCodec<Value, Wire, Generated<Slot>> generated;
+  RecordCodec<Value, Wire, ByHand> byHand;
   Value target;
   const auto timed = [&](auto& codec) {
     return timedLoops(kTurn, kLength, [&] {

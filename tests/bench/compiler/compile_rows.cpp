@@ -77,7 +77,7 @@ fs::path userFile(const fs::path& scratch, const char* name, const char* header)
   return file;
 }
 
-void measure(const CompilerOptions& options, Report& report, Table& table) {
+void measureCompiling(const CompilerOptions& options, Report& report, Table& table) {
   const CompileCall call;
   const fs::path& scratch = options.scratch;
   std::vector<Command> types, handwritten, handwrittenTypes;
@@ -123,7 +123,7 @@ std::string compileRows(const CompilerOptions& options, Report& report) {
   table.row({"compiling the complete arm interface, processor time, s", "p50", "min", "max"});
   table.line();
   try {
-    measure(options, report, table);
+    measureCompiling(options, report, table);
   } catch (const suture::SetupError& error) {
     report.addUnavailable("compile", error.what());
     return fmt::format("Compiling cannot be measured: {}\n", error.what());

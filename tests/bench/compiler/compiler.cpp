@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 using Rows = std::string (*)(const CompilerOptions&, Report&);
-const std::map<std::string, Rows> kParts = {
+const std::map<std::string, Rows> kCompilerParts = {
     {"codec", codecRows}, {"compile", compileRows}, {"rebuild", rebuildRows}, {"tool", toolRows}};
 
 class Compiler final : public Benchmark {
@@ -46,7 +46,7 @@ class Compiler final : public Benchmark {
     const suture::TemporaryDirectory scratch;
     options_.scratch = scratch.path();
     const Pinned pinned(options_.cpu);
-    for (const auto& [part, rows] : kParts) {
+    for (const auto& [part, rows] : kCompilerParts) {
       if (!options_.part.empty() && options_.part != part) continue;
       fmt::print("{}\n", rows(options_, report));
       std::fflush(stdout);

@@ -35,9 +35,9 @@ std::size_t surplus(const std::set<std::string>& objects, const std::set<std::st
                     [&](const std::string& object) { return !allowed.contains(object); }));
 }
 
-class Rows {
+class RebuildRows {
  public:
-  Rows(Report& report, Table& table) : report_(report), table_(table) {}
+  RebuildRows(Report& report, Table& table) : report_(report), table_(table) {}
 
   void add(const char* title, const std::string& figure, const NinjaBuild::Ran& ran,
            const std::set<std::string>& allowed) {
@@ -58,7 +58,7 @@ class Rows {
   Table& table_;
 };
 
-void measure(const CompilerOptions& options, Report& report, Table& table) {
+void measureRebuilding(const CompilerOptions& options, Report& report, Table& table) {
   const fs::path source = options.scratch / "rebuild";
   fs::copy(fs::path(paths::kSource) / "tests/bench/compiler/project", source,
            fs::copy_options::recursive);
@@ -74,7 +74,7 @@ void measure(const CompilerOptions& options, Report& report, Table& table) {
   project.build("update-lock");
   project.build();
 
-  Rows rows(report, table);
+  RebuildRows rows(report, table);
   rows.add("no edit", "none", project.build(), {});
 
   const std::set<std::string> header = {"parts/length.h"};
@@ -100,7 +100,7 @@ std::string rebuildRows(const CompilerOptions& options, Report& report) {
   table.row({"a build after", "suturec runs", "rewritten", "compiled", "of them needlessly"});
   table.line();
   try {
-    measure(options, report, table);
+    measureRebuilding(options, report, table);
   } catch (const suture::SetupError& error) {
     report.addUnavailable("rebuild", error.what());
     return fmt::format("Rebuilding cannot be measured: {}\n", error.what());

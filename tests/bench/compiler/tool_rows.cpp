@@ -78,7 +78,7 @@ Command joinedCommand(Command first, const Command& second) {
   return first;
 }
 
-void measure(const CompilerOptions& options, Report& report, Table& table) {
+void measureTool(const CompilerOptions& options, Report& report, Table& table) {
   const Call call = readCall(paths::kResponseFile);
   const fs::path folder = options.scratch / "unit";
   const std::string unit = writeUnit(call, folder);
@@ -122,7 +122,7 @@ std::string toolRows(const CompilerOptions& options, Report& report) {
   table.row({"the ten largest headers, processor time, s", "p50", "min", "max", "MB"});
   table.line();
   try {
-    measure(options, report, table);
+    measureTool(options, report, table);
   } catch (const suture::SetupError& error) {
     report.addUnavailable("tool", error.what());
     return fmt::format("suturec cannot be measured: {}\n", error.what());

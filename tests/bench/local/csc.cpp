@@ -19,7 +19,7 @@ using Samples = std::vector<std::int64_t>;
 using robots::PoseSample;
 using suture::now;
 
-constexpr suture::Duration kPatience = std::chrono::seconds(1);
+constexpr suture::Duration kLongestWait = std::chrono::seconds(1);
 constexpr std::size_t kSkipped = 100;
 
 Samples taskRounds(int cpu, std::size_t count) {
@@ -33,7 +33,7 @@ Samples taskRounds(int cpu, std::size_t count) {
 }
 
 /// One direction of the bare ping-pong.
-struct Way {
+struct RingWay {
   suture::rt::SpscRing ring{suture::rt::SpscRing::recordSize(sizeof(PoseSample))};
   suture::rt::Doorbell bell;
 
@@ -44,14 +44,14 @@ struct Way {
   }
   void receive(PoseSample& value) {
     const std::byte* memory;
-    while ((memory = ring.front()) == nullptr) bell.waitUntil(now() + kPatience);
+    while ((memory = ring.front()) == nullptr) bell.waitUntil(now() + kLongestWait);
     std::memcpy(static_cast<void*>(&value), memory, sizeof(value));
     ring.pop();
   }
 };
 
 Samples bareRounds(int cpu, std::size_t count) {
-  Way there, back;
+  RingWay there, back;
   const std::size_t total = kSkipped + count;
   std::thread echo([&] {
     suture::rt::configureThisThread("bare-echo", {.cpu = cpu});

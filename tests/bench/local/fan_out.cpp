@@ -5,6 +5,7 @@
 #include <deque>
 
 #include "bench/local/rows.h"
+#include "bench/local/sample_device.h"
 #include "bench/local/sample_server.h"
 #include "bench/placement.h"
 #include "bench/table.h"
@@ -17,12 +18,12 @@ constexpr std::size_t kSubscribers = 64;
 constexpr std::size_t kEvents = 16;  // all that a subscriber's queue takes
 
 /// Emits kEvents when it is bounced and measures them.
-class Sender final : public suture::EventTask, public SampleServer {
+class BurstSender final : public suture::EventTask, public SampleServer {
  public:
-  Sender(int cpu, std::size_t rounds) : EventTask({.scheduling = {.cpu = cpu}}) {
+  BurstSender(int cpu, std::size_t rounds) : EventTask({.scheduling = {.cpu = cpu}}) {
     costs_.reserve(rounds);
   }
-  ~Sender() override { stop(); }
+  ~BurstSender() override { stop(); }
 
   void put(const robots::PoseSample&) override {}
   void bounce(const robots::PoseSample& value) override {
@@ -50,10 +51,6 @@ struct Subscriber final : suture::Device {
   std::size_t received = 0;
 };
 
-struct Controller final : suture::Device {
-  suture::Required<SampleServer> server{*this, "Server"};
-};
-
 void require(std::size_t wanted, std::size_t received) {
   if (received == wanted) return;
   throw suture::SetupError(std::to_string(wanted) + " events at the subscribers",
@@ -61,14 +58,14 @@ void require(std::size_t wanted, std::size_t received) {
                            "The cost of those would not be that of events");
 }
 
-std::vector<double> measure(const LocalOptions& options) {
+std::vector<double> measureEvents(const LocalOptions& options) {
   const Pinned pinned(options.cpu);
   const std::size_t rounds = options.count(20'000);
-  Sender sender(options.cpu, rounds);
+  BurstSender sender(options.cpu, rounds);
   std::deque<Subscriber> subscribers(kSubscribers);
   for (Subscriber& one : subscribers)
     suture::connectLocally(one.server, sender.provided(), "bench");
-  Controller controller;
+  SampleDevice controller;
   suture::connectLocally(controller.server, sender.provided(), "bench");
   sender.start();
   const auto emitOnce = [&] {
@@ -90,7 +87,7 @@ std::vector<double> measure(const LocalOptions& options) {
 }  // namespace
 
 std::string fanOutRow(const LocalOptions& options, Report& report) {
-  const Statistics cost = statisticsOf(measure(options));
+  const Statistics cost = statisticsOf(measureEvents(options));
   report.add("fan_out", "ns", cost);
   Table table(1);
   table.row(joined({"ns a subscriber, in the sender"}, statisticsTitles()));

@@ -7,7 +7,7 @@
 namespace bench {
 namespace {
 
-constexpr Part<LocalOptions> kParts[] = {
+constexpr Part<LocalOptions> kLocalParts[] = {
     {"clock", clockRows},   {"ring", ringRow},      {"reads", readRows},
     {"CSC", cscRows},       {"fan-out", fanOutRow}, {"throughput", throughputRows},
     {"jitter", jitterRows},
@@ -18,7 +18,7 @@ constexpr Part<LocalOptions> kParts[] = {
 std::unique_ptr<Benchmark> makeLocal() {
   return std::make_unique<PartsBenchmark<LocalOptions>>(
       "local", "rings, state table, commands, events and periodic tasks within one process",
-      kParts);
+      kLocalParts);
 }
 
 }  // namespace bench

@@ -1,4 +1,3 @@
-#include <suture/component/device.h>
 #include <suture/rt/state_table.h>
 #include <suture/rt/thread.h>
 #include <suture/wiring/connect.h>
@@ -9,6 +8,7 @@
 #include <thread>
 
 #include "bench/local/rows.h"
+#include "bench/local/sample_device.h"
 #include "bench/local/sample_server.h"
 #include "bench/table.h"
 #include "bench/timed_loops.h"
@@ -81,13 +81,9 @@ TableReads measureTable(const LocalOptions& options) {
   return reads;
 }
 
-struct Client final : suture::Device {
-  suture::Required<SampleServer> server{*this, "Server"};
-};
-
 Statistics measureCommand(const LocalOptions& options) {
   SampleTask server(options.otherCpu);
-  Client client;
+  SampleDevice client;
   suture::connectLocally(client.server, server.provided(), "bench");
   server.start();
   robots::PoseSample value;

@@ -10,13 +10,13 @@
 namespace bench {
 
 std::string ringRow(const LocalOptions& options, Report& report) {
-  using Command = std::array<std::byte, 128>;
-  suture::rt::SpscRing ring(64 * suture::rt::SpscRing::recordSize(sizeof(Command)));
-  Command sent{}, taken{};
+  using RingCommand = std::array<std::byte, 128>;
+  suture::rt::SpscRing ring(64 * suture::rt::SpscRing::recordSize(sizeof(RingCommand)));
+  RingCommand sent{}, taken{};
   const Statistics cost = timedLoops(options.count(200), 100'000, [&] {
-    std::memcpy(ring.claim(sizeof(Command)), sent.data(), sizeof(Command));
+    std::memcpy(ring.claim(sizeof(RingCommand)), sent.data(), sizeof(RingCommand));
     ring.commit();
-    std::memcpy(taken.data(), ring.front(), sizeof(Command));
+    std::memcpy(taken.data(), ring.front(), sizeof(RingCommand));
     ring.pop();
     keep(taken);
   });

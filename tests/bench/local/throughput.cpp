@@ -25,14 +25,14 @@ double processTime() {
 double wallTime() { return static_cast<double>(suture::toNanoseconds(suture::now())); }
 
 /// Sends what `body` sends, in one cycle of a task.
-class Client final : public suture::EventTask {
+class Flooder final : public suture::EventTask {
  public:
-  using Body = std::function<std::vector<double>(Client&)>;
+  using Body = std::function<std::vector<double>(Flooder&)>;
 
-  Client(int cpu, Body body) : EventTask({.scheduling = {.cpu = cpu}}), body_(std::move(body)) {
+  Flooder(int cpu, Body body) : EventTask({.scheduling = {.cpu = cpu}}), body_(std::move(body)) {
     pose_.sequence = 0;
   }
-  ~Client() override { stop(); }
+  ~Flooder() override { stop(); }
 
   void run() override {
     if (!body_) return;
@@ -71,10 +71,10 @@ class Client final : public suture::EventTask {
   robots::PoseSample pose_ = poseSample();
 };
 
-Statistics measure(int clientCpu, int serverCpu,
-                   const std::function<std::vector<double>(Client&, SampleTask&)>& body) {
+Statistics measureWrites(int clientCpu, int serverCpu,
+                         const std::function<std::vector<double>(Flooder&, SampleTask&)>& body) {
   SampleTask server(serverCpu);
-  Client client(clientCpu, [&](Client& self) { return body(self, server); });
+  Flooder client(clientCpu, [&](Flooder& self) { return body(self, server); });
   suture::connectLocally(client.server, server.provided(), "bench");
   auto rates = client.rates();
   server.start();
@@ -95,7 +95,7 @@ Statistics measure(int clientCpu, int serverCpu,
 // it.
 Statistics onOneProcessor(const LocalOptions& options) {
   constexpr std::size_t kFills = 50;
-  return measure(options.cpu, options.cpu, [&](Client& client, SampleTask&) {
+  return measureWrites(options.cpu, options.cpu, [&](Flooder& client, SampleTask&) {
     client.fillAndWait();
     std::vector<double> rates;
     for (std::size_t block = 0; block < options.count(100); ++block) {
@@ -109,7 +109,7 @@ Statistics onOneProcessor(const LocalOptions& options) {
 
 Statistics onTwoProcessors(const LocalOptions& options) {
   constexpr std::size_t kBlock = 200'000;
-  return measure(options.cpu, options.otherCpu, [&](Client& client, SampleTask& server) {
+  return measureWrites(options.cpu, options.otherCpu, [&](Flooder& client, SampleTask& server) {
     client.push(kDepth);
     std::vector<double> rates;
     for (std::size_t block = 0; block < options.count(100); ++block) {

@@ -11,7 +11,7 @@
 namespace bench {
 namespace {
 
-constexpr const char* kSubcommand = "network-arm";
+constexpr const char* kArmSubcommand = "network-arm";
 
 void serve(const std::string& managerAddress) {
   AllocationCount count;
@@ -33,14 +33,14 @@ void serve(const std::string& managerAddress) {
 
 void addArmProcess(CLI::App& program) {
   auto address = std::make_shared<std::string>();
-  CLI::App* process = program.add_subcommand(kSubcommand, "the arm of a measurement");
+  CLI::App* process = program.add_subcommand(kArmSubcommand, "the arm of a measurement");
   process->group("");  // hidden
   process->add_option("--manager", *address)->required();
   process->callback([address] { serve(*address); });
 }
 
 std::vector<std::string> armProcessArguments(const std::string& managerAddress) {
-  return {kSubcommand, "--manager", managerAddress};
+  return {kArmSubcommand, "--manager", managerAddress};
 }
 
 }  // namespace bench

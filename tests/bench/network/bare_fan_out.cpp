@@ -1,6 +1,5 @@
 #include "bench/network/bare_fan_out.h"
 
-#include <suture/base/errors.h>
 #include <suture/base/time.h>
 #include <sys/epoll.h>
 #include <sys/prctl.h>
@@ -9,10 +8,10 @@
 #include <unistd.h>
 
 #include <array>
-#include <cerrno>
 #include <cstring>
 #include <thread>
 
+#include "bench/fail.h"
 #include "bench/network/processor_time.h"
 
 namespace bench {
@@ -20,10 +19,6 @@ namespace {
 
 using suture::now;
 using suture::Time;
-
-[[noreturn]] void fail(const char* what) {
-  throw suture::SetupError(what, std::strerror(errno), "Look at the limits of this machine");
-}
 
 struct Sockets {
   std::vector<int> sending, receiving;

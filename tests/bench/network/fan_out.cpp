@@ -8,6 +8,7 @@
 #include "bench/local/sample_server.h"
 #include "bench/network/bare_fan_out.h"
 #include "bench/network/lanes.h"
+#include "bench/network/message_bytes.h"
 #include "bench/network/names.h"
 #include "bench/network/processor_time.h"
 #include "bench/network/rows.h"
@@ -22,8 +23,6 @@ using suture::SetupError;
 using namespace std::chrono_literals;
 
 constexpr std::size_t kInterfaces = 64, kProcesses = 16;
-/// PoseSample as a message: 15 words and a header.
-constexpr std::size_t kMessageBytes = 144;
 
 /// Emits a value in each millisecond.
 class Sender final : public suture::PeriodicTask, public SampleServer {

@@ -1,16 +1,15 @@
 #include <signal.h>
 #include <suture/component/channel.h>
-#include <suture/component/device.h>
 #include <sys/types.h>
 
 #include <filesystem>
 #include <functional>
 #include <thread>
 
+#include "bench/local/sample_device.h"
 #include "bench/network/lanes.h"
 #include "bench/network/rows.h"
 #include "bench/network/sample_process.h"
-#include "bench/sample_loop.suture.h"
 #include "bench/table.h"
 
 namespace bench {
@@ -21,12 +20,7 @@ using suture::SetupError;
 using suture::Time;
 using namespace std::chrono_literals;
 
-constexpr double kMillisecond = 1e6;
-constexpr suture::Duration kSilence = 200ms;
-
-struct Client final : suture::Device {
-  suture::Required<SampleServer> server{*this, "Server"};
-};
+constexpr suture::Duration kSilenceBound = 200ms;
 
 /// A client that is connected to the provider in another process.
 struct Connected {
@@ -51,7 +45,7 @@ struct Connected {
     return (now() - begin).count();
   }
 
-  Client client;  // outlives its manager
+  SampleDevice client;  // outlives its manager
   SampleProcess server;
   std::shared_ptr<suture::Channel> channel;
 };
@@ -59,7 +53,7 @@ struct Connected {
 /// A new process's part: a manager, its names, the handshake and the lane; to a server that is
 /// there.
 std::int64_t connectFromCold(suture::Lane lane, const Names& names) {
-  Client client;
+  SampleDevice client;
   const Time begin = now();
   suture::Manager manager("cold", names.address());
   manager.add("Client", client);
@@ -77,8 +71,8 @@ std::int64_t killOne(suture::Lane lane, const NetworkOptions& options) {
 }
 
 std::int64_t stopOne(suture::Lane lane, const NetworkOptions& options) {
-  Connected connected(lane, options, {.silence = kSilence});
-  std::this_thread::sleep_for(kSilence);
+  Connected connected(lane, options, {.silence = kSilenceBound});
+  std::this_thread::sleep_for(kSilenceBound);
   const std::int64_t elapsed = connected.untilLost(SIGSTOP);
   connected.server.abandon();
   return elapsed;
@@ -119,7 +113,7 @@ std::string linkTimeRows(const NetworkOptions& options, Report& report) {
     const Statistics silence = repeated(options.links(), [&] { return stopOne(lane, options); });
     row("silence noticed, bound 200 ms", "silence", silence);
     report.add("silence." + name + ".ratio", "x",
-               silence.p50 * kMillisecond / static_cast<double>(kSilence.count()));
+               silence.p50 * kMillisecond / static_cast<double>(kSilenceBound.count()));
     const double threads = threadsBeyondTasks(lane, options);
     report.add("threads." + name, "threads", threads);
     table.row({"threads of a server beyond its task", name, number(threads, 0)});

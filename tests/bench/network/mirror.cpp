@@ -1,8 +1,8 @@
-#include <suture/component/device.h>
 #include <suture/wiring/connect.h>
 
 #include <thread>
 
+#include "bench/local/sample_device.h"
 #include "bench/local/sample_server.h"
 #include "bench/network/rows.h"
 #include "bench/network/sample_process.h"
@@ -13,11 +13,7 @@
 namespace bench {
 namespace {
 
-struct Client final : suture::Device {
-  suture::Required<SampleServer> server{*this, "Server"};
-};
-
-Statistics measureReads(Client& client, const NetworkOptions& options) {
+Statistics measureReads(SampleDevice& client, const NetworkOptions& options) {
   robots::PoseSample value;
   while (!client.server.value(value)) std::this_thread::yield();
   return timedLoops(options.readLoops(), 100'000, [&] {
@@ -29,14 +25,14 @@ Statistics measureReads(Client& client, const NetworkOptions& options) {
 
 Statistics localReads(const NetworkOptions& options) {
   SampleTask server(options.otherCpu);
-  Client client;
+  SampleDevice client;
   suture::connectLocally(client.server, server.provided(), "bench");
   server.start();
   return measureReads(client, options);
 }
 
 Statistics mirrorReads(const NetworkOptions& options) {
-  Client client;  // outlives its manager
+  SampleDevice client;  // outlives its manager
   SampleProcess server(Transport::Unix, options.otherCpu);
   server.manager().add("Client", client);
   server.manager().start();

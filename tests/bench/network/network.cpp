@@ -6,7 +6,7 @@
 namespace bench {
 namespace {
 
-constexpr Part<NetworkOptions> kParts[] = {
+constexpr Part<NetworkOptions> kNetworkParts[] = {
     {"round trips", roundTripRows},  {"reads", mirrorRows},         {"fan-out", networkFanOutRows},
     {"allocations", allocationRows}, {"connections", linkTimeRows}, {"survivors", survivorRows}};
 
@@ -14,7 +14,7 @@ constexpr Part<NetworkOptions> kParts[] = {
 
 std::unique_ptr<Benchmark> makeNetwork() {
   return std::make_unique<PartsBenchmark<NetworkOptions>>(
-      "network", "each lane between two processes, beside bare memory and sockets", kParts);
+      "network", "each lane between two processes, beside bare memory and sockets", kNetworkParts);
 }
 
 }  // namespace bench

@@ -1,6 +1,7 @@
 #include "bench/local/sample_client.h"
 #include "bench/network/bare_memory.h"
 #include "bench/network/lanes.h"
+#include "bench/network/message_bytes.h"
 #include "bench/network/rows.h"
 #include "bench/network/sample_process.h"
 #include "bench/placement.h"
@@ -14,10 +15,7 @@ using Samples = std::vector<std::int64_t>;
 using suture::Lane;
 using suture::SetupError;
 
-/// PoseSample as a message: 15 words and a header.
-constexpr std::size_t kMessageBytes = 144;
-
-struct Row {
+struct LaneRow {
   const char* title;
   const char* figure;
   Transport transport;
@@ -25,7 +23,7 @@ struct Row {
   const char* floor;  // the figure that it is a multiple of
 };
 
-constexpr Row kRows[] = {
+constexpr LaneRow kLaneRows[] = {
     {"shm", "shm", Transport::Unix, Lane::Shm, "raw.shm"},
     {"frame, Unix socket", "frame.unix", Transport::Unix, Lane::Frame, "raw.unix"},
     {"frame, TCP", "frame.tcp", Transport::Tcp, Lane::Frame, "raw.tcp"},
@@ -35,7 +33,7 @@ constexpr Row kRows[] = {
     {"rpc, TLS", "rpc.tls", Transport::Tls, Lane::Rpc, "raw.tcp"},
 };
 
-Samples taskRounds(const NetworkOptions& options, const Row& row) {
+Samples taskRounds(const NetworkOptions& options, const LaneRow& row) {
   const Pinned pinned(options.cpu);
   SampleClient client(options.cpu, options.skipped(), options.kept());  // outlives its manager
   SampleProcess server(row.transport, options.cpu);
@@ -64,7 +62,7 @@ std::string roundTripRows(const NetworkOptions& options, Report& report) {
   Table table(1);
   table.row(joined(joined({"us, both ends on one processor"}, statisticsTitles()), {"ratio"}));
   table.line();
-  for (const Row& row : kRows) {
+  for (const LaneRow& row : kLaneRows) {
     const Statistics floor = floorOf(options, row.floor);
     const Statistics tasks = statisticsOf(inUnits(taskRounds(options, row), kMicrosecond));
     const double ratio = tasks.p50 / floor.p50;

@@ -8,14 +8,14 @@
 namespace bench {
 namespace {
 
-constexpr const char* kSubcommand = "network-server";
+constexpr const char* kSampleSubcommand = "network-server";
 
-struct Options {
+struct SampleProcessOptions {
   std::string manager, keys;
   int cpu = 0;
 };
 
-void serve(const Options& options) {
+void serve(const SampleProcessOptions& options) {
   const Pinned pinned(options.cpu);
   SampleTask server(options.cpu);
   suture::Manager manager{"server", options.manager, securityWith(options.keys, "server")};
@@ -28,8 +28,8 @@ void serve(const Options& options) {
 }  // namespace
 
 void addSampleProcess(CLI::App& program) {
-  auto options = std::make_shared<Options>();
-  CLI::App* process = program.add_subcommand(kSubcommand, "the server process of a loop");
+  auto options = std::make_shared<SampleProcessOptions>();
+  CLI::App* process = program.add_subcommand(kSampleSubcommand, "the server process of a loop");
   process->group("");  // hidden
   process->add_option("--manager", options->manager)->required();
   process->add_option("--keys", options->keys)->required();
@@ -39,7 +39,7 @@ void addSampleProcess(CLI::App& program) {
 
 SampleProcess::SampleProcess(Transport transport, int serverCpu)
     : names_(transport),
-      process_({kSubcommand, "--manager", names_.address(), "--keys", names_.keys(), "--cpu",
+      process_({kSampleSubcommand, "--manager", names_.address(), "--keys", names_.keys(), "--cpu",
                 std::to_string(serverCpu)}),
       manager_("client", names_.address(), securityWith(names_.keys(), "client")) {}
 

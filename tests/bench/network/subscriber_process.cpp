@@ -15,7 +15,7 @@
 namespace bench {
 namespace {
 
-constexpr const char* kSubcommand = "network-subscribers";
+constexpr const char* kSubscriberSubcommand = "network-subscribers";
 
 std::string nameOf(std::size_t interface) { return "Server" + std::to_string(interface); }
 
@@ -62,7 +62,7 @@ void addSubscriberProcess(CLI::App& program) {
     std::string lane;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* process = program.add_subcommand(kSubcommand, "the subscribers of a fan-out");
+  CLI::App* process = program.add_subcommand(kSubscriberSubcommand, "the subscribers of a fan-out");
   process->group("");  // hidden
   process->add_option("--process", options->setup.process)->required();
   process->add_option("--manager", options->setup.manager)->required();
@@ -76,7 +76,7 @@ void addSubscriberProcess(CLI::App& program) {
 }
 
 std::vector<std::string> subscriberProcessArguments(const SubscriberSetup& setup) {
-  return {kSubcommand,
+  return {kSubscriberSubcommand,
           "--process",
           setup.process,
           "--manager",

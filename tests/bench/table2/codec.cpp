@@ -28,9 +28,8 @@ namespace {
 
 using robots::PosePrm;
 using robots::PosePrmSlot;
-namespace wire = robots::wire;
 
-using Words = kj::ArrayPtr<const capnp::word>;
+using Segment = kj::ArrayPtr<const capnp::word>;
 
 /// Builds one message in memory that is used again for the next, and leaves it zeroed as it must
 /// be.
@@ -39,7 +38,7 @@ class ReusingBuilder final : public capnp::MessageBuilder {
   explicit ReusingBuilder(std::span<capnp::word> memory) : memory_(memory) {}
   ~ReusingBuilder() noexcept(false) override { std::memset(memory_.data(), 0, usedBytes_); }
 
-  kj::ArrayPtr<const Words> finish() {
+  kj::ArrayPtr<const Segment> finish() {
     const auto segments = getSegmentsForOutput();
     usedBytes_ = segments[0].asBytes().size();
     return segments;
@@ -61,7 +60,7 @@ class Codec {
     PosePrmSlot slot;
     if (!store(value, slot)) throw std::logic_error("the pose exceeds its own capacity");
     ReusingBuilder message(scratch_);
-    toWire(slot, message.initRoot<wire::PosePrm>());
+    toWire(slot, message.initRoot<robots::wire::PosePrm>());
     frame_.clear();
     suture::rpc::appendFrame(message.finish(), frame_);
     return frame_;
@@ -71,11 +70,13 @@ class Codec {
     const auto parsed = suture::rpc::parseFrameHeader(frame, {});
     if (!parsed.header || parsed.header->segments != 1) throw std::logic_error("not one message");
     const auto* words = reinterpret_cast<const capnp::word*>(frame.data());
-    const Words segments[] = {kj::arrayPtr(words + parsed.header->headerBytes / sizeof(capnp::word),
-                                           suture::rpc::segmentWords(frame, 0))};
+    const Segment segments[] = {
+        kj::arrayPtr(words + parsed.header->headerBytes / sizeof(capnp::word),
+                     suture::rpc::segmentWords(frame, 0))};
     capnp::SegmentArrayMessageReader message(kj::arrayPtr(segments, 1));
     PosePrmSlot slot;
-    if (fromWire(message.getRoot<wire::PosePrm>(), slot, suture::Duration{0}) != suture::Errc{}) {
+    if (fromWire(message.getRoot<robots::wire::PosePrm>(), slot, suture::Duration{0}) !=
+        suture::Errc{}) {
       throw std::logic_error("the pose does not survive its own wire form");
     }
     load(slot, value);

@@ -10,7 +10,7 @@
 namespace bench {
 namespace {
 
-struct Row {
+struct EventRow {
   const char* title;
   const char* figure;
   Loop loop;
@@ -18,7 +18,7 @@ struct Row {
   const char* original;
 };
 
-constexpr Row kRows[] = {
+constexpr EventRow kEventRows[] = {
     {"SCS", "event.scs", Loop::Scs, &LoopResult::elapsed, ""},
     {"SCS, client", "event.scs_client", Loop::Scs, &LoopResult::client, "about 53"},
     {"CSC", "event.csc", Loop::Csc, &LoopResult::elapsed, "about 40"},
@@ -34,7 +34,7 @@ Both measureBoth(const Table2Options& options, Loop loop) {
   return {measureLocally(setup), measureAcross(setup, options.transport())};
 }
 
-void addRow(const Row& row, const Both& results, Table& table, Report& report) {
+void addRow(const EventRow& row, const Both& results, Table& table, Report& report) {
   const Statistics local = statisticsOf(inUnits(results.local.*row.samples, kMicrosecond));
   const Statistics network = statisticsOf(inUnits(results.network.*row.samples, kMicrosecond));
   const double difference = network.p50 - local.p50;
@@ -63,7 +63,7 @@ std::string eventRows(const Table2Options& options, std::size_t payloadBytes, Re
   table.row(joined(joined({"loop", "where"}, statisticsTitles()), {"over Ice"}));
   table.line();
   const Both scs = measureBoth(options, Loop::Scs), csc = measureBoth(options, Loop::Csc);
-  for (const Row& row : kRows) {
+  for (const EventRow& row : kEventRows) {
     addRow(row, row.loop == Loop::Scs ? scs : csc, table, report);
   }
   table.line();

@@ -11,8 +11,6 @@
 namespace bench {
 namespace {
 
-constexpr double kMillisecond = 1e6;
-
 struct Policy {
   const char* title;
   const char* figure;

@@ -2,25 +2,19 @@
 
 #include <arpa/inet.h>
 #include <netinet/tcp.h>
-#include <suture/base/errors.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
-#include <cerrno>
-#include <cstring>
 
+#include "bench/fail.h"
 #include "bench/placement.h"
 
 namespace bench {
 namespace {
 
 using Pair = std::array<int, 2>;
-
-[[noreturn]] void fail(const char* what) {
-  throw suture::SetupError(what, std::strerror(errno), "Look at the limits of this machine");
-}
 
 Pair unixPair() {
   Pair ends{};

@@ -11,9 +11,9 @@
 namespace bench {
 namespace {
 
-constexpr const char* kSubcommand = "table2-server";
+constexpr const char* kServerSubcommand = "table2-server";
 
-struct Options {
+struct ServerProcessOptions {
   std::string manager;
   LoopSetup setup;
   bool periodic = false;
@@ -22,7 +22,7 @@ struct Options {
   int cpu = -1;
 };
 
-void serve(Options options) {
+void serve(ServerProcessOptions options) {
   LoopSetup& setup = options.setup;
   setup.pace = options.periodic ? Pace::Periodic : Pace::EventDriven;
   setup.period = suture::Duration(options.periodNanoseconds);
@@ -42,8 +42,8 @@ void serve(Options options) {
 }  // namespace
 
 void addServerProcess(CLI::App& program) {
-  auto options = std::make_shared<Options>();
-  CLI::App* process = program.add_subcommand(kSubcommand, "the server process of a loop");
+  auto options = std::make_shared<ServerProcessOptions>();
+  CLI::App* process = program.add_subcommand(kServerSubcommand, "the server process of a loop");
   process->group("");  // hidden
   process->add_option("--manager", options->manager)->required();
   process->add_flag("--periodic", options->periodic);
@@ -57,7 +57,7 @@ void addServerProcess(CLI::App& program) {
 
 std::vector<std::string> serverProcessArguments(const LoopSetup& setup,
                                                 const std::string& managerAddress) {
-  std::vector<std::string> arguments{kSubcommand,
+  std::vector<std::string> arguments{kServerSubcommand,
                                      "--manager",
                                      managerAddress,
                                      "--period-ns",

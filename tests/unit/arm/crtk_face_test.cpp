@@ -8,28 +8,16 @@
 #include <string>
 #include <vector>
 
-#include "arm/kinematics/davinci.h"
 #include "arm/kinematics/pose_error.h"
+#include "unit/arm/psm_model.h"
 
 namespace robots::test {
 namespace {
 
 using namespace std::chrono_literals;
-using Joints = ArmModel<6>::Joints;
-
-ArmModel<6> psmModel() {
-  ArmModel<6> model{.chain = kinematics::psm(),
-                    .joint_names = {"a", "b", "c", "d", "e", "f"},
-                    .parked = Joints::Zero(),
-                    .home = Joints::Constant(0.1),
-                    .rate_limit = Joints::Constant(4),
-                    .time_constant = 0.01};
-  model.parked[2] = 0.1;
-  return model;
-}
 
 // Stands in for Provided<Arm>::emit() and Provided<CrtkArm>::emit().
-struct Heard {
+struct HeardCrtk {
   std::vector<ArmState> desired, states;
   std::vector<bool> goals, gravity;
   std::vector<double> ratios;
@@ -88,7 +76,7 @@ class CrtkFaceTest : public testing::Test {
   SimulatedArm<6> arm_{psmModel()};
   CrtkFace<6> crtk_{arm_};
   suture::Time time_ = suture::now();
-  Heard heard_;
+  HeardCrtk heard_;
 };
 
 TEST_F(CrtkFaceTest, ConfigurationSaysWhatTheJointsAre) {

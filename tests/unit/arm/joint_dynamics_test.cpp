@@ -9,15 +9,16 @@
 namespace robots::test {
 namespace {
 
-using Joints = Eigen::Vector2d;
+using TwoJoints = Eigen::Vector2d;
 
 JointDynamics<2> atRest(double timeConstant = 0.01, double rate = 1.0) {
-  return {timeConstant, Joints::Constant(rate), Joints(-1, 0), Joints(1, 0.2), Joints::Zero()};
+  return {timeConstant, TwoJoints::Constant(rate), TwoJoints(-1, 0), TwoJoints(1, 0.2),
+          TwoJoints::Zero()};
 }
 
 TEST(JointDynamics, ReachesOneTimeConstantsShareOfASmallStep) {
   auto joints = atRest();
-  joints.command(Joints(0.005, 0));
+  joints.command(TwoJoints(0.005, 0));
   joints.advance(0.01);
   EXPECT_NEAR(joints.measured()[0], 0.005 * (1 - std::exp(-1)), 1e-15);
   EXPECT_EQ(joints.measured()[1], 0);
@@ -25,7 +26,7 @@ TEST(JointDynamics, ReachesOneTimeConstantsShareOfASmallStep) {
 
 TEST(JointDynamics, NeverExceedsTheRateLimit) {
   auto joints = atRest();
-  joints.command(Joints(1, 0));
+  joints.command(TwoJoints(1, 0));
   joints.advance(0.1);
   EXPECT_DOUBLE_EQ(joints.measured()[0], 0.1);
   EXPECT_EQ(joints.velocity()[0], 1.0);
@@ -33,8 +34,8 @@ TEST(JointDynamics, NeverExceedsTheRateLimit) {
 
 TEST(JointDynamics, CutsSetpointsToThePositionLimits) {
   auto joints = atRest();
-  joints.command(Joints(5, -5));
-  EXPECT_EQ(joints.setpoint(), Joints(1, 0));
+  joints.command(TwoJoints(5, -5));
+  EXPECT_EQ(joints.setpoint(), TwoJoints(1, 0));
   for (int i = 0; i < 2000; ++i) joints.advance(0.001);
   EXPECT_NEAR(joints.measured()[0], 1, 1e-12);
   EXPECT_EQ(joints.measured()[1], 0);
@@ -60,7 +61,7 @@ TEST(JointDynamics, TrailsARampByTheTimeConstant) {
   double setpoint = 0;
   while (setpoint < 0.5) {
     setpoint += speed * dt;
-    joints.command(Joints(setpoint, 0));
+    joints.command(TwoJoints(setpoint, 0));
     joints.advance(dt);
   }
   EXPECT_NEAR(setpoint - joints.measured()[0], speed * timeConstant, speed * dt);

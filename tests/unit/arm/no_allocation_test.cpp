@@ -13,6 +13,7 @@ namespace robots::test {
 namespace {
 
 using suture::allocations;
+using MtmJoints = ArmModel<7>::Joints;
 
 struct Silent {
   void operating_state(const OperatingState&) {}
@@ -21,12 +22,11 @@ struct Silent {
 };
 
 TEST(SimulatedArm, NeverAllocatesInItsCycle) {
-  using Joints = ArmModel<7>::Joints;
   SimulatedArm<7> arm({.chain = kinematics::mtmLeft(),
                        .joint_names = {"a", "b", "c", "d", "e", "f", "g"},
-                       .parked = Joints::Constant(0.1),
-                       .home = Joints::Constant(0.2),
-                       .rate_limit = Joints::Constant(4),
+                       .parked = MtmJoints::Constant(0.1),
+                       .home = MtmJoints::Constant(0.2),
+                       .rate_limit = MtmJoints::Constant(4),
                        .time_constant = 0.01});
   const JointGoal elsewhere{std::vector<double>(7, 0.15), {}};
   suture::Time time = suture::fromNanoseconds(1);
@@ -62,12 +62,11 @@ struct SilentCrtk {
 };
 
 TEST(CrtkFace, NeverAllocatesInItsCycle) {
-  using Joints = ArmModel<7>::Joints;
   SimulatedArm<7> arm({.chain = kinematics::mtmLeft(),
                        .joint_names = {"a", "b", "c", "d", "e", "f", "g"},
-                       .parked = Joints::Constant(0.1),
-                       .home = Joints::Constant(0.2),
-                       .rate_limit = Joints::Constant(4),
+                       .parked = MtmJoints::Constant(0.1),
+                       .home = MtmJoints::Constant(0.2),
+                       .rate_limit = MtmJoints::Constant(4),
                        .time_constant = 0.01});
   CrtkFace<7> crtk(arm);
   const JointGoal step{std::vector<double>(7, 0.001), {}};

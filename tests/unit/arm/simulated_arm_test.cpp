@@ -8,25 +8,14 @@
 #include <chrono>
 #include <limits>
 
-#include "arm/kinematics/davinci.h"
 #include "arm/kinematics/pose_error.h"
+#include "unit/arm/psm_model.h"
 
 namespace robots::test {
 namespace {
 
 using namespace std::chrono_literals;
 using Joints = ArmModel<6>::Joints;
-
-ArmModel<6> psmModel() {
-  ArmModel<6> model{.chain = kinematics::psm(),
-                    .joint_names = {"a", "b", "c", "d", "e", "f"},
-                    .parked = Joints::Zero(),
-                    .home = Joints::Constant(0.1),
-                    .rate_limit = Joints::Constant(4),
-                    .time_constant = 0.01};
-  model.parked[2] = 0.1;
-  return model;
-}
 
 // Stands in for Provided<Arm>::emit().
 struct Heard {

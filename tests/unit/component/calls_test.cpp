@@ -1,9 +1,9 @@
 // Calls that end without an answer, and clients that do not wait for theirs; cycle after cycle.
 #include <gtest/gtest.h>
 #include <suture/component/channel.h>
-#include <suture/component/device.h>
 #include <suture/wiring/connect.h>
 
+#include "unit/component/arm_client.h"
 #include "unit/component/driven_arm.h"
 
 namespace suture {
@@ -11,10 +11,6 @@ namespace {
 
 using reference::ArmLike;
 using reference::Mode;
-
-struct Caller final : Device {
-  Required<ArmLike> arm{*this, "Arm"};
-};
 
 /// Its cycles are the test's.
 struct Provider final : Task {
@@ -40,7 +36,7 @@ struct Provider final : Task {
 
 TEST(Calls, AnAnswerThatCameOutlivesItsConnection) {
   Provider provider, successor;
-  Caller client;
+  ArmClient client;
   connectLocally(client.arm, provider.port, "old");
   auto first = client.arm.hold.start(), second = client.arm.hold.start();
   auto third = client.arm.hold.start();
@@ -59,7 +55,7 @@ TEST(Calls, AnAnswerThatCameOutlivesItsConnection) {
 
 TEST(Calls, AnAnswerThatNobodyHadLookedForOutlivesItsConnection) {
   Provider provider, successor;
-  Caller client;
+  ArmClient client;
   connectLocally(client.arm, provider.port, "old");
   auto call = client.arm.hold.start();
   provider.cycle();
@@ -72,7 +68,7 @@ TEST(Calls, AnAnswerThatNobodyHadLookedForOutlivesItsConnection) {
 TEST(Fairness, AFloodingClientDelaysAnotherByItsQueueAtMost) {
   for (const bool flooderFirst : {true, false}) {
     Provider provider;
-    Caller flooder, other;
+    ArmClient flooder, other;
     connectLocally((flooderFirst ? flooder : other).arm, provider.port, "one");
     connectLocally((flooderFirst ? other : flooder).arm, provider.port, "two");
     int held = 0;
@@ -94,7 +90,7 @@ TEST(Fairness, AFloodingClientDelaysAnotherByItsQueueAtMost) {
 }
 
 TEST(Call, ItsHandlerIsToldOfTheLoss) {
-  Caller client;
+  ArmClient client;
   Errc end{};
   {
     Provider provider;
@@ -108,7 +104,7 @@ TEST(Call, ItsHandlerIsToldOfTheLoss) {
 }
 
 TEST(Call, ItsHandlerIsToldAtOnceOfARefusal) {
-  Caller client;
+  ArmClient client;
   Errc end{};
   client.arm.hold.start().then([&end](const Result<void>& answer) { end = answer.error(); });
   EXPECT_EQ(end, Errc::NotConnected);
@@ -116,7 +112,7 @@ TEST(Call, ItsHandlerIsToldAtOnceOfARefusal) {
 
 TEST(Call, TakenBackInTimeItIsNotExecutedButCounted) {
   Provider provider;
-  Caller client;
+  ArmClient client;
   const auto channel = connectLocally(client.arm, provider.port, "test");
   int held = 0;
   provider.arm.onHold = [&] { ++held; };

@@ -1,7 +1,6 @@
 // A handler can ask how old the command was that it executes.
 
 #include <gtest/gtest.h>
-#include <suture/component/device.h>
 #include <suture/component/task.h>
 #include <suture/wiring/connect.h>
 
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "reference/still_arm.h"
+#include "unit/component/arm_client.h"
 
 namespace suture {
 namespace {
@@ -37,13 +37,9 @@ class AgingArm final : public Task, public StillArm {
   void run() override {}
 };
 
-struct Client final : Device {
-  Required<ArmLike> arm{*this, "Arm"};
-};
-
 TEST(CommandAge, IsThatFromSendingToTheComparisonWithTheTtl) {
   AgingArm arm;
-  Client client;
+  ArmClient client;
   connectLocally(client.arm, arm.port, "test");
   arm.start();
   const Time beforeFirst = now();

@@ -6,6 +6,7 @@
 #include <suture/rt/state_table.h>
 #include <suture/wiring/connect.h>
 
+#include "unit/component/arm_client.h"
 #include "unit/component/driven_arm.h"
 
 namespace suture {
@@ -15,10 +16,6 @@ using namespace std::chrono_literals;
 using reference::ArmLike;
 using reference::JointState;
 using reference::PoseStamped;
-
-struct HistoryClient final : Device {
-  Required<ArmLike> arm{*this, "Arm"};
-};
 
 struct History : testing::Test {
   void begin(const StateOptions& automatic = {}) {
@@ -39,7 +36,7 @@ struct History : testing::Test {
   static double x(const PoseStamped& pose) { return pose.pose.translation().x(); }
 
   DrivenArm arm;
-  HistoryClient client, manualClient;
+  ArmClient client, manualClient;
 };
 
 TEST_F(History, AClientReadsTheRowAtOrBeforeATime) {
@@ -149,15 +146,15 @@ TEST_F(History, AStateInUseStaysAsItIs) {
   EXPECT_THROW(arm.automaticPort.keepState({.rows = 1000}), SetupError);
 }
 
-class ArmDevice final : public Device {
+class CountingArmDevice final : public Device {
  public:
   CountingArm arm;
   Provided<ArmLike> port{*this, "Arm", arm};
 };
 
 TEST(DeviceHistory, ADeviceHasNone) {
-  ArmDevice device;
-  HistoryClient client;
+  CountingArmDevice device;
+  ArmClient client;
   EXPECT_THROW(device.port.keepState({.manual = true}), SetupError);
   connectLocally(client.arm, device.port, "device");
   EXPECT_TRUE(client.arm.measured_cp());

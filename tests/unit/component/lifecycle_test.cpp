@@ -7,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include "arm_client.h"
 #include "living.h"
 #include "support/eventually.h"
 #include "support/refusal.h"
@@ -83,7 +84,7 @@ TEST(Lifecycle, AHookThatThrowsParksItsComponent) {
   for (const char* const hook : {"configure", "start", "suspend", "resume", "stop"}) {
     Living<PeriodicTask> task(kQuick), other(kQuick);
     task.throwing = hook;
-    Client client;
+    ArmClient client;
     connectLocally(client.arm, task.arm, "test");
     task.start();
     other.start();

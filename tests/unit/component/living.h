@@ -1,7 +1,6 @@
 #pragma once
 // Components that keep a diary of their lives, for the tests of the life cycle.
 
-#include <suture/component/device.h>
 #include <suture/component/lifecycle.h>
 #include <suture/component/periodic_task.h>
 
@@ -67,14 +66,6 @@ struct Living final : Kind {
   std::atomic<int> cycles{0};
   reference::SimulatedArm simulated{{}};
   Provided<reference::ArmLike> arm{*this, "Arm", simulated};
-};
-
-struct Client final : Device {
-  Client() {
-    arm.on().stopped([this] { ++stops; });
-  }
-  Required<reference::ArmLike> arm{*this, "Arm"};
-  int stops = 0;
 };
 
 inline const PeriodicOptions kQuick{.period = std::chrono::milliseconds(1)};

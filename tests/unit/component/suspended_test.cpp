@@ -4,6 +4,7 @@
 #include <suture/component/callback_task.h>
 #include <suture/component/channel.h>
 #include <suture/component/continuous_task.h>
+#include <suture/component/device.h>
 #include <suture/component/event_task.h>
 #include <suture/component/guest_task.h>
 #include <suture/wiring/connect.h>
@@ -13,6 +14,7 @@
 #include <thread>
 #include <vector>
 
+#include "arm_client.h"
 #include "living.h"
 #include "support/eventually.h"
 
@@ -33,7 +35,7 @@ int cyclesDuring(const Living<Kind>& task, Duration time) {
 
 TEST(Suspended, ATaskRunsNothingAndItsClientsAreTold) {
   Living<PeriodicTask> task(kQuick);
-  Client client;
+  ArmClient client;
   const auto channel = connectLocally(client.arm, task.arm, "test");
   task.start();
   EXPECT_TRUE(client.arm.hold.start().within(5s));
@@ -53,7 +55,7 @@ TEST(Suspended, ATaskRunsNothingAndItsClientsAreTold) {
 
 TEST(Suspended, WhatWasSentBeforeOrMeanwhileIsAnsweredAndNeverExecuted) {
   Living<CallbackTask> task;
-  Client client;
+  ArmClient client;
   const auto channel = connectLocally(client.arm, task.arm, "test");
   task.start();
   task.trigger();
@@ -81,7 +83,7 @@ TEST(Suspended, WhatWasSentBeforeOrMeanwhileIsAnsweredAndNeverExecuted) {
 
 TEST(Suspended, WhatWasSentBeforeTheResumeIsRefusedHoweverLateItArrives) {
   Living<CallbackTask> task;
-  Client client;
+  ArmClient client;
   const auto channel = connectLocally(client.arm, task.arm, "test");
   task.start();
   const Time sent = now();
@@ -108,7 +110,7 @@ TEST(Suspended, ALateClientIsToldAtOnceAndWelcomeAfterwards) {
   task.start();
   task.request(Transition::Suspend);
   EXPECT_TRUE(reaches(task, State::Suspended));
-  Client client;
+  ArmClient client;
   connectLocally(client.arm, task.arm, "test");
   EXPECT_EQ(client.arm.hold().error(), Errc::Suspended);
   task.request(Transition::Resume);
@@ -163,7 +165,7 @@ Duration processorTime() {
 
 template <class Kind>
 void expectItSleeps(Living<Kind>& task) {
-  Client client;
+  ArmClient client;
   const auto channel = connectLocally(client.arm, task.arm, "test");
   task.start();
   EXPECT_TRUE(reaches(task, State::Running));
@@ -217,7 +219,7 @@ TEST(Suspended, AHostGoesOnForItsGuests) {
   Living<GuestTask> guest;
   Living<EventTask> host(EventOptions{.longestSleep = 1h});
   host.lend(guest);
-  Client ofHost, ofGuest;
+  ArmClient ofHost, ofGuest;
   connectLocally(ofHost.arm, host.arm, "host");
   connectLocally(ofGuest.arm, guest.arm, "guest");
   host.start();
@@ -246,7 +248,7 @@ TEST(Suspended, ADeviceRefusesItsCallers) {
     reference::SimulatedArm simulated{{}};
     Provided<ArmLike> arm{*this, "Arm", simulated};
   } device;
-  Client client, late;
+  ArmClient client, late;
   connectLocally(client.arm, device.arm, "test");
   EXPECT_TRUE(client.arm.hold()) << "also before it is started";
   device.start();

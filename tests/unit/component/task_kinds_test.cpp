@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 #include <suture/component/callback_task.h>
 #include <suture/component/continuous_task.h>
-#include <suture/component/device.h>
 #include <suture/component/event_task.h>
 #include <suture/component/guest_task.h>
 #include <suture/component/periodic_task.h>
@@ -21,6 +20,7 @@
 #include "support/eventually.h"
 #include "support/refusal.h"
 #include "support/test_thread.h"
+#include "unit/component/arm_client.h"
 
 namespace suture {
 namespace {
@@ -44,10 +44,6 @@ struct Worker final : Kind {
   std::function<void()> work;
   reference::SimulatedArm simulated{{}};
   Provided<ArmLike> arm{*this, "Arm", simulated};
-};
-
-struct ArmClient final : Device {
-  Required<ArmLike> arm{*this, "Arm"};
 };
 
 TEST(ContinuousTask, RunsWithoutWaitingForAnything) {

@@ -12,6 +12,7 @@
 #include "reference/arm_like.suture.h"
 #include "reference/simulated_arm.h"
 #include "support/eventually.h"
+#include "unit/component/arm_client.h"
 
 namespace suture {
 namespace {
@@ -24,10 +25,10 @@ using reference::PoseStamped;
 
 /// An arm that counts its cycles; Kind is PeriodicTask or EventTask.
 template <class Kind>
-class CountingArm final : public Kind, public ArmLike {
+class CycleCountingArm final : public Kind, public ArmLike {
  public:
   using Kind::Kind;
-  ~CountingArm() override { this->stop(); }
+  ~CycleCountingArm() override { this->stop(); }
 
   void servo_cp(const PoseStamped& goal) override { pose_ = goal; }
   void servo_jp(const JointState&) override {}
@@ -57,12 +58,8 @@ class CountingArm final : public Kind, public ArmLike {
   PoseStamped pose_;
 };
 
-struct Client final : Device {
-  Required<ArmLike> arm{*this, "Arm"};
-};
-
 TEST(PeriodicTask, RunsOncePerPeriodAndAccountsForEach) {
-  CountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1ms});
+  CycleCountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1ms});
   const Time begin = now();
   arm.start();
   EXPECT_TRUE(eventually([&] { return arm.cycles >= 50; }));
@@ -75,11 +72,11 @@ TEST(PeriodicTask, RunsOncePerPeriodAndAccountsForEach) {
 }
 
 TEST(PeriodicTask, RefusesAPeriodThatIsNotPositive) {
-  EXPECT_THROW(CountingArm<PeriodicTask>(PeriodicOptions{.period = 0ms}), SetupError);
+  EXPECT_THROW(CycleCountingArm<PeriodicTask>(PeriodicOptions{.period = 0ms}), SetupError);
 }
 
 TEST(Task, ToldOfSchedulingThatTheKernelRefuses) {
-  CountingArm<PeriodicTask> arm(PeriodicOptions{.scheduling = {.cpu = 4000}});
+  CycleCountingArm<PeriodicTask> arm(PeriodicOptions{.scheduling = {.cpu = 4000}});
   try {
     arm.start();
     FAIL() << "there is no processor 4000";
@@ -90,8 +87,8 @@ TEST(Task, ToldOfSchedulingThatTheKernelRefuses) {
 }
 
 TEST(EventTask, SleepsUntilACommandArrives) {
-  CountingArm<EventTask> arm(EventOptions{.longestSleep = 1h});
-  Client client;
+  CycleCountingArm<EventTask> arm(EventOptions{.longestSleep = 1h});
+  ArmClient client;
   connectLocally(client.arm, arm.arm, "test");
   arm.start();
   EXPECT_TRUE(client.arm.hold.start().within(5s));
@@ -127,7 +124,7 @@ struct AskingTask : EventTask {
 template <class Client>
 bool asks() {
   Client client;
-  CountingArm<PeriodicTask> arm(PeriodicOptions{.period = 5ms});
+  CycleCountingArm<PeriodicTask> arm(PeriodicOptions{.period = 5ms});
   connectLocally(client.arm, arm.arm, "test");
   arm.start();
   client.start();
@@ -202,7 +199,7 @@ struct Patient final : EventTask {
 template <class Ask>
 void expectRest(const Ask& ask) {
   Patient<Ask> client(ask);
-  CountingArm<EventTask> arm{EventOptions{}};
+  CycleCountingArm<EventTask> arm{EventOptions{}};
   arm.cycleTime = 1ms;  // its answers leave at the beginning of a cycle, their rings at the end
   connectLocally(client.arm, arm.arm, "test");
   arm.start();
@@ -226,16 +223,16 @@ TEST(EventTask, IsNotWokenAgainByTheAnswerThatItHasPolledFor) {
 }
 
 TEST(EventTask, TheFirstAskWakesASleepingProvider) {
-  CountingArm<EventTask> arm(EventOptions{.longestSleep = 1h});
-  Client client;
+  CycleCountingArm<EventTask> arm(EventOptions{.longestSleep = 1h});
+  ArmClient client;
   connectLocally(client.arm, arm.arm, "test");
   arm.start();
   EXPECT_TRUE(eventually([&] { return client.arm.measured_cp().hasValue(); }));
 }
 
 TEST(Provided, EvaluatesOnlyWhatSomebodyAskedFor) {
-  CountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1ms});
-  Client client;
+  CycleCountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1ms});
+  ArmClient client;
   connectLocally(client.arm, arm.arm, "test");
   arm.start();
   JointState joints;
@@ -244,9 +241,9 @@ TEST(Provided, EvaluatesOnlyWhatSomebodyAskedFor) {
 }
 
 TEST(Provided, AReadThatExceedsItsCapacitySaysSo) {
-  CountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1ms});
+  CycleCountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1ms});
   arm.joints.position.assign(9, 0.0);  // capacity(8)
-  Client client;
+  ArmClient client;
   connectLocally(client.arm, arm.arm, "test");
   arm.start();
   JointState joints;
@@ -265,7 +262,7 @@ struct Listener final : Device {
 };
 
 TEST(Events, ALateJoinerGetsTheLatchedValueAndNoOther) {
-  CountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1ms});
+  CycleCountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1ms});
   Listener early, late;
   connectLocally(early.arm, arm.arm, "early");
   arm.start();
@@ -283,7 +280,7 @@ TEST(Events, ALateJoinerGetsTheLatchedValueAndNoOther) {
 }
 
 TEST(Events, ASlowSubscriberLosesItsOwnAndDelaysNobody) {
-  CountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1ms});
+  CycleCountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1ms});
   Listener quick, slow;
   connectLocally(quick.arm, arm.arm, "quick");
   const auto slowChannel = connectLocally(slow.arm, arm.arm, "slow");
@@ -300,7 +297,7 @@ TEST(Events, ASlowSubscriberLosesItsOwnAndDelaysNobody) {
 }
 
 TEST(Events, OfATaskAreEmittedInItsOwnThreadOnly) {
-  CountingArm<EventTask> arm{EventOptions{}};
+  CycleCountingArm<EventTask> arm{EventOptions{}};
   Listener listener;
   connectLocally(listener.arm, arm.arm, "test");
   EXPECT_TRUE(arm.arm.emit().mode(Mode::Disabled));  // before it has a thread
@@ -332,7 +329,7 @@ TEST(Device, ALocalClientCallsItDirectly) {
     JointState joints;
     Provided<ArmLike> arm{*this, "Arm", *this};
   } device;
-  Client client;
+  ArmClient client;
   connectLocally(client.arm, device.arm, "test");
   EXPECT_TRUE(client.arm.hold());
   EXPECT_EQ(device.thread, std::this_thread::get_id());
@@ -350,7 +347,7 @@ TEST(Provided, TwoOfOneContractKeepApart) {
     Provided<ArmLike> left{*this, "Left", first};
     Provided<ArmLike> right{*this, "Right", second};
   } pair;
-  Client left, right;
+  ArmClient left, right;
   connectLocally(left.arm, pair.left, "left");
   connectLocally(right.arm, pair.right, "right");
   pair.start();
@@ -362,8 +359,8 @@ TEST(Provided, TwoOfOneContractKeepApart) {
 }
 
 TEST(Calls, WhatTheProviderLacksIsNotImplemented) {
-  CountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1ms});
-  Client client;
+  CycleCountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1ms});
+  ArmClient client;
   const auto channel = connectLocally(client.arm, arm.arm, "test");
   arm.start();
   EXPECT_TRUE(client.arm.park.start().within(5s));
@@ -374,8 +371,8 @@ TEST(Calls, WhatTheProviderLacksIsNotImplemented) {
 }
 
 TEST(Calls, TooManyUnderWayAreRefused) {
-  CountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1h});  // never gets to answer
-  Client client;
+  CycleCountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1h});  // never gets to answer
+  ArmClient client;
   connectLocally(client.arm, arm.arm, "test");
   arm.start();
   std::vector<Call<Result<double>, double>> calls;

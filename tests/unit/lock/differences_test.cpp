@@ -10,7 +10,7 @@ namespace suture::compiler::lock {
 namespace {
 
 constexpr char kHead[] = "@0x8000000000000001;\nusing Meta = import \"/suture/meta.capnp\";\n";
-constexpr char kOld[] =
+constexpr char kOldSchema[] =
     "enum Mode @0x8000000000000002 { off @0; on @1; }\n"
     "struct Pose @0x8000000000000003 {\n"
     "  x @0 :Float64 $Meta.unit(\"m\");\n"
@@ -21,7 +21,7 @@ constexpr char kOld[] =
     "}\n";
 
 struct Change {
-  const char* from;  ///< in kOld, what becomes
+  const char* from;  ///< in kOldSchema, what becomes
   const char* to;
   Effect effect;
   const char* text;
@@ -30,12 +30,12 @@ struct Change {
 class Differences : public testing::TestWithParam<Change> {};
 
 TEST_P(Differences, AreToldInWords) {
-  std::string now = kOld;
+  std::string now = kOldSchema;
   const std::size_t place = now.find(GetParam().from);
   ASSERT_NE(place, std::string::npos);
   now.replace(place, std::string(GetParam().from).size(), GetParam().to);
-  const auto found =
-      differences(parse("old", std::string(kHead) + kOld), parse("new", std::string(kHead) + now));
+  const auto found = differences(parse("old", std::string(kHead) + kOldSchema),
+                                 parse("new", std::string(kHead) + now));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].text, GetParam().text);
   EXPECT_EQ(found[0].effect, GetParam().effect);
@@ -76,17 +76,17 @@ INSTANTIATE_TEST_SUITE_P(
                "'move' of interface Arm was removed; who calls it is told so"}));
 
 TEST(Differences, ARenamedTypeIsTheSameWhereItIsUsed) {
-  std::string now = kOld;
+  std::string now = kOldSchema;
   for (std::size_t at; (at = now.find("Pose")) != std::string::npos;) now.replace(at, 4, "Place");
-  const auto found =
-      differences(parse("old", std::string(kHead) + kOld), parse("new", std::string(kHead) + now));
+  const auto found = differences(parse("old", std::string(kHead) + kOldSchema),
+                                 parse("new", std::string(kHead) + now));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].text, "struct Pose is called Place now");
   EXPECT_EQ(found[0].effect, Effect::None);
 }
 
 TEST(Differences, EqualFilesHaveNone) {
-  const Lock lock = parse("old", std::string(kHead) + kOld);
+  const Lock lock = parse("old", std::string(kHead) + kOldSchema);
   EXPECT_TRUE(differences(lock, lock).empty());
 }
 

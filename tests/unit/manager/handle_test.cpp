@@ -10,6 +10,7 @@
 
 #include "reference/still_arm.h"
 #include "support/eventually.h"
+#include "support/refusal.h"
 #include "support/temporary_directory.h"
 #include "support/test_thread.h"
 
@@ -39,13 +40,8 @@ struct BusyArm final : PeriodicTask, StillArm {
 };
 
 /// What a handle that cannot be made says.
-std::string refusal(Manager& manager, std::string_view name, std::string_view provided) {
-  try {
-    Handle<ArmLike> handle(manager, name, provided, Lane::Auto, 100ms);
-  } catch (const SetupError& error) {
-    return error.what();
-  }
-  return "";
+std::string handleRefusal(Manager& manager, std::string_view name, std::string_view provided) {
+  return refusal([&] { Handle<ArmLike> handle(manager, name, provided, Lane::Auto, 100ms); });
 }
 
 /// One process, or two of which the second has the arm.
@@ -137,14 +133,15 @@ TEST_P(Handles, AnyNumberOfThemInAnyNumberOfThreads) {
 
 TEST_P(Handles, WhatCannotBeConnectedSaysWhy) {
   Handle<ArmLike> handle(*manager, "Gui/Arm", arm());
-  EXPECT_NE(refusal(*manager, "Gui/Arm", arm()).find("already connected"), std::string::npos);
-  EXPECT_NE(refusal(*manager, "Gui/Other", arm("Nobody")).find("Nobody"), std::string::npos);
-  EXPECT_NE(
-      refusal(*manager, "Gui/Other", (overRpc() ? "robot:" : "") + std::string("PSM/component"))
-          .find("it requires reference::ArmLike"),
-      std::string::npos);
-  EXPECT_NE(refusal(*manager, "Gui", arm()).find("component/interface"), std::string::npos);
-  EXPECT_EQ(refusal(*manager, "Gui/Other", arm()), "") << "what failed has left nothing behind";
+  EXPECT_NE(handleRefusal(*manager, "Gui/Arm", arm()).find("already connected"), std::string::npos);
+  EXPECT_NE(handleRefusal(*manager, "Gui/Other", arm("Nobody")).find("Nobody"), std::string::npos);
+  EXPECT_NE(handleRefusal(*manager, "Gui/Other",
+                          (overRpc() ? "robot:" : "") + std::string("PSM/component"))
+                .find("it requires reference::ArmLike"),
+            std::string::npos);
+  EXPECT_NE(handleRefusal(*manager, "Gui", arm()).find("component/interface"), std::string::npos);
+  EXPECT_EQ(handleRefusal(*manager, "Gui/Other", arm()), "")
+      << "what failed has left nothing behind";
 }
 
 TEST_P(Handles, ComeAndGoWhileTheProviderSendsThemEvents) {

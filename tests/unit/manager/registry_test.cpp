@@ -6,7 +6,7 @@ namespace {
 
 using Kind = wire::Refusal::Kind;
 
-ProcessRecord process(const std::string& name, std::int32_t pid = 7) {
+ProcessRecord recordOf(const std::string& name, std::int32_t pid = 7) {
   ProcessRecord record;
   record.name = name;
   record.pid = pid;
@@ -16,7 +16,7 @@ ProcessRecord process(const std::string& name, std::int32_t pid = 7) {
 
 TEST(Registry, KnowsWhatWasAddedUntilItIsRemoved) {
   Registry registry;
-  const auto generation = registry.add(process("left"));
+  const auto generation = registry.add(recordOf("left"));
   ASSERT_TRUE(generation);
   ASSERT_NE(registry.find("left"), nullptr);
   EXPECT_EQ(registry.find("left")->generation, *generation);
@@ -26,8 +26,8 @@ TEST(Registry, KnowsWhatWasAddedUntilItIsRemoved) {
 
 TEST(Registry, ATakenNameIsRefusedAndTheHolderNamed) {
   Registry registry;
-  ASSERT_TRUE(registry.add(process("left", 4711)));
-  const auto second = registry.add(process("left", 4712));
+  ASSERT_TRUE(registry.add(recordOf("left", 4711)));
+  const auto second = registry.add(recordOf("left", 4712));
   ASSERT_FALSE(second);
   EXPECT_EQ(second.error().kind, Kind::NAME_TAKEN);
   EXPECT_NE(second.error().text.find("process 4711 on theatre"), std::string::npos)
@@ -37,9 +37,9 @@ TEST(Registry, ATakenNameIsRefusedAndTheHolderNamed) {
 
 TEST(Registry, ALateRemovalDoesNotTakeTheNameFromItsNextHolder) {
   Registry registry;
-  const auto first = registry.add(process("left"));
+  const auto first = registry.add(recordOf("left"));
   registry.remove("left", *first);
-  const auto second = registry.add(process("left"));
+  const auto second = registry.add(recordOf("left"));
   EXPECT_GT(*second, *first);
   registry.remove("left", *first);
   registry.update("left", *first, {{"PSM", {}, {}}});
@@ -54,7 +54,7 @@ void ageBeyondLeases(Registry& registry) {
 
 TEST(Registry, WhoMissesTooManyRenewalsIsSilentUntilTheNext) {
   Registry registry;
-  const auto generation = registry.add(process("left", 4711));
+  const auto generation = registry.add(recordOf("left", 4711));
   ASSERT_TRUE(registry.renew("left", *generation));
   for (int i = 0; i < wire::MISSABLE_RENEWALS; ++i) registry.age();
   EXPECT_NE(registry.find("left"), nullptr);
@@ -70,18 +70,18 @@ TEST(Registry, WhoMissesTooManyRenewalsIsSilentUntilTheNext) {
 
 TEST(Registry, WhoIsStoppedBeforeItsFirstRenewalIsSilentToo) {
   Registry registry;
-  ASSERT_TRUE(registry.add(process("left", 4711)));
+  ASSERT_TRUE(registry.add(recordOf("left", 4711)));
   ageBeyondLeases(registry);
   EXPECT_EQ(registry.find("left"), nullptr);
-  EXPECT_TRUE(registry.add(process("left", 4712)));
+  EXPECT_TRUE(registry.add(recordOf("left", 4712)));
 }
 
 TEST(Registry, TheNameOfASilentProcessGoesToWhoAsksForIt) {
   Registry registry;
-  const auto first = registry.add(process("left", 4711));
+  const auto first = registry.add(recordOf("left", 4711));
   ASSERT_TRUE(registry.renew("left", *first));
   ageBeyondLeases(registry);
-  ASSERT_TRUE(registry.add(process("left", 4712)));
+  ASSERT_TRUE(registry.add(recordOf("left", 4712)));
   EXPECT_FALSE(registry.renew("left", *first));
   registry.remove("left", *first);
   ASSERT_NE(registry.find("left"), nullptr);
@@ -91,19 +91,19 @@ TEST(Registry, TheNameOfASilentProcessGoesToWhoAsksForIt) {
 TEST(Registry, NamesThatWouldBeMistakenForAnAddressAreRefused) {
   Registry registry;
   for (const std::string name : {"", "a:b", "a/b", "a b"}) {
-    const auto added = registry.add(process(name));
+    const auto added = registry.add(recordOf(name));
     ASSERT_FALSE(added) << name;
     EXPECT_EQ(added.error().kind, Kind::MALFORMED);
   }
-  EXPECT_FALSE(registry.add(process(std::string(101, 'x'))));
-  EXPECT_TRUE(registry.add(process(std::string(100, 'x'))));
+  EXPECT_FALSE(registry.add(recordOf(std::string(101, 'x'))));
+  EXPECT_TRUE(registry.add(recordOf(std::string(100, 'x'))));
 }
 
 TEST(Registry, AnUnknownNameIsAnsweredWithWhatThereIs) {
   Registry registry;
   EXPECT_NE(registry.unknown("left", 0).text.find("knows none"), std::string::npos);
-  ASSERT_TRUE(registry.add(process("left")));
-  ASSERT_TRUE(registry.add(process("right")));
+  ASSERT_TRUE(registry.add(recordOf("left")));
+  ASSERT_TRUE(registry.add(recordOf("right")));
   const Refusal refusal = registry.unknown("lefd", 200);
   EXPECT_EQ(refusal.kind, Kind::NO_SUCH_PROCESS);
   for (const char* part : {"'lefd'", "'left' and 'right'", "200 ms", "Did you mean 'left'?"}) {
