@@ -22,7 +22,7 @@ class ByteStream {
  public:
   /// Plain; or with a session on this socket, whose handshake is done.
   ByteStream(kj::AutoCloseFd socket, std::unique_ptr<tls::Session> session);
-  ByteStream(kj::AutoCloseFd socket);
+  ByteStream(kj::AutoCloseFd socket);  // NOLINT(google-explicit-constructor): it is one
   ByteStream(ByteStream&& other) noexcept;
   ~ByteStream();
 

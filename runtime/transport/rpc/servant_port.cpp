@@ -6,9 +6,12 @@
 namespace suture::rpc {
 namespace {
 
-/// What exceeds a message is lost alone; any other failure ends the subscription.
-void throwUnlessTooLarge(kj::Exception&& failure) {
-  if (errcOf(failure) != Errc::TooLarge) kj::throwFatalException(kj::mv(failure));
+/// What exceeds a message, or is refused by the subscriber, is lost alone: a damaged event must not
+/// end a connection that goes on to be told of as connected. A subscriber that is gone ends it all.
+void throwIfGone(kj::Exception&& failure) {
+  if (failure.getType() == kj::Exception::Type::DISCONNECTED) {
+    kj::throwFatalException(kj::mv(failure));
+  }
 }
 
 }  // namespace
@@ -158,7 +161,7 @@ void ServantPort::sendEvent(EventSink& sink, const rt::EventRecord& record) {
   sending_.add(sink.event(record.event, record.payload())
                    .then([this] { eventSent(); },
                          [this](kj::Exception&& failure) {
-                           throwUnlessTooLarge(kj::mv(failure));
+                           throwIfGone(kj::mv(failure));
                            channel_->events.countDropped();
                            eventSent();
                          }));
@@ -191,8 +194,9 @@ void ServantPort::sendRow(EventSink& sink, const rt::StateTable::Row& row) {
                        },
                        [this, row](kj::Exception&& failure) {
                          --rowsInFlight_;
-                         if (errcOf(failure) != Errc::TooLarge)
-                           kj::throwFatalException(kj::mv(failure));
+                         const bool tooLarge = errcOf(failure) == Errc::TooLarge;
+                         throwIfGone(kj::mv(failure));
+                         if (!tooLarge) return pumpRow();
                          rt::StateTable::Row told = row;  // the client learns that much
                          told.tooLarge |= std::exchange(told.valid, 0);
                          KJ_IF_MAYBE (subscriber, sink_) sendRow(**subscriber, told);
