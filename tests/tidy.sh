@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 case "${1:-}" in
-  --all) sources=$(git ls-files '*.cpp') ;;
+  --all) exec python3 tests/support/tidy.py build/dev --all ;;
   "")
     base=$(git merge-base HEAD origin/main 2>/dev/null) || base=$(git rev-parse --verify --quiet HEAD~) || base=HEAD
     sources=$({ git diff --name-only --diff-filter=d "$base"; git ls-files --others --exclude-standard; } | grep '\.cpp$' | sort -u) || true

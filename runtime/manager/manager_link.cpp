@@ -89,7 +89,8 @@ kj::Promise<void> ManagerLink::enrol(ProcessRecord process) {
 }
 
 // One after the other, so that of two processes of one name the same is refused everywhere.
-kj::Promise<void> ManagerLink::enrolFrom(Leases::const_iterator first, ProcessRecord process) {
+kj::Promise<void> ManagerLink::enrolFrom(Leases::const_iterator first,
+                                         const ProcessRecord& process) {
   if (first == leases_.end()) return kj::READY_NOW;
   return (*first)->enrol(process).then(
       [this, first, process] { return enrolFrom(first + 1, process); });

@@ -48,7 +48,7 @@ class ManagerLink {
   struct Failures;
 
   ManagerLease& nearest() const;
-  kj::Promise<void> enrolFrom(Leases::const_iterator first, ProcessRecord process);
+  kj::Promise<void> enrolFrom(Leases::const_iterator first, const ProcessRecord& process);
   kj::Promise<ProcessRecord> askAll(const std::string& process, Duration wait);
   kj::Exception notOpen(const Failures& failures) const;
   kj::Exception gone(const std::string& asked) const;

@@ -1,4 +1,7 @@
-"""Runs clang-tidy on the sources named on standard input: tidy.py BUILD < SOURCES
+"""Runs clang-tidy on sources, by the commands of a unity build.
+
+  tidy.py BUILD < SOURCES    on the sources named on standard input
+  tidy.py BUILD --all        on all that is built, as it is built: many sources in one unit have their headers read once
 
 A unity build's list of commands knows the files that include the sources, and not the sources: each gets the command of the file
 that includes it. A source that the build does not compile has no command, and is left out.
@@ -12,22 +15,29 @@ import re
 import subprocess
 import sys
 
-TOOL = "clang-tidy-19"
+TOOL = "clang-tidy-14"
 FINDING = re.compile(r": (?:warning|error): ")
 INCLUDED = re.compile(r'^#include "(.+)"$', re.M)
+
+
+def units(build):
+    """The command of each file that the build compiles."""
+    entries = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
+    # What g++ calls some warnings is an error for clang, and warnings are the build's business.
+    return [{**entry, "command": entry["command"].replace(" -Werror", "")} for entry in entries
+            if not entry["file"].endswith(".capnp.c++")]
 
 
 def commands(build):
     """The command of each source."""
     result = {}
-    for entry in json.loads((build / "compile_commands.json").read_text(encoding="utf-8")):
+    for entry in units(build):
         file = pathlib.Path(entry["file"])
         sources = [str(file)]
         if file.parent.name == "Unity":
             sources = INCLUDED.findall(file.read_text(encoding="utf-8"))
         for source in sources:
-            # What g++ calls some warnings is an error for clang, and warnings are the build's business.
-            command = entry["command"].replace(str(file), source).replace(" -Werror", "")
+            command = entry["command"].replace(str(file), source)
             # The first is the library's own: tests compile some sources once more, with other definitions.
             result.setdefault(source, {**entry, "file": source, "command": command})
     return result
@@ -41,21 +51,24 @@ def examine(job):
 
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
-    known = commands(build)
-    wanted = [str(pathlib.Path(line).resolve()) for line in sys.stdin.read().split()]
-    found = [source for source in wanted if source in known]
+    if "--all" in sys.argv:
+        examined = units(build)
+    else:
+        known = commands(build)
+        wanted = [str(pathlib.Path(line).resolve()) for line in sys.stdin.read().split()]
+        examined = [known[source] for source in wanted if source in known]
     database = build / "tidy"
     database.mkdir(exist_ok=True)
-    (database / "compile_commands.json").write_text(json.dumps([known[source] for source in found]), encoding="utf-8")
+    (database / "compile_commands.json").write_text(json.dumps(examined), encoding="utf-8")
     bad, told = 0, set()
     with multiprocessing.pool.ThreadPool(os.cpu_count()) as pool:
-        for status, lines in pool.imap_unordered(examine, [(database, source) for source in found]):
+        for status, lines in pool.imap_unordered(examine, [(database, entry["file"]) for entry in examined]):
             bad += status != 0
             for line in lines if status != 0 else []:
                 if line not in told:  # a header's finding comes with each source that includes it
                     told.add(line)
                     print(line, flush=True)
-    print(f"{TOOL}: {len(found)} of {len(wanted)} sources examined, {bad} with findings.")
+    print(f"{TOOL}: {len(examined)} examined, {bad} with findings.")
     return 1 if bad else 0
 
 
