@@ -29,7 +29,7 @@ def run(command, **options):
 
 def build(project, suture):
     run(["cmake", "-S", project, "-B", project / "build", "-G", "Ninja", "--log-level=WARNING",
-         f"-DSuture_DIR={suture}", "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_STANDARD=20"])
+         f"-DSuture_DIR={suture}", "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_STANDARD=20", "-DCMAKE_UNITY_BUILD=ON"])
     run(["cmake", "--build", project / "build", "--target", "update-lock"])
     run(["cmake", "--build", project / "build", "-j2"])
 
