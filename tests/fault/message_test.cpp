@@ -233,7 +233,7 @@ TEST_P(MessagesAndLosses, LeaveASoundHistory) {
       return caller_->arm.connected();
     }));
   }
-  EXPECT_TRUE(askFor(faultTime() / 4, [this] { return asked_ > kEnoughAsked; }));
+  EXPECT_TRUE(askFor(faultTime() / 4, [this] { return reads_ > 0 && asked_ > kEnoughAsked; }));
   expectSound();
 }
 
