@@ -189,7 +189,7 @@ def main():
     root = empty(arguments.scratch / f"{arguments.row} {arguments.generator}")
     shutil.copytree(HERE / "project", root, dirs_exist_ok=True)
     project = Project(root, arguments.package, arguments.generator)
-    project.configure("-DCMAKE_UNITY_BUILD=ON")  # what runs and is rewritten matters here, and not what is compiled
+    project.configure()
     if arguments.row in BEFORE:
         BEFORE[arguments.row](project)
     else:
