@@ -1,5 +1,5 @@
 #pragma once
-// The things that threads did under a stepped clock, in their order.
+// A trace keeps what threads did under a stepped clock, in their order.
 
 #include <suture/base/time.h>
 #include <suture/base/virtual_time.h>

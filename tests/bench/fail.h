@@ -1,5 +1,5 @@
 #pragma once
-// How a system call that went wrong ends the measurement.
+// A system call that goes wrong ends the measurement, since what follows would measure nothing.
 
 #include <suture/base/errors.h>
 

@@ -6,8 +6,9 @@
 namespace suture::rpc {
 namespace {
 
-/// What exceeds a message, or is refused by the subscriber, is lost alone: a damaged event must not
-/// end a connection that goes on to be told of as connected. A subscriber that is gone ends it all.
+/// An event or row that exceeds a message, or that the subscriber refuses, is lost alone, since a
+/// damaged one must not silence a connection that is told of as connected. Throws if the subscriber
+/// is gone, which ends its subscription.
 void throwIfGone(kj::Exception&& failure) {
   if (failure.getType() == kj::Exception::Type::DISCONNECTED) {
     kj::throwFatalException(kj::mv(failure));

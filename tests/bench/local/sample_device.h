@@ -1,5 +1,5 @@
 #pragma once
-// A client that calls only when the measurement has it call.
+// This client has no cycles: it calls in the thread of the measurement, when that has it call.
 
 #include <suture/component/device.h>
 

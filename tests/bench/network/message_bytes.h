@@ -1,5 +1,5 @@
 #pragma once
-// What a bare socket carries in the place of a lane's message.
+// A bare socket carries as many bytes as a lane's message has, so that the rows can be compared.
 
 #include <cstddef>
 

@@ -1,5 +1,5 @@
 #pragma once
-// The arm that these tests move: a PSM with an uneven parking place, whose joints are quick.
+// These tests move a PSM with an uneven parking place, whose quick joints keep them short.
 
 #include "arm/kinematics/davinci.h"
 #include "arm/simulated_arm.h"

@@ -1,5 +1,5 @@
 #pragma once
-// A client of an arm that does nothing of itself.
+// This client of an arm does nothing of itself, so that each call is the test's.
 
 #include <suture/component/device.h>
 

@@ -1,4 +1,4 @@
-// Whether a peer has fallen silent and whether a task hangs, by what its process answers.
+// A heartbeat tells a silent peer and a task that hangs by what the process answers.
 
 #include <gtest/gtest.h>
 #include <suture/manager/heartbeat.h>

@@ -1,4 +1,4 @@
-// A subscriber that refuses what it is sent, as one does when a bit of it was flipped on the way.
+// A subscriber refuses an event of which a bit was flipped on the way; it must get what follows.
 
 #include <gtest/gtest.h>
 #include <suture/component/periodic_task.h>
