@@ -35,11 +35,20 @@ struct Connected {
 
   /// From the signal until the client's connection is known to be lost, ns.
   std::int64_t untilLost(int signal) {
+    return after(signal, "a lost connection",
+                 [this] { return channel->status != suture::ChannelStatus::Connected; });
+  }
+  /// From the signal until the client is connected anew, ns.
+  std::int64_t untilBack(int signal) {
+    return after(signal, "a new connection", [this] { return client.server.connected(); });
+  }
+
+  template <class Condition>
+  std::int64_t after(int signal, const char* wanted, const Condition& holds) {
     const Time begin = now();
     kill(server.pid(), signal);
-    while (channel->status == suture::ChannelStatus::Connected) {
-      if (now() - begin > 10s)
-        throw SetupError("a lost connection", "none in 10 s", "Run it again");
+    while (!holds()) {
+      if (now() - begin > 10s) throw SetupError(wanted, "none in 10 s", "Run it again");
       std::this_thread::sleep_for(50us);
     }
     return (now() - begin).count();
@@ -78,6 +87,13 @@ std::int64_t stopOne(suture::Lane lane, const NetworkOptions& options) {
   return elapsed;
 }
 
+/// From the end of a silence that lost the connection.
+std::int64_t resumeOne(suture::Lane lane, const NetworkOptions& options) {
+  Connected connected(lane, options, {.silence = kSilenceBound});
+  connected.untilLost(SIGSTOP);
+  return connected.untilBack(SIGCONT);
+}
+
 /// Beyond its task and the one that main() runs in.
 double threadsBeyondTasks(suture::Lane lane, const NetworkOptions& options) {
   const Connected connected(lane, options);
@@ -114,6 +130,8 @@ std::string linkTimeRows(const NetworkOptions& options, Report& report) {
     row("silence noticed, bound 200 ms", "silence", silence);
     report.add("silence." + name + ".ratio", "x",
                silence.p50 * kMillisecond / static_cast<double>(kSilenceBound.count()));
+    row("connected anew after silence", "reconnect",
+        repeated(options.links(), [&] { return resumeOne(lane, options); }));
     const double threads = threadsBeyondTasks(lane, options);
     report.add("threads." + name, "threads", threads);
     table.row({"threads of a server beyond its task", name, number(threads, 0)});

@@ -92,9 +92,7 @@ TEST_P(Namespaces, AreConnectedAsMachinesAre) {
     EXPECT_TRUE(eventually([&] { return !console.arm.connected(); }));
     std::this_thread::sleep_for(out);
     cable_->putBack();
-    const Time back = now();
     EXPECT_TRUE(eventually([&] { return console.arm.connected(); }));
-    EXPECT_LE(now() - back, 1s);
     EXPECT_TRUE(reaches(console, 4 + static_cast<double>(out.count())));
     EXPECT_EQ(manager.channels().at(0)->lane, std::get<2>(GetParam())) << "the same lane";
   }
