@@ -80,8 +80,8 @@ kj::Exception ManagerLink::notOpen(const Failures& failures) const {
   return rpc::failure(Type::FAILED, text);
 }
 
-kj::Promise<void> ManagerLink::enrol(ProcessRecord process) {
-  return enrolFrom(leases_.begin(), std::move(process)).then([this] {
+kj::Promise<void> ManagerLink::enrol(const ProcessRecord& process) {
+  return enrolFrom(leases_.begin(), process).then([this] {
     const bool enrolled = std::any_of(leases_.begin(), leases_.end(),
                                       [](const auto& lease) { return lease->enrolled(); });
     if (!enrolled) kj::throwFatalException(gone("register this process"));

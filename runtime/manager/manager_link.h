@@ -23,7 +23,7 @@ class ManagerLink {
   kj::Promise<void> open(Duration patience);
   /// Registers this process at each manager that answers, and at the others when they do. Rejects
   /// if one says that the name is taken.
-  kj::Promise<void> enrol(ProcessRecord process);
+  kj::Promise<void> enrol(const ProcessRecord& process);
   /// Tells what the process offers and needs now.
   void update(const std::vector<ComponentRecord>& components);
 

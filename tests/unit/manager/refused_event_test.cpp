@@ -1,6 +1,7 @@
 // A subscriber refuses an event of which a bit was flipped on the way; it must get what follows.
 
 #include <gtest/gtest.h>
+#include <suture/component/channel.h>
 #include <suture/component/periodic_task.h>
 #include <suture/manager/global_manager.h>
 #include <suture/manager/manager.h>
