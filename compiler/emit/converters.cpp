@@ -57,8 +57,9 @@ void emitEnumCheck(Code& code, const Context& context, const model::Enum& type) 
   std::set<std::int64_t> values;
   for (const model::Enumerator& one : type.enumerators) {
     if (!values.insert(one.value).second) continue;
-    code.line("case ", names.cxx, "::", one.name, ": return true;");
+    code.line("case ", names.cxx, "::", one.name, ":");
   }
+  if (!values.empty()) code.line("  return true;");
   code.close("}").line("return false;").close("}").blank();
 }
 

@@ -358,9 +358,10 @@ wire::ArmWarning wireArmWarning(std::uint8_t slot) {
 
 bool isKnownArmWarning(std::uint8_t slot) {
   switch (static_cast<ArmWarning>(slot)) {
-    case ArmWarning::NotEnabled: return true;
-    case ArmWarning::OutOfReach: return true;
-    case ArmWarning::Malformed: return true;
+    case ArmWarning::NotEnabled:
+    case ArmWarning::OutOfReach:
+    case ArmWarning::Malformed:
+      return true;
   }
   return false;
 }

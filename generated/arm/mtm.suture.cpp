@@ -60,8 +60,9 @@ wire::MtmSide wireMtmSide(std::uint8_t slot) {
 
 bool isKnownMtmSide(std::uint8_t slot) {
   switch (static_cast<MtmSide>(slot)) {
-    case MtmSide::Left: return true;
-    case MtmSide::Right: return true;
+    case MtmSide::Left:
+    case MtmSide::Right:
+      return true;
   }
   return false;
 }

@@ -390,14 +390,15 @@ wire::ServoMode wireServoMode(std::uint8_t slot) {
 
 bool isKnownServoMode(std::uint8_t slot) {
   switch (static_cast<ServoMode>(slot)) {
-    case ServoMode::None: return true;
-    case ServoMode::Position: return true;
-    case ServoMode::Velocity: return true;
-    case ServoMode::PositionVelocity: return true;
-    case ServoMode::Effort: return true;
-    case ServoMode::PositionEffort: return true;
-    case ServoMode::VelocityEffort: return true;
-    case ServoMode::All: return true;
+    case ServoMode::None:
+    case ServoMode::Position:
+    case ServoMode::Velocity:
+    case ServoMode::PositionVelocity:
+    case ServoMode::Effort:
+    case ServoMode::PositionEffort:
+    case ServoMode::VelocityEffort:
+    case ServoMode::All:
+      return true;
   }
   return false;
 }

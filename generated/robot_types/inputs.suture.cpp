@@ -117,11 +117,12 @@ wire::ButtonAction wireButtonAction(std::uint8_t slot) {
 
 bool isKnownButtonAction(std::uint8_t slot) {
   switch (static_cast<ButtonAction>(slot)) {
-    case ButtonAction::Undefined: return true;
-    case ButtonAction::Pressed: return true;
-    case ButtonAction::Released: return true;
-    case ButtonAction::Clicked: return true;
-    case ButtonAction::DoubleClicked: return true;
+    case ButtonAction::Undefined:
+    case ButtonAction::Pressed:
+    case ButtonAction::Released:
+    case ButtonAction::Clicked:
+    case ButtonAction::DoubleClicked:
+      return true;
   }
   return false;
 }

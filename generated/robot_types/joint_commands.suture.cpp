@@ -376,12 +376,13 @@ wire::JointType wireJointType(std::uint8_t slot) {
 
 bool isKnownJointType(std::uint8_t slot) {
   switch (static_cast<JointType>(slot)) {
-    case JointType::Undefined: return true;
-    case JointType::Prismatic: return true;
-    case JointType::Revolute: return true;
-    case JointType::Universal: return true;
-    case JointType::BallSocket: return true;
-    case JointType::Inactive: return true;
+    case JointType::Undefined:
+    case JointType::Prismatic:
+    case JointType::Revolute:
+    case JointType::Universal:
+    case JointType::BallSocket:
+    case JointType::Inactive:
+      return true;
   }
   return false;
 }

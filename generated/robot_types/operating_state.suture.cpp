@@ -78,11 +78,12 @@ wire::ArmState wireArmState(std::uint8_t slot) {
 
 bool isKnownArmState(std::uint8_t slot) {
   switch (static_cast<ArmState>(slot)) {
-    case ArmState::Undefined: return true;
-    case ArmState::Disabled: return true;
-    case ArmState::Enabled: return true;
-    case ArmState::Paused: return true;
-    case ArmState::Fault: return true;
+    case ArmState::Undefined:
+    case ArmState::Disabled:
+    case ArmState::Enabled:
+    case ArmState::Paused:
+    case ArmState::Fault:
+      return true;
   }
   return false;
 }

@@ -165,9 +165,10 @@ wire::TeleopState wireTeleopState(std::uint8_t slot) {
 
 bool isKnownTeleopState(std::uint8_t slot) {
   switch (static_cast<TeleopState>(slot)) {
-    case TeleopState::Disabled: return true;
-    case TeleopState::Preparing: return true;
-    case TeleopState::Following: return true;
+    case TeleopState::Disabled:
+    case TeleopState::Preparing:
+    case TeleopState::Following:
+      return true;
   }
   return false;
 }

@@ -78,8 +78,9 @@ wire::Mode wireMode(std::uint8_t slot) {
 
 bool isKnownMode(std::uint8_t slot) {
   switch (static_cast<Mode>(slot)) {
-    case Mode::Disabled: return true;
-    case Mode::Enabled: return true;
+    case Mode::Disabled:
+    case Mode::Enabled:
+      return true;
   }
   return false;
 }

@@ -156,12 +156,13 @@ wire::ComponentState wireComponentState(std::uint8_t slot) {
 
 bool isKnownComponentState(std::uint8_t slot) {
   switch (static_cast<ComponentState>(slot)) {
-    case ComponentState::Constructed: return true;
-    case ComponentState::Configured: return true;
-    case ComponentState::Running: return true;
-    case ComponentState::Suspended: return true;
-    case ComponentState::Faulted: return true;
-    case ComponentState::Stopped: return true;
+    case ComponentState::Constructed:
+    case ComponentState::Configured:
+    case ComponentState::Running:
+    case ComponentState::Suspended:
+    case ComponentState::Faulted:
+    case ComponentState::Stopped:
+      return true;
   }
   return false;
 }

@@ -385,9 +385,10 @@ wire::Mode wireMode(std::int8_t slot) {
 
 bool isKnownMode(std::int8_t slot) {
   switch (static_cast<Mode>(slot)) {
-    case Mode::Disabled: return true;
-    case Mode::HoldStill: return true;
-    case Mode::Servo: return true;
+    case Mode::Disabled:
+    case Mode::HoldStill:
+    case Mode::Servo:
+      return true;
   }
   return false;
 }

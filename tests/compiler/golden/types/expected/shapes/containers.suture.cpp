@@ -464,9 +464,10 @@ wire::Level wireLevel(std::int16_t slot) {
 
 bool isKnownLevel(std::int16_t slot) {
   switch (static_cast<Level>(slot)) {
-    case Level::Unknown: return true;
-    case Level::Low: return true;
-    case Level::High: return true;
+    case Level::Unknown:
+    case Level::Low:
+    case Level::High:
+      return true;
   }
   return false;
 }
