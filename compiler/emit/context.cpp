@@ -100,7 +100,7 @@ std::string cxxType(const Type& type, const std::string& inNamespace) {
 }
 
 std::string elementSlot(const Type& type, const Context& context, const std::string& inNamespace) {
-  const std::string first = slotType(type.element.front(), context, inNamespace);
+  std::string first = slotType(type.element.front(), context, inNamespace);
   if (type.shape != Shape::Map) return first;
   return "suture::SlotEntry<" + first + ", " + slotType(type.element.back(), context, inNamespace) +
          ">";

@@ -122,7 +122,7 @@ class Page {
 
   /// A link to where the contract is described, if that is a page of this project.
   std::string contractName(const std::string& name) const {
-    const std::string shown = inCode(relative(name, header_.cxxNamespace));
+    std::string shown = inCode(relative(name, header_.cxxNamespace));
     const model::Header* const home = context_.lookup.headerOf(name);
     if (!home || !home->own) return shown;
     const std::string anchor = anchorOf(contractHeading(name));

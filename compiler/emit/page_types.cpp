@@ -43,7 +43,7 @@ std::string matrix(const Type& type) {
 }
 
 std::string anyMatrix(const Type& type) {
-  const std::string words = "matrix of " + scalarWords(type.scalar);
+  std::string words = "matrix of " + scalarWords(type.scalar);
   if (!type.capacity && !type.columnCapacity) return words;
   if (!type.columnCapacity) return words + bound(type.capacity, " rows");
   if (!type.capacity) return words + bound(type.columnCapacity, " columns");

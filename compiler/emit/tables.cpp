@@ -184,9 +184,9 @@ void emitEvents(Code& code, const Context& context, const model::Interface& inte
 std::string rows(Code& code, const model::Interface& interface, const std::string& kind,
                  const std::string& own, std::size_t ownRows, std::size_t allRows) {
   if (ownRows == allRows) return allRows == 0 ? "{}" : own;
-  const std::string inherited = "interfaceInfo<" + interface.base + ">()." + kind;
+  std::string inherited = "interfaceInfo<" + interface.base + ">()." + kind;
   if (ownRows == 0) return inherited;
-  const std::string name = "k" + model::titleCase(kind);
+  std::string name = "k" + model::titleCase(kind);
   code.line("static const auto ", name, " = extended<", std::to_string(allRows), ">(", kBreakText,
             inherited, ", ", kBreakText, own, ");");
   return name;

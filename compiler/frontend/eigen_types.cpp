@@ -77,7 +77,7 @@ std::optional<unsigned> boundOf(const Specialisation* type, unsigned index) {
 
 /// An Eigen type some extent of which is known at run time only. A vector is a list of its
 /// coefficients, a matrix of so many rows a list of its columns.
-MappedType mapDynamic(const Specialisation* type, model::Type scalar) {
+MappedType mapDynamic(const Specialisation* type, const model::Type& scalar) {
   const std::int64_t rows = number(type, 1), columns = number(type, 2);
   model::Type mapped;
   mapped.spelling = spellingOf(type, scalar.spelling);

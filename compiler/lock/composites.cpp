@@ -32,9 +32,9 @@ std::string declared(const Type& type, const Place& place) {
   const model::Struct* const record = place.lookup.findStruct(type.name);
   const model::Enum* const enumeration = place.lookup.findEnum(type.name);
   const model::Header* const home = place.lookup.headerOf(type.name);
-  const std::string name = record        ? record->wireName
-                           : enumeration ? enumeration->wireName
-                                         : model::unqualified(type.name);
+  std::string name = record        ? record->wireName
+                     : enumeration ? enumeration->wireName
+                                   : model::unqualified(type.name);
   if (home == nullptr || home->cxxNamespace == place.inside.cxxNamespace) return name;
   return model::titleCase(model::camelCase(model::unqualified(home->cxxNamespace))) + name;
 }

@@ -63,7 +63,7 @@ class Tokenizer {
       if (text_[end] == '\\') ++end;
     }
     if (end >= text_.size() || text_[end] != '"') throw SyntaxError(line_, "a string has no end");
-    const std::string result(text_.substr(at_, end + 1 - at_));
+    std::string result(text_.substr(at_, end + 1 - at_));
     at_ = end + 1;
     return result;
   }

@@ -27,7 +27,7 @@ std::filesystem::path write(const Options& options, const std::filesystem::path&
     }
   }
   for (json& connection : system.at("connections")) connection["lane"] = options.lane;
-  const auto file = folder / "deployment.json";
+  auto file = folder / "deployment.json";
   std::ofstream(file) << system.dump(2) << '\n';
   return file;
 }

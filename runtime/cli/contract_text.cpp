@@ -5,7 +5,7 @@
 namespace suture::cli {
 namespace {
 
-constexpr unsigned kStep = 4;
+constexpr std::size_t kStep = 4;
 
 std::string docText(const Json& described, unsigned indent) {
   std::string text = textAt(described, "doc");

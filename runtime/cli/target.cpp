@@ -14,7 +14,7 @@ namespace {
 /// What stands before `separator`, which is cut off `rest`; all of it if there is none.
 std::string take(std::string_view& rest, char separator) {
   const auto end = rest.find(separator);
-  const std::string taken(rest.substr(0, end));
+  std::string taken(rest.substr(0, end));
   rest = end == std::string_view::npos ? "" : rest.substr(end + 1);
   return taken;
 }
@@ -37,7 +37,7 @@ Target Target::parse(std::string_view text) {
 }
 
 Target Target::parseInterface(std::string_view text) {
-  const Target target = parse(text);
+  Target target = parse(text);
   if (target.interface.empty()) refuse(text, "process:component/interface");
   return target;
 }

@@ -29,7 +29,7 @@ std::string clockTypeText(const Json& type) {
 }  // namespace
 
 std::string typeText(const Json& type) {
-  const std::string kind = textAt(type, "kind");
+  std::string kind = textAt(type, "kind");
   const Json& element = valueAt(type, "element");
   if (kind == "struct" || kind == "enum") return textAt(type, "name");
   if (kind == "text") {

@@ -12,7 +12,9 @@ namespace {
 
 // The same in the program and in each library that it loads: they may have copies of this file, so
 // nothing of this file's own can name a thread.
-const void* thisThread() { return reinterpret_cast<const void*>(pthread_self()); }
+const void* thisThread() {
+  return reinterpret_cast<const void*>(pthread_self());  // NOLINT(performance-no-int-to-ptr)
+}
 
 }  // namespace
 

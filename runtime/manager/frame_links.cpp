@@ -40,7 +40,7 @@ FrameLinks::Hold FrameLinks::hold(const std::string& provider) {
 
 FrameLinks::Link FrameLinks::open(const std::string& provider, std::uint32_t epoch,
                                   rpc::ByteStream bytes) {
-  const auto link = std::make_shared<frame::Link>(kj::mv(bytes), epoch);
+  auto link = std::make_shared<frame::Link>(kj::mv(bytes), epoch);
   Known& known = providers_[provider].links[epoch];
   known.link = link;
   for (auto& one : std::exchange(known.awaiting, {})) one->fulfill(Link(link));

@@ -320,7 +320,7 @@ std::shared_ptr<Channel> Manager::connectHere(RequiredBase& required, ProvidedBa
 }
 
 std::string Manager::placeOf(const Component& component, const std::string& interface) const {
-  const std::string place = component.name() + "/" + interface;
+  std::string place = component.name() + "/" + interface;
   const std::vector<Component*> all = directory_.components();
   if (std::find(all.begin(), all.end(), &component) != all.end()) return place;
   throw SetupError("connecting '" + place + "'",

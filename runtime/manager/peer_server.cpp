@@ -272,7 +272,7 @@ kj::Promise<void> PeerServer::accept(Asked asked) {
       });
 }
 
-kj::Promise<void> PeerServer::acceptSlower(Asked& asked, std::string laneReason) {
+kj::Promise<void> PeerServer::acceptSlower(Asked& asked, const std::string& laneReason) {
   auto in = asked.context.getParams();
   if (!in.hasFrame()) return serveCalls(asked, laneReason);
   const InterfaceInfo* const contract = sameContract(asked.provided.info(), stringOf(in.getHash()));

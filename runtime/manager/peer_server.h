@@ -38,7 +38,7 @@ class PeerServer final : public wire::Peer::Server {
   /// What every lane answers.
   wire::ConnectResults::Accepted::Builder accepted(Asked& asked, rpc::ProviderEnd& end);
   /// Not by shared memory, if that was asked for, because of `laneReason`.
-  kj::Promise<void> acceptSlower(Asked& asked, std::string laneReason);
+  kj::Promise<void> acceptSlower(Asked& asked, const std::string& laneReason);
   void sendFrames(Asked& asked, const InterfaceInfo& contract, const std::string& laneReason);
   kj::Promise<void> serveCalls(Asked& asked, const std::string& laneReason);
   void shareMemory(Asked& asked, const InterfaceInfo& contract, std::shared_ptr<MemoryBlock> bell);

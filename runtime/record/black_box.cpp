@@ -59,7 +59,7 @@ void keepAll(const Component& component, unsigned rows) {
 
 }  // namespace
 
-BlackBox::BlackBox(std::vector<Component*> components, BlackBoxOptions options)
+BlackBox::BlackBox(const std::vector<Component*>& components, BlackBoxOptions options)
     : options_(std::move(options)) {
   for (Component* component : components) {
     keepAll(*component, options_.rows);

@@ -35,7 +35,7 @@ class BlackBox {
  public:
   /// Before the components are started and connected. Asks for all reads that they provide, so that
   /// there are rows. They outlive this.
-  BlackBox(std::vector<Component*> components, BlackBoxOptions options);
+  BlackBox(const std::vector<Component*>& components, BlackBoxOptions options);
   ~BlackBox();
   BlackBox(const BlackBox&) = delete;
   BlackBox& operator=(const BlackBox&) = delete;

@@ -82,7 +82,7 @@ const InterfaceInfo* sameContract(const InterfaceInfo& provided, const std::stri
 
 std::string whyOtherSlots(const InterfaceInfo* contract, const std::string& layout) {
   if (contract == nullptr) return "the two were built from different versions of the contract";
-  if (const std::string reason = whyUnbounded(*contract); !reason.empty()) return reason;
+  if (std::string reason = whyUnbounded(*contract); !reason.empty()) return reason;
   if (layout == memoryLayout(*contract)) return "";
   return "the contract's values lie in memory in another way there";
 }

@@ -17,7 +17,7 @@ void Report::addUnavailable(const std::string& figure, const std::string& reason
   figures_[figure] = {{"unavailable", reason}};
 }
 
-void Report::note(const std::string& key, nlohmann::json value) { notes_[key] = std::move(value); }
+void Report::note(const std::string& key, const nlohmann::json& value) { notes_[key] = value; }
 
 std::optional<Value> Report::find(const std::string& name) const {
   for (const auto& [figure, content] : figures_.items()) {

@@ -25,7 +25,7 @@ class Report {
   void add(const std::string& figure, const std::string& unit, double value);
   void addUnavailable(const std::string& figure, const std::string& reason);
   /// Anything else worth keeping beside the figures: options, machine.
-  void note(const std::string& key, nlohmann::json value);
+  void note(const std::string& key, const nlohmann::json& value);
 
   /// A single value by its name, one of a distribution as "event.csc.network.p50". Nothing if it
   /// was not measured.

@@ -2,7 +2,6 @@
 // Values as bytes, for another process of the same program.
 
 #include <algorithm>
-#include <cstring>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -44,7 +43,7 @@ Value fromBytes(const std::string& bytes) {
   } else if constexpr (!std::is_void_v<Value>) {
     static_assert(std::is_trivially_copyable_v<Value>, "it cannot cross to another process");
     alignas(Value) char copy[sizeof(Value)]{};
-    std::memcpy(copy, bytes.data(), std::min(bytes.size(), sizeof copy));
+    std::copy_n(bytes.data(), std::min(bytes.size(), sizeof copy), copy);
     return *reinterpret_cast<Value*>(copy);
   }
 }

@@ -46,8 +46,10 @@ class BusyProcesses {
   explicit BusyProcesses(int count) {
     for (int i = 0; i < count; ++i) {
       const pid_t one = fork();
-      if (one == 0) prctl(PR_SET_PDEATHSIG, SIGKILL);
-      for (volatile unsigned turns = 0; one == 0;) turns = turns + 1;
+      if (one == 0) {
+        prctl(PR_SET_PDEATHSIG, SIGKILL);
+        for (volatile unsigned turns = 0;;) turns = turns + 1;
+      }
       processes_.push_back(one);
     }
   }

@@ -168,7 +168,7 @@ TEST_P(StoppedTask, AsAProviderHasAsManyCommandsWaitingAsDeclaredAndDelaysNobody
   connect("Caller/Stopped", "Stopped/Arm");
   connect("Caller/Live", "Live/Arm");
   ASSERT_TRUE(caller.isAnswered());
-  std::ofstream{file};
+  std::ofstream created(file);
   ASSERT_TRUE(caller.stopped.limit(0, reference::Mode::Enabled));
   ASSERT_TRUE(caller.isFull());
   caller.flood();

@@ -22,7 +22,7 @@ using Kind = HistoryEntry::Kind;
 class Forwarder {
  public:
   /// Its proxy listens at `here`.
-  Forwarder(const std::string& manager, std::string name, std::string behind,
+  Forwarder(const std::string& manager, const std::string& name, const std::string& behind,
             const rpc::Address& here, unsigned seed) {
     control_.run(20s, [&, name, behind, here, address = rpc::Address::parse(manager)] {
       link_ = std::make_unique<ManagerLink>(control_, std::vector{address}, "forwarder");

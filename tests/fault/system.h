@@ -175,7 +175,7 @@ class System {
   }
   std::string newLog(const char* prefix, int number) {
     logs_.push_back(directory_.file(prefix + std::to_string(number)));
-    std::ofstream(logs_.back());
+    std::ofstream created(logs_.back());
     return logs_.back();
   }
 

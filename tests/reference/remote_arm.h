@@ -62,7 +62,7 @@ struct Teleop final : PeriodicTask {
 /// A robot and its console, two processes to each other: nothing is shared but the sockets.
 class RemoteArm : public testing::Test {
  protected:
-  void begin(const std::string& address, Policy policy = {}) {
+  void begin(const std::string& address, const Policy& policy = {}) {
     if (address.starts_with("tls:")) {
       tls::makeKeys(directory_.path() / "keys", {tls::kManagerName, "robot", "console"});
     }

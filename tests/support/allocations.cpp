@@ -31,10 +31,12 @@ constexpr bool kCounts = true;
 
 // operator new comes here as well.
 extern "C" {
+// NOLINTBEGIN(bugprone-reserved-identifier): the C library calls them so.
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t number, std::size_t size);
 void* __libc_realloc(void* memory, std::size_t size);
 void* __libc_memalign(std::size_t alignment, std::size_t size);
+// NOLINTEND(bugprone-reserved-identifier)
 
 void* malloc(std::size_t size) {
   countOne();

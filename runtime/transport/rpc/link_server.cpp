@@ -24,7 +24,7 @@ Listener::Opens opensOf(const Trust& trust, const Address& address) {
 using capnp::rpc::twoparty::Side;
 
 LinkServer::LinkServer(EventPort& port, const Address& address, Offer offer, StreamLimits limits,
-                       std::size_t maxLinks, Trust trust, Awaited awaited)
+                       std::size_t maxLinks, const Trust& trust, Awaited awaited)
     : port_(port),
       trust_(usable(trust, address)),
       listener_(port, address, opensOf(trust, address)),

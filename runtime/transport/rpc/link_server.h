@@ -34,7 +34,7 @@ class LinkServer final : private kj::TaskSet::ErrorHandler {
   /// a link on which it only hears why it is refused.
   LinkServer(
       EventPort& port, const Address& address, Offer offer, StreamLimits limits = {},
-      std::size_t maxLinks = 1024, Trust trust = {},
+      std::size_t maxLinks = 1024, const Trust& trust = {},
       Awaited awaited = [](const Token&, ByteStream) {});
 
   const Address& address() const { return listener_.address(); }

@@ -56,7 +56,10 @@ BioMethodPtr makeSocketMethod() {
 BioPtr makeSocketBio(const BIO_METHOD* method, int socket) {
   BioPtr bio(BIO_new(method));
   if (bio == nullptr) throw std::bad_alloc();
-  BIO_set_data(bio.get(), reinterpret_cast<void*>(static_cast<std::intptr_t>(socket)));
+  // What a BIO keeps is a pointer, and this one needs a number.
+  BIO_set_data(bio.get(),
+               reinterpret_cast<void*>(  // NOLINT(performance-no-int-to-ptr)
+                   static_cast<std::intptr_t>(socket)));
   BIO_set_init(bio.get(), 1);
   return bio;
 }

@@ -4,6 +4,7 @@
 #include <suture/base/errors.h>
 
 #include <array>
+#include <cstring>
 #include <stdexcept>
 
 #include "bench/compiler/fast_cdr.h"
@@ -41,7 +42,7 @@ class RecordCodec {
     Conversion::write(value, message.initRoot<Wire>());
     const auto segments = message.getSegmentsForOutput();
     bytes_ = segments[0].size();
-    std::copy(segments[0].begin(), segments[0].end(), message_.begin());
+    std::memcpy(message_.data(), segments[0].begin(), segments[0].asBytes().size());
   }
   void decode(Value& value) {
     const kj::ArrayPtr<const capnp::word> segments[] = {kj::arrayPtr(message_.data(), bytes_)};

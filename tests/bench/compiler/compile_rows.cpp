@@ -72,7 +72,7 @@ class CompileCall {
 
 /// A user's file that includes one header of the interface and nothing else.
 fs::path userFile(const fs::path& scratch, const char* name, const char* header) {
-  const fs::path file = scratch / name;
+  fs::path file = scratch / name;
   std::ofstream(file) << "#include \"" << header << "\"\n";
   return file;
 }

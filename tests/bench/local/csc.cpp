@@ -38,7 +38,7 @@ struct RingWay {
   suture::rt::Doorbell bell;
 
   void send(const PoseSample& value) {
-    std::memcpy(ring.claim(sizeof(value)), &value, sizeof(value));
+    std::memcpy(ring.claim(sizeof(value)), static_cast<const void*>(&value), sizeof(value));
     ring.commit();
     bell.ring();
   }

@@ -27,7 +27,7 @@ struct Way {
   alignas(64) char value[sizeof(PoseSample)];
 
   void send(const PoseSample& pose) {
-    std::memcpy(value, &pose, sizeof(pose));
+    std::memcpy(value, static_cast<const void*>(&pose), sizeof(pose));
     count.fetch_add(1, std::memory_order_release);
     syscall(SYS_futex, &count, FUTEX_WAKE, 1, nullptr, nullptr, 0);
   }

@@ -13,7 +13,8 @@ namespace {
 constexpr std::int64_t kSecond = 1'000'000'000;
 
 std::int64_t beginning() {
-  static const std::int64_t kBeginning = std::atoll(std::getenv("DRIFT_FROM"));
+  static const char* const kText = std::getenv("DRIFT_FROM");
+  static const std::int64_t kBeginning = kText == nullptr ? 0 : std::atoll(kText);
   return kBeginning;
 }
 

@@ -53,7 +53,7 @@ class SecurityTest : public testing::Test {
       auto& held = *link;
       return held.open(5s)
           .then([&held] { return held.resolve("robot", 5s); })
-          .then([&held](ProcessRecord robot) { return held.reach(robot, 5s); })
+          .then([&held](const ProcessRecord& robot) { return held.reach(robot, 5s); })
           .then([&control, ask](rpc::ByteStream bytes) {
             auto stream = kj::heap<rpc::MessageStream>(control.port(), kj::mv(bytes));
             auto connection = kj::heap<rpc::Link>(kj::mv(stream), Side::CLIENT);
@@ -87,7 +87,7 @@ class SecurityTest : public testing::Test {
 
  private:
   std::filesystem::path makeKeys() const {
-    const auto folder = directory_.path() / "keys";
+    auto folder = directory_.path() / "keys";
     tls::makeKeys(folder, {tls::kManagerName, "robot", "console", "viewer", "stranger"});
     return folder;
   }

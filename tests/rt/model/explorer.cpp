@@ -12,7 +12,7 @@
 namespace model {
 namespace {
 
-constexpr std::size_t kStackBytes = 256 * 1024;
+constexpr std::size_t kStackBytes = std::size_t{256} * 1024;
 
 using Threads = std::uint32_t;  // a bit each
 

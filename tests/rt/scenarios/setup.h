@@ -52,6 +52,9 @@ struct Prototype {
   Swap& swap;
   Value value;
 };
+template <class Set, class Read, class Twice, class Take, class Swap, class Value>
+Prototype(Set&, Read&, Twice&, Take&, Swap&, Value)
+    -> Prototype<Set, Read, Twice, Take, Swap, Value>;
 
 /// Shows each prototype to `visit`.
 template <class Visit>

@@ -12,11 +12,13 @@
 
 extern "C" {
 
+// NOLINTBEGIN(bugprone-reserved-identifier): the C library calls them so.
 void* __libc_malloc(std::size_t);
 void* __libc_calloc(std::size_t, std::size_t);
 void* __libc_realloc(void*, std::size_t);
 void* __libc_memalign(std::size_t, std::size_t);
 void __libc_free(void*);
+// NOLINTEND(bugprone-reserved-identifier)
 
 void* malloc(std::size_t size) {
   proof::Watch::noteCall("malloc");

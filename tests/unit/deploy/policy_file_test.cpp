@@ -24,7 +24,7 @@ constexpr const char* kPolicy = R"({
   ]
 })";
 
-std::string problemsOf(std::string piece, const std::string& replacement) {
+std::string problemsOf(const std::string& piece, const std::string& replacement) {
   std::string text = kPolicy;
   text.replace(text.find(piece), piece.size(), replacement);
   try {

@@ -23,10 +23,10 @@ using model::Scalar;
 Locks lockOf(const model::Model& model, const Locks& old = {}) {
   Diagnostics diagnostics;
   std::vector<model::Artefact> texts = update(model, old).files;
-  for (const auto& [path, lock] : old.files) {
+  for (const auto& file : old.files) {
     const bool replaced = std::any_of(texts.begin(), texts.end(),
-                                      [&](const auto& text) { return text.path == path; });
-    if (!replaced) texts.push_back({path, lock.text});
+                                      [&](const auto& text) { return text.path == file.first; });
+    if (!replaced) texts.push_back({file.first, file.second.text});
   }
   Locks locks = read(texts, diagnostics);
   EXPECT_TRUE(diagnostics.empty()) << diagnostics.front().message;

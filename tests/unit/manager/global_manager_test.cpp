@@ -46,7 +46,7 @@ class Peer {
     self.pid = 1;
     control_.run(5s, [this, self] { return link_->enrol(self); });
   }
-  void update(std::vector<ComponentRecord> components) {
+  void update(const std::vector<ComponentRecord>& components) {
     control_.run(5s, [this, components] { link_->update(components); });
   }
   ProcessRecord resolve(const std::string& name, Duration wait = 0s) {
@@ -58,7 +58,7 @@ class Peer {
       kj::Vector<kj::Promise<ProcessRecord>> others;
       for (std::size_t i = 0; i < waiting; ++i) others.add(link_->resolve("nobody", 60s));
       return link_->resolve("nobody", 60s)
-          .then([](ProcessRecord) { return std::string("found"); },
+          .then([](const ProcessRecord&) { return std::string("found"); },
                 [](kj::Exception&& e) { return rpc::describe(e); })
           .attach(kj::mv(others));
     });

@@ -22,7 +22,7 @@ using reference::ArmLike;
 
 /// An arm at 1 kHz and a collector, connected.
 struct CollectedStates {
-  CollectedStates(StateCollectorOptions options, Sink& sink)
+  CollectedStates(const StateCollectorOptions& options, Sink& sink)
       : collector(interfaceInfo<ArmLike>(), options, sink) {
     manager.add("PSM", arm);
     manager.add("Collector", collector);

@@ -35,7 +35,7 @@ TEST(FrameHeader, RefusesACountThatWrapsToZero) {
 }
 
 TEST(FrameHeader, AcceptsTheLimitOfSegmentsAndNotOneMore) {
-  std::vector<std::byte> bytes(8 * 257);
+  std::vector<std::byte> bytes(std::size_t{8} * 257);
   const auto count = [&](std::uint32_t segments) {
     const std::uint32_t word = segments - 1;
     std::memcpy(bytes.data(), &word, sizeof(word));

@@ -215,7 +215,7 @@ TEST_P(UnixListenerTest, AnOrdinaryFileIsNotTouched) {
 
 TEST_P(UnixListenerTest, AMissingDirectoryIsAnError) {
   try {
-    Listener(port_, Address::parse("unix:/nonexistent/s"));
+    const Listener listener(port_, Address::parse("unix:/nonexistent/s"));
     FAIL() << "listens in a directory that does not exist";
   } catch (const SetupError& error) {
     EXPECT_NE(std::string(error.what()).find("directory"), std::string::npos) << error.what();

@@ -142,7 +142,7 @@ TEST(LatestCell, NeverTornNeverBackwardsBetweenTwoThreads) {
   std::thread producer([&cell] {
     for (std::uint64_t i = 1; i <= kValues; ++i) {
       std::byte* memory = cell.claim();
-      for (int word = 0; word < 8; ++word) writeNumber(memory + 8 * word, i);
+      for (std::size_t word = 0; word < 8; ++word) writeNumber(memory + 8 * word, i);
       cell.commit();
     }
   });
@@ -150,7 +150,7 @@ TEST(LatestCell, NeverTornNeverBackwardsBetweenTwoThreads) {
   while (last < kValues) {
     if (!cell.take()) continue;
     const std::uint64_t first = readNumber(cell.front());
-    for (int word = 1; word < 8; ++word) ASSERT_EQ(readNumber(cell.front() + 8 * word), first);
+    for (std::size_t word = 1; word < 8; ++word) ASSERT_EQ(readNumber(cell.front() + 8 * word), first);
     ASSERT_GT(first, last);
     last = first;
   }

@@ -139,7 +139,7 @@ TEST(StateTable, ThePastIsNeverTornUnderAFastWriter) {
   StateTable table(kColumns, 64);
   std::thread writer([&table] {
     for (std::uint64_t i = 1; i <= kRows; ++i) {
-      for (int word = 0; word < 16; ++word) std::memcpy(table.draft(0) + 8 * word, &i, 8);
+      for (std::size_t word = 0; word < 16; ++word) std::memcpy(table.draft(0) + 8 * word, &i, 8);
       table.publish(fromNanoseconds(static_cast<std::int64_t>(2 * i)), 1, 0);
     }
   });
@@ -175,7 +175,7 @@ TEST(StateTable, NeverTornUnderAFastWriter) {
   StateTable table(kColumns, 16);
   std::thread writer([&table] {
     for (std::uint64_t i = 1; i <= kRows; ++i) {
-      for (int word = 0; word < 16; ++word) std::memcpy(table.draft(0) + 8 * word, &i, 8);
+      for (std::size_t word = 0; word < 16; ++word) std::memcpy(table.draft(0) + 8 * word, &i, 8);
       std::memcpy(table.draft(1), &i, 8);
       table.publish(fromNanoseconds(static_cast<std::int64_t>(i)), 0b11, 0);
     }

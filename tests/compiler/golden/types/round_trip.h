@@ -8,7 +8,9 @@
 #include <suture/base/shared_slot.h>
 #include <suture/base/time.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <memory>
@@ -22,7 +24,9 @@ inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double kDenormal = std::numeric_limits<double>::denorm_min();
 
 /// Equal to the bit: NaN is NaN, and -0 is not 0.
-inline bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+inline bool same(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
 
 /// A type, its slot and its message: `Slot` and `Message` are the names that were generated.
 template <class Value, class Slot, class Message>
