@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Plants one fault after another in a copy of the tree, and requires the fast tier to find each.
 #   tests/planted.sh [FAULT...]      lost_wake_up dropped_credit swapped_order silent_heartbeat missing_fence
+#                                    endless_lease forgotten_cut
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -22,6 +23,11 @@ plant() {
     missing_fence) replace runtime/rt/spsc_ring.cpp \
       'knownTail_ = shared_->tail.load(std::memory_order_acquire)' \
       'knownTail_ = shared_->tail.load(std::memory_order_relaxed)' ;;
+    endless_lease) replace runtime/component/channel.cpp \
+      'looksAtClock && lease.lapsed()' 'looksAtClock && false' ;;
+    forgotten_cut) replace runtime/transport/rpc/client_end.cpp \
+      '  channel_->cut();
+' '' ;;
     *) echo "there is no planted fault '$1'" >&2; exit 2 ;;
   esac
 }
@@ -41,7 +47,7 @@ tree=$PWD/build/planted
 trap 'git worktree remove --force "$tree"' EXIT
 git worktree add --force --detach "$tree" HEAD >/dev/null
 faults=("$@")
-[ $# -gt 0 ] || faults=(lost_wake_up dropped_credit swapped_order silent_heartbeat missing_fence)
+[ $# -gt 0 ] || faults=(lost_wake_up dropped_credit swapped_order silent_heartbeat missing_fence endless_lease forgotten_cut)
 
 missed=()
 for fault in "${faults[@]}"; do

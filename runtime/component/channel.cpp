@@ -83,9 +83,9 @@ EventSet Channel::takeJoining() {
 void Channel::tell(ChannelStatus news) {
   ChannelStatus present = status.load(std::memory_order_acquire);
   do {
-    const bool over = present == ChannelStatus::Lost || present == ChannelStatus::Closed;
     const bool restarted = news == ChannelStatus::Connected;  // the only way out of a fault
-    if (over || present == news || (present == ChannelStatus::Faulted && !restarted)) return;
+    const bool rests = present == ChannelStatus::Faulted && !restarted;
+    if (isOver(present) || present == news || rests) return;
   } while (!status.compare_exchange_weak(present, news));
   noteStatus(news);
   if (news == ChannelStatus::Faulted) faults.fetch_add(1, std::memory_order_release);
@@ -98,6 +98,17 @@ void Channel::noteStatus(ChannelStatus news) const {
   if (time == nullptr) return;
   time->note(VirtualTime::Kind::Status, name.c_str(), lane.c_str(),
              static_cast<std::uint64_t>(news));
+}
+
+// In one order with cut(): either this sees it, or whoever has cut sees that this command began.
+Errc Channel::begin(std::uint64_t sequence, bool looksAtClock) {
+  if (foreign) {
+    words_->executing.store(sequence, std::memory_order_seq_cst);
+    if (words_->cut.load(std::memory_order_seq_cst)) return Errc::Lost;
+  }
+  if (looksAtClock && lease.lapsed()) tell(ChannelStatus::Lapsed);
+  const ChannelStatus present = status.load(std::memory_order_acquire);
+  return isOver(present) ? errorOf(present) : Errc{};
 }
 
 void Channel::replyError(std::uint32_t call, Errc error) {
@@ -132,10 +143,16 @@ void Channel::popReply() {
   replies.pop();
 }
 
+bool isOver(ChannelStatus status) {
+  return status == ChannelStatus::Lost || status == ChannelStatus::Closed ||
+         status == ChannelStatus::Lapsed;
+}
+
 Errc errorOf(ChannelStatus status) {
   switch (status) {
     case ChannelStatus::Connected: return Errc{};
-    case ChannelStatus::Lost: return Errc::Lost;
+    case ChannelStatus::Lost:
+    case ChannelStatus::Lapsed: return Errc::Lost;
     case ChannelStatus::Faulted: return Errc::Faulted;
     case ChannelStatus::Closed: return Errc::NotConnected;
     case ChannelStatus::Suspended: return Errc::Suspended;

@@ -9,6 +9,7 @@
 #include <suture/component/delivery.h>
 #include <suture/component/direct_handlers.h>
 #include <suture/component/interface_info.h>
+#include <suture/component/lease.h>
 #include <suture/component/lifecycle.h>
 #include <suture/rt/doorbell.h>
 #include <suture/rt/event_queue.h>
@@ -33,6 +34,7 @@ enum class ChannelStatus : std::uint8_t {
   Faulted,    ///< the provider's handler threw
   Closed,     ///< this connection was taken down; both ends let go of it
   Suspended,  ///< the provider executes nothing until it is resumed
+  Lapsed,     ///< provider endpoint: its client has not been heard of for as long as it waits
 };
 
 /// Precedes the result of every answered call.
@@ -114,6 +116,8 @@ class Channel {
     std::atomic<EventSet> subscribed{0}, joining{0};
     std::array<std::atomic<std::uint32_t>, kMaxCalls> claims{};  // 0 is no call's number
     std::atomic<bool> wantsRows{false}, untaken{false};
+    std::atomic<bool> cut{false};
+    std::atomic<std::uint64_t> executing{0};  // the sequence of a command
   };
   const std::shared_ptr<Words> words_;
 
@@ -170,6 +174,15 @@ class Channel {
   /// Notes a status that was changed without tell(), for the trace of a stepped clock.
   void noteStatus(ChannelStatus news) const;
 
+  /// Provider endpoint: how long its client's commands may be executed.
+  Lease lease;
+  /// Client endpoint, any thread, before the client is told that the connection is over: where both
+  /// share memory, the provider begins nothing more of it.
+  void cut() { words_->cut.store(true, std::memory_order_seq_cst); }
+  /// Provider endpoint, just before it executes the command of that sequence: an error if the
+  /// connection is over. `looksAtClock`: also if its lease has ended, which ends it.
+  Errc begin(std::uint64_t sequence, bool looksAtClock);
+
   /// Either endpoint, as its claim on a call: the client's to cancel it, the provider's to execute
   /// it. True for the one that claims it first.
   bool claimCall(std::uint32_t call) {
@@ -218,6 +231,9 @@ void Channel::reply(std::uint32_t call, ResultForm form, const Produce& produce,
   replies.commit();
   countSent(rt::SpscRing::recordSize(sizeof(ReplyRecord) + form.size));
 }
+
+/// Nothing comes through any more.
+bool isOver(ChannelStatus status);
 
 /// The error that a call through a channel of this status meets; 0 if it is connected.
 Errc errorOf(ChannelStatus status);

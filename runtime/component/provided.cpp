@@ -173,17 +173,27 @@ void ProvidedBase::greetLocal(Channel& channel) {
   replay(channel, joining, memory);
 }
 
+// A handler may take long, and the process may be stopped at any moment: what has become of a
+// command, and of its connection, is judged when its turn comes.
 void ProvidedBase::drain(Channel& channel, Errc refusal) {
   const Time drainStart = now();
   const Time resumed = everyState_ ? Time{} : owner_.resumed();
+  bool first = true;
   while (const rt::CommandRecord* record = channel.commands.next()) {
-    if (refusal != Errc{}) {
+    const bool hasTtl = info_.commands[record->command].ttl > Duration{0};
+    // What is in foreign memory was sent by a process of this machine, which also tells of a loss
+    // there.
+    const Errc over = channel.begin(record->sequence, first || hasTtl || !channel.foreign);
+    if (over != Errc{}) {
+      turnAway(channel, *record, over);
+    } else if (refusal != Errc{}) {
       turnAway(channel, *record, refusal);
     } else if (record->stamp < resumed) {
       turnAway(channel, *record, Errc::Suspended);
     } else {
-      run(channel, *record, drainStart);
+      run(channel, *record, first || !hasTtl ? drainStart : now());
     }
+    first = false;
   }
 }
 
@@ -194,11 +204,11 @@ void ProvidedBase::turnAway(Channel& channel, const rt::CommandRecord& record, E
   increment(channel.commands.counters.refused);
 }
 
-void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time drainStart) {
+void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time present) {
   const CommandInfo& command = info_.commands[record.command];
   Turn turn(channel, owner_, record);
   channel.countReceived(rt::SpscRing::recordSize(sizeof(record) + command.argumentsSize));
-  commandAge_ = drainStart - record.stamp;
+  commandAge_ = present - record.stamp;
   if (command.ttl > Duration{0} && commandAge_ > command.ttl) {
     increment(channel.commands.counters.late);
     turn.error = Errc::Late;

@@ -42,6 +42,7 @@ void RequiredBase::awaitDirectHandlers() const {
 // The provider lets go of it in its own time.
 void RequiredBase::close(const std::shared_ptr<Channel>& channel) {
   if (channel == nullptr) return;
+  channel->cut();
   channel->status = ChannelStatus::Closed;
   channel->direct.clear();
 }

@@ -251,6 +251,7 @@ std::vector<Trouble> Host::connectionTroubles() const {
         found.push_back({subject, "is useless: its provider's code threw", true, true});
         break;
       case ChannelStatus::Connected:
+      case ChannelStatus::Lapsed:  // the client's process tells of it
       case ChannelStatus::Suspended:
       case ChannelStatus::Closed: break;
     }

@@ -47,14 +47,12 @@ kj::Promise<std::string> Heartbeat::whenLost() {
 kj::Promise<void> Heartbeat::whenWell() { return kj::mv(well_.promise); }
 
 kj::Promise<void> Heartbeat::look() {
-  const Time due = std::min(now() + interval_, heard_ + bounds_.silence);
-  return timer_.afterDelay(rpc::toKj(due - now())).then([this, due]() -> kj::Promise<void> {
-    const Time present = now();
-    // It was this process that did not run; what the peer has sent meanwhile has yet to be read.
-    if (present - due > interval_) heard_ = std::max(heard_, present - bounds_.silence + interval_);
-    if (present - heard_ >= bounds_.silence) {
-      lost_.fulfiller->fulfill("silent: its process has not answered for " +
-                               milliseconds(bounds_.silence));
+  const BootTime begun = BootClock::now();
+  const Duration pause = std::min<Duration>(interval_, told_ + bounds_.silence - begun);
+  return timer_.afterDelay(rpc::toKj(pause)).then([this, begun]() -> kj::Promise<void> {
+    const BootTime present = BootClock::now();
+    if (present - told_ >= bounds_.silence) {
+      lost_.fulfiller->fulfill(whySilent(present - begun));
       return kj::READY_NOW;
     }
     if (!asked_) ask();
@@ -62,19 +60,29 @@ kj::Promise<void> Heartbeat::look() {
   });
 }
 
+// A process that has not run for so long must not go on as if the peer had waited for it.
+std::string Heartbeat::whySilent(Duration paused) const {
+  if (paused < bounds_.silence) {
+    return "silent: its process has not answered for " + milliseconds(bounds_.silence);
+  }
+  return "silent: this process has not run for " + milliseconds(paused);
+}
+
 void Heartbeat::ask() {
   asked_ = true;
+  auto request = peer_.pingRequest();
+  request.setHeard(heard_);
+  if (heard_ != 0) told_ = BootClock::now();
   // A broken link is told of elsewhere.
   asking_ =
-      peer_.pingRequest()
-          .send()
+      request.send()
           .then([this, asked = now()](auto&& told) { heard(asked, told); }, [](kj::Exception&&) {})
           .eagerlyEvaluate(nullptr);
 }
 
 void Heartbeat::heard(Time asked, wire::Peer::PingResults::Reader told) {
   asked_ = false;
-  heard_ = now();
+  heard_ = told.getSent();
   if (answered_) answered_(asked, told);
   const Time then = fromNanoseconds(rpc::bounded(told.getSent()));
   for (const auto task : told.getTasks()) {

@@ -1,6 +1,7 @@
 #pragma once
 // Whether a peer and the task behind a connection still do their work.
 
+#include <suture/base/boot_time.h>
 #include <suture/component/pulse.h>
 #include <suture/peer.capnp.h>
 #include <suture/transport/rpc/kj_comparisons.h>  // first
@@ -20,7 +21,9 @@ void toWire(const Pulse::Reading& pulse, wire::TaskPulse::Builder out);
 class Heartbeat {
  public:
   struct Bounds {
-    Duration silence;  ///< how long the peer may leave a question unanswered
+    /// How long the peer may leave a question unanswered. It counts from when the peer was last
+    /// told that it had answered, and so does the peer, who then executes nothing more.
+    Duration silence;
     Duration hang;     ///< how long the component's thread may be in one cycle, or late for one
   };
 
@@ -37,6 +40,7 @@ class Heartbeat {
  private:
   kj::Promise<void> look();
   void ask();
+  std::string whySilent(Duration paused) const;
   void heard(Time asked, wire::Peer::PingResults::Reader told);
   bool hangs(wire::TaskPulse::Reader task, Time then);
 
@@ -46,7 +50,8 @@ class Heartbeat {
   const Bounds bounds_;
   const Duration interval_;
   Answered answered_;
-  Time heard_ = now();
+  std::int64_t heard_ = 0;              // when the peer sent its latest answer, as it says
+  BootTime told_ = BootClock::now();    // when it was last told that an answer has come
   bool asked_ = false;  // and not answered
   Time due_{};          // of the component's thread, by the latest answer
   kj::PromiseFulfillerPair<std::string> lost_ = kj::newPromiseAndFulfiller<std::string>();

@@ -21,6 +21,9 @@ using Kind = wire::Refusal::Kind;
 // Each has a mailbox of its own, for as long as the link stands.
 constexpr std::size_t kMostPorts = 256;
 
+// A client may wait for ever; sums with what it says have to fit.
+constexpr Duration kLongestSilence = std::chrono::hours(24 * 365);
+
 /// Of either end's channel. `offset`: how far the caller's clock is ahead of ours, ns.
 template <class End>
 void setClock(End& end, std::int64_t offset, std::int64_t error) {
@@ -56,6 +59,7 @@ class NoticesSender final : public rpc::ProviderEnd::Listener {
       case ChannelStatus::Connected: return send(client_.resumedRequest());
       case ChannelStatus::Suspended: return send(client_.suspendedRequest());
       case ChannelStatus::Faulted: return send(client_.faultedRequest());
+      case ChannelStatus::Lapsed: return send(client_.lapsedRequest());
       case ChannelStatus::Lost:
       case ChannelStatus::Closed: return send(client_.closedRequest());
     }
@@ -123,8 +127,13 @@ kj::Promise<void> PeerServer::hello(HelloContext context) {
 kj::Promise<void> PeerServer::ping(PingContext context) {
   auto results = context.getResults();
   results.setReceived(toNanoseconds(now()));
+  const std::int64_t heard = context.getParams().getHeard();
+  if (heard != 0 && heard == answered_.sent) {
+    for (auto& end : ends_) end->hear(answered_.at);
+  }
   putTasks(results);
-  results.setSent(toNanoseconds(now()));
+  answered_ = {toNanoseconds(now()), BootClock::now()};
+  results.setSent(answered_.sent);
   return kj::READY_NOW;
 }
 
@@ -291,12 +300,33 @@ wire::ConnectResults::Accepted::Builder PeerServer::accepted(Asked& asked, rpc::
   // What the caller sent may be anything: only an end that this keeps may be the latest.
   end.setListener(kj::heap<NoticesSender>(host_.control_, in.getNotices()));
   ends_.add(kj::addRef(end));
+  grant(end, in.getSilence());
   if (in.getEpoch() != 0) host_.setLatest(asked.client, {bootId_, in.getEpoch(), &end});
   auto out = asked.context.getResults().initAccepted();
   out.setOffered(static_cast<std::uint16_t>(asked.offered));
   out.setRows(static_cast<std::uint32_t>(asked.provided.state()->capacity()));
   out.setConnection(kj::heap<ConnectionServer>(kj::addRef(end)));
   return out;
+}
+
+void PeerServer::grant(rpc::ProviderEnd& end, std::int64_t silence) {
+  if (silence <= 0) return;
+  end.grant(std::min(Duration(silence), kLongestSilence));
+  leases_ = watchLeases().eagerlyEvaluate(nullptr);
+}
+
+// Whoever executes sees by itself that a lease has ended; this is for those of whom nothing waits.
+kj::Promise<void> PeerServer::watchLeases() {
+  const BootTime present = BootClock::now();
+  BootTime next = BootTime::max();
+  for (auto& end : ends_) {
+    if (end->endOfLease() <= present) end->lapse();
+    next = std::min(next, end->endOfLease());
+  }
+  if (next == BootTime::max()) return kj::READY_NOW;
+  return host_.control_.timer().afterDelay(rpc::toKj(next - present)).then([this] {
+    return watchLeases();
+  });
 }
 
 kj::Promise<void> PeerServer::serveCalls(Asked& asked, const std::string& laneReason) {

@@ -56,6 +56,11 @@ class RemoteConnection::Notified final : public kj::Refcounted {
     closed_ = true;
     KJ_IF_MAYBE (end, end_) (*end)->close(ChannelStatus::Lost);
   }
+  void lapse() {
+    lapsed_.fulfiller->fulfill("silent: the provider has not heard of this process for as long");
+  }
+  /// Resolves, in words for people, when the provider has given this client up. Call it once.
+  kj::Promise<std::string> whenLapsed() { return kj::mv(lapsed_.promise); }
   void noteReplay(std::uint16_t event, std::int64_t stamp) {
     KJ_IF_MAYBE (end, end_) (*end)->noteReplay(event, stamp);
   }
@@ -68,6 +73,7 @@ class RemoteConnection::Notified final : public kj::Refcounted {
  private:
   ChannelStatus status_ = ChannelStatus::Connected;
   bool closed_ = false;
+  kj::PromiseFulfillerPair<std::string> lapsed_ = kj::newPromiseAndFulfiller<std::string>();
   kj::Maybe<kj::Own<rpc::ClientEnd>> end_;
 };
 
@@ -92,6 +98,10 @@ class RemoteConnection::NoticesReceiver final : public wire::Notices::Server {
   kj::Promise<void> replayed(ReplayedContext context) override {
     const auto in = context.getParams();
     notified_->noteReplay(in.getEvent(), in.getStamp());
+    return kj::READY_NOW;
+  }
+  kj::Promise<void> lapsed(LapsedContext) override {
+    notified_->lapse();
     return kj::READY_NOW;
   }
   kj::Promise<void> closed(ClosedContext) override {
@@ -271,6 +281,7 @@ kj::Promise<void> RemoteConnection::ask(Lanes lanes) {
   toldError_ = clockError();
   request.setClockError(toldError_.count());
   request.setEpoch(toNanoseconds(now()));
+  request.setSilence(longestSilence_.count());
   request.setNotices(kj::heap<NoticesReceiver>(
       kj::addRef(*notified),
       [tell = told_.lost, name = name()](std::string why) { tell(name, std::move(why)); }));
@@ -406,6 +417,7 @@ kj::Promise<void> RemoteConnection::keep() {
   auto lost = heartbeat->whenLost();
   return closed.exclusiveJoin(lost.attach(kj::mv(heartbeat)))
       .exclusiveJoin(kj::mv(broken))
+      .exclusiveJoin(KJ_ASSERT_NONNULL(notified_)->whenLapsed())
       .then([this](std::string&& why) {
         told_.lost(name(), std::move(why));
         drop();

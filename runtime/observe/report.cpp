@@ -9,7 +9,8 @@ NLOHMANN_JSON_SERIALIZE_ENUM(ChannelStatus, {{ChannelStatus::Connected, "connect
                                              {ChannelStatus::Lost, "lost"},
                                              {ChannelStatus::Faulted, "faulted"},
                                              {ChannelStatus::Closed, "closed"},
-                                             {ChannelStatus::Suspended, "suspended"}})
+                                             {ChannelStatus::Suspended, "suspended"},
+                                             {ChannelStatus::Lapsed, "lapsed"}})
 NLOHMANN_JSON_SERIALIZE_ENUM(ComponentState, {{ComponentState::Constructed, "constructed"},
                                               {ComponentState::Configured, "configured"},
                                               {ComponentState::Running, "running"},

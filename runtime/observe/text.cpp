@@ -14,6 +14,7 @@ const char* nameOf(ChannelStatus status) {
     case ChannelStatus::Faulted: return "faulted";
     case ChannelStatus::Closed: return "closed";
     case ChannelStatus::Suspended: return "suspended";
+    case ChannelStatus::Lapsed: return "lapsed";
   }
   return "unknown";
 }

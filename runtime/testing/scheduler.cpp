@@ -18,6 +18,8 @@ constexpr auto kPatience = std::chrono::seconds(10);
 
 /// The calling thread, if its scheduler knows it.
 thread_local ScheduledThread* current = nullptr;
+/// Which process it works for, and what it starts.
+thread_local std::size_t currentProcess = 0;
 
 }  // namespace
 
@@ -90,6 +92,7 @@ std::size_t Scheduler::announce(const std::string& name) {
 void Scheduler::begin(std::size_t thread) {
   Lock lock(mutex_);
   current = threads_.at(thread).get();
+  currentProcess = current->process;
   dispatch();
   await(*current, lock);
 }
@@ -151,9 +154,29 @@ void Scheduler::release() {
   dispatch();
 }
 
+void Scheduler::enterProcess(std::size_t process) { currentProcess = process; }
+
+void Scheduler::freeze(std::size_t process) {
+  const Lock lock(mutex_);
+  frozen_.insert(process);
+}
+
+// Time has gone on without its threads.
+void Scheduler::thaw(std::size_t process) {
+  const Lock lock(mutex_);
+  frozen_.erase(process);
+  for (const auto& [number, thread] : threads_) {
+    if (thread->process != process || thread->state != Thread::State::Sleeps) continue;
+    thread->lookedAt = 0;
+    if (thread->deadline <= now()) makeReady(*thread, 0);
+  }
+  dispatch();
+}
+
 Scheduler::Thread& Scheduler::add(const std::string& name) {
   auto thread = std::make_unique<Thread>();
   thread->name = name;
+  thread->process = currentProcess;
   thread->number = started_++;
   return *threads_.emplace(thread->number, std::move(thread)).first->second;
 }
@@ -241,7 +264,8 @@ void Scheduler::dispatch() {
 Scheduler::Thread* Scheduler::nextReady() {
   std::vector<Thread*> ready;
   for (const auto& [number, thread] : threads_) {
-    if (thread->state == Thread::State::Ready && !thread->isTest) ready.push_back(thread.get());
+    if (thread->isTest || isFrozen(*thread)) continue;
+    if (thread->state == Thread::State::Ready) ready.push_back(thread.get());
   }
   if (ready.empty()) return nullptr;
   if (options_.seed != 0) return ready[chance_() % ready.size()];
@@ -253,7 +277,7 @@ Scheduler::Thread* Scheduler::nextReady() {
 Scheduler::Thread* Scheduler::nextToLook() {
   for (const auto& [number, thread] : threads_) {
     const bool sleeps = thread->state == Thread::State::Sleeps && thread->sockets != nullptr;
-    if (!sleeps || thread->lookedAt == turns_) continue;
+    if (!sleeps || thread->lookedAt == turns_ || isFrozen(*thread)) continue;
     thread->looks = true;
     return thread.get();
   }
@@ -262,7 +286,7 @@ Scheduler::Thread* Scheduler::nextToLook() {
 
 Scheduler::Thread* Scheduler::nextLast() {
   for (const auto& [number, thread] : threads_) {
-    if (thread->state == Thread::State::Ready) return thread.get();
+    if (thread->state == Thread::State::Ready && !isFrozen(*thread)) return thread.get();
   }
   return nullptr;
 }
@@ -270,13 +294,15 @@ Scheduler::Thread* Scheduler::nextLast() {
 bool Scheduler::goOn() {
   Time next = Time::max();
   for (const auto& [number, thread] : threads_) {
-    if (thread->state == Thread::State::Sleeps) next = std::min(next, thread->deadline);
+    if (thread->state == Thread::State::Sleeps && !isFrozen(*thread)) {
+      next = std::min(next, thread->deadline);
+    }
   }
   if (next == Time::max()) return false;
   now_.store(toNanoseconds(std::max(next, now())), std::memory_order_release);
   for (const auto& [number, thread] : threads_) {
     const bool due = thread->state == Thread::State::Sleeps && thread->deadline <= next;
-    if (due) makeReady(*thread, 0);
+    if (due && !isFrozen(*thread)) makeReady(*thread, 0);
   }
   return true;
 }

@@ -12,6 +12,7 @@
 #include <memory>
 #include <mutex>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct ScheduledThread {
 
   std::string name;
   std::size_t number = 0;  // in the order of starting
+  std::size_t process = 0;  // which TestClock::Process it belongs to; 0: none
   State state = State::Ready;
   bool known = true;             // false: one that the test has made, which runs beside the others
   bool isTest = false;           // runs at its deadline after everybody else has
@@ -63,6 +65,11 @@ class Scheduler final : public VirtualTime {
   void finish();
   void hold();
   void release();
+  std::size_t addProcess() { return ++processes_; }
+  /// What the calling thread starts from now on is of `process`, and what that starts.
+  static void enterProcess(std::size_t process);
+  void freeze(std::size_t process);
+  void thaw(std::size_t process);
   const Trace& trace() const { return trace_; }
 
  private:
@@ -78,6 +85,7 @@ class Scheduler final : public VirtualTime {
   void dispatch();
   void grant(Thread& thread);
   void makeReady(Thread& thread, std::uint64_t ring);
+  bool isFrozen(const Thread& thread) const { return frozen_.contains(thread.process); }
   Thread* nextReady();
   Thread* nextToLook();
   Thread* nextLast();
@@ -96,6 +104,8 @@ class Scheduler final : public VirtualTime {
   std::uint64_t rings_ = 0;
   std::uint64_t namedAtTurn_ = 0;
   unsigned holds_ = 0;
+  std::size_t processes_ = 0;
+  std::set<std::size_t> frozen_;  // processes
   std::mt19937_64 chance_;
   Trace trace_;
 };

@@ -36,4 +36,17 @@ TestClock::Hold::Hold(TestClock& clock) : clock_(clock) { clock_.scheduler_->hol
 
 TestClock::Hold::~Hold() { clock_.scheduler_->release(); }
 
+TestClock::Process::Process(TestClock& clock)
+    : scheduler_(*clock.scheduler_), number_(scheduler_.addProcess()) {}
+
+void TestClock::Process::run(const std::function<void()>& work) {
+  Scheduler::enterProcess(number_);
+  work();
+  Scheduler::enterProcess(0);
+}
+
+void TestClock::Process::freeze() { scheduler_.freeze(number_); }
+
+void TestClock::Process::thaw() { scheduler_.thaw(number_); }
+
 }  // namespace suture

@@ -92,6 +92,24 @@ class TestClock {
     TestClock& clock_;
   };
 
+  /// Threads that stand still together, as those of a process do that a debugger has stopped, or
+  /// whose machine is suspended. Threads of the test use it.
+  class Process {
+   public:
+    explicit Process(TestClock& clock);
+    /// What `work` starts is of this process, and what that starts.
+    void run(const std::function<void()>& work);
+    /// Its threads do not run any more, wherever they sleep or spend time. With Threads::Together
+    /// one that runs goes on until then.
+    void freeze();
+    /// They go on, later than they were due.
+    void thaw();
+
+   private:
+    testing_detail::Scheduler& scheduler_;
+    const std::size_t number_;
+  };
+
  private:
   std::unique_ptr<testing_detail::Scheduler> scheduler_;
 };

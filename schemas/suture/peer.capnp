@@ -28,8 +28,9 @@ interface Peer {
 
   describe @2 () -> (components :List(Manager.ComponentRecord));
 
-  ping @3 () -> (received :Int64, sent :Int64, tasks :List(TaskPulse));
-  # Clock stamps as in hello, at any time; also the heartbeat of a link.
+  ping @3 (heard :Int64) -> (received :Int64, sent :Int64, tasks :List(TaskPulse));
+  # Clock stamps as in hello, at any time; also the heartbeat of a link. heard: `sent` of the answer before, which
+  # this answers; 0: none.
 
   open @4 (component :Text, interface :Text) -> OpenResults;
   # A provided interface as its plain typed capability, for programs that know only its schema.
@@ -97,6 +98,9 @@ struct ConnectRequest {
   memory @12 :MemoryRequest;  # not there: the caller does not share memory
   frame @13 :FrameRequest;    # not there: the caller sends no frames
   clockError @14 :Int64;      # how wrong clockOffset may be, ns, either way
+  silence @15 :Int64;
+  # How long the caller waits for an answer to a ping before it gives the provider up, ns. When as much has passed
+  # since the responder sent what was last answered, it executes nothing of this connection any more. 0: for ever.
 }
 
 struct MemoryRequest {
@@ -168,6 +172,9 @@ interface Notices {
   replayed @4 (event :UInt16, stamp :Int64) -> ();
   # The next such event on this link is the last value of a latched one, for a new subscriber; it was emitted
   # at `stamp` of the provider's steady clock, ns.
+  lapsed @5 ();
+  # The provider has heard nothing of the client for as long as the client waits, and executes nothing of this
+  # connection any more: it has to be made anew.
 }
 
 interface Connection {

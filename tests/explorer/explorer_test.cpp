@@ -74,17 +74,15 @@ class Explorer : public testing::TestWithParam<std::uint64_t> {};
 TEST_P(Explorer, FindsNothingUnderNewSeeds) {
   const std::uint64_t count = asked("SUTURE_SEEDS", 200) / kBlocks;
   const std::uint64_t first = asked("SUTURE_FIRST_SEED", 1) + GetParam() * count;
-  unsigned answered = 0, harms = 0, reported = 0;
+  unsigned answered = 0, harms = 0;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     const Outcome outcome = expectSound(seed);
     answered += outcome.answered;
     harms += outcome.harms;
-    reported += outcome.reported;
   }
   EXPECT_EQ(answered, count);
   EXPECT_GE(harms, count);
-  std::printf("%lu worlds were done harm %u times; %u entries break a rule that is not kept yet.\n",
-              count, harms, reported);
+  std::printf("%lu worlds were done harm %u times.\n", count, harms);
 }
 
 INSTANTIATE_TEST_SUITE_P(Blocks, Explorer, testing::Range(std::uint64_t{0}, kBlocks));

@@ -25,6 +25,7 @@ constexpr Duration kHarm = 1s;       // how long a world is done harm
 constexpr Duration kRecovery = 1s;   // within which it works again
 constexpr Duration kLateness = 2ms;  // of a call that ends beyond its deadline: a cycle of the arm
 constexpr Duration kLongestPause = 200ms;
+constexpr Duration kSilence = 100ms;  // some pauses are longer, and some are not
 
 /// Chooses all that is left to chance.
 class Chance {
@@ -84,17 +85,20 @@ struct Robot {
 
 class World {
  public:
-  World(std::uint64_t seed, Outcome& outcome) : chance_(seed), outcome_(outcome) {
+  World(std::uint64_t seed, suture::TestClock& clock, Outcome& outcome)
+      : chance_(seed), outcome_(outcome), robotsProcess_(clock), consolesProcess_(clock) {
     const suture::Lane lane = chooseLane(chance_);
     const suture::ConnectionDelay delay = chooseFaults(chance_, seed);
     outcome_.setup = describe(lane, delay);
     bringManagerUp();
     bringRobotUp();
-    console_ = std::make_unique<suture::Manager>("console", address_);
-    console_->add("Operator", caller_);
-    console_->start();
-    console_->connect("Operator/Arm", "robot:PSM/Arm", lane, suture::Manager::kDefaultPatience,
-                      delay);
+    consolesProcess_.run([&] {
+      console_ = std::make_unique<suture::Manager>("console", address_);
+      console_->add("Operator", caller_);
+      console_->start();
+      console_->connect("Operator/Arm", "robot:PSM/Arm", lane, suture::Manager::kDefaultPatience,
+                        delay, {.silence = kSilence});
+    });
   }
   ~World() {
     console_->stop();
@@ -118,10 +122,17 @@ class World {
   void bringManagerUp() { names_ = std::make_unique<suture::GlobalManager>(control_, address_); }
   void bringRobotUp() {
     ++robots_;
-    robot_ = std::make_unique<Robot>(address_, newLog("robot" + std::to_string(robots_)), robots_);
+    const std::string log = newLog("robot" + std::to_string(robots_));
+    robotsProcess_.run([&] { robot_ = std::make_unique<Robot>(address_, log, robots_); });
   }
 
+  /// The client works in the test's thread, which is of the console's process, too.
   void work() {
+    if (const Duration pause{standStill_.exchange(0)}; pause > Duration{0}) {
+      consolesProcess_.freeze();
+      suture::pass(pause);
+      consolesProcess_.thaw();
+    }
     chance_.oneIn(8) ? caller_.burst() : caller_.ask();
     (void)caller_.processEvents();
     suture::pass(1ms);
@@ -152,7 +163,7 @@ class World {
     harmed_ = true;
   }
   void harm(Chance& chance) {
-    switch (chance.below(4)) {
+    switch (chance.below(7)) {
       case 0:
         robot_ = nullptr;
         suture::pass(chance.upTo(kLongestPause));
@@ -168,14 +179,27 @@ class World {
         suture::pass(chance.upTo(kLongestPause));
         robot_->manager.resume("PSM");
         break;
+      case 3: freezeRobot(chance); break;
+      case 4: freezeConsole(chance); break;
+      case 5:
+        freezeConsole(chance);
+        freezeRobot(chance);
+        break;
       default: suture::pass(chance.upTo(kLongestPause));
     }
   }
+  void freezeRobot(Chance& chance) {
+    robotsProcess_.freeze();
+    suture::pass(chance.upTo(kLongestPause));
+    robotsProcess_.thaw();
+  }
+  void freezeConsole(Chance& chance) { standStill_ = chance.upTo(kLongestPause).count(); }
 
   Chance chance_;
   Outcome& outcome_;
   suture::TemporaryDirectory directory_;
   const std::string address_ = "unix:" + directory_.file("manager.sock");
+  suture::TestClock::Process robotsProcess_, consolesProcess_;
   std::vector<std::string> logs_;
   suture::rpc::ControlThread control_;
   std::unique_ptr<suture::GlobalManager> names_;
@@ -184,6 +208,7 @@ class World {
   suture::HistoryCaller caller_{newLog("operator"), 1};
   std::unique_ptr<suture::Manager> console_;
   std::atomic<bool> harmed_{false};
+  std::atomic<Duration::rep> standStill_{0};  // for so long the console is to be frozen
 };
 
 }  // namespace
@@ -193,14 +218,10 @@ Outcome runWorld(std::uint64_t seed) {
   suture::TestClock clock({.seed = seed, .problem = [&outcome](const std::string& problem) {
                              outcome.broken.push_back(problem);
                            }});
-  World world(seed, outcome);
+  World world(seed, clock, outcome);
   world.run();
-  for (const suture::Violation& violation : suture::violations(world.history(), kLateness)) {
-    if (violation.severity == suture::Severity::Fails) {
-      outcome.broken.push_back(violation.text);
-    } else {
-      ++outcome.reported;
-    }
+  for (std::string& violation : suture::violations(world.history(), {.lateness = kLateness})) {
+    outcome.broken.push_back(std::move(violation));
   }
   outcome.trace = clock.trace();
   return outcome;

@@ -14,7 +14,6 @@ struct Outcome {
   std::string setup;  ///< lane and faults, for people
   std::vector<std::string>
       broken;             ///< what must not be: rules of the history, problems of the clock
-  unsigned reported = 0;  ///< rules that the runtime does not keep yet
   unsigned answered = 0;  ///< calls that were
   unsigned harms = 0;     ///< faults other than those of messages
   suture::Trace trace;

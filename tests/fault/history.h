@@ -54,26 +54,25 @@ class HistoryLog {
 /// theirs. A last line that a kill cut off is left out.
 std::vector<HistoryEntry> readHistory(const std::vector<std::string>& files);
 
-/// A test that finds a rule broken acts by this.
-enum class Severity {
-  Fails,
-  Reports,  ///< the runtime does not keep the rule yet, so the test counts it and shows it
-};
-
-struct Violation {
-  Severity severity;
-  std::string text;
+/// What the rules allow.
+struct Tolerance {
+  Duration lateness;  ///< of the end of a call after its deadline
+  /// How long a provider may not have heard of a loss that its client has been told of: on `frame`
+  /// and `rpc`, of one by a broken link.
+  Duration unheard{0};
 };
 
 /// Tells where a history breaks one of these rules:
-///  - each call ends, at most `lateness` after its deadline;
+///  - each call ends, soon after its deadline at the latest;
 ///  - no command is executed twice, nor if the runtime found it older than its ttl, nor if its
 ///    sender was told that it was not;
-///  - none begins to be executed after its sender was told that its connection is lost;
+///  - none begins to be executed after its sender was told that its connection is lost, and its
+///    provider has heard of it;
 ///  - those of a client are executed in the order in which it sent them, so that none of an older
 ///    connection comes after one of a newer;
 ///  - a client hears the events of one provider in their order, each once, and none of an older
 ///    provider after one of a newer.
-std::vector<Violation> violations(const std::vector<HistoryEntry>& history, Duration lateness);
+std::vector<std::string> violations(const std::vector<HistoryEntry>& history,
+                                    const Tolerance& tolerance);
 
 }  // namespace suture

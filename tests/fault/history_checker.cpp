@@ -8,9 +8,6 @@ namespace {
 
 using Kind = HistoryEntry::Kind;
 
-// This is the one switch of the rule: it shall fail tests as soon as providers keep it.
-constexpr Severity kExecutedAfterLoss = Severity::Reports;
-
 // runtime/base/errors.h says which.
 bool saysNotExecuted(Errc error) {
   switch (error) {
@@ -36,7 +33,7 @@ std::string milliseconds(Duration duration) {
 
 class Checker {
  public:
-  explicit Checker(Duration lateness) : lateness_(lateness) {}
+  explicit Checker(const Tolerance& tolerance) : tolerance_(tolerance) {}
 
   void take(const HistoryEntry& entry) {
     switch (entry.kind) {
@@ -50,7 +47,7 @@ class Checker {
     }
   }
 
-  std::vector<Violation> finish() {
+  std::vector<std::string> finish() {
     for (const auto& [which, command] : commands_) {
       if (command.executions > 0 && command.isEnded && saysNotExecuted(command.error)) {
         say(which,
@@ -75,27 +72,25 @@ class Checker {
 
   static Key key(const HistoryEntry& entry) { return {entry.client, entry.id}; }
 
-  void say(const Key& which, const std::string& what, Severity severity = Severity::Fails) {
-    found_.push_back({severity, "command " + std::to_string(which.second) + " of client " +
-                                    std::to_string(which.first) + " " + what});
+  void say(const Key& which, const std::string& what) {
+    found_.push_back("command " + std::to_string(which.second) + " of client " +
+                     std::to_string(which.first) + " " + what);
   }
 
   void requireEnd(const Key& which, const Command& command) {
     const Duration limit = command.sent.limit;
     if (limit == Duration{0} || command.isEnded) return;
     const auto end = killed_.find(which.first);
-    const Time latest = command.sent.at + limit + lateness_;
+    const Time latest = command.sent.at + limit + tolerance_.lateness;
     if (end == killed_.end() || end->second > latest) say(which, "never ended");
   }
 
   void forbidExecutionAfterLoss(const Key& which, const Command& command) {
     const auto told = told_.find({which.first, command.epoch});
-    if (told == told_.end() || command.lastExecuted <= told->second) return;
-    say(which,
-        "was executed " + milliseconds(command.lastExecuted - told->second) +
-            " after its sender was told that connection " + std::to_string(command.epoch) +
-            " is lost",
-        kExecutedAfterLoss);
+    if (told == told_.end() || command.lastExecuted <= told->second + tolerance_.unheard) return;
+    say(which, "was executed " + milliseconds(command.lastExecuted - told->second) +
+                   " after its sender was told that connection " + std::to_string(command.epoch) +
+                   " is lost");
   }
 
   void sent(const HistoryEntry& entry) {
@@ -110,7 +105,7 @@ class Checker {
     command.error = entry.error;
     command.epoch = entry.epoch;  // a new connection may have come just before it was sent
     const Duration limit = command.sent.limit, took = entry.at - command.sent.at;
-    if (limit != Duration{0} && took > limit + lateness_) {
+    if (limit != Duration{0} && took > limit + tolerance_.lateness) {
       say(key(entry),
           "ended after " + milliseconds(took) + ", its deadline is " + milliseconds(limit));
     }
@@ -144,27 +139,27 @@ class Checker {
       return std::to_string(one.id) + " of provider " + std::to_string(one.epoch);
     };
     if (std::pair(entry.epoch, entry.id) <= std::pair(before.epoch, before.id)) {
-      found_.push_back({Severity::Fails, "client " + std::to_string(entry.client) +
-                                             " heard event " + number(entry) + " after " +
-                                             number(before)});
+      found_.push_back("client " + std::to_string(entry.client) + " heard event " + number(entry) +
+                       " after " + number(before));
     } else {
       before = entry;
     }
   }
 
-  const Duration lateness_;
+  const Tolerance tolerance_;
   std::map<Key, Command> commands_;
   std::map<std::uint32_t, HistoryEntry> newest_;  // executed, by client
   std::map<std::uint32_t, HistoryEntry> heard_;   // the newest, by client
   std::map<std::uint32_t, Time> killed_;
   std::map<std::pair<std::uint32_t, std::uint64_t>, Time> told_;  // by client and connection
-  std::vector<Violation> found_;
+  std::vector<std::string> found_;
 };
 
 }  // namespace
 
-std::vector<Violation> violations(const std::vector<HistoryEntry>& history, Duration lateness) {
-  Checker checker(lateness);
+std::vector<std::string> violations(const std::vector<HistoryEntry>& history,
+                                    const Tolerance& tolerance) {
+  Checker checker(tolerance);
   for (const HistoryEntry& entry : history) checker.take(entry);
   return checker.finish();
 }

@@ -19,4 +19,7 @@ inline TestClockOptions steppedOptions() {
           .problem = [](const std::string& problem) { ADD_FAILURE() << problem; }};
 }
 
+/// Of a program with stepped_main.cpp: the clock of the test that runs.
+TestClock& clockOfTest();
+
 }  // namespace suture

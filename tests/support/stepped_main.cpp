@@ -8,14 +8,16 @@
 
 namespace {
 
-class Clocks final : public testing::EmptyTestEventListener {
-  void OnTestStart(const testing::TestInfo&) override { clock_.emplace(suture::steppedOptions()); }
-  void OnTestEnd(const testing::TestInfo&) override { clock_.reset(); }
+std::optional<suture::TestClock> stepped;
 
-  std::optional<suture::TestClock> clock_;
+class Clocks final : public testing::EmptyTestEventListener {
+  void OnTestStart(const testing::TestInfo&) override { stepped.emplace(suture::steppedOptions()); }
+  void OnTestEnd(const testing::TestInfo&) override { stepped.reset(); }
 };
 
 }  // namespace
+
+suture::TestClock& suture::clockOfTest() { return *stepped; }
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);

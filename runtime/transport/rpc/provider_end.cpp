@@ -2,6 +2,21 @@
 
 namespace suture::rpc {
 
+void ProviderEnd::grant(Duration silence) {
+  silence_ = silence;
+  hear(BootClock::now());
+}
+
+// The two clocks may run at speeds that differ by as much, and the provider's end comes first.
+void ProviderEnd::hear(BootTime sent) {
+  constexpr int kDrift = 1000;
+  if (silence_ > Duration{0}) channel_->lease.renew(sent + silence_ - silence_ / kDrift);
+}
+
+BootTime ProviderEnd::endOfLease() const {
+  return isOver(channel_->status.load()) ? BootTime::max() : channel_->lease.end();
+}
+
 void ProviderEnd::close() {
   if (closed_) return;
   closed_ = true;

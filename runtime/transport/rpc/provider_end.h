@@ -28,6 +28,15 @@ class ProviderEnd : public kj::Refcounted {
 
   /// How the client's clock stands to this process's.
   void setClock(Duration shift, Duration error) { channel_->setClock(shift, error); }
+  /// The client says that it waits for `silence` before it gives the provider up: without a word
+  /// from it for so long, counted from now, the provider executes nothing of it any more.
+  void grant(Duration silence);
+  /// The client has answered what was sent at `sent`.
+  void hear(BootTime sent);
+  /// When it is too late to hear(); never, if the connection is over.
+  BootTime endOfLease() const;
+  /// Nobody has heard of the client in time.
+  void lapse() { channel_->tell(ChannelStatus::Lapsed); }
   /// The connection is over: the provider lets go of the channel. May be called again.
   void close();
   /// The same for a later connection of the same interface, and the client is told, if it can still
@@ -53,6 +62,7 @@ class ProviderEnd : public kj::Refcounted {
   void passOn(ChannelStatus status);
 
   bool closed_ = false;
+  Duration silence_{0};  // 0: the client has not said how long it waits
   ChannelStatus told_ = ChannelStatus::Connected;
   std::uint32_t faultsTold_ = 0;
 };

@@ -213,8 +213,8 @@ void ServantPort::releaseRow() {
 }
 
 void ServantPort::changed(ChannelStatus status) {
-  // A suspended provider answers what it was sent.
-  const Errc error = errorOf(status);
+  // A suspended provider answers what it was sent; one whose client is gone may be at a call of it.
+  const Errc error = status == ChannelStatus::Lapsed ? Errc::OutcomeUnknown : errorOf(status);
   if (error != Errc{} && error != Errc::Suspended) failAll(error);
 }
 

@@ -92,7 +92,7 @@ TEST_F(HeartbeatTest, APeerThatFallsSilentAfterSomeAnswersIsLost) {
   answers_.silentAfter = 3;
   const Time begun = now();
   EXPECT_TRUE(whyLost({0ms, 0ms, 0ms}).starts_with("silent: its process has not answered"));
-  EXPECT_EQ(now() - begun, kBounds.silence + 2 * (kBounds.hang / 10));
+  EXPECT_EQ(now() - begun, kBounds.silence + 3 * (kBounds.hang / 10));
 }
 
 TEST_F(HeartbeatTest, APeerThatGoesOnAnsweringIsNeverLost) {

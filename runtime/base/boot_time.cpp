@@ -1,0 +1,17 @@
+#include <suture/base/boot_time.h>
+#include <suture/base/virtual_time.h>
+
+#include <ctime>
+
+namespace suture {
+
+BootTime BootClock::now() {
+  if (virtualTime() != nullptr) [[unlikely]] {
+    return BootTime(suture::now().time_since_epoch());
+  }
+  timespec time{};
+  clock_gettime(CLOCK_BOOTTIME, &time);
+  return BootTime(std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec));
+}
+
+}  // namespace suture

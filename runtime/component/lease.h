@@ -1,0 +1,28 @@
+#pragma once
+// Until when a provider may execute what a client in another process has sent.
+
+#include <suture/base/boot_time.h>
+
+#include <atomic>
+
+namespace suture {
+
+/// A client that is not heard of for long enough says that its provider is lost. The provider's end
+/// of the connection must not execute anything after that, also if it was stopped as a whole
+/// meanwhile: so whoever executes looks at the clock, and no other thread's word is enough. Without
+/// a client that has said how long it waits there is no end.
+class Lease {
+ public:
+  /// The control thread.
+  void renew(BootTime end) { end_.store(end, std::memory_order_relaxed); }
+
+  /// Any thread.
+  BootTime end() const { return end_.load(std::memory_order_relaxed); }
+  bool limited() const { return end() != BootTime::max(); }
+  bool lapsed() const { return limited() && BootClock::now() >= end(); }
+
+ private:
+  std::atomic<BootTime> end_{BootTime::max()};
+};
+
+}  // namespace suture

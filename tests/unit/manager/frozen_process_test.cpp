@@ -1,0 +1,186 @@
+// After a loss nothing of the old connection is executed, whichever process stood still: its
+// commands may have waited for longer than the client was willing to.
+
+#include <gtest/gtest.h>
+#include <suture/component/channel.h>
+#include <suture/component/periodic_task.h>
+#include <suture/manager/global_manager.h>
+#include <suture/manager/manager.h>
+#include <suture/transport/rpc/control_thread.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "reference/still_arm.h"
+#include "support/eventually.h"
+#include "support/stepped.h"
+#include "support/temporary_directory.h"
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration kSilence = 100ms;
+
+/// Notes which commands it executes, and when.
+struct NotingArm final : PeriodicTask, StillArm {
+  NotingArm() : PeriodicTask({.period = 1ms}) {}
+  ~NotingArm() override { stop(); }
+  void run() override {}
+  void limit(double number, reference::Mode) override {
+    executed.push_back({static_cast<int>(number), now()});
+    if (slow) {
+      inHandler = true;
+      TestClock::spend(10ms);
+      inHandler = false;
+    }
+  }
+
+  struct Execution {
+    int number;
+    Time at;
+  };
+  std::vector<Execution> executed;
+  std::atomic<bool> slow{false}, inHandler{false};
+  Provided<reference::ArmLike> port{*this, "Arm", *this};
+};
+
+/// Sends numbered commands for as long as it is not told that its provider is lost.
+struct NumberingClient final : PeriodicTask {
+  NumberingClient() : PeriodicTask({.period = 1ms}) {}
+  ~NumberingClient() override { stop(); }
+  void run() override {
+    const bool was = connected.exchange(slave.connected());
+    if (was && !connected) {
+      told[epoch] = now();
+      ++losses;
+    }
+    if (!was && connected) ++epoch;
+    while (connected && slave.limit(number, reference::Mode::Enabled)) epochOf[number++] = epoch;
+  }
+
+  int number = 1, epoch = 0;
+  std::map<int, int> epochOf;
+  std::map<int, Time> told;
+  std::atomic<bool> connected{false};
+  std::atomic<int> losses{0};
+  Required<reference::ArmLike> slave{*this, "Slave"};
+};
+
+enum class Frozen { Provider, Client, BothThenProvider, BothThenClient };
+
+class FrozenProcess : public testing::TestWithParam<std::tuple<Lane, Frozen, bool>> {
+ protected:
+  FrozenProcess() {
+    provider_.run([this] {
+      robot_ = std::make_unique<Manager>("robot", names_.address());
+      robot_->add("PSM", arm_);
+      robot_->start();
+    });
+    client_.run([this] {
+      console_ = std::make_unique<Manager>("console", names_.address());
+      console_->add("Teleop", teleop_);
+      console_->start();
+      console_->connect("Teleop/Slave", "robot:PSM/Arm", lane(), Manager::kDefaultPatience, {},
+                        {.silence = kSilence});
+    });
+  }
+  ~FrozenProcess() noexcept override {
+    console_->stop();
+    robot_->stop();
+  }
+
+  Lane lane() const { return std::get<Lane>(GetParam()); }
+  Frozen frozen() const { return std::get<Frozen>(GetParam()); }
+  bool inADrain() const { return std::get<bool>(GetParam()); }
+
+  void freeze() {
+    if (frozen() != Frozen::Client) provider_.freeze();
+    if (frozen() != Frozen::Provider) client_.freeze();
+  }
+  /// The one that goes on later does so when the other has had time to go wrong.
+  void thaw() {
+    const bool providerFirst = frozen() == Frozen::BothThenProvider;
+    (providerFirst ? provider_ : client_).thaw();
+    pass(20ms);
+    (providerFirst ? client_ : provider_).thaw();
+  }
+  int executedAfterLoss() const {
+    int count = 0;
+    for (const auto& [number, at] : arm_.executed) {
+      const auto told = teleop_.told.find(teleop_.epochOf.at(number));
+      if (told != teleop_.told.end() && at > told->second) ++count;
+    }
+    return count;
+  }
+
+  const TemporaryDirectory directory_;
+  TestClock::Process provider_{clockOfTest()}, client_{clockOfTest()};
+  rpc::ControlThread control_;
+  GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
+  NotingArm arm_;
+  NumberingClient teleop_;
+  std::unique_ptr<Manager> robot_, console_;
+};
+
+std::string nameOf(const testing::TestParamInfo<std::tuple<Lane, Frozen, bool>>& info) {
+  const char* const who[] = {"Provider", "Client", "BothThenProvider", "BothThenClient"};
+  return std::string(who[static_cast<int>(std::get<Frozen>(info.param))]) +
+         (std::get<bool>(info.param) ? "InADrain" : "") + "_" + toString(std::get<Lane>(info.param));
+}
+
+INSTANTIATE_TEST_SUITE_P(Lanes, FrozenProcess,
+                         testing::Combine(testing::Values(Lane::Shm, Lane::Frame, Lane::Rpc),
+                                          testing::Values(Frozen::Provider, Frozen::Client,
+                                                          Frozen::BothThenProvider,
+                                                          Frozen::BothThenClient),
+                                          testing::Bool()),
+                         nameOf);
+
+TEST_P(FrozenProcess, ExecutesNothingOfAConnectionThatIsLost) {
+  for (int round = 0; round < 5; ++round) {
+    ASSERT_TRUE(eventually([this] { return teleop_.connected.load(); }));
+    EXPECT_EQ(console_->channels().at(0)->lane, toString(lane()));
+    pass(20ms);
+    arm_.slow = inADrain();
+    ASSERT_TRUE(eventually([this] { return arm_.inHandler == inADrain(); }));
+    freeze();
+    pass(2 * kSilence);
+    thaw();
+    arm_.slow = false;
+    ASSERT_TRUE(eventually([this, round] { return teleop_.losses == round + 1; }));
+  }
+  ASSERT_TRUE(eventually([this] { return teleop_.connected.load(); }));
+  console_->stop();
+  robot_->stop();
+  EXPECT_EQ(executedAfterLoss(), 0);
+  EXPECT_GT(arm_.executed.size(), 50u);
+}
+
+// What a client sends before it knows that it has stood still comes too late.
+TEST_P(FrozenProcess, IsConnectedAnew) {
+  ASSERT_TRUE(eventually([this] { return teleop_.connected.load(); }));
+  freeze();
+  pass(2 * kSilence);
+  thaw();
+  ASSERT_TRUE(eventually([this] { return teleop_.losses == 1; }));
+  const Time begun = now();
+  ASSERT_TRUE(eventually([this] { return teleop_.connected.load(); }));
+  EXPECT_LT(now() - begun, 1s);
+}
+
+TEST_P(FrozenProcess, KeepsAConnectionThatBearsIt) {
+  ASSERT_TRUE(eventually([this] { return teleop_.connected.load(); }));
+  freeze();
+  pass(kSilence / 2);
+  thaw();
+  pass(3 * kSilence);
+  EXPECT_EQ(teleop_.losses, 0);
+}
+
+}  // namespace
+}  // namespace suture
