@@ -104,19 +104,29 @@ void emitServantConstructor(Code& code, const model::Interface& interface) {
   code.line("      port_(kj::mv(port)) {}");
 }
 
-// --- commands from the client
+// --- what every lane asks of values before a handler sees them
 
-/// What every lane asks of arguments before a handler sees them.
-void emitArgumentChecks(Code& code, const Context& context, const model::Interface& interface) {
+void emitCheck(Code& code, const Context& context, const std::string& check,
+               const std::string& slot, const std::vector<WireValue>& values) {
+  if (check.empty()) return;
+  code.open("bool ", check, "(const ", slot, "& slot) {");
+  emitValidity(code, values, context);
+  code.close("}").blank();
+}
+
+void emitChecks(Code& code, const Context& context, const model::Interface& interface) {
   for (const model::Command* const command : ownCommands(interface)) {
-    const std::string check = argumentsCheck(interface, *command, context);
-    if (check.empty()) continue;
-    const std::string slot = relative(argumentsStruct(interface, *command), home(context));
-    code.open("bool ", check, "(const ", slot, "& slot) {");
-    emitValidity(code, argumentValues(*command), context);
-    code.close("}").blank();
+    emitCheck(code, context, argumentsCheck(interface, *command, context),
+              relative(argumentsStruct(interface, *command), home(context)),
+              argumentValues(*command));
+  }
+  for (const model::Event* const event : ownEvents(interface)) {
+    emitCheck(code, context, payloadCheck(interface, *event, context),
+              payloadSlot(interface, *event, context, home(context)), payloadValues(*event));
   }
 }
+
+// --- commands from the client
 
 /// The lambda that fills the arguments' slot from `in`.
 void emitFill(Code& code, const Context& context, const model::Interface& interface,
@@ -172,7 +182,7 @@ void emitMethod(Code& code, const Context& context, const model::Interface& inte
 
 void emitServant(Code& code, const Context& context, const model::Interface& interface) {
   const std::string prefix = prefixOf(interface);
-  emitArgumentChecks(code, context, interface);
+  emitChecks(code, context, interface);
   code.line("// --- ", prefix, " over Cap'n Proto RPC: the provider's side").blank();
   emitSink(code, context, interface);
   code.line("/// Puts remote calls into the provider's mailbox.");

@@ -61,26 +61,22 @@ std::string packed(const std::string& json) {
   return text + line;
 }
 
-/// The check of arguments that may lie in memory which another process writes.
-std::string sharedCheck(const Context& context, const model::Interface& interface,
-                        const model::Command& command) {
-  const auto& parameters = command.parameters;
-  const bool bounded =
-      std::all_of(parameters.begin(), parameters.end(),
-                  [&](const model::Parameter& one) { return isBounded(one.type, context.lookup); });
-  return bounded ? argumentsCheck(interface, command, context) : "";
-}
-
-/// Those checks are defined behind the converters, which they need.
+/// The checks of values are defined behind the converters, which they need.
 void declareChecks(Code& code, const Context& context, const model::Interface& interface) {
+  const std::string& home = context.header.cxxNamespace;
   bool any = false;
-  for (const model::Command* const command : ownCommands(interface)) {
-    const std::string check = sharedCheck(context, interface, *command);
-    if (check.empty()) continue;
-    const std::string slot =
-        relative(argumentsStruct(interface, *command), context.header.cxxNamespace);
+  const auto declare = [&](const std::string& check, const std::string& slot) {
+    if (check.empty()) return;
     code.line("bool ", check, "(const ", slot, "& slot);");
     any = true;
+  };
+  for (const model::Command* const command : ownCommands(interface)) {
+    declare(argumentsCheck(interface, *command, context),
+            relative(argumentsStruct(interface, *command), home));
+  }
+  for (const model::Event* const event : ownEvents(interface)) {
+    declare(payloadCheck(interface, *event, context),
+            payloadSlot(interface, *event, context, home));
   }
   if (any) code.blank();
 }
@@ -119,7 +115,7 @@ void emitCommand(Code& table, Code& before, const Context& context,
   }
   if (command.result && isOpen(*command.result)) members.push_back(".sharedResult = true");
   if (command.concurrent || command.direct) members.push_back(".inCallersThread = true");
-  if (const std::string check = sharedCheck(context, interface, command); !check.empty()) {
+  if (const std::string check = argumentsCheck(interface, command, context); !check.empty()) {
     members.push_back(".accepts = checkSlot<" + slot + ", " + check + ">");
   }
   addMember(members, ".shiftArguments", shiftOf(slot, argumentValues(command), context));
@@ -133,7 +129,6 @@ void emitCommand(Code& table, Code& before, const Context& context,
 
 void emitCommands(Code& code, const Context& context, const model::Interface& interface) {
   if (ownCommands(interface).empty()) return;
-  declareChecks(code, context, interface);
   Code table;
   int columns = 0;
   for (const model::Command& command : interface.commands) {
@@ -172,6 +167,10 @@ void emitEvents(Code& code, const Context& context, const model::Interface& inte
                      [&](const model::Type& type) { return isBounded(type, context.lookup); })) {
       members.push_back(".sharedPayload = true");
     }
+    if (const std::string check = payloadCheck(interface, *event, context); !check.empty()) {
+      const std::string slot = payloadSlot(interface, *event, context, context.header.cxxNamespace);
+      members.push_back(".accepts = checkSlot<" + slot + ", " + check + ">");
+    }
     addMember(members, ".shiftPayload", shiftOfPayload(code, context, interface, *event));
     emitEntry(table, members);
   }
@@ -195,6 +194,7 @@ std::string rows(Code& code, const model::Interface& interface, const std::strin
 }  // namespace
 
 void emitTables(Code& code, const Context& context, const model::Interface& interface) {
+  declareChecks(code, context, interface);
   emitCommands(code, context, interface);
   emitEvents(code, context, interface);
   code.line("// The self-description, as in ", model::stemOf(context.header.path), ".suture.json.");

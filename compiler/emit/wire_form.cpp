@@ -240,6 +240,12 @@ std::vector<WireValue> payloadValues(const model::Event& event) {
   return values;
 }
 
+std::string payloadCheck(const model::Interface& interface, const model::Event& event,
+                         const Context& context) {
+  if (!hasConditions(payloadValues(event), context)) return "";
+  return "accepts" + prefixOf(interface) + model::titleCase(event.wireName) + "Event";
+}
+
 std::string encode(const WireValue& value, const std::string& out, const Context& context) {
   return encodeInto(value.type, value.slot, Target::field(out, value.wireName), context, 0);
 }

@@ -32,6 +32,10 @@ std::string argumentsCheck(const model::Interface& interface, const model::Comma
 /// What an event carries, in the slot "slot".
 std::vector<WireValue> payloadValues(const model::Event& event);
 
+/// "acceptsArmMovedEvent": the check of an event's payload; empty if any will do.
+std::string payloadCheck(const model::Interface& interface, const model::Event& event,
+                         const Context& context);
+
 /// "toWire(slot.pose, out.initPose())": a statement without its end. `out` is a struct builder.
 std::string encode(const WireValue& value, const std::string& out, const Context& context);
 

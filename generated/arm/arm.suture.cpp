@@ -72,6 +72,8 @@ bool acceptsArmServoJp(const ArmServoJpArguments& slot);
 bool acceptsArmMoveJp(const ArmMoveJpArguments& slot);
 bool acceptsArmForwardKinematics(const ArmForwardKinematicsArguments& slot);
 bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot);
+bool acceptsArmOperatingStateEvent(const OperatingStateSlot& slot);
+bool acceptsArmWarningEvent(const std::uint8_t& slot);
 
 constexpr CommandInfo kArmCommands[] = {
     {.name = "enable", .kind = CommandKind::Void, .depth = 16},
@@ -152,9 +154,13 @@ constexpr EventInfo kArmEvents[] = {
      .payloadSize = slotSize<OperatingStateSlot>,
      .depth = 16,
      .latched = true,
+     .accepts = checkSlot<OperatingStateSlot, acceptsArmOperatingStateEvent>,
      .shiftPayload = shiftSlot<OperatingStateSlot>},
     {.name = "goal_reached", .payloadSize = slotSize<std::uint8_t>, .depth = 16},
-    {.name = "warning", .payloadSize = slotSize<std::uint8_t>, .depth = 16},
+    {.name = "warning",
+     .payloadSize = slotSize<std::uint8_t>,
+     .depth = 16,
+     .accepts = checkSlot<std::uint8_t, acceptsArmWarningEvent>},
 };
 
 // The self-description, as in arm/arm.suture.json.
@@ -398,6 +404,14 @@ bool acceptsArmForwardKinematics(const ArmForwardKinematicsArguments& slot) {
 
 bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot) {
   return isValid(slot.goal);
+}
+
+bool acceptsArmOperatingStateEvent(const OperatingStateSlot& slot) {
+  return isValid(slot);
+}
+
+bool acceptsArmWarningEvent(const std::uint8_t& slot) {
+  return isKnownArmWarning(slot);
 }
 
 // --- Arm over Cap'n Proto RPC: the provider's side

@@ -140,6 +140,11 @@ bool acceptsCrtkArmForwardKinematics(const CrtkArmForwardKinematicsArguments& sl
 bool acceptsCrtkArmInverseKinematics(const CrtkArmInverseKinematicsArguments& slot);
 bool acceptsCrtkArmQueryCp(const CrtkArmQueryCpArguments& slot);
 bool acceptsCrtkArmLocalQueryCp(const CrtkArmLocalQueryCpArguments& slot);
+bool acceptsCrtkArmOperatingStateEvent(const OperatingStateSlot& slot);
+bool acceptsCrtkArmDesiredStateEvent(const std::uint8_t& slot);
+bool acceptsCrtkArmTrajectoryJRatioEvent(const double& slot);
+bool acceptsCrtkArmTrajectoryJRatioVEvent(const double& slot);
+bool acceptsCrtkArmTrajectoryJRatioAEvent(const double& slot);
 
 constexpr CommandInfo kCrtkArmCommands[] = {
     {.name = "configuration_js",
@@ -439,16 +444,33 @@ constexpr EventInfo kCrtkArmEvents[] = {
      .payloadSize = slotSize<OperatingStateSlot>,
      .depth = 16,
      .latched = true,
+     .accepts = checkSlot<OperatingStateSlot, acceptsCrtkArmOperatingStateEvent>,
      .shiftPayload = shiftSlot<OperatingStateSlot>},
-    {.name = "desired_state", .payloadSize = slotSize<std::uint8_t>, .depth = 16, .latched = true},
+    {.name = "desired_state",
+     .payloadSize = slotSize<std::uint8_t>,
+     .depth = 16,
+     .latched = true,
+     .accepts = checkSlot<std::uint8_t, acceptsCrtkArmDesiredStateEvent>},
     {.name = "goal_reached", .payloadSize = slotSize<std::uint8_t>, .depth = 16},
     {.name = "gravity_compensation",
      .payloadSize = slotSize<std::uint8_t>,
      .depth = 16,
      .latched = true},
-    {.name = "trajectory_j_ratio", .payloadSize = slotSize<double>, .depth = 16, .latched = true},
-    {.name = "trajectory_j_ratio_v", .payloadSize = slotSize<double>, .depth = 16, .latched = true},
-    {.name = "trajectory_j_ratio_a", .payloadSize = slotSize<double>, .depth = 16, .latched = true},
+    {.name = "trajectory_j_ratio",
+     .payloadSize = slotSize<double>,
+     .depth = 16,
+     .latched = true,
+     .accepts = checkSlot<double, acceptsCrtkArmTrajectoryJRatioEvent>},
+    {.name = "trajectory_j_ratio_v",
+     .payloadSize = slotSize<double>,
+     .depth = 16,
+     .latched = true,
+     .accepts = checkSlot<double, acceptsCrtkArmTrajectoryJRatioVEvent>},
+    {.name = "trajectory_j_ratio_a",
+     .payloadSize = slotSize<double>,
+     .depth = 16,
+     .latched = true,
+     .accepts = checkSlot<double, acceptsCrtkArmTrajectoryJRatioAEvent>},
 };
 
 // The self-description, as in arm/crtk_arm.suture.json.
@@ -1197,6 +1219,26 @@ bool acceptsCrtkArmQueryCp(const CrtkArmQueryCpArguments& slot) {
 
 bool acceptsCrtkArmLocalQueryCp(const CrtkArmLocalQueryCpArguments& slot) {
   return isValid(slot.q);
+}
+
+bool acceptsCrtkArmOperatingStateEvent(const OperatingStateSlot& slot) {
+  return isValid(slot);
+}
+
+bool acceptsCrtkArmDesiredStateEvent(const std::uint8_t& slot) {
+  return isKnownArmState(slot);
+}
+
+bool acceptsCrtkArmTrajectoryJRatioEvent(const double& slot) {
+  return isValid(slot);
+}
+
+bool acceptsCrtkArmTrajectoryJRatioVEvent(const double& slot) {
+  return isValid(slot);
+}
+
+bool acceptsCrtkArmTrajectoryJRatioAEvent(const double& slot) {
+  return isValid(slot);
 }
 
 // --- CrtkArm over Cap'n Proto RPC: the provider's side

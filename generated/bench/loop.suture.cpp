@@ -41,6 +41,7 @@ namespace {
 
 bool acceptsLoopServerPut(const LoopServerPutArguments& slot);
 bool acceptsLoopServerBounce(const LoopServerBounceArguments& slot);
+bool acceptsLoopServerEchoEvent(const robots::PosePrmSlot& slot);
 
 constexpr CommandInfo kLoopServerCommands[] = {
     {.name = "put",
@@ -67,6 +68,7 @@ constexpr EventInfo kLoopServerEvents[] = {
     {.name = "echo",
      .payloadSize = slotSize<robots::PosePrmSlot>,
      .depth = 16,
+     .accepts = checkSlot<robots::PosePrmSlot, acceptsLoopServerEchoEvent>,
      .shiftPayload = shiftSlot<robots::PosePrmSlot>},
 };
 
@@ -139,6 +141,10 @@ bool acceptsLoopServerPut(const LoopServerPutArguments& slot) {
 
 bool acceptsLoopServerBounce(const LoopServerBounceArguments& slot) {
   return isValid(slot.value);
+}
+
+bool acceptsLoopServerEchoEvent(const robots::PosePrmSlot& slot) {
+  return isValid(slot);
 }
 
 // --- LoopServer over Cap'n Proto RPC: the provider's side

@@ -41,6 +41,7 @@ namespace {
 
 bool acceptsSampleServerPut(const SampleServerPutArguments& slot);
 bool acceptsSampleServerBounce(const SampleServerBounceArguments& slot);
+bool acceptsSampleServerEchoEvent(const robots::PoseSampleSlot& slot);
 
 constexpr CommandInfo kSampleServerCommands[] = {
     {.name = "put",
@@ -67,6 +68,7 @@ constexpr EventInfo kSampleServerEvents[] = {
     {.name = "echo",
      .payloadSize = slotSize<robots::PoseSampleSlot>,
      .depth = 16,
+     .accepts = checkSlot<robots::PoseSampleSlot, acceptsSampleServerEchoEvent>,
      .shiftPayload = shiftSlot<robots::PoseSampleSlot>},
 };
 
@@ -133,6 +135,10 @@ bool acceptsSampleServerPut(const SampleServerPutArguments& slot) {
 
 bool acceptsSampleServerBounce(const SampleServerBounceArguments& slot) {
   return isValid(slot.value);
+}
+
+bool acceptsSampleServerEchoEvent(const robots::PoseSampleSlot& slot) {
+  return isValid(slot);
 }
 
 // --- SampleServer over Cap'n Proto RPC: the provider's side

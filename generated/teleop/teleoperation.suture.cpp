@@ -17,6 +17,7 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::checkSlot;
 using suture::load;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
@@ -45,6 +46,9 @@ static_assert(std::is_same_v<decltype(FollowAnchors::slave_setpoint), Eigen::Iso
 static_assert(std::is_same_v<decltype(FollowAnchors::scale), double>);
 static_assert(std::is_same_v<decltype(FollowAnchors::entry), std::uint64_t>);
 
+bool acceptsTeleoperationTeleopStateEvent(const std::uint8_t& slot);
+bool acceptsTeleoperationFollowedEvent(const FollowAnchorsSlot& slot);
+
 constexpr CommandInfo kTeleoperationCommands[] = {
     {.name = "enable", .kind = CommandKind::Void, .depth = 16},
     {.name = "disable", .kind = CommandKind::Void, .depth = 16},
@@ -62,11 +66,16 @@ constexpr CommandInfo kTeleoperationCommands[] = {
 };
 
 constexpr EventInfo kTeleoperationEvents[] = {
-    {.name = "teleop_state", .payloadSize = slotSize<std::uint8_t>, .depth = 16, .latched = true},
+    {.name = "teleop_state",
+     .payloadSize = slotSize<std::uint8_t>,
+     .depth = 16,
+     .latched = true,
+     .accepts = checkSlot<std::uint8_t, acceptsTeleoperationTeleopStateEvent>},
     {.name = "followed",
      .payloadSize = slotSize<FollowAnchorsSlot>,
      .depth = 16,
      .latched = true,
+     .accepts = checkSlot<FollowAnchorsSlot, acceptsTeleoperationFollowedEvent>,
      .shiftPayload = shiftSlot<FollowAnchorsSlot>},
 };
 
@@ -208,6 +217,14 @@ bool isValid(const FollowAnchorsSlot& slot) {
 }
 
 namespace {
+
+bool acceptsTeleoperationTeleopStateEvent(const std::uint8_t& slot) {
+  return isKnownTeleopState(slot);
+}
+
+bool acceptsTeleoperationFollowedEvent(const FollowAnchorsSlot& slot) {
+  return isValid(slot);
+}
 
 // --- Teleoperation over Cap'n Proto RPC: the provider's side
 

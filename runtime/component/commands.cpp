@@ -77,11 +77,22 @@ Errc RequiredBase::claim(std::uint16_t command, std::uint32_t call, std::byte*& 
   return Errc{};
 }
 
-Errc RequiredBase::commit(bool fits) {
+Errc RequiredBase::judge(std::uint16_t command, const std::byte* arguments, bool fits) {
+  rt::MailboxCounters& counters = channel_->commands.counters;
   if (!fits) {
-    channel_->commands.abandon();
-    channel_->commands.counters.tooLarge.fetch_add(1, std::memory_order_relaxed);
+    counters.tooLarge.fetch_add(1, std::memory_order_relaxed);
     return Errc::TooLarge;
+  }
+  const CommandInfo& info = info_.commands[command];
+  if (info.accepts == nullptr || info.accepts(arguments)) return Errc{};
+  counters.invalid.fetch_add(1, std::memory_order_relaxed);
+  return Errc::Invalid;
+}
+
+Errc RequiredBase::commit(std::uint16_t command, const std::byte* arguments, bool fits) {
+  if (const Errc error = judge(command, arguments, fits); error != Errc{}) {
+    channel_->commands.abandon();
+    return error;
   }
   channel_->countSent(channel_->commands.commit());
   owner_.ringLater(*channel_->ends.provider);

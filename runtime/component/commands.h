@@ -14,6 +14,17 @@
 
 namespace suture {
 
+template <class Slot, class... Arguments>
+Errc RequiredBase::judgeHere(std::uint16_t command, Arguments&... arguments) {
+  if constexpr (sizeof...(Arguments) != 0) {
+    if (info_.commands[command].accepts == nullptr) return Errc{};
+    LooseSlot<Slot> slot;
+    const bool fits = store(arguments..., slot.value());
+    return judge(command, slot.memory(), fits);
+  }
+  return Errc{};
+}
+
 /// A void or write command: queued at the provider, executed in its thread. A direct() one, and any
 /// of a device, is executed at once in the caller's thread where both are in one process.
 ///   slave_.servo_cp(goal);                        queued; the answer says whether
@@ -30,7 +41,7 @@ class Command<Method, ArgumentsSlot> {
 
   /// Never blocks, never allocates. Success means that the command waits at the provider (local),
   /// or is on its way within the provider's credit (any other lane). Errc::Full, Lost, TooLarge,
-  /// Faulted otherwise.
+  /// Faulted otherwise; Errc::Invalid for what the contract does not admit, on every lane.
   Result<Nothing> operator()(Arguments... arguments) {
     return resultOf<Nothing>(send(0, arguments...));
   }
@@ -47,7 +58,9 @@ class Command<Method, ArgumentsSlot> {
   }
 
  private:
-  static Errc callHere(ProvidedBase& callee, Arguments... arguments) {
+  Errc callHere(ProvidedBase& callee, Arguments... arguments) {
+    const Errc error = required_.judgeHere<ArgumentsSlot>(id_, arguments...);
+    if (error != Errc{}) return error;
     return RequiredBase::callHere<Contract>(
         callee, [&](Contract& contract) { (contract.*Method)(arguments...); });
   }
@@ -201,10 +214,13 @@ class AnsweredCommand {
   }
 
  private:
-  static Result<Value> askHere(ProvidedBase& callee, Arguments... arguments) {
+  Result<Value> askHere(ProvidedBase& callee, Arguments... arguments) {
     Value value{};
-    const Errc error = RequiredBase::callHere<Contract>(
-        callee, [&](Contract& contract) { value = (contract.*Method)(arguments...); });
+    Errc error = required_.judgeHere<ArgumentsSlot>(id_, arguments...);
+    if (error == Errc{}) {
+      error = RequiredBase::callHere<Contract>(
+          callee, [&](Contract& contract) { value = (contract.*Method)(arguments...); });
+    }
     return error == Errc{} ? Result<Value>(std::move(value)) : Result<Value>(tl::unexpect, error);
   }
 

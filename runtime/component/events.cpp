@@ -109,14 +109,18 @@ std::size_t RequiredBase::handleQueuedEvents() {
 }
 
 void RequiredBase::deliver(const rt::EventRecord& record) {
-  channel_->countReceived(sizeof(record) + info_.events[record.event].payloadSize);
+  const EventInfo& info = info_.events[record.event];
+  channel_->countReceived(sizeof(record) + info.payloadSize);
+  // On other lanes it was looked at when it arrived.
+  if (channel_->foreign && info.accepts != nullptr && !info.accepts(record.payload())) {
+    return channel_->events.countDropped();
+  }
   satisfyAwaited(record);
   const Books::HeardEvent& heard = books_->events[record.event];
   // Of a latched event the value may be older than its subscription: a replay.
-  if (record.stamp < heard.since && !info_.events[record.event].latched) return;
+  if (record.stamp < heard.since && !info.latched) return;
   if (VirtualTime* const time = virtualTime(); time != nullptr) {
-    time->note(VirtualTime::Kind::Event, name_.c_str(), info_.events[record.event].name,
-               channel_->events.delivered());
+    time->note(VirtualTime::Kind::Event, name_.c_str(), info.name, channel_->events.delivered());
   }
   const auto handler = heard.handler;  // lives on if it ends its own subscription
   if (handler != nullptr) (*handler)(record.payload());

@@ -37,8 +37,8 @@ struct CommandInfo {
   /// concurrent() or direct(): a client in the provider's process, without delay between the two,
   /// calls it in its own thread.
   bool inCallersThread = false;
-  /// False for arguments that no client of this contract can have sent: NaN, out of range(). Of a
-  /// slot with any bytes. Null: there are none.
+  /// False for arguments that the contract does not admit: NaN, out of range(), an enumerator that
+  /// it does not declare. Of a slot with any bytes. Null: it admits all.
   bool (*accepts)(const std::byte* arguments) = nullptr;
   // Turn the stamps in a slot into those of another clock; null: it has none. Of any bytes.
   StampShift shiftArguments = nullptr, shiftResult = nullptr;
@@ -54,6 +54,7 @@ struct EventInfo {
   bool latest = false;
   bool latched = false;
   bool sharedPayload = false;         ///< as of a command
+  bool (*accepts)(const std::byte* payload) = nullptr;  ///< as of a command
   StampShift shiftPayload = nullptr;  ///< as of a command
 };
 

@@ -285,9 +285,11 @@ Errc ProvidedBase::emit(std::uint16_t event, const std::byte* slot, bool fits) {
   // Nobody else may walk the channels of a task, or fill its subscribers' queues.
   if (ownThread && owner_.ownedByAnotherThread()) return Errc::WrongThread;
   if (!fits) return Errc::TooLarge;
+  const EventInfo& info = info_.events[event];
+  if (info.accepts != nullptr && !info.accepts(slot)) return Errc::Invalid;
   const Time stamp = now();
-  const std::span payload(slot, info_.events[event].payloadSize);
-  if (info_.events[event].latched) keepLatched(event, stamp, payload);
+  const std::span payload(slot, info.payloadSize);
+  if (info.latched) keepLatched(event, stamp, payload);
   channels_.forEach([&](ChannelList::Node& node) {
     Channel& channel = *node.channel;
     // Of a task, who has subscribed since joins at the next cycle, with the latched values.

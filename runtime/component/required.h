@@ -145,8 +145,14 @@ class RequiredBase {
   Errc send(std::uint16_t command, std::uint32_t call, const Fill& fill);
   /// `arguments`: where they go.
   Errc claim(std::uint16_t command, std::uint32_t call, std::byte*& arguments);
-  /// Of what claim() gave: publishes it, or counts that the arguments did not fit.
-  Errc commit(bool fits);
+  /// Of what claim() gave: publishes it, or counts that the arguments did not fit, or were none
+  /// that the contract admits.
+  Errc commit(std::uint16_t command, const std::byte* arguments, bool fits);
+  /// An error for arguments in a slot that no provider is to see, which is counted.
+  Errc judge(std::uint16_t command, const std::byte* arguments, bool fits);
+  /// The same of arguments that need no slot.
+  template <class Slot, class... Arguments>
+  Errc judgeHere(std::uint16_t command, Arguments&... arguments);
   /// Copies the newest result of read `command` into `slot`, unless the provider is a `device`, to
   /// be called directly.
   Sample<void> read(std::uint16_t command, std::byte* slot, bool& device);
@@ -245,7 +251,7 @@ template <class Fill>
 Errc RequiredBase::send(std::uint16_t command, std::uint32_t call, const Fill& fill) {
   std::byte* arguments = nullptr;
   const Errc error = claim(command, call, arguments);
-  return error == Errc{} ? commit(fill(arguments)) : error;
+  return error == Errc{} ? commit(command, arguments, fill(arguments)) : error;
 }
 
 /// A component's required interface of type Contract. Each contract's generated header specialises

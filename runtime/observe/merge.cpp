@@ -20,6 +20,7 @@ void complete(ConnectionReport& whole, const ConnectionReport& other) {
   whole.replaced += provider.replaced;
   whole.full += provider.full;
   whole.tooLarge += provider.tooLarge;
+  whole.invalid += provider.invalid;
   whole.failed += provider.failed;
   whole.refused += provider.refused;
   whole.eventsDropped += provider.eventsDropped;

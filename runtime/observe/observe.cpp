@@ -39,7 +39,7 @@ void leaveToOtherEnd(ConnectionReport& report) {
   if (report.end == ConnectionEnd::Client) {
     report.superseded = report.late = report.failed = report.refused = 0;
   } else {
-    report.full = report.tooLarge = report.replaced = 0;
+    report.full = report.tooLarge = report.invalid = report.replaced = 0;
   }
 }
 
@@ -60,6 +60,7 @@ ConnectionReport reportOf(const Channel& channel, ConnectionEnd end) {
                           .executed = count(counters.executed),
                           .full = count(counters.full),
                           .tooLarge = count(counters.tooLarge),
+                          .invalid = count(counters.invalid),
                           .replaced = count(counters.replaced),
                           .superseded = count(counters.superseded),
                           .late = count(counters.late),

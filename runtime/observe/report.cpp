@@ -78,6 +78,7 @@ void eachField(Connection& value, const Visit& visit) requires
   visit("executed", value.executed);
   visit("full", value.full);
   visit("too_large", value.tooLarge);
+  visit("invalid", value.invalid);
   visit("replaced", value.replaced);
   visit("superseded", value.superseded);
   visit("late", value.late);

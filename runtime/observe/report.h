@@ -53,6 +53,7 @@ struct ConnectionReport {
   std::uint64_t executed = 0;    ///< by the provider; at the client's end alone: as it has heard
   std::uint64_t full = 0;        ///< refused: too many waited
   std::uint64_t tooLarge = 0;    ///< refused: beyond a declared capacity
+  std::uint64_t invalid = 0;     ///< refused: the contract does not admit such values
   std::uint64_t replaced = 0;    ///< a newer one of the same latest() command came first
   std::uint64_t superseded = 0;  ///< a later command had run already
   std::uint64_t late = 0;        ///< older than its ttl; at the client's end alone: not known
@@ -68,7 +69,7 @@ struct ConnectionReport {
 
   /// At the ends that are seen: commands that were neither executed, nor late, nor gave way to a
   /// newer one of the same kind.
-  std::uint64_t dropped() const { return full + tooLarge + superseded + refused; }
+  std::uint64_t dropped() const { return full + tooLarge + invalid + superseded + refused; }
 };
 
 /// A window of a task's cycles, as TaskWindow has it; all zero before the first.

@@ -1,4 +1,8 @@
 // Commands with several arguments, and commands that return a value.
+#include <suture/component/channel.h>
+
+#include <limits>
+
 #include "conformance/setup.h"
 
 namespace conformance {
@@ -87,13 +91,21 @@ TEST_P(QueuedAnswers, WhatDoesNotFitIsRefused) {
   EXPECT_TRUE(arm->taken().empty());
 }
 
-TEST_P(JudgedArguments, WhatTheHeaderForbidsIsRefused) {
+// Whoever sends it is told at once, also by a command that awaits no answer.
+TEST_P(JudgedArguments, WhatNoProviderMayActOnIsRefusedWhereItIsSent) {
   client->with([](Arm& remote) {
-    const auto speed = remote.move.start(poseAt(1), 1.5, "").within(5s);
-    ASSERT_FALSE(speed);
-    EXPECT_EQ(speed.error(), Errc::Invalid);
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    const auto unknown = static_cast<Mode>(77);
+    EXPECT_EQ(remote.move.start(poseAt(1), 1.5, "").within(0s).error(), Errc::Invalid);
+    for (const auto& answer : {remote.servo_cp(poseAt(kNone)), remote.limit(kNone, Mode::Enabled),
+                               remote.limit(1, unknown), remote.set_mode(unknown)}) {
+      ASSERT_FALSE(answer);
+      EXPECT_EQ(answer.error(), Errc::Invalid);
+    }
+    EXPECT_TRUE(remote.limit(1, Mode::Enabled));
   });
-  EXPECT_TRUE(arm->taken().empty());
+  EXPECT_TRUE(eventuallyTaken({"limit 1 enabled"}));
+  EXPECT_EQ(channel()->commands.counters.invalid, 5u);
 }
 
 TEST_P(Answers, AThrowIsAnAnswerToo) {
@@ -111,10 +123,7 @@ TEST_P(Answers, AnOptionalCommandThatIsThereWorks) {
 INSTANTIATE_TEST_SUITE_P(Lanes, Answers, testing::ValuesIn(laneRows()), nameOf);
 INSTANTIATE_TEST_SUITE_P(Lanes, WireAnswers, testing::ValuesIn(wireRows()), nameOf);
 INSTANTIATE_TEST_SUITE_P(Lanes, QueuedAnswers, testing::ValuesIn(laneRows(isQueued)), nameOf);
-INSTANTIATE_TEST_SUITE_P(Lanes, JudgedArguments, testing::ValuesIn(wireRows([](const Row& row) {
-                           return !row.sharesManager();
-                         })),
-                         nameOf);
+INSTANTIATE_TEST_SUITE_P(Lanes, JudgedArguments, testing::ValuesIn(wireRows()), nameOf);
 
 }  // namespace
 }  // namespace conformance

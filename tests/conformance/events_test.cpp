@@ -1,4 +1,6 @@
 // Events, from task and device to task and device.
+#include <limits>
+
 #include "conformance/setup.h"
 
 namespace conformance {
@@ -32,6 +34,21 @@ TEST_P(Events, SeveralValuesArriveTogether) {
   arm->emitSoon([](Ports ports) { EXPECT_TRUE(ports.arm.emit().moved(poseAt(4), 0.25)); });
   EXPECT_TRUE(client->await([](const Received& received) {
     return received.moves == std::vector<std::pair<double, double>>{{4, 0.25}};
+  }));
+}
+
+// An enumerator that nobody declared, or a NaN, must not reach a handler as if it were a value.
+TEST_P(Events, WhatNoHandlerMayActOnReachesNobody) {
+  arm->emitSoon([](Ports ports) {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(ports.arm.emit().moved(poseAt(1), none).error(), suture::Errc::Invalid);
+    EXPECT_EQ(ports.arm.emit().arrived(poseAt(none)).error(), suture::Errc::Invalid);
+    EXPECT_EQ(ports.arm.emit().mode(static_cast<Mode>(77)).error(), suture::Errc::Invalid);
+    EXPECT_TRUE(ports.arm.emit().moved(poseAt(4), 0.25));
+  });
+  EXPECT_TRUE(client->await([](const Received& received) { return !received.moves.empty(); }));
+  EXPECT_TRUE(client->await([](const Received& received) {
+    return received.arrivals.empty() && received.modes.empty() && received.moves.size() == 1;
   }));
 }
 

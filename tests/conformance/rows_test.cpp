@@ -118,7 +118,6 @@ TEST(Rows, LeaveNoLaneOutButWhereThisListSaysSo) {
       {"Lanes/DirectOrder", {"Local"}},
       {"Lanes/LentHandlers", {"Local"}},
       {"Lanes/NoHistory", {"Local"}},
-      {"Lanes/JudgedArguments", {"Shm", "Frame", "Rpc", "Delayed", "Faulty"}},
       {"Lanes/Order", {"Local", "Shm", "Frame", "Rpc", "Delayed"}},
       {"Lanes/WireOrder", {"Local", "Shm", "Frame", "Rpc", "Delayed"}},
   };

@@ -109,7 +109,8 @@ class Proxy : public testing::TestWithParam<const char*> {
   void expectSound() {
     end();
     // Where a word in shared memory does not tell the provider of a broken link, its lease does.
-    const Duration unheard = lane() == "shm" ? 0ms : std::chrono::milliseconds(kSilenceMilliseconds);
+    const Duration unheard =
+        lane() == "shm" ? 0ms : std::chrono::milliseconds(kSilenceMilliseconds);
     expectSoundHistory(system_.history(), {.lateness = kBusyMachine, .unheard = unheard});
   }
 

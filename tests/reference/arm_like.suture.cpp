@@ -54,6 +54,9 @@ bool acceptsArmLikeSetMode(const ArmLikeSetModeArguments& slot);
 bool acceptsArmLikeDistance(const ArmLikeDistanceArguments& slot);
 bool acceptsArmLikeMove(const ArmLikeMoveArguments& slot);
 bool acceptsArmLikeLimit(const ArmLikeLimitArguments& slot);
+bool acceptsArmLikeModeEvent(const std::uint8_t& slot);
+bool acceptsArmLikeArrivedEvent(const PoseStampedSlot& slot);
+bool acceptsArmLikeMovedEvent(const ArmLikeMovedPayload& slot);
 
 constexpr CommandInfo kArmLikeCommands[] = {
     {.name = "servo_cp",
@@ -115,15 +118,21 @@ constexpr CommandInfo kArmLikeCommands[] = {
 };
 
 constexpr EventInfo kArmLikeEvents[] = {
-    {.name = "mode", .payloadSize = slotSize<std::uint8_t>, .depth = 16, .latched = true},
+    {.name = "mode",
+     .payloadSize = slotSize<std::uint8_t>,
+     .depth = 16,
+     .latched = true,
+     .accepts = checkSlot<std::uint8_t, acceptsArmLikeModeEvent>},
     {.name = "arrived",
      .payloadSize = slotSize<PoseStampedSlot>,
      .depth = 4,
+     .accepts = checkSlot<PoseStampedSlot, acceptsArmLikeArrivedEvent>,
      .shiftPayload = shiftSlot<PoseStampedSlot>},
     {.name = "stopped", .depth = 16},
     {.name = "moved",
      .payloadSize = slotSize<ArmLikeMovedPayload>,
      .depth = 16,
+     .accepts = checkSlot<ArmLikeMovedPayload, acceptsArmLikeMovedEvent>,
      .shiftPayload = shiftSlot<ArmLikeMovedPayload>},
 };
 
@@ -192,6 +201,18 @@ bool acceptsArmLikeMove(const ArmLikeMoveArguments& slot) {
 
 bool acceptsArmLikeLimit(const ArmLikeLimitArguments& slot) {
   return isValid(slot.speed) && isKnownMode(slot.mode);
+}
+
+bool acceptsArmLikeModeEvent(const std::uint8_t& slot) {
+  return isKnownMode(slot);
+}
+
+bool acceptsArmLikeArrivedEvent(const PoseStampedSlot& slot) {
+  return isValid(slot);
+}
+
+bool acceptsArmLikeMovedEvent(const ArmLikeMovedPayload& slot) {
+  return isValid(slot.value) && isValid(slot.value2);
 }
 
 // --- ArmLike over Cap'n Proto RPC: the provider's side

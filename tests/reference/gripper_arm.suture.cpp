@@ -45,6 +45,7 @@ namespace {
 
 bool acceptsGripperArmClose(const GripperArmCloseArguments& slot);
 bool acceptsGripperArmFits(const GripperArmFitsArguments& slot);
+bool acceptsGripperArmGrippedEvent(const double& slot);
 
 constexpr CommandInfo kGripperArmCommands[] = {
     {.name = "close",
@@ -69,7 +70,10 @@ constexpr CommandInfo kGripperArmCommands[] = {
 };
 
 constexpr EventInfo kGripperArmEvents[] = {
-    {.name = "gripped", .payloadSize = slotSize<double>, .depth = 16},
+    {.name = "gripped",
+     .payloadSize = slotSize<double>,
+     .depth = 16,
+     .accepts = checkSlot<double, acceptsGripperArmGrippedEvent>},
 };
 
 // The self-description, as in reference/gripper_arm.suture.json.
@@ -89,6 +93,10 @@ bool acceptsGripperArmClose(const GripperArmCloseArguments& slot) {
 
 bool acceptsGripperArmFits(const GripperArmFitsArguments& slot) {
   return isValid(slot.width);
+}
+
+bool acceptsGripperArmGrippedEvent(const double& slot) {
+  return isValid(slot);
 }
 
 // --- GripperArm over Cap'n Proto RPC: the provider's side

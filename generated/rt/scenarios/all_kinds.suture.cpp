@@ -48,6 +48,9 @@ bool acceptsAllKindsTwiceRecord(const AllKindsTwiceRecordArguments& slot);
 bool acceptsAllKindsSwapScalar(const AllKindsSwapScalarArguments& slot);
 bool acceptsAllKindsSwapVector(const AllKindsSwapVectorArguments& slot);
 bool acceptsAllKindsSwapRecord(const AllKindsSwapRecordArguments& slot);
+bool acceptsAllKindsScalarSetEvent(const double& slot);
+bool acceptsAllKindsVectorSetEvent(const std::array<double, 3>& slot);
+bool acceptsAllKindsRecordSetEvent(const robots::PosePrmSlot& slot);
 
 constexpr CommandInfo kAllKindsCommands[] = {
     {.name = "clear", .kind = CommandKind::Void, .depth = 16},
@@ -163,11 +166,18 @@ constexpr CommandInfo kAllKindsCommands[] = {
 
 constexpr EventInfo kAllKindsEvents[] = {
     {.name = "cleared", .depth = 16},
-    {.name = "scalar_set", .payloadSize = slotSize<double>, .depth = 16},
-    {.name = "vector_set", .payloadSize = slotSize<std::array<double, 3>>, .depth = 16},
+    {.name = "scalar_set",
+     .payloadSize = slotSize<double>,
+     .depth = 16,
+     .accepts = checkSlot<double, acceptsAllKindsScalarSetEvent>},
+    {.name = "vector_set",
+     .payloadSize = slotSize<std::array<double, 3>>,
+     .depth = 16,
+     .accepts = checkSlot<std::array<double, 3>, acceptsAllKindsVectorSetEvent>},
     {.name = "record_set",
      .payloadSize = slotSize<robots::PosePrmSlot>,
      .depth = 16,
+     .accepts = checkSlot<robots::PosePrmSlot, acceptsAllKindsRecordSetEvent>,
      .shiftPayload = shiftSlot<robots::PosePrmSlot>},
     {.name = "text_set", .payloadSize = slotSize<suture::BoundedText<31>>, .depth = 16},
 };
@@ -408,6 +418,18 @@ bool acceptsAllKindsSwapVector(const AllKindsSwapVectorArguments& slot) {
 
 bool acceptsAllKindsSwapRecord(const AllKindsSwapRecordArguments& slot) {
   return isValid(slot.value);
+}
+
+bool acceptsAllKindsScalarSetEvent(const double& slot) {
+  return isValid(slot);
+}
+
+bool acceptsAllKindsVectorSetEvent(const std::array<double, 3>& slot) {
+  return isValid(slot);
+}
+
+bool acceptsAllKindsRecordSetEvent(const robots::PosePrmSlot& slot) {
+  return isValid(slot);
 }
 
 // --- AllKinds over Cap'n Proto RPC: the provider's side

@@ -17,6 +17,7 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::checkSlot;
 using suture::load;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
@@ -45,6 +46,8 @@ static_assert(std::is_same_v<decltype(StateChange::state), ComponentState>);
 static_assert(std::is_same_v<decltype(StateChange::fault), std::string>);
 static_assert(std::is_same_v<decltype(StateChange::stamp), std::chrono::steady_clock::time_point>);
 
+bool acceptsLifecycleStateChangedEvent(const StateChangeSlot& slot);
+
 constexpr CommandInfo kLifecycleCommands[] = {
     {.name = "suspend",
      .kind = CommandKind::VoidReturn,
@@ -66,6 +69,7 @@ constexpr EventInfo kLifecycleEvents[] = {
      .payloadSize = slotSize<StateChangeSlot>,
      .depth = 16,
      .latched = true,
+     .accepts = checkSlot<StateChangeSlot, acceptsLifecycleStateChangedEvent>,
      .shiftPayload = shiftSlot<StateChangeSlot>},
 };
 
@@ -204,6 +208,10 @@ bool isValid(const StateChangeSlot& slot) {
 }
 
 namespace {
+
+bool acceptsLifecycleStateChangedEvent(const StateChangeSlot& slot) {
+  return isValid(slot);
+}
 
 // --- Lifecycle over Cap'n Proto RPC: the provider's side
 

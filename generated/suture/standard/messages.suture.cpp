@@ -15,6 +15,7 @@ namespace suture {
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::checkSlot;
 using suture::load;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
@@ -36,21 +37,28 @@ static_assert(std::is_same_v<decltype(Message::code), std::uint32_t>);
 static_assert(std::is_same_v<decltype(Message::counter), std::uint32_t>);
 static_assert(std::is_same_v<decltype(Message::stamp), std::chrono::steady_clock::time_point>);
 
+bool acceptsMessagesStatusEvent(const MessageSlot& slot);
+bool acceptsMessagesWarningEvent(const MessageSlot& slot);
+bool acceptsMessagesErrorEvent(const MessageSlot& slot);
+
 constexpr EventInfo kMessagesEvents[] = {
     {.name = "status",
      .payloadSize = slotSize<MessageSlot>,
      .depth = 16,
      .latched = true,
+     .accepts = checkSlot<MessageSlot, acceptsMessagesStatusEvent>,
      .shiftPayload = shiftSlot<MessageSlot>},
     {.name = "warning",
      .payloadSize = slotSize<MessageSlot>,
      .depth = 16,
      .latched = true,
+     .accepts = checkSlot<MessageSlot, acceptsMessagesWarningEvent>,
      .shiftPayload = shiftSlot<MessageSlot>},
     {.name = "error",
      .payloadSize = slotSize<MessageSlot>,
      .depth = 16,
      .latched = true,
+     .accepts = checkSlot<MessageSlot, acceptsMessagesErrorEvent>,
      .shiftPayload = shiftSlot<MessageSlot>},
 };
 
@@ -135,6 +143,18 @@ bool isValid(const MessageSlot&) {
 }
 
 namespace {
+
+bool acceptsMessagesStatusEvent(const MessageSlot& slot) {
+  return isValid(slot);
+}
+
+bool acceptsMessagesWarningEvent(const MessageSlot& slot) {
+  return isValid(slot);
+}
+
+bool acceptsMessagesErrorEvent(const MessageSlot& slot) {
+  return isValid(slot);
+}
 
 // --- Messages over Cap'n Proto RPC: the provider's side
 

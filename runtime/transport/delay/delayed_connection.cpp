@@ -55,8 +55,8 @@ DelayedConnection::DelayedConnection(std::shared_ptr<Channel> near, std::shared_
       delay_(delay),
       commands_(largestCommand(near_->info), kUnderWay, delay.faults, kCommands, near_->delivery),
       // More answers than there may be calls: there is room for duplicates and marks, too.
-      answers_(largestAnswer(near_->info), std::size_t{8} * Channel::kMaxCalls, delay.faults, kAnswers,
-               near_->delivery),
+      answers_(largestAnswer(near_->info), std::size_t{8} * Channel::kMaxCalls, delay.faults,
+               kAnswers, near_->delivery),
       events_(largestEvent(near_->info), kUnderWay, delay.faults, kEvents, near_->delivery),
       rows_(largestRow(*near_->state), kUnderWay, delay.faults, kRows, near_->delivery),
       statuses_(sizeof(ChannelStatus), kUnderWay),

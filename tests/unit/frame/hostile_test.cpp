@@ -160,7 +160,12 @@ TEST(HostileFrames, OfAProviderReachNothingButItsClientsChannel) {
       peer.send(header, liar.payload(header));
       link.arrived();
       link.turn();
-      for (; played.channel->events.next() != nullptr; ++events) played.channel->events.pop();
+      while (const rt::EventRecord* const record = played.channel->events.next()) {
+        const EventInfo& event = contract().events[record->event];
+        ASSERT_TRUE(event.accepts == nullptr || event.accepts(record->payload()));
+        ++events;
+        played.channel->events.pop();
+      }
       while (played.channel->nextReply() != nullptr) played.channel->popReply();
       peer.drain();
     }

@@ -130,7 +130,8 @@ class FrozenProcess : public testing::TestWithParam<std::tuple<Lane, Frozen, boo
 std::string nameOf(const testing::TestParamInfo<std::tuple<Lane, Frozen, bool>>& info) {
   const char* const who[] = {"Provider", "Client", "BothThenProvider", "BothThenClient"};
   return std::string(who[static_cast<int>(std::get<Frozen>(info.param))]) +
-         (std::get<bool>(info.param) ? "InADrain" : "") + "_" + toString(std::get<Lane>(info.param));
+         (std::get<bool>(info.param) ? "InADrain" : "") + "_" +
+         toString(std::get<Lane>(info.param));
 }
 
 INSTANTIATE_TEST_SUITE_P(Lanes, FrozenProcess,

@@ -58,8 +58,7 @@ class Ttl : public testing::TestWithParam<std::optional<Lane>> {
   void send(SlowArm& arm) {
     const bool local = !GetParam();
     const auto robot = std::make_unique<Manager>("robot", names_.address());
-    const auto console =
-        local ? nullptr : std::make_unique<Manager>("console", names_.address());
+    const auto console = local ? nullptr : std::make_unique<Manager>("console", names_.address());
     Manager& clients = local ? *robot : *console;
     robot->add("PSM", arm);
     clients.add("Teleop", client_);

@@ -150,7 +150,8 @@ TEST(LatestCell, NeverTornNeverBackwardsBetweenTwoThreads) {
   while (last < kValues) {
     if (!cell.take()) continue;
     const std::uint64_t first = readNumber(cell.front());
-    for (std::size_t word = 1; word < 8; ++word) ASSERT_EQ(readNumber(cell.front() + 8 * word), first);
+    for (std::size_t word = 1; word < 8; ++word)
+      ASSERT_EQ(readNumber(cell.front() + 8 * word), first);
     ASSERT_GT(first, last);
     last = first;
   }

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <random>
+#include <vector>
 
 #include "reference/still_arm.h"
 #include "support/eventually.h"
@@ -54,8 +55,8 @@ struct Teleop final : PeriodicTask {
   Teleop() : PeriodicTask({.period = 1ms}) {}
   ~Teleop() override { stop(); }
   void onStart() override {
-    slave.on().mode([](Mode) {});
-    slave.on().arrived([this](const PoseStamped&) { ++heard; });
+    slave.on().mode([this](Mode mode) { note(mode == Mode::Disabled || mode == Mode::Enabled); });
+    slave.on().arrived([this](const PoseStamped& pose) { note(pose.pose.matrix().allFinite()); });
     slave.on().stopped([this] { ++heard; });
   }
   void run() override {
@@ -66,7 +67,11 @@ struct Teleop final : PeriodicTask {
     (void)slave.measured_js();
     if (call.poll() != nullptr) call = slave.move.start({}, 0.5, "test");
   }
-  std::atomic<std::uint64_t> heard{0};
+  void note(bool valid) {
+    ++heard;
+    if (!valid) ++invalid;
+  }
+  std::atomic<std::uint64_t> heard{0}, invalid{0};
   Required<ArmLike> slave{*this, "Slave"};
   decltype(std::declval<Required<ArmLike>&>().move.start({}, 0, "")) call{Errc::NotYet};
 };
@@ -115,6 +120,29 @@ shm::SharedParts mappedAgain(const shm::SharedParts& parts, const InterfaceInfo&
   return mapped;
 }
 
+TEST(HostileProvider, EmitsWhatNoHandlerSees) {
+  Psm psm;
+  Teleop teleop;
+  rt::Doorbell watcher;
+  const InterfaceInfo& contract = interfaceInfo<ArmLike>();
+  shm::SharedOffer offer = shm::offerShared(psm.port, contract, "test", ~EventSet{0},
+                                            psm.doorbell(), teleop.doorbell().share(), watcher);
+  const auto client = shm::takeShared(contract, "test", teleop.sharedDoorbell(),
+                                      mappedAgain(offer.parts, contract));
+  teleop.slave.attach(client);
+  teleop.start();
+  constexpr std::uint16_t kArrived = 1, kStopped = 2;
+  const std::vector notANumber(contract.events[kArrived].payloadSize, std::byte{0xff});
+  offer.channel->events.push(kArrived, now(), notANumber);
+  offer.channel->events.push(kStopped, now(), {});
+  client->ends.client->ring(rt::RungFor::Arrival);
+  EXPECT_TRUE(eventually([&] { return teleop.heard > 0; }));
+  teleop.stop();
+  EXPECT_EQ(teleop.heard, 1u);
+  EXPECT_EQ(teleop.invalid, 0u);
+  EXPECT_EQ(client->events.dropped(), 1u);
+}
+
 class HostileMemory : public testing::TestWithParam<unsigned> {};
 
 TEST_P(HostileMemory, HarmsNeitherProviderNorClient) {
@@ -141,6 +169,7 @@ TEST_P(HostileMemory, HarmsNeitherProviderNorClient) {
   EXPECT_EQ(psm.state(), ComponentState::Running) << psm.fault();
   EXPECT_EQ(teleop.state(), ComponentState::Running) << teleop.fault();
   EXPECT_EQ(psm.invalid, 0u) << "of " << psm.handled;
+  EXPECT_EQ(teleop.invalid, 0u) << "of " << teleop.heard;
   std::printf("seed %u: %llu commands handled\n", GetParam(),
               static_cast<unsigned long long>(psm.handled));
 }

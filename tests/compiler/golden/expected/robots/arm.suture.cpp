@@ -78,6 +78,9 @@ bool acceptsArmServoCp(const ArmServoCpArguments& slot);
 bool acceptsArmSetSpeed(const ArmSetSpeedArguments& slot);
 bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot);
 bool acceptsArmGrasp(const ArmGraspArguments& slot);
+bool acceptsArmModeChangedEvent(const std::int8_t& slot);
+bool acceptsArmArrivedEvent(const PoseStampedSlot& slot);
+bool acceptsArmMovedEvent(const ArmMovedPayload& slot);
 
 constexpr CommandInfo kArmCommands[] = {
     {.name = "enable", .kind = CommandKind::Void, .depth = 4},
@@ -139,16 +142,22 @@ constexpr CommandInfo kArmCommands[] = {
 };
 
 constexpr EventInfo kArmEvents[] = {
-    {.name = "mode_changed", .payloadSize = slotSize<std::int8_t>, .depth = 8, .latched = true},
+    {.name = "mode_changed",
+     .payloadSize = slotSize<std::int8_t>,
+     .depth = 8,
+     .latched = true,
+     .accepts = checkSlot<std::int8_t, acceptsArmModeChangedEvent>},
     {.name = "stopped", .depth = 16},
     {.name = "arrived",
      .payloadSize = slotSize<PoseStampedSlot>,
      .depth = 16,
+     .accepts = checkSlot<PoseStampedSlot, acceptsArmArrivedEvent>,
      .shiftPayload = shiftSlot<PoseStampedSlot>},
     {.name = "moved",
      .payloadSize = slotSize<ArmMovedPayload>,
      .depth = 16,
      .latched = true,
+     .accepts = checkSlot<ArmMovedPayload, acceptsArmMovedEvent>,
      .shiftPayload = shiftSlot<ArmMovedPayload>},
 };
 
@@ -498,6 +507,18 @@ bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot) {
 
 bool acceptsArmGrasp(const ArmGraspArguments& slot) {
   return isValid(slot.width) && isKnownMode(slot.mode);
+}
+
+bool acceptsArmModeChangedEvent(const std::int8_t& slot) {
+  return isKnownMode(slot);
+}
+
+bool acceptsArmArrivedEvent(const PoseStampedSlot& slot) {
+  return isValid(slot);
+}
+
+bool acceptsArmMovedEvent(const ArmMovedPayload& slot) {
+  return isValid(slot.value) && isValid(slot.value2) && isKnownMode(slot.value3);
 }
 
 // --- Arm over Cap'n Proto RPC: the provider's side

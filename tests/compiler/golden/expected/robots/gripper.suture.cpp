@@ -51,6 +51,7 @@ namespace {
 
 bool acceptsGripperOpen(const GripperOpenArguments& slot);
 bool acceptsGripperFits(const GripperFitsArguments& slot);
+bool acceptsGripperGrippedEvent(const GripperGrippedPayload& slot);
 
 constexpr CommandInfo kGripperCommands[] = {
     {.name = "open",
@@ -73,7 +74,10 @@ constexpr CommandInfo kGripperCommands[] = {
 };
 
 constexpr EventInfo kGripperEvents[] = {
-    {.name = "gripped", .payloadSize = slotSize<GripperGrippedPayload>, .depth = 16},
+    {.name = "gripped",
+     .payloadSize = slotSize<GripperGrippedPayload>,
+     .depth = 16,
+     .accepts = checkSlot<GripperGrippedPayload, acceptsGripperGrippedEvent>},
 };
 
 // The self-description, as in robots/gripper.suture.json.
@@ -233,6 +237,7 @@ constexpr char kGripperDescription[] = R"json(
 "name": "opening", "is": "Float64"}]}]})json";
 
 bool acceptsNamesTitle(const NamesNameArguments& slot);
+bool acceptsNamesLatchedEvent(const double& slot);
 
 constexpr CommandInfo kNamesCommands[] = {
     {.name = "queue",
@@ -253,7 +258,11 @@ constexpr CommandInfo kNamesCommands[] = {
 };
 
 constexpr EventInfo kNamesEvents[] = {
-    {.name = "latched", .payloadSize = slotSize<double>, .depth = 16, .latched = true},
+    {.name = "latched",
+     .payloadSize = slotSize<double>,
+     .depth = 16,
+     .latched = true,
+     .accepts = checkSlot<double, acceptsNamesLatchedEvent>},
 };
 
 // The self-description, as in robots/gripper.suture.json.
@@ -316,6 +325,10 @@ bool acceptsGripperOpen(const GripperOpenArguments& slot) {
 
 bool acceptsGripperFits(const GripperFitsArguments& slot) {
   return isValid(slot.width);
+}
+
+bool acceptsGripperGrippedEvent(const GripperGrippedPayload& slot) {
+  return isValid(slot.value);
 }
 
 // --- Gripper over Cap'n Proto RPC: the provider's side
@@ -625,6 +638,10 @@ const suture::rpc::Binding& gripperBinding() {
 
 bool acceptsNamesTitle(const NamesNameArguments& slot) {
   return isValid(slot.range) && isValid(slot.slot) && isValid(slot.store);
+}
+
+bool acceptsNamesLatchedEvent(const double& slot) {
+  return isValid(slot);
 }
 
 // --- Names over Cap'n Proto RPC: the provider's side

@@ -96,6 +96,7 @@ static_assert(std::is_same_v<decltype(Matrices::wait),
 
 bool acceptsStorePut(const StorePutArguments& slot);
 bool acceptsStoreChoose(const StoreChooseArguments& slot);
+bool acceptsStoreChangedEvent(const suture::SlotVariant<double, PointSlot>& slot);
 
 constexpr CommandInfo kStoreCommands[] = {
     {.name = "put",
@@ -133,7 +134,8 @@ constexpr CommandInfo kStoreCommands[] = {
 constexpr EventInfo kStoreEvents[] = {
     {.name = "changed",
      .payloadSize = slotSize<suture::SlotVariant<double, PointSlot>>,
-     .depth = 16},
+     .depth = 16,
+     .accepts = checkSlot<suture::SlotVariant<double, PointSlot>, acceptsStoreChangedEvent>},
 };
 
 // The self-description, as in shapes/containers.suture.json.
@@ -997,6 +999,10 @@ bool acceptsStorePut(const StorePutArguments& slot) {
 
 bool acceptsStoreChoose(const StoreChooseArguments& slot) {
   return isValid(slot.gain);
+}
+
+bool acceptsStoreChangedEvent(const suture::SlotVariant<double, PointSlot>& slot) {
+  return isValid(slot);
 }
 
 // --- Store over Cap'n Proto RPC: the provider's side

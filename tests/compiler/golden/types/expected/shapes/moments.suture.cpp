@@ -17,6 +17,7 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::checkSlot;
 using suture::elementsIn;
 using suture::load;
 using suture::newSlot;
@@ -58,6 +59,8 @@ static_assert(std::is_same_v<decltype(Moments::entry),
                              std::tuple<std::int64_t, std::chrono::steady_clock::time_point, shapes::Moment>>);
 static_assert(std::is_same_v<decltype(Moments::either),
                              std::variant<std::int64_t, std::chrono::steady_clock::time_point, shapes::Moment>>);
+
+bool acceptsJournalChangedEvent(const JournalChangedPayload& slot);
 
 void shiftJournalLatestResult(std::int64_t& slot, Duration shift) { slot = shifted(slot, shift); }
 
@@ -107,6 +110,7 @@ constexpr EventInfo kJournalEvents[] = {
     {.name = "changed",
      .payloadSize = slotSize<JournalChangedPayload>,
      .depth = 16,
+     .accepts = checkSlot<JournalChangedPayload, acceptsJournalChangedEvent>,
      .shiftPayload = shiftSlot<JournalChangedPayload>},
     {.name = "counted", .payloadSize = slotSize<std::int64_t>, .depth = 16},
 };
@@ -467,6 +471,10 @@ bool isValid(const MomentsSlot& slot) {
 }
 
 namespace {
+
+bool acceptsJournalChangedEvent(const JournalChangedPayload& slot) {
+  return isValid(slot.value);
+}
 
 // --- Journal over Cap'n Proto RPC: the provider's side
 

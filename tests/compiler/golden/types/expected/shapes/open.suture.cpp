@@ -24,6 +24,7 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::checkSlot;
 using suture::load;
 using suture::newSlot;
 using suture::rpc::ProxyPort;
@@ -73,12 +74,18 @@ static_assert(std::is_same_v<decltype(Open::cloud), std::vector<Eigen::Vector3d>
 static_assert(std::is_same_v<decltype(Open::image), Eigen::MatrixXd>);
 static_assert(std::is_same_v<decltype(Open::root), Root>);
 
+bool acceptsArchivePut(const ArchivePutArguments& slot);
+bool acceptsArchiveReplace(const ArchiveReplaceArguments& slot);
+bool acceptsArchiveGrownEvent(const ArchiveGrownPayload& slot);
+bool acceptsArchiveChangedEvent(const OpenSlot& slot);
+
 constexpr CommandInfo kArchiveCommands[] = {
     {.name = "put",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<ArchivePutArguments>,
      .depth = 16,
-     .sharedArguments = true},
+     .sharedArguments = true,
+     .accepts = checkSlot<ArchivePutArguments, acceptsArchivePut>},
     {.name = "remark",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<ArchiveRemarkArguments>,
@@ -104,7 +111,8 @@ constexpr CommandInfo kArchiveCommands[] = {
      .resultSize = slotSize<OpenSlot>,
      .depth = 16,
      .sharedArguments = true,
-     .sharedResult = true},
+     .sharedResult = true,
+     .accepts = checkSlot<ArchiveReplaceArguments, acceptsArchiveReplace>},
 };
 
 constexpr EventInfo kArchiveEvents[] = {
@@ -116,12 +124,14 @@ constexpr EventInfo kArchiveEvents[] = {
     {.name = "grown",
      .payloadSize = slotSize<ArchiveGrownPayload>,
      .depth = 16,
-     .sharedPayload = true},
+     .sharedPayload = true,
+     .accepts = checkSlot<ArchiveGrownPayload, acceptsArchiveGrownEvent>},
     {.name = "changed",
      .payloadSize = slotSize<OpenSlot>,
      .depth = 16,
      .latest = true,
-     .sharedPayload = true},
+     .sharedPayload = true,
+     .accepts = checkSlot<OpenSlot, acceptsArchiveChangedEvent>},
 };
 
 // The self-description, as in shapes/open.suture.json.
@@ -594,6 +604,14 @@ bool acceptsArchivePut(const ArchivePutArguments& slot) {
 
 bool acceptsArchiveReplace(const ArchiveReplaceArguments& slot) {
   return isValid(slot.value);
+}
+
+bool acceptsArchiveGrownEvent(const ArchiveGrownPayload& slot) {
+  return isValid(slot.value2);
+}
+
+bool acceptsArchiveChangedEvent(const OpenSlot& slot) {
+  return isValid(slot);
 }
 
 // --- Archive over Cap'n Proto RPC: the provider's side

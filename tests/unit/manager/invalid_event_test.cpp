@@ -1,0 +1,89 @@
+// A provider of another build may send what this process's contract does not admit; on `rpc`, too,
+// no handler sees it.
+
+#include <gtest/gtest.h>
+#include <suture/component/channel.h>
+#include <suture/transport/rpc/binding.h>
+#include <suture/transport/rpc/control_thread.h>
+#include <suture/transport/rpc/link.h>
+#include <suture/transport/rpc/proxy_port.h>
+
+#include <limits>
+#include <memory>
+
+#include "reference/arm_like.capnp.h"
+#include "reference/arm_like.suture.h"
+#include "support/eventually.h"
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+using Events = reference::wire::ArmLikeEvents::Client;
+
+/// Emits what it is told to.
+class LyingArm final : public reference::wire::ArmLike::Server {
+ public:
+  explicit LyingArm(kj::Maybe<Events>& subscriber) : subscriber_(subscriber) {}
+
+ protected:
+  kj::Promise<void> subscribe(SubscribeContext context) override {
+    subscriber_ = context.getParams().getEvents();
+    return kj::READY_NOW;
+  }
+
+ private:
+  kj::Maybe<Events>& subscriber_;
+};
+
+class InvalidEvents : public testing::Test {
+ protected:
+  InvalidEvents() {
+    control_.run(10s, [this] {
+      const InterfaceInfo& contract = channel_->info;
+      port_ = kj::refcounted<rpc::ProxyPort>(control_, channel_,
+                                             std::make_shared<rpc::LinkCounters>());
+      port_->open(contract.binding().makeProxy(kj::heap<LyingArm>(subscriber_), *port_));
+      return kj::Promise<void>(kj::READY_NOW);
+    });
+    channel_->ends.provider->ring();
+  }
+  ~InvalidEvents() noexcept override {
+    control_.run(10s, [this] {
+      subscriber_ = nullptr;
+      port_ = nullptr;
+      return kj::Promise<void>(kj::READY_NOW);
+    });
+  }
+
+  bool isSubscribed() {
+    return control_.run(10s, [this] { return kj::Promise<bool>(subscriber_ != nullptr); });
+  }
+  /// Emits moved(), and says whether the subscriber took it.
+  bool takes(double speed) {
+    return control_.run(10s, [this, speed] {
+      auto request = KJ_ASSERT_NONNULL(subscriber_).movedRequest();
+      request.initValue().initPose();
+      request.setValue2(speed);
+      return request.send().then([](auto&&) { return true; }, [](kj::Exception&&) { return false; });
+    });
+  }
+
+  rpc::ControlThread control_;
+  rt::Doorbell client_;
+  const std::shared_ptr<Channel> channel_ = std::make_shared<Channel>(
+      interfaceInfo<reference::ArmLike>(), "client -> provider", "rpc",
+      Channel::Ends{.client = &client_, .provider = &control_.doorbell()},
+      makeStateTable(interfaceInfo<reference::ArmLike>()), ~EventSet{0});
+  kj::Maybe<Events> subscriber_;
+  kj::Own<rpc::ProxyPort> port_;
+};
+
+TEST_F(InvalidEvents, ReachNoHandler) {
+  ASSERT_TRUE(eventually([this] { return isSubscribed(); }));
+  EXPECT_FALSE(takes(std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_EQ(channel_->events.next(), nullptr);
+}
+
+}  // namespace
+}  // namespace suture
