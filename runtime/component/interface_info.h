@@ -53,9 +53,9 @@ struct EventInfo {
   std::uint32_t depth;
   bool latest = false;
   bool latched = false;
-  bool sharedPayload = false;         ///< as of a command
+  bool sharedPayload = false;                           ///< as of a command
   bool (*accepts)(const std::byte* payload) = nullptr;  ///< as of a command
-  StampShift shiftPayload = nullptr;  ///< as of a command
+  StampShift shiftPayload = nullptr;                    ///< as of a command
 };
 
 /// The table of a contract that derives from another, of N rows: the base's, then its own.

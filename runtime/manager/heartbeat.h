@@ -24,7 +24,7 @@ class Heartbeat {
     /// How long the peer may leave a question unanswered. It counts from when the peer was last
     /// told that it had answered, and so does the peer, who then executes nothing more.
     Duration silence;
-    Duration hang;     ///< how long the component's thread may be in one cycle, or late for one
+    Duration hang;  ///< how long the component's thread may be in one cycle, or late for one
   };
 
   Heartbeat(kj::Timer& timer, wire::Peer::Client peer, std::string component, Bounds bounds);
@@ -50,10 +50,10 @@ class Heartbeat {
   const Bounds bounds_;
   const Duration interval_;
   Answered answered_;
-  std::int64_t heard_ = 0;              // when the peer sent its latest answer, as it says
-  BootTime told_ = BootClock::now();    // when it was last told that an answer has come
-  bool asked_ = false;  // and not answered
-  Time due_{};          // of the component's thread, by the latest answer
+  std::int64_t heard_ = 0;            // when the peer sent its latest answer, as it says
+  BootTime told_ = BootClock::now();  // when it was last told that an answer has come
+  bool asked_ = false;                // and not answered
+  Time due_{};                        // of the component's thread, by the latest answer
   kj::PromiseFulfillerPair<std::string> lost_ = kj::newPromiseAndFulfiller<std::string>();
   kj::PromiseFulfillerPair<void> well_ = kj::newPromiseAndFulfiller<void>();
   kj::Promise<void> asking_ = kj::READY_NOW, looking_ = kj::READY_NOW;  // last: cancelled first

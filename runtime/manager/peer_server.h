@@ -40,8 +40,8 @@ class PeerServer final : public wire::Peer::Server {
   /// Not by shared memory, if that was asked for, because of `laneReason`.
   kj::Promise<void> acceptSlower(Asked& asked, const std::string& laneReason);
   void sendFrames(Asked& asked, const InterfaceInfo& contract, const std::string& laneReason);
-  /// Lets the provider execute what comes of `end` for as long as the client is heard of. `silence`:
-  /// as it has said.
+  /// Lets the provider execute what comes of `end` for as long as the client is heard of.
+  /// `silence`: as it has said.
   void grant(rpc::ProviderEnd& end, std::int64_t silence);
   kj::Promise<void> watchLeases();
   kj::Promise<void> serveCalls(Asked& asked, const std::string& laneReason);

@@ -149,9 +149,10 @@ void RemoteConnection::end() {
 }
 
 kj::Promise<void> RemoteConnection::connect(Duration patience, Duration limit) {
-  auto connected = manager_.resolve(to_.process, patience)
-                       .then([this, limit](const ProcessRecord& process) { return dial(process, limit); })
-                       .then([this, limit] { return introduce(limit); });
+  auto connected =
+      manager_.resolve(to_.process, patience)
+          .then([this, limit](const ProcessRecord& process) { return dial(process, limit); })
+          .then([this, limit] { return introduce(limit); });
   // The manager answers in time itself; what is left is the peer.
   return rpc::within(control_.timer(), patience + kDialLimit, kj::mv(connected),
                      "process '" + to_.process +
@@ -323,9 +324,8 @@ kj::Promise<void> RemoteConnection::begin(wire::ConnectResults::Accepted::Reader
 
 kj::Promise<void> RemoteConnection::beginFaster(wire::ConnectResults::Accepted::Reader accepted) {
   if (accepted.hasMemory()) {
-    return receive(accepted.getMemory(), required_.info()).then([this](const shm::SharedParts& parts) {
-      beginSharing(parts);
-    });
+    return receive(accepted.getMemory(), required_.info())
+        .then([this](const shm::SharedParts& parts) { beginSharing(parts); });
   }
   const std::uint32_t number = accepted.getFrame().getConnection(), rows = accepted.getRows();
   return openLink(accepted.getFrame()).then([this, number, rows](const FrameLinks::Link& link) {

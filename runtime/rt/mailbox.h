@@ -40,7 +40,7 @@ struct CommandRecord {
 /// Counts of one connection; each is written by one side and may be read by any thread.
 struct MailboxCounters {
   std::atomic<std::uint64_t> sent{0}, full{0}, tooLarge{0}, invalid{0}, replaced{0};  // producer
-  std::atomic<std::uint64_t> executed{0}, late{0}, superseded{0}, failed{0};  // consumer
+  std::atomic<std::uint64_t> executed{0}, late{0}, superseded{0}, failed{0};          // consumer
   std::atomic<std::uint64_t> refused{0};  // consumer: turned away, or cancelled before
 };
 

@@ -23,7 +23,7 @@ struct ScheduledThread {
   enum class State : std::uint8_t { Runs, Ready, Sleeps };
 
   std::string name;
-  std::size_t number = 0;  // in the order of starting
+  std::size_t number = 0;   // in the order of starting
   std::size_t process = 0;  // which TestClock::Process it belongs to; 0: none
   State state = State::Ready;
   bool known = true;             // false: one that the test has made, which runs beside the others

@@ -41,8 +41,8 @@ class InvalidEvents : public testing::Test {
   InvalidEvents() {
     control_.run(10s, [this] {
       const InterfaceInfo& contract = channel_->info;
-      port_ = kj::refcounted<rpc::ProxyPort>(control_, channel_,
-                                             std::make_shared<rpc::LinkCounters>());
+      port_ =
+          kj::refcounted<rpc::ProxyPort>(control_, channel_, std::make_shared<rpc::LinkCounters>());
       port_->open(contract.binding().makeProxy(kj::heap<LyingArm>(subscriber_), *port_));
       return kj::Promise<void>(kj::READY_NOW);
     });
@@ -65,16 +65,17 @@ class InvalidEvents : public testing::Test {
       auto request = KJ_ASSERT_NONNULL(subscriber_).movedRequest();
       request.initValue().initPose();
       request.setValue2(speed);
-      return request.send().then([](auto&&) { return true; }, [](kj::Exception&&) { return false; });
+      return request.send().then([](auto&&) { return true; },
+                                 [](kj::Exception&&) { return false; });
     });
   }
 
   rpc::ControlThread control_;
   rt::Doorbell client_;
-  const std::shared_ptr<Channel> channel_ = std::make_shared<Channel>(
-      interfaceInfo<reference::ArmLike>(), "client -> provider", "rpc",
-      Channel::Ends{.client = &client_, .provider = &control_.doorbell()},
-      makeStateTable(interfaceInfo<reference::ArmLike>()), ~EventSet{0});
+  const std::shared_ptr<Channel> channel_ =
+      std::make_shared<Channel>(interfaceInfo<reference::ArmLike>(), "client -> provider", "rpc",
+                                Channel::Ends{.client = &client_, .provider = &control_.doorbell()},
+                                makeStateTable(interfaceInfo<reference::ArmLike>()), ~EventSet{0});
   kj::Maybe<Events> subscriber_;
   kj::Own<rpc::ProxyPort> port_;
 };
