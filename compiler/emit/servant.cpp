@@ -1,3 +1,4 @@
+#include <utility>
 #include <vector>
 
 #include "compiler/emit/contract.h"
@@ -106,24 +107,51 @@ void emitServantConstructor(Code& code, const model::Interface& interface) {
 
 // --- what every lane asks of values before a handler sees them
 
-void emitCheck(Code& code, const Context& context, const std::string& check,
-               const std::string& slot, const std::vector<WireValue>& values) {
-  if (check.empty()) return;
-  code.open("bool ", check, "(const ", slot, "& slot) {");
-  emitValidity(code, values, context);
-  code.close("}").blank();
-}
+/// Emits those of a contract; what fits on a line stands close to the next.
+class Checks {
+ public:
+  Checks(Code& code, const Context& context) : code_(code), context_(context) {}
+
+  void add(const std::string& check, const std::string& slot,
+           const std::vector<WireValue>& values) {
+    if (check.empty()) return;
+    const std::string head = "bool " + check + "(const " + slot + "& slot) {";
+    Code body;
+    emitValidity(body, values, context_);
+    const std::string line = head + " " + body.text().substr(0, body.text().find('\n')) + " }";
+    const bool isOneLine = line.size() == head.size() + body.text().size() + 2;
+    if (isOneLine && line.size() <= Code::kColumns) {
+      code_.line(line);
+      close_ = true;
+      return;
+    }
+    end();
+    code_.open(head);
+    emitValidity(code_, values, context_);
+    code_.close("}").blank();
+  }
+  void end() {
+    if (std::exchange(close_, false)) code_.blank();
+  }
+
+ private:
+  Code& code_;
+  const Context& context_;
+  bool close_ = false;  // to what follows
+};
 
 void emitChecks(Code& code, const Context& context, const model::Interface& interface) {
+  Checks checks(code, context);
   for (const model::Command* const command : ownCommands(interface)) {
-    emitCheck(code, context, argumentsCheck(interface, *command, context),
-              relative(argumentsStruct(interface, *command), home(context)),
-              argumentValues(*command));
+    checks.add(argumentsCheck(interface, *command, context),
+               relative(argumentsStruct(interface, *command), home(context)),
+               argumentValues(*command));
   }
   for (const model::Event* const event : ownEvents(interface)) {
-    emitCheck(code, context, payloadCheck(interface, *event, context),
-              payloadSlot(interface, *event, context, home(context)), payloadValues(*event));
+    checks.add(payloadCheck(interface, *event, context),
+               payloadSlot(interface, *event, context, home(context)), payloadValues(*event));
   }
+  checks.end();
 }
 
 // --- commands from the client

@@ -386,17 +386,9 @@ Errc fromWire(wire::ArmWarning in, std::uint8_t& slot) {
 
 namespace {
 
-bool acceptsArmServoCp(const ArmServoCpArguments& slot) {
-  return isValid(slot.goal);
-}
-
-bool acceptsArmServoJp(const ArmServoJpArguments& slot) {
-  return isValid(slot.goal);
-}
-
-bool acceptsArmMoveJp(const ArmMoveJpArguments& slot) {
-  return isValid(slot.goal);
-}
+bool acceptsArmServoCp(const ArmServoCpArguments& slot) { return isValid(slot.goal); }
+bool acceptsArmServoJp(const ArmServoJpArguments& slot) { return isValid(slot.goal); }
+bool acceptsArmMoveJp(const ArmMoveJpArguments& slot) { return isValid(slot.goal); }
 
 bool acceptsArmForwardKinematics(const ArmForwardKinematicsArguments& slot) {
   return isValid(slot.q);
@@ -406,13 +398,8 @@ bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot) {
   return isValid(slot.goal);
 }
 
-bool acceptsArmOperatingStateEvent(const OperatingStateSlot& slot) {
-  return isValid(slot);
-}
-
-bool acceptsArmWarningEvent(const std::uint8_t& slot) {
-  return isKnownArmWarning(slot);
-}
+bool acceptsArmOperatingStateEvent(const OperatingStateSlot& slot) { return isValid(slot); }
+bool acceptsArmWarningEvent(const std::uint8_t& slot) { return isKnownArmWarning(slot); }
 
 // --- Arm over Cap'n Proto RPC: the provider's side
 

@@ -1141,33 +1141,13 @@ bool acceptsCrtkArmSetBaseFrame(const CrtkArmSetBaseFrameArguments& slot) {
   return isValid(slot.frame);
 }
 
-bool acceptsCrtkArmServoJp(const CrtkArmServoJpArguments& slot) {
-  return isValid(slot.goal);
-}
-
-bool acceptsCrtkArmServoJr(const CrtkArmServoJrArguments& slot) {
-  return isValid(slot.step);
-}
-
-bool acceptsCrtkArmServoJv(const CrtkArmServoJvArguments& slot) {
-  return isValid(slot.goal);
-}
-
-bool acceptsCrtkArmServoJf(const CrtkArmServoJfArguments& slot) {
-  return isValid(slot.goal);
-}
-
-bool acceptsCrtkArmServoCp(const CrtkArmServoCpArguments& slot) {
-  return isValid(slot.goal);
-}
-
-bool acceptsCrtkArmServoCr(const CrtkArmServoCrArguments& slot) {
-  return isValid(slot.step);
-}
-
-bool acceptsCrtkArmServoCv(const CrtkArmServoCvArguments& slot) {
-  return isValid(slot.goal);
-}
+bool acceptsCrtkArmServoJp(const CrtkArmServoJpArguments& slot) { return isValid(slot.goal); }
+bool acceptsCrtkArmServoJr(const CrtkArmServoJrArguments& slot) { return isValid(slot.step); }
+bool acceptsCrtkArmServoJv(const CrtkArmServoJvArguments& slot) { return isValid(slot.goal); }
+bool acceptsCrtkArmServoJf(const CrtkArmServoJfArguments& slot) { return isValid(slot.goal); }
+bool acceptsCrtkArmServoCp(const CrtkArmServoCpArguments& slot) { return isValid(slot.goal); }
+bool acceptsCrtkArmServoCr(const CrtkArmServoCrArguments& slot) { return isValid(slot.step); }
+bool acceptsCrtkArmServoCv(const CrtkArmServoCvArguments& slot) { return isValid(slot.goal); }
 
 bool acceptsCrtkArmBodyServoCf(const CrtkArmBodyServoCfArguments& slot) {
   return isValid(slot.goal);
@@ -1177,21 +1157,10 @@ bool acceptsCrtkArmSpatialServoCf(const CrtkArmSpatialServoCfArguments& slot) {
   return isValid(slot.goal);
 }
 
-bool acceptsCrtkArmMoveJp(const CrtkArmMoveJpArguments& slot) {
-  return isValid(slot.goal);
-}
-
-bool acceptsCrtkArmMoveJr(const CrtkArmMoveJrArguments& slot) {
-  return isValid(slot.step);
-}
-
-bool acceptsCrtkArmMoveCp(const CrtkArmMoveCpArguments& slot) {
-  return isValid(slot.goal);
-}
-
-bool acceptsCrtkArmMoveCr(const CrtkArmMoveCrArguments& slot) {
-  return isValid(slot.step);
-}
+bool acceptsCrtkArmMoveJp(const CrtkArmMoveJpArguments& slot) { return isValid(slot.goal); }
+bool acceptsCrtkArmMoveJr(const CrtkArmMoveJrArguments& slot) { return isValid(slot.step); }
+bool acceptsCrtkArmMoveCp(const CrtkArmMoveCpArguments& slot) { return isValid(slot.goal); }
+bool acceptsCrtkArmMoveCr(const CrtkArmMoveCrArguments& slot) { return isValid(slot.step); }
 
 bool acceptsCrtkArmTrajectoryJSetRatio(const CrtkArmTrajectoryJSetRatioArguments& slot) {
   return inRange(slot.ratio, 0.01, 1);
@@ -1213,33 +1182,17 @@ bool acceptsCrtkArmInverseKinematics(const CrtkArmInverseKinematicsArguments& sl
   return isValid(slot.goal);
 }
 
-bool acceptsCrtkArmQueryCp(const CrtkArmQueryCpArguments& slot) {
-  return isValid(slot.q);
-}
+bool acceptsCrtkArmQueryCp(const CrtkArmQueryCpArguments& slot) { return isValid(slot.q); }
 
 bool acceptsCrtkArmLocalQueryCp(const CrtkArmLocalQueryCpArguments& slot) {
   return isValid(slot.q);
 }
 
-bool acceptsCrtkArmOperatingStateEvent(const OperatingStateSlot& slot) {
-  return isValid(slot);
-}
-
-bool acceptsCrtkArmDesiredStateEvent(const std::uint8_t& slot) {
-  return isKnownArmState(slot);
-}
-
-bool acceptsCrtkArmTrajectoryJRatioEvent(const double& slot) {
-  return isValid(slot);
-}
-
-bool acceptsCrtkArmTrajectoryJRatioVEvent(const double& slot) {
-  return isValid(slot);
-}
-
-bool acceptsCrtkArmTrajectoryJRatioAEvent(const double& slot) {
-  return isValid(slot);
-}
+bool acceptsCrtkArmOperatingStateEvent(const OperatingStateSlot& slot) { return isValid(slot); }
+bool acceptsCrtkArmDesiredStateEvent(const std::uint8_t& slot) { return isKnownArmState(slot); }
+bool acceptsCrtkArmTrajectoryJRatioEvent(const double& slot) { return isValid(slot); }
+bool acceptsCrtkArmTrajectoryJRatioVEvent(const double& slot) { return isValid(slot); }
+bool acceptsCrtkArmTrajectoryJRatioAEvent(const double& slot) { return isValid(slot); }
 
 // --- CrtkArm over Cap'n Proto RPC: the provider's side
 

@@ -135,17 +135,9 @@ void shiftStamps(LoopServerBounceArguments& slot, Duration shift) {
 
 namespace {
 
-bool acceptsLoopServerPut(const LoopServerPutArguments& slot) {
-  return isValid(slot.value);
-}
-
-bool acceptsLoopServerBounce(const LoopServerBounceArguments& slot) {
-  return isValid(slot.value);
-}
-
-bool acceptsLoopServerEchoEvent(const robots::PosePrmSlot& slot) {
-  return isValid(slot);
-}
+bool acceptsLoopServerPut(const LoopServerPutArguments& slot) { return isValid(slot.value); }
+bool acceptsLoopServerBounce(const LoopServerBounceArguments& slot) { return isValid(slot.value); }
+bool acceptsLoopServerEchoEvent(const robots::PosePrmSlot& slot) { return isValid(slot); }
 
 // --- LoopServer over Cap'n Proto RPC: the provider's side
 

@@ -129,17 +129,13 @@ void shiftStamps(SampleServerBounceArguments& slot, Duration shift) {
 
 namespace {
 
-bool acceptsSampleServerPut(const SampleServerPutArguments& slot) {
-  return isValid(slot.value);
-}
+bool acceptsSampleServerPut(const SampleServerPutArguments& slot) { return isValid(slot.value); }
 
 bool acceptsSampleServerBounce(const SampleServerBounceArguments& slot) {
   return isValid(slot.value);
 }
 
-bool acceptsSampleServerEchoEvent(const robots::PoseSampleSlot& slot) {
-  return isValid(slot);
-}
+bool acceptsSampleServerEchoEvent(const robots::PoseSampleSlot& slot) { return isValid(slot); }
 
 // --- SampleServer over Cap'n Proto RPC: the provider's side
 

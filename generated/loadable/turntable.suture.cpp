@@ -68,9 +68,7 @@ bool store(const double& angle, TurntableTurnArguments& slot) { return store(ang
 
 namespace {
 
-bool acceptsTurntableTurn(const TurntableTurnArguments& slot) {
-  return isValid(slot.angle);
-}
+bool acceptsTurntableTurn(const TurntableTurnArguments& slot) { return isValid(slot.angle); }
 
 // --- Turntable over Cap'n Proto RPC: the provider's side
 

@@ -222,9 +222,7 @@ bool acceptsTeleoperationTeleopStateEvent(const std::uint8_t& slot) {
   return isKnownTeleopState(slot);
 }
 
-bool acceptsTeleoperationFollowedEvent(const FollowAnchorsSlot& slot) {
-  return isValid(slot);
-}
+bool acceptsTeleoperationFollowedEvent(const FollowAnchorsSlot& slot) { return isValid(slot); }
 
 // --- Teleoperation over Cap'n Proto RPC: the provider's side
 

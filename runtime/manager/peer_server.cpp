@@ -6,6 +6,7 @@
 #include <suture/manager/shared_memory.h>
 #include <suture/manager/status_port.h>
 #include <suture/rt/state_table.h>
+#include <suture/transport/rpc/deadline.h>
 #include <suture/transport/rpc/failure.h>
 #include <suture/transport/rpc/stamps.h>
 #include <suture/wiring/connect.h>

@@ -179,21 +179,10 @@ void shiftStamps(ArmLikeMovedPayload& slot, Duration shift) { shiftStamps(slot.v
 
 namespace {
 
-bool acceptsArmLikeServoCp(const ArmLikeServoCpArguments& slot) {
-  return isValid(slot.goal);
-}
-
-bool acceptsArmLikeServoJp(const ArmLikeServoJpArguments& slot) {
-  return isValid(slot.goal);
-}
-
-bool acceptsArmLikeSetMode(const ArmLikeSetModeArguments& slot) {
-  return isKnownMode(slot.mode);
-}
-
-bool acceptsArmLikeDistance(const ArmLikeDistanceArguments& slot) {
-  return isValid(slot.to);
-}
+bool acceptsArmLikeServoCp(const ArmLikeServoCpArguments& slot) { return isValid(slot.goal); }
+bool acceptsArmLikeServoJp(const ArmLikeServoJpArguments& slot) { return isValid(slot.goal); }
+bool acceptsArmLikeSetMode(const ArmLikeSetModeArguments& slot) { return isKnownMode(slot.mode); }
+bool acceptsArmLikeDistance(const ArmLikeDistanceArguments& slot) { return isValid(slot.to); }
 
 bool acceptsArmLikeMove(const ArmLikeMoveArguments& slot) {
   return isValid(slot.goal) && inRange(slot.speed, 0, 1);
@@ -203,13 +192,8 @@ bool acceptsArmLikeLimit(const ArmLikeLimitArguments& slot) {
   return isValid(slot.speed) && isKnownMode(slot.mode);
 }
 
-bool acceptsArmLikeModeEvent(const std::uint8_t& slot) {
-  return isKnownMode(slot);
-}
-
-bool acceptsArmLikeArrivedEvent(const PoseStampedSlot& slot) {
-  return isValid(slot);
-}
+bool acceptsArmLikeModeEvent(const std::uint8_t& slot) { return isKnownMode(slot); }
+bool acceptsArmLikeArrivedEvent(const PoseStampedSlot& slot) { return isValid(slot); }
 
 bool acceptsArmLikeMovedEvent(const ArmLikeMovedPayload& slot) {
   return isValid(slot.value) && isValid(slot.value2);

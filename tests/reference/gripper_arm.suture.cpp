@@ -87,17 +87,9 @@ bool store(const double& width, GripperArmFitsArguments& slot) { return store(wi
 
 namespace {
 
-bool acceptsGripperArmClose(const GripperArmCloseArguments& slot) {
-  return isValid(slot.width);
-}
-
-bool acceptsGripperArmFits(const GripperArmFitsArguments& slot) {
-  return isValid(slot.width);
-}
-
-bool acceptsGripperArmGrippedEvent(const double& slot) {
-  return isValid(slot);
-}
+bool acceptsGripperArmClose(const GripperArmCloseArguments& slot) { return isValid(slot.width); }
+bool acceptsGripperArmFits(const GripperArmFitsArguments& slot) { return isValid(slot.width); }
+bool acceptsGripperArmGrippedEvent(const double& slot) { return isValid(slot); }
 
 // --- GripperArm over Cap'n Proto RPC: the provider's side
 

@@ -420,17 +420,9 @@ bool acceptsAllKindsSwapRecord(const AllKindsSwapRecordArguments& slot) {
   return isValid(slot.value);
 }
 
-bool acceptsAllKindsScalarSetEvent(const double& slot) {
-  return isValid(slot);
-}
-
-bool acceptsAllKindsVectorSetEvent(const std::array<double, 3>& slot) {
-  return isValid(slot);
-}
-
-bool acceptsAllKindsRecordSetEvent(const robots::PosePrmSlot& slot) {
-  return isValid(slot);
-}
+bool acceptsAllKindsScalarSetEvent(const double& slot) { return isValid(slot); }
+bool acceptsAllKindsVectorSetEvent(const std::array<double, 3>& slot) { return isValid(slot); }
+bool acceptsAllKindsRecordSetEvent(const robots::PosePrmSlot& slot) { return isValid(slot); }
 
 // --- AllKinds over Cap'n Proto RPC: the provider's side
 

@@ -209,9 +209,7 @@ bool isValid(const StateChangeSlot& slot) {
 
 namespace {
 
-bool acceptsLifecycleStateChangedEvent(const StateChangeSlot& slot) {
-  return isValid(slot);
-}
+bool acceptsLifecycleStateChangedEvent(const StateChangeSlot& slot) { return isValid(slot); }
 
 // --- Lifecycle over Cap'n Proto RPC: the provider's side
 

@@ -144,17 +144,9 @@ bool isValid(const MessageSlot&) {
 
 namespace {
 
-bool acceptsMessagesStatusEvent(const MessageSlot& slot) {
-  return isValid(slot);
-}
-
-bool acceptsMessagesWarningEvent(const MessageSlot& slot) {
-  return isValid(slot);
-}
-
-bool acceptsMessagesErrorEvent(const MessageSlot& slot) {
-  return isValid(slot);
-}
+bool acceptsMessagesStatusEvent(const MessageSlot& slot) { return isValid(slot); }
+bool acceptsMessagesWarningEvent(const MessageSlot& slot) { return isValid(slot); }
+bool acceptsMessagesErrorEvent(const MessageSlot& slot) { return isValid(slot); }
 
 // --- Messages over Cap'n Proto RPC: the provider's side
 

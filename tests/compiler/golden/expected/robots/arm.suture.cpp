@@ -493,13 +493,8 @@ bool isValid(const EverythingSlot& slot) {
 
 namespace {
 
-bool acceptsArmServoCp(const ArmServoCpArguments& slot) {
-  return isValid(slot.goal);
-}
-
-bool acceptsArmSetSpeed(const ArmSetSpeedArguments& slot) {
-  return isValid(slot.speed);
-}
+bool acceptsArmServoCp(const ArmServoCpArguments& slot) { return isValid(slot.goal); }
+bool acceptsArmSetSpeed(const ArmSetSpeedArguments& slot) { return isValid(slot.speed); }
 
 bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot) {
   return isValid(slot.x) && inRange(slot.tolerance, 0, 1);
@@ -509,13 +504,8 @@ bool acceptsArmGrasp(const ArmGraspArguments& slot) {
   return isValid(slot.width) && isKnownMode(slot.mode);
 }
 
-bool acceptsArmModeChangedEvent(const std::int8_t& slot) {
-  return isKnownMode(slot);
-}
-
-bool acceptsArmArrivedEvent(const PoseStampedSlot& slot) {
-  return isValid(slot);
-}
+bool acceptsArmModeChangedEvent(const std::int8_t& slot) { return isKnownMode(slot); }
+bool acceptsArmArrivedEvent(const PoseStampedSlot& slot) { return isValid(slot); }
 
 bool acceptsArmMovedEvent(const ArmMovedPayload& slot) {
   return isValid(slot.value) && isValid(slot.value2) && isKnownMode(slot.value3);

@@ -319,17 +319,9 @@ bool store(const double& range, const double& slot, const double& store_,
 
 namespace {
 
-bool acceptsGripperOpen(const GripperOpenArguments& slot) {
-  return isValid(slot.width);
-}
-
-bool acceptsGripperFits(const GripperFitsArguments& slot) {
-  return isValid(slot.width);
-}
-
-bool acceptsGripperGrippedEvent(const GripperGrippedPayload& slot) {
-  return isValid(slot.value);
-}
+bool acceptsGripperOpen(const GripperOpenArguments& slot) { return isValid(slot.width); }
+bool acceptsGripperFits(const GripperFitsArguments& slot) { return isValid(slot.width); }
+bool acceptsGripperGrippedEvent(const GripperGrippedPayload& slot) { return isValid(slot.value); }
 
 // --- Gripper over Cap'n Proto RPC: the provider's side
 
@@ -640,9 +632,7 @@ bool acceptsNamesTitle(const NamesNameArguments& slot) {
   return isValid(slot.range) && isValid(slot.slot) && isValid(slot.store);
 }
 
-bool acceptsNamesLatchedEvent(const double& slot) {
-  return isValid(slot);
-}
+bool acceptsNamesLatchedEvent(const double& slot) { return isValid(slot); }
 
 // --- Names over Cap'n Proto RPC: the provider's side
 

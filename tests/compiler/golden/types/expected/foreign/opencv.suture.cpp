@@ -192,9 +192,7 @@ bool isValid(const ViewSlot& slot) {
 
 namespace {
 
-bool acceptsCameraAim(const CameraAimArguments& slot) {
-  return isValid(slot.at);
-}
+bool acceptsCameraAim(const CameraAimArguments& slot) { return isValid(slot.at); }
 
 // --- Camera over Cap'n Proto RPC: the provider's side
 

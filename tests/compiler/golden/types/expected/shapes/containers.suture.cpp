@@ -993,13 +993,8 @@ Errc fromWire(wire::ShapesContainersEitherOfFloat64OrPoint::Reader in,
 
 namespace {
 
-bool acceptsStorePut(const StorePutArguments& slot) {
-  return isValid(slot.value);
-}
-
-bool acceptsStoreChoose(const StoreChooseArguments& slot) {
-  return isValid(slot.gain);
-}
+bool acceptsStorePut(const StorePutArguments& slot) { return isValid(slot.value); }
+bool acceptsStoreChoose(const StoreChooseArguments& slot) { return isValid(slot.gain); }
 
 bool acceptsStoreChangedEvent(const suture::SlotVariant<double, PointSlot>& slot) {
   return isValid(slot);

@@ -472,9 +472,7 @@ bool isValid(const MomentsSlot& slot) {
 
 namespace {
 
-bool acceptsJournalChangedEvent(const JournalChangedPayload& slot) {
-  return isValid(slot.value);
-}
+bool acceptsJournalChangedEvent(const JournalChangedPayload& slot) { return isValid(slot.value); }
 
 // --- Journal over Cap'n Proto RPC: the provider's side
 

@@ -598,21 +598,10 @@ bool isValid(const OpenSlot& slot) {
 
 namespace {
 
-bool acceptsArchivePut(const ArchivePutArguments& slot) {
-  return isValid(slot.value);
-}
-
-bool acceptsArchiveReplace(const ArchiveReplaceArguments& slot) {
-  return isValid(slot.value);
-}
-
-bool acceptsArchiveGrownEvent(const ArchiveGrownPayload& slot) {
-  return isValid(slot.value2);
-}
-
-bool acceptsArchiveChangedEvent(const OpenSlot& slot) {
-  return isValid(slot);
-}
+bool acceptsArchivePut(const ArchivePutArguments& slot) { return isValid(slot.value); }
+bool acceptsArchiveReplace(const ArchiveReplaceArguments& slot) { return isValid(slot.value); }
+bool acceptsArchiveGrownEvent(const ArchiveGrownPayload& slot) { return isValid(slot.value2); }
+bool acceptsArchiveChangedEvent(const OpenSlot& slot) { return isValid(slot); }
 
 // --- Archive over Cap'n Proto RPC: the provider's side
 
