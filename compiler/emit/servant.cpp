@@ -159,21 +159,10 @@ void emitChecks(Code& code, const Context& context, const model::Interface& inte
 /// The lambda that fills the arguments' slot from `in`.
 void emitFill(Code& code, const Context& context, const model::Interface& interface,
               const model::Command& command) {
-  const std::vector<WireValue> values = argumentValues(command);
-  const std::string check = argumentsCheck(interface, command, context);
   code.open("const auto fill = [&](std::byte* memory) {");
   code.line("auto& slot = ", kBreakText, "newSlot<",
             relative(argumentsStruct(interface, command), home(context)), ">(memory);");
-  if (check.empty()) {
-    emitDecodeAndReturn(code, values, "in", "port_->shift()", context);
-  } else {
-    const std::string outcome = emitDecode(code, values, "in", "port_->shift()", context);
-    if (outcome != "Errc{}") {
-      emitError(code, outcome);
-      code.line("if (error != Errc{}) return error;");
-    }
-    code.line("return ", check, "(slot) ? Errc{} : Errc::Invalid;");
-  }
+  emitDecodeAndReturn(code, argumentValues(command), "in", "port_->shift()", context);
   code.close("};");
 }
 

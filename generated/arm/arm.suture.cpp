@@ -506,10 +506,7 @@ class ArmServant final : public wire::Arm::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<ArmServoCpArguments>(memory);
-      const Errc error =
-          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsArmServoCp(slot) ? Errc{} : Errc::Invalid;
+      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
     };
     return port_->command(numberOf(ArmCommand::servo_cp), in.getSent(), fill);
   }
@@ -518,10 +515,7 @@ class ArmServant final : public wire::Arm::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<ArmServoJpArguments>(memory);
-      const Errc error =
-          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsArmServoJp(slot) ? Errc{} : Errc::Invalid;
+      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
     };
     return port_->command(numberOf(ArmCommand::servo_jp), in.getSent(), fill);
   }
@@ -530,10 +524,7 @@ class ArmServant final : public wire::Arm::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<ArmMoveJpArguments>(memory);
-      const Errc error =
-          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsArmMoveJp(slot) ? Errc{} : Errc::Invalid;
+      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
     };
     return port_->command(numberOf(ArmCommand::move_jp), in.getSent(), fill);
   }
@@ -602,9 +593,7 @@ class ArmServant final : public wire::Arm::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<ArmForwardKinematicsArguments>(memory);
-      const Errc error = in.hasQ() ? fromWire(in.getQ(), slot.q, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsArmForwardKinematics(slot) ? Errc{} : Errc::Invalid;
+      return in.hasQ() ? fromWire(in.getQ(), slot.q, port_->shift()) : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<PoseStampedSlot>(result);
@@ -618,10 +607,7 @@ class ArmServant final : public wire::Arm::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<ArmInverseKinematicsArguments>(memory);
-      const Errc error =
-          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsArmInverseKinematics(slot) ? Errc{} : Errc::Invalid;
+      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<JointSolutionSlot>(result);

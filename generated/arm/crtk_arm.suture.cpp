@@ -1668,10 +1668,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<CrtkArmSetBaseFrameArguments>(memory);
-      const Errc error =
-          in.hasFrame() ? fromWire(in.getFrame(), slot.frame, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsCrtkArmSetBaseFrame(slot) ? Errc{} : Errc::Invalid;
+      return in.hasFrame() ? fromWire(in.getFrame(), slot.frame, port_->shift()) : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::set_base_frame), in.getSent(), fill);
   }
@@ -1702,10 +1699,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<CrtkArmServoJpArguments>(memory);
-      const Errc error =
-          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsCrtkArmServoJp(slot) ? Errc{} : Errc::Invalid;
+      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::servo_jp), in.getSent(), fill);
   }
@@ -1714,10 +1708,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<CrtkArmServoJrArguments>(memory);
-      const Errc error =
-          in.hasStep() ? fromWire(in.getStep(), slot.step, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsCrtkArmServoJr(slot) ? Errc{} : Errc::Invalid;
+      return in.hasStep() ? fromWire(in.getStep(), slot.step, port_->shift()) : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::servo_jr), in.getSent(), fill);
   }
@@ -1726,10 +1717,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<CrtkArmServoJvArguments>(memory);
-      const Errc error =
-          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsCrtkArmServoJv(slot) ? Errc{} : Errc::Invalid;
+      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::servo_jv), in.getSent(), fill);
   }
@@ -1738,10 +1726,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<CrtkArmServoJfArguments>(memory);
-      const Errc error =
-          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsCrtkArmServoJf(slot) ? Errc{} : Errc::Invalid;
+      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::servo_jf), in.getSent(), fill);
   }
@@ -1750,10 +1735,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<CrtkArmServoCpArguments>(memory);
-      const Errc error =
-          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsCrtkArmServoCp(slot) ? Errc{} : Errc::Invalid;
+      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::servo_cp), in.getSent(), fill);
   }
@@ -1762,10 +1744,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<CrtkArmServoCrArguments>(memory);
-      const Errc error =
-          in.hasStep() ? fromWire(in.getStep(), slot.step, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsCrtkArmServoCr(slot) ? Errc{} : Errc::Invalid;
+      return in.hasStep() ? fromWire(in.getStep(), slot.step, port_->shift()) : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::servo_cr), in.getSent(), fill);
   }
@@ -1774,10 +1753,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<CrtkArmServoCvArguments>(memory);
-      const Errc error =
-          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsCrtkArmServoCv(slot) ? Errc{} : Errc::Invalid;
+      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::servo_cv), in.getSent(), fill);
   }
@@ -1786,10 +1762,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<CrtkArmBodyServoCfArguments>(memory);
-      const Errc error =
-          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsCrtkArmBodyServoCf(slot) ? Errc{} : Errc::Invalid;
+      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::body_servo_cf), in.getSent(), fill);
   }
@@ -1798,10 +1771,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<CrtkArmSpatialServoCfArguments>(memory);
-      const Errc error =
-          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsCrtkArmSpatialServoCf(slot) ? Errc{} : Errc::Invalid;
+      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::spatial_servo_cf), in.getSent(), fill);
   }
@@ -1810,10 +1780,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<CrtkArmMoveJpArguments>(memory);
-      const Errc error =
-          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsCrtkArmMoveJp(slot) ? Errc{} : Errc::Invalid;
+      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::move_jp), in.getSent(), fill);
   }
@@ -1822,10 +1789,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<CrtkArmMoveJrArguments>(memory);
-      const Errc error =
-          in.hasStep() ? fromWire(in.getStep(), slot.step, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsCrtkArmMoveJr(slot) ? Errc{} : Errc::Invalid;
+      return in.hasStep() ? fromWire(in.getStep(), slot.step, port_->shift()) : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::move_jr), in.getSent(), fill);
   }
@@ -1834,10 +1798,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<CrtkArmMoveCpArguments>(memory);
-      const Errc error =
-          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsCrtkArmMoveCp(slot) ? Errc{} : Errc::Invalid;
+      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::move_cp), in.getSent(), fill);
   }
@@ -1846,10 +1807,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<CrtkArmMoveCrArguments>(memory);
-      const Errc error =
-          in.hasStep() ? fromWire(in.getStep(), slot.step, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsCrtkArmMoveCr(slot) ? Errc{} : Errc::Invalid;
+      return in.hasStep() ? fromWire(in.getStep(), slot.step, port_->shift()) : Errc::Invalid;
     };
     return port_->command(numberOf(CrtkArmCommand::move_cr), in.getSent(), fill);
   }
@@ -1859,7 +1817,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<CrtkArmTrajectoryJSetRatioArguments>(memory);
       slot.ratio = in.getRatio();
-      return acceptsCrtkArmTrajectoryJSetRatio(slot) ? Errc{} : Errc::Invalid;
+      return Errc{};
     };
     return port_->command(numberOf(CrtkArmCommand::trajectory_j_set_ratio), in.getSent(), fill);
   }
@@ -1869,7 +1827,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<CrtkArmTrajectoryJSetRatioVArguments>(memory);
       slot.ratio = in.getRatio();
-      return acceptsCrtkArmTrajectoryJSetRatioV(slot) ? Errc{} : Errc::Invalid;
+      return Errc{};
     };
     return port_->command(numberOf(CrtkArmCommand::trajectory_j_set_ratio_v), in.getSent(), fill);
   }
@@ -1879,7 +1837,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<CrtkArmTrajectoryJSetRatioAArguments>(memory);
       slot.ratio = in.getRatio();
-      return acceptsCrtkArmTrajectoryJSetRatioA(slot) ? Errc{} : Errc::Invalid;
+      return Errc{};
     };
     return port_->command(numberOf(CrtkArmCommand::trajectory_j_set_ratio_a), in.getSent(), fill);
   }
@@ -1924,9 +1882,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<CrtkArmForwardKinematicsArguments>(memory);
-      const Errc error = in.hasQ() ? fromWire(in.getQ(), slot.q, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsCrtkArmForwardKinematics(slot) ? Errc{} : Errc::Invalid;
+      return in.hasQ() ? fromWire(in.getQ(), slot.q, port_->shift()) : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<PoseStampedSlot>(result);
@@ -1941,10 +1897,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<CrtkArmInverseKinematicsArguments>(memory);
-      const Errc error =
-          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsCrtkArmInverseKinematics(slot) ? Errc{} : Errc::Invalid;
+      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<JointSolutionSlot>(result);
@@ -1959,9 +1912,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<CrtkArmQueryCpArguments>(memory);
-      const Errc error = in.hasQ() ? fromWire(in.getQ(), slot.q, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsCrtkArmQueryCp(slot) ? Errc{} : Errc::Invalid;
+      return in.hasQ() ? fromWire(in.getQ(), slot.q, port_->shift()) : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<PoseStampedSlot>(result);
@@ -1975,9 +1926,7 @@ class CrtkArmServant final : public wire::CrtkArm::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<CrtkArmLocalQueryCpArguments>(memory);
-      const Errc error = in.hasQ() ? fromWire(in.getQ(), slot.q, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsCrtkArmLocalQueryCp(slot) ? Errc{} : Errc::Invalid;
+      return in.hasQ() ? fromWire(in.getQ(), slot.q, port_->shift()) : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<PoseStampedSlot>(result);

@@ -194,10 +194,7 @@ class LoopServerServant final : public wire::LoopServer::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<LoopServerPutArguments>(memory);
-      const Errc error =
-          in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsLoopServerPut(slot) ? Errc{} : Errc::Invalid;
+      return in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
     };
     return port_->command(numberOf(LoopServerCommand::put), in.getSent(), fill);
   }
@@ -206,10 +203,7 @@ class LoopServerServant final : public wire::LoopServer::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<LoopServerBounceArguments>(memory);
-      const Errc error =
-          in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsLoopServerBounce(slot) ? Errc{} : Errc::Invalid;
+      return in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
     };
     return port_->command(numberOf(LoopServerCommand::bounce), in.getSent(), fill);
   }

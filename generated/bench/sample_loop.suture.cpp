@@ -192,10 +192,7 @@ class SampleServerServant final : public wire::SampleServer::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<SampleServerPutArguments>(memory);
-      const Errc error =
-          in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsSampleServerPut(slot) ? Errc{} : Errc::Invalid;
+      return in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
     };
     return port_->command(numberOf(SampleServerCommand::put), in.getSent(), fill);
   }
@@ -204,10 +201,7 @@ class SampleServerServant final : public wire::SampleServer::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<SampleServerBounceArguments>(memory);
-      const Errc error =
-          in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsSampleServerBounce(slot) ? Errc{} : Errc::Invalid;
+      return in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
     };
     return port_->command(numberOf(SampleServerCommand::bounce), in.getSent(), fill);
   }

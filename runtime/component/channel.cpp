@@ -100,12 +100,8 @@ void Channel::noteStatus(ChannelStatus news) const {
              static_cast<std::uint64_t>(news));
 }
 
-// In one order with cut(): either this sees it, or whoever has cut sees that this command began.
-Errc Channel::begin(std::uint64_t sequence, bool looksAtClock) {
-  if (foreign) {
-    words_->executing.store(sequence, std::memory_order_seq_cst);
-    if (words_->cut.load(std::memory_order_seq_cst)) return Errc::Lost;
-  }
+Errc Channel::begin(bool looksAtClock) {
+  if (foreign && words_->cut.load(std::memory_order_seq_cst)) return Errc::Lost;
   if (looksAtClock && lease.lapsed()) tell(ChannelStatus::Lapsed);
   const ChannelStatus present = status.load(std::memory_order_acquire);
   return isOver(present) ? errorOf(present) : Errc{};

@@ -117,7 +117,6 @@ class Channel {
     std::array<std::atomic<std::uint32_t>, kMaxCalls> claims{};  // 0 is no call's number
     std::atomic<bool> wantsRows{false}, untaken{false};
     std::atomic<bool> cut{false};
-    std::atomic<std::uint64_t> executing{0};  // the sequence of a command
   };
   const std::shared_ptr<Words> words_;
 
@@ -179,9 +178,9 @@ class Channel {
   /// Client endpoint, any thread, before the client is told that the connection is over: where both
   /// share memory, the provider begins nothing more of it.
   void cut() { words_->cut.store(true, std::memory_order_seq_cst); }
-  /// Provider endpoint, just before it executes the command of that sequence: an error if the
-  /// connection is over. `looksAtClock`: also if its lease has ended, which ends it.
-  Errc begin(std::uint64_t sequence, bool looksAtClock);
+  /// Provider endpoint, just before it executes a command: an error if the connection is over.
+  /// `looksAtClock`: also if its lease has ended, which ends it.
+  Errc begin(bool looksAtClock);
 
   /// Either endpoint, as its claim on a call: the client's to cancel it, the provider's to execute
   /// it. True for the one that claims it first.

@@ -83,8 +83,7 @@ Errc RequiredBase::judge(std::uint16_t command, const std::byte* arguments, bool
     counters.tooLarge.fetch_add(1, std::memory_order_relaxed);
     return Errc::TooLarge;
   }
-  const CommandInfo& info = info_.commands[command];
-  if (info.accepts == nullptr || info.accepts(arguments)) return Errc{};
+  if (info_.commands[command].admits(arguments)) return Errc{};
   counters.invalid.fetch_add(1, std::memory_order_relaxed);
   return Errc::Invalid;
 }

@@ -77,7 +77,7 @@ void RequiredBase::passSubscriptionsOn(EventSet joining) {
   channel_->subscribe(subscribed(), joining);
   // Past its end, what is at the far end may be gone.
   const ChannelStatus status = channel_->status.load(std::memory_order_acquire);
-  if (status == ChannelStatus::Lost || status == ChannelStatus::Closed) return;
+  if (isOver(status)) return;
   const Channel::Ends& ends = channel_->ends;
   owner_.ringLater(*ends.provider);
   if (ends.device != nullptr) ends.device->greetLocal(*channel_);
@@ -112,7 +112,7 @@ void RequiredBase::deliver(const rt::EventRecord& record) {
   const EventInfo& info = info_.events[record.event];
   channel_->countReceived(sizeof(record) + info.payloadSize);
   // On other lanes it was looked at when it arrived.
-  if (channel_->foreign && info.accepts != nullptr && !info.accepts(record.payload())) {
+  if (channel_->foreign && !info.admits(record.payload())) {
     return channel_->events.countDropped();
   }
   satisfyAwaited(record);

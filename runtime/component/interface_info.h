@@ -42,6 +42,8 @@ struct CommandInfo {
   bool (*accepts)(const std::byte* arguments) = nullptr;
   // Turn the stamps in a slot into those of another clock; null: it has none. Of any bytes.
   StampShift shiftArguments = nullptr, shiftResult = nullptr;
+
+  bool admits(const std::byte* arguments) const { return accepts == nullptr || accepts(arguments); }
 };
 
 /// A set of a contract's events, one bit each.
@@ -56,6 +58,8 @@ struct EventInfo {
   bool sharedPayload = false;                           ///< as of a command
   bool (*accepts)(const std::byte* payload) = nullptr;  ///< as of a command
   StampShift shiftPayload = nullptr;                    ///< as of a command
+
+  bool admits(const std::byte* payload) const { return accepts == nullptr || accepts(payload); }
 };
 
 /// The table of a contract that derives from another, of N rows: the base's, then its own.

@@ -181,9 +181,8 @@ void ProvidedBase::drain(Channel& channel, Errc refusal) {
   bool first = true;
   while (const rt::CommandRecord* record = channel.commands.next()) {
     const bool hasTtl = info_.commands[record->command].ttl > Duration{0};
-    // What is in foreign memory was sent by a process of this machine, which also tells of a loss
-    // there.
-    const Errc over = channel.begin(record->sequence, first || hasTtl || !channel.foreign);
+    // Whoever shares memory tells of a loss there, so the clock need not be read for each command.
+    const Errc over = channel.begin(first || hasTtl || !channel.foreign);
     if (over != Errc{}) {
       turnAway(channel, *record, over);
     } else if (refusal != Errc{}) {
@@ -220,7 +219,7 @@ void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time p
     return;
   }
   // On other lanes they were looked at when they arrived.
-  if (channel.foreign && command.accepts != nullptr && !command.accepts(record.arguments())) {
+  if (channel.foreign && !command.admits(record.arguments())) {
     increment(channel.commands.counters.failed);
     turn.error = Errc::Invalid;
     return;
@@ -286,7 +285,7 @@ Errc ProvidedBase::emit(std::uint16_t event, const std::byte* slot, bool fits) {
   if (ownThread && owner_.ownedByAnotherThread()) return Errc::WrongThread;
   if (!fits) return Errc::TooLarge;
   const EventInfo& info = info_.events[event];
-  if (info.accepts != nullptr && !info.accepts(slot)) return Errc::Invalid;
+  if (!info.admits(slot)) return Errc::Invalid;
   const Time stamp = now();
   const std::span payload(slot, info.payloadSize);
   if (info.latched) keepLatched(event, stamp, payload);

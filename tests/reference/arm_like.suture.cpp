@@ -272,10 +272,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<ArmLikeServoCpArguments>(memory);
-      const Errc error =
-          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsArmLikeServoCp(slot) ? Errc{} : Errc::Invalid;
+      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
     };
     return port_->command(numberOf(ArmLikeCommand::servo_cp), in.getSent(), fill);
   }
@@ -284,10 +281,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<ArmLikeServoJpArguments>(memory);
-      const Errc error =
-          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsArmLikeServoJp(slot) ? Errc{} : Errc::Invalid;
+      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
     };
     return port_->command(numberOf(ArmLikeCommand::servo_jp), in.getSent(), fill);
   }
@@ -302,9 +296,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<ArmLikeSetModeArguments>(memory);
-      const Errc error = fromWire(in.getMode(), slot.mode);
-      if (error != Errc{}) return error;
-      return acceptsArmLikeSetMode(slot) ? Errc{} : Errc::Invalid;
+      return fromWire(in.getMode(), slot.mode);
     };
     return port_->command(numberOf(ArmLikeCommand::set_mode), in.getSent(), fill);
   }
@@ -337,9 +329,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<ArmLikeDistanceArguments>(memory);
-      const Errc error = in.hasTo() ? fromWire(in.getTo(), slot.to, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsArmLikeDistance(slot) ? Errc{} : Errc::Invalid;
+      return in.hasTo() ? fromWire(in.getTo(), slot.to, port_->shift()) : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<double>(result);
@@ -354,12 +344,10 @@ class ArmLikeServant final : public wire::ArmLike::Server {
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<ArmLikeMoveArguments>(memory);
       slot.speed = in.getSpeed();
-      const Errc error = firstError({
+      return firstError({
           in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid,
           fromWire(in.getReason(), slot.reason),
       });
-      if (error != Errc{}) return error;
-      return acceptsArmLikeMove(slot) ? Errc{} : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<std::uint8_t>(result);
@@ -385,9 +373,7 @@ class ArmLikeServant final : public wire::ArmLike::Server {
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<ArmLikeLimitArguments>(memory);
       slot.speed = in.getSpeed();
-      const Errc error = fromWire(in.getMode(), slot.mode);
-      if (error != Errc{}) return error;
-      return acceptsArmLikeLimit(slot) ? Errc{} : Errc::Invalid;
+      return fromWire(in.getMode(), slot.mode);
     };
     return port_->command(numberOf(ArmLikeCommand::limit), in.getSent(), fill);
   }

@@ -518,7 +518,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<AllKindsSetScalarArguments>(memory);
       slot.value = in.getValue();
-      return acceptsAllKindsSetScalar(slot) ? Errc{} : Errc::Invalid;
+      return Errc{};
     };
     return port_->command(numberOf(AllKindsCommand::set_scalar), in.getSent(), fill);
   }
@@ -527,9 +527,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<AllKindsSetVectorArguments>(memory);
-      const Errc error = in.hasValue() ? fromWire(in.getValue(), slot.value) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsAllKindsSetVector(slot) ? Errc{} : Errc::Invalid;
+      return in.hasValue() ? fromWire(in.getValue(), slot.value) : Errc::Invalid;
     };
     return port_->command(numberOf(AllKindsCommand::set_vector), in.getSent(), fill);
   }
@@ -538,10 +536,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<AllKindsSetRecordArguments>(memory);
-      const Errc error =
-          in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsAllKindsSetRecord(slot) ? Errc{} : Errc::Invalid;
+      return in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
     };
     return port_->command(numberOf(AllKindsCommand::set_record), in.getSent(), fill);
   }
@@ -608,7 +603,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<AllKindsTwiceScalarArguments>(memory);
       slot.value = in.getValue();
-      return acceptsAllKindsTwiceScalar(slot) ? Errc{} : Errc::Invalid;
+      return Errc{};
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<double>(result);
@@ -622,9 +617,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<AllKindsTwiceVectorArguments>(memory);
-      const Errc error = in.hasValue() ? fromWire(in.getValue(), slot.value) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsAllKindsTwiceVector(slot) ? Errc{} : Errc::Invalid;
+      return in.hasValue() ? fromWire(in.getValue(), slot.value) : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<std::array<double, 3>>(result);
@@ -638,10 +631,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<AllKindsTwiceRecordArguments>(memory);
-      const Errc error =
-          in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsAllKindsTwiceRecord(slot) ? Errc{} : Errc::Invalid;
+      return in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<robots::PosePrmSlot>(result);
@@ -714,7 +704,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<AllKindsSwapScalarArguments>(memory);
       slot.value = in.getValue();
-      return acceptsAllKindsSwapScalar(slot) ? Errc{} : Errc::Invalid;
+      return Errc{};
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<double>(result);
@@ -728,9 +718,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<AllKindsSwapVectorArguments>(memory);
-      const Errc error = in.hasValue() ? fromWire(in.getValue(), slot.value) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsAllKindsSwapVector(slot) ? Errc{} : Errc::Invalid;
+      return in.hasValue() ? fromWire(in.getValue(), slot.value) : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<std::array<double, 3>>(result);
@@ -744,10 +732,7 @@ class AllKindsServant final : public wire::AllKinds::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<AllKindsSwapRecordArguments>(memory);
-      const Errc error =
-          in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsAllKindsSwapRecord(slot) ? Errc{} : Errc::Invalid;
+      return in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<robots::PosePrmSlot>(result);

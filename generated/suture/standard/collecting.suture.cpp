@@ -261,10 +261,8 @@ class CollectingServant final : public wire::Collecting::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<CollectingSetIntervalArguments>(memory);
-      const Errc error =
-          in.hasInterval() ? fromWire(in.getInterval(), slot.interval, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsCollectingSetInterval(slot) ? Errc{} : Errc::Invalid;
+      return in.hasInterval() ? fromWire(in.getInterval(), slot.interval, port_->shift())
+          : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<std::uint8_t>(result);

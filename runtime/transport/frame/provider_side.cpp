@@ -70,7 +70,7 @@ Errc ProviderSide::post(const Header& header, std::span<const std::byte> payload
   const auto slot = channel_->commands.claim(header.number, here(header.stamp), header.call);
   if (!slot) return slot.error();
   if (!payload.empty()) std::memcpy(*slot, payload.data(), payload.size());
-  if (command.accepts != nullptr && !command.accepts(*slot)) {
+  if (!command.admits(*slot)) {
     channel_->commands.abandon();
     return Errc::Invalid;
   }

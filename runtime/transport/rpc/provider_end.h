@@ -35,7 +35,7 @@ class ProviderEnd : public kj::Refcounted {
   void hear(BootTime sent);
   /// When it is too late to hear(); never, if the connection is over.
   BootTime endOfLease() const;
-  /// Nobody has heard of the client in time.
+  /// Ends what may be executed, since nobody has heard of the client in time.
   void lapse() { channel_->tell(ChannelStatus::Lapsed); }
   /// The connection is over: the provider lets go of the channel. May be called again.
   void close();

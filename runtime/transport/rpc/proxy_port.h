@@ -74,8 +74,7 @@ class ProxyPort final : public ClientEnd, private Pump, private kj::TaskSet::Err
   kj::Promise<void> event(std::uint16_t event, const Decode& decode) {
     LooseSlot<Slot> payload;
     if (const Errc error = decode(payload.value()); error != Errc{}) return remoteError(error);
-    const auto accepts = channel_->info.events[event].accepts;
-    if (accepts != nullptr && !accepts(payload.memory())) return remoteError(Errc::Invalid);
+    if (!channel_->info.events[event].admits(payload.memory())) return remoteError(Errc::Invalid);
     push(event, payload.memory());
     return acknowledge();
   }

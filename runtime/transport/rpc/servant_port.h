@@ -85,9 +85,11 @@ class ServantPort final : public ProviderEnd, private Pump, private kj::TaskSet:
     if (readOnly_ && !isRead(channel_->info.commands[command].kind)) return Errc::NotPermitted;
     const auto slot = channel_->commands.claim(command, stampOf(sent), call);
     if (!slot) return slot.error();
-    if (const Errc error = fill(*slot); error != Errc{}) {
+    Errc filled = fill(*slot);
+    if (filled == Errc{} && !channel_->info.commands[command].admits(*slot)) filled = Errc::Invalid;
+    if (filled != Errc{}) {
       channel_->commands.abandon();
-      return error;
+      return filled;
     }
     channel_->commands.commit();
     channel_->ends.provider->ring();

@@ -237,9 +237,7 @@ class CameraServant final : public wire::Camera::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<CameraAimArguments>(memory);
-      const Errc error = in.hasAt() ? fromWire(in.getAt(), slot.at, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsCameraAim(slot) ? Errc{} : Errc::Invalid;
+      return in.hasAt() ? fromWire(in.getAt(), slot.at, port_->shift()) : Errc::Invalid;
     };
     return port_->command(numberOf(CameraCommand::aim), in.getSent(), fill);
   }

@@ -1065,10 +1065,7 @@ class StoreServant final : public wire::Store::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<StorePutArguments>(memory);
-      const Errc error =
-          in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsStorePut(slot) ? Errc{} : Errc::Invalid;
+      return in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
     };
     return port_->command(numberOf(StoreCommand::put), in.getSent(), fill);
   }
@@ -1077,9 +1074,7 @@ class StoreServant final : public wire::Store::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<StoreChooseArguments>(memory);
-      const Errc error = fromWire(in.getGain(), slot.gain, port_->shift());
-      if (error != Errc{}) return error;
-      return acceptsStoreChoose(slot) ? Errc{} : Errc::Invalid;
+      return fromWire(in.getGain(), slot.gain, port_->shift());
     };
     return port_->command(numberOf(StoreCommand::choose), in.getSent(), fill);
   }

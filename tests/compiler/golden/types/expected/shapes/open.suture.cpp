@@ -669,12 +669,10 @@ class ArchiveServant final : public wire::Archive::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<ArchivePutArguments>(memory);
-      const Errc error = firstError({
+      return firstError({
           fromWire(in.getKey(), slot.key),
           in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid,
       });
-      if (error != Errc{}) return error;
-      return acceptsArchivePut(slot) ? Errc{} : Errc::Invalid;
     };
     return port_->command(numberOf(ArchiveCommand::put), in.getSent(), fill);
   }
@@ -718,10 +716,7 @@ class ArchiveServant final : public wire::Archive::Server {
     auto in = context.getParams();
     const auto fill = [&](std::byte* memory) {
       auto& slot = newSlot<ArchiveReplaceArguments>(memory);
-      const Errc error =
-          in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) return error;
-      return acceptsArchiveReplace(slot) ? Errc{} : Errc::Invalid;
+      return in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
     };
     auto take = [context](const std::byte* result, suture::Time) mutable {
       const auto& slot = slotIn<OpenSlot>(result);

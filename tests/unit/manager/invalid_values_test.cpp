@@ -1,15 +1,18 @@
-// A provider of another build may send what this process's contract does not admit; on `rpc`, too,
-// no handler sees it.
+// A peer of another build may send what this process's contract does not admit; on `rpc`, too, no
+// handler sees it.
 
 #include <gtest/gtest.h>
 #include <suture/component/channel.h>
 #include <suture/transport/rpc/binding.h>
 #include <suture/transport/rpc/control_thread.h>
+#include <suture/transport/rpc/failure.h>
 #include <suture/transport/rpc/link.h>
 #include <suture/transport/rpc/proxy_port.h>
+#include <suture/transport/rpc/servant_port.h>
 
 #include <limits>
 #include <memory>
+#include <string>
 
 #include "reference/arm_like.capnp.h"
 #include "reference/arm_like.suture.h"
@@ -84,6 +87,53 @@ TEST_F(InvalidEvents, ReachNoHandler) {
   ASSERT_TRUE(eventually([this] { return isSubscribed(); }));
   EXPECT_FALSE(takes(std::numeric_limits<double>::quiet_NaN()));
   EXPECT_EQ(channel_->events.next(), nullptr);
+}
+
+class InvalidCommands : public testing::Test {
+ protected:
+  InvalidCommands() {
+    control_.run(10s, [this] {
+      auto port = kj::refcounted<rpc::ServantPort>(control_, channel_,
+                                                   std::make_shared<rpc::LinkCounters>());
+      capnp::Capability::Client servant(channel_->info.binding().makeServant(kj::mv(port)));
+      arm_ = servant.castAs<reference::wire::ArmLike>();
+      return kj::Promise<void>(kj::READY_NOW);
+    });
+  }
+  ~InvalidCommands() noexcept override {
+    control_.run(10s, [this] {
+      arm_ = nullptr;
+      return kj::Promise<void>(kj::READY_NOW);
+    });
+  }
+
+  /// Sends limit(); why the provider's process does not take it, or "" if it does.
+  std::string refusalOf(double speed) {
+    return control_.run(10s, [this, speed] {
+      auto request = KJ_ASSERT_NONNULL(arm_).limitRequest();
+      request.setSpeed(speed);
+      auto taken = control_.timer().afterDelay(1 * kj::SECONDS).then([] { return std::string(); });
+      return request.send()
+          .then([](auto&&) { return std::string(); },
+                [](kj::Exception&& failure) { return rpc::describe(failure); })
+          .exclusiveJoin(kj::mv(taken));
+    });
+  }
+
+  rpc::ControlThread control_;
+  rt::Doorbell provider_;
+  const std::shared_ptr<Channel> channel_ = std::make_shared<Channel>(
+      interfaceInfo<reference::ArmLike>(), "client -> provider", "rpc",
+      Channel::Ends{.client = &control_.doorbell(), .provider = &provider_},
+      makeStateTable(interfaceInfo<reference::ArmLike>()), EventSet{0});
+  kj::Maybe<reference::wire::ArmLike::Client> arm_;
+};
+
+TEST_F(InvalidCommands, ReachNoHandler) {
+  EXPECT_NE(refusalOf(std::numeric_limits<double>::quiet_NaN()), "");
+  EXPECT_FALSE(channel_->commands.pending());
+  EXPECT_EQ(refusalOf(1), "");
+  EXPECT_TRUE(channel_->commands.pending());
 }
 
 }  // namespace
