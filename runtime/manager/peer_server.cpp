@@ -2,11 +2,11 @@
 #include <suture/manager/describe.h>
 #include <suture/manager/explain.h>
 #include <suture/manager/heartbeat.h>
+#include <suture/manager/notices_sender.h>
 #include <suture/manager/peer_server.h>
 #include <suture/manager/shared_memory.h>
 #include <suture/manager/status_port.h>
 #include <suture/rt/state_table.h>
-#include <suture/transport/rpc/deadline.h>
 #include <suture/transport/rpc/failure.h>
 #include <suture/transport/rpc/stamps.h>
 #include <suture/wiring/connect.h>
@@ -21,9 +21,6 @@ using Kind = wire::Refusal::Kind;
 
 // Each has a mailbox of its own, for as long as the link stands.
 constexpr std::size_t kMostPorts = 256;
-
-// A client may wait for ever; sums with what it says have to fit.
-constexpr Duration kLongestSilence = std::chrono::hours(24 * 365);
 
 /// Of either end's channel. `offset`: how far the caller's clock is ahead of ours, ns.
 template <class End>
@@ -49,40 +46,6 @@ class ConnectionServer final : public wire::Connection::Server {
   kj::Own<rpc::ProviderEnd> end_;
 };
 
-/// Tells the client what befalls its provider. Whether it hears does not matter here.
-class NoticesSender final : public rpc::ProviderEnd::Listener {
- public:
-  NoticesSender(rpc::ControlThread& control, wire::Notices::Client client)
-      : control_(control), client_(kj::mv(client)) {}
-
-  void told(ChannelStatus status) override {
-    switch (status) {
-      case ChannelStatus::Connected: return send(client_.resumedRequest());
-      case ChannelStatus::Suspended: return send(client_.suspendedRequest());
-      case ChannelStatus::Faulted: return send(client_.faultedRequest());
-      case ChannelStatus::Lapsed: return send(client_.lapsedRequest());
-      case ChannelStatus::Lost:
-      case ChannelStatus::Closed: return send(client_.closedRequest());
-    }
-  }
-
-  void replays(std::uint16_t event, Time stamp) override {
-    auto request = client_.replayedRequest();
-    request.setEvent(event);
-    request.setStamp(toNanoseconds(stamp));
-    send(kj::mv(request));
-  }
-
- private:
-  template <class Request>
-  void send(Request request) {
-    control_.spawn(request.send().ignoreResult().catch_([](kj::Exception&&) {}));
-  }
-
-  rpc::ControlThread& control_;
-  wire::Notices::Client client_;
-};
-
 /// Of a client whose connections share a link, no longer than it needs.
 std::string nameOf(capnp::Data::Reader client) {
   constexpr std::size_t kMost = 64;
@@ -93,7 +56,7 @@ std::string nameOf(capnp::Data::Reader client) {
 }  // namespace
 
 PeerServer::PeerServer(PeerHost& host, std::shared_ptr<rpc::Caller> caller)
-    : host_(host), caller_(std::move(caller)) {}
+    : host_(host), caller_(std::move(caller)), leases_(host.control_) {}
 
 PeerServer::~PeerServer() noexcept(false) {
   for (auto& end : ends_) {
@@ -128,13 +91,9 @@ kj::Promise<void> PeerServer::hello(HelloContext context) {
 kj::Promise<void> PeerServer::ping(PingContext context) {
   auto results = context.getResults();
   results.setReceived(toNanoseconds(now()));
-  const std::int64_t heard = context.getParams().getHeard();
-  if (heard != 0 && heard == answered_.sent) {
-    for (auto& end : ends_) end->hear(answered_.at);
-  }
+  leases_.hear(context.getParams().getHeard());
   putTasks(results);
-  answered_ = {toNanoseconds(now()), BootClock::now()};
-  results.setSent(answered_.sent);
+  results.setSent(leases_.answer());
   return kj::READY_NOW;
 }
 
@@ -301,33 +260,13 @@ wire::ConnectResults::Accepted::Builder PeerServer::accepted(Asked& asked, rpc::
   // What the caller sent may be anything: only an end that this keeps may be the latest.
   end.setListener(kj::heap<NoticesSender>(host_.control_, in.getNotices()));
   ends_.add(kj::addRef(end));
-  grant(end, in.getSilence());
+  leases_.grant(end, in.getSilence());
   if (in.getEpoch() != 0) host_.setLatest(asked.client, {bootId_, in.getEpoch(), &end});
   auto out = asked.context.getResults().initAccepted();
   out.setOffered(static_cast<std::uint16_t>(asked.offered));
   out.setRows(static_cast<std::uint32_t>(asked.provided.state()->capacity()));
   out.setConnection(kj::heap<ConnectionServer>(kj::addRef(end)));
   return out;
-}
-
-void PeerServer::grant(rpc::ProviderEnd& end, std::int64_t silence) {
-  if (silence <= 0) return;
-  end.grant(std::min(Duration(silence), kLongestSilence));
-  leases_ = watchLeases().eagerlyEvaluate(nullptr);
-}
-
-// Whoever executes sees by itself that a lease has ended; this is for those of whom nothing waits.
-kj::Promise<void> PeerServer::watchLeases() {
-  const BootTime present = BootClock::now();
-  BootTime next = BootTime::max();
-  for (auto& end : ends_) {
-    if (end->endOfLease() <= present) end->lapse();
-    next = std::min(next, end->endOfLease());
-  }
-  if (next == BootTime::max()) return kj::READY_NOW;
-  return host_.control_.timer().afterDelay(rpc::toKj(next - present)).then([this] {
-    return watchLeases();
-  });
 }
 
 kj::Promise<void> PeerServer::serveCalls(Asked& asked, const std::string& laneReason) {

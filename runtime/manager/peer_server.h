@@ -1,6 +1,7 @@
 #pragma once
 // One peer's view of this process.
 
+#include <suture/manager/client_leases.h>
 #include <suture/manager/peer_host.h>
 #include <suture/manager/records.h>
 
@@ -40,10 +41,6 @@ class PeerServer final : public wire::Peer::Server {
   /// Not by shared memory, if that was asked for, because of `laneReason`.
   kj::Promise<void> acceptSlower(Asked& asked, const std::string& laneReason);
   void sendFrames(Asked& asked, const InterfaceInfo& contract, const std::string& laneReason);
-  /// Lets the provider execute what comes of `end` for as long as the client is heard of.
-  /// `silence`: as it has said.
-  void grant(rpc::ProviderEnd& end, std::int64_t silence);
-  kj::Promise<void> watchLeases();
   kj::Promise<void> serveCalls(Asked& asked, const std::string& laneReason);
   void shareMemory(Asked& asked, const InterfaceInfo& contract, std::shared_ptr<MemoryBlock> bell);
   void putTasks(wire::Peer::PingResults::Builder results) const;
@@ -59,12 +56,7 @@ class PeerServer final : public wire::Peer::Server {
   const std::shared_ptr<rpc::Caller> caller_;
   std::string bootId_;  // the peer's, as it said in hello
   kj::Vector<kj::Own<rpc::ProviderEnd>> ends_;
-  /// When the latest answer to a ping was sent, as it says there.
-  struct {
-    std::int64_t sent = 0;
-    BootTime at{};
-  } answered_;
-  kj::Promise<void> leases_ = kj::READY_NOW;  // last: cancelled first
+  ClientLeases leases_;
 };
 
 }  // namespace suture

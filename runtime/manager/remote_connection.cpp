@@ -1,5 +1,6 @@
 #include <suture/manager/frame_end.h>
 #include <suture/manager/frame_sockets.h>
+#include <suture/manager/notices_receiver.h>
 #include <suture/manager/peer_host.h>
 #include <suture/manager/remote_connection.h>
 #include <suture/manager/shared_memory.h>
@@ -44,76 +45,6 @@ void mirrorRows(std::uint32_t rows, rt::StateTable& mirror) {
 }
 
 }  // namespace
-
-/// What befalls the provider, also before the connection stands.
-class RemoteConnection::Notified final : public kj::Refcounted {
- public:
-  void tell(ChannelStatus status) {
-    status_ = status;
-    KJ_IF_MAYBE (end, end_) (*end)->tell(status);
-  }
-  void close() {
-    closed_ = true;
-    KJ_IF_MAYBE (end, end_) (*end)->close(ChannelStatus::Lost);
-  }
-  void lapse() {
-    lapsed_.fulfiller->fulfill("silent: the provider has not heard of this process for as long");
-  }
-  /// Resolves, in words for people, when the provider has given this client up. Call it once.
-  kj::Promise<std::string> whenLapsed() { return kj::mv(lapsed_.promise); }
-  void noteReplay(std::uint16_t event, std::int64_t stamp) {
-    KJ_IF_MAYBE (end, end_) (*end)->noteReplay(event, stamp);
-  }
-  void passOnTo(kj::Own<rpc::ClientEnd> end) {
-    end->tell(status_);
-    if (closed_) end->close(ChannelStatus::Lost);
-    end_ = kj::mv(end);
-  }
-
- private:
-  ChannelStatus status_ = ChannelStatus::Connected;
-  bool closed_ = false;
-  kj::PromiseFulfillerPair<std::string> lapsed_ = kj::newPromiseAndFulfiller<std::string>();
-  kj::Maybe<kj::Own<rpc::ClientEnd>> end_;
-};
-
-class RemoteConnection::NoticesReceiver final : public wire::Notices::Server {
- public:
-  NoticesReceiver(kj::Own<Notified> notified, std::function<void(std::string)> lost)
-      : notified_(kj::mv(notified)), lost_(std::move(lost)) {}
-
- protected:
-  kj::Promise<void> faulted(FaultedContext) override {
-    notified_->tell(ChannelStatus::Faulted);
-    return kj::READY_NOW;
-  }
-  kj::Promise<void> suspended(SuspendedContext) override {
-    notified_->tell(ChannelStatus::Suspended);
-    return kj::READY_NOW;
-  }
-  kj::Promise<void> resumed(ResumedContext) override {
-    notified_->tell(ChannelStatus::Connected);
-    return kj::READY_NOW;
-  }
-  kj::Promise<void> replayed(ReplayedContext context) override {
-    const auto in = context.getParams();
-    notified_->noteReplay(in.getEvent(), in.getStamp());
-    return kj::READY_NOW;
-  }
-  kj::Promise<void> lapsed(LapsedContext) override {
-    notified_->lapse();
-    return kj::READY_NOW;
-  }
-  kj::Promise<void> closed(ClosedContext) override {
-    lost_("closed: its component has ended, or a later connection of this interface stands");
-    notified_->close();
-    return kj::READY_NOW;
-  }
-
- private:
-  kj::Own<Notified> notified_;
-  std::function<void(std::string)> lost_;
-};
 
 RemoteConnection::RemoteConnection(rpc::ControlThread& control, FrameLinks& frames,
                                    ManagerLink& manager, RequiredBase& required, Endpoint from,
@@ -266,7 +197,7 @@ kj::Promise<void> RemoteConnection::askAgain(kj::Exception&& failure, Lanes lane
 }
 
 kj::Promise<void> RemoteConnection::ask(Lanes lanes) {
-  auto notified = kj::refcounted<Notified>();
+  auto news = kj::refcounted<ProviderNews>();
   auto request = KJ_ASSERT_NONNULL(peer_).connectRequest();
   request.setFromProcess(textOf(from_.process));
   request.setFromComponent(textOf(from_.component));
@@ -284,7 +215,7 @@ kj::Promise<void> RemoteConnection::ask(Lanes lanes) {
   request.setEpoch(toNanoseconds(now()));
   request.setSilence(longestSilence_.count());
   request.setNotices(kj::heap<NoticesReceiver>(
-      kj::addRef(*notified),
+      kj::addRef(*news),
       [tell = told_.lost, name = name()](std::string why) { tell(name, std::move(why)); }));
   if (lanes.memory) {
     auto memory = request.initMemory();
@@ -298,7 +229,7 @@ kj::Promise<void> RemoteConnection::ask(Lanes lanes) {
     frame.setHandsOver(sharesMachine_);
     frame.setClient(kj::StringPtr(client.c_str(), client.size()).asBytes());
   }
-  notified_ = kj::mv(notified);
+  news_ = kj::mv(news);
   return request.send()
       .then([this](auto&& results) -> kj::Promise<void> {
         if (results.isRefused()) return refused(results.getRefused());
@@ -398,7 +329,7 @@ void RemoteConnection::beginSharing(const shm::SharedParts& parts) {
 
 void RemoteConnection::use(std::shared_ptr<Channel> channel) {
   channel->watch = watch_;
-  KJ_ASSERT_NONNULL(notified_)->passOnTo(kj::addRef(*KJ_ASSERT_NONNULL(end_)));
+  KJ_ASSERT_NONNULL(news_)->passOnTo(kj::addRef(*KJ_ASSERT_NONNULL(end_)));
   if (interposer_.delays != nullptr) {
     channel = interposer_.delays->interpose(required_, std::move(channel), interposer_.delay);
   }
@@ -417,7 +348,7 @@ kj::Promise<void> RemoteConnection::keep() {
   auto lost = heartbeat->whenLost();
   return closed.exclusiveJoin(lost.attach(kj::mv(heartbeat)))
       .exclusiveJoin(kj::mv(broken))
-      .exclusiveJoin(KJ_ASSERT_NONNULL(notified_)->whenLapsed())
+      .exclusiveJoin(KJ_ASSERT_NONNULL(news_)->whenLapsed())
       .then([this](std::string&& why) {
         told_.lost(name(), std::move(why));
         drop();
@@ -453,7 +384,7 @@ kj::Own<Heartbeat> RemoteConnection::makeHeartbeat(Duration silence) {
 void RemoteConnection::drop() {
   KJ_IF_MAYBE (end, end_) (*end)->close(ChannelStatus::Lost);
   end_ = nullptr;
-  notified_ = nullptr;
+  news_ = nullptr;
   telling_ = kj::READY_NOW;
   connection_ = nullptr;
   peer_ = nullptr;

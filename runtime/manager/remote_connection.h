@@ -8,6 +8,7 @@
 #include <suture/manager/lane.h>
 #include <suture/manager/manager_link.h>
 #include <suture/manager/network.h>
+#include <suture/manager/notices_receiver.h>
 #include <suture/peer.capnp.h>
 #include <suture/transport/rpc/address.h>
 #include <suture/transport/rpc/client_end.h>
@@ -47,9 +48,6 @@ class RemoteConnection {
   void end();
 
  private:
-  class Notified;
-  class NoticesReceiver;
-
   /// `limit`: how long the peer may take for each answer.
   kj::Promise<void> connect(Duration patience, Duration limit);
   kj::Promise<void> dial(const ProcessRecord& process, Duration limit);
@@ -102,7 +100,7 @@ class RemoteConnection {
   kj::Maybe<wire::Connection::Client> connection_;
   kj::Promise<void> telling_ = kj::READY_NOW;
   Duration toldError_{0};  // of the clock, to the provider
-  kj::Maybe<kj::Own<Notified>> notified_;
+  kj::Maybe<kj::Own<ProviderNews>> news_;
   kj::Maybe<kj::Own<rpc::ClientEnd>> end_;
   kj::Promise<std::string> framesBroken_ = kj::NEVER_DONE;
   ProcessRecord process_;                      // the provider's, as it was reached

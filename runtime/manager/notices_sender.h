@@ -1,0 +1,29 @@
+#pragma once
+// Tells a client in another process what befalls its provider.
+
+#include <suture/peer.capnp.h>
+#include <suture/transport/rpc/control_thread.h>
+#include <suture/transport/rpc/provider_end.h>
+
+namespace suture {
+
+/// Whether the client hears does not matter here. Belongs to the control thread.
+class NoticesSender final : public rpc::ProviderEnd::Listener {
+ public:
+  NoticesSender(rpc::ControlThread& control, wire::Notices::Client client)
+      : control_(control), client_(kj::mv(client)) {}
+
+  void told(ChannelStatus status) override;
+  void replays(std::uint16_t event, Time stamp) override;
+
+ private:
+  template <class Request>
+  void send(Request request) {
+    control_.spawn(request.send().ignoreResult().catch_([](kj::Exception&&) {}));
+  }
+
+  rpc::ControlThread& control_;
+  wire::Notices::Client client_;
+};
+
+}  // namespace suture
