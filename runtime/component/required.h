@@ -145,12 +145,12 @@ class RequiredBase {
   Errc send(std::uint16_t command, std::uint32_t call, const Fill& fill);
   /// `arguments`: where they go.
   Errc claim(std::uint16_t command, std::uint32_t call, std::byte*& arguments);
-  /// Of what claim() gave: publishes it, or counts that the arguments did not fit, or were none
-  /// that the contract admits.
+  /// Publishes what claim() gave, or gives it up if no provider is to see such arguments.
   Errc commit(std::uint16_t command, const std::byte* arguments, bool fits);
-  /// An error for arguments in a slot that no provider is to see, which is counted.
+  /// Answers an error, and counts it, if the arguments in a slot did not fit or the contract does
+  /// not admit them.
   Errc judge(std::uint16_t command, const std::byte* arguments, bool fits);
-  /// The same of arguments that need no slot.
+  /// Does the same for arguments that go to a handler as they are.
   template <class Slot, class... Arguments>
   Errc judgeHere(std::uint16_t command, Arguments&... arguments);
   /// Copies the newest result of read `command` into `slot`, unless the provider is a `device`, to

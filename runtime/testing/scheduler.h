@@ -66,7 +66,7 @@ class Scheduler final : public VirtualTime {
   void hold();
   void release();
   std::size_t addProcess() { return ++processes_; }
-  /// What the calling thread starts from now on is of `process`, and what that starts.
+  /// Makes all that the calling thread starts from now on, and what that starts, part of `process`.
   static void enterProcess(std::size_t process);
   void freeze(std::size_t process);
   void thaw(std::size_t process);

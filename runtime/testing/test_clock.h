@@ -97,7 +97,7 @@ class TestClock {
   class Process {
    public:
     explicit Process(TestClock& clock);
-    /// What `work` starts is of this process, and what that starts.
+    /// Does `work`; all threads that it starts, and those that they start, belong to this process.
     void run(const std::function<void()>& work);
     /// Its threads do not run any more, wherever they sleep or spend time. With Threads::Together
     /// one that runs goes on until then.

@@ -60,14 +60,17 @@ struct NumberingClient final : PeriodicTask {
       ++losses;
     }
     if (!was && connected) ++epoch;
-    while (connected && slave.limit(number, reference::Mode::Enabled)) epochOf[number++] = epoch;
+    while (connected && slave.limit(number, reference::Mode::Enabled)) {
+      epochOf[number++] = epoch;
+      accepted = epoch;
+    }
   }
 
   int number = 1, epoch = 0;
   std::map<int, int> epochOf;
   std::map<int, Time> told;
   std::atomic<bool> connected{false};
-  std::atomic<int> losses{0};
+  std::atomic<int> losses{0}, accepted{0};  // the latest connection that took a command
   Required<reference::ArmLike> slave{*this, "Slave"};
 };
 
@@ -85,8 +88,6 @@ class FrozenProcess : public testing::TestWithParam<std::tuple<Lane, Frozen, boo
       console_ = std::make_unique<Manager>("console", names_.address());
       console_->add("Teleop", teleop_);
       console_->start();
-      console_->connect("Teleop/Slave", "robot:PSM/Arm", lane(), Manager::kDefaultPatience, {},
-                        {.silence = kSilence});
     });
   }
   ~FrozenProcess() noexcept override {
@@ -98,6 +99,13 @@ class FrozenProcess : public testing::TestWithParam<std::tuple<Lane, Frozen, boo
   Frozen frozen() const { return std::get<Frozen>(GetParam()); }
   bool inADrain() const { return std::get<bool>(GetParam()); }
 
+  void connect(Resume resume = Resume::Automatic) {
+    client_.run([&] {
+      console_->connect("Teleop/Slave", "robot:PSM/Arm", lane(), Manager::kDefaultPatience, {},
+                        {.resume = resume, .silence = kSilence});
+    });
+    ASSERT_TRUE(eventually([this] { return teleop_.connected.load(); }));
+  }
   void freeze() {
     if (frozen() != Frozen::Client) provider_.freeze();
     if (frozen() != Frozen::Provider) client_.freeze();
@@ -143,6 +151,7 @@ INSTANTIATE_TEST_SUITE_P(Lanes, FrozenProcess,
                          nameOf);
 
 TEST_P(FrozenProcess, ExecutesNothingOfAConnectionThatIsLost) {
+  connect();
   for (int round = 0; round < 5; ++round) {
     ASSERT_TRUE(eventually([this] { return teleop_.connected.load(); }));
     EXPECT_EQ(console_->channels().at(0)->lane, toString(lane()));
@@ -164,7 +173,7 @@ TEST_P(FrozenProcess, ExecutesNothingOfAConnectionThatIsLost) {
 
 // What a client sends before it knows that it has stood still comes too late.
 TEST_P(FrozenProcess, IsConnectedAnew) {
-  ASSERT_TRUE(eventually([this] { return teleop_.connected.load(); }));
+  connect();
   freeze();
   pass(2 * kSilence);
   thaw();
@@ -174,8 +183,28 @@ TEST_P(FrozenProcess, IsConnectedAnew) {
   EXPECT_LT(now() - begun, 1s);
 }
 
-TEST_P(FrozenProcess, KeepsAConnectionThatBearsIt) {
+// What was accepted before the loss does not pass the gate that the loss has closed.
+TEST_P(FrozenProcess, ExecutesNothingWhileItsOperatorIsAwaited) {
+  connect(Resume::Operator);
+  arm_.slow = inADrain();
+  ASSERT_TRUE(eventually([this] { return arm_.inHandler == inADrain(); }));
+  freeze();
+  pass(2 * kSilence);
+  thaw();
+  arm_.slow = false;
+  ASSERT_TRUE(eventually([this] { return teleop_.losses == 1; }));
   ASSERT_TRUE(eventually([this] { return teleop_.connected.load(); }));
+  pass(10ms);
+  EXPECT_EQ(teleop_.accepted, 1);
+  console_->resumeConnection("Teleop/Slave");
+  ASSERT_TRUE(eventually([this] { return teleop_.accepted == 2; }));
+  console_->stop();
+  robot_->stop();
+  EXPECT_EQ(executedAfterLoss(), 0);
+}
+
+TEST_P(FrozenProcess, KeepsAConnectionThatBearsIt) {
+  connect();
   freeze();
   pass(kSilence / 2);
   thaw();

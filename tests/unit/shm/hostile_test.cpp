@@ -120,15 +120,21 @@ shm::SharedParts mappedAgain(const shm::SharedParts& parts, const InterfaceInfo&
   return mapped;
 }
 
-TEST(HostileProvider, EmitsWhatNoHandlerSees) {
+/// Both ends of a connection, each as its process maps the memory; neither is attached.
+struct SharedConnection {
   Psm psm;
   Teleop teleop;
   rt::Doorbell watcher;
   const InterfaceInfo& contract = interfaceInfo<ArmLike>();
   shm::SharedOffer offer = shm::offerShared(psm.port, contract, "test", ~EventSet{0},
                                             psm.doorbell(), teleop.doorbell().share(), watcher);
-  const auto client = shm::takeShared(contract, "test", teleop.sharedDoorbell(),
-                                      mappedAgain(offer.parts, contract));
+  std::shared_ptr<Channel> client = shm::takeShared(contract, "test", teleop.sharedDoorbell(),
+                                                    mappedAgain(offer.parts, contract));
+};
+
+class HostileProvider : public SharedConnection, public testing::Test {};
+
+TEST_F(HostileProvider, EmitsWhatNoHandlerSees) {
   teleop.slave.attach(client);
   teleop.start();
   constexpr std::uint16_t kArrived = 1, kStopped = 2;
@@ -143,17 +149,9 @@ TEST(HostileProvider, EmitsWhatNoHandlerSees) {
   EXPECT_EQ(client->events.dropped(), 1u);
 }
 
-class HostileMemory : public testing::TestWithParam<unsigned> {};
+class HostileMemory : public SharedConnection, public testing::TestWithParam<unsigned> {};
 
 TEST_P(HostileMemory, HarmsNeitherProviderNorClient) {
-  Psm psm;
-  Teleop teleop;
-  rt::Doorbell watcher;
-  const InterfaceInfo& contract = interfaceInfo<ArmLike>();
-  shm::SharedOffer offer = shm::offerShared(psm.port, contract, "test", ~EventSet{0},
-                                            psm.doorbell(), teleop.doorbell().share(), watcher);
-  const auto client = shm::takeShared(contract, "test", teleop.sharedDoorbell(),
-                                      mappedAgain(offer.parts, contract));
   psm.port.attach(offer.channel);
   teleop.slave.attach(client);
   psm.start();
