@@ -92,6 +92,13 @@ TEST(Compatibility, AnotherKindOfTypeOrMajor) {
               {"interface Arm: major 2 here, 1 there", "union Pose: struct there"});
 }
 
+TEST(Compatibility, VersionsOfAContractDoNotConnect) {
+  Json changed = contract();
+  changed["version"] = 2;
+  expectBreak(changed, {"version(1) here, version(2) there"},
+              {"version(2) here, version(1) there"});
+}
+
 // As where a base has got a command since: those behind it have other numbers.
 TEST(Compatibility, WhatIsNumberedDifferently) {
   Json changed = contract();
