@@ -101,6 +101,15 @@ std::string number(double value) {
   return {text, end};
 }
 
+std::string cxxNumber(double value) {
+  const std::string infinity = "std::numeric_limits<double>::infinity()";
+  if (std::isinf(value)) return (value < 0 ? "-" : "") + infinity;
+  const std::string text = number(value);
+  // Such an integer fits no type of C++.
+  const bool large = std::abs(value) >= 0x1p63 && text.find_first_of(".e") == std::string::npos;
+  return large ? text + ".0" : text;
+}
+
 bool hasOwnParameters(const model::Interface& interface) {
   for (const model::Command* const command : ownCommands(interface)) {
     if (!command->parameters.empty()) return true;

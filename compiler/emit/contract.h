@@ -50,6 +50,8 @@ std::vector<const model::Command*> readsOf(const model::Interface& interface);
 
 /// The shortest spelling of a number that reads back as the same.
 std::string number(double value);
+/// The same as C++ spells it.
+std::string cxxNumber(double value);
 
 /// Where value `index` of a payload lies: "slot" for a single value, else "slot.value2".
 std::string payloadMember(const model::Event& event, const std::string& slot, std::size_t index);

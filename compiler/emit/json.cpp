@@ -1,5 +1,6 @@
 // The self-description: what the header declares, for people and for tools.
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "compiler/emit/parts.h"
@@ -111,10 +112,16 @@ void addDoc(Json& json, const model::Documentation& doc) {
   if (!doc.text.empty()) json["doc"] = doc.text;
 }
 
+// JSON has no words for infinity.
+Json realJson(double value) {
+  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+  return value;
+}
+
 void addValue(Json& json, const Type& type, const std::string& unit, const Bounds& range) {
   json["type"] = wireTypeOf(type);
   if (!unit.empty()) json["unit"] = unit;
-  if (range) json["range"] = {range->first, range->second};
+  if (range) json["range"] = {realJson(range->first), realJson(range->second)};
 }
 
 void addLifecycle(Json& json, const model::Lifecycle& lifecycle) {

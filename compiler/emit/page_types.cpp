@@ -61,10 +61,12 @@ std::string duration(const Type& type) {
 }
 
 /// An initialiser as a C++ programmer would say it.
-std::string defaultWords(const std::string& json) {
+std::string defaultWords(const model::Field& field) {
+  const std::string& json = field.defaultJson;
   if (json.empty()) return "";
   const auto value = nlohmann::json::parse(json);
-  return inCode(value.is_string() ? value.get<std::string>() : json);
+  const char* const unit = field.type.shape == model::Type::Shape::Duration ? " s" : "";
+  return inCode((value.is_string() ? value.get<std::string>() : json) + unit);
 }
 
 std::string about(const model::Documentation& doc, const model::Lifecycle& lifecycle) {
@@ -170,7 +172,7 @@ std::string PageTypes::section(const model::Struct& declaration) const {
   MarkdownTable table({"field", "type", "unit", "range", "default", "about"});
   for (const model::Field& field : declaration.fields) {
     table.add({inCode(field.name), words(field.type), field.unit,
-               rangeWords({field.unit, field.range}), defaultWords(field.defaultJson),
+               rangeWords({field.unit, field.range}), defaultWords(field),
                about(field.doc, field.lifecycle)});
   }
   return "### " + heading(declaration.name) + "\n\n" +

@@ -77,7 +77,7 @@ void emitStruct(Code& code, const model::Struct& declaration, const std::string&
     if (!isReadable(field.type)) continue;
     const bool bounded = field.range && holdsNumbers(field.type);
     const std::string range =
-        bounded ? ", " + number(field.range->first) + ", " + number(field.range->second) : "";
+        bounded ? ", " + cxxNumber(field.range->first) + ", " + cxxNumber(field.range->second) : "";
     code.line("reader.field(\"", field.name, "\", ", kBreakText,
               access(declaration, field, "value", false, home), range, ");");
   }

@@ -18,8 +18,8 @@ bool isReal(model::Scalar scalar) {
 }
 
 std::string within(const std::string& slot, const Range& range, double scale) {
-  return "inRange(" + slot + ", " + number(range->first * scale) + ", " +
-         number(range->second * scale) + ")";
+  return "inRange(" + slot + ", " + cxxNumber(range->first * scale) + ", " +
+         cxxNumber(range->second * scale) + ")";
 }
 
 std::string allOf(const std::string& slot, const std::string& parameter, const std::string& each) {

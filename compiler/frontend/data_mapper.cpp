@@ -41,7 +41,10 @@ struct Candidate {
   const clang::NamedDecl* place;  ///< where errors are shown: the field, or what lists it
   Annotation annotation;
   bool reachable;  ///< if it is not public
+
+  bool isListed() const { return place != field; }
 };
+
 void checkSkipped(const Candidate& candidate, Mapping& mapping) {
   if (candidate.annotation.arguments < 2) return;
   mapping.error(
@@ -50,17 +53,33 @@ void checkSkipped(const Candidate& candidate, Mapping& mapping) {
       "keep skip(), or the others");
 }
 
-/// A scalar whose initialiser the lock cannot record.
-void checkDefault(const clang::FieldDecl* declaration, const model::Field& field,
-                  Mapping& mapping) {
-  const bool recorded = field.type.shape == model::Type::Shape::Scalar ||
-                        field.type.shape == model::Type::Shape::Enum;
-  const clang::Expr* initialiser = declaration->getInClassInitializer();
-  if (!recorded || !initialiser || isConstant(initialiser, mapping.context())) return;
-  mapping.warn(declaration, "default-not-constant",
-               "the initialiser of " + fieldSubject(declaration) +
-                   " is no constant; where a sender says nothing, a receiver reads zero",
-               "give it a constant");
+/// Where a sender does not know the member, a receiver must not make up another default for it.
+void checkDefault(const Candidate& candidate, Default::State state, Mapping& mapping) {
+  const std::string subject = fieldSubject(candidate.field);
+  switch (state) {
+    case Default::State::Nothing:
+    case Default::State::Constant: return;
+    case Default::State::NotConstant:
+      mapping.error(
+          candidate.place, "default-not-constant",
+          "the initialiser of " + subject +
+              " is no constant that a schema can hold; where a sender does not know it, a "
+              "receiver would read zero",
+          "give it a constant, or make it a std::optional");
+      return;
+    case Default::State::NotANumber:
+      mapping.error(candidate.place, "default-nan",
+                    subject + " is NaN by default, and no contract lets NaN pass",
+                    "make it a std::optional");
+      return;
+    case Default::State::Unseen:
+      if (candidate.isListed()) return;
+      mapping.error(candidate.place, "default-unseen",
+                    "what the default constructor gives " + subject +
+                        " cannot be seen here; where a sender does not know it, a receiver would "
+                        "read zero",
+                    "initialise it where it is declared");
+  }
 }
 
 /// Why the field cannot be on the wire, whatever its type. True if an error was reported.
@@ -106,10 +125,12 @@ std::optional<model::Field> mapField(const Candidate& candidate, Mapping& mappin
   field.range = annotation.range;
   field.was = annotation.was;
   field.lifecycle = {annotation.since, annotation.deprecated};
-  field.defaultJson = defaultJsonOf(declaration);
+  const Default standard = defaultOf(declaration, field.type);
+  field.defaultJson = standard.json;
+  field.isPreset = isPreset(declaration);
   field.doc = mapping.documentationOf(declaration);
   field.source = mapping.sourceOf(candidate.place);
-  checkDefault(declaration, field, mapping);
+  checkDefault(candidate, standard.state, mapping);
   return field;
 }
 

@@ -1,15 +1,19 @@
 #include "compiler/frontend/defaults.h"
 
 #include <clang/AST/ASTContext.h>
-#include <clang/AST/DeclCXX.h>
 #include <clang/AST/Expr.h>
 #include <clang/AST/ExprCXX.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "compiler/frontend/initialiser.h"
+
 namespace suture::compiler::frontend {
 namespace {
+
+using Shape = model::Type::Shape;
+using State = Default::State;
 
 std::string dumped(const nlohmann::json& value) {
   return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
@@ -43,47 +47,97 @@ std::string enumJson(const clang::EnumDecl* declaration, const llvm::APSInt& val
   return "";
 }
 
-std::string scalarJson(clang::QualType type, const clang::APValue& value) {
-  if (value.isFloat()) {
-    llvm::APFloat number = value.getFloat();
-    bool inexact = false;
-    number.convert(llvm::APFloat::IEEEdouble(), llvm::APFloat::rmNearestTiesToEven, &inexact);
-    const double plain = number.convertToDouble();
-    return std::isfinite(plain) ? dumped(plain) : "";
-  }
-  if (!value.isInt()) return "";
+Default enumerator(const clang::EnumDecl* declaration, const llvm::APSInt& value) {
+  const std::string json = enumJson(declaration, value);
+  return json.empty() ? Default{State::NotConstant} : Default{State::Constant, json};
+}
+
+// JSON has no words for infinity; these are the ones that a schema uses.
+Default real(double value) {
+  if (std::isnan(value)) return {State::NotANumber};
+  if (std::isinf(value)) return {State::Constant, value > 0 ? dumped("inf") : dumped("-inf")};
+  return {State::Constant, dumped(value)};
+}
+
+double realOf(llvm::APFloat number) {
+  bool inexact = false;
+  number.convert(llvm::APFloat::IEEEdouble(), llvm::APFloat::rmNearestTiesToEven, &inexact);
+  return number.convertToDouble();
+}
+
+std::string integerJson(const llvm::APSInt& value) {
+  return value.isSigned() ? dumped(value.getSExtValue()) : dumped(value.getZExtValue());
+}
+
+Default scalar(clang::QualType type, const clang::APValue& value) {
+  if (value.isFloat()) return real(realOf(value.getFloat()));
+  if (!value.isInt()) return {State::NotConstant};
   if (const auto* enumeration = type->getAs<clang::EnumType>()) {
-    return enumJson(enumeration->getDecl(), value.getInt());
+    return enumerator(enumeration->getDecl(), value.getInt());
   }
-  if (type->isBooleanType()) return value.getInt().getBoolValue() ? "true" : "false";
-  return value.getInt().isSigned() ? dumped(value.getInt().getSExtValue())
-                                   : dumped(value.getInt().getZExtValue());
+  if (!type->isBooleanType()) return {State::Constant, integerJson(value.getInt())};
+  return {State::Constant, value.getInt().getBoolValue() ? "true" : "false"};
+}
+
+// A class of one number, which may lie in a class of its own.
+const clang::APValue& onlyNumber(const clang::APValue& value) {
+  const bool one =
+      value.isStruct() && value.getStructNumBases() == 0 && value.getStructNumFields() == 1;
+  return one ? onlyNumber(value.getStructField(0)) : value;
+}
+
+Default duration(const clang::APValue& value, const model::Type& type) {
+  const clang::APValue& ticks = onlyNumber(value);
+  if (!ticks.isFloat() && !ticks.isInt()) return {State::NotConstant};
+  const double count = ticks.isFloat() ? realOf(ticks.getFloat())
+                                       : static_cast<double>(ticks.getInt().getExtValue());
+  return real(count * static_cast<double>(type.periodNumerator) /
+              static_cast<double>(type.periodDenominator));
+}
+
+Default timePoint(const clang::APValue& value) {
+  const clang::APValue& ticks = onlyNumber(value);
+  return {ticks.isInt() && ticks.getInt() == 0 ? State::Nothing : State::NotConstant};
+}
+
+bool isNumber(const model::Type& type) {
+  return type.shape == Shape::Scalar || type.shape == Shape::Enum ||
+         type.shape == Shape::Duration || type.shape == Shape::TimePoint;
+}
+
+Default numberOf(const clang::Expr* initialiser, const clang::FieldDecl* field,
+                 const model::Type& type) {
+  clang::Expr::EvalResult result;
+  if (!initialiser->EvaluateAsRValue(result, field->getASTContext())) return {State::NotConstant};
+  switch (type.shape) {
+    case Shape::Duration: return duration(result.Val, type);
+    case Shape::TimePoint: return timePoint(result.Val);
+    default: return scalar(field->getType().getCanonicalType(), result.Val);
+  }
 }
 
 }  // namespace
 
-bool isConstant(const clang::Expr* initialiser, const clang::ASTContext& context) {
-  const auto* list = llvm::dyn_cast<clang::InitListExpr>(initialiser->IgnoreImplicit());
-  if (list && list->getNumInits() == 0) return true;
-  clang::Expr::EvalResult result;
-  return initialiser->EvaluateAsRValue(result, context);
+Default defaultOf(const clang::FieldDecl* field, const model::Type& type) {
+  const clang::Expr* const initialiser = initialiserOf(field);
+  if (initialiser == nullptr) {
+    const clang::CXXConstructorDecl* const constructor = writtenConstructor(field);
+    if (!isNumber(type)) return {};
+    if (field->hasInClassInitializer()) return {State::NotConstant};
+    return {constructor != nullptr && mayAssign(constructor) ? State::Unseen : State::Nothing};
+  }
+  if (saysNothing(initialiser) || initialiser->containsErrors()) return {};
+  if (isNumber(type)) return numberOf(initialiser, field, type);
+  const clang::StringLiteral* const literal = literalIn(initialiser);
+  const bool text = literal != nullptr && literal->getCharByteWidth() == 1;
+  return text ? Default{State::Constant, dumped(literal->getString().str())} : Default{};
 }
 
-std::string defaultJsonOf(const clang::FieldDecl* field) {
-  const clang::Expr* initialiser = field->getInClassInitializer();
-  if (!initialiser || initialiser->containsErrors()) return "";
-  const clang::QualType type = field->getType().getCanonicalType();
-  if (type->isArithmeticType() || type->isEnumeralType()) {
-    if (const auto* list = llvm::dyn_cast<clang::InitListExpr>(initialiser->IgnoreImplicit())) {
-      if (list->getNumInits() == 0) return "";
-    }
-    clang::Expr::EvalResult result;
-    if (!initialiser->EvaluateAsRValue(result, field->getASTContext())) return "";
-    return scalarJson(type, result.Val);
-  }
-  const clang::StringLiteral* literal = literalIn(initialiser);
-  const bool text = literal && literal->getCharByteWidth() == 1;
-  return text ? dumped(literal->getString().str()) : "";
+bool isPreset(const clang::FieldDecl* field) {
+  if (writtenConstructor(field) != nullptr) return true;
+  if (!field->hasInClassInitializer()) return false;
+  const clang::Expr* const initialiser = initialiserOf(field);
+  return initialiser == nullptr || !saysNothing(initialiser);
 }
 
 }  // namespace suture::compiler::frontend

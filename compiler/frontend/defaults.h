@@ -1,17 +1,33 @@
 #pragma once
-// Default member initialisers that are constants.
+// What the default constructor of a struct gives its members.
 
 #include <clang/AST/Decl.h>
 
 #include <string>
 
+#include "compiler/model/type.h"
+
 namespace suture::compiler::frontend {
 
-/// The initialiser as JSON where it is a constant of a scalar, enum (its enumerator's name) or
-/// string. Empty: there is none, or it is no such constant.
-std::string defaultJsonOf(const clang::FieldDecl* field);
+/// Of a member.
+struct Default {
+  enum class State {
+    Nothing,      ///< what its type's own default is, or what only a constructor knows (isPreset)
+    Constant,     ///< `json`
+    NotConstant,  ///< a number that is known when the program runs
+    NotANumber,   ///< NaN, which no contract lets pass
+    Unseen,       ///< a number that a constructor may set where suturec cannot see it
+  };
 
-/// Whether the compiler knows the value.
-bool isConstant(const clang::Expr* initialiser, const clang::ASTContext& context);
+  State state = State::Nothing;
+  /// A number, an enumerator's name, a string; "inf" and "-inf"; seconds of a duration.
+  std::string json{};
+};
+
+Default defaultOf(const clang::FieldDecl* field, const model::Type& type);
+
+/// Whether the default constructor of the field's class may give it another value than its type's
+/// own constructor does.
+bool isPreset(const clang::FieldDecl* field);
 
 }  // namespace suture::compiler::frontend

@@ -1,5 +1,7 @@
 #include "compiler/frontend/translation_unit.h"
 
+#include <clang/AST/ASTConsumer.h>
+#include <clang/AST/DeclCXX.h>
 #include <clang/Frontend/FrontendActions.h>
 #include <clang/Frontend/TextDiagnosticPrinter.h>
 #include <clang/Frontend/Utils.h>
@@ -8,6 +10,7 @@
 
 #include <set>
 
+#include "compiler/frontend/annotation.h"
 #include "compiler/frontend/generated_headers.h"
 #include "compiler/frontend/include_guard.h"
 
@@ -19,6 +22,23 @@ constexpr unsigned kErrorLimit = 20;
 /// System headers too: an upgrade of Eigen must be noticed.
 class AllDependencies : public clang::DependencyCollector {
   bool needSystemDependencies() override { return true; }
+};
+
+/// Reads no function's body but those of the default constructors of annotated types, which say
+/// what their members are by default.
+class Consumer : public clang::ASTConsumer {
+  bool shouldSkipFunctionBody(clang::Decl* declaration) override {
+    const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(declaration);
+    return constructor == nullptr || !constructor->isDefaultConstructor() ||
+           !isAnnotated(constructor->getParent(), Kind::Type);
+  }
+};
+
+class Action : public clang::SyntaxOnlyAction {
+  std::unique_ptr<clang::ASTConsumer> CreateASTConsumer(clang::CompilerInstance&,
+                                                        llvm::StringRef) override {
+    return std::make_unique<Consumer>();
+  }
 };
 
 std::string wrapperText(const std::vector<std::string>& headers) {
@@ -88,7 +108,7 @@ bool TranslationUnit::configure() {
 
 bool TranslationUnit::parse() {
   if (!configure()) return false;
-  action_ = std::make_unique<clang::SyntaxOnlyAction>();
+  action_ = std::make_unique<Action>();
   begun_ = action_->BeginSourceFile(compiler_, compiler_.getFrontendOpts().Inputs.front());
   if (!begun_) return false;
   guardIncludes(compiler_.getPreprocessor(), request_.targetName);

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <cstdlib>
 #include <set>
 #include <utility>
 
@@ -14,8 +16,6 @@ namespace suture::compiler::lock {
 namespace {
 
 using Shape = model::Type::Shape;
-
-constexpr char kSent[] = "/suture/rpc.capnp:Sent";
 
 /// The annotations that name what a node stands for.
 constexpr std::array<const char*, 3> kIdentities{"cxx", "eventsOf", "stateOf"};
@@ -53,30 +53,53 @@ void addLifecycle(Annotations& annotations, const model::Lifecycle& lifecycle) {
   }
 }
 
-/// The initialiser as capnp spells it. Only scalars and enums have one on the wire; capnp's own
-/// zero needs no saying.
-std::string capnpDefault(const model::Field& field, const model::Lookup& lookup) {
-  const std::string& json = field.defaultJson;
-  if (json.empty()) return "";
-  if (field.type.shape == model::Type::Shape::Scalar) {
-    return json == "0" || json == "0.0" || json == "false" ? "" : json;
-  }
-  if (field.type.shape != model::Type::Shape::Enum || json.size() < 2) return "";
-  const model::Enum* const type = lookup.findEnum(field.type.name);
-  const std::string name = json.substr(1, json.size() - 2);  // without the quotes
-  if (type == nullptr) return "";
-  for (const model::Enumerator& enumerator : type->enumerators) {
-    const bool isFirst = &enumerator == &type->enumerators.front();
-    if (enumerator.name == name) return isFirst ? "" : enumerator.wireName;
-  }
-  return "";
-}
-
 /// The shortest spelling that reads back as the same number.
 std::string number(double value) {
   char text[32];
   const auto end = std::to_chars(text, text + sizeof text, value).ptr;
   return std::string(text, end);
+}
+
+/// A JSON string without its quotes; anything else as it is.
+std::string word(const std::string& json) {
+  return json.starts_with('"') ? json.substr(1, json.size() - 2) : json;
+}
+
+/// Of a duration, whose default is told in seconds: nanoseconds, or its own count where it is real.
+std::string capnpDuration(const std::string& json, const model::Type& type) {
+  if (json.starts_with('"')) return word(json);  // infinite
+  const double seconds = std::strtod(json.c_str(), nullptr);
+  if (wireScalar(type) == model::Scalar::Int64) return std::to_string(std::llround(seconds * 1e9));
+  return number(seconds * static_cast<double>(type.periodDenominator) /
+                static_cast<double>(type.periodNumerator));
+}
+
+std::string capnpEnumerator(const std::string& name, const model::Enum& type) {
+  for (const model::Enumerator& enumerator : type.enumerators) {
+    const bool isFirst = &enumerator == &type.enumerators.front();
+    if (enumerator.name == name) return isFirst ? "" : enumerator.wireName;
+  }
+  return "";
+}
+
+/// The initialiser as capnp spells it. Only numbers and enums have one on the wire; capnp's own
+/// zero needs no saying.
+std::string capnpDefault(const model::Field& field, const model::Lookup& lookup) {
+  const std::string& json = field.defaultJson;
+  if (json.empty()) return "";
+  const auto unlessZero = [](const std::string& text) {
+    return text == "0" || text == "0.0" || text == "false" ? "" : text;
+  };
+  switch (field.type.shape) {
+    case model::Type::Shape::Scalar: return unlessZero(word(json));
+    case model::Type::Shape::Duration: return unlessZero(capnpDuration(json, field.type));
+    case model::Type::Shape::Enum:
+      if (const model::Enum* const type = lookup.findEnum(field.type.name)) {
+        return capnpEnumerator(word(json), *type);
+      }
+      return "";
+    default: return "";
+  }
 }
 
 using Bounds = std::optional<std::pair<double, double>>;

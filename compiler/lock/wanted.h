@@ -26,6 +26,10 @@ struct WantedNode {
   model::Source source;
 };
 
+/// The type of what travels with every command, behind the parameters that it was first locked
+/// with.
+inline constexpr char kSent[] = "/suture/rpc.capnp:Sent";
+
 /// In the order enums, composites, structs, interfaces; an interface is followed by its events and
 /// its state row.
 std::vector<WantedNode> wanted(const model::Header& header, const model::Lookup& lookup);

@@ -40,6 +40,7 @@ struct Field {
   std::optional<std::string> was;
   /// The initialiser as JSON where it is a constant of a scalar, enum or string; empty = zero.
   std::string defaultJson;
+  bool isPreset = false;  ///< its struct's constructor may give it more than its type would
   Lifecycle lifecycle;
   Documentation doc;
   Source source;

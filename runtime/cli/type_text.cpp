@@ -60,7 +60,10 @@ std::string valueTypeText(const Json& described) {
   if (const std::string unit = textAt(described, "unit"); !unit.empty()) text += " [" + unit + "]";
   const Json& range = valueAt(described, "range");
   if (range.is_array() && range.size() == 2) {
-    text += ", " + range[0].dump() + " to " + range[1].dump();
+    const auto bound = [](const Json& one) {  // "-inf" and "inf" are words
+      return one.is_string() ? one.get<std::string>() : one.dump();
+    };
+    text += ", " + bound(range[0]) + " to " + bound(range[1]);
   }
   return text;
 }

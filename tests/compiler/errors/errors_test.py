@@ -82,7 +82,7 @@ USAGE = [
     ("--explain pionter", "no diagnostic 'pionter'; did you mean 'pointer'?"),
     ("--out OUT --lock-dir schemas/warnings --fatal platform-integer warnings.h -- -I../include",
      r"error: field 'size' .*\[suture-platform-integer\]"),
-    ("--out OUT --lock-dir schemas/warnings --fatal all warnings.h -- -I../include", r"error: the initialiser"),
+    ("--out OUT --lock-dir schemas/warnings --fatal all warnings.h -- -I../include", r"error: field 'whole'"),
     ("--out OUT --lock-dir schemas pointer.h -- -std=c++99", "invalid value 'c\\+\\+99'"),
 ]
 

@@ -3,10 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 namespace demo {
-int later();
 using Count = std::int64_t;
 struct SUTURE_TYPE() Fields {
   std::size_t size = 0;
@@ -14,8 +12,6 @@ struct SUTURE_TYPE() Fields {
   std::vector<unsigned long> all;
   Count fine = 0;
   std::chrono::seconds also{0};
-  int unknown = later();
-  double nothing = std::numeric_limits<double>::quiet_NaN();
   int braces{};
 };
 }  // namespace demo

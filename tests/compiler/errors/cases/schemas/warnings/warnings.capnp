@@ -12,7 +12,5 @@ struct Fields @0xf8746822564976b9 $Meta.cxx("demo::Fields") {
   all @2 :List(UInt64);
   fine @3 :Int64;
   also @4 :Int64 $Meta.period("1/1");
-  unknown @5 :Int32;
-  nothing @6 :Float64;
-  braces @7 :Int32;
+  braces @5 :Int32;
 }

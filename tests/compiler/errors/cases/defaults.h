@@ -1,0 +1,43 @@
+#pragma once
+#include <suture/annotate.h>
+
+#include <chrono>
+#include <limits>
+#include <string>
+namespace demo {
+int later();
+struct SUTURE_TYPE() Fields {
+  int unknown = later();
+  std::chrono::seconds pause{later()};
+  std::chrono::steady_clock::time_point never = std::chrono::steady_clock::time_point::max();
+  double nothing = std::numeric_limits<double>::quiet_NaN();
+  double noLimit = std::numeric_limits<double>::infinity();
+  std::string name = std::string(later(), 'a');
+  int braces{};
+};
+struct SUTURE_TYPE() InBody {
+  InBody() { number = 7; }
+  int number;
+  int shown = 7;
+};
+struct SUTURE_TYPE() Elsewhere {
+  Elsewhere();
+  int number;
+};
+struct SUTURE_TYPE() HandedOver {
+  HandedOver() : HandedOver(7) {}
+  explicit HandedOver(int n) : number(n) {}
+  int number;
+};
+struct SUTURE_TYPE() InList {
+  InList() : number(7), late(later()), zero() {}
+  int number, late, zero;
+};
+template <class T>
+struct SUTURE_TYPE() Box {
+  T value{};
+  int late = later();
+  int early = 7;
+};
+using IntBox = Box<int>;
+}  // namespace demo
