@@ -94,7 +94,7 @@ void emitStruct(Code& code, const Context& context, const model::Struct& type) {
   const std::string slot =
       relative(slotStruct(type.name, context.lookup), context.header.cxxNamespace);
   const std::string wire = "wire::" + type.wireName;
-  const std::vector<WireValue> values = fieldValues(type);
+  const std::vector<WireValue> values = fieldValues(type, context);
   const bool any = !values.empty();
 
   code.open("void toWire(const ", slot, "&", named("slot", any), ", ", wire, "::Builder",

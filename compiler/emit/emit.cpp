@@ -133,7 +133,7 @@ void includeAll(Code& code, const char* folder, std::initializer_list<const char
   for (const char* const name : names) code.line("#include <suture/", folder, name, ".h>");
 }
 
-void emitSourceIncludes(Code& code, const Context& context, bool converts) {
+void emitSourceIncludes(Code& code, const Context& context, bool converts, bool limits) {
   const model::Header& header = context.header;
   code.line("#include \"", model::stemOf(header.path), ".suture.h\"").blank();
   if (!header.components.empty()) includeAll(code, "component/", {"json_reader"});
@@ -141,7 +141,9 @@ void emitSourceIncludes(Code& code, const Context& context, bool converts) {
     includeAll(code, "transport/rpc/", {"binding", "proxy_port", "servant_port"});
   }
   if (converts) includeAll(code, "transport/rpc/", {"wire"});
-  code.blank().line("#include <type_traits>").blank();
+  code.blank();
+  if (limits) code.line("#include <limits>");
+  code.line("#include <type_traits>").blank();
   if (converts) code.line("#include \"", model::stemOf(header.path), ".capnp.h\"").blank();
 }
 
@@ -160,31 +162,19 @@ bool mentions(std::string_view text, std::string_view word) {
 /// Those names of the runtime that `body` says.
 void emitUsings(Code& code, std::string_view body) {
   bool any = false;
-  for (const char* const name : {"CommandInfo",
-                                 "CommandKind",
-                                 "Duration",
-                                 "Errc",
-                                 "EventInfo",
-                                 "checkSlot",
-                                 "elementsIn",
-                                 "load",
-                                 "newSlot",
-                                 "rpc::ProxyPort",
-                                 "rpc::ServantPort",
-                                 "rpc::allOf",
-                                 "rpc::firstError",
-                                 "rpc::fromWire",
-                                 "rpc::fromWireList",
-                                 "rpc::inRange",
-                                 "rpc::isValid",
-                                 "rpc::numberOf",
-                                 "rpc::shifted",
-                                 "rpc::toWire",
-                                 "rpc::toWireList",
-                                 "shiftSlot",
-                                 "slotIn",
-                                 "slotSize",
-                                 "store"}) {
+  for (const char* const name : {"CommandInfo",      "CommandKind",
+                                 "Duration",         "Errc",
+                                 "EventInfo",        "checkSlot",
+                                 "elementsIn",       "load",
+                                 "newSlot",          "rpc::ProxyPort",
+                                 "rpc::ServantPort", "rpc::allOf",
+                                 "rpc::firstError",  "rpc::fromDefault",
+                                 "rpc::fromWire",    "rpc::fromWireList",
+                                 "rpc::inRange",     "rpc::isValid",
+                                 "rpc::numberOf",    "rpc::shifted",
+                                 "rpc::toWire",      "rpc::toWireList",
+                                 "shiftSlot",        "slotIn",
+                                 "slotSize",         "store"}) {
     const std::string_view full = name;
     if (!mentions(body, full.substr(full.rfind(':') + 1))) continue;
     any = true;
@@ -199,11 +189,9 @@ bool converts(const Context& context) {
   return !header.interfaces.empty() || !header.enums.empty() || !header.structs.empty();
 }
 
-std::string sourceFile(const Context& context) {
+std::string sourceBody(const Context& context) {
   const std::string& home = context.header.cxxNamespace;
   Code code;
-  code.verbatim(banner(context.header));
-  emitSourceIncludes(code, context, converts(context));
   emitForeignConverters(code, context);
   inNamespace(code, home, [&](Code& inner) {
     Code body;
@@ -231,6 +219,16 @@ std::string sourceFile(const Context& context) {
     forEachInterface(inner, context, emitExecute);
     emitClasses(inner, context);
   });
+  return code.text();
+}
+
+std::string sourceFile(const Context& context) {
+  const std::string body = sourceBody(context);
+  Code code;
+  code.verbatim(banner(context.header));
+  emitSourceIncludes(code, context, converts(context),
+                     body.find("std::numeric_limits") != body.npos);
+  code.verbatim(body);
   return code.finished();
 }
 

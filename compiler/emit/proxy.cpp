@@ -18,8 +18,8 @@ void emitColumn(Code& code, const Context& context, const model::Command& read, 
   code.open("if (in.getEvaluated() >> ", column, " & 1) {");
   code.line("auto& slot = ", kBreakText, "port_->column<",
             slotType(*read.result, context, home(context)), ">(", column, ");");
-  const std::string outcome = emitDecode(code, {{*read.result, read.wireName, "slot", {}}}, "in",
-                                         "port_->shift()", context);
+  const std::string outcome = emitDecode(
+      code, {{*read.result, read.wireName, "slot", {}, "", true}}, "in", "port_->shift()", context);
   const std::string mark = "valid |= suture::rt::ColumnSet{1} << " + column + ";";
   if (outcome == "Errc{}") {
     code.line(mark);
@@ -82,7 +82,8 @@ void emitAnswer(Code& code, const Context& context, const model::Command& comman
   // That of a composite is long.
   const std::string answer = lock::isComposite(type) ? "auto" : slot;
   code.open("port_.answer<", slot, ">(call, ", stamp, kBreakText, "[&](", answer, "& answer) {");
-  emitDecodeAndReturn(code, {{type, "value", "answer", {}}}, "response", "port_.shift()", context);
+  emitDecodeAndReturn(code, {{type, "value", "answer", {}, "", true}}, "response", "port_.shift()",
+                      context);
   code.close("});").close("});");
 }
 

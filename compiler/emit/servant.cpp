@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "compiler/emit/contract.h"
+#include "compiler/emit/later_parameters.h"
 #include "compiler/emit/remote.h"
 #include "compiler/emit/wire_form.h"
 #include "compiler/model/naming.h"
@@ -162,7 +163,10 @@ void emitFill(Code& code, const Context& context, const model::Interface& interf
   code.open("const auto fill = [&](std::byte* memory) {");
   code.line("auto& slot = ", kBreakText, "newSlot<",
             relative(argumentsStruct(interface, command), home(context)), ">(memory);");
-  emitDecodeAndReturn(code, argumentValues(command), "in", "port_->shift()", context);
+  const std::set<std::string> later = laterParameters(context, interface, command);
+  std::vector<WireValue> values = argumentValues(command);
+  for (WireValue& value : values) value.isNeeded = !later.contains(value.wireName);
+  emitDecodeAndReturn(code, values, "in", "port_->shift()", context);
   code.close("};");
 }
 

@@ -122,7 +122,7 @@ void emitMembers(Code& code, const Context& context) {
     code.line("template <>").open("struct Members<", declaration.name, "> {");
     for (const model::Field& field : fields) {
       if (!field.isHidden) continue;
-      code.line("static auto& ", field.name, "(auto& value) { ", kBreakText, "return value.",
+      code.line("static auto& ", field.name, "(auto&& value) { ", kBreakText, "return value.",
                 field.name, "; }");
     }
     code.close("};").blank();
@@ -142,7 +142,7 @@ void emitSlots(Code& code, const Context& context) {
     emitStruct(code, context, declaration, slot);
     code.line(storeSignature(type, slot), ";").line(loadSignature(type, slot), ";");
     if (reserves(declaration, context.lookup)) code.line(reserveSignature(type, slot), ";");
-    declareShift(code, fieldValues(declaration), slot, context);
+    declareShift(code, fieldValues(declaration, context), slot, context);
     code.blank();
   });
 }
@@ -152,7 +152,7 @@ void emitSlotConversions(Code& code, const Context& context) {
     emitStore(code, declaration, context.header.cxxNamespace, slot);
     emitLoad(code, declaration, context.header.cxxNamespace, slot);
     emitReserve(code, declaration, context.lookup, context.header.cxxNamespace, slot);
-    emitShift(code, fieldValues(declaration), slot, context);
+    emitShift(code, fieldValues(declaration, context), slot, context);
   });
 }
 

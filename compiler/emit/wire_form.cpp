@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 #include "compiler/emit/contract.h"
 #include "compiler/lock/composites.h"
@@ -23,11 +24,6 @@ bool isSequence(const Type& type) {
 bool isRecord(const Type& type) {
   const bool composite = lock::isComposite(type) && type.shape != Shape::Map;
   return type.shape == Shape::Struct || composite || !lock::namedEigenType(type).empty();
-}
-
-/// A record that a receiver must not make up when it is missing.
-bool isNeeded(const Type& type) {
-  return isRecord(type) && type.shape != Shape::Optional && type.shape != Shape::AnyMatrix;
 }
 
 /// Has it a fromWire() in generated code, which takes the shift?
@@ -185,11 +181,28 @@ Reading decodeFrom(const Type& type, const std::string& in, const std::string& s
   return whole ? Reading{true, both + ")"} : decodeSequence(type, in, slot, shift, context, depth);
 }
 
-/// A missing struct reads as zeros, which is no pose: it must be there.
-std::string guarded(const WireValue& value, const std::string& in, const std::string& expression) {
-  if (!isNeeded(value.type)) return expression;
-  return in + ".has" + model::titleCase(value.wireName) + "() " + kBreak + "? " + expression + " " +
-         kBreak + ": Errc::Invalid";
+/// Has it a wire form that an older sender leaves out? Of one number the schema has the default.
+bool canBeMissing(const Type& type) {
+  return !isNumber(type) && type.shape != Shape::Enum && type.shape != Shape::Nothing;
+}
+
+/// Does it read as something, though nothing was sent?
+bool wouldBeMadeUp(const Type& type) {
+  if (type.shape == Shape::Array || type.shape == Shape::Matrix) return true;
+  return isRecord(type) && type.shape != Shape::Optional && type.shape != Shape::AnyMatrix;
+}
+
+/// Reads it by `expression` where it was sent.
+std::string ifSent(const WireValue& value, const std::string& in, const std::string& expression) {
+  const std::string sent = in + ".has" + model::titleCase(value.wireName) + "()";
+  const auto choice = [](const std::string& asked, const std::string& yes, const std::string& no) {
+    return asked + " " + kBreak + "? " + yes + " " + kBreak + ": " + no;
+  };
+  if (value.isNeeded && wouldBeMadeUp(value.type)) return choice(sent, expression, "Errc::Invalid");
+  if (value.preset.empty()) return expression;
+  const std::string preset = "fromDefault(" + value.preset + ", " + value.slot + ")";
+  const bool isLong = expression.find(kBody) != std::string::npos;
+  return isLong ? choice("!" + sent, preset, expression) : choice(sent, expression, preset);
 }
 
 }  // namespace
@@ -208,10 +221,26 @@ std::string enumCheck(const std::string& enumName, const Context& context) {
   return qualifier(enumName, context) + "isKnown" + model::unqualified(enumName);
 }
 
-std::vector<WireValue> fieldValues(const model::Struct& type) {
+namespace {
+
+/// An infinite default means that infinity says something.
+std::optional<std::pair<double, double>> admitted(const model::Field& field) {
+  const bool infinite = field.defaultJson == "\"inf\"" || field.defaultJson == "\"-inf\"";
+  if (field.range || !infinite || !isNumber(field.type)) return field.range;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  return std::pair{-kInfinity, kInfinity};
+}
+
+}  // namespace
+
+std::vector<WireValue> fieldValues(const model::Struct& type, const Context& context) {
+  const std::string& home = context.header.cxxNamespace;
+  const std::string fresh = relative(type.name, home) + "()";
   std::vector<WireValue> values;
   for (const model::Field& field : type.fields) {
-    values.push_back({field.type, field.wireName, "slot." + field.name, field.range});
+    const bool preset = field.isPreset && canBeMissing(field.type);
+    values.push_back({field.type, field.wireName, "slot." + field.name, admitted(field),
+                      preset ? access(type, field, fresh, true, home) : ""});
   }
   return values;
 }
@@ -235,7 +264,7 @@ std::vector<WireValue> payloadValues(const model::Event& event) {
   for (std::size_t i = 0; i < event.payload.size(); ++i) {
     const auto range = i < event.limits.size() ? event.limits[i].range : std::nullopt;
     values.push_back(
-        {event.payload[i], lock::payloadName(i), payloadMember(event, "slot", i), range});
+        {event.payload[i], lock::payloadName(i), payloadMember(event, "slot", i), range, "", true});
   }
   return values;
 }
@@ -262,7 +291,7 @@ std::vector<std::string> emitAssignments(Code& code, const std::vector<WireValue
     const std::string source = in + ".get" + model::titleCase(value.wireName) + "()";
     const Reading reading = decodeFrom(value.type, source, value.slot, shift, context, 0);
     if (reading.canFail) {
-      checks.push_back(guarded(value, in, reading.text));
+      checks.push_back(ifSent(value, in, reading.text));
     } else {
       code.line(reading.text, ";");
     }

@@ -17,10 +17,14 @@ struct WireValue {
   std::string wireName;  ///< capnp's: "measuredCp"
   std::string slot;      ///< an lvalue: "slot.measured_cp"
   std::optional<std::pair<double, double>> range;
+  /// What it is where the sender does not know it, as C++ says it; empty: what its type gives.
+  std::string preset{};
+  /// Every sender knows it: where a struct or an array is missing, the message is wrong.
+  bool isNeeded = false;
 };
 
 /// What a type is made of, as the members of `slot`.
-std::vector<WireValue> fieldValues(const model::Struct& type);
+std::vector<WireValue> fieldValues(const model::Struct& type, const Context& context);
 
 /// What a command carries, as the members of `slot`.
 std::vector<WireValue> argumentValues(const model::Command& command);

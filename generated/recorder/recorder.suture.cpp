@@ -13,6 +13,7 @@ namespace robots {
 using suture::Duration;
 using suture::Errc;
 using suture::load;
+using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
@@ -51,7 +52,8 @@ void toWire(const RecorderParametersSlot& slot, wire::RecorderParameters::Builde
 
 Errc fromWire(wire::RecorderParameters::Reader in, RecorderParametersSlot& slot, Duration) {
   slot.period = in.getPeriod();
-  return fromWire(in.getFile(), slot.file);
+  return in.hasFile() ? fromWire(in.getFile(), slot.file)
+      : fromDefault(RecorderParameters().file, slot.file);
 }
 
 bool isValid(const RecorderParametersSlot&) {

@@ -14,6 +14,7 @@ using suture::Errc;
 using suture::load;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
+using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
 using suture::rpc::isValid;
@@ -436,8 +437,10 @@ Errc fromWire(wire::Twist::Reader in, TwistSlot& slot, Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return firstError({
-      in.hasLinear() ? fromWire(in.getLinear(), slot.linear) : Errc::Invalid,
-      in.hasAngular() ? fromWire(in.getAngular(), slot.angular) : Errc::Invalid,
+      in.hasLinear() ? fromWire(in.getLinear(), slot.linear)
+          : fromDefault(Twist().linear, slot.linear),
+      in.hasAngular() ? fromWire(in.getAngular(), slot.angular)
+          : fromDefault(Twist().angular, slot.angular),
       fromWire(in.getMovingFrame(), slot.moving_frame),
       fromWire(in.getReferenceFrame(), slot.reference_frame),
   });
@@ -459,13 +462,15 @@ void toWire(const TwistGoalSlot& slot, wire::TwistGoal::Builder out) {
 Errc fromWire(wire::TwistGoal::Reader in, TwistGoalSlot& slot, Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   return firstError({
-      in.hasLinear() ? fromWire(in.getLinear(), slot.linear) : Errc::Invalid,
-      in.hasAngular() ? fromWire(in.getAngular(), slot.angular) : Errc::Invalid,
+      in.hasLinear() ? fromWire(in.getLinear(), slot.linear)
+          : fromDefault(TwistGoal().linear, slot.linear),
+      in.hasAngular() ? fromWire(in.getAngular(), slot.angular)
+          : fromDefault(TwistGoal().angular, slot.angular),
       in.hasLinearAcceleration() ? fromWire(in.getLinearAcceleration(), slot.linear_acceleration)
-          : Errc::Invalid,
+          : fromDefault(TwistGoal().linear_acceleration, slot.linear_acceleration),
       in.hasAngularAcceleration() ? fromWire(in.getAngularAcceleration(), slot.angular_acceleration)
-          : Errc::Invalid,
-      fromWire(in.getMask(), slot.mask),
+          : fromDefault(TwistGoal().angular_acceleration, slot.angular_acceleration),
+      in.hasMask() ? fromWire(in.getMask(), slot.mask) : fromDefault(TwistGoal().mask, slot.mask),
   });
 }
 
@@ -488,9 +493,10 @@ Errc fromWire(wire::Wrench::Reader in, WrenchSlot& slot, Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return firstError({
-      in.hasForce() ? fromWire(in.getForce(), slot.force) : Errc::Invalid,
-      in.hasTorque() ? fromWire(in.getTorque(), slot.torque) : Errc::Invalid,
-      fromWire(in.getMask(), slot.mask),
+      in.hasForce() ? fromWire(in.getForce(), slot.force) : fromDefault(Wrench().force, slot.force),
+      in.hasTorque() ? fromWire(in.getTorque(), slot.torque)
+          : fromDefault(Wrench().torque, slot.torque),
+      in.hasMask() ? fromWire(in.getMask(), slot.mask) : fromDefault(Wrench().mask, slot.mask),
       fromWire(in.getMovingFrame(), slot.moving_frame),
       fromWire(in.getReferenceFrame(), slot.reference_frame),
   });
@@ -510,9 +516,11 @@ void toWire(const WrenchGoalSlot& slot, wire::WrenchGoal::Builder out) {
 Errc fromWire(wire::WrenchGoal::Reader in, WrenchGoalSlot& slot, Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   return firstError({
-      in.hasForce() ? fromWire(in.getForce(), slot.force) : Errc::Invalid,
-      in.hasTorque() ? fromWire(in.getTorque(), slot.torque) : Errc::Invalid,
-      fromWire(in.getMask(), slot.mask),
+      in.hasForce() ? fromWire(in.getForce(), slot.force)
+          : fromDefault(WrenchGoal().force, slot.force),
+      in.hasTorque() ? fromWire(in.getTorque(), slot.torque)
+          : fromDefault(WrenchGoal().torque, slot.torque),
+      in.hasMask() ? fromWire(in.getMask(), slot.mask) : fromDefault(WrenchGoal().mask, slot.mask),
   });
 }
 
@@ -542,13 +550,16 @@ Errc fromWire(wire::CartesianState::Reader in, CartesianStateSlot& slot, Duratio
   return firstError({
       fromWire(in.getMovingFrame(), slot.moving_frame),
       fromWire(in.getReferenceFrame(), slot.reference_frame),
-      in.hasPosition() ? fromWire(in.getPosition(), slot.position) : Errc::Invalid,
+      in.hasPosition() ? fromWire(in.getPosition(), slot.position)
+          : fromDefault(CartesianState().position, slot.position),
       in.hasLinearVelocity() ? fromWire(in.getLinearVelocity(), slot.linear_velocity)
-          : Errc::Invalid,
+          : fromDefault(CartesianState().linear_velocity, slot.linear_velocity),
       in.hasAngularVelocity() ? fromWire(in.getAngularVelocity(), slot.angular_velocity)
-          : Errc::Invalid,
-      in.hasForce() ? fromWire(in.getForce(), slot.force) : Errc::Invalid,
-      in.hasTorque() ? fromWire(in.getTorque(), slot.torque) : Errc::Invalid,
+          : fromDefault(CartesianState().angular_velocity, slot.angular_velocity),
+      in.hasForce() ? fromWire(in.getForce(), slot.force)
+          : fromDefault(CartesianState().force, slot.force),
+      in.hasTorque() ? fromWire(in.getTorque(), slot.torque)
+          : fromDefault(CartesianState().torque, slot.torque),
   });
 }
 
@@ -574,16 +585,18 @@ Errc fromWire(wire::CartesianGoal::Reader in, CartesianGoalSlot& slot, Duration 
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return firstError({
-      in.hasGoal() ? fromWire(in.getGoal(), slot.goal) : Errc::Invalid,
+      in.hasGoal() ? fromWire(in.getGoal(), slot.goal)
+          : fromDefault(CartesianGoal().goal, slot.goal),
       in.hasLinearVelocity() ? fromWire(in.getLinearVelocity(), slot.linear_velocity)
-          : Errc::Invalid,
+          : fromDefault(CartesianGoal().linear_velocity, slot.linear_velocity),
       in.hasAngularVelocity() ? fromWire(in.getAngularVelocity(), slot.angular_velocity)
-          : Errc::Invalid,
+          : fromDefault(CartesianGoal().angular_velocity, slot.angular_velocity),
       in.hasLinearAcceleration() ? fromWire(in.getLinearAcceleration(), slot.linear_acceleration)
-          : Errc::Invalid,
+          : fromDefault(CartesianGoal().linear_acceleration, slot.linear_acceleration),
       in.hasAngularAcceleration() ? fromWire(in.getAngularAcceleration(), slot.angular_acceleration)
-          : Errc::Invalid,
-      fromWire(in.getMask(), slot.mask),
+          : fromDefault(CartesianGoal().angular_acceleration, slot.angular_acceleration),
+      in.hasMask() ? fromWire(in.getMask(), slot.mask)
+          : fromDefault(CartesianGoal().mask, slot.mask),
       fromWire(in.getMovingFrame(), slot.moving_frame),
       fromWire(in.getReferenceFrame(), slot.reference_frame),
   });
@@ -611,14 +624,18 @@ void toWire(const ServoCartesianSlot& slot, wire::ServoCartesian::Builder out) {
 Errc fromWire(wire::ServoCartesian::Reader in, ServoCartesianSlot& slot, Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   return firstError({
-      in.hasTaskFrame() ? fromWire(in.getTaskFrame(), slot.task_frame) : Errc::Invalid,
-      in.hasPosition() ? fromWire(in.getPosition(), slot.position) : Errc::Invalid,
+      in.hasTaskFrame() ? fromWire(in.getTaskFrame(), slot.task_frame)
+          : fromDefault(ServoCartesian().task_frame, slot.task_frame),
+      in.hasPosition() ? fromWire(in.getPosition(), slot.position)
+          : fromDefault(ServoCartesian().position, slot.position),
       in.hasLinearVelocity() ? fromWire(in.getLinearVelocity(), slot.linear_velocity)
-          : Errc::Invalid,
+          : fromDefault(ServoCartesian().linear_velocity, slot.linear_velocity),
       in.hasAngularVelocity() ? fromWire(in.getAngularVelocity(), slot.angular_velocity)
-          : Errc::Invalid,
-      in.hasForce() ? fromWire(in.getForce(), slot.force) : Errc::Invalid,
-      in.hasTorque() ? fromWire(in.getTorque(), slot.torque) : Errc::Invalid,
+          : fromDefault(ServoCartesian().angular_velocity, slot.angular_velocity),
+      in.hasForce() ? fromWire(in.getForce(), slot.force)
+          : fromDefault(ServoCartesian().force, slot.force),
+      in.hasTorque() ? fromWire(in.getTorque(), slot.torque)
+          : fromDefault(ServoCartesian().torque, slot.torque),
       fromWireList(in.getAxisMode(), slot.axis_mode, [](auto item, std::uint8_t& target) {
         return fromWire(item, target);
       }),
@@ -644,10 +661,12 @@ void toWire(const HalfPlaneGainsSlot& slot, wire::HalfPlaneGains::Builder out) {
 
 Errc fromWire(wire::HalfPlaneGains::Reader in, HalfPlaneGainsSlot& slot, Duration) {
   return firstError({
-      in.hasP() ? fromWire(in.getP(), slot.p) : Errc::Invalid,
-      in.hasD() ? fromWire(in.getD(), slot.d) : Errc::Invalid,
-      in.hasBias() ? fromWire(in.getBias(), slot.bias) : Errc::Invalid,
-      in.hasDeadband() ? fromWire(in.getDeadband(), slot.deadband) : Errc::Invalid,
+      in.hasP() ? fromWire(in.getP(), slot.p) : fromDefault(HalfPlaneGains().p, slot.p),
+      in.hasD() ? fromWire(in.getD(), slot.d) : fromDefault(HalfPlaneGains().d, slot.d),
+      in.hasBias() ? fromWire(in.getBias(), slot.bias)
+          : fromDefault(HalfPlaneGains().bias, slot.bias),
+      in.hasDeadband() ? fromWire(in.getDeadband(), slot.deadband)
+          : fromDefault(HalfPlaneGains().deadband, slot.deadband),
   });
 }
 
@@ -664,10 +683,12 @@ void toWire(const AngularHalfPlaneGainsSlot& slot, wire::AngularHalfPlaneGains::
 
 Errc fromWire(wire::AngularHalfPlaneGains::Reader in, AngularHalfPlaneGainsSlot& slot, Duration) {
   return firstError({
-      in.hasP() ? fromWire(in.getP(), slot.p) : Errc::Invalid,
-      in.hasD() ? fromWire(in.getD(), slot.d) : Errc::Invalid,
-      in.hasBias() ? fromWire(in.getBias(), slot.bias) : Errc::Invalid,
-      in.hasDeadband() ? fromWire(in.getDeadband(), slot.deadband) : Errc::Invalid,
+      in.hasP() ? fromWire(in.getP(), slot.p) : fromDefault(AngularHalfPlaneGains().p, slot.p),
+      in.hasD() ? fromWire(in.getD(), slot.d) : fromDefault(AngularHalfPlaneGains().d, slot.d),
+      in.hasBias() ? fromWire(in.getBias(), slot.bias)
+          : fromDefault(AngularHalfPlaneGains().bias, slot.bias),
+      in.hasDeadband() ? fromWire(in.getDeadband(), slot.deadband)
+          : fromDefault(AngularHalfPlaneGains().deadband, slot.deadband),
   });
 }
 
@@ -690,18 +711,15 @@ Errc fromWire(wire::CartesianImpedance::Reader in, CartesianImpedanceSlot& slot,
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   return firstError({
       in.hasForceOrientation() ? fromWire(in.getForceOrientation(), slot.force_orientation)
-          : Errc::Invalid,
-      in.hasForcePosition() ? fromWire(in.getForcePosition(), slot.force_position) : Errc::Invalid,
+          : fromDefault(CartesianImpedance().force_orientation, slot.force_orientation),
+      in.hasForcePosition() ? fromWire(in.getForcePosition(), slot.force_position)
+          : fromDefault(CartesianImpedance().force_position, slot.force_position),
       in.hasTorqueOrientation() ? fromWire(in.getTorqueOrientation(), slot.torque_orientation)
-          : Errc::Invalid,
-      in.hasPositionPositive() ? fromWire(in.getPositionPositive(), slot.position_positive, shift)
-          : Errc::Invalid,
-      in.hasPositionNegative() ? fromWire(in.getPositionNegative(), slot.position_negative, shift)
-          : Errc::Invalid,
-      in.hasOrientationPositive()
-          ? fromWire(in.getOrientationPositive(), slot.orientation_positive, shift) : Errc::Invalid,
-      in.hasOrientationNegative()
-          ? fromWire(in.getOrientationNegative(), slot.orientation_negative, shift) : Errc::Invalid,
+          : fromDefault(CartesianImpedance().torque_orientation, slot.torque_orientation),
+      fromWire(in.getPositionPositive(), slot.position_positive, shift),
+      fromWire(in.getPositionNegative(), slot.position_negative, shift),
+      fromWire(in.getOrientationPositive(), slot.orientation_positive, shift),
+      fromWire(in.getOrientationNegative(), slot.orientation_negative, shift),
   });
 }
 

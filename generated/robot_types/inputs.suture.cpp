@@ -13,6 +13,7 @@ using suture::Duration;
 using suture::Errc;
 using suture::load;
 using suture::rpc::firstError;
+using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::shifted;
@@ -191,11 +192,12 @@ Errc fromWire(wire::ImuSample::Reader in, ImuSampleSlot& slot, Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return firstError({
-      in.hasOrientation() ? fromWire(in.getOrientation(), slot.orientation) : Errc::Invalid,
+      in.hasOrientation() ? fromWire(in.getOrientation(), slot.orientation)
+          : fromDefault(ImuSample().orientation, slot.orientation),
       in.hasAngularVelocity() ? fromWire(in.getAngularVelocity(), slot.angular_velocity)
-          : Errc::Invalid,
+          : fromDefault(ImuSample().angular_velocity, slot.angular_velocity),
       in.hasLinearAcceleration() ? fromWire(in.getLinearAcceleration(), slot.linear_acceleration)
-          : Errc::Invalid,
+          : fromDefault(ImuSample().linear_acceleration, slot.linear_acceleration),
   });
 }
 

@@ -13,6 +13,7 @@ using suture::Duration;
 using suture::Errc;
 using suture::load;
 using suture::rpc::firstError;
+using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
@@ -123,7 +124,8 @@ void toWire(const ForwardKinematicsResponseSlot& slot, wire::ForwardKinematicsRe
 Errc fromWire(wire::ForwardKinematicsResponse::Reader in, ForwardKinematicsResponseSlot& slot, Duration) {
   slot.result = in.getResult();
   return firstError({
-      in.hasCp() ? fromWire(in.getCp(), slot.cp) : Errc::Invalid,
+      in.hasCp() ? fromWire(in.getCp(), slot.cp)
+          : fromDefault(ForwardKinematicsResponse().cp, slot.cp),
       fromWire(in.getMessage(), slot.message),
   });
 }
@@ -139,7 +141,8 @@ void toWire(const InverseKinematicsRequestSlot& slot, wire::InverseKinematicsReq
 
 Errc fromWire(wire::InverseKinematicsRequest::Reader in, InverseKinematicsRequestSlot& slot, Duration) {
   return firstError({
-      in.hasCp() ? fromWire(in.getCp(), slot.cp) : Errc::Invalid,
+      in.hasCp() ? fromWire(in.getCp(), slot.cp)
+          : fromDefault(InverseKinematicsRequest().cp, slot.cp),
       fromWire(in.getJp(), slot.jp),
   });
 }

@@ -13,6 +13,7 @@ using suture::Duration;
 using suture::Errc;
 using suture::load;
 using suture::rpc::firstError;
+using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::shifted;
@@ -115,7 +116,8 @@ void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {
 Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
-  return in.hasPose() ? fromWire(in.getPose(), slot.pose) : Errc::Invalid;
+  return in.hasPose() ? fromWire(in.getPose(), slot.pose)
+      : fromDefault(PoseStamped().pose, slot.pose);
 }
 
 bool isValid(const PoseStampedSlot& slot) {
@@ -135,8 +137,10 @@ Errc fromWire(wire::PoseSample::Reader in, PoseSampleSlot& slot, Duration shift)
   slot.sequence = in.getSequence();
   slot.flags = in.getFlags();
   return firstError({
-      in.hasRotation() ? fromWire(in.getRotation(), slot.rotation) : Errc::Invalid,
-      in.hasPosition() ? fromWire(in.getPosition(), slot.position) : Errc::Invalid,
+      in.hasRotation() ? fromWire(in.getRotation(), slot.rotation)
+          : fromDefault(PoseSample().rotation, slot.rotation),
+      in.hasPosition() ? fromWire(in.getPosition(), slot.position)
+          : fromDefault(PoseSample().position, slot.position),
   });
 }
 
@@ -160,7 +164,8 @@ Errc fromWire(wire::PosePrm::Reader in, PosePrmSlot& slot, Duration shift) {
   return firstError({
       fromWire(in.getMovingFrame(), slot.moving_frame),
       fromWire(in.getReferenceFrame(), slot.reference_frame),
-      in.hasPosition() ? fromWire(in.getPosition(), slot.position) : Errc::Invalid,
+      in.hasPosition() ? fromWire(in.getPosition(), slot.position)
+          : fromDefault(PosePrm().position, slot.position),
   });
 }
 

@@ -14,6 +14,7 @@ using suture::Errc;
 using suture::load;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
+using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
 using suture::rpc::isValid;
@@ -243,9 +244,12 @@ Errc fromWire(wire::CameraInfo::Reader in, CameraInfoSlot& slot, Duration shift)
   slot.valid = in.getValid();
   return firstError({
       fromWire(in.getDistortion(), slot.distortion),
-      in.hasIntrinsic() ? fromWire(in.getIntrinsic(), slot.intrinsic) : Errc::Invalid,
-      in.hasRectification() ? fromWire(in.getRectification(), slot.rectification) : Errc::Invalid,
-      fromWire(in.getProjection(), slot.projection),
+      in.hasIntrinsic() ? fromWire(in.getIntrinsic(), slot.intrinsic)
+          : fromDefault(CameraInfo().intrinsic, slot.intrinsic),
+      in.hasRectification() ? fromWire(in.getRectification(), slot.rectification)
+          : fromDefault(CameraInfo().rectification, slot.rectification),
+      in.hasProjection() ? fromWire(in.getProjection(), slot.projection)
+          : fromDefault(CameraInfo().projection, slot.projection),
   });
 }
 

@@ -22,6 +22,7 @@ using suture::load;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::firstError;
+using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
@@ -207,8 +208,10 @@ Errc fromWire(wire::FollowAnchors::Reader in, FollowAnchorsSlot& slot, Duration 
   slot.scale = in.getScale();
   slot.entry = in.getEntry();
   return firstError({
-      in.hasMaster() ? fromWire(in.getMaster(), slot.master) : Errc::Invalid,
-      in.hasSlaveSetpoint() ? fromWire(in.getSlaveSetpoint(), slot.slave_setpoint) : Errc::Invalid,
+      in.hasMaster() ? fromWire(in.getMaster(), slot.master)
+          : fromDefault(FollowAnchors().master, slot.master),
+      in.hasSlaveSetpoint() ? fromWire(in.getSlaveSetpoint(), slot.slave_setpoint)
+          : fromDefault(FollowAnchors().slave_setpoint, slot.slave_setpoint),
   });
 }
 

@@ -13,6 +13,7 @@ using suture::Duration;
 using suture::Errc;
 using suture::load;
 using suture::rpc::firstError;
+using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::shifted;
@@ -102,7 +103,8 @@ void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {
 Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
-  return in.hasPose() ? fromWire(in.getPose(), slot.pose) : Errc::Invalid;
+  return in.hasPose() ? fromWire(in.getPose(), slot.pose)
+      : fromDefault(PoseStamped().pose, slot.pose);
 }
 
 bool isValid(const PoseStampedSlot& slot) {

@@ -14,6 +14,7 @@ using suture::Duration;
 using suture::Errc;
 using suture::load;
 using suture::rpc::firstError;
+using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
@@ -54,7 +55,8 @@ void toWire(const SimulatedArmParametersSlot& slot, wire::SimulatedArmParameters
 Errc fromWire(wire::SimulatedArmParameters::Reader in, SimulatedArmParametersSlot& slot, Duration) {
   slot.period = in.getPeriod();
   return firstError({
-      fromWire(in.getHome(), slot.home),
+      in.hasHome() ? fromWire(in.getHome(), slot.home)
+          : fromDefault(SimulatedArmParameters().home, slot.home),
       fromWire(in.getModel(), slot.model),
   });
 }

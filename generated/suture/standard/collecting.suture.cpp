@@ -88,7 +88,8 @@ constexpr char kCollectingDescription[] = R"json(
 "structs": [{"name": "suture::CollectingInterval", "doc": "How much is collected.", "fields": [{
 "name": "every", "doc": "every n-th row or event", "type": {"kind": "UInt32"}, "range": [1.0,
 4294967295.0], "default": 1}, {"name": "atLeast", "doc": "between the stamps of two", "type": {
-"kind": "duration", "period": "1/1000000000"}}]}, {"name": "suture::CollectedCounts",
+"kind": "duration", "period": "1/1000000000"}, "default": 0.0}]}, {
+"name": "suture::CollectedCounts",
 "doc": "What became of the rows or events of a time of collecting. Once the collector has caught up with\nits provider, the three add up to what was produced.",
 "fields": [{"name": "collected", "doc": "handed to the sink", "type": {"kind": "UInt64"},
 "default": 0}, {"name": "passedOver",

@@ -202,8 +202,8 @@ Errc fromWire(wire::TaskWindow::Reader in, TaskWindowSlot& slot, Duration shift)
   slot.cycles = in.getCycles();
   slot.skipped = in.getSkipped();
   return firstError({
-      in.hasPeriod() ? fromWire(in.getPeriod(), slot.period, shift) : Errc::Invalid,
-      in.hasCompute() ? fromWire(in.getCompute(), slot.compute, shift) : Errc::Invalid,
+      fromWire(in.getPeriod(), slot.period, shift),
+      fromWire(in.getCompute(), slot.compute, shift),
   });
 }
 

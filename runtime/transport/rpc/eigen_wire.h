@@ -2,6 +2,7 @@
 // Between slots and the wire, for Eigen types with a named form. Inline: these are the inner loop
 // of every pose that travels. Part of wire.h.
 
+#include <capnp/any.h>
 #include <suture/base/errors.h>
 #include <suture/types.capnp.h>
 
@@ -22,6 +23,15 @@ void rotationToWire(const std::array<double, N>& slot, Builder& out) {
   out.setM12(slot[7]);
   out.setM22(slot[8]);
 }
+
+/// False for a struct that an older sender does not know: a null pointer reads as one without data.
+template <class Reader>
+bool wasSent(Reader in) {
+  return capnp::AnyStruct::Reader(in).getDataSection().size() != 0;
+}
+
+inline constexpr std::array<double, 4> kNoTurn = {1, 0, 0, 0};  // w, x, y, z
+inline constexpr std::array<double, 12> kNoMotion = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
 
 inline void toWire(const std::array<double, 2>& slot, wire::Vec2::Builder out) {
   out.setX(slot[0]);
@@ -94,7 +104,7 @@ inline Errc fromWire(wire::Vec4::Reader in, std::array<double, 4>& slot) {
 }
 
 inline Errc fromWire(wire::Quat::Reader in, std::array<double, 4>& slot) {
-  slot = {in.getW(), in.getX(), in.getY(), in.getZ()};
+  slot = wasSent(in) ? std::array{in.getW(), in.getX(), in.getY(), in.getZ()} : kNoTurn;
   return Errc{};
 }
 
@@ -113,6 +123,7 @@ inline Errc fromWire(wire::Mat4::Reader in, std::array<double, 16>& slot) {
 
 /// A transform whose linear part may be anything.
 inline Errc fromWireAffine(wire::Pose::Reader in, std::array<double, 12>& slot) {
+  if (!wasSent(in)) return slot = kNoMotion, Errc{};
   slot = {in.getM00(), in.getM10(), in.getM20(), in.getM01(), in.getM11(), in.getM21(),
           in.getM02(), in.getM12(), in.getM22(), in.getX(),   in.getY(),   in.getZ()};
   return Errc{};
@@ -120,9 +131,9 @@ inline Errc fromWireAffine(wire::Pose::Reader in, std::array<double, 12>& slot) 
 
 inline Errc fromWire(wire::Pose::Reader in, std::array<double, 12>& slot) {
   fromWireAffine(in, slot);
-  // What was not sent reads as zeros, and no rotation has a column of them.
-  const bool sent = slot[0] != 0 || slot[1] != 0 || slot[2] != 0;
-  return sent ? Errc{} : Errc::Invalid;
+  // No rotation has a column of zeros: nobody set this one.
+  const bool set = slot[0] != 0 || slot[1] != 0 || slot[2] != 0;
+  return set ? Errc{} : Errc::Invalid;
 }
 
 }  // namespace suture::rpc

@@ -4,7 +4,12 @@
 //
 //   toWire(slot, builder)     slot -> message; the builder has the slot's size already
 //   fromWire(reader, slot)    message -> slot; Errc::TooLarge or Errc::Invalid if it is not what
-//   the header says isValid(slot)             may the provider act on it: every number is finite
+//                             the header says
+//   isValid(slot)             may the provider act on it: every number is finite
+//
+// What an older sender does not know reads as nothing: as zero, as empty, as the identity of a
+// rotation, as a struct of which no member was sent. Where the header says otherwise, generated
+// code calls fromDefault().
 
 #include <suture/transport/rpc/kj_comparisons.h>  // first
 
@@ -31,6 +36,12 @@ inline Errc firstError(std::initializer_list<Errc> errors) {
     if (error != Errc{}) return error;
   }
   return Errc{};
+}
+
+/// Of a member that was not sent: `value` is what its struct's constructor gives it.
+template <class Value, class Slot>
+Errc fromDefault(const Value& value, Slot& slot) {
+  return store(value, slot) ? Errc{} : Errc::TooLarge;
 }
 
 /// What travels with every command.
@@ -105,8 +116,8 @@ Errc fromWire(const List& in, BoundedList<BoundedText<M>, N>& slot) {
   });
 }
 
-// --- arrays: lists of exactly their length. Eigen matrices without a named form are such arrays,
-// column-major.
+// --- arrays: lists of exactly their length, or empty ones where they were not sent. Eigen matrices
+// without a named form are such arrays, column-major.
 
 template <Number Element, std::size_t N, class List>
 void toWire(const std::array<Element, N>& slot, List out) {
@@ -114,6 +125,7 @@ void toWire(const std::array<Element, N>& slot, List out) {
 }
 template <class List, Number Element, std::size_t N>
 Errc fromWire(const List& in, std::array<Element, N>& slot) {
+  if (in.size() == 0) return slot.fill(Element{}), Errc{};
   if (in.size() != N) return Errc::Invalid;
   for (std::uint32_t i = 0; i < N; ++i) slot[i] = in[i];
   return Errc{};
@@ -125,6 +137,7 @@ void toWire(const std::array<Element, N>& slot, capnp::Data::Builder out) {
 }
 template <Number Element, std::size_t N>
 Errc fromWire(capnp::Data::Reader in, std::array<Element, N>& slot) {
+  if (in.size() == 0) return slot.fill(Element{}), Errc{};
   if (in.size() != sizeof(slot)) return Errc::Invalid;
   std::memcpy(slot.data(), in.begin(), in.size());
   return Errc{};
@@ -136,9 +149,11 @@ void toWireList(const std::array<Element, N>& slot, List out, const Convert& con
 }
 template <class List, class Element, std::size_t N, class Convert>
 Errc fromWireList(const List& in, std::array<Element, N>& slot, const Convert& convert) {
-  if (in.size() != N) return Errc::Invalid;
+  const bool sent = in.size() != 0;
+  if (sent && in.size() != N) return Errc::Invalid;
   for (std::uint32_t i = 0; i < N; ++i) {
-    if (const Errc error = convert(in[i], slot[i]); error != Errc{}) return error;
+    const auto item = sent ? in[i] : decltype(in[i])();
+    if (const Errc error = convert(item, slot[i]); error != Errc{}) return error;
   }
   return Errc{};
 }

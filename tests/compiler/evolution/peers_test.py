@@ -4,10 +4,10 @@
 """
 
 import argparse
-import subprocess
 import sys
-import tempfile
 import unittest
+
+from processes import talk
 
 PROGRAMS = {}
 
@@ -20,48 +20,23 @@ V2_BACK_FROM_V1 = "label='second' east=-2.5 weight=2.5 note='' mode=Off"
 
 
 class Peers(unittest.TestCase):
-    def talk(self, server, client):
-        """What the server printed behind "ready", and what the client did."""
-        with tempfile.TemporaryDirectory() as folder:
-            address = f"unix:{folder}/manager.sock"
-            manager = subprocess.Popen([PROGRAMS["manager"], "--listen", address], stdout=subprocess.PIPE, text=True)
-            self.addCleanup(manager.stdout.close)
-            try:
-                self.assertIn("ready", manager.stdout.readline())
-                return self.talk_at(address, server, client)
-            finally:
-                manager.terminate()
-                manager.wait(30)
-
-    def talk_at(self, address, server, client):
-        serving = subprocess.Popen([PROGRAMS[server], "serve", address], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                                   text=True)
-        try:
-            self.assertEqual(serving.stdout.readline(), "ready\n")
-            asked = subprocess.run([PROGRAMS[client], "ask", address], capture_output=True, text=True, timeout=60)
-            self.assertEqual(asked.returncode, 0, asked.stdout + asked.stderr)
-        finally:
-            served, _ = serving.communicate("\n", timeout=30)
-        self.assertEqual(serving.returncode, 0)
-        return served.splitlines(), asked.stdout.splitlines()
-
     def test_the_first_among_itself(self):
-        served, asked = self.talk("v1", "v1")
+        served, asked = talk(PROGRAMS, "v1", "v1")
         self.assertEqual(served, [f"got {V1_SEES_V1} speed=0.5"])
         self.assertEqual(asked, ["put: done", f"moved {V1_SEES_V1}", "mode: On"])
 
     def test_an_old_client_of_a_new_provider(self):
-        served, asked = self.talk("v2", "v1")
+        served, asked = talk(PROGRAMS, "v2", "v1")
         self.assertEqual(served, [f"got {V2_SEES_V1} speed=0.5 now=0"])
         self.assertEqual(asked, ["put: done", f"moved {V1_BACK_FROM_V2}", "mode: On"])
 
     def test_a_new_client_of_an_old_provider(self):
-        served, asked = self.talk("v1", "v2")
+        served, asked = talk(PROGRAMS, "v1", "v2")
         self.assertEqual(served, [f"got {V1_SEES_V2} speed=0.5"])
         self.assertEqual(asked, ["put: done", f"moved {V2_BACK_FROM_V1}", "mode: On", "clear: the provider does not have this command"])
 
     def test_the_second_among_itself(self):
-        served, asked = self.talk("v2", "v2")
+        served, asked = talk(PROGRAMS, "v2", "v2")
         self.assertEqual(served, [f"got {V2_SEES_V2} speed=0.5 now=1", "cleared"])
         self.assertEqual(asked, ["put: done", f"moved {V2_SEES_V2}", "mode: On", "clear: done"])
 

@@ -177,6 +177,7 @@ model::Header geometryHeader() {
   header.structs = {
       structure("robots::PoseStamped", {field("pose", isometry()), field("stamp", steadyTime()),
                                         field("valid", scalar(Scalar::Bool))})};
+  header.structs[0].fields[0].isPreset = true;
   header.structs[0].fields[2].defaultJson = "false";
   header.structs[0].doc.text = "A pose with its time.";
   return header;
@@ -222,6 +223,11 @@ model::Struct everything() {
   fields[3].defaultJson = "0.25";
   fields[3].doc.text = "Along the path.";
   fields[5].defaultJson = "\"Servo\"";
+  for (model::Field& one : fields) {
+    const Type::Shape shape = one.type.shape;
+    one.isPreset = shape == Type::Shape::Matrix || shape == Type::Shape::Quaternion;
+    if (shape == Type::Shape::Duration) one.defaultJson = "0.0";
+  }
   model::Struct result = structure("robots::Everything", std::move(fields));
   result.doc.text = "Every kind of member.\n\nTwo paragraphs.";
   return result;

@@ -32,6 +32,7 @@ using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
+using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
 using suture::rpc::inRange;
@@ -220,11 +221,11 @@ constexpr char kArmDescription[] = R"json(
 "kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 3}}, {"name": "jacobian", "type": {
 "kind": "matrix", "scalar": "Float64", "rows": 6, "columns": 7}}, {"name": "attitude", "type": {
 "kind": "quaternion", "scalar": "Float64"}}, {"name": "period", "type": {"kind": "duration",
-"period": "1/1000"}}, {"name": "when", "type": {"kind": "time", "clock": "steady"}}]}], "wire": [{
-"id": "@0x974e120931408f6d", "kind": "interface", "name": "Arm", "members": [{"at": 0,
-"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xa6aa5daf71e0a4ba"}, {
-"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {
-"at": 1, "name": "enable", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"period": "1/1000"}, "default": 0.0}, {"name": "when", "type": {"kind": "time", "clock": "steady"}}
+]}], "wire": [{"id": "@0x974e120931408f6d", "kind": "interface", "name": "Arm", "members": [{
+"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xa6aa5daf71e0a4ba"
+}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]
+}, {"at": 1, "name": "enable", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
 "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "servoCp", "is": "kind \"write\"",
 "parameters": [{"at": 0, "name": "goal", "is": "@0xe61654a89cf5f1dd"}, {"at": 1, "name": "sent",
 "is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "setSpeed", "is": "kind \"write\"",
@@ -464,15 +465,20 @@ Errc fromWire(wire::Everything::Reader in, EverythingSlot& slot, Duration shift)
       fromWireList(in.getModes(), slot.modes, [](auto item, std::int8_t& target) {
         return fromWire(item, target);
       }),
-      in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid,
+      fromWire(in.getGoal(), slot.goal, shift),
       fromWireList(in.getTrack(), slot.track, [&](auto item, PoseStampedSlot& target) {
         return fromWire(item, target, shift);
       }),
-      in.hasPoint() ? fromWire(in.getPoint(), slot.point) : Errc::Invalid,
-      fromWire(in.getPlane(), slot.plane),
-      in.hasInertia() ? fromWire(in.getInertia(), slot.inertia) : Errc::Invalid,
-      fromWire(in.getJacobian(), slot.jacobian),
-      in.hasAttitude() ? fromWire(in.getAttitude(), slot.attitude) : Errc::Invalid,
+      in.hasPoint() ? fromWire(in.getPoint(), slot.point)
+          : fromDefault(Everything().point, slot.point),
+      in.hasPlane() ? fromWire(in.getPlane(), slot.plane)
+          : fromDefault(Everything().plane, slot.plane),
+      in.hasInertia() ? fromWire(in.getInertia(), slot.inertia)
+          : fromDefault(Everything().inertia, slot.inertia),
+      in.hasJacobian() ? fromWire(in.getJacobian(), slot.jacobian)
+          : fromDefault(Everything().jacobian, slot.jacobian),
+      in.hasAttitude() ? fromWire(in.getAttitude(), slot.attitude)
+          : fromDefault(Everything().attitude, slot.attitude),
   });
 }
 

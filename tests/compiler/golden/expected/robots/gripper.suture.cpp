@@ -151,11 +151,11 @@ constexpr char kGripperDescription[] = R"json(
 "kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 3}}, {"name": "jacobian", "type": {
 "kind": "matrix", "scalar": "Float64", "rows": 6, "columns": 7}}, {"name": "attitude", "type": {
 "kind": "quaternion", "scalar": "Float64"}}, {"name": "period", "type": {"kind": "duration",
-"period": "1/1000"}}, {"name": "when", "type": {"kind": "time", "clock": "steady"}}]}], "wire": [{
-"id": "@0xb9e926d064e78714", "kind": "interface", "name": "Gripper", "members": [{"at": 0,
-"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0x9acb6a7a5fa48866"}, {
-"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {
-"at": 1, "name": "open", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "width",
+"period": "1/1000"}, "default": 0.0}, {"name": "when", "type": {"kind": "time", "clock": "steady"}}
+]}], "wire": [{"id": "@0xb9e926d064e78714", "kind": "interface", "name": "Gripper", "members": [{
+"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0x9acb6a7a5fa48866"
+}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]
+}, {"at": 1, "name": "open", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "width",
 "is": "Float64 unit \"m\""}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2,
 "name": "opening", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
 "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "Float64"}, {

@@ -14,6 +14,7 @@ using suture::Errc;
 using suture::load;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
+using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
@@ -128,7 +129,8 @@ void toWire(const KDLVectorSlot& slot, wire::Vector::Builder out) {
 }
 
 Errc fromWire(wire::Vector::Reader in, KDLVectorSlot& slot, Duration) {
-  return fromWire(in.getData(), slot.data);
+  return in.hasData() ? fromWire(in.getData(), slot.data)
+      : fromDefault(KDL::Vector().data, slot.data);
 }
 
 bool isValid(const KDLVectorSlot& slot) {
@@ -140,7 +142,8 @@ void toWire(const KDLRotationSlot& slot, wire::Rotation::Builder out) {
 }
 
 Errc fromWire(wire::Rotation::Reader in, KDLRotationSlot& slot, Duration) {
-  return fromWire(in.getData(), slot.data);
+  return in.hasData() ? fromWire(in.getData(), slot.data)
+      : fromDefault(KDL::Rotation().data, slot.data);
 }
 
 bool isValid(const KDLRotationSlot& slot) {
@@ -154,8 +157,8 @@ void toWire(const KDLFrameSlot& slot, wire::Frame::Builder out) {
 
 Errc fromWire(wire::Frame::Reader in, KDLFrameSlot& slot, Duration shift) {
   return firstError({
-      in.hasP() ? fromWire(in.getP(), slot.p, shift) : Errc::Invalid,
-      in.hasM() ? fromWire(in.getM(), slot.M, shift) : Errc::Invalid,
+      in.hasP() ? fromWire(in.getP(), slot.p, shift) : fromDefault(KDL::Frame().p, slot.p),
+      in.hasM() ? fromWire(in.getM(), slot.M, shift) : fromDefault(KDL::Frame().M, slot.M),
   });
 }
 
@@ -170,8 +173,10 @@ void toWire(const KDLTwistSlot& slot, wire::Twist::Builder out) {
 
 Errc fromWire(wire::Twist::Reader in, KDLTwistSlot& slot, Duration shift) {
   return firstError({
-      in.hasVel() ? fromWire(in.getVel(), slot.vel, shift) : Errc::Invalid,
-      in.hasRot() ? fromWire(in.getRot(), slot.rot, shift) : Errc::Invalid,
+      in.hasVel() ? fromWire(in.getVel(), slot.vel, shift)
+          : fromDefault(KDL::Twist().vel, slot.vel),
+      in.hasRot() ? fromWire(in.getRot(), slot.rot, shift)
+          : fromDefault(KDL::Twist().rot, slot.rot),
   });
 }
 
@@ -186,8 +191,10 @@ void toWire(const KDLWrenchSlot& slot, wire::Wrench::Builder out) {
 
 Errc fromWire(wire::Wrench::Reader in, KDLWrenchSlot& slot, Duration shift) {
   return firstError({
-      in.hasForce() ? fromWire(in.getForce(), slot.force, shift) : Errc::Invalid,
-      in.hasTorque() ? fromWire(in.getTorque(), slot.torque, shift) : Errc::Invalid,
+      in.hasForce() ? fromWire(in.getForce(), slot.force, shift)
+          : fromDefault(KDL::Wrench().force, slot.force),
+      in.hasTorque() ? fromWire(in.getTorque(), slot.torque, shift)
+          : fromDefault(KDL::Wrench().torque, slot.torque),
   });
 }
 
@@ -200,7 +207,8 @@ void toWire(const KDLJntArraySlot& slot, wire::Joints::Builder out) {
 }
 
 Errc fromWire(wire::Joints::Reader in, KDLJntArraySlot& slot, Duration) {
-  return fromWire(in.getData(), slot.data);
+  return in.hasData() ? fromWire(in.getData(), slot.data)
+      : fromDefault(KDL::JntArray().data, slot.data);
 }
 
 bool isValid(const KDLJntArraySlot& slot) {
@@ -219,10 +227,10 @@ void toWire(const MotionSlot& slot, wire::Motion::Builder out) {
 
 Errc fromWire(wire::Motion::Reader in, MotionSlot& slot, Duration shift) {
   return firstError({
-      in.hasFrame() ? fromWire(in.getFrame(), slot.frame, shift) : Errc::Invalid,
-      in.hasTwist() ? fromWire(in.getTwist(), slot.twist, shift) : Errc::Invalid,
-      in.hasWrench() ? fromWire(in.getWrench(), slot.wrench, shift) : Errc::Invalid,
-      in.hasJoints() ? fromWire(in.getJoints(), slot.joints, shift) : Errc::Invalid,
+      fromWire(in.getFrame(), slot.frame, shift),
+      fromWire(in.getTwist(), slot.twist, shift),
+      fromWire(in.getWrench(), slot.wrench, shift),
+      fromWire(in.getJoints(), slot.joints, shift),
   });
 }
 

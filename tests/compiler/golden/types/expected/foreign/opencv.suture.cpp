@@ -23,6 +23,7 @@ using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
+using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
 using suture::rpc::isValid;
@@ -159,7 +160,7 @@ void toWire(const cvMatx33dSlot& slot, wire::Matx33d::Builder out) {
 }
 
 Errc fromWire(wire::Matx33d::Reader in, cvMatx33dSlot& slot, Duration) {
-  return fromWire(in.getVal(), slot.val);
+  return in.hasVal() ? fromWire(in.getVal(), slot.val) : fromDefault(cv::Matx33d().val, slot.val);
 }
 
 bool isValid(const cvMatx33dSlot& slot) {
@@ -176,7 +177,7 @@ void toWire(const ViewSlot& slot, wire::View::Builder out) {
 
 Errc fromWire(wire::View::Reader in, ViewSlot& slot, Duration shift) {
   return firstError({
-      in.hasIntrinsics() ? fromWire(in.getIntrinsics(), slot.intrinsics, shift) : Errc::Invalid,
+      fromWire(in.getIntrinsics(), slot.intrinsics, shift),
       fromWireList(in.getPoints(), slot.points, [&](auto item, cvPoint3dSlot& target) {
         return fromWire(item, target, shift);
       }),

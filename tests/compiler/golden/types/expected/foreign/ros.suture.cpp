@@ -13,6 +13,7 @@ using suture::Duration;
 using suture::Errc;
 using suture::load;
 using suture::rpc::firstError;
+using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
@@ -185,8 +186,10 @@ void toWire(const HeaderSlot& slot, wire::Header::Builder out) {
 Errc fromWire(wire::Header::Reader in, HeaderSlot& slot, Duration shift) {
   slot.seq = in.getSeq();
   return firstError({
-      in.hasStamp() ? fromWire(in.getStamp(), slot.stamp, shift) : Errc::Invalid,
-      fromWire(in.getFrameId(), slot.frame_id),
+      in.hasStamp() ? fromWire(in.getStamp(), slot.stamp, shift)
+          : fromDefault(Header().stamp, slot.stamp),
+      in.hasFrameId() ? fromWire(in.getFrameId(), slot.frame_id)
+          : fromDefault(Header().frame_id, slot.frame_id),
   });
 }
 
@@ -237,8 +240,10 @@ void toWire(const PoseSlot& slot, wire::Pose::Builder out) {
 
 Errc fromWire(wire::Pose::Reader in, PoseSlot& slot, Duration shift) {
   return firstError({
-      in.hasPosition() ? fromWire(in.getPosition(), slot.position, shift) : Errc::Invalid,
-      in.hasOrientation() ? fromWire(in.getOrientation(), slot.orientation, shift) : Errc::Invalid,
+      in.hasPosition() ? fromWire(in.getPosition(), slot.position, shift)
+          : fromDefault(Pose().position, slot.position),
+      in.hasOrientation() ? fromWire(in.getOrientation(), slot.orientation, shift)
+          : fromDefault(Pose().orientation, slot.orientation),
   });
 }
 
@@ -253,8 +258,10 @@ void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {
 
 Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, Duration shift) {
   return firstError({
-      in.hasHeader() ? fromWire(in.getHeader(), slot.header, shift) : Errc::Invalid,
-      in.hasPose() ? fromWire(in.getPose(), slot.pose, shift) : Errc::Invalid,
+      in.hasHeader() ? fromWire(in.getHeader(), slot.header, shift)
+          : fromDefault(PoseStamped().header, slot.header),
+      in.hasPose() ? fromWire(in.getPose(), slot.pose, shift)
+          : fromDefault(PoseStamped().pose, slot.pose),
   });
 }
 
@@ -272,11 +279,15 @@ void toWire(const JointStateSlot& slot, wire::JointState::Builder out) {
 
 Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, Duration shift) {
   return firstError({
-      in.hasHeader() ? fromWire(in.getHeader(), slot.header, shift) : Errc::Invalid,
-      fromWire(in.getName(), slot.name),
-      fromWire(in.getPosition(), slot.position),
-      fromWire(in.getVelocity(), slot.velocity),
-      fromWire(in.getEffort(), slot.effort),
+      in.hasHeader() ? fromWire(in.getHeader(), slot.header, shift)
+          : fromDefault(JointState().header, slot.header),
+      in.hasName() ? fromWire(in.getName(), slot.name) : fromDefault(JointState().name, slot.name),
+      in.hasPosition() ? fromWire(in.getPosition(), slot.position)
+          : fromDefault(JointState().position, slot.position),
+      in.hasVelocity() ? fromWire(in.getVelocity(), slot.velocity)
+          : fromDefault(JointState().velocity, slot.velocity),
+      in.hasEffort() ? fromWire(in.getEffort(), slot.effort)
+          : fromDefault(JointState().effort, slot.effort),
   });
 }
 

@@ -14,6 +14,7 @@ using suture::Errc;
 using suture::load;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
+using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
@@ -74,7 +75,8 @@ Errc fromWire(wire::Bulk::Reader in, BulkSlot& slot, Duration) {
       fromWire(in.getTriple(), slot.triple),
       fromWire(in.getBytes(), slot.bytes),
       fromWire(in.getLine(), slot.line),
-      fromWire(in.getJacobian(), slot.jacobian),
+      in.hasJacobian() ? fromWire(in.getJacobian(), slot.jacobian)
+          : fromDefault(Bulk().jacobian, slot.jacobian),
       fromWire(in.getImage(), slot.image),
   });
 }

@@ -184,7 +184,7 @@ void toWire(const StampedPointSlot& slot, wire::StampedPoint::Builder out) {
 
 Errc fromWire(wire::StampedPoint::Reader in, StampedPointSlot& slot, Duration shift) {
   slot.time = in.getTime();
-  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+  return fromWire(in.getValue(), slot.value, shift);
 }
 
 bool isValid(const StampedPointSlot& slot) {
@@ -199,9 +199,9 @@ void toWire(const ToolSlot& slot, wire::Tool::Builder out) {
 
 Errc fromWire(wire::Tool::Reader in, ToolSlot& slot, Duration shift) {
   return firstError({
-      in.hasBase() ? fromWire(in.getBase(), slot.base, shift) : Errc::Invalid,
-      in.hasBasePoint() ? fromWire(in.getBasePoint(), slot.basePoint, shift) : Errc::Invalid,
-      in.hasLast() ? fromWire(in.getLast(), slot.last, shift) : Errc::Invalid,
+      fromWire(in.getBase(), slot.base, shift),
+      fromWire(in.getBasePoint(), slot.basePoint, shift),
+      fromWire(in.getLast(), slot.last, shift),
   });
 }
 
@@ -247,7 +247,7 @@ Errc fromWire(wire::ShapesClassesOptionalTree::Reader in, suture::OpenOptional<T
   if (in.isNone()) return slot.present = 0, Errc{};
   if (!in.isSome()) return Errc::Invalid;
   engage(slot);
-  return in.hasSome() ? fromWire(in.getSome(), *slot.value, shift) : Errc::Invalid;
+  return fromWire(in.getSome(), *slot.value, shift);
 }
 
 void toWire(const TreeSlot& slot, wire::Tree::Builder out) {
@@ -289,10 +289,10 @@ void toWire(const ClassesSlot& slot, wire::Classes::Builder out) {
 
 Errc fromWire(wire::Classes::Reader in, ClassesSlot& slot, Duration shift) {
   return firstError({
-      in.hasTool() ? fromWire(in.getTool(), slot.tool, shift) : Errc::Invalid,
-      in.hasLevel() ? fromWire(in.getLevel(), slot.level, shift) : Errc::Invalid,
-      in.hasCounter() ? fromWire(in.getCounter(), slot.counter, shift) : Errc::Invalid,
-      in.hasPolar() ? fromWire(in.getPolar(), slot.polar, shift) : Errc::Invalid,
+      fromWire(in.getTool(), slot.tool, shift),
+      fromWire(in.getLevel(), slot.level, shift),
+      fromWire(in.getCounter(), slot.counter, shift),
+      fromWire(in.getPolar(), slot.polar, shift),
       fromWireList(in.getSpiral(), slot.spiral, [&](auto item, PointSlot& target) {
         return fromWire(item, target, shift);
       }),

@@ -11,7 +11,7 @@ namespace suture {
 /// What SUTURE_FRIEND() lets generated code reach.
 template <>
 struct Members<shapes::Counter> {
-  static auto& count_(auto& value) { return value.count_; }
+  static auto& count_(auto&& value) { return value.count_; }
 };
 
 }  // namespace suture

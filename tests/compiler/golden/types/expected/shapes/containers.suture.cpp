@@ -24,6 +24,7 @@ using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
+using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
 using suture::rpc::inRange;
@@ -211,35 +212,36 @@ constexpr char kStoreDescription[] = R"json(
 "name": "wrenches", "type": {"kind": "list", "element": {"kind": "matrix", "scalar": "Float32",
 "rows": 6, "columns": 1}, "capacity": 3}}, {"name": "scaled", "type": {"kind": "affine",
 "scalar": "Float64"}}, {"name": "wait", "type": {"kind": "duration", "period": "1/1000",
-"scalar": "Float64"}}]}], "wire": [{"id": "@0xbb0be3e4bb1e6be9", "kind": "interface",
-"name": "Store", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
-"name": "events", "is": "@0xe1e2cc5c73c90fe5"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
-"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "put", "is": "kind \"write\"",
-"parameters": [{"at": 0, "name": "value", "is": "@0xdd7a64a833e189af"}, {"at": 1, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "choose", "is": "kind \"write\"",
-"parameters": [{"at": 0, "name": "gain", "is": "@0x9a6cebde1c465fb4"}, {"at": 1, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "sequences", "is": "kind \"read\"",
+"scalar": "Float64"}, "default": 0.0}]}], "wire": [{"id": "@0xbb0be3e4bb1e6be9",
+"kind": "interface", "name": "Store", "members": [{"at": 0, "name": "subscribe", "parameters": [{
+"at": 0, "name": "events", "is": "@0xe1e2cc5c73c90fe5"}, {"at": 1, "name": "eventMask",
+"is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "put",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "value", "is": "@0xdd7a64a833e189af"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "choose",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "gain", "is": "@0x9a6cebde1c465fb4"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "sequences",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xdd7a64a833e189af"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 4, "name": "choices", "is": "kind \"read\"", "parameters": [{"at": 0,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0xbda4c87a7b3da61e"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 5,
+"name": "matrices", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xd5b880c1c2797353"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 6, "name": "reading", "is": "kind \"read\"",
 "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "@0xdd7a64a833e189af"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
-"at": 4, "name": "choices", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xbda4c87a7b3da61e"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 5, "name": "matrices", "is": "kind \"read\"",
-"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "@0xd5b880c1c2797353"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
-"at": 6, "name": "reading", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xfdb609e41c4ccca5"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xe1e2cc5c73c90fe5", "kind": "interface",
-"name": "StoreEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
-"name": "row", "is": "@0xca120faf75e33fa7"}]}, {"at": 1, "name": "changed", "parameters": [{
-"at": 0, "name": "value", "is": "@0x8f220204a5e1de49"}]}]}, {"id": "@0xca120faf75e33fa7",
-"kind": "struct", "name": "StoreStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {
-"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {
-"at": 3, "name": "sequences", "is": "@0xdd7a64a833e189af"}, {"at": 4, "name": "choices",
-"is": "@0xbda4c87a7b3da61e"}, {"at": 5, "name": "matrices", "is": "@0xd5b880c1c2797353"}, {"at": 6,
-"name": "reading", "is": "@0xfdb609e41c4ccca5"}]}, {"id": "@0xdd7a64a833e189af", "kind": "struct",
-"name": "Sequences", "members": [{"at": 0, "name": "bytes", "is": "Data"}, {"at": 1, "name": "one",
-"is": "UInt8"}, {"at": 2, "name": "row", "is": "List(Float64) shape \"3\""}, {"at": 3,
-"name": "grid", "is": "List(List(Int32)) shape \"2,3\""}, {"at": 4, "name": "corners",
+"name": "value", "is": "@0xfdb609e41c4ccca5"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xe1e2cc5c73c90fe5", "kind": "interface", "name": "StoreEvents", "members": [{"at": 0,
+"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xca120faf75e33fa7"}]}, {"at": 1,
+"name": "changed", "parameters": [{"at": 0, "name": "value", "is": "@0x8f220204a5e1de49"}]}]}, {
+"id": "@0xca120faf75e33fa7", "kind": "struct", "name": "StoreStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "sequences", "is": "@0xdd7a64a833e189af"}, {
+"at": 4, "name": "choices", "is": "@0xbda4c87a7b3da61e"}, {"at": 5, "name": "matrices",
+"is": "@0xd5b880c1c2797353"}, {"at": 6, "name": "reading", "is": "@0xfdb609e41c4ccca5"}]}, {
+"id": "@0xdd7a64a833e189af", "kind": "struct", "name": "Sequences", "members": [{"at": 0,
+"name": "bytes", "is": "Data"}, {"at": 1, "name": "one", "is": "UInt8"}, {"at": 2, "name": "row",
+"is": "List(Float64) shape \"3\""}, {"at": 3, "name": "grid",
+"is": "List(List(Int32)) shape \"2,3\""}, {"at": 4, "name": "corners",
 "is": "List(@0xb51a57f43829556b) shape \"2\""}, {"at": 5, "name": "path",
 "is": "List(@0xb51a57f43829556b)"}, {"at": 6, "name": "bits", "is": "List(Bool)"}, {"at": 7,
 "name": "flags", "is": "List(Bool)"}, {"at": 8, "name": "numbers", "is": "List(Int32)"}, {"at": 9,
@@ -519,7 +521,7 @@ void toWire(const suture::SlotEntry<std::uint16_t, PointSlot>& slot,
 Errc fromWire(wire::ShapesContainersEntryOfUInt16ToPoint::Reader in,
               suture::SlotEntry<std::uint16_t, PointSlot>& slot, Duration shift) {
   slot.key = in.getKey();
-  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+  return fromWire(in.getValue(), slot.value, shift);
 }
 
 void toWire(const suture::SlotEntry<suture::BoundedText<4>, suture::BoundedList<float, 3>>& slot,
@@ -707,7 +709,7 @@ Errc fromWire(wire::ShapesContainersOptionalPoint::Reader in, suture::SlotOption
   if (in.isNone()) return slot.present = 0, Errc{};
   if (!in.isSome()) return Errc::Invalid;
   slot.present = 1;
-  return in.hasSome() ? fromWire(in.getSome(), slot.value, shift) : Errc::Invalid;
+  return fromWire(in.getSome(), slot.value, shift);
 }
 
 void toWire(const suture::SlotOptional<suture::BoundedList<PointSlot, 2>>& slot,
@@ -769,7 +771,7 @@ Errc fromWire(wire::ShapesContainersOptionalVec3::Reader in,
   if (in.isNone()) return slot.present = 0, Errc{};
   if (!in.isSome()) return Errc::Invalid;
   slot.present = 1;
-  return in.hasSome() ? fromWire(in.getSome(), slot.value) : Errc::Invalid;
+  return fromWire(in.getSome(), slot.value);
 }
 
 void toWire(const suture::SlotTuple<std::int32_t, double>& slot,
@@ -798,7 +800,7 @@ Errc fromWire(wire::ShapesContainersTupleOfBoolAndTextAndPoint::Reader in,
   suture::item<0>(slot) = in.getItem0();
   return firstError({
       fromWire(in.getItem1(), suture::item<1>(slot)),
-      in.hasItem2() ? fromWire(in.getItem2(), suture::item<2>(slot), shift) : Errc::Invalid,
+      fromWire(in.getItem2(), suture::item<2>(slot), shift),
   });
 }
 
@@ -826,8 +828,7 @@ Errc fromWire(wire::ShapesContainersEitherOfNothingOrFloat64OrPointOrTextOrFloat
   }
   if (in.isPoint()) {
     slot.index = 2;
-    return in.hasPoint() ? fromWire(in.getPoint(), suture::alternative<2>(slot), shift)
-        : Errc::Invalid;
+    return fromWire(in.getPoint(), suture::alternative<2>(slot), shift);
   }
   if (in.isText()) {
     slot.index = 3;
@@ -892,10 +893,10 @@ Errc fromWire(wire::Choices::Reader in, ChoicesSlot& slot, Duration shift) {
       fromWireList(in.getSeen(), slot.seen, [&](auto item, auto& target) {
         return fromWire(item, target, shift);
       }),
-      in.hasEntry() ? fromWire(in.getEntry(), slot.entry, shift) : Errc::Invalid,
-      in.hasTriple() ? fromWire(in.getTriple(), slot.triple, shift) : Errc::Invalid,
-      in.hasEither() ? fromWire(in.getEither(), slot.either, shift) : Errc::Invalid,
-      in.hasNested() ? fromWire(in.getNested(), slot.nested, shift) : Errc::Invalid,
+      fromWire(in.getEntry(), slot.entry, shift),
+      fromWire(in.getTriple(), slot.triple, shift),
+      fromWire(in.getEither(), slot.either, shift),
+      fromWire(in.getNested(), slot.nested, shift),
       fromWire(in.getOwned(), slot.owned, shift),
   });
 }
@@ -937,10 +938,12 @@ Errc fromWire(wire::Matrices::Reader in, MatricesSlot& slot, Duration) {
       fromWire(in.getCounts(), slot.counts),
       suture::rpc::fromWireFlat(in.getColumns(), slot.columns),
       fromWire(in.getLimited(), slot.limited),
-      fromWire(in.getFixed(), slot.fixed),
+      in.hasFixed() ? fromWire(in.getFixed(), slot.fixed)
+          : fromDefault(Matrices().fixed, slot.fixed),
       suture::rpc::fromWireFlat(in.getCloud(), slot.cloud),
       suture::rpc::fromWireFlat(in.getWrenches(), slot.wrenches),
-      in.hasScaled() ? suture::rpc::fromWireAffine(in.getScaled(), slot.scaled) : Errc::Invalid,
+      in.hasScaled() ? suture::rpc::fromWireAffine(in.getScaled(), slot.scaled)
+          : fromDefault(Matrices().scaled, slot.scaled),
   });
 }
 
@@ -985,8 +988,7 @@ Errc fromWire(wire::ShapesContainersEitherOfFloat64OrPoint::Reader in,
   }
   if (in.isPoint()) {
     slot.index = 1;
-    return in.hasPoint() ? fromWire(in.getPoint(), suture::alternative<1>(slot), shift)
-        : Errc::Invalid;
+    return fromWire(in.getPoint(), suture::alternative<1>(slot), shift);
   }
   return Errc::Invalid;
 }

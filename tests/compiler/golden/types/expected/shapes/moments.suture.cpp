@@ -371,7 +371,7 @@ Errc fromWire(wire::ShapesMomentsOptionalMoment::Reader in, suture::SlotOptional
   if (in.isNone()) return slot.present = 0, Errc{};
   if (!in.isSome()) return Errc::Invalid;
   slot.present = 1;
-  return in.hasSome() ? fromWire(in.getSome(), slot.value, shift) : Errc::Invalid;
+  return fromWire(in.getSome(), slot.value, shift);
 }
 
 void toWire(const suture::SlotTuple<std::int64_t, std::int64_t, MomentSlot>& slot,
@@ -385,7 +385,7 @@ Errc fromWire(wire::ShapesMomentsTupleOfInt64AndSteadyTimeAndMoment::Reader in,
               suture::SlotTuple<std::int64_t, std::int64_t, MomentSlot>& slot, Duration shift) {
   suture::item<0>(slot) = in.getItem0();
   suture::item<1>(slot) = suture::rpc::shifted(in.getItem1(), shift);
-  return in.hasItem2() ? fromWire(in.getItem2(), suture::item<2>(slot), shift) : Errc::Invalid;
+  return fromWire(in.getItem2(), suture::item<2>(slot), shift);
 }
 
 void toWire(const suture::SlotVariant<std::int64_t, std::int64_t, MomentSlot>& slot,
@@ -409,8 +409,7 @@ Errc fromWire(wire::ShapesMomentsEitherOfInt64OrSteadyTimeOrMoment::Reader in,
   }
   if (in.isMoment()) {
     slot.index = 2;
-    return in.hasMoment() ? fromWire(in.getMoment(), suture::alternative<2>(slot), shift)
-        : Errc::Invalid;
+    return fromWire(in.getMoment(), suture::alternative<2>(slot), shift);
   }
   return Errc::Invalid;
 }
@@ -458,8 +457,8 @@ Errc fromWire(wire::Moments::Reader in, MomentsSlot& slot, Duration shift) {
       }),
       fromWire(in.getPerhaps(), slot.perhaps, shift),
       fromWire(in.getMoment(), slot.moment, shift),
-      in.hasEntry() ? fromWire(in.getEntry(), slot.entry, shift) : Errc::Invalid,
-      in.hasEither() ? fromWire(in.getEither(), slot.either, shift) : Errc::Invalid,
+      fromWire(in.getEntry(), slot.entry, shift),
+      fromWire(in.getEither(), slot.either, shift),
   });
 }
 

@@ -370,7 +370,7 @@ Errc fromWire(wire::ShapesOpenEntryOfTextToRoot::Reader in,
               suture::SlotEntry<suture::OpenText, RootSlot>& slot, Duration shift) {
   return firstError({
       fromWire(in.getKey(), slot.key),
-      in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid,
+      fromWire(in.getValue(), slot.value, shift),
   });
 }
 
@@ -403,7 +403,7 @@ Errc fromWire(wire::ShapesOpenOptionalRoot::Reader in, suture::OpenOptional<Root
   if (in.isNone()) return slot.present = 0, Errc{};
   if (!in.isSome()) return Errc::Invalid;
   engage(slot);
-  return in.hasSome() ? fromWire(in.getSome(), *slot.value, shift) : Errc::Invalid;
+  return fromWire(in.getSome(), *slot.value, shift);
 }
 
 void toWire(const RootSlot& slot, wire::Root::Builder out) {
@@ -497,8 +497,7 @@ Errc fromWire(wire::ShapesOpenEitherOfNothingOrTextOrPoint::Reader in,
   }
   if (in.isPoint()) {
     slot.index = 2;
-    return in.hasPoint() ? fromWire(in.getPoint(), suture::alternative<2>(slot), shift)
-        : Errc::Invalid;
+    return fromWire(in.getPoint(), suture::alternative<2>(slot), shift);
   }
   return Errc::Invalid;
 }
@@ -570,14 +569,14 @@ Errc fromWire(wire::Open::Reader in, OpenSlot& slot, Duration shift) {
         return fromWire(item, target, shift);
       }),
       fromWire(in.getNote(), slot.note, shift),
-      in.hasEither() ? fromWire(in.getEither(), slot.either, shift) : Errc::Invalid,
-      in.hasEntry() ? fromWire(in.getEntry(), slot.entry, shift) : Errc::Invalid,
+      fromWire(in.getEither(), slot.either, shift),
+      fromWire(in.getEntry(), slot.entry, shift),
       fromWire(in.getJoints(), slot.joints),
       fromWire(in.getAny(), slot.any),
       fromWire(in.getWide(), slot.wide),
       suture::rpc::fromWireFlat(in.getCloud(), slot.cloud),
       fromWire(in.getImage(), slot.image),
-      in.hasRoot() ? fromWire(in.getRoot(), slot.root, shift) : Errc::Invalid,
+      fromWire(in.getRoot(), slot.root, shift),
   });
 }
 

@@ -1,0 +1,54 @@
+"""A member, a base and a parameter of every kind that an older process does not know take their defaults in a newer one.
+
+  kinds_test.py --manager SUTURE_MANAGER --v1 PROGRAM --v2 PROGRAM
+"""
+
+import argparse
+import sys
+import unittest
+
+import kinds
+from processes import talk
+
+PROGRAMS = {}
+
+MEMBERS = {"base": "'b'", **{name: text for name, _, text in kinds.ADDED}}
+PARAMETERS = {name: text for name, _, _, text in kinds.PARAMETERS}
+
+
+def values(lines, source):
+    """What a process printed of the members that came from `source`."""
+    words = [line.split(" ", 2) for line in lines]
+    return {one[1]: one[2] for one in words if one[0] == source}
+
+
+class Kinds(unittest.TestCase):
+    maxDiff = None
+
+    def test_a_new_provider_of_an_old_client(self):
+        served, asked = talk(PROGRAMS, server="v2", client="v1")
+        self.assertEqual(asked[0], "put: done")
+        self.assertEqual(values(served, "argument"), {"x": "2.5", **MEMBERS})
+        self.assertEqual(values(served, "parameter"), PARAMETERS)
+        self.assertEqual(values(asked, "event"), {"x": "2.5"})
+        self.assertEqual(values(asked, "row"), {"x": "1.5"})
+
+    def test_a_new_client_of_an_old_provider(self):
+        served, asked = talk(PROGRAMS, server="v1", client="v2")
+        self.assertEqual(asked[0], "put: done")
+        self.assertEqual(values(served, "argument"), {"x": "2.5"})
+        self.assertEqual(values(asked, "event"), {"x": "2.5", **MEMBERS})
+        self.assertEqual(values(asked, "row"), {"x": "1.5", **MEMBERS})
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    for name in ("manager", "v1", "v2"):
+        parser.add_argument(f"--{name}", required=True)
+    arguments, rest = parser.parse_known_args()
+    PROGRAMS.update(vars(arguments))
+    unittest.main(argv=[sys.argv[0], *rest])
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,31 @@
+"""Two processes that talk to each other by a manager of their own."""
+
+import subprocess
+import tempfile
+
+
+def talk(programs, server, client):
+    """What the server printed behind "ready", and what the client printed, line by line."""
+    with tempfile.TemporaryDirectory() as folder:
+        address = f"unix:{folder}/manager.sock"
+        with subprocess.Popen([programs["manager"], "--listen", address], stdout=subprocess.PIPE, text=True) as manager:
+            try:
+                first = manager.stdout.readline()
+                assert "ready" in first, first
+                return talk_at(address, programs[server], programs[client])
+            finally:
+                manager.terminate()
+                manager.wait(30)
+
+
+def talk_at(address, server, client):
+    serving = subprocess.Popen([server, "serve", address], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    try:
+        first = serving.stdout.readline()
+        assert first == "ready\n", first
+        asked = subprocess.run([client, "ask", address], capture_output=True, text=True, timeout=60)
+        assert asked.returncode == 0, asked.stdout + asked.stderr
+    finally:
+        served, _ = serving.communicate("\n", timeout=30)
+    assert serving.returncode == 0, served
+    return served.splitlines(), asked.stdout.splitlines()
