@@ -6,6 +6,7 @@ void CallbackTask::start() {
   if (running_ && state() == ComponentState::Faulted) return;
   if (running_) requireLegal(name(), state(), Transition::Start);
   prepare();
+  setEnding(false);
   enter();
   restUntilTriggered();
   releaseThread();
@@ -13,6 +14,7 @@ void CallbackTask::start() {
 }
 
 void CallbackTask::stop() {
+  setEnding(true);
   if (!running_.exchange(false)) return;
   while (cycling_.test_and_set(std::memory_order_seq_cst)) cycleEnded_.wait();
   claimThread();

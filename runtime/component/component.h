@@ -98,6 +98,10 @@ class Component {
   bool mayRunHandlers() const;
   /// True if they belong to another thread; nobody's are free for all, as in the constructor.
   bool ownedByAnotherThread() const;
+  /// Any thread: true once a task is asked to stop. It begins nothing any more that waits.
+  bool ending() const {
+    return ending_.load(std::memory_order_acquire) || (lender_ != nullptr && lender_->ending());
+  }
 
  protected:
   explicit Component(bool ownsThread);
@@ -130,6 +134,8 @@ class Component {
   /// Stops what runs or is suspended, and tells all clients that they are lost.
   void endLife();
 
+  void setEnding(bool ending) { ending_.store(ending, std::memory_order_release); }
+
   void claimForThisThread();
   /// This component's work is done by the thread of `lender`, which must be woken for it.
   void borrowThread(Component& lender) { lender_ = &lender; }
@@ -161,6 +167,7 @@ class Component {
   std::string name_ = "(unnamed)";
   std::atomic<std::uint64_t> faults_{0};
   std::atomic_flag parked_ = ATOMIC_FLAG_INIT;
+  std::atomic<bool> ending_{false};
   std::atomic<ComponentState> state_{ComponentState::Constructed};
   std::atomic<std::int64_t> resumed_{0};  // ns; an atomic Time compiles longer
   std::vector<ProvidedBase*> provided_;

@@ -5,7 +5,7 @@ namespace suture {
 
 bool ContinuousTask::awaitCycle() {
   if (VirtualTime* const time = virtualTime(); time != nullptr) time->spend(kLeastCycle);
-  return !stopping();
+  return !ending();
 }
 
 }  // namespace suture

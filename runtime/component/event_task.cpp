@@ -3,14 +3,14 @@
 namespace suture {
 
 bool EventTask::awaitCycle() {
-  if (stopping() || workPending()) return !stopping();
+  if (ending() || workPending()) return !ending();
   // What was rung for during the cycle may have been taken in it, by a wait or a poll.
   const bool work = doorbell().takeRing() == rt::RungFor::Work;
-  if (work || workPending()) return !stopping();
+  if (work || workPending()) return !ending();
   const Time due = now() + longestSleep_;
   mutablePulse().sleep(due);
   sleepForWork(due);
-  return !stopping();
+  return !ending();
 }
 
 }  // namespace suture

@@ -89,7 +89,7 @@ std::size_t RequiredBase::handleQueuedEvents() {
   noteTaking();
   std::size_t handled = 0;
   // A provider that emits faster than they are handled must not keep the task from its cycle.
-  while (handled < channel->events.capacity()) {
+  while (handled < channel->events.capacity() && !owner_.ending()) {
     const rt::EventRecord* const record = channel->events.next();
     if (record == nullptr) break;
     // Released even if the handler throws: it must not meet the same event again.

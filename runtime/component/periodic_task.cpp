@@ -19,10 +19,10 @@ void PeriodicTask::beginCycles() { period_.begin(now()); }
 bool PeriodicTask::awaitCycle() {
   const Time due = period_.advance(now());
   mutablePulse().sleep(due);
-  while (!stopping() && now() < due) stopBell().waitUntil(due);
+  while (!ending() && now() < due) stopBell().waitUntil(due);
   mutableStatistics().lateness.record(now() - due);
   mutableStatistics().skipped.store(period_.skipped(), std::memory_order_relaxed);
-  return !stopping();
+  return !ending();
 }
 
 }  // namespace suture

@@ -143,15 +143,14 @@ void ProvidedBase::drain() {
     owner_.ringNow();  // a bell that is due may go with its channel
     channels_.letGo();
   }
-  const Errc refusal = inService() ? Errc{} : errorOf(statusIn(owner_.state()));
-  channels_.forEach([this, refusal](ChannelList::Node& node) {
+  channels_.forEach([this](ChannelList::Node& node) {
     Channel& channel = *node.channel;
     if (channel.asked != nullptr) state_->askAll(channel.asked->load(std::memory_order_acquire));
     const bool any = channel.commands.pending();
     // Fixed first: the events of a command meet those who subscribed before they sent it.
     if (any) channel.commands.fixCut();
     greet(node);
-    if (any) drain(channel, refusal);
+    if (any) drain(channel);
   });
 }
 
@@ -173,9 +172,14 @@ void ProvidedBase::greetLocal(Channel& channel) {
   replay(channel, joining, memory);
 }
 
+Errc ProvidedBase::refusal() const {
+  if (owner_.ending()) return Errc::Lost;
+  return inService() ? Errc{} : errorOf(statusIn(owner_.state()));
+}
+
 // A handler may take long, and the process may be stopped at any moment: what has become of a
-// command, and of its connection, is judged when its turn comes.
-void ProvidedBase::drain(Channel& channel, Errc refusal) {
+// command, of its connection and of this component, is judged when its turn comes.
+void ProvidedBase::drain(Channel& channel) {
   const Time drainStart = now();
   const Time resumed = everyState_ ? Time{} : owner_.resumed();
   bool first = true;
@@ -185,8 +189,8 @@ void ProvidedBase::drain(Channel& channel, Errc refusal) {
     const Errc over = channel.begin(first || hasTtl || !channel.foreign);
     if (over != Errc{}) {
       turnAway(channel, *record, over);
-    } else if (refusal != Errc{}) {
-      turnAway(channel, *record, refusal);
+    } else if (const Errc refused = refusal(); refused != Errc{}) {
+      turnAway(channel, *record, refused);
     } else if (record->stamp < resumed) {
       turnAway(channel, *record, Errc::Suspended);
     } else {

@@ -98,7 +98,9 @@ class ProvidedBase {
 
   Errc emit(std::uint16_t event, const std::byte* slot, bool fits);
   void greet(ChannelList::Node& node);
-  void drain(Channel& channel, Errc refusal);
+  void drain(Channel& channel);
+  /// What commands that wait are answered now; 0: they are executed.
+  Errc refusal() const;
   /// Any thread, of a device in this process: gives `channel`, whose client just subscribed, the
   /// last values.
   void greetLocal(Channel& channel);

@@ -122,13 +122,15 @@ bool Task::mayRestart() {
   return true;
 }
 
+bool Task::goesOn() const { return state() == ComponentState::Running && !ending(); }
+
 void Task::work() {
   const Time begin = now();
   pulse_.run(begin);
   handleEvents();
-  if (state() != ComponentState::Running) return;
+  if (!goesOn()) return;
   for (ProvidedBase* interface : provided()) interface->drain();
-  if (state() != ComponentState::Running) return;
+  if (!goesOn()) return;
   run();
   for (ProvidedBase* interface : provided()) interface->publishRow();
   ringNow();
@@ -148,8 +150,10 @@ void Task::rest() {
   }
 }
 
+// What still waits is turned away, and not left without an answer.
 void Task::leave() {
   for (GuestTask* guest : guests_) guest->leave();
+  for (ProvidedBase* interface : provided()) interface->drain();
   endLife();
   releaseThread();
 }

@@ -48,8 +48,8 @@ class Task : public Component {
   /// The manager's: configures what has not been, then cycles run. Of a faulted task they only
   /// tell so. Throws SetupError if they cannot, or if it runs already.
   virtual void start() = 0;
-  /// The manager's: returns after the cycle under way; no other follows. The derived class must
-  /// still exist.
+  /// The manager's: returns after the handler under way, or run(); no other begins. What waits is
+  /// answered Errc::Lost. The derived class must still exist.
   virtual void stop() = 0;
 
   /// Before start(), and before `guest` is connected: from now on a cycle of `guest` follows each
@@ -116,6 +116,7 @@ class Task : public Component {
   void makeSafe();
   bool tryOnFault();
   bool mayRestart();
+  bool goesOn() const;
   void work();
   void rest();
   bool ownWorkPending() const;

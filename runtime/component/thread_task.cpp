@@ -16,7 +16,7 @@ void ThreadTask::start() {
   if (thread_.joinable() && state() == ComponentState::Faulted) return;
   if (thread_.joinable()) requireLegal(name(), state(), Transition::Start);
   prepare();
-  stopping_ = false;
+  setEnding(false);
   refused_ = nullptr;
   thread_.start(name(), [this] { configureAndLoop(); });
   entered_.wait();
@@ -39,7 +39,7 @@ void ThreadTask::configureAndLoop() {
 
 void ThreadTask::stop() {
   if (!thread_.joinable()) return;
-  stopping_ = true;
+  setEnding(true);
   stopBell_.ring();
   doorbell().ring();
   thread_.join();
@@ -47,7 +47,7 @@ void ThreadTask::stop() {
 
 void ThreadTask::loop() {
   beginCycles();
-  while (!stopping()) {
+  while (!ending()) {
     if (allRest()) {
       mutablePulse().suspend();
       awaitWork();
@@ -64,7 +64,7 @@ void ThreadTask::loop() {
 // A ring may announce what is not work pending: somebody asks for the first time for a read of an
 // interface that is served in every state.
 void ThreadTask::awaitWork() {
-  if (!stopping() && !workPending()) sleepForWork(now() + std::chrono::seconds(1));
+  if (!ending() && !workPending()) sleepForWork(now() + std::chrono::seconds(1));
 }
 
 void ThreadTask::sleepForWork(Time due) {

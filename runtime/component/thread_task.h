@@ -30,7 +30,6 @@ class ThreadTask : public Task {
   /// lost.
   void sleepForWork(Time due);
 
-  bool stopping() const { return stopping_.load(std::memory_order_acquire); }
   /// Rung by stop() only.
   rt::Doorbell& stopBell() { return stopBell_; }
 
@@ -43,7 +42,6 @@ class ThreadTask : public Task {
   rt::Thread thread_;
   rt::Doorbell entered_;
   std::exception_ptr refused_;  // why the thread could not be configured; read after entered_
-  std::atomic<bool> stopping_{false};
   rt::Doorbell stopBell_;
 };
 

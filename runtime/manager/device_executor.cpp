@@ -36,10 +36,10 @@ bool DeviceExecutor::awaitCycle() {
   const bool waiting = std::any_of(served_.begin(), served_.end(), [](const Served& served) {
     return served.interface->pending();
   });
-  if (stopping() || waiting) return !stopping();
+  if (ending() || waiting) return !ending();
   mutablePulse().sleep(due);
   doorbell().waitUntil(due);
-  return !stopping();
+  return !ending();
 }
 
 void DeviceExecutor::serveOnce(Served& served) {

@@ -61,8 +61,8 @@ bool DelayThread::awaitCycle() {
     due = std::min(due, one->due());
     if (one->awaitsCredits()) due = std::min<Time>(due, begin + std::chrono::milliseconds(1));
   }
-  if (!stopping() && now() < due) doorbell().waitUntil(due);
-  return !stopping();
+  if (!ending() && now() < due) doorbell().waitUntil(due);
+  return !ending();
 }
 
 void DelayThread::run() {

@@ -1,0 +1,167 @@
+// stop() ends after the handler that runs: what waits behind it is turned away, not executed.
+
+#include <gtest/gtest.h>
+#include <suture/component/channel.h>
+#include <suture/component/device.h>
+#include <suture/component/event_task.h>
+#include <suture/manager/global_manager.h>
+#include <suture/manager/manager.h>
+#include <suture/rt/doorbell.h>
+#include <suture/transport/rpc/control_thread.h>
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "reference/still_arm.h"
+#include "support/eventually.h"
+#include "support/temporary_directory.h"
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Takes until somebody ends it.
+struct LongHandler {
+  void stay() {
+    begun = true;
+    while (!released_) bell_.wait();
+  }
+  void end() {
+    released_ = true;
+    bell_.ring();
+  }
+
+  std::atomic<bool> begun{false};
+
+ private:
+  std::atomic<bool> released_{false};
+  rt::Doorbell bell_;
+};
+
+struct OccupiedArm final : EventTask, StillArm {
+  ~OccupiedArm() override { stop(); }
+  void run() override { runs += handler.begun ? 1 : 0; }
+  void limit(double, reference::Mode) override { handler.stay(); }
+  std::uint32_t reset() override { return static_cast<std::uint32_t>(++holds); }
+
+  LongHandler handler;
+  std::atomic<int> runs{0};
+  Provided<reference::ArmLike> port{*this, "Arm", *this};
+};
+
+struct StopConsole final : Device {
+  Required<reference::ArmLike> slave{*this, "Slave"};
+};
+
+/// Stops `task` while its handler runs, which ends thereafter.
+void stopIn(LongHandler& handler, Task& task) {
+  rt::Doorbell stopped;
+  std::thread stopping([&] {
+    task.stop();
+    stopped.ring();
+  });
+  EXPECT_TRUE(eventually([&] { return task.ending(); }));
+  handler.end();
+  stopped.wait();
+  stopping.join();
+}
+
+/// Without a lane provider and client are of one process.
+class Stop : public testing::TestWithParam<std::optional<Lane>> {
+ protected:
+  Stop() {
+    robot_.add("PSM", arm_);
+    clients().add("Teleop", client_);
+    robot_.start();
+    if (GetParam()) console_.start();
+    clients().connect("Teleop/Slave", GetParam() ? "robot:PSM/Arm" : "PSM/Arm",
+                      GetParam().value_or(Lane::Auto));
+  }
+
+  Manager& clients() { return GetParam() ? console_ : robot_; }
+
+  const TemporaryDirectory directory_;
+  rpc::ControlThread control_;
+  GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
+  OccupiedArm arm_;
+  StopConsole client_;
+  Manager robot_{"robot", names_.address()}, console_{"console", names_.address()};
+};
+
+INSTANTIATE_TEST_SUITE_P(Lanes, Stop,
+                         testing::Values(std::nullopt, Lane::Shm, Lane::Frame, Lane::Rpc),
+                         [](const auto& row) {
+                           return std::string(row.param ? toString(*row.param) : "local");
+                         });
+
+TEST_P(Stop, EndsAfterTheCommandThatRuns) {
+  ASSERT_TRUE(client_.slave.limit(0, reference::Mode::Enabled));
+  ASSERT_TRUE(eventually([&] { return arm_.handler.begun.load(); }));
+  auto answered = client_.slave.reset.start();
+  ASSERT_TRUE(client_.slave.hold());
+  const std::shared_ptr<Channel> channel = robot_.channels().at(0);
+  ASSERT_TRUE(eventually([&] { return channel->commands.pending(); }));
+  stopIn(arm_.handler, arm_);
+  EXPECT_EQ(arm_.holds, 0);
+  EXPECT_EQ(arm_.runs, 0);
+  EXPECT_EQ(channel->commands.counters.executed, 1u);
+  EXPECT_FALSE(answered.within(5s));
+}
+
+/// Of one process: its answers are exact.
+TEST(StopLocal, TurnsAwayWhatWaits) {
+  OccupiedArm arm;
+  StopConsole client;
+  Manager manager("robot");
+  manager.add("PSM", arm);
+  manager.add("Teleop", client);
+  manager.start();
+  manager.connect("Teleop/Slave", "PSM/Arm");
+  ASSERT_TRUE(client.slave.limit(0, reference::Mode::Enabled));
+  ASSERT_TRUE(eventually([&] { return arm.handler.begun.load(); }));
+  auto answered = client.slave.reset.start();
+  ASSERT_TRUE(client.slave.hold());
+  const std::shared_ptr<Channel> channel = manager.channels().at(0);
+  stopIn(arm.handler, arm);
+  EXPECT_EQ(answered.within(5s).error(), Errc::Lost);
+  EXPECT_EQ(channel->commands.counters.refused, 2u);
+  EXPECT_FALSE(channel->commands.pending());
+}
+
+/// Is told of modes, and stays in the handler of the first.
+struct OccupiedListener final : EventTask {
+  OccupiedListener() {
+    slave.on().stopped([this] { handler.stay(), ++heard; });
+  }
+  ~OccupiedListener() override { stop(); }
+  void run() override {}
+
+  LongHandler handler;
+  std::atomic<int> heard{0};
+  Required<reference::ArmLike> slave{*this, "Slave"};
+};
+
+struct StoppedEmitter final : Device, StillArm {
+  Provided<reference::ArmLike> port{*this, "Arm", *this};
+};
+
+TEST(StopLocal, EndsAfterTheEventThatIsHandled) {
+  StoppedEmitter arm;
+  OccupiedListener listener;
+  Manager manager("robot");
+  manager.add("PSM", arm);
+  manager.add("Teleop", listener);
+  manager.connect("Teleop/Slave", "PSM/Arm");
+  manager.start();
+  ASSERT_TRUE(eventually([&] { return arm.port.emit().stopped() && listener.handler.begun; }));
+  ASSERT_TRUE(arm.port.emit().stopped());
+  stopIn(listener.handler, listener);
+  EXPECT_EQ(listener.heard, 1);
+}
+
+}  // namespace
+}  // namespace suture
