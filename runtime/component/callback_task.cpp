@@ -6,7 +6,6 @@ void CallbackTask::start() {
   if (running_ && state() == ComponentState::Faulted) return;
   if (running_) requireLegal(name(), state(), Transition::Start);
   prepare();
-  setEnding(false);
   enter();
   restUntilTriggered();
   releaseThread();

@@ -88,8 +88,10 @@ std::size_t RequiredBase::handleQueuedEvents() {
   if (channel == nullptr) return 0;
   noteTaking();
   std::size_t handled = 0;
+  // Who is asked to stop meanwhile ends after this handler; a collector takes the rest in onStop().
+  const bool atItsEnd = owner_.ending();
   // A provider that emits faster than they are handled must not keep the task from its cycle.
-  while (handled < channel->events.capacity() && !owner_.ending()) {
+  while (handled < channel->events.capacity() && (atItsEnd || !owner_.ending())) {
     const rt::EventRecord* const record = channel->events.next();
     if (record == nullptr) break;
     // Released even if the handler throws: it must not meet the same event again.

@@ -36,6 +36,7 @@ void Task::prepare() {
 }
 
 void Task::enter() {
+  setEnding(false);
   claimForThisThread();
   pulse_.run(now());
   if (after(state(), Transition::Start)) makeTransition(Transition::Start);
@@ -74,7 +75,7 @@ void Task::makeRequestedTransition() {
 
 void Task::cycle() {
   parkIfAsked();
-  if (state() == ComponentState::Running) parkOnThrow([this] { work(); });
+  if (goesOn()) parkOnThrow([this] { work(); });
   if (state() != ComponentState::Running) rest();
   makeRequestedTransition();
   makeSafe();
@@ -152,6 +153,7 @@ void Task::rest() {
 
 // What still waits is turned away, and not left without an answer.
 void Task::leave() {
+  setEnding(true);
   for (GuestTask* guest : guests_) guest->leave();
   for (ProvidedBase* interface : provided()) interface->drain();
   endLife();

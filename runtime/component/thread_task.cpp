@@ -16,7 +16,6 @@ void ThreadTask::start() {
   if (thread_.joinable() && state() == ComponentState::Faulted) return;
   if (thread_.joinable()) requireLegal(name(), state(), Transition::Start);
   prepare();
-  setEnding(false);
   refused_ = nullptr;
   thread_.start(name(), [this] { configureAndLoop(); });
   entered_.wait();

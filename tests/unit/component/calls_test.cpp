@@ -89,7 +89,7 @@ TEST(Fairness, AFloodingClientDelaysAnotherByItsQueueAtMost) {
   }
 }
 
-TEST(Call, ItsHandlerIsToldOfTheLoss) {
+TEST(Call, ItsHandlerIsToldThatTheProviderEndsBeforeItsTurn) {
   ArmClient client;
   Errc end{};
   {
@@ -100,7 +100,7 @@ TEST(Call, ItsHandlerIsToldOfTheLoss) {
     EXPECT_EQ(end, Errc{});
   }
   client.processEvents();
-  EXPECT_EQ(end, Errc::OutcomeUnknown);
+  EXPECT_EQ(end, Errc::Lost);
 }
 
 TEST(Call, ItsHandlerIsToldAtOnceOfARefusal) {
