@@ -35,6 +35,7 @@ constexpr Verb kVerbs[] = {
     {"describe", "What a process, a component or an interface is", describe},
     {"read", "The value of a read command", read},
     {"call", "Runs a command", call},
+    {"resume", "Lets the commands of a connection through again that await their operator", resume},
     {"watch", "Events, or a read command again and again", watch},
     {"doctor", "What works on the way to a process, and what to do where it does not", doctor},
     {"why", "Why two interfaces connect, or do not", why},
@@ -69,6 +70,8 @@ void addTargets(CLI::App& app, const std::string& verb, Options& options) {
   } else if (verb == "read" || verb == "call") {
     app.add_option("interface", options.target, form)->required();
     app.add_option("command", options.member, "its name")->required();
+  } else if (verb == "resume") {
+    app.add_option("interface", options.target, "a required interface, as " + form)->required();
   } else if (verb == "watch") {
     app.add_option("interface", options.target, form)->required();
     app.add_option("name", options.member, "of an event or a read command; without, all events");

@@ -11,6 +11,7 @@ int ps(rpc::EventPort& loop, const Options& options);
 int describe(rpc::EventPort& loop, const Options& options);
 int read(rpc::EventPort& loop, const Options& options);
 int call(rpc::EventPort& loop, const Options& options);
+int resume(rpc::EventPort& loop, const Options& options);
 int watch(rpc::EventPort& loop, const Options& options);
 int doctor(rpc::EventPort& loop, const Options& options);
 int why(rpc::EventPort& loop, const Options& options);

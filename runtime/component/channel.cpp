@@ -107,6 +107,13 @@ Errc Channel::begin(bool looksAtClock) {
   return isOver(present) ? errorOf(present) : Errc{};
 }
 
+ResumeOutcome Channel::resume() {
+  if (watch == nullptr || !watch->awaitsOperator) return ResumeOutcome::NotAwaiting;
+  if (errorOf(status.load(std::memory_order_acquire)) != Errc{}) return ResumeOutcome::ProviderLost;
+  watch->awaitsOperator = false;
+  return ResumeOutcome::Resumed;
+}
+
 void Channel::replyError(std::uint32_t call, Errc error) {
   reply(call, {}, [error](std::byte*) { return error; });
 }

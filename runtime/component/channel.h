@@ -170,6 +170,9 @@ class Channel {
   /// Any thread: how it stands with the provider, unless the connection is past that; the client
   /// is rung if that is news.
   void tell(ChannelStatus news);
+  /// Client endpoint, any thread: lets commands through again that await their operator, if the
+  /// provider is there.
+  ResumeOutcome resume();
   /// Notes a status that was changed without tell(), for the trace of a stepped clock.
   void noteStatus(ChannelStatus news) const;
 

@@ -128,8 +128,23 @@ void RequiredBase::watch(ProvidedBase& own) {
                                        own.state(), EventSet{0});
 }
 
+// What a device requires is another thread's than that of its commands.
+ResumeOutcome RequiredBase::resume() {
+  if (!owner_.ownsThread()) {
+    resumeAsked_ = true;
+    return ResumeOutcome::Asked;
+  }
+  lookAtConnection();
+  return channel_ == nullptr ? ResumeOutcome::NotConnected : channel_->resume();
+}
+
+// Somebody who resumed before a loss has not seen it.
 void RequiredBase::lookAtConnection() {
   adopt();
+  if (resumeAsked_.load(std::memory_order_relaxed)) {
+    resumeAsked_ = false;
+    if (channel_ != nullptr) channel_->resume();
+  }
   noticeLoss();
 }
 

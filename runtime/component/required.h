@@ -72,6 +72,9 @@ class RequiredBase {
   void adopt();
   /// Owner's thread: adopt(), and what the connection's contract says of a loss.
   void lookAtConnection();
+  /// The owner's thread, for a device any: lets commands through again that await their operator.
+  /// A device does so when it looks at the connection next.
+  ResumeOutcome resume();
   /// Owner's thread: runs the handlers of the events that have arrived, then those of the calls
   /// that have ended.
   void handleEvents();
@@ -235,6 +238,7 @@ class RequiredBase {
   Duration maxAge_{0};
   // Of channel_, by noticeLoss().
   bool lossNoticed_ = false;
+  std::atomic<bool> resumeAsked_{false};
   std::uint32_t faultsNoticed_ = 0;
 };
 

@@ -1,4 +1,5 @@
 #include <suture/base/errors.h>
+#include <suture/component/required.h>
 #include <suture/manager/lifecycle_face.h>
 
 #include <algorithm>
@@ -37,6 +38,13 @@ void LifecycleFace::stateChanged(ComponentState state) {
   if (state == ComponentState::Faulted) change.fault = component_.fault().substr(0, kLongestFault);
   (void)provided_.emit().state_changed(change);  // it fits
   changed_->ring();
+}
+
+ResumeOutcome LifecycleFace::resume_connection(const std::string& required) {
+  const auto& all = component_.required();
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const RequiredBase* one) { return one->name() == required; });
+  return found == all.end() ? ResumeOutcome::NoSuchInterface : (*found)->resume();
 }
 
 bool LifecycleFace::request(Transition transition) {

@@ -22,6 +22,7 @@ class LifecycleFace final : public Lifecycle, public StateListener {
   bool suspend() override { return request(Transition::Suspend); }
   bool resume() override { return request(Transition::Resume); }
   ComponentState component_state() const override { return component_.state(); }
+  ResumeOutcome resume_connection(const std::string& required) override;
 
   void stateChanged(ComponentState state) override;
 

@@ -293,14 +293,14 @@ void Manager::resumeConnection(std::string_view requiredName) {
   const std::string asked = "resuming connection '" + std::string(requiredName) + "'";
   const auto channel = connectionOf(Endpoint::parse(requiredName).toString());
   if (channel == nullptr) throw SetupError(asked, "it is not connected", "Connect it first");
-  if (channel->watch == nullptr || !channel->watch->awaitsOperator) {
-    throw SetupError(asked, "it does not await an operator", "Nothing has to be done");
+  switch (channel->resume()) {
+    case ResumeOutcome::NotAwaiting:
+      throw SetupError(asked, "it does not await an operator", "Nothing has to be done");
+    case ResumeOutcome::ProviderLost:
+      throw SetupError(asked, toString(errorOf(channel->status.load(std::memory_order_acquire))),
+                       "Have its provider run again, and look at it, first");
+    default: return;
   }
-  const Errc error = errorOf(channel->status.load(std::memory_order_acquire));
-  if (error != Errc{}) {
-    throw SetupError(asked, toString(error), "Have its provider run again, and look at it, first");
-  }
-  channel->watch->awaitsOperator = false;
 }
 
 std::shared_ptr<Channel> Manager::connectHere(RequiredBase& required, ProvidedBase& provided,

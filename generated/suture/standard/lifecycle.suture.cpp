@@ -19,6 +19,7 @@ using suture::Errc;
 using suture::EventInfo;
 using suture::checkSlot;
 using suture::load;
+using suture::newSlot;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::firstError;
@@ -42,6 +43,13 @@ static_assert(static_cast<std::uint8_t>(ComponentState::Running) == 2);
 static_assert(static_cast<std::uint8_t>(ComponentState::Suspended) == 3);
 static_assert(static_cast<std::uint8_t>(ComponentState::Faulted) == 4);
 static_assert(static_cast<std::uint8_t>(ComponentState::Stopped) == 5);
+static_assert(std::is_same_v<std::underlying_type_t<ResumeOutcome>, std::uint8_t>);
+static_assert(static_cast<std::uint8_t>(ResumeOutcome::Resumed) == 0);
+static_assert(static_cast<std::uint8_t>(ResumeOutcome::Asked) == 1);
+static_assert(static_cast<std::uint8_t>(ResumeOutcome::NoSuchInterface) == 2);
+static_assert(static_cast<std::uint8_t>(ResumeOutcome::NotConnected) == 3);
+static_assert(static_cast<std::uint8_t>(ResumeOutcome::NotAwaiting) == 4);
+static_assert(static_cast<std::uint8_t>(ResumeOutcome::ProviderLost) == 5);
 static_assert(std::is_same_v<decltype(StateChange::state), ComponentState>);
 static_assert(std::is_same_v<decltype(StateChange::fault), std::string>);
 static_assert(std::is_same_v<decltype(StateChange::stamp), std::chrono::steady_clock::time_point>);
@@ -62,6 +70,11 @@ constexpr CommandInfo kLifecycleCommands[] = {
      .resultSize = slotSize<std::uint8_t>,
      .depth = 16,
      .column = 0},
+    {.name = "resume_connection",
+     .kind = CommandKind::WriteReturn,
+     .argumentsSize = slotSize<LifecycleResumeConnectionArguments>,
+     .resultSize = slotSize<std::uint8_t>,
+     .depth = 16},
 };
 
 constexpr EventInfo kLifecycleEvents[] = {
@@ -77,26 +90,41 @@ constexpr EventInfo kLifecycleEvents[] = {
 constexpr char kLifecycleDescription[] = R"json(
 {"name": "suture::Lifecycle",
 "doc": "The provided interface \"component\" of every component that a manager has. It is served also\nwhile the component is suspended or faulted.",
-"hash": "7db3691945a4c1c8da8b8f83ec94f03b", "commands": [{"name": "suspend",
+"hash": "72e14ab84ae789d5bf0ab7fb7bb4a807", "commands": [{"name": "suspend",
 "kind": "void with return", "ordinal": 1,
 "doc": "Lets the component do nothing from its next cycle on. False: it is not running.",
 "result": {"type": {"kind": "Bool"}}, "queue": 16}, {"name": "resume", "kind": "void with return",
 "ordinal": 2, "doc": "Lets it go on. False: it is not suspended.", "result": {"type": {
 "kind": "Bool"}}, "queue": 16}, {"name": "component_state", "kind": "read", "ordinal": 3,
 "wire": "componentState", "result": {"type": {"kind": "enum", "name": "suture::ComponentState"}},
-"queue": 16}], "events": [{"name": "state_changed", "kind": "write", "ordinal": 1,
-"wire": "stateChanged", "doc": "Once for each transition; whoever subscribes later gets the last.",
-"payload": {"type": {"kind": "struct", "name": "suture::StateChange"}}, "queue": 16, "latched": true
-}], "enums": [{"name": "suture::ComponentState", "underlying": "UInt8", "enumerators": [{
-"name": "Constructed", "value": 0, "wire": "constructed"}, {"name": "Configured", "value": 1,
-"wire": "configured"}, {"name": "Running", "value": 2, "wire": "running"}, {"name": "Suspended",
-"value": 3, "wire": "suspended",
+"queue": 16}, {"name": "resume_connection", "kind": "write with return", "ordinal": 4,
+"wire": "resumeConnection",
+"doc": "Lets the commands of a required interface through again, which await their operator after a\nloss or a value that was too old.",
+"parameters": [{"name": "required", "type": {"kind": "text", "capacity": 63}}], "result": {
+"type": {"kind": "enum", "name": "suture::ResumeOutcome"}}, "queue": 16}], "events": [{
+"name": "state_changed", "kind": "write", "ordinal": 1, "wire": "stateChanged",
+"doc": "Once for each transition; whoever subscribes later gets the last.", "payload": {"type": {
+"kind": "struct", "name": "suture::StateChange"}}, "queue": 16, "latched": true}], "enums": [{
+"name": "suture::ComponentState", "underlying": "UInt8", "enumerators": [{"name": "Constructed",
+"value": 0, "wire": "constructed"}, {"name": "Configured", "value": 1, "wire": "configured"}, {
+"name": "Running", "value": 2, "wire": "running"}, {"name": "Suspended", "value": 3,
+"wire": "suspended",
 "doc": "keeps its thread and its connections, and does nothing but wait for resume"}, {
 "name": "Faulted", "value": 4, "wire": "faulted",
 "doc": "a handler or hook threw; the end of this component, not of its process"}, {
-"name": "Stopped", "value": 5, "wire": "stopped"}]}], "structs": [{"name": "suture::StateChange",
-"doc": "A component has come into a state.", "fields": [{"name": "state", "type": {"kind": "enum",
-"name": "suture::ComponentState"}, "default": "Constructed"}, {"name": "fault",
+"name": "Stopped", "value": 5, "wire": "stopped"}]}, {"name": "suture::ResumeOutcome",
+"doc": "What has become of a request to let the commands of a connection through again.",
+"underlying": "UInt8", "enumerators": [{"name": "Resumed", "value": 0, "wire": "resumed"}, {
+"name": "Asked", "value": 1, "wire": "asked",
+"doc": "of a device: done when it uses the connection next, unless it is lost then"}, {
+"name": "NoSuchInterface", "value": 2, "wire": "noSuchInterface",
+"doc": "the component requires none of that name"}, {"name": "NotConnected", "value": 3,
+"wire": "notConnected"}, {"name": "NotAwaiting", "value": 4, "wire": "notAwaiting",
+"doc": "it awaits no operator: nothing has to be done"}, {"name": "ProviderLost", "value": 5,
+"wire": "providerLost", "doc": "or suspended, or faulted: nobody resumes what is not there"}]}],
+"structs": [{"name": "suture::StateChange", "doc": "A component has come into a state.", "fields": [
+{"name": "state", "type": {"kind": "enum", "name": "suture::ComponentState"},
+"default": "Constructed"}, {"name": "fault",
 "doc": "What was thrown, if the state is Faulted; its end may be cut off.", "type": {
 "kind": "text", "capacity": 255}}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]}
 ], "wire": [{"id": "@0xc0c56c9588a77b40", "kind": "interface", "name": "Lifecycle", "members": [{
@@ -108,7 +136,10 @@ constexpr char kLifecycleDescription[] = R"json(
 "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
 "is": "Bool"}]}, {"at": 3, "name": "componentState", "is": "kind \"read\"", "parameters": [{
 "at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "@0x8e5bed957aeeb624"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"is": "@0x8e5bed957aeeb624"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 4,
+"name": "resumeConnection", "is": "kind \"writeReturn\"", "parameters": [{"at": 0,
+"name": "required", "is": "Text"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xc2c9babc8f01c05f"}]}]}, {
 "id": "@0xa4c750cb89591cca", "kind": "interface", "name": "LifecycleEvents", "members": [{"at": 0,
 "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xf777f0543682aa19"}]}, {"at": 1,
 "name": "stateChanged", "parameters": [{"at": 0, "name": "value", "is": "@0x94110f1e97b939a5"}]}]},
@@ -120,7 +151,10 @@ constexpr char kLifecycleDescription[] = R"json(
 "name": "suspended"}, {"at": 4, "name": "faulted"}, {"at": 5, "name": "stopped"}]}, {
 "id": "@0x94110f1e97b939a5", "kind": "struct", "name": "StateChange", "members": [{"at": 0,
 "name": "state", "is": "@0x8e5bed957aeeb624"}, {"at": 1, "name": "fault", "is": "Text"}, {"at": 2,
-"name": "stamp", "is": "Int64 clock \"steady\""}]}]})json";
+"name": "stamp", "is": "Int64 clock \"steady\""}]}, {"id": "@0xc2c9babc8f01c05f", "kind": "enum",
+"name": "ResumeOutcome", "members": [{"at": 0, "name": "resumed"}, {"at": 1, "name": "asked"}, {
+"at": 2, "name": "noSuchInterface"}, {"at": 3, "name": "notConnected"}, {"at": 4,
+"name": "notAwaiting"}, {"at": 5, "name": "providerLost"}]}]})json";
 
 }  // namespace
 
@@ -143,6 +177,10 @@ void reserve(const StateChangeSlot*, StateChange& value) {
 }
 
 void shiftStamps(StateChangeSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+
+bool store(const std::string& required, LifecycleResumeConnectionArguments& slot) {
+  return store(required, slot.required);
+}
 
 // --- between slots and Cap'n Proto
 
@@ -185,6 +223,49 @@ Errc fromWire(wire::ComponentState in, std::uint8_t& slot) {
         static_cast<std::uint8_t>(ComponentState::Faulted), Errc{};
     case wire::ComponentState::STOPPED: return slot =
         static_cast<std::uint8_t>(ComponentState::Stopped), Errc{};
+  }
+  return Errc::Invalid;
+}
+
+wire::ResumeOutcome wireResumeOutcome(std::uint8_t slot) {
+  switch (static_cast<ResumeOutcome>(slot)) {
+    case ResumeOutcome::Resumed: return wire::ResumeOutcome::RESUMED;
+    case ResumeOutcome::Asked: return wire::ResumeOutcome::ASKED;
+    case ResumeOutcome::NoSuchInterface: return wire::ResumeOutcome::NO_SUCH_INTERFACE;
+    case ResumeOutcome::NotConnected: return wire::ResumeOutcome::NOT_CONNECTED;
+    case ResumeOutcome::NotAwaiting: return wire::ResumeOutcome::NOT_AWAITING;
+    case ResumeOutcome::ProviderLost: return wire::ResumeOutcome::PROVIDER_LOST;
+  }
+  return wire::ResumeOutcome{};
+}
+
+bool isKnownResumeOutcome(std::uint8_t slot) {
+  switch (static_cast<ResumeOutcome>(slot)) {
+    case ResumeOutcome::Resumed:
+    case ResumeOutcome::Asked:
+    case ResumeOutcome::NoSuchInterface:
+    case ResumeOutcome::NotConnected:
+    case ResumeOutcome::NotAwaiting:
+    case ResumeOutcome::ProviderLost:
+      return true;
+  }
+  return false;
+}
+
+Errc fromWire(wire::ResumeOutcome in, std::uint8_t& slot) {
+  switch (in) {
+    case wire::ResumeOutcome::RESUMED: return slot =
+        static_cast<std::uint8_t>(ResumeOutcome::Resumed), Errc{};
+    case wire::ResumeOutcome::ASKED: return slot =
+        static_cast<std::uint8_t>(ResumeOutcome::Asked), Errc{};
+    case wire::ResumeOutcome::NO_SUCH_INTERFACE: return slot =
+        static_cast<std::uint8_t>(ResumeOutcome::NoSuchInterface), Errc{};
+    case wire::ResumeOutcome::NOT_CONNECTED: return slot =
+        static_cast<std::uint8_t>(ResumeOutcome::NotConnected), Errc{};
+    case wire::ResumeOutcome::NOT_AWAITING: return slot =
+        static_cast<std::uint8_t>(ResumeOutcome::NotAwaiting), Errc{};
+    case wire::ResumeOutcome::PROVIDER_LOST: return slot =
+        static_cast<std::uint8_t>(ResumeOutcome::ProviderLost), Errc{};
   }
   return Errc::Invalid;
 }
@@ -295,6 +376,21 @@ class LifecycleServant final : public wire::Lifecycle::Server {
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
+  kj::Promise<void> resumeConnection(ResumeConnectionContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<LifecycleResumeConnectionArguments>(memory);
+      return fromWire(in.getRequired(), slot.required);
+    };
+    auto take = [context](const std::byte* result, suture::Time) mutable {
+      const auto& slot = slotIn<std::uint8_t>(result);
+      auto out = context.getResults();
+      out.setValue(wireResumeOutcome(slot));
+    };
+    return port_->call(numberOf(LifecycleCommand::resume_connection), in.getSent(),
+                       fill, kj::mv(take));
+  }
+
  private:
   kj::Own<ServantPort> port_;
 };
@@ -376,6 +472,17 @@ class LifecycleProxy final : public suture::rpc::Proxy {
           });
         });
       }
+      case LifecycleCommand::resume_connection: {
+        const auto& slot = slotIn<LifecycleResumeConnectionArguments>(record.arguments());
+        auto request = provider_.resumeConnectionRequest();
+        toWire(slot.required, request.initRequired(slot.required.size));
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<std::uint8_t>(call, [&](std::uint8_t& answer) {
+            return fromWire(response.getValue(), answer);
+          });
+        });
+      }
     }
     return kj::READY_NOW;
   }
@@ -416,7 +523,7 @@ template <>
 const InterfaceInfo& interfaceInfo<suture::Lifecycle>() {
   static constexpr InterfaceInfo kInfo{
       .name = "suture::Lifecycle",
-      .hash = "7db3691945a4c1c8da8b8f83ec94f03b",
+      .hash = "72e14ab84ae789d5bf0ab7fb7bb4a807",
       .description = suture::kLifecycleDescription,
       .commands = suture::kLifecycleCommands,
       .events = suture::kLifecycleEvents,
@@ -425,7 +532,14 @@ const InterfaceInfo& interfaceInfo<suture::Lifecycle>() {
   return kInfo;
 }
 
-Errc Provided<suture::Lifecycle>::execute(std::uint16_t command, const std::byte* /*arguments*/,
+auto Provided<suture::Lifecycle>::Scratch::reserved() -> Scratch {
+  Scratch scratch{};
+  reserveFor<decltype(suture::LifecycleResumeConnectionArguments::required)>(
+      scratch.resume_connection_required);
+  return scratch;
+}
+
+Errc Provided<suture::Lifecycle>::execute(std::uint16_t command, const std::byte* arguments,
                                           std::byte* result) {
   using ::suture::LifecycleCommand;
   switch (static_cast<LifecycleCommand>(command)) {
@@ -440,6 +554,13 @@ Errc Provided<suture::Lifecycle>::execute(std::uint16_t command, const std::byte
     case LifecycleCommand::component_state: {
       auto& slot = newSlot<std::uint8_t>(result);
       return store(implementation_.component_state(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case LifecycleCommand::resume_connection: {
+      const auto& slot = slotIn<suture::LifecycleResumeConnectionArguments>(arguments);
+      load(slot.required, scratch_.resume_connection_required);
+      auto& answer = newSlot<std::uint8_t>(result);
+      return store(implementation_.resume_connection(scratch_.resume_connection_required), answer)
+          ? Errc{} : Errc::TooLarge;
     }
   }
   return Errc::Invalid;

@@ -23,11 +23,20 @@ void load(const StateChangeSlot& slot, StateChange& value);
 void reserve(const StateChangeSlot*, StateChange& value);
 void shiftStamps(StateChangeSlot& slot, suture::Duration shift);
 
+// --- Lifecycle: the arguments of its commands ---
+
+struct LifecycleResumeConnectionArguments {
+  suture::BoundedText<63> required;
+};
+
+bool store(const std::string& required, LifecycleResumeConnectionArguments& slot);
+
 /// The numbers of Lifecycle's commands in every table and record.
 enum class LifecycleCommand : std::uint16_t {
   suspend,
   resume,
   component_state,
+  resume_connection,
 };
 
 /// The numbers of Lifecycle's events.
@@ -61,6 +70,11 @@ class Required<suture::Lifecycle> : public RequiredBase {
       *this, static_cast<std::uint16_t>(Id::resume)};
   ReadCommand<&Contract::component_state, std::uint8_t> component_state{
       *this, static_cast<std::uint16_t>(Id::component_state)};
+  /// Lets the commands of a required interface through again, which await their operator after a
+  /// loss or a value that was too old.
+  ReturningCommand<&Contract::resume_connection, suture::LifecycleResumeConnectionArguments,
+                   std::uint8_t> resume_connection{
+      *this, static_cast<std::uint16_t>(Id::resume_connection)};
 
   /// The events of suture::Lifecycle, to subscribe to.
   struct Events {
@@ -111,8 +125,16 @@ class Provided<suture::Lifecycle> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  // Reused by every command, so that what they own is allocated once: by reserved().
+  struct Scratch {
+    std::string resume_connection_required;
+
+    static Scratch reserved();
+  };
+
   Contract& implementation_;
   Events events_{*this};
+  Scratch scratch_ = Scratch::reserved();
 };
 
 }  // namespace suture

@@ -40,6 +40,10 @@ interface Lifecycle @0xc0c56c9588a77b40 $Meta.cxx("suture::Lifecycle") {
   # Lets it go on. False: it is not suspended.
   componentState @3 (sent :Rpc.Sent) -> (value :ComponentState, stamp :Int64)
       $Meta.cxx("component_state") $Meta.kind("read");
+  resumeConnection @4 (required :Text $Meta.capacity([63]), sent :Rpc.Sent) -> (value :ResumeOutcome)
+      $Meta.cxx("resume_connection") $Meta.kind("writeReturn") $Meta.queue(16);
+  # Lets the commands of a required interface through again, which await their operator after a
+  # loss or a value that was too old.
 }
 
 interface LifecycleEvents @0xa4c750cb89591cca $Meta.eventsOf("suture::Lifecycle") {
@@ -62,4 +66,19 @@ struct LifecycleStateRow @0xf777f0543682aa19 $Meta.stateOf("suture::Lifecycle") 
   tooLarge @2 :UInt64;
   # Bit i: column i did not fit its declared capacity.
   componentState @3 :ComponentState $Meta.cxx("component_state");
+}
+
+enum ResumeOutcome @0xc2c9babc8f01c05f $Meta.cxx("suture::ResumeOutcome") $Meta.underlying("UInt8") {
+  # What has become of a request to let the commands of a connection through again.
+
+  resumed @0 $Meta.cxx("Resumed") $Meta.value(0);
+  asked @1 $Meta.cxx("Asked") $Meta.value(1);
+  # of a device: done when it uses the connection next, unless it is lost then
+  noSuchInterface @2 $Meta.cxx("NoSuchInterface") $Meta.value(2);
+  # the component requires none of that name
+  notConnected @3 $Meta.cxx("NotConnected") $Meta.value(3);
+  notAwaiting @4 $Meta.cxx("NotAwaiting") $Meta.value(4);
+  # it awaits no operator: nothing has to be done
+  providerLost @5 $Meta.cxx("ProviderLost") $Meta.value(5);
+  # or suspended, or faulted: nobody resumes what is not there
 }

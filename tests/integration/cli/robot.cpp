@@ -70,9 +70,9 @@ class Hand final : public suture::EventTask, public robots::Gripper {
   suture::Provided<robots::Gripper> gripper_{*this, "Gripper", *this};
 };
 
-/// Only needs.
+/// Only needs. Whatever is to be read is too old for its connection.
 class Surgeon final : public suture::EventTask {
-  void run() override {}
+  void run() override { (void)gripper_.opening(); }
 
   suture::Required<robots::Arm> arm_{*this, "Arm"};
   suture::Required<robots::Gripper> gripper_{*this, "Gripper"};
@@ -96,6 +96,9 @@ int main(int, char** argv) {
     manager.add("Hand", hand);
     manager.add("Surgeon", surgeon);
     manager.start();
+    manager.connect("Surgeon/Gripper", "Hand/Gripper", suture::Lane::Auto,
+                    suture::Manager::kDefaultPatience, {},
+                    {.maxAge = std::chrono::nanoseconds(1), .resume = suture::Resume::Operator});
     process.awaitEnd();
     manager.stop();
   });

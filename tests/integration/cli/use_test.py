@@ -52,6 +52,19 @@ class Use(System):
         self.assertEqual(self.said("call", GRIPPER, "fits", "width=0.2"), "false\n")
         self.assertEqual(self.told("call", GRIPPER, "mode")["value"], "HoldStill")
 
+    def test_resume_a_connection_that_awaits_its_operator(self):
+        for _ in range(100):  # each request wakes the surgeon, who reads what is too old
+            done = self.run_suture("resume", "robot:Surgeon/Gripper")
+            if done.returncode == 0:
+                break
+            self.assertIn("it does not await an operator", done.stderr)
+        self.assertEqual(done.stdout, "robot:Surgeon/Gripper: commands go through again\n")
+
+    def test_resume_what_awaits_nobody(self):
+        self.assertIn("it is not connected", self.refused("resume", "robot:Surgeon/Arm"))
+        self.assertIn("requires no such interface", self.refused("resume", "robot:Surgeon/Hand"))
+        self.assertIn("is not of the form", self.refused("resume", "robot:Surgeon", status=2))
+
     def test_arguments_as_json_and_by_their_paths(self):
         self.said("call", GRIPPER, "servo_cp", "--args", GOAL)
         self.assertEqual(self.told("read", GRIPPER, "measured_cp")["value"]["pose"], POSE)

@@ -202,6 +202,9 @@ TEST(ManagerLifecycle, RefusesAnInterfaceOfTheReservedName) {
     bool suspend() override { return false; }
     bool resume() override { return false; }
     ComponentState component_state() const override { return state(); }
+    ResumeOutcome resume_connection(const std::string&) override {
+      return ResumeOutcome::NoSuchInterface;
+    }
     Provided<Lifecycle> provided{*this, "component", *this};
   } own;
   Manager manager("here");

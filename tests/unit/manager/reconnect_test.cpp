@@ -262,5 +262,60 @@ TEST(Reconnect, AStaleReadAwaitsTheOperator) {
   EXPECT_TRUE(eventually([&] { return here.client.error == Errc{}; }));
 }
 
+/// Speaks to the life of a client, from the same process or another.
+struct Operator final : Device {
+  ResumeOutcome resume(const std::string& required) {
+    const auto answer = life.resume_connection.start(required).within(5s);
+    return answer ? *answer : ResumeOutcome::Asked;
+  }
+  Required<Lifecycle> life{*this, "Life"};
+};
+
+TEST(Reconnect, TheOperatorAsksTheComponentItself) {
+  Operator person;
+  OneProcess<ArmTask> here;
+  here.manager.add("Operator", person);
+  here.manager.start();
+  here.manager.connect("Operator/Life", "Teleop/component");
+  EXPECT_EQ(person.resume("Nothing"), ResumeOutcome::NoSuchInterface);
+  EXPECT_EQ(person.resume("Slave"), ResumeOutcome::NotConnected);
+  here.connect({.maxAge = 1ns, .resume = Resume::Operator});
+  EXPECT_TRUE(eventually([&] { return here.client.error == Errc{}; }));
+  EXPECT_EQ(person.resume("Slave"), ResumeOutcome::NotAwaiting);
+  here.client.read = true;
+  EXPECT_TRUE(eventually([&] { return here.client.error == Errc::AwaitingOperator; }));
+  here.client.read = false;
+  pass(5ms);
+  here.manager.suspend("PSM");
+  EXPECT_EQ(person.resume("Slave"), ResumeOutcome::ProviderLost);
+  here.manager.resume("PSM");
+  EXPECT_TRUE(eventually([&] { return here.client.error == Errc::AwaitingOperator; }));
+  EXPECT_EQ(person.resume("Slave"), ResumeOutcome::Resumed);
+  EXPECT_TRUE(eventually([&] { return here.client.error == Errc{}; }));
+}
+
+/// A client without a thread of its own.
+struct DeviceClient final : Device {
+  Required<reference::ArmLike> slave{*this, "Slave"};
+};
+
+TEST(Reconnect, ADeviceResumesWhenItUsesTheConnectionNext) {
+  ArmTask arm;
+  DeviceClient client;
+  Operator person;
+  Manager manager("here");
+  manager.add("PSM", arm);
+  manager.add("Teleop", client);
+  manager.add("Operator", person);
+  manager.start();
+  manager.connect("Operator/Life", "Teleop/component");
+  manager.connect("Teleop/Slave", "PSM/Arm", Lane::Auto, 1s, {},
+                  {.maxAge = 1ns, .resume = Resume::Operator});
+  EXPECT_TRUE(eventually([&] { return client.slave.measured_cp().error() == Errc::Stale; }));
+  EXPECT_EQ(client.slave.hold().error(), Errc::AwaitingOperator);
+  EXPECT_EQ(person.resume("Slave"), ResumeOutcome::Asked);
+  EXPECT_TRUE(client.slave.hold());
+}
+
 }  // namespace
 }  // namespace suture

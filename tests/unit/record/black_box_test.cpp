@@ -37,6 +37,9 @@ struct Arm final : PeriodicTask, Lifecycle {
   }
   bool suspend() override { return false; }
   bool resume() override { return false; }
+  ResumeOutcome resume_connection(const std::string&) override {
+    return ResumeOutcome::NoSuchInterface;
+  }
   ComponentState component_state() const override { return state(); }
 
   std::atomic<int> broken{0};  // so many cycles

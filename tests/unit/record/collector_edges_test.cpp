@@ -32,6 +32,9 @@ struct Providing final : Kind, private Lifecycle {
   void run() override {}
   bool suspend() override { return false; }
   bool resume() override { return false; }
+  ResumeOutcome resume_connection(const std::string&) override {
+    return ResumeOutcome::NoSuchInterface;
+  }
   ComponentState component_state() const override { return Kind::state(); }
 
   Provided<Lifecycle> port{*this, "Arm", *this};

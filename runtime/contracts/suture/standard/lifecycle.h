@@ -26,6 +26,16 @@ struct SUTURE_TYPE() StateChange {
   suture::Time stamp;
 };
 
+/// What has become of a request to let the commands of a connection through again.
+enum class SUTURE_TYPE() ResumeOutcome : std::uint8_t {
+  Resumed,
+  Asked,            ///< of a device: done when it uses the connection next, unless it is lost then
+  NoSuchInterface,  ///< the component requires none of that name
+  NotConnected,
+  NotAwaiting,   ///< it awaits no operator: nothing has to be done
+  ProviderLost,  ///< or suspended, or faulted: nobody resumes what is not there
+};
+
 /// The provided interface "component" of every component that a manager has. It is served also
 /// while the component is suspended or faulted.
 class SUTURE_INTERFACE() Lifecycle {
@@ -37,6 +47,11 @@ class SUTURE_INTERFACE() Lifecycle {
   /// Lets it go on. False: it is not suspended.
   SUTURE_COMMAND() virtual bool resume() = 0;
   SUTURE_COMMAND() virtual ComponentState component_state() const = 0;
+  /// Lets the commands of a required interface through again, which await their operator after a
+  /// loss or a value that was too old.
+  SUTURE_COMMAND()
+  virtual ResumeOutcome resume_connection(SUTURE_FIELD(capacity(63))
+                                              const std::string& required) = 0;
   /// Once for each transition; whoever subscribes later gets the last.
   SUTURE_EVENT(latched()) suture::EventOf<StateChange> state_changed;
 };

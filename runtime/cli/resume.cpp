@@ -1,0 +1,56 @@
+#include <suture/base/errors.h>
+#include <suture/cli/provider.h>
+#include <suture/cli/screen.h>
+#include <suture/cli/target.h>
+#include <suture/cli/verbs.h>
+
+namespace suture::cli {
+namespace {
+
+/// The interface that each component has for its life.
+Target lifeOf(const Target& required) {
+  return {required.process, required.component, "component"};
+}
+
+/// What the component answered, for a person.
+std::string told(const std::string& outcome, const std::string& connection) {
+  const std::string asked = "resume '" + connection + "'";
+  if (outcome == "Resumed") return connection + ": commands go through again";
+  if (outcome == "Asked") {
+    return connection +
+           ": commands go through again when its device uses it next, unless its "
+           "provider is lost then";
+  }
+  if (outcome == "NotConnected") {
+    throw SetupError(asked, "it is not connected",
+                     "`suture why` says what it could be connected to");
+  }
+  if (outcome == "NotAwaiting") {
+    throw SetupError(asked, "it does not await an operator", "Nothing has to be done");
+  }
+  if (outcome == "ProviderLost") {
+    throw SetupError(asked, "its provider is lost, suspended or faulted",
+                     "Have it run again, and look at it, first");
+  }
+  throw SetupError(asked, "its component requires no such interface",
+                   "`suture ps` shows those that there are");
+}
+
+}  // namespace
+
+int resume(rpc::EventPort& loop, const Options& options) {
+  const Target required = Target::parseInterface(options.target);
+  Provider life(loop, options, lifeOf(required));
+  const Member& command = life.contract().command("resume_connection");
+  const Answer answer = life.call(command, {{"required", required.interface}}, Labels::Names);
+  const std::string outcome = answer.value.get<std::string>();
+  const std::string text = told(outcome, required.toString());
+  if (options.json) {
+    printJson({{"outcome", outcome}});
+  } else {
+    print(text + "\n");
+  }
+  return 0;
+}
+
+}  // namespace suture::cli
