@@ -192,9 +192,18 @@ bool wouldBeMadeUp(const Type& type) {
   return isRecord(type) && type.shape != Shape::Optional && type.shape != Shape::AnyMatrix;
 }
 
+/// Whether it was sent, or was not. No array is empty, so one that is says nothing.
+std::string whether(bool sent, const WireValue& value, const std::string& in) {
+  const bool isList = value.type.shape == Shape::Array ||
+                      (value.type.shape == Shape::Matrix && !isRecord(value.type));
+  const std::string name = model::titleCase(value.wireName);
+  if (isList) return in + ".get" + name + "().size() " + (sent ? "!=" : "==") + " 0";
+  return (sent ? "" : "!") + in + ".has" + name + "()";
+}
+
 /// Reads it by `expression` where it was sent.
 std::string ifSent(const WireValue& value, const std::string& in, const std::string& expression) {
-  const std::string sent = in + ".has" + model::titleCase(value.wireName) + "()";
+  const std::string sent = whether(true, value, in);
   const auto choice = [](const std::string& asked, const std::string& yes, const std::string& no) {
     return asked + " " + kBreak + "? " + yes + " " + kBreak + ": " + no;
   };
@@ -202,7 +211,8 @@ std::string ifSent(const WireValue& value, const std::string& in, const std::str
   if (value.preset.empty()) return expression;
   const std::string preset = "fromDefault(" + value.preset + ", " + value.slot + ")";
   const bool isLong = expression.find(kBody) != std::string::npos;
-  return isLong ? choice("!" + sent, preset, expression) : choice(sent, expression, preset);
+  return isLong ? choice(whether(false, value, in), preset, expression)
+                : choice(sent, expression, preset);
 }
 
 }  // namespace

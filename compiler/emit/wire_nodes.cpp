@@ -64,6 +64,8 @@ Json wireNodes(const Context& context, const model::Interface& interface) {
     Json node{
         {"id", lock::idText(one.node->id)}, {"kind", kindOf(*one.node)}, {"name", one.node->name}};
     if (const unsigned major = lock::majorOf(*one.node); major > 1) node["major"] = major;
+    const auto version = one.node->annotations.find("version");
+    if (version != one.node->annotations.end()) node["version"] = std::stoul(version->second);
     node["members"] = Json::array();
     for (const lock::Member& member : one.node->members) {
       if (!contract.counts(member)) continue;

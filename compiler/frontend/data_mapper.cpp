@@ -3,6 +3,7 @@
 #include <clang/AST/DeclFriend.h>
 
 #include "compiler/frontend/defaults.h"
+#include "compiler/frontend/initialiser.h"
 #include "compiler/frontend/names.h"
 #include "compiler/frontend/scalars.h"
 #include "compiler/frontend/type_mapper.h"
@@ -76,9 +77,10 @@ void checkDefault(const Candidate& candidate, Default::State state, Mapping& map
       if (candidate.isListed()) return;
       mapping.error(candidate.place, "default-unseen",
                     "what the default constructor gives " + subject +
-                        " cannot be seen here; where a sender does not know it, a receiver would "
-                        "read zero",
-                    "initialise it where it is declared");
+                        " cannot be seen here; where a sender does not know it, a receiver may "
+                        "read something else",
+                    "initialise it where it is declared, or in the list of a constructor without "
+                    "statements");
   }
 }
 
@@ -175,6 +177,7 @@ void addBases(model::Struct& result, const DataDeclaration& declared, Mapping& m
     if (hasField(declared.record, field.name)) field.name += "_";
     field.type = std::move(*type);
     field.isBase = true;
+    field.isPreset = mayBeInitialised(declared.record, base);
     field.source = mapping.sourceOf(place);
     result.fields.push_back(std::move(field));
   }

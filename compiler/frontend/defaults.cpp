@@ -4,6 +4,7 @@
 #include <clang/AST/Expr.h>
 #include <clang/AST/ExprCXX.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -86,13 +87,29 @@ const clang::APValue& onlyNumber(const clang::APValue& value) {
   return one ? onlyNumber(value.getStructField(0)) : value;
 }
 
+// Exactly: "0.02" of 20,000,000.
+std::string secondsJson(std::int64_t nanoseconds) {
+  const std::uint64_t size = nanoseconds < 0 ? 0 - static_cast<std::uint64_t>(nanoseconds)
+                                             : static_cast<std::uint64_t>(nanoseconds);
+  std::string fraction = std::to_string(size % 1'000'000'000);
+  fraction.insert(0, 9 - fraction.size(), '0');
+  fraction.erase(std::max<std::size_t>(fraction.find_last_not_of('0') + 1, 1));
+  return (nanoseconds < 0 ? "-" : "") + std::to_string(size / 1'000'000'000) + "." + fraction;
+}
+
 Default duration(const clang::APValue& value, const model::Type& type) {
   const clang::APValue& ticks = onlyNumber(value);
-  if (!ticks.isFloat() && !ticks.isInt()) return {State::NotConstant};
-  const double count = ticks.isFloat() ? realOf(ticks.getFloat())
-                                       : static_cast<double>(ticks.getInt().getExtValue());
-  return real(count * static_cast<double>(type.periodNumerator) /
-              static_cast<double>(type.periodDenominator));
+  if (ticks.isFloat()) {
+    return real(realOf(ticks.getFloat()) * static_cast<double>(type.periodNumerator) /
+                static_cast<double>(type.periodDenominator));
+  }
+  if (!ticks.isInt()) return {State::NotConstant};
+  const std::int64_t tick = type.periodNumerator * (1'000'000'000 / type.periodDenominator);
+  std::int64_t nanoseconds = 0;
+  if (__builtin_mul_overflow(ticks.getInt().getExtValue(), tick, &nanoseconds)) {
+    return {State::NotConstant};
+  }
+  return {State::Constant, secondsJson(nanoseconds)};
 }
 
 Default timePoint(const clang::APValue& value) {
@@ -116,15 +133,10 @@ Default numberOf(const clang::Expr* initialiser, const clang::FieldDecl* field,
   }
 }
 
-}  // namespace
-
-Default defaultOf(const clang::FieldDecl* field, const model::Type& type) {
+Default seenDefault(const clang::FieldDecl* field, const model::Type& type) {
   const clang::Expr* const initialiser = initialiserOf(field);
   if (initialiser == nullptr) {
-    const clang::CXXConstructorDecl* const constructor = writtenConstructor(field);
-    if (!isNumber(type)) return {};
-    if (field->hasInClassInitializer()) return {State::NotConstant};
-    return {constructor != nullptr && mayAssign(constructor) ? State::Unseen : State::Nothing};
+    return {isNumber(type) && field->hasInClassInitializer() ? State::NotConstant : State::Nothing};
   }
   if (saysNothing(initialiser) || initialiser->containsErrors()) return {};
   if (isNumber(type)) return numberOf(initialiser, field, type);
@@ -133,11 +145,19 @@ Default defaultOf(const clang::FieldDecl* field, const model::Type& type) {
   return text ? Default{State::Constant, dumped(literal->getString().str())} : Default{};
 }
 
+}  // namespace
+
+Default defaultOf(const clang::FieldDecl* field, const model::Type& type) {
+  Default found = seenDefault(field, type);
+  if (isNumber(type) && mayBeAssigned(field)) found.state = State::Unseen;
+  return found;
+}
+
 bool isPreset(const clang::FieldDecl* field) {
-  if (writtenConstructor(field) != nullptr) return true;
-  if (!field->hasInClassInitializer()) return false;
+  if (mayBeAssigned(field)) return true;
   const clang::Expr* const initialiser = initialiserOf(field);
-  return initialiser == nullptr || !saysNothing(initialiser);
+  if (initialiser == nullptr) return field->hasInClassInitializer();
+  return !saysNothing(initialiser);
 }
 
 }  // namespace suture::compiler::frontend

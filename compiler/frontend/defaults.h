@@ -20,14 +20,15 @@ struct Default {
   };
 
   State state = State::Nothing;
-  /// A number, an enumerator's name, a string; "inf" and "-inf"; seconds of a duration.
+  /// A number, an enumerator's name, a string; "inf" and "-inf"; of a duration its seconds, with
+  /// as many digits as it takes.
   std::string json{};
 };
 
 Default defaultOf(const clang::FieldDecl* field, const model::Type& type);
 
-/// Whether the default constructor of the field's class may give it another value than its type's
-/// own constructor does.
+/// Whether the default constructor of the field's class may give it another value than its type
+/// does.
 bool isPreset(const clang::FieldDecl* field);
 
 }  // namespace suture::compiler::frontend

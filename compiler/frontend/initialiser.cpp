@@ -1,12 +1,25 @@
 #include "compiler/frontend/initialiser.h"
 
 #include <clang/AST/ExprCXX.h>
+#include <clang/AST/RecursiveASTVisitor.h>
 #include <clang/AST/Stmt.h>
 
 #include <algorithm>
 
 namespace suture::compiler::frontend {
 namespace {
+
+const clang::CXXConstructorDecl* writtenConstructor(const clang::CXXRecordDecl* record) {
+  for (const clang::CXXConstructorDecl* one : record->ctors()) {
+    if (one->isDefaultConstructor() && one->isUserProvided()) return one;
+  }
+  return nullptr;
+}
+
+const clang::CXXConstructorDecl* writtenConstructor(const clang::FieldDecl* field) {
+  const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(field->getParent());
+  return record == nullptr ? nullptr : writtenConstructor(record);
+}
 
 const clang::CXXConstructorDecl* definitionOf(const clang::CXXConstructorDecl* constructor) {
   const clang::FunctionDecl* definition = nullptr;
@@ -37,6 +50,38 @@ const clang::Expr* inTemplate(const clang::FieldDecl* field) {
   return found == nullptr || found->isInstantiationDependent() ? nullptr : found;
 }
 
+// A constructor that hands over to another, or whose text is not in the header.
+bool isElsewhere(const clang::CXXConstructorDecl* constructor) {
+  const clang::CXXConstructorDecl* const definition = definitionOf(constructor);
+  return definition == nullptr || definition->isDelegatingConstructor();
+}
+
+/// Looks in a constructor's body for a member, or for a call that may set any.
+class Mentions : public clang::RecursiveASTVisitor<Mentions> {
+ public:
+  explicit Mentions(const clang::FieldDecl* field) : field_(field) {}
+
+  bool in(clang::Stmt* body) {
+    TraverseStmt(body);
+    return found_;
+  }
+
+  bool VisitMemberExpr(clang::MemberExpr* one) { return go(one->getMemberDecl() == field_); }
+  bool VisitCXXThisExpr(clang::CXXThisExpr* one) { return go(!one->isImplicit()); }
+  bool VisitCXXMemberCallExpr(clang::CXXMemberCallExpr* one) {
+    return go(llvm::isa<clang::CXXThisExpr>(one->getImplicitObjectArgument()->IgnoreImpCasts()));
+  }
+
+ private:
+  bool go(bool found) {
+    found_ = found_ || found;
+    return !found_;
+  }
+
+  const clang::FieldDecl* const field_;
+  bool found_ = false;
+};
+
 }  // namespace
 
 const clang::Expr* initialiserOf(const clang::FieldDecl* field) {
@@ -58,20 +103,25 @@ bool saysNothing(const clang::Expr* initialiser) {
   return construct != nullptr && construct->getNumArgs() == 0;
 }
 
-const clang::CXXConstructorDecl* writtenConstructor(const clang::FieldDecl* field) {
-  const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(field->getParent());
-  if (record == nullptr) return nullptr;
-  for (const clang::CXXConstructorDecl* one : record->ctors()) {
-    if (one->isDefaultConstructor() && one->isUserProvided()) return one;
-  }
-  return nullptr;
+bool mayBeAssigned(const clang::FieldDecl* field) {
+  const clang::CXXConstructorDecl* const constructor = writtenConstructor(field);
+  if (constructor == nullptr || inConstructor(field) != nullptr) return false;
+  return isElsewhere(constructor) || Mentions(field).in(definitionOf(constructor)->getBody());
 }
 
-bool mayAssign(const clang::CXXConstructorDecl* constructor) {
+bool mayBeInitialised(const clang::CXXRecordDecl* record, const clang::CXXBaseSpecifier& base) {
+  const clang::CXXConstructorDecl* const constructor = writtenConstructor(record);
+  if (constructor == nullptr) return false;
+  if (isElsewhere(constructor)) return true;
   const clang::CXXConstructorDecl* const definition = definitionOf(constructor);
-  if (definition == nullptr || definition->isDelegatingConstructor()) return true;
-  const auto* body = llvm::dyn_cast_or_null<clang::CompoundStmt>(definition->getBody());
-  return body == nullptr || !body->body_empty();
+  const auto* body = llvm::dyn_cast<clang::CompoundStmt>(definition->getBody());
+  const bool listed = std::any_of(
+      definition->init_begin(), definition->init_end(), [&](const clang::CXXCtorInitializer* one) {
+        return one->isWritten() && one->isBaseInitializer() &&
+               record->getASTContext().hasSameType(clang::QualType(one->getBaseClass(), 0),
+                                                   base.getType());
+      });
+  return listed || body == nullptr || !body->body_empty();
 }
 
 }  // namespace suture::compiler::frontend

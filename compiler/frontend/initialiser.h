@@ -14,11 +14,11 @@ const clang::Expr* initialiserOf(const clang::FieldDecl* field);
 /// "{}", or a constructor without arguments.
 bool saysNothing(const clang::Expr* initialiser);
 
-/// The default constructor that somebody wrote; null if there is none.
-const clang::CXXConstructorDecl* writtenConstructor(const clang::FieldDecl* field);
+/// Whether a constructor that somebody wrote may set the member where suturec does not follow: in
+/// its body, in another constructor, in another file. What its list says is seen.
+bool mayBeAssigned(const clang::FieldDecl* field);
 
-/// Whether statements that suturec does not follow may set members: it has a body, hands over to
-/// another, or is defined elsewhere.
-bool mayAssign(const clang::CXXConstructorDecl* constructor);
+/// Whether a constructor that somebody wrote says what the base is, or may do so.
+bool mayBeInitialised(const clang::CXXRecordDecl* record, const clang::CXXBaseSpecifier& base);
 
 }  // namespace suture::compiler::frontend

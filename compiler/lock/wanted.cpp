@@ -1,8 +1,8 @@
 #include "compiler/lock/wanted.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <cstdlib>
 #include <set>
 #include <utility>
@@ -65,11 +65,22 @@ std::string word(const std::string& json) {
   return json.starts_with('"') ? json.substr(1, json.size() - 2) : json;
 }
 
+/// "20000000" of "0.02", digit by digit.
+std::string nanoseconds(const std::string& seconds) {
+  const std::size_t point = seconds.find('.');
+  std::string digits = seconds.substr(0, point);
+  const std::string fraction = point == std::string::npos ? "" : seconds.substr(point + 1);
+  digits += fraction + std::string(9 - fraction.size(), '0');
+  const std::size_t sign = digits.starts_with('-') ? 1 : 0;
+  const std::size_t first = std::min(digits.find_first_not_of('0', sign), digits.size() - 1);
+  return digits.erase(sign, first - sign);
+}
+
 /// Of a duration, whose default is told in seconds: nanoseconds, or its own count where it is real.
 std::string capnpDuration(const std::string& json, const model::Type& type) {
   if (json.starts_with('"')) return word(json);  // infinite
+  if (wireScalar(type) == model::Scalar::Int64) return nanoseconds(json);
   const double seconds = std::strtod(json.c_str(), nullptr);
-  if (wireScalar(type) == model::Scalar::Int64) return std::to_string(std::llround(seconds * 1e9));
   return number(seconds * static_cast<double>(type.periodDenominator) /
                 static_cast<double>(type.periodNumerator));
 }

@@ -470,7 +470,8 @@ Errc fromWire(wire::TwistGoal::Reader in, TwistGoalSlot& slot, Duration shift) {
           : fromDefault(TwistGoal().linear_acceleration, slot.linear_acceleration),
       in.hasAngularAcceleration() ? fromWire(in.getAngularAcceleration(), slot.angular_acceleration)
           : fromDefault(TwistGoal().angular_acceleration, slot.angular_acceleration),
-      in.hasMask() ? fromWire(in.getMask(), slot.mask) : fromDefault(TwistGoal().mask, slot.mask),
+      in.getMask().size() != 0 ? fromWire(in.getMask(), slot.mask)
+          : fromDefault(TwistGoal().mask, slot.mask),
   });
 }
 
@@ -496,7 +497,8 @@ Errc fromWire(wire::Wrench::Reader in, WrenchSlot& slot, Duration shift) {
       in.hasForce() ? fromWire(in.getForce(), slot.force) : fromDefault(Wrench().force, slot.force),
       in.hasTorque() ? fromWire(in.getTorque(), slot.torque)
           : fromDefault(Wrench().torque, slot.torque),
-      in.hasMask() ? fromWire(in.getMask(), slot.mask) : fromDefault(Wrench().mask, slot.mask),
+      in.getMask().size() != 0 ? fromWire(in.getMask(), slot.mask)
+          : fromDefault(Wrench().mask, slot.mask),
       fromWire(in.getMovingFrame(), slot.moving_frame),
       fromWire(in.getReferenceFrame(), slot.reference_frame),
   });
@@ -520,7 +522,8 @@ Errc fromWire(wire::WrenchGoal::Reader in, WrenchGoalSlot& slot, Duration shift)
           : fromDefault(WrenchGoal().force, slot.force),
       in.hasTorque() ? fromWire(in.getTorque(), slot.torque)
           : fromDefault(WrenchGoal().torque, slot.torque),
-      in.hasMask() ? fromWire(in.getMask(), slot.mask) : fromDefault(WrenchGoal().mask, slot.mask),
+      in.getMask().size() != 0 ? fromWire(in.getMask(), slot.mask)
+          : fromDefault(WrenchGoal().mask, slot.mask),
   });
 }
 
@@ -595,7 +598,7 @@ Errc fromWire(wire::CartesianGoal::Reader in, CartesianGoalSlot& slot, Duration 
           : fromDefault(CartesianGoal().linear_acceleration, slot.linear_acceleration),
       in.hasAngularAcceleration() ? fromWire(in.getAngularAcceleration(), slot.angular_acceleration)
           : fromDefault(CartesianGoal().angular_acceleration, slot.angular_acceleration),
-      in.hasMask() ? fromWire(in.getMask(), slot.mask)
+      in.getMask().size() != 0 ? fromWire(in.getMask(), slot.mask)
           : fromDefault(CartesianGoal().mask, slot.mask),
       fromWire(in.getMovingFrame(), slot.moving_frame),
       fromWire(in.getReferenceFrame(), slot.reference_frame),

@@ -248,7 +248,7 @@ Errc fromWire(wire::CameraInfo::Reader in, CameraInfoSlot& slot, Duration shift)
           : fromDefault(CameraInfo().intrinsic, slot.intrinsic),
       in.hasRectification() ? fromWire(in.getRectification(), slot.rectification)
           : fromDefault(CameraInfo().rectification, slot.rectification),
-      in.hasProjection() ? fromWire(in.getProjection(), slot.projection)
+      in.getProjection().size() != 0 ? fromWire(in.getProjection(), slot.projection)
           : fromDefault(CameraInfo().projection, slot.projection),
   });
 }

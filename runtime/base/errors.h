@@ -32,7 +32,7 @@ enum class Errc : std::uint8_t {
   TooOld,            ///< the state table does not reach back that far; configure more rows
   Suspended,         ///< the provider is suspended; the command was not executed
   Stale,             ///< older than the connection's max_age
-  AwaitingOperator,  ///< after a loss, until Manager::resumeConnection(); nothing was sent
+  AwaitingOperator,  ///< after a loss, until somebody resumes it; nothing was sent
   Cancelled,         ///< its sender cancelled it in time; not executed
   CannotWait,        ///< an event is not awaited in an event's handler, nor if its own is direct
   NotPermitted,      ///< the provider's policy lets this process read, not command; not executed

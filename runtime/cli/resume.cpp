@@ -22,8 +22,7 @@ std::string told(const std::string& outcome, const std::string& connection) {
            "provider is lost then";
   }
   if (outcome == "NotConnected") {
-    throw SetupError(asked, "it is not connected",
-                     "`suture why` says what it could be connected to");
+    throw SetupError(asked, "it is not connected", "`suture ps` shows what there is");
   }
   if (outcome == "NotAwaiting") {
     throw SetupError(asked, "it does not await an operator", "Nothing has to be done");
@@ -32,8 +31,12 @@ std::string told(const std::string& outcome, const std::string& connection) {
     throw SetupError(asked, "its provider is lost, suspended or faulted",
                      "Have it run again, and look at it, first");
   }
-  throw SetupError(asked, "its component requires no such interface",
-                   "`suture ps` shows those that there are");
+  if (outcome == "NoSuchInterface") {
+    throw SetupError(asked, "its component requires no such interface",
+                     "`suture ps` shows those that there are");
+  }
+  throw SetupError(asked, "it answers '" + outcome + "', which this program does not know",
+                   "Use the `suture` that the process was built with");
 }
 
 }  // namespace

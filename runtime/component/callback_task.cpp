@@ -14,6 +14,7 @@ void CallbackTask::start() {
 
 void CallbackTask::stop() {
   setEnding(true);
+  doorbell().ring();  // its cycle may wait for an event that nobody handles any more
   if (!running_.exchange(false)) return;
   while (cycling_.test_and_set(std::memory_order_seq_cst)) cycleEnded_.wait();
   claimThread();
@@ -44,7 +45,7 @@ bool CallbackTask::trigger() {
     return false;
   }
   const bool started = running_.load(std::memory_order_acquire);
-  const bool runs = started && state() == ComponentState::Running;
+  const bool runs = started && !ending() && state() == ComponentState::Running;
   if (started) {
     claimThread();
     cycle();

@@ -194,7 +194,8 @@ void Component::handleEvents() {
   const ComponentState before = state();
   for (RequiredBase* required : required_) required->lookAtConnection();
   for (RequiredBase* required : required_) {
-    if (state() != before) return;  // the contract of a connection has parked it
+    // The contract of a connection has parked it, or it is asked to stop.
+    if (state() != before || ending()) return;
     required->handleEvents();
   }
 }

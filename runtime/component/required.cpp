@@ -128,28 +128,36 @@ void RequiredBase::watch(ProvidedBase& own) {
                                        own.state(), EventSet{0});
 }
 
-// What a device requires is another thread's than that of its commands.
+std::pair<const void*, std::uint64_t> RequiredBase::losses() const {
+  const ConnectionWatch* const watch = channel_ == nullptr ? nullptr : channel_->watch.get();
+  return {watch, watch == nullptr ? 0 : watch->losses.load(std::memory_order_relaxed)};
+}
+
+// What a device requires is another thread's than that of its commands. Who resumes a connection
+// has not seen what is lost since.
 ResumeOutcome RequiredBase::resume() {
   if (!owner_.ownsThread()) {
     resumeAsked_ = true;
     return ResumeOutcome::Asked;
   }
+  const auto seen = losses();
   lookAtConnection();
-  return channel_ == nullptr ? ResumeOutcome::NotConnected : channel_->resume();
+  if (channel_ == nullptr) return ResumeOutcome::NotConnected;
+  return seen == losses() ? channel_->resume() : ResumeOutcome::ProviderLost;
 }
 
-// Somebody who resumed before a loss has not seen it.
 void RequiredBase::lookAtConnection() {
+  const bool asked = resumeAsked_.load(std::memory_order_relaxed) && resumeAsked_.exchange(false);
+  const auto seen = losses();
   adopt();
-  if (resumeAsked_.load(std::memory_order_relaxed)) {
-    resumeAsked_ = false;
-    if (channel_ != nullptr) channel_->resume();
-  }
   noticeLoss();
+  if (asked && channel_ != nullptr && seen == losses()) channel_->resume();
 }
 
 void RequiredBase::handleEvents() {
+  const bool atItsEnd = owner_.ending();
   handleQueuedEvents();
+  if (!atItsEnd && owner_.ending()) return;
   offerNews();
   finishFollowed();
 }

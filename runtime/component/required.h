@@ -180,6 +180,8 @@ class RequiredBase {
   Sample<void> fallBack(Fallback fallback, Errc error, Time stamp);
   /// True if `answer` stands for a value that is zero by contract.
   bool zeroes(const Sample<void>& answer) const;
+  /// What has been lost so far: equal if nothing has been since.
+  std::pair<const void*, std::uint64_t> losses() const;
   /// Acts on each loss of the provider, once.
   void noticeLoss();
   bool awaitsOperator(std::uint16_t command) const;
@@ -238,7 +240,7 @@ class RequiredBase {
   Duration maxAge_{0};
   // Of channel_, by noticeLoss().
   bool lossNoticed_ = false;
-  std::atomic<bool> resumeAsked_{false};
+  std::atomic<bool> resumeAsked_{false};  // of a device
   std::uint32_t faultsNoticed_ = 0;
 };
 

@@ -42,7 +42,6 @@ class Comparison {
     } else if (textOf(here_["wire"][0], "id") != textOf(there_["wire"][0], "id")) {
       broken("contract: " + textOf(here_, "name") + " here, " + textOf(there_, "name") + " there");
     } else {
-      compareVersions();
       compareNodes();
       found_.commands = compareNumbers("commands");
       compareNumbers("events");
@@ -52,15 +51,6 @@ class Comparison {
 
  private:
   void broken(std::string text) { found_.breaks.push_back(std::move(text)); }
-
-  // Who says version(n) of a contract says that other versions mean something else by the same
-  // names.
-  void compareVersions() {
-    const long ours = numberOf(here_, "version", 1), theirs = numberOf(there_, "version", 1);
-    if (ours == theirs) return;
-    broken("version(" + std::to_string(ours) + ") here, version(" + std::to_string(theirs) +
-           ") there");
-  }
 
   // A type that one end alone has is in nothing that both know.
   void compareNodes() {
@@ -81,6 +71,12 @@ class Comparison {
     if (major != otherMajor) {
       broken(title + ": major " + std::to_string(major) + " here, " + std::to_string(otherMajor) +
              " there");
+    }
+    // Who says version(n) says that other versions mean something else by the same names.
+    const long version = numberOf(node, "version", 1), otherVersion = numberOf(other, "version", 1);
+    if (version != otherVersion) {
+      broken(title + ": version(" + std::to_string(version) + ") here, version(" +
+             std::to_string(otherVersion) + ") there");
     }
     compareMembers(listOf(node, "members"), listOf(other, "members"), title);
   }

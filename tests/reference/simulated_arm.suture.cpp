@@ -55,7 +55,7 @@ void toWire(const SimulatedArmParametersSlot& slot, wire::SimulatedArmParameters
 Errc fromWire(wire::SimulatedArmParameters::Reader in, SimulatedArmParametersSlot& slot, Duration) {
   slot.period = in.getPeriod();
   return firstError({
-      in.hasHome() ? fromWire(in.getHome(), slot.home)
+      in.getHome().size() != 0 ? fromWire(in.getHome(), slot.home)
           : fromDefault(SimulatedArmParameters().home, slot.home),
       fromWire(in.getModel(), slot.model),
   });

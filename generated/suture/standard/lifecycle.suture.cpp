@@ -121,7 +121,8 @@ constexpr char kLifecycleDescription[] = R"json(
 "doc": "the component requires none of that name"}, {"name": "NotConnected", "value": 3,
 "wire": "notConnected"}, {"name": "NotAwaiting", "value": 4, "wire": "notAwaiting",
 "doc": "it awaits no operator: nothing has to be done"}, {"name": "ProviderLost", "value": 5,
-"wire": "providerLost", "doc": "or suspended, or faulted: nobody resumes what is not there"}]}],
+"wire": "providerLost",
+"doc": "or suspended, or faulted: nobody resumes what is not there, or has just gone"}]}],
 "structs": [{"name": "suture::StateChange", "doc": "A component has come into a state.", "fields": [
 {"name": "state", "type": {"kind": "enum", "name": "suture::ComponentState"},
 "default": "Constructed"}, {"name": "fault",

@@ -80,5 +80,5 @@ enum ResumeOutcome @0xc2c9babc8f01c05f $Meta.cxx("suture::ResumeOutcome") $Meta.
   notAwaiting @4 $Meta.cxx("NotAwaiting") $Meta.value(4);
   # it awaits no operator: nothing has to be done
   providerLost @5 $Meta.cxx("ProviderLost") $Meta.value(5);
-  # or suspended, or faulted: nobody resumes what is not there
+  # or suspended, or faulted: nobody resumes what is not there, or has just gone
 }

@@ -82,6 +82,9 @@ ADDED = [
     ("changedInner", 'Inner {}{{9, "c"}}', "(9,'c')"),
     ("instance", "BoxOfInner {}", "{(7,'n')}"),
     ("made", "Made {}", "(5,'m')"),
+    ("partly", "Partly {}", "(0.5 [0 0 0] [1 0 0 0])"),
+    ("ever", "std::chrono::nanoseconds {} = std::chrono::nanoseconds::max()", "9223372036854775807"),
+    ("half", "SUTURE_FIELD(range(-std::numeric_limits<double>::infinity(), 1)) double {} = 0.5", "0.5"),
     ("opaque", "Opaque {}", "<3>"),
 ]
 
@@ -111,7 +114,7 @@ HEADER = """#pragma once
 namespace evolution {
 %(types)s
 struct SUTURE_TYPE() Record%(bases)s {
-  double x = 0;
+%(constructor)s  double x = 0;
 %(members)s};
 
 class SUTURE_INTERFACE() Kinds {
@@ -146,6 +149,14 @@ struct SUTURE_TYPE() Made {
   SUTURE_FIELD(capacity(4)) std::string label;
 };
 
+/// Its constructor says nothing of what Eigen leaves as it is.
+struct SUTURE_TYPE() Partly {
+  Partly() : speed(0.5) {}
+  double speed;
+  Eigen::Vector3d offset;
+  Eigen::Quaterniond turn;
+};
+
 struct SUTURE_TYPE() OpaqueForm {
   std::int32_t number = 3;
 };
@@ -160,6 +171,8 @@ class Opaque {
 };
 
 struct SUTURE_TYPE() Base {
+  Base() = default;
+  explicit Base(const std::string& name) : id(name) {}
   SUTURE_FIELD(capacity(4)) std::string id = "b";
 };
 
@@ -224,6 +237,7 @@ def write(folder, version):
     (folder / "evolution" / "kinds.h").write_text(HEADER % {
         "types": TYPES if newer else "",
         "bases": " : Base" if newer else "",
+        "constructor": '  Record() : Base("d") {}\n' if newer else "",
         "members": "".join(f"  {declaration.format(name)};\n" for name, declaration, _ in added),
         "parameters": listed,
     })

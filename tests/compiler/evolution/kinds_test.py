@@ -12,7 +12,7 @@ from processes import talk
 
 PROGRAMS = {}
 
-MEMBERS = {"base": "'b'", **{name: text for name, _, text in kinds.ADDED}}
+MEMBERS = {"base": "'d'", **{name: text for name, _, text in kinds.ADDED}}
 PARAMETERS = {name: text for name, _, _, text in kinds.PARAMETERS}
 
 

@@ -27,6 +27,9 @@ std::string structText(const T& value) {
   if constexpr (requires { value.label; }) {
     return "(" + text(value.level) + "," + text(value.label) + ")";
   }
+  if constexpr (requires { value.turn; }) {
+    return "(" + text(value.speed) + " " + text(value.offset) + " " + text(value.turn) + ")";
+  }
   if constexpr (requires { value.number(); }) return "<" + text(value.number()) + ">";
   return "?";
 }

@@ -264,9 +264,9 @@ TEST(Reconnect, AStaleReadAwaitsTheOperator) {
 
 /// Speaks to the life of a client, from the same process or another.
 struct Operator final : Device {
-  ResumeOutcome resume(const std::string& required) {
+  std::optional<ResumeOutcome> resume(const std::string& required) {
     const auto answer = life.resume_connection.start(required).within(5s);
-    return answer ? *answer : ResumeOutcome::Asked;
+    return answer ? std::optional(*answer) : std::nullopt;
   }
   Required<Lifecycle> life{*this, "Life"};
 };
@@ -315,6 +315,45 @@ TEST(Reconnect, ADeviceResumesWhenItUsesTheConnectionNext) {
   EXPECT_EQ(client.slave.hold().error(), Errc::AwaitingOperator);
   EXPECT_EQ(person.resume("Slave"), ResumeOutcome::Asked);
   EXPECT_TRUE(client.slave.hold());
+}
+
+TEST(Reconnect, WhoHasResumedADeviceHasNotSeenALaterLoss) {
+  const TemporaryDirectory directory;
+  rpc::ControlThread control;
+  const GlobalManager global(control, "unix:" + directory.file("m.sock"));
+  DeviceClient client;
+  Operator person;
+  Manager here{"here", global.address()};
+  here.add("Teleop", client);
+  here.add("Operator", person);
+  here.start();
+  here.connect("Operator/Life", "Teleop/component");
+  std::shared_ptr<Channel> lost;
+  {
+    ArmTask arm;
+    Manager there{"there", global.address()};
+    there.add("PSM", arm);
+    there.start();
+    here.connect("Teleop/Slave", "there:PSM/Arm", Lane::Auto, 1s, {}, {.resume = Resume::Operator});
+    EXPECT_TRUE(client.slave.hold());
+    EXPECT_EQ(person.resume("Slave"), ResumeOutcome::Asked);
+    for (const auto& one : here.channels()) {
+      if (one->watch != nullptr && one->name.find("Slave") != std::string::npos) lost = one;
+    }
+    ASSERT_NE(lost, nullptr);
+  }
+  ArmTask arm;
+  Manager there{"there", global.address()};
+  there.add("PSM", arm);
+  there.start();
+  EXPECT_TRUE(eventually([&] {
+    const auto channels = here.channels();
+    return std::any_of(channels.begin(), channels.end(), [&](const auto& one) {
+      return one != lost && one->watch == lost->watch && one->status == ChannelStatus::Connected;
+    });
+  }));
+  EXPECT_EQ(client.slave.hold().error(), Errc::AwaitingOperator);
+  EXPECT_EQ(arm.holds, 0);
 }
 
 }  // namespace

@@ -109,7 +109,8 @@ TEST_P(Stop, EndsAfterTheCommandThatRuns) {
   EXPECT_EQ(arm_.holds, 0);
   EXPECT_EQ(arm_.runs, 0);
   EXPECT_EQ(channel->commands.counters.executed, 1u);
-  EXPECT_FALSE(answered.within(5s));
+  const Errc error = answered.within(5s).error();
+  EXPECT_TRUE(error == Errc::Lost || error == Errc::OutcomeUnknown) << toString(error);
 }
 
 /// Of one process: its answers are exact.

@@ -94,9 +94,9 @@ TEST(Compatibility, AnotherKindOfTypeOrMajor) {
 
 TEST(Compatibility, VersionsOfAContractDoNotConnect) {
   Json changed = contract();
-  changed["version"] = 2;
-  expectBreak(changed, {"version(1) here, version(2) there"},
-              {"version(2) here, version(1) there"});
+  changed["wire"][0]["version"] = 2;
+  expectBreak(changed, {"interface Arm: version(1) here, version(2) there"},
+              {"interface Arm: version(2) here, version(1) there"});
 }
 
 // As where a base has got a command since: those behind it have other numbers.

@@ -33,7 +33,7 @@ enum class SUTURE_TYPE() ResumeOutcome : std::uint8_t {
   NoSuchInterface,  ///< the component requires none of that name
   NotConnected,
   NotAwaiting,   ///< it awaits no operator: nothing has to be done
-  ProviderLost,  ///< or suspended, or faulted: nobody resumes what is not there
+  ProviderLost,  ///< or suspended, or faulted: nobody resumes what is not there, or has just gone
 };
 
 /// The provided interface "component" of every component that a manager has. It is served also

@@ -9,6 +9,8 @@ int later();
 struct SUTURE_TYPE() Fields {
   int unknown = later();
   std::chrono::seconds pause{later()};
+  std::chrono::nanoseconds ever = std::chrono::nanoseconds::max();
+  std::chrono::hours longer = std::chrono::hours::max();
   std::chrono::steady_clock::time_point never = std::chrono::steady_clock::time_point::max();
   double nothing = std::numeric_limits<double>::quiet_NaN();
   double noLimit = std::numeric_limits<double>::infinity();
@@ -16,9 +18,15 @@ struct SUTURE_TYPE() Fields {
   int braces{};
 };
 struct SUTURE_TYPE() InBody {
-  InBody() { number = 7; }
+  InBody() { number = changed = 7; }
   int number;
+  int changed = 1;
   int shown = 7;
+};
+struct SUTURE_TYPE() InMethod {
+  InMethod() { reset(); }
+  void reset() { number = 7; }
+  int number = 1;
 };
 struct SUTURE_TYPE() Elsewhere {
   Elsewhere();
@@ -27,7 +35,7 @@ struct SUTURE_TYPE() Elsewhere {
 struct SUTURE_TYPE() HandedOver {
   HandedOver() : HandedOver(7) {}
   explicit HandedOver(int n) : number(n) {}
-  int number;
+  int number = 1;
 };
 struct SUTURE_TYPE() InList {
   InList() : number(7), late(later()), zero() {}

@@ -471,11 +471,11 @@ Errc fromWire(wire::Everything::Reader in, EverythingSlot& slot, Duration shift)
       }),
       in.hasPoint() ? fromWire(in.getPoint(), slot.point)
           : fromDefault(Everything().point, slot.point),
-      in.hasPlane() ? fromWire(in.getPlane(), slot.plane)
+      in.getPlane().size() != 0 ? fromWire(in.getPlane(), slot.plane)
           : fromDefault(Everything().plane, slot.plane),
       in.hasInertia() ? fromWire(in.getInertia(), slot.inertia)
           : fromDefault(Everything().inertia, slot.inertia),
-      in.hasJacobian() ? fromWire(in.getJacobian(), slot.jacobian)
+      in.getJacobian().size() != 0 ? fromWire(in.getJacobian(), slot.jacobian)
           : fromDefault(Everything().jacobian, slot.jacobian),
       in.hasAttitude() ? fromWire(in.getAttitude(), slot.attitude)
           : fromDefault(Everything().attitude, slot.attitude),

@@ -129,7 +129,7 @@ void toWire(const KDLVectorSlot& slot, wire::Vector::Builder out) {
 }
 
 Errc fromWire(wire::Vector::Reader in, KDLVectorSlot& slot, Duration) {
-  return in.hasData() ? fromWire(in.getData(), slot.data)
+  return in.getData().size() != 0 ? fromWire(in.getData(), slot.data)
       : fromDefault(KDL::Vector().data, slot.data);
 }
 
@@ -142,7 +142,7 @@ void toWire(const KDLRotationSlot& slot, wire::Rotation::Builder out) {
 }
 
 Errc fromWire(wire::Rotation::Reader in, KDLRotationSlot& slot, Duration) {
-  return in.hasData() ? fromWire(in.getData(), slot.data)
+  return in.getData().size() != 0 ? fromWire(in.getData(), slot.data)
       : fromDefault(KDL::Rotation().data, slot.data);
 }
 

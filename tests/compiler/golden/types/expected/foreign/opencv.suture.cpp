@@ -160,7 +160,8 @@ void toWire(const cvMatx33dSlot& slot, wire::Matx33d::Builder out) {
 }
 
 Errc fromWire(wire::Matx33d::Reader in, cvMatx33dSlot& slot, Duration) {
-  return in.hasVal() ? fromWire(in.getVal(), slot.val) : fromDefault(cv::Matx33d().val, slot.val);
+  return in.getVal().size() != 0 ? fromWire(in.getVal(), slot.val)
+      : fromDefault(cv::Matx33d().val, slot.val);
 }
 
 bool isValid(const cvMatx33dSlot& slot) {

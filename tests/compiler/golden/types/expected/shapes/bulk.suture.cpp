@@ -75,7 +75,7 @@ Errc fromWire(wire::Bulk::Reader in, BulkSlot& slot, Duration) {
       fromWire(in.getTriple(), slot.triple),
       fromWire(in.getBytes(), slot.bytes),
       fromWire(in.getLine(), slot.line),
-      in.hasJacobian() ? fromWire(in.getJacobian(), slot.jacobian)
+      in.getJacobian().size() != 0 ? fromWire(in.getJacobian(), slot.jacobian)
           : fromDefault(Bulk().jacobian, slot.jacobian),
       fromWire(in.getImage(), slot.image),
   });

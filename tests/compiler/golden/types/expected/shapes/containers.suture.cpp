@@ -938,7 +938,7 @@ Errc fromWire(wire::Matrices::Reader in, MatricesSlot& slot, Duration) {
       fromWire(in.getCounts(), slot.counts),
       suture::rpc::fromWireFlat(in.getColumns(), slot.columns),
       fromWire(in.getLimited(), slot.limited),
-      in.hasFixed() ? fromWire(in.getFixed(), slot.fixed)
+      in.getFixed().size() != 0 ? fromWire(in.getFixed(), slot.fixed)
           : fromDefault(Matrices().fixed, slot.fixed),
       suture::rpc::fromWireFlat(in.getCloud(), slot.cloud),
       suture::rpc::fromWireFlat(in.getWrenches(), slot.wrenches),
