@@ -1,5 +1,5 @@
 #pragma once
-// What commands have got since they were first locked.
+// Tells which parameters commands have got since they were first locked.
 
 #include <set>
 #include <string>

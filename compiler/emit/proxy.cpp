@@ -11,6 +11,11 @@ namespace {
 
 std::string home(const Context& context) { return context.header.cxxNamespace; }
 
+/// What every provider sends.
+WireValue needed(const model::Type& type, const std::string& wireName, const std::string& slot) {
+  return {.type = type, .wireName = wireName, .slot = slot, .isNeeded = true};
+}
+
 // --- events and rows from the provider
 
 void emitColumn(Code& code, const Context& context, const model::Command& read, std::size_t i) {
@@ -18,8 +23,8 @@ void emitColumn(Code& code, const Context& context, const model::Command& read, 
   code.open("if (in.getEvaluated() >> ", column, " & 1) {");
   code.line("auto& slot = ", kBreakText, "port_->column<",
             slotType(*read.result, context, home(context)), ">(", column, ");");
-  const std::string outcome = emitDecode(
-      code, {{*read.result, read.wireName, "slot", {}, "", true}}, "in", "port_->shift()", context);
+  const std::string outcome = emitDecode(code, {needed(*read.result, read.wireName, "slot")}, "in",
+                                         "port_->shift()", context);
   const std::string mark = "valid |= suture::rt::ColumnSet{1} << " + column + ";";
   if (outcome == "Errc{}") {
     code.line(mark);
@@ -82,7 +87,7 @@ void emitAnswer(Code& code, const Context& context, const model::Command& comman
   // That of a composite is long.
   const std::string answer = lock::isComposite(type) ? "auto" : slot;
   code.open("port_.answer<", slot, ">(call, ", stamp, kBreakText, "[&](", answer, "& answer) {");
-  emitDecodeAndReturn(code, {{type, "value", "answer", {}, "", true}}, "response", "port_.shift()",
+  emitDecodeAndReturn(code, {needed(type, "value", "answer")}, "response", "port_.shift()",
                       context);
   code.close("});").close("});");
 }

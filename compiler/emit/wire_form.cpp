@@ -192,7 +192,7 @@ bool wouldBeMadeUp(const Type& type) {
   return isRecord(type) && type.shape != Shape::Optional && type.shape != Shape::AnyMatrix;
 }
 
-/// Whether it was sent, or was not. No array is empty, so one that is says nothing.
+/// Asks whether the value was sent, or was not. No array is empty, so an empty list says nothing.
 std::string whether(bool sent, const WireValue& value, const std::string& in) {
   const bool isList = value.type.shape == Shape::Array ||
                       (value.type.shape == Shape::Matrix && !isRecord(value.type));
@@ -249,8 +249,11 @@ std::vector<WireValue> fieldValues(const model::Struct& type, const Context& con
   std::vector<WireValue> values;
   for (const model::Field& field : type.fields) {
     const bool preset = field.isPreset && canBeMissing(field.type);
-    values.push_back({field.type, field.wireName, "slot." + field.name, admitted(field),
-                      preset ? access(type, field, fresh, true, home) : ""});
+    values.push_back({.type = field.type,
+                      .wireName = field.wireName,
+                      .slot = "slot." + field.name,
+                      .range = admitted(field),
+                      .preset = preset ? access(type, field, fresh, true, home) : ""});
   }
   return values;
 }
@@ -273,8 +276,11 @@ std::vector<WireValue> payloadValues(const model::Event& event) {
   std::vector<WireValue> values;
   for (std::size_t i = 0; i < event.payload.size(); ++i) {
     const auto range = i < event.limits.size() ? event.limits[i].range : std::nullopt;
-    values.push_back(
-        {event.payload[i], lock::payloadName(i), payloadMember(event, "slot", i), range, "", true});
+    values.push_back({.type = event.payload[i],
+                      .wireName = lock::payloadName(i),
+                      .slot = payloadMember(event, "slot", i),
+                      .range = range,
+                      .isNeeded = true});
   }
   return values;
 }

@@ -16,8 +16,9 @@ struct WireValue {
   const model::Type& type;
   std::string wireName;  ///< capnp's: "measuredCp"
   std::string slot;      ///< an lvalue: "slot.measured_cp"
-  std::optional<std::pair<double, double>> range;
-  /// What it is where the sender does not know it, as C++ says it; empty: what its type gives.
+  std::optional<std::pair<double, double>> range{};
+  /// A receiver takes this, as C++ says it, where the sender does not know the value. Where it is
+  /// empty, the receiver takes what the type gives.
   std::string preset{};
   /// Every sender knows it: where a struct or an array is missing, the message is wrong.
   bool isNeeded = false;

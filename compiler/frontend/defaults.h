@@ -1,5 +1,5 @@
 #pragma once
-// What the default constructor of a struct gives its members.
+// Finds what the default constructor of a struct gives its members.
 
 #include <clang/AST/Decl.h>
 
@@ -9,7 +9,7 @@
 
 namespace suture::compiler::frontend {
 
-/// Of a member.
+/// Says what a member is by default.
 struct Default {
   enum class State {
     Nothing,      ///< what its type's own default is, or what only a constructor knows (isPreset)

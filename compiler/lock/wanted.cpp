@@ -1,13 +1,11 @@
 #include "compiler/lock/wanted.h"
 
-#include <algorithm>
 #include <array>
-#include <charconv>
-#include <cstdlib>
 #include <set>
 #include <utility>
 
 #include "compiler/lock/composites.h"
+#include "compiler/lock/default_value.h"
 #include "compiler/lock/sha256.h"
 #include "compiler/lock/wire_type.h"
 #include "compiler/model/naming.h"
@@ -53,66 +51,6 @@ void addLifecycle(Annotations& annotations, const model::Lifecycle& lifecycle) {
   }
 }
 
-/// The shortest spelling that reads back as the same number.
-std::string number(double value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-  return std::string(text, end);
-}
-
-/// A JSON string without its quotes; anything else as it is.
-std::string word(const std::string& json) {
-  return json.starts_with('"') ? json.substr(1, json.size() - 2) : json;
-}
-
-/// "20000000" of "0.02", digit by digit.
-std::string nanoseconds(const std::string& seconds) {
-  const std::size_t point = seconds.find('.');
-  std::string digits = seconds.substr(0, point);
-  const std::string fraction = point == std::string::npos ? "" : seconds.substr(point + 1);
-  digits += fraction + std::string(9 - fraction.size(), '0');
-  const std::size_t sign = digits.starts_with('-') ? 1 : 0;
-  const std::size_t first = std::min(digits.find_first_not_of('0', sign), digits.size() - 1);
-  return digits.erase(sign, first - sign);
-}
-
-/// Of a duration, whose default is told in seconds: nanoseconds, or its own count where it is real.
-std::string capnpDuration(const std::string& json, const model::Type& type) {
-  if (json.starts_with('"')) return word(json);  // infinite
-  if (wireScalar(type) == model::Scalar::Int64) return nanoseconds(json);
-  const double seconds = std::strtod(json.c_str(), nullptr);
-  return number(seconds * static_cast<double>(type.periodDenominator) /
-                static_cast<double>(type.periodNumerator));
-}
-
-std::string capnpEnumerator(const std::string& name, const model::Enum& type) {
-  for (const model::Enumerator& enumerator : type.enumerators) {
-    const bool isFirst = &enumerator == &type.enumerators.front();
-    if (enumerator.name == name) return isFirst ? "" : enumerator.wireName;
-  }
-  return "";
-}
-
-/// The initialiser as capnp spells it. Only numbers and enums have one on the wire; capnp's own
-/// zero needs no saying.
-std::string capnpDefault(const model::Field& field, const model::Lookup& lookup) {
-  const std::string& json = field.defaultJson;
-  if (json.empty()) return "";
-  const auto unlessZero = [](const std::string& text) {
-    return text == "0" || text == "0.0" || text == "false" ? "" : text;
-  };
-  switch (field.type.shape) {
-    case model::Type::Shape::Scalar: return unlessZero(word(json));
-    case model::Type::Shape::Duration: return unlessZero(capnpDuration(json, field.type));
-    case model::Type::Shape::Enum:
-      if (const model::Enum* const type = lookup.findEnum(field.type.name)) {
-        return capnpEnumerator(word(json), *type);
-      }
-      return "";
-    default: return "";
-  }
-}
-
 using Bounds = std::optional<std::pair<double, double>>;
 
 Annotations valueAnnotations(const model::Type& type, const std::string& unit,
@@ -120,8 +58,8 @@ Annotations valueAnnotations(const model::Type& type, const std::string& unit,
   Annotations result = typeAnnotations(type);
   if (!unit.empty()) result.emplace("unit", quoted(unit));
   if (range) {
-    result.emplace("range", "(lowest = " + number(range->first) +
-                                ", highest = " + number(range->second) + ")");
+    result.emplace("range", "(lowest = " + capnpNumber(range->first) +
+                                ", highest = " + capnpNumber(range->second) + ")");
   }
   return result;
 }

@@ -38,7 +38,8 @@ struct Field {
   std::string unit;       ///< "" = none said
   std::optional<std::pair<double, double>> range;
   std::optional<std::string> was;
-  /// The initialiser as JSON where it is a constant of a scalar, enum or string; empty = zero.
+  /// The initialiser as JSON where it is a constant of a number, enum, duration (seconds, exact) or
+  /// string; "inf" and "-inf" are words; empty = zero.
   std::string defaultJson;
   bool isPreset = false;  ///< its struct's constructor may give it more than its type would
   Lifecycle lifecycle;

@@ -3,13 +3,12 @@
 //   kinds_peer ask ADDRESS    uses the Kinds of the other process
 // Each prints a line for every member that it gets: where it came from, its name, its value.
 
-#include <suture/base/errors.h>
 #include <suture/component/device.h>
-#include <suture/manager/manager.h>
 
 #include <iostream>
 #include <string>
 
+#include "tests/compiler/evolution/either_end.h"
 #include "versioned.h"
 
 namespace evolution {
@@ -46,12 +45,7 @@ class Keeper final : public suture::Device, public Receiver {
 
 void serve(const std::string& address) {
   Keeper keeper;
-  suture::Manager manager("server", address);
-  manager.add("Keeper", keeper);
-  manager.start();
-  std::cout << "ready" << std::endl;
-  std::cin.get();
-  manager.stop();
+  keep(address, "Keeper", keeper);
 }
 
 struct Client final : suture::Device {
@@ -67,12 +61,7 @@ void printRow(Client& client) {
   print("row", record);
 }
 
-void ask(const std::string& address) {
-  Client client;
-  suture::Manager manager("client", address);
-  manager.add("Client", client);
-  manager.start();
-  manager.connect("Client/Kinds", "server:Keeper/Kinds");
+void talk(Client& client) {
   bool told = false;
   const auto subscribed = client.kinds.on().put([&](const Record& record) {
     print("event", record);
@@ -88,22 +77,16 @@ void ask(const std::string& address) {
     if (!client.processEvents()) break;
   }
   printRow(client);
-  manager.stop();
+}
+
+void ask(const std::string& address) {
+  Client client;
+  connected(address, client, "Kinds", "Keeper/Kinds", [&] { talk(client); });
 }
 
 }  // namespace
 }  // namespace evolution
 
 int main(int argc, char** argv) {
-  if (argc != 3) return 2;
-  try {
-    if (std::string(argv[1]) == "serve") {
-      evolution::serve(argv[2]);
-    } else {
-      evolution::ask(argv[2]);
-    }
-  } catch (const suture::SetupError& error) {
-    std::cout << error.what() << std::endl;
-    return 1;
-  }
+  return evolution::eitherEnd(argc, argv, evolution::serve, evolution::ask);
 }

@@ -3,12 +3,10 @@
   kinds_test.py --manager SUTURE_MANAGER --v1 PROGRAM --v2 PROGRAM
 """
 
-import argparse
-import sys
 import unittest
 
 import kinds
-from processes import talk
+from processes import run_tests, talk
 
 PROGRAMS = {}
 
@@ -41,14 +39,5 @@ class Kinds(unittest.TestCase):
         self.assertEqual(values(asked, "row"), {"x": "1.5", **MEMBERS})
 
 
-def main():
-    parser = argparse.ArgumentParser()
-    for name in ("manager", "v1", "v2"):
-        parser.add_argument(f"--{name}", required=True)
-    arguments, rest = parser.parse_known_args()
-    PROGRAMS.update(vars(arguments))
-    unittest.main(argv=[sys.argv[0], *rest])
-
-
 if __name__ == "__main__":
-    main()
+    run_tests(PROGRAMS)

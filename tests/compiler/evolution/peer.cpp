@@ -2,15 +2,14 @@
 //   peer serve ADDRESS  provides Feed until its standard input ends, and prints what it gets
 //   peer ask ADDRESS    uses the Feed of the other process, and prints what it gets
 
-#include <suture/base/errors.h>
 #include <suture/component/device.h>
-#include <suture/manager/manager.h>
 
 #include <iostream>
 #include <string>
 #include <thread>
 
 #include "feeder.h"
+#include "tests/compiler/evolution/either_end.h"
 
 namespace evolution {
 namespace {
@@ -23,12 +22,7 @@ struct Client final : suture::Device {
 
 void serve(const std::string& address) {
   Feeder feeder;
-  suture::Manager manager("server", address);
-  manager.add("Feeder", feeder);
-  manager.start();
-  std::cout << "ready" << std::endl;
-  std::cin.get();
-  manager.stop();
+  keep(address, "Feeder", feeder);
 }
 
 std::string modeOf(Client& client) {
@@ -41,12 +35,7 @@ std::string modeOf(Client& client) {
   }
 }
 
-void ask(const std::string& address) {
-  Client client;
-  suture::Manager manager("client", address);
-  manager.add("Client", client);
-  manager.start();
-  manager.connect("Client/Feed", "server:Feeder/Feed");
+void talk(Client& client) {
   auto moved = client.feed.on().moved.next();
   const auto put = startPut(client.feed).within(5s);
   std::cout << "put: " << (put ? "done" : toString(put.error())) << "\n";
@@ -59,22 +48,16 @@ void ask(const std::string& address) {
   }
   std::cout << "mode: " << modeOf(client) << "\n";
   tryNewest(client.feed);
-  manager.stop();
+}
+
+void ask(const std::string& address) {
+  Client client;
+  connected(address, client, "Feed", "Feeder/Feed", [&] { talk(client); });
 }
 
 }  // namespace
 }  // namespace evolution
 
 int main(int argc, char** argv) {
-  if (argc != 3) return 2;
-  try {
-    if (std::string(argv[1]) == "serve") {
-      evolution::serve(argv[2]);
-    } else {
-      evolution::ask(argv[2]);
-    }
-  } catch (const suture::SetupError& error) {
-    std::cout << error.what() << std::endl;
-    return 1;
-  }
+  return evolution::eitherEnd(argc, argv, evolution::serve, evolution::ask);
 }

@@ -3,11 +3,9 @@
   peers_test.py --manager SUTURE_MANAGER --v1 PROGRAM --v2 PROGRAM
 """
 
-import argparse
-import sys
 import unittest
 
-from processes import talk
+from processes import run_tests, talk
 
 PROGRAMS = {}
 
@@ -41,14 +39,5 @@ class Peers(unittest.TestCase):
         self.assertEqual(asked, ["put: done", f"moved {V2_SEES_V2}", "mode: On", "clear: done"])
 
 
-def main():
-    parser = argparse.ArgumentParser()
-    for name in ("manager", "v1", "v2"):
-        parser.add_argument(f"--{name}", required=True)
-    arguments, rest = parser.parse_known_args()
-    PROGRAMS.update(vars(arguments))
-    unittest.main(argv=[sys.argv[0], *rest])
-
-
 if __name__ == "__main__":
-    main()
+    run_tests(PROGRAMS)

@@ -1,7 +1,10 @@
 """Two processes that talk to each other by a manager of their own."""
 
+import argparse
 import subprocess
+import sys
 import tempfile
+import unittest
 
 
 def talk(programs, server, client):
@@ -29,3 +32,13 @@ def talk_at(address, server, client):
         served, _ = serving.communicate("\n", timeout=30)
     assert serving.returncode == 0, served
     return served.splitlines(), asked.stdout.splitlines()
+
+
+def run_tests(programs):
+    """Runs the caller's tests; the command line names the programs."""
+    parser = argparse.ArgumentParser()
+    for name in ("manager", "v1", "v2"):
+        parser.add_argument(f"--{name}", required=True)
+    arguments, rest = parser.parse_known_args()
+    programs.update(vars(arguments))
+    unittest.main(argv=[sys.argv[0], *rest])
