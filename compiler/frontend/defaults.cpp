@@ -80,14 +80,14 @@ Default scalar(clang::QualType type, const clang::APValue& value) {
   return {State::Constant, value.getInt().getBoolValue() ? "true" : "false"};
 }
 
-// A class of one number, which may lie in a class of its own.
+// Looks into classes of one number, such as durations and points in time.
 const clang::APValue& onlyNumber(const clang::APValue& value) {
   const bool one =
       value.isStruct() && value.getStructNumBases() == 0 && value.getStructNumFields() == 1;
   return one ? onlyNumber(value.getStructField(0)) : value;
 }
 
-// Exactly: "0.02" of 20,000,000.
+// Spells them exactly: 20,000,000 are "0.02".
 std::string secondsJson(std::int64_t nanoseconds) {
   const std::uint64_t size = nanoseconds < 0 ? 0 - static_cast<std::uint64_t>(nanoseconds)
                                              : static_cast<std::uint64_t>(nanoseconds);

@@ -50,7 +50,7 @@ const clang::Expr* inTemplate(const clang::FieldDecl* field) {
   return found == nullptr || found->isInstantiationDependent() ? nullptr : found;
 }
 
-// A constructor that hands over to another, or whose text is not in the header.
+// Finds whether the constructor hands over to another, or stands in another file.
 bool isElsewhere(const clang::CXXConstructorDecl* constructor) {
   const clang::CXXConstructorDecl* const definition = definitionOf(constructor);
   return definition == nullptr || definition->isDelegatingConstructor();

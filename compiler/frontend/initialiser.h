@@ -1,5 +1,5 @@
 #pragma once
-// The expression that gives a member its value in the default constructor of its class.
+// Finds the expression that gives a member its value in the default constructor of its class.
 
 #include <clang/AST/Decl.h>
 #include <clang/AST/DeclCXX.h>
@@ -11,7 +11,7 @@ namespace suture::compiler::frontend {
 /// declaration, as in C++.
 const clang::Expr* initialiserOf(const clang::FieldDecl* field);
 
-/// "{}", or a constructor without arguments.
+/// True for "{}", and for a constructor without arguments.
 bool saysNothing(const clang::Expr* initialiser);
 
 /// Whether a constructor that somebody wrote may set the member where suturec does not follow: in

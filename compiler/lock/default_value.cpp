@@ -11,12 +11,12 @@ namespace {
 
 using Shape = model::Type::Shape;
 
-/// A JSON string without its quotes; anything else as it is.
+/// Takes the quotes from a JSON string, and leaves anything else as it is.
 std::string word(const std::string& json) {
   return json.starts_with('"') ? json.substr(1, json.size() - 2) : json;
 }
 
-/// "20000000" of "0.02", digit by digit.
+/// Makes "20000000" of "0.02", digit by digit.
 std::string nanoseconds(const std::string& seconds) {
   const std::size_t point = seconds.find('.');
   std::string digits = seconds.substr(0, point);
@@ -27,7 +27,7 @@ std::string nanoseconds(const std::string& seconds) {
   return digits.erase(sign, first - sign);
 }
 
-/// Of a duration, whose default is told in seconds: nanoseconds, or its own count where it is real.
+/// Turns the seconds of a duration into nanoseconds, or into its own count where that is real.
 std::string capnpDuration(const std::string& json, const model::Type& type) {
   if (json.starts_with('"')) return word(json);  // infinite
   if (wireScalar(type) == model::Scalar::Int64) return nanoseconds(json);
