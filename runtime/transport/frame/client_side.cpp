@@ -120,12 +120,11 @@ void ClientSide::give() {
 
 void ClientSide::giveSubscription() {
   const rt::ColumnSet columns = channel_->state->demand();
-  const EventSet events = channel_->subscribed();
-  const bool known = subscription_ != 0 && columns == columns_ && events == events_;
-  if (known && !channel_->joining()) return;
-  if (!hasRoom()) return;
+  const bool known = subscription_ != 0 && columns == columns_ && channel_->subscribed() == events_;
+  if ((known && !channel_->joining()) || !hasRoom()) return;
   ++subscription_;
   const EventSet joining = channel_->takeJoining();
+  const EventSet events = channel_->subscribed();  // after it: has all that join
   for (std::size_t i = 0; i < since_.size(); ++i) {
     if (joining >> i & 1) since_[i] = subscription_;
   }

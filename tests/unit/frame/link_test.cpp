@@ -7,12 +7,14 @@
 
 #include <sys/socket.h>
 
+#include <atomic>
 #include <memory>
 #include <thread>
 #include <vector>
 
 #include "reference/arm_like.suture.h"
 #include "support/eventually.h"
+#include "support/test_thread.h"
 #include "unit/rpc/socket_pair.h"
 
 namespace suture::frame {
@@ -132,6 +134,37 @@ TEST_F(LinkTest, ProviderIsSilentUntilItsClientIsThere) {
   near->join(pair.client);
   exchange();
   EXPECT_EQ(pair.heard(), 1);
+}
+
+// Whoever joins is given the last value of a latched event, which comes no second time.
+TEST_F(LinkTest, WhoSubscribesWhileTheLaneLooksIsToldOfAsJoining) {
+  constexpr EventSet kEvent = EventSet{1} << kStopped;
+  Pair& pair = add(1);
+  exchange();
+  std::atomic<int> laps{0};
+  std::atomic<bool> done{false};
+  TestThread lane([&] {
+    for (; !done; ++laps) {
+      for (int turn = 0; turn < 64; ++turn) near->turn();
+      far->arrived();
+      far->turn();
+      near->arrived();
+    }
+  });
+  const auto subscribe = [&](EventSet wanted) {
+    pair.near->subscribe(wanted, wanted);
+    for (const int before = laps; laps < before + 3;) std::this_thread::yield();
+    return pair.far->takeJoining();
+  };
+  int missed = 0;
+  for (int round = 0; round < 20'000; ++round) {
+    subscribe(0);
+    for (std::atomic<int> moment = round % 199; moment > 0; --moment) {}
+    if (subscribe(kEvent) != kEvent) ++missed;
+  }
+  done = true;
+  lane.join();
+  EXPECT_EQ(missed, 0);
 }
 
 TEST_F(LinkTest, BreaksForAllAndForWhoComesLater) {
