@@ -108,7 +108,8 @@ def shared_cross_build(arguments):
              "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DSUTURE_BUILD_COMPILER=OFF", "-DSUTURE_BUILD_TESTS=OFF",
              f"-DSUTUREC_EXECUTABLE={arguments.package}/bin/suturec",
              "-DCMAKE_SYSTEM_NAME=Linux", f"-DCMAKE_SYSTEM_PROCESSOR={os.uname().machine}"])
-    text = succeed("builds it", ["cmake", "--build", build, "-j", "2", "--target", "suture-manager", "suture_cli", "01_counter"])
+    text = succeed("builds it", ["cmake", "--build", build, "-j", "2", "--target", "suture-manager", "suture_cli",
+                                 "suture_testing", "01_counter"])
     expect("suturec 01_counter" in text and not (build / "bin/suturec").exists(), "with the given suturec", text[-2000:])
     libraries = succeed("readelf", ["readelf", "-d", build / "bin/01_counter"])
     expect("libsuture_manager.so" in libraries, "as shared libraries", libraries)
