@@ -162,8 +162,11 @@ TEST_P(ManagersTest, TheNameOfASilentProcessIsFreeForAnother) {
   asker.connect();
   EXPECT_TRUE(reaches(asker.console, 1));
 
+  const auto channels = asker.manager.channels();
   successor.reset();
   EXPECT_TRUE(eventually([&] { return !asker.manager.whyLost().empty(); })) << "it was that one";
+  // The reason is told before the loss, so the old connection may still look well.
+  EXPECT_TRUE(eventually([&] { return asker.manager.channels() != channels; }));
   EXPECT_TRUE(eventually([&] { return asker.console.arm.connected(); })) << "now it is the other";
   EXPECT_TRUE(reaches(asker.console, 2));
 }
