@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "arm/goals.h"
 #include "arm/kinematics/inverse.h"
@@ -192,27 +193,38 @@ void CrtkFace<N>::servo_jr(const JointGoal& step) {
   if (!arm_.mayMove()) return;
   const auto q = toJoints<N>(step.position);
   if (!q) return arm_.warn(ArmWarning::Malformed);
-  arm_.follow(arm_.model_.chain.clamp(arm_.setpoint_ + *q), step.stamp, "servo_jr");
+  arm_.servo(arm_.model_.chain.clamp(arm_.setpoint_ + *q), step.stamp, "servo_jr");
 }
 
 template <int N>
 void CrtkFace<N>::servo_jv(const JointVelocityGoal& goal) {
-  drive(toJoints<N>(goal.goal), "servo_jv");
+  const Joints unbounded = Joints::Constant(std::numeric_limits<double>::infinity());
+  const auto acceleration = toJointsOr<N>(unbounded, goal.acceleration);
+  const auto deceleration = toJointsOr<N>(unbounded, goal.deceleration);
+  const auto guard = toJointsOr<N>(Joints::Zero(), goal.guard);
+  const auto rate = masked<N>(toJoints<N>(goal.goal), goal.mask);
+  const bool bounded = acceleration && deceleration && guard && acceleration->minCoeff() > 0 &&
+                       deceleration->minCoeff() > 0;
+  if (!bounded) return drive(std::nullopt, "servo_jv", {});
+  typename Stream::JointBounds bounds{.change = {*acceleration, *deceleration}};
+  if (!goal.guard.empty()) bounds.guard = guard;
+  drive(rate, "servo_jv", bounds);
 }
 
 template <int N>
 void CrtkFace<N>::servo_jf(const JointEffortGoal& goal) {
-  const auto effort = toJoints<N>(goal.effort);
-  drive(effort ? std::optional<Joints>(*effort / kJointDamping) : std::nullopt, "servo_jf");
+  const auto effort = masked<N>(toJoints<N>(goal.effort), goal.mask);
+  drive(effort ? std::optional<Joints>(*effort / kJointDamping) : std::nullopt, "servo_jf", {});
 }
 
 template <int N>
-void CrtkFace<N>::drive(const std::optional<Joints>& rate, const char* activity) {
+void CrtkFace<N>::drive(const std::optional<Joints>& rate, const char* activity,
+                        const typename Stream::JointBounds& bounds) {
   if (!arm_.mayMove()) return;
   if (!rate) return arm_.warn(ArmWarning::Malformed);
   const Joints& limit = arm_.model_.rate_limit;
   arm_.follow(arm_.setpoint_, {}, activity);
-  stream_.follow(rate->cwiseMax(-limit).cwiseMin(limit), activity);
+  stream_.follow(rate->cwiseMax(-limit).cwiseMin(limit), activity, bounds);
 }
 
 template <int N>
@@ -221,12 +233,16 @@ void CrtkFace<N>::servo_cr(const PoseStamped& step) {
   arm_.servo_cp(stepped(step));
 }
 
+// 0 leaves an axis unbounded: the goal of a client that does not know accelerations has zeros.
 template <int N>
 void CrtkFace<N>::servo_cv(const TwistGoal& goal) {
-  const Eigen::Quaterniond toReference(baseFrame_.pose.linear());
-  const SpatialVector twist = masked(goal.linear, goal.angular, goal.mask);
-  drive(Stream::Kind::SpatialTwist, rotated(toReference.conjugate().toRotationMatrix(), twist),
-        "servo_cv");
+  if (!arm_.mayMove()) return;
+  SpatialVector change;
+  change << goal.linear_acceleration, goal.angular_acceleration;
+  if (!change.allFinite() || change.minCoeff() < 0) return arm_.warn(ArmWarning::Malformed);
+  change = (change.array() == 0).select(std::numeric_limits<double>::infinity(), change);
+  drive(Stream::Kind::SpatialTwist, masked(goal.linear, goal.angular, goal.mask), "servo_cv", {},
+        {.change = {change, change}, .axes = baseFrame_.pose.linear().transpose()});
 }
 
 template <int N>
@@ -244,16 +260,17 @@ void CrtkFace<N>::push(const WrenchGoal& goal, typename Stream::Kind kind) {
   const SpatialVector force = masked(goal.force, goal.torque, goal.mask);
   SpatialVector twist;
   twist << force.head<3>() / kTipDamping, force.tail<3>() / kTwistDamping;
-  drive(kind, twist, "servo_cf", force);
+  drive(kind, twist, "servo_cf", force, {});
 }
 
 template <int N>
 void CrtkFace<N>::drive(typename Stream::Kind kind, const SpatialVector& twist,
-                        const char* activity, const std::optional<SpatialVector>& force) {
+                        const char* activity, const std::optional<SpatialVector>& force,
+                        const typename Stream::TwistBounds& bounds) {
   if (!arm_.mayMove()) return;
   if (!twist.allFinite()) return arm_.warn(ArmWarning::Malformed);
   arm_.follow(arm_.setpoint_, {}, activity);
-  stream_.follow(kind, twist, activity, force);
+  stream_.follow(kind, twist, activity, force, bounds);
 }
 
 template <int N>

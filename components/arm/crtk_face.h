@@ -125,9 +125,10 @@ class CrtkFace final : public CrtkArm {
   void moveTo(const PoseStamped& goal);
   void setRatios(double velocity, double acceleration);
   bool streaming() const;
-  void drive(const std::optional<Joints>& rate, const char* activity);
+  void drive(const std::optional<Joints>& rate, const char* activity,
+             const typename Stream::JointBounds& bounds);
   void drive(typename Stream::Kind kind, const SpatialVector& twist, const char* activity,
-             const std::optional<SpatialVector>& force = {});
+             const std::optional<SpatialVector>& force, const typename Stream::TwistBounds& bounds);
   void push(const WrenchGoal& goal, typename Stream::Kind kind);
   void publishMotion(suture::Time now);
   void publishForce(suture::Time now);

@@ -1,7 +1,7 @@
 #include "arm/motion_stream.h"
 
 #include <Eigen/Geometry>
-#include <chrono>
+#include <algorithm>
 
 #include "arm/kinematics/inverse.h"
 
@@ -10,51 +10,48 @@ namespace robots {
 using kinematics::rotated;
 using kinematics::SpatialVector;
 
-constexpr suture::Duration kStreamSilence = std::chrono::milliseconds(100);
-
 template <int N>
 void MotionStream<N>::begin(Kind kind, std::string_view activity) {
+  if (kind != kind_) end();
   kind_ = kind;
   activity_ = activity;
   force_.reset();
-  asked_ = true;
+  if (kind != Kind::Free) watch_.ask();
 }
 
 template <int N>
-void MotionStream<N>::follow(const Joints& rate, std::string_view activity) {
+void MotionStream<N>::follow(const Joints& rate, std::string_view activity,
+                             const JointBounds& bounds) {
   begin(Kind::JointRate, activity);
-  rate_ = rate;
+  rate_.aimAt(rate, bounds.change);
+  guard_ = bounds.guard;
 }
 
 template <int N>
 void MotionStream<N>::follow(Kind kind, const SpatialVector& twist, std::string_view activity,
-                             const std::optional<SpatialVector>& force) {
+                             const std::optional<SpatialVector>& force, const TwistBounds& bounds) {
   begin(kind, activity);
-  twist_ = twist;
+  twist_.aimAt(twist, bounds.change);
+  axes_ = bounds.axes;
   force_ = force;
 }
 
 template <int N>
 void MotionStream<N>::end() {
   kind_ = Kind::None;
+  watch_.end();
   force_.reset();
-}
-
-template <int N>
-bool MotionStream<N>::hasFallenSilent(suture::Time now) {
-  if (asked_) lastAsked_ = now;
-  asked_ = false;
-  return isActive() && kind_ != Kind::Free && now - lastAsked_ > kStreamSilence;
+  rate_.stop();
+  twist_.stop();
 }
 
 template <int N>
 std::optional<typename MotionStream<N>::Joints> MotionStream<N>::next(
-    const kinematics::Chain<N>& chain, const Joints& setpoint, const Joints& measured,
-    double dt) const {
+    const kinematics::Chain<N>& chain, const Joints& setpoint, const Joints& measured, double dt) {
   switch (kind_) {
     case Kind::None: return setpoint;
     case Kind::Free: return measured;
-    case Kind::JointRate: return chain.clamp(setpoint + dt * rate_);
+    case Kind::JointRate: return chain.clamp(nextByRate(setpoint, dt));
     case Kind::BodyTwist:
     case Kind::SpatialTwist: break;
   }
@@ -62,10 +59,23 @@ std::optional<typename MotionStream<N>::Joints> MotionStream<N>::next(
 }
 
 template <int N>
+typename MotionStream<N>::Joints MotionStream<N>::nextByRate(const Joints& setpoint, double dt) {
+  Joints next = setpoint + dt * rate_.advance(dt);
+  if (!guard_) return next;
+  for (int i = 0; i < N; ++i) {
+    const double guard = (*guard_)[i];
+    if (setpoint[i] <= guard) next[i] = std::min(next[i], guard);
+    if (setpoint[i] >= guard) next[i] = std::max(next[i], guard);
+  }
+  return next;
+}
+
+template <int N>
 std::optional<typename MotionStream<N>::Joints> MotionStream<N>::nextByTwist(
-    const kinematics::Chain<N>& chain, const Joints& setpoint, double dt) const {
+    const kinematics::Chain<N>& chain, const Joints& setpoint, double dt) {
   Eigen::Isometry3d pose = chain.forward(setpoint);
-  const SpatialVector twist = kind_ == Kind::BodyTwist ? rotated(pose.linear(), twist_) : twist_;
+  const SpatialVector along = rotated(axes_, twist_.advance(dt));
+  const SpatialVector twist = kind_ == Kind::BodyTwist ? rotated(pose.linear(), along) : along;
   const Eigen::Vector3d angle = dt * twist.template tail<3>();
   pose.translation() += dt * twist.template head<3>();
   if (angle.norm() > 0) {
@@ -80,9 +90,9 @@ template <int N>
 SpatialVector MotionStream<N>::twist(const Eigen::Matrix<double, 6, N>& jacobian,
                                      const Eigen::Matrix3d& tip) const {
   switch (kind_) {
-    case Kind::JointRate: return jacobian * rate_;
-    case Kind::BodyTwist: return rotated(tip, twist_);
-    case Kind::SpatialTwist: return twist_;
+    case Kind::JointRate: return jacobian * rate_.present();
+    case Kind::BodyTwist: return rotated(tip, rotated(axes_, twist_.present()));
+    case Kind::SpatialTwist: return rotated(axes_, twist_.present());
     case Kind::None:
     case Kind::Free: break;
   }

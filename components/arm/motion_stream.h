@@ -8,6 +8,8 @@
 
 #include "arm/kinematics/chain.h"
 #include "arm/kinematics/spatial_vector.h"
+#include "arm/rate_ramp.h"
+#include "arm/stream_watch.h"
 
 namespace robots {
 
@@ -23,25 +25,35 @@ class MotionStream {
   /// Activities are of static storage: what the arm says that it does meanwhile.
   void beFree(std::string_view activity) { begin(Kind::Free, activity); }
   /// rad/s or m/s
-  void follow(const Joints& rate, std::string_view activity);
+  struct JointBounds {
+    typename RateRamp<N>::Limits change = {};
+    /// The positions that a joint does not pass; one that is there stays.
+    std::optional<Joints> guard = {};
+  };
+  void follow(const Joints& rate, std::string_view activity, const JointBounds& bounds = {});
   /// A twist of the tip along its own axes (BodyTwist) or the base's (SpatialTwist), and, where a
   /// force makes it, that force along the same axes.
+  struct TwistBounds {
+    /// Along `axes`, which lead from those of the twist to the base's.
+    RateRamp<6>::Limits change = {};
+    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  };
   void follow(Kind kind, const SpatialVector& twist, std::string_view activity,
-              const std::optional<SpatialVector>& force = {});
+              const std::optional<SpatialVector>& force = {}, const TwistBounds& bounds = {});
   void end();
 
   bool isActive() const { return kind_ != Kind::None; }
   std::string_view activity() const { return activity_; }
 
   /// Counts a cycle; true: the stream has been silent for too long. free() needs no repeating.
-  bool hasFallenSilent(suture::Time now);
+  bool hasFallenSilent(suture::Time now) { return watch_.hasFallenSilent(now); }
 
   /// The set-point `dt` seconds after `setpoint`, within the limits of the joints; none if no joint
   /// vector reaches it.
   std::optional<Joints> next(const kinematics::Chain<N>& chain, const Joints& setpoint,
-                             const Joints& measured, double dt) const;
+                             const Joints& measured, double dt);
 
-  /// The twist that is asked for along the base's axes; the Jacobian and the tip's rotation are
+  /// The twist that is followed now along the base's axes; the Jacobian and the tip's rotation are
   /// those in the base.
   SpatialVector twist(const Eigen::Matrix<double, 6, N>& jacobian,
                       const Eigen::Matrix3d& tip) const;
@@ -51,16 +63,18 @@ class MotionStream {
 
  private:
   void begin(Kind kind, std::string_view activity);
+  Joints nextByRate(const Joints& setpoint, double dt);
   std::optional<Joints> nextByTwist(const kinematics::Chain<N>& chain, const Joints& setpoint,
-                                    double dt) const;
+                                    double dt);
 
   Kind kind_ = Kind::None;
   std::string_view activity_;
-  Joints rate_ = Joints::Zero();
-  SpatialVector twist_ = SpatialVector::Zero();
+  RateRamp<N> rate_;
+  std::optional<Joints> guard_;
+  RateRamp<6> twist_;
+  Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();
   std::optional<SpatialVector> force_;
-  bool asked_ = false;        // since the last cycle
-  suture::Time lastAsked_{};  // the cycle that it came in
+  StreamWatch watch_;
 };
 
 extern template class MotionStream<6>;

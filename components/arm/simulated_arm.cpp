@@ -69,7 +69,7 @@ void SimulatedArm<N>::servo_cp(const PoseStamped& goal) {
   if (!isPose(goal)) return warn(ArmWarning::Malformed);
   const auto solution = kinematics::inverse(model_.chain, goal.pose, setpoint_);
   if (!solution.found) return warn(ArmWarning::OutOfReach);
-  follow(solution.q, goal.stamp, "servo_cp");
+  servo(solution.q, goal.stamp, "servo_cp");
 }
 
 template <int N>
@@ -77,7 +77,7 @@ void SimulatedArm<N>::servo_jp(const JointGoal& goal) {
   if (!mayMove()) return;
   const auto q = toJoints<N>(goal.position);
   if (!q) return warn(ArmWarning::Malformed);
-  follow(model_.chain.clamp(*q), goal.stamp, "servo_jp");
+  servo(model_.chain.clamp(*q), goal.stamp, "servo_jp");
 }
 
 template <int N>
@@ -111,6 +111,7 @@ template <int N>
 void SimulatedArm<N>::step(suture::Time now) {
   if (lastStep_ != suture::Time{}) dynamics_.advance(secondsBetween(lastStep_, now));
   lastStep_ = now;
+  if (servoing_.hasFallenSilent(now)) hold();
   if (move_) {
     if (moveStart_ == suture::Time{}) moveStart_ = now;
     const double t = secondsBetween(moveStart_, now);
@@ -158,6 +159,7 @@ void SimulatedArm<N>::startMove(const Joints& goal, bool homing) {
 
 template <int N>
 void SimulatedArm<N>::endMove(bool reached) {
+  servoing_.end();
   if (!move_) return;
   move_.reset();
   moveEnded_ = reached;
@@ -172,6 +174,12 @@ void SimulatedArm<N>::follow(const Joints& setpoint, suture::Time goalStamp, con
   setpoint_ = setpoint;
   setpointStamp_ = goalStamp;
   enter(ArmState::Enabled, activity);
+}
+
+template <int N>
+void SimulatedArm<N>::servo(const Joints& setpoint, suture::Time goalStamp, const char* activity) {
+  follow(setpoint, goalStamp, activity);
+  servoing_.ask();
 }
 
 template <int N>

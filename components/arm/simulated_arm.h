@@ -11,6 +11,7 @@
 #include "arm/joint_dynamics.h"
 #include "arm/joint_move.h"
 #include "arm/kinematics/chain.h"
+#include "arm/stream_watch.h"
 
 namespace robots {
 
@@ -80,6 +81,8 @@ class SimulatedArm : public Arm {
   void startMove(const Joints& goal, bool homing);
   void endMove(bool reached);
   void follow(const Joints& setpoint, suture::Time goalStamp, const char* activity);
+  /// The same for a goal that has to be repeated.
+  void servo(const Joints& setpoint, suture::Time goalStamp, const char* activity);
   void publish(suture::Time now);
 
   const ArmModel<N> model_;
@@ -91,6 +94,7 @@ class SimulatedArm : public Arm {
   std::optional<JointMove<N>> move_;
   suture::Time moveStart_;  // of the cycle that began move_
   bool homing_ = false;
+  StreamWatch servoing_;  // whatever else the arm does ends it
   double moveRatio_ = 1;  // of the rates that a move may use
 
   JointState measuredJs_, setpointJs_;

@@ -61,6 +61,10 @@ class CrtkFaceTest : public testing::Test {
     }
   }
   double setpoint(std::size_t joint) const { return crtk_.setpoint_js().position[joint]; }
+  std::vector<double> positions() const {
+    const auto& all = crtk_.setpoint_js().position;
+    return {all.begin(), all.end()};
+  }
   static JointGoal joints(double value) { return {std::vector<double>(6, value), {}}; }
   static PoseStamped step(const Eigen::Vector3d& translation) {
     PoseStamped pose;
@@ -137,6 +141,130 @@ TEST_F(CrtkFaceTest, AVelocityMovesUntilItFallsSilent) {
   EXPECT_EQ(crtk_.operating_state().sub_state, "servo_jv");
   cycles(20);
   EXPECT_EQ(crtk_.operating_state().sub_state, "holding");
+}
+
+TEST_F(CrtkFaceTest, AMaskedJointHolds) {
+  JointVelocityGoal velocity;
+  velocity.goal.assign(6, 0.5);
+  velocity.mask = {true, false, true, true, true, true};
+  JointEffortGoal effort;
+  effort.effort.assign(6, 1.0);
+  effort.mask = {false, true, true, true, true, true};
+  const double first = setpoint(0), second = setpoint(1);
+  for (int i = 0; i < 20; ++i) {
+    crtk_.servo_jv(velocity);
+    cycles(1);
+  }
+  EXPECT_NEAR(setpoint(0) - first, 0.01, 1e-9);
+  EXPECT_EQ(setpoint(1), second);
+  const double held = setpoint(0);
+  for (int i = 0; i < 20; ++i) {
+    crtk_.servo_jf(effort);
+    cycles(1);
+  }
+  EXPECT_EQ(setpoint(0), held);
+  EXPECT_NEAR(setpoint(1) - second, 0.01, 1e-9);
+}
+
+TEST_F(CrtkFaceTest, AJointStopsAtItsGuard) {
+  JointVelocityGoal goal;
+  goal.goal.assign(6, 0.0);
+  for (const double direction : {1.0, -1.0}) {
+    crtk_.hold();
+    goal.goal[0] = direction;
+    goal.guard = positions();
+    goal.guard[0] += 0.0105 * direction;
+    for (int i = 0; i < 30; ++i) {
+      crtk_.servo_jv(goal);
+      cycles(1);
+    }
+    EXPECT_EQ(setpoint(0), goal.guard[0]) << direction;
+  }
+}
+
+TEST_F(CrtkFaceTest, AGuardThatLiesBehindStopsNobody) {
+  JointVelocityGoal goal;
+  goal.goal.assign(6, 0.0);
+  goal.goal[0] = 1.0;
+  goal.guard = positions();
+  goal.guard[0] -= 0.01;
+  const double before = setpoint(0);
+  for (int i = 0; i < 20; ++i) {
+    crtk_.servo_jv(goal);
+    cycles(1);
+  }
+  EXPECT_NEAR(setpoint(0) - before, 0.02, 1e-9);
+}
+
+TEST_F(CrtkFaceTest, AVelocityIsReachedAndLeftWithTheAccelerationsAskedFor) {
+  JointVelocityGoal goal;
+  goal.goal.assign(6, 0.0);
+  goal.goal[0] = 0.1;
+  goal.acceleration.assign(6, 10.0);
+  goal.deceleration.assign(6, 5.0);
+  const auto travel = [&](int count) {
+    const double before = setpoint(0);
+    for (int i = 0; i < count; ++i) {
+      crtk_.servo_jv(goal);
+      cycles(1);
+    }
+    return setpoint(0) - before;
+  };
+  // 0.01 rad/s more each ms: 0.01 + ... + 0.1
+  EXPECT_NEAR(travel(10), 0.55e-3, 1e-9);
+  EXPECT_NEAR(travel(10), 1e-3, 1e-9);
+  goal.goal[0] = -0.1;
+  EXPECT_NEAR(travel(20), 0.95e-3, 1e-9) << "20 ms until it stands";
+  EXPECT_NEAR(travel(10), -0.55e-3, 1e-9) << "and back";
+}
+
+TEST_F(CrtkFaceTest, ATwistIsReachedWithItsAccelerationAlongTheReferenceFrame) {
+  PoseStamped base;
+  base.pose.linear() = Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  base.valid = true;
+  crtk_.set_base_frame(base);
+  cycles(1);
+  TwistGoal goal;
+  goal.linear = {0.02, 0.02, 0};
+  goal.linear_acceleration = {1, 0, 0};
+  const PoseStamped before = crtk_.setpoint_cp();
+  for (int i = 0; i < 20; ++i) {
+    crtk_.servo_cv(goal);
+    cycles(1);
+  }
+  expectMoved(before, {0.21e-3, 0.4e-3, 0});
+}
+
+TEST_F(CrtkFaceTest, BoundsThatMakeNoSenseAreRefused) {
+  JointVelocityGoal fine;
+  fine.goal.assign(6, 0.1);
+  const auto expectRefused = [&](const JointVelocityGoal& goal, const char* what) {
+    crtk_.hold();
+    cycles(1);
+    const double before = setpoint(0);
+    crtk_.servo_jv(goal);
+    cycles(2);
+    EXPECT_EQ(setpoint(0), before) << what;
+    EXPECT_NE(crtk_.operating_state().sub_state, "servo_jv") << what;
+  };
+  JointVelocityGoal goal = fine;
+  goal.mask.assign(5, true);
+  expectRefused(goal, "a mask of five");
+  goal = fine;
+  goal.guard.assign(7, 0.0);
+  expectRefused(goal, "a guard of seven");
+  goal = fine;
+  goal.acceleration.assign(6, 0.0);
+  expectRefused(goal, "no acceleration");
+  goal = fine;
+  goal.deceleration.assign(6, std::nan(""));
+  expectRefused(goal, "a deceleration that is no number");
+  TwistGoal twist;
+  twist.linear = {0.1, 0, 0};
+  twist.linear_acceleration = {-1, 0, 0};
+  crtk_.servo_cv(twist);
+  cycles(1);
+  EXPECT_NE(crtk_.operating_state().sub_state, "servo_cv");
 }
 
 TEST_F(CrtkFaceTest, HoldEndsAStream) {

@@ -70,6 +70,39 @@ TEST_F(SimulatedArmTest, StartsDisabledParkedAndSaysSo) {
   EXPECT_TRUE(arm_.measured_cp().valid);
 }
 
+TEST_F(SimulatedArmTest, AServoStreamThatFallsSilentEndsAsHold) {
+  makeReady();
+  const auto follow = [&](const char* activity, const auto& servo) {
+    for (int i = 0; i < 20; ++i) {
+      servo();
+      cycles(1);
+    }
+    cycles(90);
+    EXPECT_EQ(arm_.operating_state().sub_state, activity);
+    const Joints before = Joints::Map(arm_.setpoint_js().position.data());
+    heard_ = {};
+    cycles(200);
+    EXPECT_EQ(arm_.operating_state().sub_state, "holding") << "after " << activity;
+    EXPECT_EQ(heard_.states.size(), 1u) << "told once";
+    EXPECT_EQ(Joints(Joints::Map(arm_.setpoint_js().position.data())), before);
+  };
+  const PoseStamped pose = goalAt({0.001, 0, 0});
+  follow("servo_cp", [&] { arm_.servo_cp(pose); });
+  const JointGoal joints = toGoal(Joints::Map(arm_.setpoint_js().position.data()));
+  follow("servo_jp", [&] { arm_.servo_jp(joints); });
+}
+
+TEST_F(SimulatedArmTest, AMoveThatFollowsAServoGoalIsNotEndedByItsSilence) {
+  makeReady();
+  arm_.servo_cp(goalAt({0.001, 0, 0}));
+  cycles(1);
+  Joints far = psmModel().home;
+  far[0] += 0.5;
+  arm_.move_jp(toGoal(far));
+  cycles(150);
+  EXPECT_EQ(arm_.operating_state().sub_state, "moving");
+}
+
 TEST_F(SimulatedArmTest, IgnoresMotionUntilEnabledAndWarnsOnce) {
   cycles(1);
   for (int i = 0; i < 5; ++i) {
