@@ -60,13 +60,16 @@ void addConnection(Table& table, const ConnectionReport& one) {
                                  count(one.replaced),
                                  count(one.dropped()),
                                  count(one.late)};
+  // 0 tells that a contract was kept, "-" that there is none.
+  cells.push_back(one.contract ? fmt::format("{}", one.contract->staleReads) : "-");
+  cells.push_back(one.contract ? fmt::format("{}", one.contract->losses) : "-");
   const bool both = one.readAge.count > 0 && one.commandAge.count > 0;
   const auto first =
       one.readAge.count > 0 ? ageCells("reads", one.readAge) : ageCells("commands", one.commandAge);
   cells.insert(cells.end(), first.begin(), first.end());
   table.add(cells);
   if (!both) return;
-  std::vector<std::string> more(8);
+  std::vector<std::string> more(10);
   const auto second = ageCells("commands", one.commandAge);
   more.insert(more.end(), second.begin(), second.end());
   table.add(more);
@@ -143,7 +146,7 @@ void Screen::printTable(const std::vector<std::string>& lines) const {
 
 void Screen::printConnections(const std::vector<ConnectionReport>& connections) const {
   Table table({"connection", "lane", "bytes", "sent", "executed", "replaced", "dropped", "late",
-               "age of", "p50 ms", "p99 ms", "max ms"});
+               "stale", "lost", "age of", "p50 ms", "p99 ms", "max ms"});
   for (const ConnectionReport& one : connections) addConnection(table, one);
   printTable(table.lines());
 }
