@@ -1,5 +1,6 @@
 #include <suture/cli/names.h>
 #include <suture/cli/wait.h>
+#include <suture/manager/listing.h>
 #include <suture/transport/tls/keys.h>
 
 #include <exception>
@@ -69,12 +70,7 @@ Names::Manager Names::open(rpc::EventPort& loop, const rpc::Address& address,
 }
 
 std::vector<ProcessRecord> Names::processes() {
-  auto answer = manager_.session.listRequest().send().then([](auto&& results) {
-    std::vector<ProcessRecord> all;
-    for (const auto process : results.getProcesses()) all.push_back(fromWire(process));
-    return all;
-  });
-  return wait(loop_, patience_, kj::mv(answer), noManagerAnswers(manager_.address));
+  return wait(loop_, patience_, listAll(manager_.session), noManagerAnswers(manager_.address));
 }
 
 ProcessRecord Names::process(const std::string& name) {

@@ -16,6 +16,8 @@ namespace suture {
 namespace {
 
 constexpr Duration kPatience = std::chrono::seconds(10);
+// Twice what the record of a process may take.
+constexpr std::size_t kMostOfAMessage = 2 * Registry::kMostBytesOfARecord;
 constexpr std::size_t kMostLinks = 4096;  // as many as there are names
 
 }  // namespace
@@ -27,23 +29,26 @@ class GlobalManager::Impl {
         policy_(security.policy),
         server_(
             control.port(), address,
-            [this](std::shared_ptr<rpc::Caller> caller) { return offerTo(std::move(caller)); }, {},
-            kMostLinks, security.trust()) {}
+            [this](std::shared_ptr<rpc::Caller> caller) { return offerTo(std::move(caller)); },
+            refusals_, {.messageBytes = kMostOfAMessage}, kMostLinks, security.trust()) {}
 
   std::string address() const { return server_.address().text(); }
 
  private:
   capnp::Capability::Client offerTo(std::shared_ptr<rpc::Caller> caller) {
     if (policy_.admits(caller->identity)) {
-      return makeGlobalManager(kj::addRef(*names_), std::move(caller));
+      return makeGlobalManager(kj::addRef(*names_), refusals_, std::move(caller));
     }
-    return capnp::Capability::Client(rpc::failure(
-        kj::Exception::Type::FAILED, "talk to the global manager: its policy has no rule for " +
-                                         caller->identity.text() + ". Add one."));
+    const std::string who = caller->identity.text();
+    const std::string text =
+        "talk to the global manager: its policy has no rule for " + who + ". Add one.";
+    refusals_.add(who, text);
+    return capnp::Capability::Client(rpc::failure(kj::Exception::Type::FAILED, text));
   }
 
   kj::Own<NameService> names_;
   const Policy policy_;
+  rpc::Refusals refusals_{"suture-manager"};
   rpc::LinkServer server_;
 };
 

@@ -344,6 +344,10 @@ std::map<std::string, std::string> Manager::whyLost() const {
   return network_ == nullptr ? std::map<std::string, std::string>{} : network_->whyLost();
 }
 
+rpc::Refusals::Summary Manager::refusals() const {
+  return network_ == nullptr ? rpc::Refusals::Summary{} : network_->refusals();
+}
+
 std::vector<std::shared_ptr<Channel>> Manager::channels() const {
   std::vector<std::shared_ptr<Channel>> all;
   for (const auto& [name, channel] : local_) all.push_back(channel);

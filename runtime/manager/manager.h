@@ -5,6 +5,7 @@
 #include <suture/component/connection_contract.h>
 #include <suture/manager/lane.h>
 #include <suture/transport/delay/connection_delay.h>
+#include <suture/transport/rpc/refusals.h>
 #include <suture/wiring/directory.h>
 
 #include <chrono>
@@ -117,6 +118,9 @@ class Manager {
   /// Why the provider in another process was lost last, in words, by the name of the connection:
   /// whether it closed the connection, fell silent or hung. Kept when it is back.
   std::map<std::string, std::string> whyLost() const;
+  /// Peers and requests of peers that this process has turned away, each of which it has told of on
+  /// standard error, and the latest in words.
+  rpc::Refusals::Summary refusals() const;
 
  private:
   friend class HandleBase;

@@ -1,8 +1,11 @@
+#include <suture/manager/listing.h>
 #include <suture/manager/manager_lease.h>
 #include <suture/transport/rpc/deadline.h>
+#include <suture/transport/rpc/failure.h>
 #include <suture/transport/tls/keys.h>
 
 #include <algorithm>
+#include <cstdio>
 
 namespace suture {
 namespace {
@@ -126,8 +129,11 @@ void ManagerLease::update(std::vector<ComponentRecord> components) {
     auto request = lease->updateRequest();
     toWire(process_.components,
            request.initComponents(static_cast<unsigned>(process_.components.size())));
-    // If this fails the link is breaking, and coming back tells the manager everything again.
-    control_.spawn(request.send().ignoreResult().catch_([](kj::Exception&&) {}));
+    // If the link breaks, coming back tells the manager everything again.
+    control_.spawn(request.send().ignoreResult().catch_([program = program_](kj::Exception&& e) {
+      if (e.getType() != Type::FAILED) return;
+      std::fprintf(stderr, "%s: %s\n", program.c_str(), rpc::describe(e).c_str());
+    }));
   }
 }
 
@@ -148,11 +154,7 @@ kj::Promise<ProcessRecord> ManagerLease::resolve(const std::string& process, Dur
 
 kj::Promise<std::vector<ProcessRecord>> ManagerLease::list() {
   KJ_IF_MAYBE (session, session_) {
-    return session->listRequest().send().then([](auto&& results) {
-      std::vector<ProcessRecord> all;
-      for (const auto process : results.getProcesses()) all.push_back(fromWire(process));
-      return all;
-    });
+    return listAll(*session);
   }
   return gone();
 }

@@ -1,4 +1,5 @@
 #include <suture/manager/manager_session.h>
+#include <suture/transport/rpc/failure.h>
 
 #include <algorithm>
 
@@ -9,17 +10,35 @@ using Kind = wire::Refusal::Kind;
 
 constexpr std::uint32_t kLongestWaitMilliseconds = 60'000;
 
+/// Who asks at a link, and what becomes of what it is refused.
+struct Asker {
+  rpc::PeerIdentity identity;
+  rpc::Refusals& refusals;
+  std::shared_ptr<Holding> holding = std::make_shared<Holding>();
+
+  void refuse(const Refusal& refusal, wire::Refusal::Builder out) const {
+    refusals.add(identity.text(), refusal.text);
+    toWire(refusal, out);
+  }
+};
+
 /// Holds a name for as long as its client holds it, and says that it lives.
 class LeaseServer final : public wire::Lease::Server {
  public:
-  LeaseServer(kj::Own<NameService> names, std::string name, std::uint64_t generation)
-      : names_(kj::mv(names)), name_(std::move(name)), generation_(generation) {}
+  LeaseServer(kj::Own<NameService> names, Asker asker, std::string name, std::uint64_t generation)
+      : names_(kj::mv(names)),
+        asker_(std::move(asker)),
+        name_(std::move(name)),
+        generation_(generation) {}
   ~LeaseServer() noexcept(false) { names_->registry().remove(name_, generation_); }
 
  protected:
   kj::Promise<void> update(UpdateContext context) override {
-    names_->registry().update(name_, generation_, fromWire(context.getParams().getComponents()));
-    return kj::READY_NOW;
+    const auto updated = names_->registry().update(name_, generation_,
+                                                   fromWire(context.getParams().getComponents()));
+    if (updated) return kj::READY_NOW;
+    asker_.refusals.add(asker_.identity.text(), updated.error().text);
+    return rpc::failure(kj::Exception::Type::FAILED, updated.error().text);
   }
 
   kj::Promise<void> renew(RenewContext context) override {
@@ -33,34 +52,35 @@ class LeaseServer final : public wire::Lease::Server {
 
  private:
   kj::Own<NameService> names_;
+  const Asker asker_;
   const std::string name_;
   const std::uint64_t generation_;
 };
 
 class SessionServer final : public wire::Session::Server {
  public:
-  SessionServer(kj::Own<NameService> names, rpc::PeerIdentity who)
-      : names_(kj::mv(names)), who_(std::move(who)) {}
+  SessionServer(kj::Own<NameService> names, Asker asker)
+      : names_(kj::mv(names)), asker_(std::move(asker)) {}
 
  protected:
   kj::Promise<void> register_(RegisterContext context) override {
     ProcessRecord process = fromWire(context.getParams().getProcess());
     const std::string name = process.name;
-    if (!who_.mayBe(name)) {
-      toWire({Kind::NOT_PERMITTED, "register process '" + name +
-                                       "': the caller has the certificate of " + who_.text() +
-                                       ". Give it its own name or its own keys."},
-             context.getResults().initRefused());
+    auto results = context.getResults();
+    if (!asker_.identity.mayBe(name)) {
+      asker_.refuse({Kind::NOT_PERMITTED,
+                     "register process '" + name + "': the caller has the certificate of " +
+                         asker_.identity.text() + ". Give it its own name or its own keys."},
+                    results.initRefused());
       return kj::READY_NOW;
     }
-    const auto generation = names_->registry().add(std::move(process));
-    auto results = context.getResults();
+    const auto generation = names_->registry().add(std::move(process), asker_.holding);
     if (!generation) {
-      toWire(generation.error(), results.initRefused());
+      asker_.refuse(generation.error(), results.initRefused());
       return kj::READY_NOW;
     }
     results.setGeneration(*generation);
-    results.setLease(kj::heap<LeaseServer>(kj::addRef(*names_), name, *generation));
+    results.setLease(kj::heap<LeaseServer>(kj::addRef(*names_), asker_, name, *generation));
     names_->announce(name);
     return kj::READY_NOW;
   }
@@ -80,21 +100,27 @@ class SessionServer final : public wire::Session::Server {
   }
 
   kj::Promise<void> list(ListContext context) override {
-    const auto all = names_->registry().list();
-    auto processes = context.getResults().initProcesses(static_cast<unsigned>(all.size()));
-    for (unsigned i = 0; i < all.size(); ++i) toWire(all[i], processes[i]);
+    const Registry::Page page = names_->registry().list(stringOf(context.getParams().getAfter()));
+    auto results = context.getResults();
+    results.setMore(page.more);
+    const auto count = static_cast<unsigned>(page.processes.size());
+    auto processes = results.initProcesses(count);
+    for (unsigned i = 0; i < count; ++i) toWire(page.processes[i], processes[i]);
     return kj::READY_NOW;
   }
 
  private:
   kj::Own<NameService> names_;
-  const rpc::PeerIdentity who_;
+  const Asker asker_;
 };
 
 class GlobalManagerServer final : public wire::GlobalManager::Server {
  public:
-  GlobalManagerServer(kj::Own<NameService> names, std::shared_ptr<rpc::Caller> caller)
-      : names_(kj::mv(names)), caller_(std::move(caller)) {}
+  GlobalManagerServer(kj::Own<NameService> names, rpc::Refusals& refusals,
+                      std::shared_ptr<rpc::Caller> caller)
+      : names_(kj::mv(names)),
+        caller_(std::move(caller)),
+        asker_{.identity = caller_->identity, .refusals = refusals} {}
 
  protected:
   kj::Promise<void> hello(HelloContext context) override {
@@ -102,15 +128,14 @@ class GlobalManagerServer final : public wire::GlobalManager::Server {
     const std::uint16_t ours = wire::PROTOCOL_VERSION;
     if (theirs == ours) {
       caller_->known = true;
-      context.getResults().setSession(
-          kj::heap<SessionServer>(kj::addRef(*names_), caller_->identity));
+      context.getResults().setSession(kj::heap<SessionServer>(kj::addRef(*names_), asker_));
     } else {
-      toWire({Kind::VERSION_MISMATCH, "talk to the global manager: it speaks version " +
-                                          std::to_string(ours) + " of the protocol and '" +
-                                          stringOf(context.getParams().getProgram()) +
-                                          "' speaks version " + std::to_string(theirs) +
-                                          ". Build both from the same release."},
-             context.getResults().initRefused());
+      asker_.refuse({Kind::VERSION_MISMATCH, "talk to the global manager: it speaks version " +
+                                                 std::to_string(ours) + " of the protocol and '" +
+                                                 stringOf(context.getParams().getProgram()) +
+                                                 "' speaks version " + std::to_string(theirs) +
+                                                 ". Build both from the same release."},
+                    context.getResults().initRefused());
     }
     return kj::READY_NOW;
   }
@@ -118,6 +143,7 @@ class GlobalManagerServer final : public wire::GlobalManager::Server {
  private:
   kj::Own<NameService> names_;
   const std::shared_ptr<rpc::Caller> caller_;
+  const Asker asker_;  // of all sessions on the link: they share what it may hold
 };
 
 }  // namespace
@@ -155,9 +181,9 @@ kj::Promise<void> NameService::whenKnown(const std::string& name, std::uint32_t 
   return pair.promise.exclusiveJoin(timer_.afterDelay(wait));
 }
 
-wire::GlobalManager::Client makeGlobalManager(kj::Own<NameService> names,
+wire::GlobalManager::Client makeGlobalManager(kj::Own<NameService> names, rpc::Refusals& refusals,
                                               std::shared_ptr<rpc::Caller> caller) {
-  return kj::heap<GlobalManagerServer>(kj::mv(names), std::move(caller));
+  return kj::heap<GlobalManagerServer>(kj::mv(names), refusals, std::move(caller));
 }
 
 }  // namespace suture

@@ -45,8 +45,8 @@ class NameService final : public kj::Refcounted {
 };
 
 /// The bootstrap capability of the global manager on the link of `caller`: hands a session to who
-/// speaks its version.
-wire::GlobalManager::Client makeGlobalManager(kj::Own<NameService> names,
+/// speaks its version. What it refuses is added to `refusals`.
+wire::GlobalManager::Client makeGlobalManager(kj::Own<NameService> names, rpc::Refusals& refusals,
                                               std::shared_ptr<rpc::Caller> caller);
 
 }  // namespace suture

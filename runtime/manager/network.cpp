@@ -129,6 +129,10 @@ class Network::Impl {
     frames_.stop();
   }
 
+  rpc::Refusals::Summary refusals() const {
+    return host_ == nullptr ? rpc::Refusals::Summary{} : host_->refusals();
+  }
+
   std::vector<std::shared_ptr<Channel>> served() const {
     return host_ == nullptr ? std::vector<std::shared_ptr<Channel>>{} : host_->served();
   }
@@ -205,6 +209,8 @@ std::map<std::string, std::shared_ptr<Channel>> Network::connected() const {
 }
 
 std::map<std::string, std::string> Network::whyLost() const { return impl_->whyLost(); }
+
+rpc::Refusals::Summary Network::refusals() const { return impl_->refusals(); }
 
 std::vector<std::shared_ptr<Channel>> Network::served() const { return impl_->served(); }
 

@@ -23,10 +23,11 @@ PeerHost::PeerHost(rpc::ControlThread& control, frame::LaneThread& frames,
       policy_(security.policy),
       whenPublished_(nullptr),
       frames_(frames),
+      refusals_(directory.process()),
       server_(
           control.port(), address,
-          [this](std::shared_ptr<rpc::Caller> caller) { return offerTo(std::move(caller)); }, {},
-          kMostCallers, security.trust(),
+          [this](std::shared_ptr<rpc::Caller> caller) { return offerTo(std::move(caller)); },
+          refusals_, {}, kMostCallers, security.trust(),
           [this](const rpc::Token& token, rpc::ByteStream bytes) {
             frames_.arrived(token, kj::mv(bytes));
           }) {
@@ -39,10 +40,12 @@ capnp::Capability::Client PeerHost::offerTo(std::shared_ptr<rpc::Caller> caller)
   if (policy_.admits(caller->identity)) {
     return wire::Peer::Client(kj::heap<PeerServer>(*this, std::move(caller)));
   }
-  return capnp::Capability::Client(rpc::failure(
-      kj::Exception::Type::FAILED, "talk to process '" + directory_.process() +
-                                       "': its policy has no rule for " + caller->identity.text() +
-                                       ". Add one, or use another process."));
+  const std::string who = caller->identity.text();
+  const std::string text = "talk to process '" + directory_.process() +
+                           "': its policy has no rule for " + who +
+                           ". Add one, or use another process.";
+  refusals_.add(who, text);
+  return capnp::Capability::Client(rpc::failure(kj::Exception::Type::FAILED, text));
 }
 
 std::vector<std::shared_ptr<Channel>> PeerHost::served() const {

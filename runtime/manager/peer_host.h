@@ -32,6 +32,9 @@ class PeerHost {
   /// All components are in the directory: what is not there now does not exist.
   void publish() { published_->fulfill(); }
 
+  /// Any thread: the peers and requests that this process has turned away.
+  rpc::Refusals::Summary refusals() const { return refusals_.summary(); }
+
   /// Any thread: the provider ends of the connections that stand.
   std::vector<std::shared_ptr<Channel>> served() const;
 
@@ -69,6 +72,7 @@ class PeerHost {
   mutable std::mutex mutex_;
   std::vector<std::shared_ptr<Channel>> served_;
   FrameSockets frames_;
+  rpc::Refusals refusals_;
   rpc::LinkServer server_;  // last: its links use the rest
 };
 

@@ -73,12 +73,12 @@ kj::Promise<void> PeerServer::hello(HelloContext context) {
   bootId_ = stringOf(context.getParams().getBootId());
   const std::uint16_t theirs = context.getParams().getVersion();
   if (const auto refusal = whyNotProcess(stringOf(context.getParams().getProcess()))) {
-    toWire(*refusal, results.initRefused());
+    refuse(*refusal, results.initRefused());
   } else if (theirs == wire::PROTOCOL_VERSION) {
     caller_->known = true;
     results.setAccepted();
   } else {
-    toWire({Kind::VERSION_MISMATCH,
+    refuse({Kind::VERSION_MISMATCH,
             "talk to process '" + host_.directory_.process() + "': it speaks version " +
                 std::to_string(wire::PROTOCOL_VERSION) + " of the protocol, the caller version " +
                 std::to_string(theirs) + ". Build both from the same release."},
@@ -114,6 +114,11 @@ kj::Promise<void> PeerServer::describe(DescribeContext context) {
     toWire(components,
            context.getResults().initComponents(static_cast<unsigned>(components.size())));
   });
+}
+
+void PeerServer::refuse(const Refusal& refusal, wire::Refusal::Builder out) {
+  host_.refusals_.add(caller_->identity.text(), refusal.text);
+  toWire(refusal, out);
 }
 
 template <class Attempt, class Refuse>
@@ -165,7 +170,7 @@ kj::Promise<void> PeerServer::connect(ConnectContext context) {
   auto withheld = whyNotProcess(stringOf(in.getFromProcess()));
   if (!withheld) withheld = whyNotGiven(endpoint);
   if (withheld) {
-    toWire(*withheld, context.getResults().initRefused());
+    refuse(*withheld, context.getResults().initRefused());
     return kj::READY_NOW;
   }
   caller_->known = true;
@@ -173,8 +178,8 @@ kj::Promise<void> PeerServer::connect(ConnectContext context) {
       [this, context, endpoint]() mutable {
         return decide(host_.directory_.provided(endpoint), endpoint, context);
       },
-      [context](const Refusal& refusal) mutable {
-        toWire(refusal, context.getResults().initRefused());
+      [this, context](const Refusal& refusal) mutable {
+        refuse(refusal, context.getResults().initRefused());
       });
 }
 
@@ -204,7 +209,7 @@ kj::Promise<void> PeerServer::decide(ProvidedBase& provided, const Endpoint& end
     }
     return kj::READY_NOW;
   } catch (const SetupError& error) {
-    toWire({Kind::CONTRACT_MISMATCH, error.what()}, context.getResults().initRefused());
+    refuse({Kind::CONTRACT_MISMATCH, error.what()}, context.getResults().initRefused());
     return kj::READY_NOW;
   }
 }
@@ -326,7 +331,7 @@ kj::Promise<void> PeerServer::open(OpenContext context) {
   auto in = context.getParams();
   const Endpoint endpoint = endpointOf(in.getComponent(), in.getInterface());
   if (const auto withheld = whyNotGiven(endpoint)) {
-    toWire(*withheld, context.getResults().initRefused());
+    refuse(*withheld, context.getResults().initRefused());
     return kj::READY_NOW;
   }
   caller_->known = true;
@@ -339,8 +344,8 @@ kj::Promise<void> PeerServer::open(OpenContext context) {
         context.getResults().setContract(provided.info().binding().makeServant(kj::mv(port)));
         return kj::READY_NOW;
       },
-      [context](const Refusal& refusal) mutable {
-        toWire(refusal, context.getResults().initRefused());
+      [this, context](const Refusal& refusal) mutable {
+        refuse(refusal, context.getResults().initRefused());
       });
 }
 

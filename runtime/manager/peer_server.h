@@ -50,6 +50,8 @@ class PeerServer final : public wire::Peer::Server {
   /// Why the caller is not the process that it says it is, or is not to have that interface.
   std::optional<Refusal> whyNotProcess(const std::string& name) const;
   std::optional<Refusal> whyNotGiven(const Endpoint& endpoint) const;
+  /// Tells the caller and, here, whoever runs this process.
+  void refuse(const Refusal& refusal, wire::Refusal::Builder out);
   bool mayOnlyRead(const Endpoint& endpoint) const;
 
   PeerHost& host_;

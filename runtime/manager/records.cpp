@@ -23,9 +23,31 @@ std::vector<InterfaceRecord> interfacesFromWire(WireInterfaces::Reader in) {
   return interfaces;
 }
 
+std::size_t bytesOf(const std::vector<InterfaceRecord>& interfaces) {
+  std::size_t bytes = 0;
+  for (const InterfaceRecord& one : interfaces) {
+    bytes += sizeof(one) + one.name.size() + one.contract.size() + one.hash.size();
+  }
+  return bytes;
+}
+
 unsigned sizeOf(const auto& list) { return static_cast<unsigned>(list.size()); }
 
 }  // namespace
+
+std::size_t bytesOf(const std::vector<ComponentRecord>& components) {
+  std::size_t bytes = 0;
+  for (const ComponentRecord& one : components) {
+    bytes += sizeof(one) + one.name.size() + bytesOf(one.provided) + bytesOf(one.required);
+  }
+  return bytes;
+}
+
+std::size_t bytesOf(const ProcessRecord& process) {
+  std::size_t bytes = sizeof(process) + process.name.size() + process.host.size();
+  for (const std::string& address : process.addresses) bytes += sizeof(address) + address.size();
+  return bytes + bytesOf(process.components);
+}
 
 void toWire(const std::vector<ComponentRecord>& components,
             capnp::List<wire::ComponentRecord>::Builder out) {

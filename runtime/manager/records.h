@@ -36,6 +36,10 @@ struct Refusal {
   std::string text;  ///< what was asked, what was found, what to do
 };
 
+/// How much memory a record takes, about.
+std::size_t bytesOf(const std::vector<ComponentRecord>& components);
+std::size_t bytesOf(const ProcessRecord& process);
+
 void toWire(const std::vector<ComponentRecord>& components,
             capnp::List<wire::ComponentRecord>::Builder out);
 void toWire(const ProcessRecord& process, wire::ProcessRecord::Builder out);

@@ -15,6 +15,8 @@ bool isName(const std::string& name) {
          name.find_first_of(":/ \t\n") == std::string::npos;
 }
 
+std::string bytes(std::size_t count) { return std::to_string(count) + " bytes"; }
+
 std::string title(const ProcessRecord& process) {
   return "process " + std::to_string(process.pid) + " on " +
          (process.host.empty() ? "this machine" : process.host);
@@ -22,7 +24,8 @@ std::string title(const ProcessRecord& process) {
 
 }  // namespace
 
-tl::expected<std::uint64_t, Refusal> Registry::add(ProcessRecord process) {
+tl::expected<std::uint64_t, Refusal> Registry::add(ProcessRecord process,
+                                                   std::shared_ptr<Holding> holding) {
   const std::string asked = "register process '" + process.name + "': ";
   if (!isName(process.name)) {
     return tl::unexpected(Refusal{
@@ -35,15 +38,53 @@ tl::expected<std::uint64_t, Refusal> Registry::add(ProcessRecord process) {
         Refusal{Kind::NAME_TAKEN, asked + "the name is held by " + title(*holder) +
                                       ", which is alive. Stop it or choose another name."});
   }
-  if (processes_.size() == kMaxProcesses && !processes_.contains(process.name)) {
+  if (const auto silent = processes_.find(process.name); silent != processes_.end()) erase(silent);
+  if (processes_.size() == kMaxProcesses) {
     return tl::unexpected(Refusal{
         Kind::LIMIT_REACHED, asked + "the manager knows as many processes as it can. Stop some."});
   }
+  if (holding->names == kMostNamesOfALink) {
+    return tl::unexpected(
+        Refusal{Kind::LIMIT_REACHED, asked + "its link holds " + std::to_string(kMostNamesOfALink) +
+                                         " names, and none holds more. Use another."});
+  }
+  const std::size_t bytes = bytesOf(process);
+  if (const std::string why = whyTooMuch(bytes, 0, *holding); !why.empty()) {
+    return tl::unexpected(Refusal{Kind::LIMIT_REACHED, asked + why});
+  }
   process.silent = false;
   process.generation = ++generation_;
+  bytes_ += bytes;
+  holding->bytes += bytes;
+  ++holding->names;
   const std::string name = process.name;
-  processes_.insert_or_assign(name, Entry{std::move(process)});
+  processes_.emplace(name, Entry{std::move(process), bytes, std::move(holding)});
   return generation_;
+}
+
+std::string Registry::whyTooMuch(std::size_t asked, std::size_t before,
+                                 const Holding& holding) const {
+  if (asked > kMostBytesOfARecord) {
+    return "its components and interfaces take " + bytes(asked) +
+           ", and no process is given more than " + bytes(kMostBytesOfARecord) +
+           ". Divide it into several.";
+  }
+  if (holding.bytes - before + asked > kMostBytesOfALink) {
+    return "the processes of its link would take more than " + bytes(kMostBytesOfALink) +
+           ". Use another link.";
+  }
+  if (bytes_ - before + asked > kMostBytes) {
+    return "all processes would take more than " + bytes(kMostBytes) + ". Stop some.";
+  }
+  return "";
+}
+
+void Registry::erase(Processes::iterator entry) {
+  Entry& gone = entry->second;
+  bytes_ -= gone.bytes;
+  gone.holding->bytes -= gone.bytes;
+  --gone.holding->names;
+  processes_.erase(entry);
 }
 
 Registry::Entry* Registry::held(const std::string& name, std::uint64_t generation) {
@@ -52,10 +93,21 @@ Registry::Entry* Registry::held(const std::string& name, std::uint64_t generatio
   return held ? &found->second : nullptr;
 }
 
-void Registry::update(const std::string& name, std::uint64_t generation,
-                      std::vector<ComponentRecord> components) {
+tl::expected<void, Refusal> Registry::update(const std::string& name, std::uint64_t generation,
+                                             std::vector<ComponentRecord> components) {
   Entry* const entry = held(name, generation);
-  if (entry != nullptr) entry->process.components = std::move(components);
+  if (entry == nullptr) return {};
+  const std::size_t before = entry->bytes;
+  const std::size_t bytes = before - bytesOf(entry->process.components) + bytesOf(components);
+  if (const std::string why = whyTooMuch(bytes, before, *entry->holding); !why.empty()) {
+    return tl::unexpected(
+        Refusal{Kind::LIMIT_REACHED, "replace the components of process '" + name + "': " + why});
+  }
+  entry->process.components = std::move(components);
+  entry->bytes = bytes;
+  entry->holding->bytes += bytes - before;
+  bytes_ += bytes - before;
+  return {};
 }
 
 bool Registry::renew(const std::string& name, std::uint64_t generation) {
@@ -74,7 +126,7 @@ void Registry::age() {
 }
 
 void Registry::remove(const std::string& name, std::uint64_t generation) {
-  if (held(name, generation) != nullptr) processes_.erase(name);
+  if (held(name, generation) != nullptr) erase(processes_.find(name));
 }
 
 const ProcessRecord* Registry::find(const std::string& name) const {
@@ -83,10 +135,16 @@ const ProcessRecord* Registry::find(const std::string& name) const {
   return &found->second.process;
 }
 
-std::vector<ProcessRecord> Registry::list() const {
-  std::vector<ProcessRecord> all;
-  for (const auto& [name, entry] : processes_) all.push_back(entry.process);
-  return all;
+Registry::Page Registry::list(const std::string& after, std::size_t bytes) const {
+  Page page;
+  std::size_t taken = 0;
+  for (auto one = processes_.upper_bound(after); one != processes_.end(); ++one) {
+    taken += one->second.bytes;
+    page.more = !page.processes.empty() && taken > bytes;
+    if (page.more) break;
+    page.processes.push_back(one->second.process);
+  }
+  return page;
 }
 
 Refusal Registry::unknown(const std::string& name, std::uint32_t waitedMilliseconds) const {

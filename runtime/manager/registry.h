@@ -4,6 +4,7 @@
 #include <suture/manager/records.h>
 
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -11,15 +12,28 @@
 
 namespace suture {
 
-/// Processes by name. Plain data of one thread.
+/// What a registry holds for one link: kept by the registry, shared with whoever adds for the link.
+struct Holding {
+  std::size_t names = 0, bytes = 0;
+};
+
+/// Processes by name. Plain data of one thread. What one record, one link, and all of them may hold
+/// is bounded, so that nobody can fill the process that knows names.
 class Registry {
  public:
+  static constexpr std::size_t kMostBytesOfARecord = 1u << 20;
+  static constexpr std::size_t kMostBytesOfALink = 4u << 20;
+  static constexpr std::size_t kMostNamesOfALink = 64;
+  static constexpr std::size_t kMostBytes = 64u << 20;
+  static constexpr std::size_t kBytesOfAPage = 1u << 20;
+
   /// The generation under which the process is now known; or a refusal: the name is taken by one
-  /// that is not silent, or is none.
-  tl::expected<std::uint64_t, Refusal> add(ProcessRecord process);
-  /// Replaces the components of a process. Ignored if the name has gone to a later generation.
-  void update(const std::string& name, std::uint64_t generation,
-              std::vector<ComponentRecord> components);
+  /// that is not silent, or is none, or a limit is reached.
+  tl::expected<std::uint64_t, Refusal> add(ProcessRecord process, std::shared_ptr<Holding> holding);
+  /// Replaces the components of a process, or refuses to: a limit is reached. Ignored if the name
+  /// has gone to a later generation.
+  tl::expected<void, Refusal> update(const std::string& name, std::uint64_t generation,
+                                     std::vector<ComponentRecord> components);
   /// The process lives. False: the name has gone to a later generation.
   bool renew(const std::string& name, std::uint64_t generation);
   /// To be called as often as leases are to be renewed, while this thread runs: who has not
@@ -30,8 +44,13 @@ class Registry {
 
   /// Null: nobody, or silent.
   const ProcessRecord* find(const std::string& name) const;
-  /// The silent ones too.
-  std::vector<ProcessRecord> list() const;
+  /// In the order of their names, the silent ones too.
+  struct Page {
+    std::vector<ProcessRecord> processes;
+    bool more = false;  ///< behind the last of them
+  };
+  /// Those behind the name `after`, until they take `bytes`; at least one, if there is any.
+  Page list(const std::string& after = "", std::size_t bytes = kBytesOfAPage) const;
   /// Why `name` cannot be found: it is silent, or what there is, and which comes closest.
   /// `waitedMilliseconds` are told if not 0.
   Refusal unknown(const std::string& name, std::uint32_t waitedMilliseconds) const;
@@ -39,12 +58,20 @@ class Registry {
  private:
   struct Entry {
     ProcessRecord process;
+    std::size_t bytes = 0;
+    std::shared_ptr<Holding> holding;
     unsigned missed = 0;  ///< renewals, since the latest or since it was added
   };
 
-  Entry* held(const std::string& name, std::uint64_t generation);
+  using Processes = std::map<std::string, Entry>;
 
-  std::map<std::string, Entry> processes_;
+  Entry* held(const std::string& name, std::uint64_t generation);
+  void erase(Processes::iterator entry);
+  /// Why a record of `bytes` cannot take the place of one of `before` bytes; "" if it can.
+  std::string whyTooMuch(std::size_t bytes, std::size_t before, const Holding& holding) const;
+
+  Processes processes_;
+  std::size_t bytes_ = 0;  // of all
   std::uint64_t generation_ = 0;
 };
 

@@ -112,6 +112,8 @@ DeviceReport reportOf(const Component& device) {
 Report observe(const Manager& manager, Time began) {
   Report report{manager.process(), now() - began, {}, {}, {}};
   const std::vector<Component*> components = manager.directory().components();
+  const rpc::Refusals::Summary refusals = manager.refusals();
+  report.refusals = {.count = refusals.count, .latest = refusals.latest};
   const auto whyLost = manager.whyLost();
   for (const auto& channel : manager.channels()) {
     ConnectionReport& one =

@@ -116,6 +116,13 @@ void eachField(Device& value, const Visit& visit) requires
   visit("faults", value.faults);
 }
 
+template <class Refusals, class Visit>
+void eachField(Refusals& value, const Visit& visit) requires
+    std::is_same_v<std::remove_const_t<Refusals>, RefusalReport> {
+  visit("count", value.count);
+  visit("latest", value.latest);
+}
+
 template <class Value>
 constexpr bool kIsPart =
     std::is_same_v<Value, Distribution> || std::is_same_v<Value, DurationSummary> ||
@@ -188,6 +195,7 @@ json toJson(const Report& report) {
   for (const ConnectionReport& one : report.connections) out["connections"].push_back(toJson(one));
   for (const TaskReport& one : report.tasks) out["tasks"].push_back(toJson(one));
   for (const DeviceReport& one : report.devices) out["devices"].push_back(toJson(one));
+  out["refusals"] = structToJson(report.refusals);
   return out;
 }
 
@@ -200,6 +208,7 @@ Report reportFromJson(const json& in) {
   for (const json& one : in.at("devices")) {
     report.devices.push_back(structFromJson<DeviceReport>(one));
   }
+  report.refusals = structFromJson<RefusalReport>(in.at("refusals"));
   return report;
 }
 

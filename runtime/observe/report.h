@@ -97,12 +97,19 @@ struct DeviceReport {
   std::uint64_t faults = 0;
 };
 
+/// What a process has refused to its peers: connections, requests, links.
+struct RefusalReport {
+  std::uint64_t count = 0;
+  std::string latest;  ///< who and why, in words
+};
+
 struct Report {
   std::string process;
   Duration age{};  ///< of the process's observation: time since it began
   std::vector<ConnectionReport> connections;
   std::vector<TaskReport> tasks;
   std::vector<DeviceReport> devices = {};
+  RefusalReport refusals = {};
 };
 
 /// Durations are written as whole nanoseconds; "dropped" beside what it is the sum of; a contract

@@ -105,7 +105,12 @@ std::string section(const char* title, const std::vector<Reported>& all, const D
 
 std::string toText(const Report& report) {
   const double seconds = std::chrono::duration<double>(report.age).count();
-  return "process " + report.process + " after " + decimal(seconds, 1) + " s\n" +
+  const RefusalReport& refusals = report.refusals;
+  const std::string refused = refusals.count == 0
+                                  ? ""
+                                  : "refused to peers: " + std::to_string(refusals.count) +
+                                        ", the latest to " + refusals.latest + "\n";
+  return "process " + report.process + " after " + decimal(seconds, 1) + " s\n" + refused +
          section("tasks", report.tasks, [](const TaskReport& one) { return line(one); }) +
          section("devices", report.devices,
                  [](const DeviceReport& one) { return lifeOf(one) + "\n"; }) +

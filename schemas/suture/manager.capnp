@@ -91,7 +91,9 @@ interface Session {
     }
   }
 
-  list @2 () -> (processes :List(ProcessRecord));
+  list @2 (after :Text) -> (processes :List(ProcessRecord), more :Bool);
+  # In the order of their names, those behind `after`; as many as fit into one answer, of which there is
+  # another behind the last if there are more.
 }
 
 interface Lease {

@@ -26,6 +26,9 @@ class Link {
   /// Resolves when the peer is gone; never rejects.
   kj::Promise<void> onDisconnect() { return network_.onDisconnect(); }
 
+  /// Why it ended, if the peer broke a limit; else "".
+  const std::string& refusal() const { return network_.refusal(); }
+
   std::shared_ptr<const LinkCounters> counters() const { return network_.counters(); }
 
  private:

@@ -19,6 +19,7 @@ class LinkNetwork final : public capnp::TwoPartyVatNetworkBase {
 
   capnp::rpc::twoparty::Side peerSide() const;
   std::shared_ptr<const LinkCounters> counters() const { return stream_->counters(); }
+  const std::string& refusal() const { return stream_->refusal(); }
   /// Resolves when the RPC system has let go of the connection; never rejects.
   kj::Promise<void> onDisconnect() { return disconnected_.addBranch(); }
 

@@ -1,13 +1,13 @@
 #include <suture/transport/rpc/failure.h>
 #include <suture/transport/rpc/link_server.h>
 
-#include <cstdio>
+#include <cstring>
 
 namespace suture::rpc {
 namespace {
 
-// A peer that comes again and again fills no log.
-constexpr auto kTellingPause = 1 * kj::SECONDS;
+// So many at a time are told that there are too many links.
+constexpr std::size_t kMostTurnedAway = 16;
 
 const Trust& usable(const Trust& trust, const Address& address) {
   requireKeys(address, trust);
@@ -23,83 +23,115 @@ Listener::Opens opensOf(const Trust& trust, const Address& address) {
 
 using capnp::rpc::twoparty::Side;
 
-LinkServer::LinkServer(EventPort& port, const Address& address, Offer offer, StreamLimits limits,
-                       std::size_t maxLinks, const Trust& trust, Awaited awaited)
+LinkServer::LinkServer(EventPort& port, const Address& address, Offer offer, Refusals& refusals,
+                       StreamLimits limits, std::size_t maxLinks, const Trust& trust,
+                       Awaited awaited)
     : port_(port),
       trust_(usable(trust, address)),
       listener_(port, address, opensOf(trust, address)),
       offer_(kj::mv(offer)),
+      refusals_(refusals),
       awaited_(kj::mv(awaited)),
       limits_(limits),
       maxLinks_(maxLinks),
-      mayTell_(port.getTimer().now()),
+      budget_(std::make_shared<ReceiveBudget>(ReceiveBudget::Limits{})),
       tasks_(*this) {
-  tasks_.add(listener_.listen([this](kj::AutoCloseFd socket) { accept(kj::mv(socket)); }));
+  tasks_.add(listener_.listen([this](kj::AutoCloseFd socket) { accept(kj::mv(socket)); },
+                              [this](int error) { cannotAccept(error); }));
 }
 
 void LinkServer::accept(kj::AutoCloseFd socket) {
-  if (links_ == maxLinks_) return;
-  ++links_;
+  if (links_ == maxLinks_ + kMostTurnedAway) {
+    return refusals_.add(identityOf(socket).text(),
+                         "talk to " + address().text() + ": " + tooMany());
+  }
+  const Room room = links_++ < maxLinks_ ? Room::Is : Room::IsNot;
   // What fails here, for want of memory perhaps, is the end of this one alone.
   auto served = kj::evalNow([&] {
-    return address().kind == Address::Kind::Tls ? secure(kj::mv(socket))
-                                                : open(ByteStream(kj::mv(socket)));
+    return address().kind == Address::Kind::Tls ? secure(kj::mv(socket), room)
+                                                : open(ByteStream(kj::mv(socket)), room);
   });
   tasks_.add(served.attach(kj::defer([this] { --links_; })));
 }
 
-kj::Promise<void> LinkServer::secure(kj::AutoCloseFd socket) {
-  const auto deadline = std::chrono::milliseconds(limits_.handshakeMilliseconds);
-  return handshake(port_, kj::mv(socket), trust_.keys, tls::Session::Side::Server, deadline)
-      .then([this](ByteStream bytes) { return open(kj::mv(bytes)); });
+// They wait in the kernel's queue.
+void LinkServer::cannotAccept(int error) {
+  refusals_.add("who connects to " + address().text(),
+                std::string("wait until this process can accept connections again: ") +
+                    std::strerror(error) +
+                    ". Raise its limit (ulimit -n), or give it fewer peers.");
 }
 
-kj::Promise<void> LinkServer::open(ByteStream bytes) {
+std::string LinkServer::tooMany() const {
+  return "it has " + std::to_string(maxLinks_) +
+         " links, and no process has more. End some of its peers.";
+}
+
+kj::Promise<void> LinkServer::secure(kj::AutoCloseFd socket, Room room) {
+  const auto deadline = std::chrono::milliseconds(limits_.handshakeMilliseconds);
+  return handshake(port_, kj::mv(socket), trust_.keys, tls::Session::Side::Server, deadline)
+      .then([this, room](ByteStream bytes) { return open(kj::mv(bytes), room); });
+}
+
+kj::Promise<void> LinkServer::open(ByteStream bytes, Room room) {
   return readOpening(port_, kj::mv(bytes), limits_)
-      .then([this](Opened opened) -> kj::Promise<void> {
+      .then([this, room](Opened opened) -> kj::Promise<void> {
         KJ_IF_MAYBE (token, opened.token) {
           awaited_(*token, kj::mv(opened.bytes));
           return kj::READY_NOW;
         }
-        return serve(kj::mv(opened.bytes), opened.begun);
+        return serve(kj::mv(opened.bytes), opened.begun, room);
       });
 }
 
-kj::Promise<void> LinkServer::serve(ByteStream bytes, std::span<const std::byte> begun) {
+kj::Promise<void> LinkServer::serve(ByteStream bytes, std::span<const std::byte> begun, Room room) {
   auto caller = std::make_shared<Caller>();
   caller->identity = bytes.peer();
-  auto stream = kj::heap<MessageStream>(port_, kj::mv(bytes), limits_, begun);
+  StrangerGuard guard{
+      .known = {caller, &caller->known},
+      .share = std::make_unique<ReceiveBudget::Share>(budget_, caller->identity.text())};
+  auto stream = kj::heap<MessageStream>(port_, kj::mv(bytes), limits_, begun, std::move(guard));
   caller->counters = stream->counters();
-  auto link = kj::heap<Link>(kj::mv(stream), Side::SERVER, offerTo(caller));
-  auto gone = link->onDisconnect().exclusiveJoin(whenStranger(std::move(caller)));
-  return gone.attach(kj::mv(link));
+  auto link = kj::heap<Link>(kj::mv(stream), Side::SERVER, offerTo(caller, room));
+  const Link& ended = *link;
+  return link->onDisconnect()
+      .exclusiveJoin(whenStranger(caller))
+      .then([this, &ended, caller] {
+        if (ended.refusal().empty()) return;
+        refusals_.add(caller->identity.text(),
+                      "talk to " + address().text() + ": " + ended.refusal());
+      })
+      .attach(kj::mv(link));
 }
 
-capnp::Capability::Client LinkServer::offerTo(const std::shared_ptr<Caller>& caller) {
+capnp::Capability::Client LinkServer::offerTo(const std::shared_ptr<Caller>& caller, Room room) {
   const PeerIdentity& who = caller->identity;
+  if (room == Room::IsNot) return turnAway(who, tooMany());
   if (who.proof != PeerIdentity::Proof::User || isTrusted(who.user, trust_.users)) {
     return offer_(caller);
   }
-  return capnp::Capability::Client(failure(
-      kj::Exception::Type::FAILED, "talk to " + address().text() + ": it does not talk to " +
-                                       who.text() + ". Name that user in its policy."));
+  return turnAway(who, "it does not talk to " + who.text() + ". Name that user in its policy.");
+}
+
+capnp::Capability::Client LinkServer::turnAway(const PeerIdentity& who, const std::string& why) {
+  const std::string text = "talk to " + address().text() + ": " + why;
+  refusals_.add(who.text(), text);
+  return capnp::Capability::Client(failure(kj::Exception::Type::FAILED, text));
 }
 
 kj::Promise<void> LinkServer::whenStranger(std::shared_ptr<Caller> caller) {
   return port_.getTimer()
       .afterDelay(limits_.helloMilliseconds * kj::MILLISECONDS)
-      .then([caller = std::move(caller)]() -> kj::Promise<void> {
+      .then([this, caller = std::move(caller)]() -> kj::Promise<void> {
         if (caller->known) return kj::NEVER_DONE;
+        refusals_.add(caller->identity.text(),
+                      "talk to " + address().text() + ": it has not said what it wants in time");
         return kj::READY_NOW;
       });
 }
 
 void LinkServer::taskFailed(kj::Exception&& exception) {
-  const kj::TimePoint now = port_.getTimer().now();
-  if (now < mayTell_) return;
-  mayTell_ = now + kTellingPause;
-  std::fprintf(stderr, "suture: a peer at %s: %s\n", address().text().c_str(),
-               describe(exception).c_str());
+  refusals_.add("a peer at " + address().text(), describe(exception));
 }
 
 }  // namespace suture::rpc

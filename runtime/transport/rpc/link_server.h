@@ -4,6 +4,8 @@
 #include <suture/transport/rpc/link.h>
 #include <suture/transport/rpc/listener.h>
 #include <suture/transport/rpc/opening.h>
+#include <suture/transport/rpc/receive_budget.h>
+#include <suture/transport/rpc/refusals.h>
 #include <suture/transport/rpc/secure.h>
 
 #include <memory>
@@ -28,23 +30,30 @@ class LinkServer final : private kj::TaskSet::ErrorHandler {
   /// Given the connections that are no links, see opening.h.
   using Awaited = kj::Function<void(const Token&, ByteStream)>;
 
-  /// Throws SetupError as Listener does, or if the address needs keys and `trust` has none. More
-  /// than `maxLinks` connections at a time are closed unheard. At tls:// a peer without a
-  /// certificate of the CA gets no link; at unix: one that is run by a user who is not trusted gets
-  /// a link on which it only hears why it is refused.
+  /// Throws SetupError as Listener does, or if the address needs keys and `trust` has none. At
+  /// tls:// a peer without a certificate of the CA gets no link; at unix: one that is run by a user
+  /// who is not trusted gets a link on which it only hears why it is refused. So does each of a few
+  /// beyond `maxLinks` at a time; more are closed unheard. All are added to `refusals`.
   LinkServer(
-      EventPort& port, const Address& address, Offer offer, StreamLimits limits = {},
-      std::size_t maxLinks = 1024, const Trust& trust = {},
+      EventPort& port, const Address& address, Offer offer, Refusals& refusals,
+      StreamLimits limits = {}, std::size_t maxLinks = 1024, const Trust& trust = {},
       Awaited awaited = [](const Token&, ByteStream) {});
 
   const Address& address() const { return listener_.address(); }
 
  private:
   void accept(kj::AutoCloseFd socket);
-  kj::Promise<void> secure(kj::AutoCloseFd socket);
-  kj::Promise<void> open(ByteStream bytes);
-  kj::Promise<void> serve(ByteStream bytes, std::span<const std::byte> begun);
-  capnp::Capability::Client offerTo(const std::shared_ptr<Caller>& caller);
+  void cannotAccept(int error);
+  /// Whether there was room for a link when it came.
+  enum class Room { Is, IsNot };
+
+  kj::Promise<void> secure(kj::AutoCloseFd socket, Room room);
+  kj::Promise<void> open(ByteStream bytes, Room room);
+  kj::Promise<void> serve(ByteStream bytes, std::span<const std::byte> begun, Room room);
+  capnp::Capability::Client offerTo(const std::shared_ptr<Caller>& caller, Room room);
+  /// A link on which it only hears that.
+  capnp::Capability::Client turnAway(const PeerIdentity& who, const std::string& why);
+  std::string tooMany() const;
   kj::Promise<void> whenStranger(std::shared_ptr<Caller> caller);
   void taskFailed(kj::Exception&& exception) override;
 
@@ -52,11 +61,12 @@ class LinkServer final : private kj::TaskSet::ErrorHandler {
   const Trust trust_;
   Listener listener_;
   Offer offer_;
+  Refusals& refusals_;
   Awaited awaited_;
   StreamLimits limits_;
   std::size_t maxLinks_;
   std::size_t links_ = 0;
-  kj::TimePoint mayTell_;
+  const std::shared_ptr<ReceiveBudget> budget_;
   kj::TaskSet tasks_;  // last: cancelled first
 };
 

@@ -94,8 +94,10 @@ Listener::~Listener() noexcept(false) {
   if (ours) unlink(address_.path.c_str());
 }
 
-kj::Promise<void> Listener::listen(kj::Function<void(kj::AutoCloseFd)> accept) {
+kj::Promise<void> Listener::listen(kj::Function<void(kj::AutoCloseFd)> accept,
+                                   kj::Function<void(int)> starved) {
   accept_ = kj::mv(accept);
+  starved_ = kj::mv(starved);
   return acceptAll();
 }
 
@@ -112,6 +114,7 @@ kj::Promise<void> Listener::acceptAll() {
     } else if (errno == EAGAIN) {
       return observer_.whenBecomesReadable().then([this] { return acceptAll(); });
     } else if (errno == EMFILE || errno == ENFILE || errno == ENOBUFS || errno == ENOMEM) {
+      starved_(errno);
       return port_.getTimer().afterDelay(100 * kj::MILLISECONDS).then([this] {
         return acceptAll();
       });

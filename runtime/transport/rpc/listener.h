@@ -33,8 +33,10 @@ class Listener {
   const Address& address() const { return address_; }
 
   /// Hands every connection (non-blocking, TCP without delay) to `accept`. The promise never
-  /// resolves; dropping it stops. Running out of descriptors delays acceptance, it does not end it.
-  kj::Promise<void> listen(kj::Function<void(kj::AutoCloseFd)> accept);
+  /// resolves; dropping it stops. Running out of descriptors or memory delays acceptance, it
+  /// does not end it; `starved` hears of each such attempt.
+  kj::Promise<void> listen(
+      kj::Function<void(kj::AutoCloseFd)> accept, kj::Function<void(int)> starved = [](int) {});
 
  private:
   kj::Promise<void> acceptAll();
@@ -44,6 +46,7 @@ class Listener {
   kj::AutoCloseFd socket_;
   kj::UnixEventPort::FdObserver observer_;
   kj::Function<void(kj::AutoCloseFd)> accept_ = [](kj::AutoCloseFd) {};
+  kj::Function<void(int)> starved_ = [](int) {};
   ino_t inode_ = 0;
 };
 

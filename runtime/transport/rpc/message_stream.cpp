@@ -15,6 +15,12 @@ constexpr std::size_t kSendAtOnce = 1u << 16;
 // A buffer that has grown beyond this is given back when it is empty.
 constexpr std::size_t kKept = 1u << 20;
 
+// What is read at once of a peer that is known, and of a stranger.
+constexpr std::size_t kReadAtOnce = 64u << 10;
+constexpr std::size_t kStrangersReadAtOnce = 4u << 10;
+
+constexpr const char* kTooLongOfStranger =
+    "the peer announces a message too long for one that has not said who it is";
 constexpr const char* kOtherSpeaksTls =
     "it speaks TLS, and this end does not. Correct the address: tls:// at both ends, or at neither";
 
@@ -33,11 +39,13 @@ bool isTls(std::span<const std::byte> bytes) {
 }  // namespace
 
 MessageStream::MessageStream(EventPort& port, ByteStream bytes, StreamLimits limits,
-                             std::span<const std::byte> begun)
+                             std::span<const std::byte> begun, StrangerGuard guard)
     : port_(port),
       bytes_(kj::mv(bytes)),
       limits_(limits),
+      guard_(std::move(guard)),
       readObserver_(port, bytes_.socket(), kj::UnixEventPort::FdObserver::OBSERVE_READ),
+      incoming_(guard_.known == nullptr ? kReadAtOnce : kStrangersReadAtOnce),
       opened_(port.getTimer().now()) {
   if (begun.empty()) return;
   std::copy(begun.begin(), begun.end(), incoming_.space().begin());
@@ -71,8 +79,8 @@ MessageStream::Reading MessageStream::waitAndRead() {
   readable_ = nullptr;
   KJ_IF_MAYBE (deadline, readDeadline()) {
     readable = readable.exclusiveJoin(port_.getTimer().atTime(*deadline).then([this] {
-      kj::throwFatalException(disconnected(anyMessage_ ? "the peer did not finish a message in time"
-                                                       : "the peer sent no message in time"));
+      refuse(anyMessage_ ? "the peer did not finish a message in time"
+                         : "the peer sent no message in time");
     }));
   }
   return readable.then([this] { return readBuffered(); });
@@ -81,9 +89,11 @@ MessageStream::Reading MessageStream::waitAndRead() {
 kj::Maybe<kj::Own<capnp::IncomingRpcMessage>> MessageStream::takeMessage() {
   const auto bytes = incoming_.bytes();
   const FrameParse parse = parseFrameHeader(bytes, limits_);
+  if (parse.header && parse.header->totalBytes > limits_.strangerBytes && isStranger()) {
+    refuse(kTooLongOfStranger);
+  }
   if (parse.fault != FrameFault::None) {
-    kj::throwFatalException(
-        disconnected(!anyMessage_ && isTls(bytes) ? kOtherSpeaksTls : toString(parse.fault)));
+    refuse(!anyMessage_ && isTls(bytes) ? kOtherSpeaksTls : toString(parse.fault));
   }
   if (!parse.header || bytes.size() < parse.header->totalBytes) return nullptr;
   anyMessage_ = true;
@@ -95,13 +105,30 @@ kj::Maybe<kj::Own<capnp::IncomingRpcMessage>> MessageStream::takeMessage() {
       kj::mv(frame), *parse.header, readerOptions(limits_), kj::mv(descriptors)));
 }
 
+void MessageStream::refuse(std::string why) {
+  refusal_ = std::move(why);
+  kj::throwFatalException(disconnected(refusal_));
+}
+
+bool MessageStream::isStranger() {
+  if (guard_.known == nullptr) return false;
+  if (!*guard_.known) return true;
+  guard_.known = nullptr;
+  incoming_.setIdleSize(kReadAtOnce);
+  return false;
+}
+
 // How many bytes have been taken out so far.
 std::uint64_t MessageStream::taken() const {
   return counters_->receivedBytes.load(std::memory_order_relaxed) - incoming_.bytes().size();
 }
 
 MessageStream::Received MessageStream::receive() {
+  isStranger();  // who is known now reads more at once
   const auto space = incoming_.space();
+  if (guard_.share != nullptr) {
+    if (const auto beyond = guard_.share->hold(incoming_.grown())) refuse(*beyond);
+  }
   Descriptors descriptors;
   const ssize_t count = bytes_.receive(space, descriptors);
   if (count == 0) return Received::End;
@@ -124,7 +151,7 @@ MessageStream::Received MessageStream::receive() {
     const std::uint64_t end = counters_->receivedBytes.load(std::memory_order_relaxed);
     arrivedDescriptors_.add({end - 1, end, kj::mv(descriptors)});
     if (arrivedDescriptors_.size() > kMostDescriptors) {
-      kj::throwFatalException(disconnected("the peer sends more descriptors than messages"));
+      refuse("the peer sends more descriptors than messages");
     }
   }
   return Received::Some;

@@ -9,6 +9,7 @@
 #include <suture/transport/rpc/descriptor_passing.h>
 #include <suture/transport/rpc/event_port.h>
 #include <suture/transport/rpc/frame_header.h>
+#include <suture/transport/rpc/receive_budget.h>
 #include <suture/transport/rpc/receive_buffer.h>
 #include <suture/transport/rpc/write_observer.h>
 
@@ -16,6 +17,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace suture::rpc {
@@ -26,6 +28,12 @@ struct LinkCounters {
   std::atomic<std::uint64_t> receivedBytes{0};
 };
 
+/// What bounds a peer that came by itself.
+struct StrangerGuard {
+  std::shared_ptr<const bool> known;  ///< becomes true when it has said who it is
+  std::unique_ptr<ReceiveBudget::Share> share;
+};
+
 /// Messages over a connected, non-blocking stream socket (Unix or TCP), plain or inside TLS.
 /// Belongs to the control thread.
 ///
@@ -34,9 +42,10 @@ struct LinkCounters {
 /// kj::Exception from the pending read; nothing it sent beyond that point is looked at.
 class MessageStream final : private EventPort::Output {
  public:
-  /// `begun`: what has been received already.
+  /// `begun`: what has been received already. Of a peer that was called all messages may be as
+  /// long, and nothing bounds the sum.
   MessageStream(EventPort& port, ByteStream bytes, StreamLimits limits = {},
-                std::span<const std::byte> begun = {});
+                std::span<const std::byte> begun = {}, StrangerGuard guard = {});
   ~MessageStream() noexcept(false);
 
   const StreamLimits& limits() const { return limits_; }
@@ -55,6 +64,9 @@ class MessageStream final : private EventPort::Output {
                   ///< wake-up of the peer of its own
   };
   static constexpr int kLongestRideMilliseconds = 5;
+
+  /// Why a read has rejected, if the peer broke a limit; else "".
+  const std::string& refusal() const { return refusal_; }
 
   /// Copies the message, and of `descriptors` (Unix sockets only) the handles. If the connection is
   /// lost, nothing happens: the reader hears of it.
@@ -75,6 +87,8 @@ class MessageStream final : private EventPort::Output {
   Received receive();
   kj::Maybe<kj::TimePoint> readDeadline();
   std::uint64_t taken() const;
+  bool isStranger();
+  [[noreturn]] void refuse(std::string why);
 
   void scheduleRide();
   void flush() override;
@@ -87,6 +101,7 @@ class MessageStream final : private EventPort::Output {
   EventPort& port_;
   ByteStream bytes_;  // before the observers: they must go first
   StreamLimits limits_;
+  StrangerGuard guard_;
   std::shared_ptr<LinkCounters> counters_ = std::make_shared<LinkCounters>();
 
   kj::UnixEventPort::FdObserver readObserver_;
@@ -96,6 +111,7 @@ class MessageStream final : private EventPort::Output {
   bool anyMessage_ = false;
   kj::TimePoint opened_;
   kj::Maybe<kj::TimePoint> partialSince_;
+  std::string refusal_;
 
   std::vector<std::byte> outgoing_;
   std::size_t outgoingBegin_ = 0;

@@ -10,7 +10,7 @@ ReceiveBuffer::ReceiveBuffer(std::size_t bytes)
 std::span<std::byte> ReceiveBuffer::space() {
   if (begin_ == end_) {
     begin_ = end_ = 0;
-    if (storage_.size() > idleSize_) storage_ = kj::heapArray<std::byte>(idleSize_);
+    if (storage_.size() != idleSize_) storage_ = kj::heapArray<std::byte>(idleSize_);
   } else if (end_ > storage_.size() / 2 && begin_ > 0) {
     std::memmove(storage_.begin(), storage_.begin() + begin_, end_ - begin_);
     end_ -= begin_;

@@ -124,6 +124,7 @@ class Stranger final : public suture::wire::Peer::Server {
 
 /// What lives on the control thread.
 struct Presence {
+  suture::rpc::Refusals refusals{"stranger"};
   std::unique_ptr<suture::rpc::LinkServer> server;
   std::unique_ptr<suture::ManagerLink> link;
 };
@@ -132,9 +133,11 @@ kj::Promise<void> appear(suture::rpc::ControlThread& control, Presence& presence
   const std::string manager = argv[1], name = argv[2], how = argv[3];
   const auto address = suture::rpc::Address::parse(manager + "." + name);
   presence.server = std::make_unique<suture::rpc::LinkServer>(
-      control.port(), address, [how](auto) -> capnp::Capability::Client {
+      control.port(), address,
+      [how](auto) -> capnp::Capability::Client {
         return suture::wire::Peer::Client(kj::heap<Stranger>(how));
-      });
+      },
+      presence.refusals);
   presence.link =
       std::make_unique<suture::ManagerLink>(control, suture::rpc::parseAddresses(manager), name);
   return presence.link->open(std::chrono::seconds(5)).then([&presence, name, how] {
@@ -156,6 +159,9 @@ int main(int, char** argv) {
     suture::rpc::ControlThread control;
     control.run(std::chrono::seconds(10), [&] { return appear(control, presence, argv); });
     process.awaitEnd();
-    control.run(std::chrono::seconds(10), [&] { presence = {}; });
+    control.run(std::chrono::seconds(10), [&] {
+      presence.link.reset();
+      presence.server.reset();
+    });
   });
 }

@@ -244,6 +244,9 @@ TEST_F(SecurityTest, WhatARoleDoesNotNameIsRefused) {
   stranger.start();
   error = refusal([&] { stranger.connect("Console/Arm", "robot:PSM/Arm"); });
   EXPECT_TRUE(contains(error, "its policy has no rule for process 'stranger'")) << error;
+  EXPECT_EQ(robot.manager.refusals().count, 2u);
+  EXPECT_TRUE(contains(robot.manager.refusals().latest, "no rule for process 'stranger'"))
+      << robot.manager.refusals().latest;
 }
 
 TEST_F(SecurityTest, APlainClientIsHeldToThePolicyToo) {

@@ -44,8 +44,9 @@ class Service {
   kj::WaitScope scope_{loop_};
   kj::TimePoint present_ = kj::origin<kj::TimePoint>();
   kj::TimerImpl timer_{present_};
-  wire::GlobalManager::Client manager_ =
-      makeGlobalManager(kj::refcounted<NameService>(timer_), std::make_shared<rpc::Caller>());
+  rpc::Refusals refusals_{"manager"};
+  wire::GlobalManager::Client manager_ = makeGlobalManager(
+      kj::refcounted<NameService>(timer_), refusals_, std::make_shared<rpc::Caller>());
   wire::Session::Client session_ = nullptr;
 };
 

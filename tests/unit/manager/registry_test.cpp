@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 #include <suture/manager/registry.h>
 
+#include <algorithm>
+
 namespace suture {
 namespace {
 
@@ -14,9 +16,11 @@ ProcessRecord recordOf(const std::string& name, std::int32_t pid = 7) {
   return record;
 }
 
+std::shared_ptr<Holding> link() { return std::make_shared<Holding>(); }
+
 TEST(Registry, KnowsWhatWasAddedUntilItIsRemoved) {
   Registry registry;
-  const auto generation = registry.add(recordOf("left"));
+  const auto generation = registry.add(recordOf("left"), link());
   ASSERT_TRUE(generation);
   ASSERT_NE(registry.find("left"), nullptr);
   EXPECT_EQ(registry.find("left")->generation, *generation);
@@ -26,8 +30,8 @@ TEST(Registry, KnowsWhatWasAddedUntilItIsRemoved) {
 
 TEST(Registry, ATakenNameIsRefusedAndTheHolderNamed) {
   Registry registry;
-  ASSERT_TRUE(registry.add(recordOf("left", 4711)));
-  const auto second = registry.add(recordOf("left", 4712));
+  ASSERT_TRUE(registry.add(recordOf("left", 4711), link()));
+  const auto second = registry.add(recordOf("left", 4712), link());
   ASSERT_FALSE(second);
   EXPECT_EQ(second.error().kind, Kind::NAME_TAKEN);
   EXPECT_NE(second.error().text.find("process 4711 on theatre"), std::string::npos)
@@ -37,9 +41,9 @@ TEST(Registry, ATakenNameIsRefusedAndTheHolderNamed) {
 
 TEST(Registry, ALateRemovalDoesNotTakeTheNameFromItsNextHolder) {
   Registry registry;
-  const auto first = registry.add(recordOf("left"));
+  const auto first = registry.add(recordOf("left"), link());
   registry.remove("left", *first);
-  const auto second = registry.add(recordOf("left"));
+  const auto second = registry.add(recordOf("left"), link());
   EXPECT_GT(*second, *first);
   registry.remove("left", *first);
   registry.update("left", *first, {{"PSM", {}, {}}});
@@ -54,34 +58,34 @@ void ageBeyondLeases(Registry& registry) {
 
 TEST(Registry, WhoMissesTooManyRenewalsIsSilentUntilTheNext) {
   Registry registry;
-  const auto generation = registry.add(recordOf("left", 4711));
+  const auto generation = registry.add(recordOf("left", 4711), link());
   ASSERT_TRUE(registry.renew("left", *generation));
   for (int i = 0; i < wire::MISSABLE_RENEWALS; ++i) registry.age();
   EXPECT_NE(registry.find("left"), nullptr);
   registry.age();
   EXPECT_EQ(registry.find("left"), nullptr);
-  EXPECT_TRUE(registry.list().at(0).silent);
+  EXPECT_TRUE(registry.list().processes.at(0).silent);
   const std::string text = registry.unknown("left", 0).text;
   EXPECT_NE(text.find("process 4711 on theatre has been silent"), std::string::npos) << text;
   EXPECT_TRUE(registry.renew("left", *generation));
   ASSERT_NE(registry.find("left"), nullptr);
-  EXPECT_FALSE(registry.list().at(0).silent);
+  EXPECT_FALSE(registry.list().processes.at(0).silent);
 }
 
 TEST(Registry, WhoIsStoppedBeforeItsFirstRenewalIsSilentToo) {
   Registry registry;
-  ASSERT_TRUE(registry.add(recordOf("left", 4711)));
+  ASSERT_TRUE(registry.add(recordOf("left", 4711), link()));
   ageBeyondLeases(registry);
   EXPECT_EQ(registry.find("left"), nullptr);
-  EXPECT_TRUE(registry.add(recordOf("left", 4712)));
+  EXPECT_TRUE(registry.add(recordOf("left", 4712), link()));
 }
 
 TEST(Registry, TheNameOfASilentProcessGoesToWhoAsksForIt) {
   Registry registry;
-  const auto first = registry.add(recordOf("left", 4711));
+  const auto first = registry.add(recordOf("left", 4711), link());
   ASSERT_TRUE(registry.renew("left", *first));
   ageBeyondLeases(registry);
-  ASSERT_TRUE(registry.add(recordOf("left", 4712)));
+  ASSERT_TRUE(registry.add(recordOf("left", 4712), link()));
   EXPECT_FALSE(registry.renew("left", *first));
   registry.remove("left", *first);
   ASSERT_NE(registry.find("left"), nullptr);
@@ -91,24 +95,95 @@ TEST(Registry, TheNameOfASilentProcessGoesToWhoAsksForIt) {
 TEST(Registry, NamesThatWouldBeMistakenForAnAddressAreRefused) {
   Registry registry;
   for (const std::string name : {"", "a:b", "a/b", "a b"}) {
-    const auto added = registry.add(recordOf(name));
+    const auto added = registry.add(recordOf(name), link());
     ASSERT_FALSE(added) << name;
     EXPECT_EQ(added.error().kind, Kind::MALFORMED);
   }
-  EXPECT_FALSE(registry.add(recordOf(std::string(101, 'x'))));
-  EXPECT_TRUE(registry.add(recordOf(std::string(100, 'x'))));
+  EXPECT_FALSE(registry.add(recordOf(std::string(101, 'x')), link()));
+  EXPECT_TRUE(registry.add(recordOf(std::string(100, 'x')), link()));
 }
 
 TEST(Registry, AnUnknownNameIsAnsweredWithWhatThereIs) {
   Registry registry;
   EXPECT_NE(registry.unknown("left", 0).text.find("knows none"), std::string::npos);
-  ASSERT_TRUE(registry.add(recordOf("left")));
-  ASSERT_TRUE(registry.add(recordOf("right")));
+  ASSERT_TRUE(registry.add(recordOf("left"), link()));
+  ASSERT_TRUE(registry.add(recordOf("right"), link()));
   const Refusal refusal = registry.unknown("lefd", 200);
   EXPECT_EQ(refusal.kind, Kind::NO_SUCH_PROCESS);
   for (const char* part : {"'lefd'", "'left' and 'right'", "200 ms", "Did you mean 'left'?"}) {
     EXPECT_NE(refusal.text.find(part), std::string::npos) << refusal.text;
   }
+}
+
+/// A record that takes about `bytes`.
+ProcessRecord recordOfSize(const std::string& name, std::size_t bytes) {
+  ProcessRecord record = recordOf(name);
+  record.components.push_back({std::string(bytes - 1000, 'x'), {}, {}});
+  return record;
+}
+
+void expectLimit(const tl::expected<std::uint64_t, Refusal>& added, const std::string& named) {
+  ASSERT_FALSE(added);
+  EXPECT_EQ(added.error().kind, Kind::LIMIT_REACHED);
+  EXPECT_NE(added.error().text.find(named), std::string::npos) << added.error().text;
+}
+
+TEST(Registry, ARecordIsBoundedWhenItIsAddedAndWhenItIsReplaced) {
+  Registry registry;
+  expectLimit(registry.add(recordOfSize("left", (1u << 20) + 2000), link()), "1048576 bytes");
+  const auto generation = registry.add(recordOf("left"), link());
+  const auto updated =
+      registry.update("left", *generation, recordOfSize("left", (1u << 20) + 2000).components);
+  ASSERT_FALSE(updated);
+  EXPECT_NE(updated.error().text.find("1048576 bytes"), std::string::npos) << updated.error().text;
+  EXPECT_TRUE(registry.find("left")->components.empty());
+  EXPECT_TRUE(registry.update("left", *generation, recordOfSize("left", 1u << 20).components));
+}
+
+TEST(Registry, ALinkIsBoundedInNamesAndInBytesAndIsGivenBackWhatItFrees) {
+  Registry registry;
+  const auto holding = link();
+  for (std::size_t i = 0; i < Registry::kMostNamesOfALink; ++i) {
+    ASSERT_TRUE(registry.add(recordOf("name" + std::to_string(i)), holding));
+  }
+  expectLimit(registry.add(recordOf("left"), holding), "64 names");
+  EXPECT_TRUE(registry.add(recordOf("left"), link()));
+
+  const auto large = link();
+  std::uint64_t last = 0;
+  for (int i = 0; i < 4; ++i) {
+    const auto added = registry.add(recordOfSize("large" + std::to_string(i), 1'000'000), large);
+    ASSERT_TRUE(added);
+    last = *added;
+  }
+  expectLimit(registry.add(recordOfSize("fifth", 1'000'000), large), "4194304 bytes");
+  registry.remove("large3", last);
+  EXPECT_TRUE(registry.add(recordOfSize("fifth", 1'000'000), large));
+}
+
+TEST(Registry, AllTogetherAreBounded) {
+  Registry registry;
+  std::size_t added = 0;
+  while (registry.add(recordOfSize(std::to_string(added), 1'000'000), link())) ++added;
+  EXPECT_EQ(added, 67u);
+  expectLimit(registry.add(recordOfSize("more", 1'000'000), link()), "67108864 bytes");
+}
+
+TEST(Registry, ListsEachProcessOnceOverManyPages) {
+  Registry registry;
+  for (int i = 100; i < 120; ++i) {
+    ASSERT_TRUE(registry.add(recordOfSize(std::to_string(i), i == 105 ? 300'000 : 30'000), link()));
+  }
+  std::vector<std::string> names;
+  int pages = 0;
+  for (Registry::Page page{{}, true}; page.more; ++pages) {
+    page = registry.list(names.empty() ? "" : names.back(), 100'000);
+    ASSERT_FALSE(page.processes.empty());
+    for (const ProcessRecord& one : page.processes) names.push_back(one.name);
+  }
+  EXPECT_EQ(names.size(), 20u);
+  EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
+  EXPECT_EQ(pages, 8);
 }
 
 }  // namespace

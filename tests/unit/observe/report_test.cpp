@@ -42,7 +42,7 @@ suture::Report sample() {
   task.computeTime = {27, 28ns, 29ns, 30ns};
   task.window = {31ns, 32, 33, {34ns, 35ns, 36ns, 37ns, 38ns}, {39ns, 40ns, 41ns, 42ns, 43ns}};
   const suture::DeviceReport device{"Shelf", suture::ComponentState::Faulted, "it fell", 54};
-  return {"left", 2s, {connection}, {task}, {device}};
+  return {"left", 2s, {connection}, {task}, {device}, {58, "user 7: no"}};
 }
 
 TEST(Report, SurvivesJson) {
@@ -76,6 +76,8 @@ TEST(Report, EveryFieldIsInTheJson) {
   EXPECT_EQ(json.at("age"), 2'000'000'000);
   EXPECT_EQ(json.at("devices"), nlohmann::json::parse(R"([{"name": "Shelf", "state": "faulted",
                                                           "fault": "it fell", "faults": 54}])"));
+  EXPECT_EQ(json.at("refusals").at("count"), 58);
+  EXPECT_EQ(json.at("refusals").at("latest"), "user 7: no");
 }
 
 TEST(Report, AConnectionWithoutAContractHasNone) {

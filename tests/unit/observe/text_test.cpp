@@ -58,6 +58,12 @@ TEST(Text, TellsAllOfAConnection) {
       "loss: hung: it sleeps\n");
 }
 
+TEST(Text, TellsWhatWasRefusedToPeers) {
+  EXPECT_EQ(toText({"left", 0s, {}, {}, {}, {3, "user 7: talk to 'left': no"}}),
+            "process left after 0.0 s\n"
+            "refused to peers: 3, the latest to user 7: talk to 'left': no\n");
+}
+
 TEST(Text, SaysWhichEndCountsWhatThisOneDoesNot) {
   EXPECT_EQ(toText({"left", 0s, {connection(ConnectionEnd::Client)}, {}, {}}),
             "process left after 0.0 s\n"

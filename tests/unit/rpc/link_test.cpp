@@ -1,14 +1,21 @@
 // Listener, dialer and link with real sockets, both ends on one event loop.
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <suture/transport/rpc/dialer.h>
 #include <suture/transport/rpc/failure.h>
 #include <suture/transport/rpc/link_server.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
+#include <cstring>
 #include <fstream>
+#include <memory>
+#include <span>
+#include <vector>
 
 #include "echo_server.h"
 #include "socket_pair.h"
@@ -30,19 +37,48 @@ class LinkTest : public testing::TestWithParam<const char*> {
     return std::string(GetParam()) == "unix" ? "unix:" + directory_.file("s") : "tcp://127.0.0.1:0";
   }
 
-  void serve() {
+  void serve(std::size_t maxLinks = 2) {
     server_ = kj::heap<LinkServer>(
         port_, Address::parse(freshAddress()),
-        [](auto&& caller) -> capnp::Capability::Client {
-          caller->known = true;
+        [this](auto&& caller) -> capnp::Capability::Client {
+          caller->known = knows_;
           return Echo::Client(kj::heap<EchoServer>());
         },
-        StreamLimits{}, 2);
+        refusals_, StreamLimits{}, maxLinks);
   }
 
   kj::Own<Link> connect() {
     auto socket = dial(port_, server_->address(), 5s).wait(port_.scope());
     return kj::heap<Link>(kj::heap<MessageStream>(port_, kj::mv(socket)), Side::CLIENT);
+  }
+
+  /// To the server, which has not accepted it.
+  kj::AutoCloseFd connectedSocket() {
+    const SocketAddress target(server_->address());
+    kj::AutoCloseFd socket(::socket(target.family(), SOCK_STREAM | SOCK_CLOEXEC, 0));
+    EXPECT_EQ(::connect(socket, target.get(), target.length), 0) << std::strerror(errno);
+    fcntl(socket, F_SETFL, O_NONBLOCK);
+    return socket;
+  }
+
+  /// The server runs meanwhile.
+  void sendWhole(int socket, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+      const ssize_t count = send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+      if (count < 0 && errno != EAGAIN) return;
+      if (count > 0) bytes = bytes.subspan(static_cast<std::size_t>(count));
+      port_.scope().poll();
+    }
+  }
+
+  template <class Work>
+  std::string faultOf(Work work) {
+    try {
+      work();
+    } catch (const kj::Exception& e) {
+      return describe(e);
+    }
+    return "";
   }
 
   std::string dialFault(const Address& address) {
@@ -56,6 +92,8 @@ class LinkTest : public testing::TestWithParam<const char*> {
 
   TemporaryDirectory directory_;
   EventPort port_;
+  bool knows_ = true;
+  Refusals refusals_{"server"};
   kj::Own<LinkServer> server_;
 };
 
@@ -136,17 +174,112 @@ TEST_P(LinkTest, AHostilePeerIsCutOffAndOthersAreServed) {
   EXPECT_EQ(echo(client, 1).wait(port_.scope()), 1u);
 }
 
-TEST_P(LinkTest, ConnectionsBeyondTheLimitAreClosedAndThoseWithinServed) {
+TEST_P(LinkTest, APeerBeyondTheLimitHearsOfItAndThoseWithinAreServed) {
   serve();  // for two at a time
   auto first = connect();
   auto second = connect();
-  auto third = dial(port_, server_->address(), 5s).wait(port_.scope());
+  auto third = connect();
   EXPECT_EQ(echo(second->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
-  EXPECT_TRUE(closes(port_, third));
+  const std::string fault = faultOf([&] { echo(third->bootstrap<Echo>(), 1).wait(port_.scope()); });
+  EXPECT_NE(fault.find("it has 2 links"), std::string::npos) << fault;
+  EXPECT_NE(refusals_.summary().latest.find(fault), std::string::npos)
+      << refusals_.summary().latest;
+  third = nullptr;
   first = nullptr;
   EXPECT_EQ(echo(second->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
   auto fourth = connect();
   EXPECT_EQ(echo(fourth->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
+}
+
+TEST_P(LinkTest, BeyondThoseWhoHearOfTheLimitConnectionsAreClosed) {
+  serve();
+  std::vector<kj::Own<Link>> links;
+  for (int i = 0; i < 2 + 16; ++i) links.push_back(connect());
+  EXPECT_EQ(echo(links[1]->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
+  auto refused = dial(port_, server_->address(), 5s).wait(port_.scope());
+  EXPECT_TRUE(closes(port_, refused));
+  EXPECT_EQ(echo(links[1]->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
+}
+
+/// Leaves this process no descriptor more than it has.
+class NoMoreDescriptors {
+ public:
+  NoMoreDescriptors() {
+    getrlimit(RLIMIT_NOFILE, &before_);
+    const kj::AutoCloseFd next(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+    setLimit(static_cast<rlim_t>(next.get()));
+  }
+  ~NoMoreDescriptors() { setLimit(before_.rlim_cur); }
+  NoMoreDescriptors(const NoMoreDescriptors&) = delete;
+  NoMoreDescriptors& operator=(const NoMoreDescriptors&) = delete;
+
+ private:
+  void setLimit(rlim_t most) const {
+    const rlimit limit{most, before_.rlim_max};
+    setrlimit(RLIMIT_NOFILE, &limit);
+  }
+
+  rlimit before_{};
+};
+
+TEST_P(LinkTest, WhoCannotBeAcceptedWaitsAndTheProcessSaysWhy) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "UBSan itself takes a descriptor to look at an object";
+#endif
+  serve();
+  auto first = connect();
+  EXPECT_EQ(echo(first->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
+  kj::AutoCloseFd socket = connectedSocket();
+  auto limit = std::make_unique<NoMoreDescriptors>();
+  auto waiting =
+      kj::heap<Link>(kj::heap<MessageStream>(port_, ByteStream(kj::mv(socket))), Side::CLIENT);
+  auto client = waiting->bootstrap<Echo>();
+  auto answer = echo(client, 2);
+  while (refusals_.summary().count == 0)
+    port_.getTimer().afterDelay(1 * kj::MILLISECONDS).wait(port_.scope());
+  EXPECT_NE(refusals_.summary().latest.find("Too many open files"), std::string::npos)
+      << refusals_.summary().latest;
+  EXPECT_NE(refusals_.summary().latest.find("ulimit -n"), std::string::npos);
+  limit.reset();
+  EXPECT_EQ(answer.wait(port_.scope()), 2u);
+}
+
+// Of a process that has not, as much as a first message needs.
+TEST_P(LinkTest, AMessageIsBoundedUntilThePeerHasSaidWhoItIs) {
+  knows_ = false;
+  serve();
+  auto stranger = connect();
+  auto client = stranger->bootstrap<Echo>();
+  EXPECT_EQ(echo(client, 15'000).wait(port_.scope()), 15'000u);
+  const std::string fault = faultOf([&] { echo(client, 17'000).wait(port_.scope()); });
+  EXPECT_NE(fault.find("one that has not said who it is"), std::string::npos) << fault;
+  EXPECT_NE(refusals_.summary().latest.find(fault), std::string::npos)
+      << refusals_.summary().latest;
+  knows_ = true;
+  auto known = connect();
+  EXPECT_EQ(echo(known->bootstrap<Echo>(), 17'000).wait(port_.scope()), 17'000u);
+}
+
+// All peers of plain TCP share one budget, as do all processes of one user.
+TEST_P(LinkTest, UnfinishedMessagesOfAPeerAreBoundedInSum) {
+  serve(8);
+  auto known = connect();
+  auto client = known->bootstrap<Echo>();
+  EXPECT_EQ(echo(client, 1).wait(port_.scope()), 1u);
+  std::vector<ByteStream> greedy;  // each begins a message of 16 MiB and does not end it
+  std::vector<std::byte> begun(15u << 20, std::byte{0});
+  const std::uint32_t words = (16u << 20) / 8 - 2;
+  std::memcpy(begun.data() + 4, &words, sizeof(words));
+  int held = 0;
+  while (refusals_.summary().count == 0 && held < 7) {
+    greedy.push_back(dial(port_, server_->address(), 5s).wait(port_.scope()));
+    sendWhole(greedy.back().socket(), begun);
+    ++held;
+  }
+  EXPECT_EQ(held, 5);
+  EXPECT_NE(refusals_.summary().latest.find("67108864 bytes"), std::string::npos)
+      << refusals_.summary().latest;
+  EXPECT_EQ(echo(client, 1).wait(port_.scope()), 1u);
 }
 
 TEST_P(LinkTest, AnAddressInUseIsRefused) {

@@ -58,7 +58,7 @@ class SecureLinkTest : public testing::Test {
           last_ = caller->identity;
           return Echo::Client(kj::heap<EchoServer>());
         },
-        limits_, 3, std::move(trust));
+        refusals_, limits_, 3, std::move(trust));
   }
   void serveTls() { serve("tls://127.0.0.1:0", trustOf("server")); }
 
@@ -96,6 +96,7 @@ class SecureLinkTest : public testing::Test {
   bool knows_ = true;
   PeerIdentity last_;
   EventPort port_;
+  Refusals refusals_{"server"};
   kj::Own<LinkServer> server_;
 };
 

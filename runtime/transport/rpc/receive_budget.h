@@ -1,0 +1,49 @@
+#pragma once
+// How much memory peers can make a process hold for messages that have not arrived whole.
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace suture::rpc {
+
+/// Shared by the links of a server. Belongs to the control thread.
+class ReceiveBudget {
+ public:
+  /// Bytes. A peer is whoever has the same proof of who it is: those of plain TCP share one budget.
+  struct Limits {
+    std::size_t peer = 64u << 20;
+    std::size_t process = 256u << 20;
+  };
+
+  /// What one link holds of it; given back at its end.
+  class Share {
+   public:
+    Share(std::shared_ptr<ReceiveBudget> budget, std::string peer)
+        : budget_(std::move(budget)), peer_(std::move(peer)) {}
+    ~Share() { hold(0); }
+    Share(const Share&) = delete;
+    Share& operator=(const Share&) = delete;
+
+    /// From now on the link holds `bytes`. If that is too much, which limit it goes beyond.
+    std::optional<std::string> hold(std::size_t bytes);
+
+   private:
+    const std::shared_ptr<ReceiveBudget> budget_;
+    const std::string peer_;
+    std::size_t held_ = 0;
+  };
+
+  explicit ReceiveBudget(const Limits& limits) : limits_(limits) {}
+
+  std::size_t held() const { return held_; }
+
+ private:
+  const Limits limits_;
+  std::map<std::string, std::size_t> peers_;
+  std::size_t held_ = 0;
+};
+
+}  // namespace suture::rpc

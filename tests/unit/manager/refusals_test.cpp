@@ -1,0 +1,84 @@
+// What a provider refuses: its side hears of it as the client does.
+#include <gtest/gtest.h>
+#include <suture/base/virtual_time.h>
+#include <suture/component/event_task.h>
+#include <suture/manager/global_manager.h>
+#include <suture/manager/manager.h>
+#include <suture/transport/rpc/control_thread.h>
+
+#include <algorithm>
+
+#include "reference/gripper_arm.suture.h"
+#include "reference/still_arm.h"
+#include "support/refusal.h"
+#include "support/temporary_directory.h"
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+
+TEST(RefusalsTest, TheSameIsToldOnceAMinuteAndCountedEachTime) {
+  rpc::Refusals refusals("left");
+  testing::internal::CaptureStderr();
+  for (int i = 0; i < 3; ++i) refusals.add("user 7", "talk to it: no");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "left: refused user 7: talk to it: no\n");
+  EXPECT_EQ(refusals.summary().count, 3u);
+  EXPECT_EQ(refusals.summary().latest, "user 7: talk to it: no");
+  pass(61s);
+  testing::internal::CaptureStderr();
+  refusals.add("user 7", "talk to it: no");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "left: refused user 7: talk to it: no\n");
+}
+
+TEST(RefusalsTest, APeerThatInventsReasonsFillsNoLog) {
+  rpc::Refusals refusals("left");
+  testing::internal::CaptureStderr();
+  for (int i = 0; i < 1000; ++i) refusals.add("user 7", "use 'left:" + std::to_string(i) + "'");
+  const std::string told = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 20);
+  EXPECT_EQ(refusals.summary().count, 1000u);
+}
+
+struct RefusingArm final : EventTask, StillArm {
+  ~RefusingArm() override { stop(); }
+  void run() override {}
+  Provided<reference::ArmLike> port{*this, "Arm", *this};
+};
+
+/// Asks for more than that arm offers.
+struct GripperClient final : EventTask {
+  ~GripperClient() override { stop(); }
+  void run() override {}
+  Required<reference::GripperArm> slave{*this, "Slave"};
+};
+
+TEST(RefusalsTest, WhatTheClientIsToldTheProviderTellsToo) {
+  const TemporaryDirectory directory;
+  rpc::ControlThread control;
+  const GlobalManager names(control, "unix:" + directory.file("manager.sock"));
+  RefusingArm arm;
+  GripperClient client;
+  Manager robot("robot", names.address()), console("console", names.address());
+  robot.add("PSM", arm);
+  console.add("Teleop", client);
+  robot.start();
+  console.start();
+  EXPECT_EQ(robot.refusals().count, 0u);
+  std::uint64_t count = 0;
+  for (const char* const provided : {"robot:PSM/Arm", "robot:PSM/Leg", "robot:ECM/Arm"}) {
+    testing::internal::CaptureStderr();
+    const std::string error = refusal([&] { console.connect("Teleop/Slave", provided); });
+    const std::string told = testing::internal::GetCapturedStderr();
+    const auto [refused, latest] = robot.refusals();
+    EXPECT_NE(error, "");
+    EXPECT_EQ(refused, ++count) << latest;
+    const std::string text = latest.substr(latest.find(": ") + 2);
+    EXPECT_NE(error.find(text), std::string::npos) << error << "\nand here\n" << latest;
+    EXPECT_EQ(told, "robot: refused " + latest + "\n");
+  }
+  EXPECT_EQ(console.refusals().count, 0u);
+}
+
+}  // namespace
+}  // namespace suture
