@@ -159,7 +159,8 @@ TEST_F(LinkTest, WhoSubscribesWhileTheLaneLooksIsToldOfAsJoining) {
   int missed = 0;
   for (int round = 0; round < 20'000; ++round) {
     subscribe(0);
-    for (std::atomic<int> moment = round % 199; moment > 0; --moment) {}
+    for (std::atomic<int> moment = round % 199; moment > 0; --moment) {
+    }
     if (subscribe(kEvent) != kEvent) ++missed;
   }
   done = true;
