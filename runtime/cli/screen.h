@@ -1,6 +1,7 @@
 #pragma once
 // What is shown to people.
 
+#include <suture/base/plain.h>
 #include <suture/base/time.h>
 #include <suture/cli/json.h>
 
@@ -8,9 +9,6 @@
 #include <vector>
 
 namespace suture::cli {
-
-/// Without what would steer a terminal: texts of peers may be anything.
-std::string plain(const std::string& text);
 
 /// A value over as many lines as it needs, each with `indent` spaces before it; ends with a line
 /// break. Short ones stay on one line; a pose is shown as a matrix.

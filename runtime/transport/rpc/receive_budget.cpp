@@ -15,9 +15,13 @@ std::optional<std::string> ReceiveBudget::Share::hold(std::size_t bytes) {
   const auto peer = budget_->peers_.try_emplace(peer_, 0).first;
   const std::size_t ofPeer = peer->second - held_ + bytes;
   const std::size_t ofAll = budget_->held_ - held_ + bytes;
-  if (bytes > held_ && ofPeer > budget_->limits_.peer) return beyond(peer_, budget_->limits_.peer);
-  if (bytes > held_ && ofAll > budget_->limits_.process) {
-    return beyond("all peers", budget_->limits_.process);
+  if (bytes > held_) {
+    const bool peerTooMuch = ofPeer > budget_->limits_.peer;
+    if (peerTooMuch || ofAll > budget_->limits_.process) {
+      if (peer->second == 0) budget_->peers_.erase(peer);
+      return peerTooMuch ? beyond(peer_, budget_->limits_.peer)
+                         : beyond("all peers", budget_->limits_.process);
+    }
   }
   budget_->held_ = ofAll;
   held_ = bytes;

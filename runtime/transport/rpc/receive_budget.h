@@ -38,8 +38,6 @@ class ReceiveBudget {
 
   explicit ReceiveBudget(const Limits& limits) : limits_(limits) {}
 
-  std::size_t held() const { return held_; }
-
  private:
   const Limits limits_;
   std::map<std::string, std::size_t> peers_;

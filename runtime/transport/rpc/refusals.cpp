@@ -1,3 +1,4 @@
+#include <suture/base/plain.h>
 #include <suture/transport/rpc/refusals.h>
 
 #include <cstdio>
@@ -7,11 +8,23 @@ namespace {
 
 constexpr Duration kPause = std::chrono::minutes(1);
 constexpr std::size_t kMostLines = 20;
+constexpr std::size_t kLongest = 4096;
+
+// What a peer calls itself must neither steer a terminal, nor look like a line of another process,
+// nor fill a log.
+std::string fitToShow(const std::string& text) {
+  std::string shown;
+  for (const char one : plain(text.substr(0, kLongest))) {
+    shown += one;
+    if (one == '\n') shown += "  ";
+  }
+  return text.size() > kLongest ? shown + "..." : shown;
+}
 
 }  // namespace
 
 void Refusals::add(const std::string& peer, const std::string& text) {
-  const std::string line = peer + ": " + text;
+  const std::string line = fitToShow(peer + ": " + text);
   {
     const std::lock_guard lock(mutex_);
     ++summary_.count;

@@ -40,6 +40,17 @@ TEST(RefusalsTest, APeerThatInventsReasonsFillsNoLog) {
   EXPECT_EQ(refusals.summary().count, 1000u);
 }
 
+TEST(RefusalsTest, WhatAPeerCallsItselfSteersNoTerminalAndFillsNoLog) {
+  rpc::Refusals refusals("left");
+  testing::internal::CaptureStderr();
+  refusals.add("process '\x1b[2J\nright: refused nobody'", "talk to it: no");
+  refusals.add(std::string(1u << 20, 'x'), "no");
+  const std::string told = testing::internal::GetCapturedStderr();
+  EXPECT_TRUE(told.starts_with("left: refused process '?[2J\n  right: refused nobody': talk"));
+  EXPECT_LT(told.size(), 5000u);
+  EXPECT_LT(refusals.summary().latest.size(), 5000u);
+}
+
 struct RefusingArm final : EventTask, StillArm {
   ~RefusingArm() override { stop(); }
   void run() override {}
@@ -73,7 +84,8 @@ TEST(RefusalsTest, WhatTheClientIsToldTheProviderTellsToo) {
     const auto [refused, latest] = robot.refusals();
     EXPECT_NE(error, "");
     EXPECT_EQ(refused, ++count) << latest;
-    const std::string text = latest.substr(latest.find(": ") + 2);
+    const std::string line = latest.substr(0, latest.find('\n'));
+    const std::string text = line.substr(line.find(": ") + 2);
     EXPECT_NE(error.find(text), std::string::npos) << error << "\nand here\n" << latest;
     EXPECT_EQ(told, "robot: refused " + latest + "\n");
   }
