@@ -110,7 +110,7 @@ int report(const std::string& error, bool json, int status) {
   if (json) {
     printJson({{"error", error}});
   } else {
-    std::fprintf(stderr, "suture: %s\n", plain(error).c_str());
+    std::fprintf(stderr, "suture: %s\n", suture::plain(error).c_str());
   }
   return status;
 }
