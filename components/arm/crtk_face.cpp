@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 #include "arm/goals.h"
 #include "arm/kinematics/inverse.h"
@@ -11,21 +10,8 @@
 namespace robots {
 namespace {
 
-// How hard the simulated arm is to push. Of a joint; along and about the axes of the tip.
-constexpr double kJointDamping = 2.0;  // N.m.s/rad, N.s/m
-constexpr double kTipDamping = 50.0;   // N.s/m
-constexpr double kTwistDamping = 1.0;  // N.m.s/rad
-
 using kinematics::rotated;
 using kinematics::SpatialVector;
-
-SpatialVector masked(const Eigen::Vector3d& linear, const Eigen::Vector3d& angular,
-                     const std::array<bool, 6>& mask) {
-  SpatialVector result;
-  result << linear, angular;
-  for (int i = 0; i < 6; ++i) result[i] *= mask[static_cast<std::size_t>(i)] ? 1 : 0;
-  return result;
-}
 
 void blank(Jacobian& jacobian, int joints) {
   jacobian.joints = static_cast<std::uint32_t>(joints);
@@ -198,33 +184,21 @@ void CrtkFace<N>::servo_jr(const JointGoal& step) {
 
 template <int N>
 void CrtkFace<N>::servo_jv(const JointVelocityGoal& goal) {
-  const Joints unbounded = Joints::Constant(std::numeric_limits<double>::infinity());
-  const auto acceleration = toJointsOr<N>(unbounded, goal.acceleration);
-  const auto deceleration = toJointsOr<N>(unbounded, goal.deceleration);
-  const auto guard = toJointsOr<N>(Joints::Zero(), goal.guard);
-  const auto rate = masked<N>(toJoints<N>(goal.goal), goal.mask);
-  const bool bounded = acceleration && deceleration && guard && acceleration->minCoeff() > 0 &&
-                       deceleration->minCoeff() > 0;
-  if (!bounded) return drive(std::nullopt, "servo_jv", {});
-  typename Stream::JointBounds bounds{.change = {*acceleration, *deceleration}};
-  if (!goal.guard.empty()) bounds.guard = guard;
-  drive(rate, "servo_jv", bounds);
+  drive(streamGoal<N>(goal), "servo_jv");
 }
 
 template <int N>
 void CrtkFace<N>::servo_jf(const JointEffortGoal& goal) {
-  const auto effort = masked<N>(toJoints<N>(goal.effort), goal.mask);
-  drive(effort ? std::optional<Joints>(*effort / kJointDamping) : std::nullopt, "servo_jf", {});
+  drive(streamGoal<N>(goal), "servo_jf");
 }
 
 template <int N>
-void CrtkFace<N>::drive(const std::optional<Joints>& rate, const char* activity,
-                        const typename Stream::JointBounds& bounds) {
+void CrtkFace<N>::drive(const std::optional<JointStreamGoal<N>>& goal, const char* activity) {
   if (!arm_.mayMove()) return;
-  if (!rate) return arm_.warn(ArmWarning::Malformed);
+  if (!goal) return arm_.warn(ArmWarning::Malformed);
   const Joints& limit = arm_.model_.rate_limit;
   arm_.follow(arm_.setpoint_, {}, activity);
-  stream_.follow(rate->cwiseMax(-limit).cwiseMin(limit), activity, bounds);
+  stream_.follow(goal->rate.cwiseMax(-limit).cwiseMin(limit), activity, goal->bounds);
 }
 
 template <int N>
@@ -233,44 +207,29 @@ void CrtkFace<N>::servo_cr(const PoseStamped& step) {
   arm_.servo_cp(stepped(step));
 }
 
-// 0 leaves an axis unbounded: the goal of a client that does not know accelerations has zeros.
 template <int N>
 void CrtkFace<N>::servo_cv(const TwistGoal& goal) {
-  if (!arm_.mayMove()) return;
-  SpatialVector change;
-  change << goal.linear_acceleration, goal.angular_acceleration;
-  if (!change.allFinite() || change.minCoeff() < 0) return arm_.warn(ArmWarning::Malformed);
-  change = (change.array() == 0).select(std::numeric_limits<double>::infinity(), change);
-  drive(Stream::Kind::SpatialTwist, masked(goal.linear, goal.angular, goal.mask), "servo_cv", {},
-        {.change = {change, change}, .axes = baseFrame_.pose.linear().transpose()});
+  const Eigen::Matrix3d toBase = baseFrame_.pose.inverse().linear();
+  drive(Stream::Kind::SpatialTwist, streamGoal(goal), "servo_cv", toBase);
 }
 
 template <int N>
 void CrtkFace<N>::body_servo_cf(const WrenchGoal& goal) {
-  push(goal, Stream::Kind::BodyTwist);
+  drive(Stream::Kind::BodyTwist, streamGoal(goal), "servo_cf", Eigen::Matrix3d::Identity());
 }
 
 template <int N>
 void CrtkFace<N>::spatial_servo_cf(const WrenchGoal& goal) {
-  push(goal, Stream::Kind::SpatialTwist);
+  drive(Stream::Kind::SpatialTwist, streamGoal(goal), "servo_cf", Eigen::Matrix3d::Identity());
 }
 
 template <int N>
-void CrtkFace<N>::push(const WrenchGoal& goal, typename Stream::Kind kind) {
-  const SpatialVector force = masked(goal.force, goal.torque, goal.mask);
-  SpatialVector twist;
-  twist << force.head<3>() / kTipDamping, force.tail<3>() / kTwistDamping;
-  drive(kind, twist, "servo_cf", force, {});
-}
-
-template <int N>
-void CrtkFace<N>::drive(typename Stream::Kind kind, const SpatialVector& twist,
-                        const char* activity, const std::optional<SpatialVector>& force,
-                        const typename Stream::TwistBounds& bounds) {
+void CrtkFace<N>::drive(typename Stream::Kind kind, const std::optional<TwistStreamGoal>& goal,
+                        const char* activity, const Eigen::Matrix3d& axes) {
   if (!arm_.mayMove()) return;
-  if (!twist.allFinite()) return arm_.warn(ArmWarning::Malformed);
+  if (!goal) return arm_.warn(ArmWarning::Malformed);
   arm_.follow(arm_.setpoint_, {}, activity);
-  stream_.follow(kind, twist, activity, force, bounds);
+  stream_.follow(kind, goal->twist, activity, goal->force, {.change = goal->change, .axes = axes});
 }
 
 template <int N>

@@ -13,6 +13,7 @@
 #include "arm/motion_stream.h"
 #include "arm/period_statistics.h"
 #include "arm/simulated_arm.h"
+#include "arm/stream_goals.h"
 
 namespace robots {
 
@@ -125,11 +126,10 @@ class CrtkFace final : public CrtkArm {
   void moveTo(const PoseStamped& goal);
   void setRatios(double velocity, double acceleration);
   bool streaming() const;
-  void drive(const std::optional<Joints>& rate, const char* activity,
-             const typename Stream::JointBounds& bounds);
-  void drive(typename Stream::Kind kind, const SpatialVector& twist, const char* activity,
-             const std::optional<SpatialVector>& force, const typename Stream::TwistBounds& bounds);
-  void push(const WrenchGoal& goal, typename Stream::Kind kind);
+  void drive(const std::optional<JointStreamGoal<N>>& goal, const char* activity);
+  /// `axes` lead from those of the goal to the base's.
+  void drive(typename Stream::Kind kind, const std::optional<TwistStreamGoal>& goal,
+             const char* activity, const Eigen::Matrix3d& axes);
   void publishMotion(suture::Time now);
   void publishForce(suture::Time now);
   void publishGoal(suture::Time now);

@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 #include "robot_types/joints.h"
 #include "robot_types/pose.h"
@@ -27,25 +26,6 @@ std::optional<Eigen::Matrix<double, N, 1>> toJoints(const List& list) {
   const Eigen::Matrix<double, N, 1> q = Eigen::Map<const Eigen::Matrix<double, N, 1>>(list.data());
   if (!q.allFinite()) return std::nullopt;
   return q;
-}
-
-/// The same of a list that may be left out; `otherwise`, if it is empty.
-template <int N, class List>
-std::optional<Eigen::Matrix<double, N, 1>> toJointsOr(const Eigen::Matrix<double, N, 1>& otherwise,
-                                                      const List& list) {
-  if (list.empty()) return otherwise;
-  return toJoints<N>(list);
-}
-
-/// The joints that count stay, the others are 0. None if the mask is neither empty nor has N
-/// entries.
-template <int N>
-std::optional<Eigen::Matrix<double, N, 1>> masked(std::optional<Eigen::Matrix<double, N, 1>> joints,
-                                                  const std::vector<bool>& mask) {
-  if (mask.empty()) return joints;
-  if (mask.size() != std::size_t{N} || !joints) return std::nullopt;
-  for (int i = 0; i < N; ++i) (*joints)[i] *= mask[static_cast<std::size_t>(i)] ? 1 : 0;
-  return joints;
 }
 
 }  // namespace robots

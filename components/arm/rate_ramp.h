@@ -1,5 +1,5 @@
 #pragma once
-// Rates that change no faster than they may.
+// Keeps rates from changing faster than they may.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace robots {
 
-/// One rate for each joint or axis. Confined to one thread; never allocates.
+/// Holds one rate for each joint or axis. Confined to one thread; never allocates.
 template <int Size>
 class RateRamp {
  public:
@@ -24,11 +24,11 @@ class RateRamp {
     target_ = target;
     limits_ = limits;
   }
-  /// Zero at once.
+  /// Makes all rates zero at once.
   void stop() { present_ = target_ = Rates::Zero(); }
 
   const Rates& present() const { return present_; }
-  /// The rates `dt` seconds later.
+  /// Returns the rates `dt` seconds later.
   const Rates& advance(double dt) {
     for (int i = 0; i < Size; ++i) {
       present_[i] =
@@ -38,7 +38,7 @@ class RateRamp {
   }
 
  private:
-  // Through zero it slows down first.
+  // A rate that changes its sign slows down to zero first.
   static double next(double present, double target, double acceleration, double deceleration,
                      double dt) {
     const bool turns = present * target < 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Whether a command that has to be repeated still is.
+// Tells when a command that has to be repeated is repeated no more.
 
 #include <suture/base/time.h>
 
@@ -7,14 +7,14 @@
 
 namespace robots {
 
-/// Confined to one thread.
+/// It is confined to one thread.
 class StreamWatch {
  public:
   static constexpr suture::Duration kSilence = std::chrono::milliseconds(100);
 
   /// The command has come, again or for the first time.
   void ask() { asked_ = active_ = true; }
-  /// Nothing is awaited any more.
+  /// The command need not come any more.
   void end() { asked_ = active_ = false; }
 
   /// Counts a cycle; true: it has not come for too long.

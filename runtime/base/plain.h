@@ -1,11 +1,11 @@
 #pragma once
-// Texts that others wrote, made fit to be shown.
+// Makes texts that others wrote fit to be shown.
 
 #include <string>
 
 namespace suture {
 
-/// Without what would steer a terminal: texts of peers may be anything.
+/// Returns `text` without what would steer a terminal, since texts of peers may be anything.
 std::string plain(const std::string& text);
 
 }  // namespace suture

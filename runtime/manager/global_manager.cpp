@@ -2,7 +2,6 @@
 #include <suture/manager/global_manager.h>
 #include <suture/manager/manager_session.h>
 #include <suture/transport/rpc/control_thread.h>
-#include <suture/transport/rpc/failure.h>
 #include <suture/transport/rpc/link_server.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -16,7 +15,7 @@ namespace suture {
 namespace {
 
 constexpr Duration kPatience = std::chrono::seconds(10);
-// Twice what the record of a process may take.
+// A record and all that is around it fit.
 constexpr std::size_t kMostOfAMessage = 2 * Registry::kMostBytesOfARecord;
 constexpr std::size_t kMostLinks = 4096;  // as many as there are names
 
@@ -39,11 +38,10 @@ class GlobalManager::Impl {
     if (policy_.admits(caller->identity)) {
       return makeGlobalManager(kj::addRef(*names_), refusals_, std::move(caller));
     }
-    const std::string who = caller->identity.text();
-    const std::string text =
-        "talk to the global manager: its policy has no rule for " + who + ". Add one.";
-    refusals_.add(who, text);
-    return capnp::Capability::Client(rpc::failure(kj::Exception::Type::FAILED, text));
+    const rpc::PeerIdentity who = caller->identity;
+    return rpc::turnAway(
+        refusals_, who,
+        "talk to the global manager: its policy has no rule for " + who.text() + ". Add one.");
   }
 
   kj::Own<NameService> names_;

@@ -1,5 +1,5 @@
 #pragma once
-// What a client of the global manager does to list all processes.
+// Lists all processes, as a client of the global manager.
 
 #include <kj/async.h>
 #include <suture/manager/records.h>
@@ -8,7 +8,7 @@
 
 namespace suture {
 
-/// Control thread: all processes that the manager knows, page after page.
+/// The control thread asks for all processes that the manager knows, page after page.
 kj::Promise<std::vector<ProcessRecord>> listAll(wire::Session::Client session);
 
 }  // namespace suture

@@ -118,8 +118,8 @@ class Manager {
   /// Why the provider in another process was lost last, in words, by the name of the connection:
   /// whether it closed the connection, fell silent or hung. Kept when it is back.
   std::map<std::string, std::string> whyLost() const;
-  /// Peers and requests of peers that this process has turned away, each of which it has told of on
-  /// standard error, and the latest in words.
+  /// Counts the peers and the requests of peers that this process has turned away, and has the
+  /// latest in words. It has told of each on standard error.
   rpc::Refusals::Summary refusals() const;
 
  private:

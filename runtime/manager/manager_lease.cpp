@@ -1,3 +1,4 @@
+#include <suture/base/plain.h>
 #include <suture/manager/listing.h>
 #include <suture/manager/manager_lease.h>
 #include <suture/transport/rpc/deadline.h>
@@ -132,7 +133,7 @@ void ManagerLease::update(std::vector<ComponentRecord> components) {
     // If the link breaks, coming back tells the manager everything again.
     control_.spawn(request.send().ignoreResult().catch_([program = program_](kj::Exception&& e) {
       if (e.getType() != Type::FAILED) return;
-      std::fprintf(stderr, "%s: %s\n", program.c_str(), rpc::describe(e).c_str());
+      std::fprintf(stderr, "%s: %s\n", program.c_str(), plain(rpc::describe(e)).c_str());
     }));
   }
 }

@@ -10,7 +10,8 @@ using Kind = wire::Refusal::Kind;
 
 constexpr std::uint32_t kLongestWaitMilliseconds = 60'000;
 
-/// Who asks at a link, and what becomes of what it is refused.
+/// Knows who asks at a link, tells what that peer is refused, and counts what the registry holds
+/// for it.
 struct Asker {
   rpc::PeerIdentity identity;
   rpc::Refusals& refusals;

@@ -69,7 +69,7 @@ class Network {
   std::map<std::string, std::shared_ptr<Channel>> connected() const;
   /// Why each that has been lost was, the last time, in words, by the channel's name.
   std::map<std::string, std::string> whyLost() const;
-  /// What this process has refused to peers.
+  /// Counts what this process has refused to peers.
   rpc::Refusals::Summary refusals() const;
   /// The provider ends of what peers have connected to this process.
   std::vector<std::shared_ptr<Channel>> served() const;

@@ -1,6 +1,5 @@
 #include <suture/manager/peer_host.h>
 #include <suture/manager/peer_server.h>
-#include <suture/transport/rpc/failure.h>
 
 #include <filesystem>
 #include <fstream>
@@ -40,12 +39,11 @@ capnp::Capability::Client PeerHost::offerTo(std::shared_ptr<rpc::Caller> caller)
   if (policy_.admits(caller->identity)) {
     return wire::Peer::Client(kj::heap<PeerServer>(*this, std::move(caller)));
   }
-  const std::string who = caller->identity.text();
-  const std::string text = "talk to process '" + directory_.process() +
-                           "': its policy has no rule for " + who +
-                           ". Add one, or use another process.";
-  refusals_.add(who, text);
-  return capnp::Capability::Client(rpc::failure(kj::Exception::Type::FAILED, text));
+  const rpc::PeerIdentity who = caller->identity;
+  return rpc::turnAway(refusals_, who,
+                       "talk to process '" + directory_.process() +
+                           "': its policy has no rule for " + who.text() +
+                           ". Add one, or use another process.");
 }
 
 std::vector<std::shared_ptr<Channel>> PeerHost::served() const {

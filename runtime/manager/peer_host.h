@@ -32,7 +32,7 @@ class PeerHost {
   /// All components are in the directory: what is not there now does not exist.
   void publish() { published_->fulfill(); }
 
-  /// Any thread: the peers and requests that this process has turned away.
+  /// Any thread may ask how many peers and requests this process has turned away.
   rpc::Refusals::Summary refusals() const { return refusals_.summary(); }
 
   /// Any thread: the provider ends of the connections that stand.

@@ -36,7 +36,7 @@ struct Refusal {
   std::string text;  ///< what was asked, what was found, what to do
 };
 
-/// How much memory a record takes, about.
+/// Returns about how much memory a record takes.
 std::size_t bytesOf(const std::vector<ComponentRecord>& components);
 std::size_t bytesOf(const ProcessRecord& process);
 

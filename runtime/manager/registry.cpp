@@ -15,7 +15,7 @@ bool isName(const std::string& name) {
          name.find_first_of(":/ \t\n") == std::string::npos;
 }
 
-std::string bytes(std::size_t count) { return std::to_string(count) + " bytes"; }
+std::string inBytes(std::size_t count) { return std::to_string(count) + " bytes"; }
 
 std::string title(const ProcessRecord& process) {
   return "process " + std::to_string(process.pid) + " on " +
@@ -26,32 +26,9 @@ std::string title(const ProcessRecord& process) {
 
 tl::expected<std::uint64_t, Refusal> Registry::add(ProcessRecord process,
                                                    std::shared_ptr<Holding> holding) {
-  const std::string asked = "register process '" + process.name + "': ";
-  if (!isName(process.name)) {
-    return tl::unexpected(Refusal{
-        Kind::MALFORMED, asked +
-                             "a name has 1 to 100 characters, none of them ':', '/' or a space. "
-                             "Choose another name."});
-  }
-  if (const ProcessRecord* holder = find(process.name)) {
-    return tl::unexpected(
-        Refusal{Kind::NAME_TAKEN, asked + "the name is held by " + title(*holder) +
-                                      ", which is alive. Stop it or choose another name."});
-  }
-  if (const auto silent = processes_.find(process.name); silent != processes_.end()) erase(silent);
-  if (processes_.size() == kMaxProcesses) {
-    return tl::unexpected(Refusal{
-        Kind::LIMIT_REACHED, asked + "the manager knows as many processes as it can. Stop some."});
-  }
-  if (holding->names == kMostNamesOfALink) {
-    return tl::unexpected(
-        Refusal{Kind::LIMIT_REACHED, asked + "its link holds " + std::to_string(kMostNamesOfALink) +
-                                         " names, and none holds more. Use another."});
-  }
   const std::size_t bytes = bytesOf(process);
-  if (const std::string why = whyTooMuch(bytes, 0, *holding); !why.empty()) {
-    return tl::unexpected(Refusal{Kind::LIMIT_REACHED, asked + why});
-  }
+  if (const auto refusal = whyNot(process, bytes, *holding)) return tl::unexpected(*refusal);
+  if (const auto silent = processes_.find(process.name); silent != processes_.end()) erase(silent);
   process.silent = false;
   process.generation = ++generation_;
   bytes_ += bytes;
@@ -62,19 +39,48 @@ tl::expected<std::uint64_t, Refusal> Registry::add(ProcessRecord process,
   return generation_;
 }
 
-std::string Registry::whyTooMuch(std::size_t asked, std::size_t before,
+std::optional<Refusal> Registry::whyNot(const ProcessRecord& process, std::size_t bytes,
+                                        const Holding& holding) const {
+  const std::string asked = "register process '" + process.name + "': ";
+  if (!isName(process.name)) {
+    return Refusal{Kind::MALFORMED,
+                   asked +
+                       "a name has 1 to 100 characters, none of them ':', '/' or a space. "
+                       "Choose another name."};
+  }
+  if (const ProcessRecord* holder = find(process.name)) {
+    return Refusal{Kind::NAME_TAKEN, asked + "the name is held by " + title(*holder) +
+                                         ", which is alive. Stop it or choose another name."};
+  }
+  const std::string why = whyTooMuch(process.name, bytes, holding);
+  if (why.empty()) return std::nullopt;
+  return Refusal{Kind::LIMIT_REACHED, asked + why};
+}
+
+std::string Registry::whyTooMuch(const std::string& name, std::size_t asked,
                                  const Holding& holding) const {
+  const auto replaced = processes_.find(name);
+  const bool isNew = replaced == processes_.end();
+  const bool isNewOfLink = isNew || replaced->second.holding.get() != &holding;
+  const std::size_t before = isNew ? 0 : replaced->second.bytes;
   if (asked > kMostBytesOfARecord) {
-    return "its components and interfaces take " + bytes(asked) +
-           ", and no process is given more than " + bytes(kMostBytesOfARecord) +
+    return "its components and interfaces take " + inBytes(asked) +
+           ", and no process is given more than " + inBytes(kMostBytesOfARecord) +
            ". Divide it into several.";
   }
-  if (holding.bytes - before + asked > kMostBytesOfALink) {
-    return "the processes of its link would take more than " + bytes(kMostBytesOfALink) +
+  if (isNew && processes_.size() == kMaxProcesses) {
+    return "the manager knows as many processes as it can. Stop some.";
+  }
+  if (isNewOfLink && holding.names == kMostNamesOfALink) {
+    return "its link holds " + std::to_string(kMostNamesOfALink) +
+           " names, and none holds more. Use another.";
+  }
+  if (holding.bytes - (isNewOfLink ? 0 : before) + asked > kMostBytesOfALink) {
+    return "the processes of its link would take more than " + inBytes(kMostBytesOfALink) +
            ". Use another link.";
   }
   if (bytes_ - before + asked > kMostBytes) {
-    return "all processes would take more than " + bytes(kMostBytes) + ". Stop some.";
+    return "all processes would take more than " + inBytes(kMostBytes) + ". Stop some.";
   }
   return "";
 }
@@ -99,7 +105,7 @@ tl::expected<void, Refusal> Registry::update(const std::string& name, std::uint6
   if (entry == nullptr) return {};
   const std::size_t before = entry->bytes;
   const std::size_t bytes = before - bytesOf(entry->process.components) + bytesOf(components);
-  if (const std::string why = whyTooMuch(bytes, before, *entry->holding); !why.empty()) {
+  if (const std::string why = whyTooMuch(name, bytes, *entry->holding); !why.empty()) {
     return tl::unexpected(
         Refusal{Kind::LIMIT_REACHED, "replace the components of process '" + name + "': " + why});
   }

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -12,7 +13,8 @@
 
 namespace suture {
 
-/// What a registry holds for one link: kept by the registry, shared with whoever adds for the link.
+/// Counts what a registry holds for one link. The registry keeps it; whoever adds for the link
+/// shares it.
 struct Holding {
   std::size_t names = 0, bytes = 0;
 };
@@ -44,12 +46,12 @@ class Registry {
 
   /// Null: nobody, or silent.
   const ProcessRecord* find(const std::string& name) const;
-  /// In the order of their names, the silent ones too.
+  /// Processes in the order of their names, the silent ones too.
   struct Page {
     std::vector<ProcessRecord> processes;
     bool more = false;  ///< behind the last of them
   };
-  /// Those behind the name `after`, until they take `bytes`; at least one, if there is any.
+  /// Returns those behind the name `after`, until they take `bytes`; at least one, if there is any.
   Page list(const std::string& after = "", std::size_t bytes = kBytesOfAPage) const;
   /// Why `name` cannot be found: it is silent, or what there is, and which comes closest.
   /// `waitedMilliseconds` are told if not 0.
@@ -67,8 +69,11 @@ class Registry {
 
   Entry* held(const std::string& name, std::uint64_t generation);
   void erase(Processes::iterator entry);
-  /// Why a record of `bytes` cannot take the place of one of `before` bytes; "" if it can.
-  std::string whyTooMuch(std::size_t bytes, std::size_t before, const Holding& holding) const;
+  std::optional<Refusal> whyNot(const ProcessRecord& process, std::size_t bytes,
+                                const Holding& holding) const;
+  /// Tells which limit a record of `bytes` would go beyond in the place of what `name` has now; ""
+  /// if it goes beyond none.
+  std::string whyTooMuch(const std::string& name, std::size_t bytes, const Holding& holding) const;
 
   Processes processes_;
   std::size_t bytes_ = 0;  // of all

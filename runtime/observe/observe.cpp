@@ -112,8 +112,7 @@ DeviceReport reportOf(const Component& device) {
 Report observe(const Manager& manager, Time began) {
   Report report{manager.process(), now() - began, {}, {}, {}};
   const std::vector<Component*> components = manager.directory().components();
-  const rpc::Refusals::Summary refusals = manager.refusals();
-  report.refusals = {.count = refusals.count, .latest = refusals.latest};
+  report.refusals = manager.refusals();
   const auto whyLost = manager.whyLost();
   for (const auto& channel : manager.channels()) {
     ConnectionReport& one =

@@ -116,9 +116,9 @@ void eachField(Device& value, const Visit& visit) requires
   visit("faults", value.faults);
 }
 
-template <class Refusals, class Visit>
-void eachField(Refusals& value, const Visit& visit) requires
-    std::is_same_v<std::remove_const_t<Refusals>, RefusalReport> {
+template <class Summary, class Visit>
+void eachField(Summary& value, const Visit& visit) requires
+    std::is_same_v<std::remove_const_t<Summary>, rpc::Refusals::Summary> {
   visit("count", value.count);
   visit("latest", value.latest);
 }
@@ -208,7 +208,7 @@ Report reportFromJson(const json& in) {
   for (const json& one : in.at("devices")) {
     report.devices.push_back(structFromJson<DeviceReport>(one));
   }
-  report.refusals = structFromJson<RefusalReport>(in.at("refusals"));
+  report.refusals = structFromJson<rpc::Refusals::Summary>(in.at("refusals"));
   return report;
 }
 

@@ -6,6 +6,7 @@
 #include <suture/component/channel.h>
 #include <suture/component/component.h>
 #include <suture/component/task_window.h>
+#include <suture/transport/rpc/refusals.h>
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
@@ -97,19 +98,13 @@ struct DeviceReport {
   std::uint64_t faults = 0;
 };
 
-/// What a process has refused to its peers: connections, requests, links.
-struct RefusalReport {
-  std::uint64_t count = 0;
-  std::string latest;  ///< who and why, in words
-};
-
 struct Report {
   std::string process;
   Duration age{};  ///< of the process's observation: time since it began
   std::vector<ConnectionReport> connections;
   std::vector<TaskReport> tasks;
   std::vector<DeviceReport> devices = {};
-  RefusalReport refusals = {};
+  rpc::Refusals::Summary refusals = {};  ///< peers, and requests of peers
 };
 
 /// Durations are written as whole nanoseconds; "dropped" beside what it is the sum of; a contract

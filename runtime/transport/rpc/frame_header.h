@@ -20,7 +20,7 @@ namespace suture::rpc {
 struct StreamLimits {
   std::uint32_t segments = 512;
   std::size_t messageBytes = 16u << 20;      ///< header and body of one message
-  std::size_t strangerBytes = 16u << 10;     ///< the same, of a peer that is not known yet
+  std::size_t strangerBytes = 16u << 10;     ///< the same of a peer that is not known yet
   std::size_t unsentBytes = 64u << 20;       ///< written, and not yet taken by the peer
   std::int64_t partialMilliseconds = 5'000;  ///< from the first byte of a message to its last
   std::int64_t firstMilliseconds =

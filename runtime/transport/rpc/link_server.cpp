@@ -6,7 +6,7 @@
 namespace suture::rpc {
 namespace {
 
-// So many at a time are told that there are too many links.
+// So many peers at a time are told that there are too many links.
 constexpr std::size_t kMostTurnedAway = 16;
 
 const Trust& usable(const Trust& trust, const Address& address) {
@@ -22,6 +22,12 @@ Listener::Opens opensOf(const Trust& trust, const Address& address) {
 }  // namespace
 
 using capnp::rpc::twoparty::Side;
+
+capnp::Capability::Client turnAway(Refusals& refusals, const PeerIdentity& who,
+                                   const std::string& text) {
+  refusals.add(who.text(), text);
+  return capnp::Capability::Client(failure(kj::Exception::Type::FAILED, text));
+}
 
 LinkServer::LinkServer(EventPort& port, const Address& address, Offer offer, Refusals& refusals,
                        StreamLimits limits, std::size_t maxLinks, const Trust& trust,
@@ -106,17 +112,13 @@ kj::Promise<void> LinkServer::serve(ByteStream bytes, std::span<const std::byte>
 
 capnp::Capability::Client LinkServer::offerTo(const std::shared_ptr<Caller>& caller, Room room) {
   const PeerIdentity& who = caller->identity;
-  if (room == Room::IsNot) return turnAway(who, tooMany());
+  const std::string asked = "talk to " + address().text() + ": ";
+  if (room == Room::IsNot) return turnAway(refusals_, who, asked + tooMany());
   if (who.proof != PeerIdentity::Proof::User || isTrusted(who.user, trust_.users)) {
     return offer_(caller);
   }
-  return turnAway(who, "it does not talk to " + who.text() + ". Name that user in its policy.");
-}
-
-capnp::Capability::Client LinkServer::turnAway(const PeerIdentity& who, const std::string& why) {
-  const std::string text = "talk to " + address().text() + ": " + why;
-  refusals_.add(who.text(), text);
-  return capnp::Capability::Client(failure(kj::Exception::Type::FAILED, text));
+  return turnAway(refusals_, who,
+                  asked + "it does not talk to " + who.text() + ". Name that user in its policy.");
 }
 
 kj::Promise<void> LinkServer::whenStranger(std::shared_ptr<Caller> caller) {

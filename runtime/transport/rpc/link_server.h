@@ -21,6 +21,10 @@ struct Caller {
   bool known = false;
 };
 
+/// Adds `text` to `refusals`, and returns what a peer gets that is only to hear of it.
+capnp::Capability::Client turnAway(Refusals& refusals, const PeerIdentity& who,
+                                   const std::string& text);
+
 /// Accepts until it is destroyed, which closes all its links. Belongs to the control thread.
 class LinkServer final : private kj::TaskSet::ErrorHandler {
  public:
@@ -44,15 +48,13 @@ class LinkServer final : private kj::TaskSet::ErrorHandler {
  private:
   void accept(kj::AutoCloseFd socket);
   void cannotAccept(int error);
-  /// Whether there was room for a link when it came.
+  /// It tells whether there was room for a link when its peer came.
   enum class Room { Is, IsNot };
 
   kj::Promise<void> secure(kj::AutoCloseFd socket, Room room);
   kj::Promise<void> open(ByteStream bytes, Room room);
   kj::Promise<void> serve(ByteStream bytes, std::span<const std::byte> begun, Room room);
   capnp::Capability::Client offerTo(const std::shared_ptr<Caller>& caller, Room room);
-  /// A link on which it only hears that.
-  capnp::Capability::Client turnAway(const PeerIdentity& who, const std::string& why);
   std::string tooMany() const;
   kj::Promise<void> whenStranger(std::shared_ptr<Caller> caller);
   void taskFailed(kj::Exception&& exception) override;

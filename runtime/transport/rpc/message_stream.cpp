@@ -15,7 +15,7 @@ constexpr std::size_t kSendAtOnce = 1u << 16;
 // A buffer that has grown beyond this is given back when it is empty.
 constexpr std::size_t kKept = 1u << 20;
 
-// What is read at once of a peer that is known, and of a stranger.
+// So much is read at once of a peer that is known, and so much of a stranger.
 constexpr std::size_t kReadAtOnce = 64u << 10;
 constexpr std::size_t kStrangersReadAtOnce = 4u << 10;
 
@@ -87,9 +87,11 @@ MessageStream::Reading MessageStream::waitAndRead() {
 }
 
 kj::Maybe<kj::Own<capnp::IncomingRpcMessage>> MessageStream::takeMessage() {
+  noteWhetherKnown();
   const auto bytes = incoming_.bytes();
   const FrameParse parse = parseFrameHeader(bytes, limits_);
-  if (parse.header && parse.header->totalBytes > limits_.strangerBytes && isStranger()) {
+  const bool isStranger = guard_.known != nullptr;
+  if (isStranger && parse.header && parse.header->totalBytes > limits_.strangerBytes) {
     refuse(kTooLongOfStranger);
   }
   if (parse.fault != FrameFault::None) {
@@ -110,12 +112,11 @@ void MessageStream::refuse(std::string why) {
   kj::throwFatalException(disconnected(refusal_));
 }
 
-bool MessageStream::isStranger() {
-  if (guard_.known == nullptr) return false;
-  if (!*guard_.known) return true;
+// From then on more is read at once.
+void MessageStream::noteWhetherKnown() {
+  if (guard_.known == nullptr || !*guard_.known) return;
   guard_.known = nullptr;
   incoming_.setIdleSize(kReadAtOnce);
-  return false;
 }
 
 // How many bytes have been taken out so far.
@@ -124,7 +125,6 @@ std::uint64_t MessageStream::taken() const {
 }
 
 MessageStream::Received MessageStream::receive() {
-  isStranger();  // who is known now reads more at once
   const auto space = incoming_.space();
   if (guard_.share != nullptr) {
     if (const auto beyond = guard_.share->hold(incoming_.grown())) refuse(*beyond);

@@ -28,9 +28,9 @@ struct LinkCounters {
   std::atomic<std::uint64_t> receivedBytes{0};
 };
 
-/// What bounds a peer that came by itself.
+/// Bounds a peer that came by itself.
 struct StrangerGuard {
-  std::shared_ptr<const bool> known;  ///< becomes true when it has said who it is
+  std::shared_ptr<const bool> known;  ///< becomes true when it has said who it is; null: it has
   std::unique_ptr<ReceiveBudget::Share> share;
 };
 
@@ -65,7 +65,7 @@ class MessageStream final : private EventPort::Output {
   };
   static constexpr int kLongestRideMilliseconds = 5;
 
-  /// Why a read has rejected, if the peer broke a limit; else "".
+  /// Tells why a read has rejected, if the peer broke a limit; else "".
   const std::string& refusal() const { return refusal_; }
 
   /// Copies the message, and of `descriptors` (Unix sockets only) the handles. If the connection is
@@ -87,7 +87,7 @@ class MessageStream final : private EventPort::Output {
   Received receive();
   kj::Maybe<kj::TimePoint> readDeadline();
   std::uint64_t taken() const;
-  bool isStranger();
+  void noteWhetherKnown();
   [[noreturn]] void refuse(std::string why);
 
   void scheduleRide();

@@ -1,5 +1,5 @@
 #pragma once
-// How much memory peers can make a process hold for messages that have not arrived whole.
+// Bounds the memory that peers make a process hold for messages that have not arrived whole.
 
 #include <cstddef>
 #include <map>
@@ -9,16 +9,17 @@
 
 namespace suture::rpc {
 
-/// Shared by the links of a server. Belongs to the control thread.
+/// The links of a server share it. It belongs to the control thread.
 class ReceiveBudget {
  public:
-  /// Bytes. A peer is whoever has the same proof of who it is: those of plain TCP share one budget.
+  /// In bytes. All who have the same proof of who they are count as one peer: those of plain TCP
+  /// share one budget.
   struct Limits {
     std::size_t peer = 64u << 20;
     std::size_t process = 256u << 20;
   };
 
-  /// What one link holds of it; given back at its end.
+  /// Counts what one link holds, and gives it back at its end.
   class Share {
    public:
     Share(std::shared_ptr<ReceiveBudget> budget, std::string peer)
@@ -27,7 +28,7 @@ class ReceiveBudget {
     Share(const Share&) = delete;
     Share& operator=(const Share&) = delete;
 
-    /// From now on the link holds `bytes`. If that is too much, which limit it goes beyond.
+    /// The link holds `bytes` from now on; if that is too much, it returns which limit is broken.
     std::optional<std::string> hold(std::size_t bytes);
 
    private:

@@ -23,11 +23,11 @@ class ReceiveBuffer {
   std::span<std::byte> space();
   /// `count` bytes have been written at the start of space().
   void arrived(std::size_t count) { end_ += count; }
-  /// How much it holds beyond what it is made with.
+  /// Returns how much it holds beyond its idle size.
   std::size_t grown() const {
     return storage_.size() > idleSize_ ? storage_.size() - idleSize_ : 0;
   }
-  /// When it is empty next it becomes as large.
+  /// It becomes as large when it is empty next.
   void setIdleSize(std::size_t bytes) { idleSize_ = bytes; }
   /// Takes the first `count` bytes (whole words) out, as an aligned copy.
   kj::Array<capnp::word> take(std::size_t count);

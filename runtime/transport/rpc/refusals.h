@@ -1,5 +1,5 @@
 #pragma once
-// What a process has turned away at its address.
+// Tells and counts what a process turns away at its address.
 
 #include <suture/base/time.h>
 
@@ -10,22 +10,23 @@
 
 namespace suture::rpc {
 
-/// Peers, and requests of peers, that were refused. Whoever runs the process that refuses reads of
-/// them on its standard error, as the peer does in its answer; its reports have the count.
+/// Whoever runs the process that refuses reads of each refusal on its standard error, as the peer
+/// does in its answer; its reports have the count.
 class Refusals {
  public:
-  /// `owner`: who refuses; its lines begin so.
+  /// `owner` is who refuses; its lines begin so.
   explicit Refusals(std::string owner) : owner_(std::move(owner)) {}
 
-  /// Control thread. Counts, and tells: the same line once a minute, and at most 20 lines a minute,
-  /// so that a peer that comes again and again fills no log. `peer`: who it is, as far as known.
+  /// The control thread adds one. It tells the same line once a minute, and at most 20 lines a
+  /// minute, so that a peer that comes again and again fills no log. `peer`: who it is, as far as
+  /// is known.
   void add(const std::string& peer, const std::string& text);
 
   struct Summary {
     std::uint64_t count = 0;
     std::string latest;  ///< "user 1000: use 'left:PSM/Arm': ..."; "" if there was none
   };
-  /// Any thread.
+  /// Any thread may ask.
   Summary summary() const;
 
  private:

@@ -4,10 +4,8 @@
 #include <suture/component/callback_task.h>
 #include <suture/component/device.h>
 #include <suture/component/periodic_task.h>
-#include <suture/manager/global_manager.h>
 #include <suture/manager/manager.h>
 #include <suture/standard/lifecycle.suture.h>
-#include <suture/transport/rpc/control_thread.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -17,8 +15,8 @@
 
 #include "support/eventually.h"
 #include "support/refusal.h"
-#include "support/temporary_directory.h"
 #include "support/test_thread.h"
+#include "unit/manager/two_processes.h"
 
 namespace suture {
 namespace {
@@ -57,14 +55,6 @@ struct Watcher final : Device {
   }
   Required<Lifecycle> component{*this, "Watched"};
   std::vector<StateChange> changes;
-};
-
-/// Two managers that are two processes to each other.
-struct Processes {
-  TemporaryDirectory directory;
-  rpc::ControlThread control;
-  GlobalManager global{control, "unix:" + directory.file("manager.sock")};
-  Manager there{"there", global.address()}, here{"here", global.address()};
 };
 
 TEST(ManagerLifecycle, LeadsTasksAndDevicesThroughTheirStates) {
@@ -183,11 +173,10 @@ TEST(AwaitStart, AFaultIsToldAtOnce) {
 TEST(AwaitStart, AProviderThatIsSuspendedOrGoneIsNamed) {
   Worker worker;
   Watcher watcher;
-  Processes processes;
+  TwoProcesses processes;
   processes.there.add("Worker", worker);
   processes.here.add("Watcher", watcher);
-  processes.there.start();
-  processes.here.start();
+  processes.start();
   processes.here.connect("Watcher/Watched", "there:Worker/component");
   EXPECT_EQ(refusal([&] { processes.here.awaitStart(); }), "");
   processes.there.stop();
@@ -262,11 +251,10 @@ TEST(LifecycleInterface, TellsAndLeadsWithinAProcess) {
 TEST(LifecycleInterface, TellsAndLeadsAcrossProcesses) {
   Worker worker;
   Watcher watcher;
-  Processes processes;
+  TwoProcesses processes;
   processes.there.add("Worker", worker);
   processes.here.add("Watcher", watcher);
-  processes.there.start();
-  processes.here.start();
+  processes.start();
   processes.here.connect("Watcher/Watched", "there:Worker/component");
   watchesAndLeads(watcher, worker);
 }

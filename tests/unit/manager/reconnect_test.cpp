@@ -20,6 +20,7 @@
 #include "support/eventually.h"
 #include "support/refusal.h"
 #include "support/temporary_directory.h"
+#include "unit/manager/two_processes.h"
 
 namespace suture {
 namespace {
@@ -185,16 +186,13 @@ TEST(Reconnect, TenThousandTimesKeepsNothingOfATask) { reconnectOften<ArmTask>()
 TEST(Reconnect, TenThousandTimesKeepsNothingOfADevice) { reconnectOften<ArmDevice>(); }
 
 TEST(Reconnect, OverRpcShowsTheNewChannelAndKeepsNoOldOne) {
-  TemporaryDirectory directory;
-  rpc::ControlThread control;
-  GlobalManager global{control, "unix:" + directory.file("manager.sock")};
   ArmTask arm;
   Client client;
-  Manager there{"there", global.address()}, here{"here", global.address()};
+  TwoProcesses processes;
+  Manager &there = processes.there, &here = processes.here;
   there.add("PSM", arm);
   here.add("Teleop", client);
-  there.start();
-  here.start();
+  processes.start();
   Census census;
   for (int i = 0; i < 100; ++i) {
     here.connect("Teleop/Slave", "there:PSM/Arm", Lane::Auto, 10s, {}, {.onLoss = Fallback::Fault});

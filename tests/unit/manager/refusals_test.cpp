@@ -1,17 +1,14 @@
-// What a provider refuses: its side hears of it as the client does.
+// Whoever refuses hears of it as the client does.
 #include <gtest/gtest.h>
 #include <suture/base/virtual_time.h>
 #include <suture/component/event_task.h>
-#include <suture/manager/global_manager.h>
-#include <suture/manager/manager.h>
-#include <suture/transport/rpc/control_thread.h>
 
 #include <algorithm>
 
 #include "reference/gripper_arm.suture.h"
 #include "reference/still_arm.h"
 #include "support/refusal.h"
-#include "support/temporary_directory.h"
+#include "unit/manager/two_processes.h"
 
 namespace suture {
 namespace {
@@ -57,7 +54,7 @@ struct RefusingArm final : EventTask, StillArm {
   Provided<reference::ArmLike> port{*this, "Arm", *this};
 };
 
-/// Asks for more than that arm offers.
+/// It asks for more than that arm offers.
 struct GripperClient final : EventTask {
   ~GripperClient() override { stop(); }
   void run() override {}
@@ -65,31 +62,27 @@ struct GripperClient final : EventTask {
 };
 
 TEST(RefusalsTest, WhatTheClientIsToldTheProviderTellsToo) {
-  const TemporaryDirectory directory;
-  rpc::ControlThread control;
-  const GlobalManager names(control, "unix:" + directory.file("manager.sock"));
   RefusingArm arm;
   GripperClient client;
-  Manager robot("robot", names.address()), console("console", names.address());
-  robot.add("PSM", arm);
-  console.add("Teleop", client);
-  robot.start();
-  console.start();
-  EXPECT_EQ(robot.refusals().count, 0u);
+  TwoProcesses processes;
+  processes.there.add("PSM", arm);
+  processes.here.add("Teleop", client);
+  processes.start();
+  EXPECT_EQ(processes.there.refusals().count, 0u);
   std::uint64_t count = 0;
-  for (const char* const provided : {"robot:PSM/Arm", "robot:PSM/Leg", "robot:ECM/Arm"}) {
+  for (const char* const provided : {"there:PSM/Arm", "there:PSM/Leg", "there:ECM/Arm"}) {
     testing::internal::CaptureStderr();
-    const std::string error = refusal([&] { console.connect("Teleop/Slave", provided); });
+    const std::string error = refusal([&] { processes.here.connect("Teleop/Slave", provided); });
     const std::string told = testing::internal::GetCapturedStderr();
-    const auto [refused, latest] = robot.refusals();
+    const auto [refused, latest] = processes.there.refusals();
     EXPECT_NE(error, "");
     EXPECT_EQ(refused, ++count) << latest;
     const std::string line = latest.substr(0, latest.find('\n'));
     const std::string text = line.substr(line.find(": ") + 2);
     EXPECT_NE(error.find(text), std::string::npos) << error << "\nand here\n" << latest;
-    EXPECT_EQ(told, "robot: refused " + latest + "\n");
+    EXPECT_EQ(told, "there: refused " + latest + "\n");
   }
-  EXPECT_EQ(console.refusals().count, 0u);
+  EXPECT_EQ(processes.here.refusals().count, 0u);
 }
 
 }  // namespace

@@ -161,6 +161,15 @@ TEST(Registry, ALinkIsBoundedInNamesAndInBytesAndIsGivenBackWhatItFrees) {
   EXPECT_TRUE(registry.add(recordOfSize("fifth", 1'000'000), large));
 }
 
+TEST(Registry, ASilentProcessKeepsItsNameIfItsSuccessorIsRefused) {
+  Registry registry;
+  const auto generation = registry.add(recordOf("left", 4711), link());
+  ageBeyondLeases(registry);
+  expectLimit(registry.add(recordOfSize("left", (1u << 20) + 2000), link()), "1048576 bytes");
+  EXPECT_TRUE(registry.renew("left", *generation));
+  EXPECT_EQ(registry.find("left")->pid, 4711);
+}
+
 TEST(Registry, AllTogetherAreBounded) {
   Registry registry;
   std::size_t added = 0;

@@ -244,7 +244,7 @@ TEST_P(LinkTest, WhoCannotBeAcceptedWaitsAndTheProcessSaysWhy) {
   EXPECT_EQ(answer.wait(port_.scope()), 2u);
 }
 
-// Of a process that has not, as much as a first message needs.
+// As much as a first message needs is read of a process that has not.
 TEST_P(LinkTest, AMessageIsBoundedUntilThePeerHasSaidWhoItIs) {
   knows_ = false;
   serve();

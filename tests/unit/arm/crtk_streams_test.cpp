@@ -1,0 +1,218 @@
+// Velocities, twists, efforts and forces: the commands that have to be repeated.
+#include <gtest/gtest.h>
+
+#include "unit/arm/crtk_face_fixture.h"
+
+namespace robots::test {
+namespace {
+
+using CrtkStreamsTest = CrtkFaceTest;
+
+TEST_F(CrtkStreamsTest, AVelocityMovesUntilItFallsSilent) {
+  JointVelocityGoal goal;
+  goal.goal.assign(6, 0.0);
+  goal.goal[0] = 1.0;
+  const double before = setpoint(0);
+  for (int i = 0; i < 50; ++i) {
+    crtk_.servo_jv(goal);
+    cycles(1);
+  }
+  EXPECT_NEAR(setpoint(0) - before, 0.05, 0.002);
+  EXPECT_EQ(crtk_.operating_state().sub_state, "servo_jv");
+  cycles(90);
+  EXPECT_EQ(crtk_.operating_state().sub_state, "servo_jv");
+  cycles(20);
+  EXPECT_EQ(crtk_.operating_state().sub_state, "holding");
+}
+
+TEST_F(CrtkStreamsTest, AMaskedJointHolds) {
+  JointVelocityGoal velocity;
+  velocity.goal.assign(6, 0.5);
+  velocity.mask = {true, false, true, true, true, true};
+  JointEffortGoal effort;
+  effort.effort.assign(6, 1.0);
+  effort.mask = {false, true, true, true, true, true};
+  const double first = setpoint(0), second = setpoint(1);
+  for (int i = 0; i < 20; ++i) {
+    crtk_.servo_jv(velocity);
+    cycles(1);
+  }
+  EXPECT_NEAR(setpoint(0) - first, 0.01, 1e-9);
+  EXPECT_EQ(setpoint(1), second);
+  const double held = setpoint(0);
+  for (int i = 0; i < 20; ++i) {
+    crtk_.servo_jf(effort);
+    cycles(1);
+  }
+  EXPECT_EQ(setpoint(0), held);
+  EXPECT_NEAR(setpoint(1) - second, 0.01, 1e-9);
+}
+
+TEST_F(CrtkStreamsTest, AJointStopsAtItsGuard) {
+  JointVelocityGoal goal;
+  goal.goal.assign(6, 0.0);
+  for (const double direction : {1.0, -1.0}) {
+    crtk_.hold();
+    goal.goal[0] = direction;
+    goal.guard = positions();
+    goal.guard[0] += 0.0105 * direction;
+    for (int i = 0; i < 30; ++i) {
+      crtk_.servo_jv(goal);
+      cycles(1);
+    }
+    EXPECT_EQ(setpoint(0), goal.guard[0]) << direction;
+  }
+}
+
+TEST_F(CrtkStreamsTest, AGuardThatLiesBehindStopsNobody) {
+  JointVelocityGoal goal;
+  goal.goal.assign(6, 0.0);
+  goal.goal[0] = 1.0;
+  goal.guard = positions();
+  goal.guard[0] -= 0.01;
+  const double before = setpoint(0);
+  for (int i = 0; i < 20; ++i) {
+    crtk_.servo_jv(goal);
+    cycles(1);
+  }
+  EXPECT_NEAR(setpoint(0) - before, 0.02, 1e-9);
+}
+
+TEST_F(CrtkStreamsTest, AVelocityIsReachedAndLeftWithTheAccelerationsAskedFor) {
+  JointVelocityGoal goal;
+  goal.goal.assign(6, 0.0);
+  goal.goal[0] = 0.1;
+  goal.acceleration.assign(6, 10.0);
+  goal.deceleration.assign(6, 5.0);
+  const auto travel = [&](int count) {
+    const double before = setpoint(0);
+    for (int i = 0; i < count; ++i) {
+      crtk_.servo_jv(goal);
+      cycles(1);
+    }
+    return setpoint(0) - before;
+  };
+  // 0.01 rad/s more each ms: 0.01 + ... + 0.1
+  EXPECT_NEAR(travel(10), 0.55e-3, 1e-9);
+  EXPECT_NEAR(travel(10), 1e-3, 1e-9);
+  goal.goal[0] = -0.1;
+  EXPECT_NEAR(travel(20), 0.95e-3, 1e-9) << "20 ms until it stands";
+  EXPECT_NEAR(travel(10), -0.55e-3, 1e-9) << "and back";
+}
+
+TEST_F(CrtkStreamsTest, ATwistIsReachedWithItsAccelerationAlongTheReferenceFrame) {
+  PoseStamped base;
+  base.pose.linear() = Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  base.valid = true;
+  crtk_.set_base_frame(base);
+  cycles(1);
+  TwistGoal goal;
+  goal.linear = {0.02, 0.02, 0};
+  goal.linear_acceleration = {1, 0, 0};
+  const PoseStamped before = crtk_.setpoint_cp();
+  for (int i = 0; i < 20; ++i) {
+    crtk_.servo_cv(goal);
+    cycles(1);
+  }
+  expectMoved(before, {0.21e-3, 0.4e-3, 0});
+}
+
+TEST_F(CrtkStreamsTest, BoundsThatMakeNoSenseAreRefused) {
+  JointVelocityGoal fine;
+  fine.goal.assign(6, 0.1);
+  const auto expectRefused = [&](const JointVelocityGoal& goal, const char* what) {
+    crtk_.hold();
+    cycles(1);
+    const double before = setpoint(0);
+    crtk_.servo_jv(goal);
+    cycles(2);
+    EXPECT_EQ(setpoint(0), before) << what;
+    EXPECT_NE(crtk_.operating_state().sub_state, "servo_jv") << what;
+  };
+  JointVelocityGoal goal = fine;
+  goal.mask.assign(5, true);
+  expectRefused(goal, "a mask of five");
+  goal = fine;
+  goal.guard.assign(7, 0.0);
+  expectRefused(goal, "a guard of seven");
+  goal = fine;
+  goal.acceleration.assign(6, 0.0);
+  expectRefused(goal, "no acceleration");
+  goal = fine;
+  goal.deceleration.assign(6, std::nan(""));
+  expectRefused(goal, "a deceleration that is no number");
+  TwistGoal twist;
+  twist.linear = {0.1, 0, 0};
+  twist.linear_acceleration = {-1, 0, 0};
+  crtk_.servo_cv(twist);
+  cycles(1);
+  EXPECT_NE(crtk_.operating_state().sub_state, "servo_cv");
+}
+
+TEST_F(CrtkStreamsTest, HoldEndsAStream) {
+  JointVelocityGoal goal;
+  goal.goal.assign(6, 1.0);
+  crtk_.servo_jv(goal);
+  cycles(2);
+  crtk_.hold();
+  cycles(1);
+  const double held = setpoint(0);
+  cycles(10);
+  EXPECT_EQ(setpoint(0), held);
+}
+
+TEST_F(CrtkStreamsTest, ATwistMovesTheTipInTheReferenceFrame) {
+  TwistGoal goal;
+  goal.linear = {0.02, 0, 0};
+  const PoseStamped before = crtk_.setpoint_cp();
+  for (int i = 0; i < 50; ++i) {
+    crtk_.servo_cv(goal);
+    cycles(1);
+  }
+  expectMoved(before, {0.001, 0, 0});
+  EXPECT_NEAR(crtk_.setpoint_cv().linear.x(), 0.02, 1e-12);
+  EXPECT_NEAR(crtk_.measured_cv().linear.x(), 0.02, 0.002);
+}
+
+TEST_F(CrtkStreamsTest, AForcePushesAndIsMeasured) {
+  WrenchGoal goal;
+  goal.force = {1, 0, 0};
+  const PoseStamped before = crtk_.setpoint_cp();
+  for (int i = 0; i < 50; ++i) {
+    crtk_.spatial_servo_cf(goal);
+    cycles(1);
+  }
+  expectMoved(before, {0.001, 0, 0});
+  EXPECT_NEAR(crtk_.spatial_measured_cf().force.x(), 1, 1e-9);
+  const Eigen::Matrix3d tip = crtk_.local_measured_cp().pose.linear();
+  EXPECT_LT((tip * crtk_.body_measured_cf().force - goal.force).norm(), 1e-9);
+  crtk_.hold();
+  cycles(1);
+  EXPECT_EQ(crtk_.spatial_measured_cf().force.norm(), 0);
+}
+
+TEST_F(CrtkStreamsTest, ABodyForcePushesAlongTheTip) {
+  WrenchGoal goal;
+  goal.force = {0, 0, 1};
+  const PoseStamped before = crtk_.setpoint_cp();
+  for (int i = 0; i < 50; ++i) {
+    crtk_.body_servo_cf(goal);
+    cycles(1);
+  }
+  expectMoved(before, 0.001 * before.pose.linear().col(2));
+}
+
+TEST_F(CrtkStreamsTest, AnEffortMovesItsJoint) {
+  JointEffortGoal goal;
+  goal.effort.assign(6, 0.0);
+  goal.effort[1] = 2.0;
+  const double before = setpoint(1);
+  for (int i = 0; i < 50; ++i) {
+    crtk_.servo_jf(goal);
+    cycles(1);
+  }
+  EXPECT_NEAR(setpoint(1) - before, 0.05, 0.002);
+}
+
+}  // namespace
+}  // namespace robots::test
