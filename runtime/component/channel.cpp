@@ -54,6 +54,8 @@ Channel::Channel(const InterfaceInfo& contract, std::string channelName, std::st
       commands(commandLimits(contract), memory),
       replies(replyBytes(contract), memory),
       events(eventLimits(contract), eventProducers(bothEnds), memory),
+      counts(std::make_shared<ChannelCounts>(commands.sharedCounters(), events.sharedCounters(),
+                                             foreign)),
       direct(contract.events.size()),
       wantsRows(words_->wantsRows),
       untaken(words_->untaken) {

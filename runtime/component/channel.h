@@ -5,6 +5,7 @@
 
 #include <suture/base/arena.h>
 #include <suture/base/shared_slot.h>
+#include <suture/component/channel_counts.h>
 #include <suture/component/connection_contract.h>
 #include <suture/component/delivery.h>
 #include <suture/component/direct_handlers.h>
@@ -26,6 +27,7 @@
 
 namespace suture {
 
+class Ledger;
 class ProvidedBase;
 
 enum class ChannelStatus : std::uint8_t {
@@ -96,6 +98,9 @@ class Channel {
   /// Of the connection that this is a channel of; nullptr: it has no contract. Set before the
   /// client is attached.
   std::shared_ptr<ConnectionWatch> watch;
+  /// Sums of the connection that this is a channel of, over all of them; nullptr: it is the only
+  /// one. Set before either end is attached.
+  std::shared_ptr<Ledger> ledger;
   /// Why it is not a faster lane that had been hoped for; "" if there was none. Set before either
   /// end is attached.
   std::string laneReason;
@@ -124,6 +129,7 @@ class Channel {
   rt::Mailbox commands;
   rt::SpscRing replies;
   rt::EventQueue events;
+  const std::shared_ptr<ChannelCounts> counts;
   DirectHandlers direct;  ///< used where both ends share a process and no delay lies between
   std::atomic<ChannelStatus> status{ChannelStatus::Connected};
   /// How often the status has become Faulted: a provider may be restarted before anybody looks.

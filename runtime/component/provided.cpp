@@ -26,7 +26,11 @@ void increment(std::atomic<std::uint64_t>& counter) {
 class Turn {
  public:
   Turn(Channel& channel, Component& owner, const rt::CommandRecord& record)
-      : channel_(channel), owner_(owner), command_(record.command), call_(record.call) {}
+      : outcome(&channel.commands.counters.failed),
+        channel_(channel),
+        owner_(owner),
+        command_(record.command),
+        call_(record.call) {}
   Turn(const Turn&) = delete;
   Turn& operator=(const Turn&) = delete;
   ~Turn() {
@@ -42,12 +46,15 @@ class Turn {
   /// The command has been executed: its place is free, before anybody sees the answer.
   void release() {
     if (std::exchange(released_, true)) return;
+    increment(*outcome);
     // A newest-wins command without an answer travels in its cell, not in the ring.
     const bool usesCredit = !channel_.info.commands[command_].latest || call_ != 0;
     channel_.commands.pop();
     if (usesCredit) channel_.commands.returnCredit(command_);
   }
 
+  /// The counter of what becomes of it.
+  std::atomic<std::uint64_t>* outcome;
   bool answered = false;
   Errc error = Errc::Faulted;  ///< the answer, unless there has been one
 
@@ -204,7 +211,7 @@ void ProvidedBase::drain(Channel& channel) {
 void ProvidedBase::turnAway(Channel& channel, const rt::CommandRecord& record, Errc refusal) {
   Turn turn(channel, owner_, record);
   turn.error = refusal;
-  increment(channel.commands.counters.refused);
+  turn.outcome = &channel.commands.counters.refused;
 }
 
 void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time present) {
@@ -213,18 +220,18 @@ void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time p
   channel.countReceived(rt::SpscRing::recordSize(sizeof(record) + command.argumentsSize));
   commandAge_ = present - record.stamp;
   if (command.ttl > Duration{0} && commandAge_ > command.ttl) {
-    increment(channel.commands.counters.late);
+    turn.outcome = &channel.commands.counters.late;
     turn.error = Errc::Late;
     return;
   }
   if (record.call != 0 && !channel.claimCall(record.call)) {
-    increment(channel.commands.counters.refused);
+    turn.outcome = &channel.commands.counters.cancelled;
     turn.error = Errc::Cancelled;
     return;
   }
   // On other lanes they were looked at when they arrived.
   if (channel.foreign && !command.admits(record.arguments())) {
-    increment(channel.commands.counters.failed);
+    turn.outcome = &channel.commands.counters.refused;
     turn.error = Errc::Invalid;
     return;
   }
@@ -232,13 +239,14 @@ void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time p
     time->note(VirtualTime::Kind::Execute, name_.c_str(), command.name, record.sequence);
   }
   channel.commandAge.record(commandAge_);
-  increment(channel.commands.counters.executed);
   if (record.call == 0) {
     execute(record.command, record.arguments(), nullptr);
+    turn.outcome = &channel.commands.counters.executed;
   } else {
     const ResultForm form{command.resultSize, command.sharedResult};
     channel.reply(record.call, form, [&](std::byte* result) {
       const Errc error = execute(record.command, record.arguments(), result);
+      turn.outcome = &channel.commands.counters.executed;
       turn.release();
       return error;
     });

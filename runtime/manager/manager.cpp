@@ -344,6 +344,10 @@ std::map<std::string, std::string> Manager::whyLost() const {
   return network_ == nullptr ? std::map<std::string, std::string>{} : network_->whyLost();
 }
 
+std::uint64_t Manager::incarnation() const {
+  return network_ == nullptr ? 0 : network_->incarnation();
+}
+
 rpc::Refusals::Summary Manager::refusals() const {
   return network_ == nullptr ? rpc::Refusals::Summary{} : network_->refusals();
 }

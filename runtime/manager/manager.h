@@ -118,6 +118,8 @@ class Manager {
   /// Why the provider in another process was lost last, in words, by the name of the connection:
   /// whether it closed the connection, fell silent or hung. Kept when it is back.
   std::map<std::string, std::string> whyLost() const;
+  /// Tells this start of the process from all others; 0 without a global manager.
+  std::uint64_t incarnation() const;
   /// Counts the peers and the requests of peers that this process has turned away, and has the
   /// latest in words. It has told of each on standard error.
   rpc::Refusals::Summary refusals() const;

@@ -10,7 +10,9 @@
 #include <suture/transport/rpc/deadline.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <mutex>
+#include <random>
 
 namespace suture {
 namespace {
@@ -31,6 +33,12 @@ std::string hostName() {
   char name[256] = "";
   gethostname(name, sizeof(name) - 1);
   return name;
+}
+
+/// Tells this start of the process from all others; never 0.
+std::uint64_t newIncarnation() {
+  std::random_device device;
+  return std::max<std::uint64_t>(std::uint64_t{device()} << 32 | device(), 1);
 }
 
 }  // namespace
@@ -78,8 +86,9 @@ class Network::Impl {
                                               whyLost_[channel] = std::move(why);
                                             }};
       auto& connection = connections_[name];
-      connection = std::make_unique<RemoteConnection>(control_, links_, *link_, required, from, to,
-                                                      lane, told, interposer, watch);
+      connection = std::make_unique<RemoteConnection>(
+          control_, links_, *link_, required, from, to, lane, told, interposer, watch, incarnation_,
+          ledgerOf(from.toString() + " -> " + to.toString()));
       // What could not be connected may be gone before this is.
       return connection->open(patience)
           .exclusiveJoin(untilGivenUp())
@@ -129,6 +138,8 @@ class Network::Impl {
     frames_.stop();
   }
 
+  std::uint64_t incarnation() const { return incarnation_; }
+
   rpc::Refusals::Summary refusals() const {
     return host_ == nullptr ? rpc::Refusals::Summary{} : host_->refusals();
   }
@@ -146,9 +157,9 @@ class Network::Impl {
         std::make_unique<ManagerLink>(control_, managers_, directory_.process(), security_.trust());
     return link_->open(patience).then(
         [this, serverOf = std::move(serverOf), taskOf = std::move(taskOf)]() mutable {
-          host_ = std::make_unique<PeerHost>(control_, frames_, directory_, std::move(serverOf),
-                                             std::move(taskOf),
-                                             peerAddress(*link_, directory_.process()), security_);
+          host_ = std::make_unique<PeerHost>(
+              control_, frames_, directory_, std::move(serverOf), std::move(taskOf),
+              peerAddress(*link_, directory_.process()), security_, incarnation_);
           return link_->enrol({.name = directory_.process(),
                                .addresses = {host_->address().text()},
                                .pid = getpid(),
@@ -156,6 +167,13 @@ class Network::Impl {
                                .components = {},
                                .generation = 0});
         });
+  }
+
+  // Of a connection that is taken down and made again, too.
+  std::shared_ptr<Ledger> ledgerOf(const std::string& connection) {
+    std::shared_ptr<Ledger>& ledger = ledgers_[connection];
+    if (ledger == nullptr) ledger = std::make_shared<Ledger>(ChannelCounts::End::Client);
+    return ledger;
   }
 
   kj::Promise<void> untilGivenUp() {
@@ -168,6 +186,7 @@ class Network::Impl {
   const Directory& directory_;
   const std::vector<rpc::Address> managers_;  // of one kind
   const Security security_;
+  const std::uint64_t incarnation_ = newIncarnation();
   rpc::ControlThread control_;
   frame::LaneThread frames_;
   FrameLinks links_{frames_};
@@ -175,6 +194,7 @@ class Network::Impl {
   std::unique_ptr<PeerHost> host_;
   kj::ForkedPromise<void> givenUp_{nullptr};
   kj::Own<kj::PromiseFulfiller<void>> giveUp_;
+  std::map<std::string, std::shared_ptr<Ledger>> ledgers_;                // by name
   std::map<std::string, std::unique_ptr<RemoteConnection>> connections_;  // by required interface
   mutable std::mutex mutex_;  // never taken by a task thread
   std::map<std::string, std::shared_ptr<Channel>> connected_;
@@ -209,6 +229,8 @@ std::map<std::string, std::shared_ptr<Channel>> Network::connected() const {
 }
 
 std::map<std::string, std::string> Network::whyLost() const { return impl_->whyLost(); }
+
+std::uint64_t Network::incarnation() const { return impl_->incarnation(); }
 
 rpc::Refusals::Summary Network::refusals() const { return impl_->refusals(); }
 

@@ -69,6 +69,8 @@ class Network {
   std::map<std::string, std::shared_ptr<Channel>> connected() const;
   /// Why each that has been lost was, the last time, in words, by the channel's name.
   std::map<std::string, std::string> whyLost() const;
+  /// Tells this start of the process from all others; never 0.
+  std::uint64_t incarnation() const;
   /// Counts what this process has refused to peers.
   rpc::Refusals::Summary refusals() const;
   /// The provider ends of what peers have connected to this process.

@@ -1,4 +1,5 @@
 #include <suture/manager/notices_receiver.h>
+#include <suture/manager/tallies.h>
 
 namespace suture {
 
@@ -18,6 +19,10 @@ void ProviderNews::lapse() {
 
 void ProviderNews::noteReplay(std::uint16_t event, std::int64_t stamp) {
   KJ_IF_MAYBE (end, end_) (*end)->noteReplay(event, stamp);
+}
+
+void ProviderNews::tally(const Tally& tally) {
+  KJ_IF_MAYBE (end, end_) (*end)->tally(tally);
 }
 
 void ProviderNews::passOnTo(kj::Own<rpc::ClientEnd> end) {
@@ -44,6 +49,16 @@ kj::Promise<void> NoticesReceiver::resumed(ResumedContext) {
 kj::Promise<void> NoticesReceiver::replayed(ReplayedContext context) {
   const auto in = context.getParams();
   news_->noteReplay(in.getEvent(), in.getStamp());
+  return kj::READY_NOW;
+}
+
+kj::Promise<void> NoticesReceiver::tallied(TalliedContext context) {
+  news_->tally(fromWire(context.getParams().getTally()));
+  return kj::READY_NOW;
+}
+
+kj::Promise<void> NoticesReceiver::earlier(EarlierContext context) {
+  ledger_->tell(fromWire(context.getParams().getEarlier()));
   return kj::READY_NOW;
 }
 

@@ -5,6 +5,7 @@
 #include <suture/transport/rpc/client_end.h>
 #include <suture/transport/rpc/kj_comparisons.h>  // first
 
+#include <suture/component/ledger.h>
 #include <functional>
 #include <string>
 
@@ -18,6 +19,7 @@ class ProviderNews final : public kj::Refcounted {
   void close();
   void lapse();
   void noteReplay(std::uint16_t event, std::int64_t stamp);
+  void tally(const Tally& tally);
 
   void passOnTo(kj::Own<rpc::ClientEnd> end);
   /// Resolves, in words for people, when the provider has given this client up. Call it once.
@@ -34,8 +36,9 @@ class ProviderNews final : public kj::Refcounted {
 class NoticesReceiver final : public wire::Notices::Server {
  public:
   /// `lost` is told in words why the provider has closed the connection, before the client is.
-  NoticesReceiver(kj::Own<ProviderNews> news, std::function<void(std::string)> lost)
-      : news_(kj::mv(news)), lost_(std::move(lost)) {}
+  NoticesReceiver(kj::Own<ProviderNews> news, std::shared_ptr<Ledger> ledger,
+                  std::function<void(std::string)> lost)
+      : news_(kj::mv(news)), ledger_(std::move(ledger)), lost_(std::move(lost)) {}
 
  protected:
   kj::Promise<void> faulted(FaultedContext context) override;
@@ -43,10 +46,13 @@ class NoticesReceiver final : public wire::Notices::Server {
   kj::Promise<void> resumed(ResumedContext context) override;
   kj::Promise<void> replayed(ReplayedContext context) override;
   kj::Promise<void> lapsed(LapsedContext context) override;
+  kj::Promise<void> tallied(TalliedContext context) override;
+  kj::Promise<void> earlier(EarlierContext context) override;
   kj::Promise<void> closed(ClosedContext context) override;
 
  private:
   kj::Own<ProviderNews> news_;
+  const std::shared_ptr<Ledger> ledger_;  // of the connection
   std::function<void(std::string)> lost_;
 };
 

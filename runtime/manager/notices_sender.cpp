@@ -1,4 +1,5 @@
 #include <suture/manager/notices_sender.h>
+#include <suture/manager/tallies.h>
 
 namespace suture {
 
@@ -17,6 +18,18 @@ void NoticesSender::replays(std::uint16_t event, Time stamp) {
   auto request = client_.replayedRequest();
   request.setEvent(event);
   request.setStamp(toNanoseconds(stamp));
+  send(kj::mv(request));
+}
+
+kj::Promise<void> NoticesSender::tallies(const Tally& tally) {
+  auto request = client_.talliedRequest();
+  toWire(tally, request.initTally());
+  return request.send().ignoreResult().catch_([](kj::Exception&&) {});
+}
+
+void NoticesSender::tells(const Earlier& earlier) {
+  auto request = client_.earlierRequest();
+  toWire(earlier, request.initEarlier());
   send(kj::mv(request));
 }
 

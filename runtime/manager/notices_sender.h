@@ -15,6 +15,8 @@ class NoticesSender final : public rpc::ProviderEnd::Listener {
 
   void told(ChannelStatus status) override;
   void replays(std::uint16_t event, Time stamp) override;
+  kj::Promise<void> tallies(const Tally& tally) override;
+  void tells(const Earlier& earlier) override;
 
  private:
   template <class Request>

@@ -10,15 +10,19 @@ namespace {
 
 constexpr std::size_t kMostCallers = 1024;
 
+// Peers choose the names. Beyond that many, the sums of connections that are over are forgotten.
+constexpr std::size_t kMostAccounts = 1024;
+
 }  // namespace
 
 PeerHost::PeerHost(rpc::ControlThread& control, frame::LaneThread& frames,
                    const Directory& directory, Network::ServerOf serverOf, Network::TaskOf taskOf,
-                   const rpc::Address& address, const Security& security)
+                   const rpc::Address& address, const Security& security, std::uint64_t incarnation)
     : control_(control),
       directory_(directory),
       serverOf_(std::move(serverOf)),
       taskOf_(std::move(taskOf)),
+      incarnation_(incarnation),
       policy_(security.policy),
       whenPublished_(nullptr),
       frames_(frames),
@@ -64,6 +68,17 @@ void PeerHost::endLatest(const std::string& client) {
 
 void PeerHost::forget(const rpc::ProviderEnd& end) {
   std::erase_if(latest_, [&](const auto& one) { return one.second.end == &end; });
+}
+
+std::shared_ptr<Ledger> PeerHost::ledgerOf(const std::string& name, std::uint64_t client) {
+  if (accounts_.size() >= kMostAccounts) {
+    std::erase_if(accounts_, [](const auto& one) { return one.second.ledger.use_count() == 1; });
+  }
+  Account& account = accounts_[name];
+  if (account.ledger == nullptr || account.client != client) {
+    account = {client, std::make_shared<Ledger>(ChannelCounts::End::Provider)};
+  }
+  return account.ledger;
 }
 
 void PeerHost::remember(std::shared_ptr<Channel> channel) {

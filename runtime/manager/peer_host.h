@@ -1,6 +1,7 @@
 #pragma once
 // What a process is to its peers: an address at which they connect to its provided interfaces.
 
+#include <suture/component/ledger.h>
 #include <suture/manager/frame_sockets.h>
 #include <suture/manager/network.h>
 #include <suture/manager/security.h>
@@ -25,7 +26,7 @@ class PeerHost {
   /// Throws SetupError as LinkServer does.
   PeerHost(rpc::ControlThread& control, frame::LaneThread& frames, const Directory& directory,
            Network::ServerOf serverOf, Network::TaskOf taskOf, const rpc::Address& address,
-           const Security& security);
+           const Security& security, std::uint64_t incarnation);
 
   const rpc::Address& address() const { return server_.address(); }
 
@@ -58,6 +59,9 @@ class PeerHost {
   void setLatest(const std::string& client, const Latest& latest) { latest_[client] = latest; }
   void forget(const rpc::ProviderEnd& end);
 
+  /// The sums of the connection of that name with that start of its client's process.
+  std::shared_ptr<Ledger> ledgerOf(const std::string& name, std::uint64_t client);
+
   /// Adds to served(), and forgets those that have been closed.
   void remember(std::shared_ptr<Channel> channel);
 
@@ -65,10 +69,16 @@ class PeerHost {
   const Directory& directory_;
   const Network::ServerOf serverOf_;
   const Network::TaskOf taskOf_;
+  const std::uint64_t incarnation_;  // of this process
   const Policy policy_;
   kj::Own<kj::PromiseFulfiller<void>> published_;
   kj::ForkedPromise<void> whenPublished_;
-  std::map<std::string, Latest> latest_;  // by required interface, with its process
+  struct Account {
+    std::uint64_t client;  // the incarnation of its process
+    std::shared_ptr<Ledger> ledger;
+  };
+  std::map<std::string, Account> accounts_;  // by connection
+  std::map<std::string, Latest> latest_;     // by required interface, with its process
   mutable std::mutex mutex_;
   std::vector<std::shared_ptr<Channel>> served_;
   FrameSockets frames_;

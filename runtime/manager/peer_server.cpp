@@ -6,6 +6,7 @@
 #include <suture/manager/peer_server.h>
 #include <suture/manager/shared_memory.h>
 #include <suture/manager/status_port.h>
+#include <suture/manager/tallies.h>
 #include <suture/rt/state_table.h>
 #include <suture/transport/rpc/failure.h>
 #include <suture/transport/rpc/stamps.h>
@@ -70,7 +71,9 @@ kj::Promise<void> PeerServer::hello(HelloContext context) {
   results.setReceived(toNanoseconds(now()));
   results.setProcess(textOf(host_.directory_.process()));
   results.setBootId(textOf(bootId()));
+  results.setIncarnation(host_.incarnation_);
   bootId_ = stringOf(context.getParams().getBootId());
+  incarnation_ = context.getParams().getIncarnation();
   const std::uint16_t theirs = context.getParams().getVersion();
   if (const auto refusal = whyNotProcess(stringOf(context.getParams().getProcess()))) {
     refuse(*refusal, results.initRefused());
@@ -92,6 +95,7 @@ kj::Promise<void> PeerServer::ping(PingContext context) {
   auto results = context.getResults();
   results.setReceived(toNanoseconds(now()));
   leases_.hear(context.getParams().getHeard());
+  for (auto& end : ends_) end->tellEarlier();
   putTasks(results);
   results.setSent(leases_.answer());
   return kj::READY_NOW;
@@ -270,6 +274,7 @@ wire::ConnectResults::Accepted::Builder PeerServer::accepted(Asked& asked, rpc::
   auto out = asked.context.getResults().initAccepted();
   out.setOffered(static_cast<std::uint16_t>(asked.offered));
   out.setRows(static_cast<std::uint32_t>(asked.provided.state()->capacity()));
+  toWire(end.earlier(), out.initEarlier());
   out.setConnection(kj::heap<ConnectionServer>(kj::addRef(end)));
   return out;
 }
@@ -277,7 +282,7 @@ wire::ConnectResults::Accepted::Builder PeerServer::accepted(Asked& asked, rpc::
 kj::Promise<void> PeerServer::serveCalls(Asked& asked, const std::string& laneReason) {
   auto in = asked.context.getParams();
   auto port = serve(asked.provided, asked.endpoint, asked.name, in.getEvents(), in.getClockOffset(),
-                    in.getClockError());
+                    in.getClockError(), true);
   auto out = accepted(asked, *port);
   if (!laneReason.empty()) out.setLaneReason(textOf(laneReason));
   out.setContract(asked.provided.info().binding().makeServant(kj::mv(port)));
@@ -290,6 +295,7 @@ void PeerServer::shareMemory(Asked& asked, const InterfaceInfo& contract,
   shm::SharedOffer offer =
       shm::offerShared(asked.provided, contract, asked.name, asked.context.getParams().getEvents(),
                        host_.serverOf_(asked.provided), std::move(bell), host_.control_.doorbell());
+  enter(offer.channel);
   auto out = accepted(asked, *kj::refcounted<StatusPort>(host_.control_, offer.channel));
   toWire(offer.parts, out.initMemory());
   asked.provided.attach(offer.channel);
@@ -314,6 +320,7 @@ void PeerServer::sendFrames(Asked& asked, const InterfaceInfo& contract,
                           {.name = nameOf(asks.getClient()),
                            .who = caller_->identity,
                            .handsOver = asks.getHandsOver()});
+  enter(channel);
   auto out = accepted(asked, *kj::refcounted<StatusPort>(host_.control_, channel));
   if (!laneReason.empty()) out.setLaneReason(textOf(laneReason));
   auto offer = out.initFrame();
@@ -339,7 +346,7 @@ kj::Promise<void> PeerServer::open(OpenContext context) {
       [this, context, endpoint]() mutable -> kj::Promise<void> {
         ProvidedBase& provided = host_.directory_.provided(endpoint);
         const std::string name = "(a plain client) -> " + endpoint.toString();
-        auto port = serve(provided, endpoint, name, ~EventSet{0}, 0, 0);
+        auto port = serve(provided, endpoint, name, ~EventSet{0}, 0, 0, false);
         ends_.add(kj::addRef(*port));
         context.getResults().setContract(provided.info().binding().makeServant(kj::mv(port)));
         return kj::READY_NOW;
@@ -365,6 +372,11 @@ kj::Promise<void> PeerServer::explain(ExplainContext context) {
       });
 }
 
+void PeerServer::enter(const std::shared_ptr<Channel>& channel) {
+  channel->ledger = host_.ledgerOf(channel->name, incarnation_);
+  channel->ledger->begin(channel, incarnation_);
+}
+
 Endpoint PeerServer::endpointOf(capnp::Text::Reader component,
                                 capnp::Text::Reader interface) const {
   return {host_.directory_.process(), stringOf(component), stringOf(interface)};
@@ -372,7 +384,8 @@ Endpoint PeerServer::endpointOf(capnp::Text::Reader component,
 
 kj::Own<rpc::ServantPort> PeerServer::serve(ProvidedBase& provided, const Endpoint& endpoint,
                                             const std::string& name, EventSet events,
-                                            std::int64_t clockOffset, std::int64_t clockError) {
+                                            std::int64_t clockOffset, std::int64_t clockError,
+                                            bool hasAccount) {
   const std::shared_ptr<rt::Doorbell> bell = host_.control_.sharedDoorbell();
   const Channel::Ends ends{.client = bell.get(), .provider = &host_.serverOf_(provided)};
   auto channel =
@@ -381,6 +394,7 @@ kj::Own<rpc::ServantPort> PeerServer::serve(ProvidedBase& provided, const Endpoi
   setClock(*channel, clockOffset, clockError);
   auto port = kj::refcounted<rpc::ServantPort>(host_.control_, channel, caller_->counters);
   if (mayOnlyRead(endpoint)) port->setReadOnly();
+  if (hasAccount) enter(channel);
   provided.attach(channel);
   host_.remember(std::move(channel));
   return port;

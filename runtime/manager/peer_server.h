@@ -46,7 +46,10 @@ class PeerServer final : public wire::Peer::Server {
   void putTasks(wire::Peer::PingResults::Builder results) const;
   kj::Own<rpc::ServantPort> serve(ProvidedBase& provided, const Endpoint& endpoint,
                                   const std::string& name, EventSet events,
-                                  std::int64_t clockOffset, std::int64_t clockError);
+                                  std::int64_t clockOffset, std::int64_t clockError,
+                                  bool hasAccount);
+  /// Enters it into the sums of its name; before it is attached.
+  void enter(const std::shared_ptr<Channel>& channel);
   /// Why the caller is not the process that it says it is, or is not to have that interface.
   std::optional<Refusal> whyNotProcess(const std::string& name) const;
   std::optional<Refusal> whyNotGiven(const Endpoint& endpoint) const;
@@ -56,7 +59,8 @@ class PeerServer final : public wire::Peer::Server {
 
   PeerHost& host_;
   const std::shared_ptr<rpc::Caller> caller_;
-  std::string bootId_;  // the peer's, as it said in hello
+  std::string bootId_;             // the peer's, as it said in hello
+  std::uint64_t incarnation_ = 0;  // likewise
   kj::Vector<kj::Own<rpc::ProviderEnd>> ends_;
   ClientLeases leases_;
 };

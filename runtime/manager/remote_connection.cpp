@@ -4,6 +4,7 @@
 #include <suture/manager/peer_host.h>
 #include <suture/manager/remote_connection.h>
 #include <suture/manager/shared_memory.h>
+#include <suture/manager/tallies.h>
 #include <suture/transport/delay/delay_thread.h>
 #include <suture/transport/frame/client_side.h>
 #include <suture/transport/rpc/deadline.h>
@@ -49,7 +50,8 @@ void mirrorRows(std::uint32_t rows, rt::StateTable& mirror) {
 RemoteConnection::RemoteConnection(rpc::ControlThread& control, FrameLinks& frames,
                                    ManagerLink& manager, RequiredBase& required, Endpoint from,
                                    Endpoint to, Lane lane, Told told, const Interposer& interposer,
-                                   std::shared_ptr<ConnectionWatch> watch)
+                                   std::shared_ptr<ConnectionWatch> watch,
+                                   std::uint64_t incarnation, std::shared_ptr<Ledger> ledger)
     : control_(control),
       frames_(frames),
       manager_(manager),
@@ -60,6 +62,8 @@ RemoteConnection::RemoteConnection(rpc::ControlThread& control, FrameLinks& fram
       told_(std::move(told)),
       interposer_(interposer),
       watch_(std::move(watch)),
+      incarnation_(incarnation),
+      ledger_(std::move(ledger)),
       longestSilence_(watch_ == nullptr ? ConnectionContract::kDefaultSilence
                                         : watch_->contract.longestSilence()) {}
 
@@ -124,9 +128,11 @@ kj::Promise<void> RemoteConnection::greet() {
   request.setVersion(wire::PROTOCOL_VERSION);
   request.setProcess(textOf(from_.process));
   request.setBootId(textOf(bootId()));
+  request.setIncarnation(incarnation_);
   const Time asked = now();
   return request.send().then([this, asked](auto&& results) -> kj::Promise<void> {
     if (results.isRefused()) return refused(results.getRefused());
+    providersIncarnation_ = results.getIncarnation();
     if (stringOf(results.getBootId()) == bootId()) {
       clock_ = ClockOffset::none();
       return kj::READY_NOW;
@@ -215,7 +221,7 @@ kj::Promise<void> RemoteConnection::ask(Lanes lanes) {
   request.setEpoch(toNanoseconds(now()));
   request.setSilence(longestSilence_.count());
   request.setNotices(kj::heap<NoticesReceiver>(
-      kj::addRef(*news),
+      kj::addRef(*news), ledger_,
       [tell = told_.lost, name = name()](std::string why) { tell(name, std::move(why)); }));
   if (lanes.memory) {
     auto memory = request.initMemory();
@@ -240,6 +246,7 @@ kj::Promise<void> RemoteConnection::ask(Lanes lanes) {
 
 kj::Promise<void> RemoteConnection::begin(wire::ConnectResults::Accepted::Reader accepted) {
   connection_ = accepted.getConnection();
+  earlier_ = fromWire(accepted.getEarlier());
   if (accepted.hasLaneReason()) laneReason_ = stringOf(accepted.getLaneReason());
   if (!accepted.hasMemory() && !accepted.hasFrame()) {
     beginCalls(accepted);
@@ -333,6 +340,8 @@ void RemoteConnection::use(std::shared_ptr<Channel> channel) {
   if (interposer_.delays != nullptr) {
     channel = interposer_.delays->interpose(required_, std::move(channel), interposer_.delay);
   }
+  channel->ledger = ledger_;
+  ledger_->begin(channel, providersIncarnation_, earlier_);
   told_.made(channel);  // known before it is used
   required_.attach(std::move(channel));
 }

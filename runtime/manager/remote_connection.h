@@ -1,6 +1,7 @@
 #pragma once
 // One required interface of this process, connected to a provided one of another.
 
+#include <suture/component/ledger.h>
 #include <suture/component/required.h>
 #include <suture/manager/clock_offset.h>
 #include <suture/manager/frame_links.h>
@@ -35,10 +36,12 @@ class RemoteConnection {
     std::function<void(const std::string& channel, std::string why)> lost;
   };
 
-  /// `from` and `to` with their processes.
+  /// `from` and `to` with their processes. `incarnation`: of this one. `ledger`: the sums of the
+  /// connection's name.
   RemoteConnection(rpc::ControlThread& control, FrameLinks& frames, ManagerLink& manager,
                    RequiredBase& required, Endpoint from, Endpoint to, Lane lane, Told told,
-                   const Interposer& interposer, std::shared_ptr<ConnectionWatch> watch);
+                   const Interposer& interposer, std::shared_ptr<ConnectionWatch> watch,
+                   std::uint64_t incarnation, std::shared_ptr<Ledger> ledger);
   ~RemoteConnection() noexcept(false);
 
   /// Connects, waiting at most `patience` for the other process and its component. Rejects with the
@@ -90,6 +93,8 @@ class RemoteConnection {
   const Told told_;
   const Interposer interposer_;
   const std::shared_ptr<ConnectionWatch> watch_;  // of all its channels
+  const std::uint64_t incarnation_;               // of this process
+  const std::shared_ptr<Ledger> ledger_;
   const Duration longestSilence_;
   bool sharesMachine_ = false;  // with the peer, by a Unix socket
   std::string laneReason_;      // why it is not a faster one
@@ -103,7 +108,9 @@ class RemoteConnection {
   kj::Maybe<kj::Own<ProviderNews>> news_;
   kj::Maybe<kj::Own<rpc::ClientEnd>> end_;
   kj::Promise<std::string> framesBroken_ = kj::NEVER_DONE;
-  ProcessRecord process_;                      // the provider's, as it was reached
+  ProcessRecord process_;  // the provider's, as it was reached
+  std::uint64_t providersIncarnation_ = 0;
+  Earlier earlier_;                            // as the provider told it
   ClockOffset clock_;                          // the peer's
   kj::Promise<void> keeping_ = kj::READY_NOW;  // last: cancelled first
 };

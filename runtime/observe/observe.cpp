@@ -1,3 +1,4 @@
+#include <suture/component/ledger.h>
 #include <suture/component/task.h>
 #include <suture/observe/observe.h>
 
@@ -33,47 +34,63 @@ std::optional<ContractReport> contractOf(const Channel& channel, ConnectionEnd e
       .awaitsOperator = channel.watch->awaitsOperator.load(std::memory_order_relaxed)};
 }
 
-// Where both ends see all counts, each reports what it would see on another lane, so that nothing
-// is counted twice.
-void leaveToOtherEnd(ConnectionReport& report) {
-  if (report.end == ConnectionEnd::Client) {
-    report.superseded = report.late = report.failed = report.refused = 0;
-  } else {
-    report.full = report.tooLarge = report.invalid = report.replaced = 0;
+ChannelCounts::End endOf(ConnectionEnd end) {
+  switch (end) {
+    case ConnectionEnd::Client: return ChannelCounts::End::Client;
+    case ConnectionEnd::Provider: return ChannelCounts::End::Provider;
+    case ConnectionEnd::Both: break;
   }
+  return ChannelCounts::End::Both;
 }
 
-ConnectionReport reportOf(const Channel& channel, ConnectionEnd end) {
-  const rt::MailboxCounters& counters = channel.commands.counters;
-  ConnectionReport report{.name = channel.name,
-                          .lane = channel.lane,
-                          .laneReason = channel.laneReason,
-                          .clockShift = channel.clockShift,
-                          .clockError = channel.clockError,
-                          .end = end,
-                          .status = channel.status.load(std::memory_order_acquire),
-                          .whyLost = "",
-                          .bytesSent = count(channel.bytesSent),
-                          .bytesReceived = count(channel.bytesReceived),
-                          .contract = contractOf(channel, end),
-                          .sent = count(counters.sent),
-                          .executed = count(counters.executed),
-                          .full = count(counters.full),
-                          .tooLarge = count(counters.tooLarge),
-                          .invalid = count(counters.invalid),
-                          .replaced = count(counters.replaced),
-                          .superseded = count(counters.superseded),
-                          .late = count(counters.late),
-                          .failed = count(counters.failed),
-                          .refused = count(counters.refused),
-                          .eventsDelivered = channel.events.delivered(),
-                          .eventsDropped = channel.events.dropped(),
-                          .lost = count(channel.delivery.lost),
-                          .duplicated = count(channel.delivery.duplicated),
-                          .overtaken = count(channel.delivery.overtaken),
-                          .readAge = distribution(channel.readAge),
-                          .commandAge = distribution(channel.commandAge)};
-  if (channel.foreign) leaveToOtherEnd(report);
+// A connection within a process is one channel for as long as it stands.
+Sums sumsOf(const std::shared_ptr<Channel>& channel, ConnectionEnd end) {
+  if (channel->ledger != nullptr) return channel->ledger->sums();
+  Ledger ledger(endOf(end));
+  ledger.begin(channel, 0);
+  return ledger.sums();
+}
+
+void putSums(const Sums& sums, ConnectionReport& report) {
+  report.sent = sums.accepted;
+  report.executed = sums.tally.executed;
+  report.full = sums.turnedDown.full;
+  report.tooLarge = sums.turnedDown.tooLarge;
+  report.invalid = sums.turnedDown.invalid;
+  report.replaced = sums.tally.replaced;
+  report.superseded = sums.tally.superseded;
+  report.late = sums.tally.late;
+  report.failed = sums.tally.failed;
+  report.refused = sums.tally.refused;
+  report.cancelled = sums.tally.cancelled;
+  report.lost = sums.lost;
+  report.unknown = sums.unknown;
+  report.underWay = sums.underWay;
+  report.heard = sums.heard;
+  report.otherIncarnation = sums.otherProcess;
+  report.eventsDelivered = sums.eventsDelivered;
+  report.eventsDropped = sums.tally.eventsDropped;
+}
+
+ConnectionReport reportOf(const std::shared_ptr<Channel>& shared, ConnectionEnd end) {
+  const Channel& channel = *shared;
+  ConnectionReport report;
+  report.name = channel.name;
+  report.lane = channel.lane;
+  report.laneReason = channel.laneReason;
+  report.clockShift = channel.clockShift;
+  report.clockError = channel.clockError;
+  report.end = end;
+  report.status = channel.status.load(std::memory_order_acquire);
+  report.bytesSent = count(channel.bytesSent);
+  report.bytesReceived = count(channel.bytesReceived);
+  report.contract = contractOf(channel, end);
+  putSums(sumsOf(shared, end), report);
+  report.messagesLost = count(channel.delivery.lost);
+  report.messagesDuplicated = count(channel.delivery.duplicated);
+  report.messagesOvertaken = count(channel.delivery.overtaken);
+  report.readAge = distribution(channel.readAge);
+  report.commandAge = distribution(channel.commandAge);
   return report;
 }
 
@@ -112,12 +129,15 @@ DeviceReport reportOf(const Component& device) {
 Report observe(const Manager& manager, Time began) {
   Report report{manager.process(), now() - began, {}, {}, {}};
   const std::vector<Component*> components = manager.directory().components();
+  report.incarnation = manager.incarnation();
   report.refusals = manager.refusals();
   const auto whyLost = manager.whyLost();
   for (const auto& channel : manager.channels()) {
+    if (channel->ledger != nullptr && !channel->ledger->isLatest(*channel)) continue;
     ConnectionReport& one =
-        report.connections.emplace_back(reportOf(*channel, endOf(*channel, components)));
+        report.connections.emplace_back(reportOf(channel, endOf(*channel, components)));
     const auto why = whyLost.find(channel->name);
+    if (channel->ledger == nullptr) one.otherIncarnation = report.incarnation;  // both are here
     if (one.end != ConnectionEnd::Provider && why != whyLost.end()) one.whyLost = why->second;
   }
   for (const Component* component : components) {

@@ -60,6 +60,19 @@ void eachField(Contract& value, const Visit& visit) requires
   visit("awaits_operator", value.awaitsOperator);
 }
 
+template <class Counts, class Visit>
+void eachField(Counts& value,
+               const Visit& visit) requires std::is_same_v<std::remove_const_t<Counts>, Tally> {
+  visit("executed", value.executed);
+  visit("late", value.late);
+  visit("refused", value.refused);
+  visit("failed", value.failed);
+  visit("replaced", value.replaced);
+  visit("superseded", value.superseded);
+  visit("cancelled", value.cancelled);
+  visit("events_dropped", value.eventsDropped);
+}
+
 template <class Connection, class Visit>
 void eachField(Connection& value, const Visit& visit) requires
     std::is_same_v<std::remove_const_t<Connection>, ConnectionReport> {
@@ -84,11 +97,17 @@ void eachField(Connection& value, const Visit& visit) requires
   visit("late", value.late);
   visit("failed", value.failed);
   visit("refused", value.refused);
+  visit("cancelled", value.cancelled);
+  visit("lost", value.lost);
+  visit("unknown", value.unknown);
+  visit("under_way", value.underWay);
+  visit("heard", value.heard);
+  visit("other_incarnation", value.otherIncarnation);
   visit("events_delivered", value.eventsDelivered);
   visit("events_dropped", value.eventsDropped);
-  visit("lost", value.lost);
-  visit("duplicated", value.duplicated);
-  visit("overtaken", value.overtaken);
+  visit("messages_lost", value.messagesLost);
+  visit("messages_duplicated", value.messagesDuplicated);
+  visit("messages_overtaken", value.messagesOvertaken);
   visit("read_age", value.readAge);
   visit("command_age", value.commandAge);
 }
@@ -126,7 +145,8 @@ void eachField(Summary& value, const Visit& visit) requires
 template <class Value>
 constexpr bool kIsPart =
     std::is_same_v<Value, Distribution> || std::is_same_v<Value, DurationSummary> ||
-    std::is_same_v<Value, WindowReport> || std::is_same_v<Value, ContractReport>;
+    std::is_same_v<Value, WindowReport> || std::is_same_v<Value, ContractReport> ||
+    std::is_same_v<Value, Tally>;
 
 template <class Value>
 json fieldToJson(const Value& value) {
@@ -187,11 +207,9 @@ json toJson(const TaskReport& report) { return structToJson(report); }
 json toJson(const DeviceReport& report) { return structToJson(report); }
 
 json toJson(const Report& report) {
-  json out = {{"process", report.process},
-              {"age", report.age.count()},
-              {"connections", json::array()},
-              {"tasks", json::array()},
-              {"devices", json::array()}};
+  json out = {{"process", report.process}, {"incarnation", report.incarnation},
+              {"age", report.age.count()}, {"connections", json::array()},
+              {"tasks", json::array()},    {"devices", json::array()}};
   for (const ConnectionReport& one : report.connections) out["connections"].push_back(toJson(one));
   for (const TaskReport& one : report.tasks) out["tasks"].push_back(toJson(one));
   for (const DeviceReport& one : report.devices) out["devices"].push_back(toJson(one));
@@ -208,6 +226,7 @@ Report reportFromJson(const json& in) {
   for (const json& one : in.at("devices")) {
     report.devices.push_back(structFromJson<DeviceReport>(one));
   }
+  report.incarnation = in.at("incarnation").get<std::uint64_t>();
   report.refusals = structFromJson<rpc::Refusals::Summary>(in.at("refusals"));
   return report;
 }

@@ -5,6 +5,7 @@
 #include <suture/base/time.h>
 #include <suture/component/channel.h>
 #include <suture/component/component.h>
+#include <suture/component/tally.h>
 #include <suture/component/task_window.h>
 #include <suture/transport/rpc/refusals.h>
 
@@ -49,6 +50,10 @@ struct ConnectionReport {
   /// Of the client's end; none at the provider's alone, and of a connection without a contract.
   std::optional<ContractReport> contract;
 
+  /// Counted from the start of this process, or of the client's if that came later, over all
+  /// channels that the connection has had. Commands that were sent are executed, replaced,
+  /// superseded, late, failed, refused, cancelled, lost, unknown or under way, and each is one of
+  /// these.
   std::uint64_t sent = 0;  ///< commands that the client's calls handed over; at the provider's end
                            ///< alone: that the lane did
   std::uint64_t executed = 0;    ///< by the provider; at the client's end alone: as it has heard
@@ -57,20 +62,29 @@ struct ConnectionReport {
   std::uint64_t invalid = 0;     ///< refused: the contract does not admit such values
   std::uint64_t replaced = 0;    ///< a newer one of the same latest() command came first
   std::uint64_t superseded = 0;  ///< a later command had run already
-  std::uint64_t late = 0;        ///< older than its ttl; at the client's end alone: not known
+  std::uint64_t late = 0;        ///< older than its ttl
   std::uint64_t failed = 0;      ///< the handler threw
-  std::uint64_t refused = 0;     ///< the provider was suspended or parked, or they were cancelled
+  std::uint64_t refused =
+      0;  ///< the provider was suspended, parked or ending, or does not admit them
+  std::uint64_t cancelled = 0;
+  std::uint64_t lost = 0;      ///< they did not reach the provider in time, and it says so
+  std::uint64_t unknown = 0;   ///< at the client's end: a lost provider may have executed them
+  std::uint64_t underWay = 0;  ///< no outcome yet, or at the client's end none that it has heard of
+  Tally heard;  ///< what of this a client's end has been told; part of what is said above
+  std::uint64_t otherIncarnation = 0;  ///< of the process at the other end, as Report has its own
   std::uint64_t eventsDelivered = 0, eventsDropped = 0;
   /// Messages either way that the lane lost, brought twice, or brought after newer ones (which are
   /// among the lost, too), as the client's end knows; none has had an effect.
-  std::uint64_t lost = 0, duplicated = 0, overtaken = 0;
+  std::uint64_t messagesLost = 0, messagesDuplicated = 0, messagesOvertaken = 0;
 
   Distribution readAge;     ///< of values when the client read them
   Distribution commandAge;  ///< of commands when the provider executed them
 
   /// At the ends that are seen: commands that were neither executed, nor late, nor gave way to a
   /// newer one of the same kind.
-  std::uint64_t dropped() const { return full + tooLarge + invalid + superseded + refused; }
+  std::uint64_t dropped() const {
+    return full + tooLarge + invalid + superseded + refused + cancelled;
+  }
 };
 
 /// A window of a task's cycles, as TaskWindow has it; all zero before the first.
@@ -105,6 +119,7 @@ struct Report {
   std::vector<TaskReport> tasks;
   std::vector<DeviceReport> devices = {};
   rpc::Refusals::Summary refusals = {};  ///< peers, and requests of peers
+  std::uint64_t incarnation = 0;  ///< of this start of the process; 0 without a global manager
 };
 
 /// Durations are written as whole nanoseconds; "dropped" beside what it is the sum of; a contract

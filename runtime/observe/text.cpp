@@ -77,13 +77,16 @@ std::string lines(const ConnectionReport& one) {
   text += counted("sent", one.sent) + (client ? ", " : " (by the lane), ");
   text += counted("executed", one.executed) + (provider ? ", " : " (as heard), ");
   text += counted("dropped", one.dropped()) + (client && provider ? ", " : " (at this end), ");
-  text += (provider ? counted("late", one.late) : "late: see the provider's end") + ", ";
+  text += counted("late", one.late) + ", ";
   text += keptContract(one);
   if (one.failed > 0) text += ", " + counted("failed", one.failed);
   if (one.eventsDropped > 0) text += ", " + counted("events dropped", one.eventsDropped);
-  if (one.lost > 0) text += ", " + counted("messages lost", one.lost);
-  if (one.duplicated > 0) text += ", " + counted("duplicated", one.duplicated);
-  if (one.overtaken > 0) text += ", " + counted("overtaken", one.overtaken);
+  if (one.lost > 0) text += ", " + counted("lost", one.lost);
+  if (one.unknown > 0) text += ", " + counted("unknown", one.unknown);
+  if (one.underWay > 0) text += ", " + counted("under way", one.underWay);
+  if (one.messagesLost > 0) text += ", " + counted("messages lost", one.messagesLost);
+  if (one.messagesDuplicated > 0) text += ", " + counted("duplicated", one.messagesDuplicated);
+  if (one.messagesOvertaken > 0) text += ", " + counted("overtaken", one.messagesOvertaken);
   if (one.clockError > Duration{0}) {
     text += "\n    other clock: shifted by " + microseconds(one.clockShift) + ", known to " +
             microseconds(one.clockError);

@@ -30,7 +30,8 @@ void write(std::byte* memory, const EventRecord& record, std::span<const std::by
 EventQueue::EventQueue(std::span<const EventLimits> events, Producers producers, Arena& arena)
     : producers_(producers),
       foreign_(arena.foreign()),
-      ring_(totalDepth(events), largestRecord(events), arena) {
+      ring_(totalDepth(events), largestRecord(events), arena),
+      counters_(arena.make<EventCounters>()) {
   for (const auto& event : events) {
     cells_.push_back(event.latest ? std::make_unique<Cell>(event, arena) : nullptr);
     const std::uint64_t bit = std::uint64_t{1} << (cells_.size() - 1);
@@ -126,7 +127,8 @@ const EventRecord* EventQueue::next() {
 void EventQueue::pop() {
   if (isShared(next_->event)) releaseSharedSlot(next_->payload());
   if (fromRing_) ring_.pop();
-  delivered_.store(delivered_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+  std::atomic<std::uint64_t>& delivered = counters_->delivered;
+  delivered.store(delivered.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
 }
 
 bool EventQueue::pending() const {

@@ -42,6 +42,12 @@ enum class Producers : std::uint8_t {
   Any,  ///< any thread, also several at once: a device's
 };
 
+/// Counts of one connection; any thread may read.
+struct EventCounters {
+  std::atomic<std::uint64_t> delivered{0};  // consumer
+  std::atomic<std::uint64_t> dropped{0};    // those who emit, or pass on
+};
+
 /// One consumer thread. No allocation after construction, no locks. A full queue drops the new
 /// event and counts it, so a slow subscriber delays nobody.
 ///
@@ -70,10 +76,11 @@ class EventQueue {
   std::size_t capacity() const { return ring_.cells() + cells_.size(); }
 
   /// Any thread: one more event has been lost, behind this queue.
-  void countDropped() { dropped_.fetch_add(1, std::memory_order_relaxed); }
+  void countDropped() { counters_->dropped.fetch_add(1, std::memory_order_relaxed); }
 
-  std::uint64_t delivered() const { return delivered_.load(std::memory_order_relaxed); }
-  std::uint64_t dropped() const { return dropped_.load(std::memory_order_relaxed); }
+  std::uint64_t delivered() const { return counters_->delivered.load(std::memory_order_relaxed); }
+  std::uint64_t dropped() const { return counters_->dropped.load(std::memory_order_relaxed); }
+  std::shared_ptr<const EventCounters> sharedCounters() const { return counters_; }
 
  private:
   // A newest-wins event.
@@ -104,7 +111,7 @@ class EventQueue {
   EventRecord* next_ = nullptr;  // what the last next() returned
   bool fromRing_ = false;
   std::size_t cell_ = 0;  // if it is not from the ring
-  std::atomic<std::uint64_t> delivered_{0}, dropped_{0};
+  const std::shared_ptr<EventCounters> counters_;
 };
 
 }  // namespace suture::rt

@@ -41,7 +41,7 @@ struct CommandRecord {
 struct MailboxCounters {
   std::atomic<std::uint64_t> sent{0}, full{0}, tooLarge{0}, invalid{0}, replaced{0};  // producer
   std::atomic<std::uint64_t> executed{0}, late{0}, superseded{0}, failed{0};          // consumer
-  std::atomic<std::uint64_t> refused{0};  // consumer: turned away, or cancelled before
+  std::atomic<std::uint64_t> refused{0}, cancelled{0};  // consumer: has not begun them
 };
 
 /// One producer thread, one consumer thread. No allocation after construction, no locks.
@@ -95,6 +95,7 @@ class Mailbox {
 
   /// Of foreign memory both processes see them, and either may be wrong about them.
   MailboxCounters& counters = *counters_;
+  std::shared_ptr<const MailboxCounters> sharedCounters() const { return counters_; }
 
  private:
   struct Cell {

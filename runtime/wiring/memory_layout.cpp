@@ -9,7 +9,7 @@ namespace suture {
 namespace {
 
 // One more whenever a channel or a state table lies in memory in another way.
-constexpr int kForm = 1;
+constexpr int kForm = 2;
 
 /// Documentation has no bytes.
 void removeTexts(nlohmann::json& json) {

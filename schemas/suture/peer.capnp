@@ -10,7 +10,8 @@ using Schema = import "/capnp/schema.capnp";
 interface Peer {
   # The bootstrap interface of a process.
 
-  hello @0 (version :UInt16, process :Text, bootId :Text) -> HelloResults;
+  hello @0 (version :UInt16, process :Text, bootId :Text, incarnation :UInt64) -> HelloResults;
+  # incarnation: a number that this start of the process has chosen at random; 0: none.
   # The two stamps are the responder's steady clock, in nanoseconds; with the caller's own stamps around
   # the call they give the clock offset and its error.
   struct HelloResults {
@@ -18,6 +19,7 @@ interface Peer {
     bootId @1 :Text;  # equal: the same machine since the same start, so the clocks are one
     received @2 :Int64;
     sent @3 :Int64;
+    incarnation @6 :UInt64;
     union {
       accepted @4 :Void;
       refused @5 :Manager.Refusal;
@@ -156,6 +158,7 @@ struct ConnectResults {
       # Why the provider has not agreed to the faster lane that the caller asked for.
       frame @7 :FrameOffer;
       # Everything goes through its frames, and nothing through `contract`. Not there: the other way round.
+      earlier @8 :Earlier;   # of the connections of the same name before
     }
     refused @2 :Manager.Refusal;
   }
@@ -175,6 +178,28 @@ interface Notices {
   lapsed @5 ();
   # The provider has heard nothing of the client for as long as the client waits, and executes nothing of this
   # connection any more: it has to be made anew.
+  tallied @6 (tally :Tally) -> ();
+  # What the provider's end has counted so far, where neither frames nor shared memory tell it.
+  earlier @7 (earlier :Earlier) -> ();
+  # The last word on the connections of the same name before.
+}
+
+struct Tally {
+  # What has become of the commands of a connection that have reached the provider's end.
+  executed @0 :UInt64;
+  late @1 :UInt64;        # older than their ttl
+  refused @2 :UInt64;
+  failed @3 :UInt64;      # the handler threw
+  replaced @4 :UInt64;    # a newer one of the same latest() command came first
+  superseded @5 :UInt64;  # a later command had run already
+  cancelled @6 :UInt64;
+  eventsDropped @7 :UInt64;
+}
+
+struct Earlier {
+  # Of all connections of the same name that the same two processes, not started anew since, had before.
+  tally @0 :Tally;
+  ended @1 :Bool;  # nothing of them is executed any more, so these are the last counts
 }
 
 interface Connection {

@@ -2,6 +2,7 @@
 
 #include <suture/manager/global_manager.h>
 #include <suture/manager/manager.h>
+#include <suture/observe/observe.h>
 #include <suture/testing/test_clock.h>
 #include <suture/transport/rpc/control_thread.h>
 
@@ -111,6 +112,7 @@ class World {
       while (!harmed_) work();
     }
     recover();
+    balance();
   }
   std::vector<suture::HistoryEntry> history() const { return suture::readHistory(logs_); }
 
@@ -151,6 +153,45 @@ class World {
     outcome_.broken.push_back("no call is answered within a second of the last fault");
   }
 
+  /// What the console's ledger says has become of its commands is what has become of them.
+  void balance() {
+    const suture::Time deadline = suture::now() + kRecovery;
+    while (of(*console_).underWay > 0 && suture::now() < deadline) suture::pass(1ms);
+    const suture::ConnectionReport console = of(*console_), robot = of(robot_->manager);
+    const std::uint64_t known = console.executed + console.failed;
+    require(console.underWay == 0, "all commands have an outcome");
+    require(console.sent == known + console.late + console.refused + console.replaced +
+                                console.superseded + console.cancelled + console.lost +
+                                console.unknown,
+            "the console's ledger balances");
+    const std::uint64_t executions = executions_ + robot_->arm.executions();
+    require(known <= executions && executions <= known + console.unknown,
+            std::to_string(executions) + " executions are " + std::to_string(known) +
+                " that the console knows of and at most " + std::to_string(console.unknown) +
+                " others");
+    require(robot.executed + robot.failed == robot_->arm.executions(),
+            "the robot has counted what its arm executed");
+    require(console.heard.executed == robot.executed && console.heard.late == robot.late &&
+                console.heard.refused == robot.refused,
+            "the console has heard all that the robot has counted");
+  }
+  void require(bool holds, const std::string& what) {
+    if (!holds) outcome_.broken.push_back("not so: " + what);
+  }
+  /// The report on the only connection between the two processes.
+  static suture::ConnectionReport of(const suture::Manager& manager) {
+    suture::ConnectionReport last;
+    for (auto& one : suture::observe(manager, {}).connections) {
+      if (one.name.find("robot:PSM/Arm") != std::string::npos) last = std::move(one);
+    }
+    return last;
+  }
+
+  void takeRobotDown() {
+    executions_ += robot_->arm.executions();
+    robot_ = nullptr;
+  }
+
   // In a thread of its own, beside the client's.
   void doHarm() {
     const suture::Time end = suture::now() + kHarm;
@@ -165,7 +206,7 @@ class World {
   void harm(Chance& chance) {
     switch (chance.below(7)) {
       case 0:
-        robot_ = nullptr;
+        takeRobotDown();
         suture::pass(chance.upTo(kLongestPause));
         bringRobotUp();
         break;
@@ -204,6 +245,7 @@ class World {
   suture::rpc::ControlThread control_;
   std::unique_ptr<suture::GlobalManager> names_;
   std::uint32_t robots_ = 0;
+  std::uint64_t executions_ = 0;  // of robots that are gone
   std::unique_ptr<Robot> robot_;
   suture::HistoryCaller caller_{newLog("operator"), 1};
   std::unique_ptr<suture::Manager> console_;

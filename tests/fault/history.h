@@ -21,6 +21,8 @@ struct HistoryEntry {
     Killed,     ///< the client was, by the test: what is under way needs no end
     Connected,  ///< the client found a new connection: `epoch`, over `lane`
     Told,       ///< the client was told that its connection `epoch` is lost: `error`
+    Counted,    ///< the client's ledger says at the end that `id` of its commands were executed,
+                ///< and that `epoch` others may have been
   };
 
   Kind kind = Kind::Sent;
@@ -70,6 +72,7 @@ struct Tolerance {
 ///    provider has heard of it;
 ///  - those of a client are executed in the order in which it sent them, so that none of an older
 ///    connection comes after one of a newer;
+///  - as many of a client's commands were executed as its ledger says, or as may have been by it;
 ///  - a client hears the events of one provider in their order, each once, and none of an older
 ///    provider after one of a newer.
 std::vector<std::string> violations(const std::vector<HistoryEntry>& history,

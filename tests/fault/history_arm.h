@@ -31,6 +31,13 @@ class HistoryArm final : public suture::PeriodicTask, public suture::StillArm {
   /// Called by a move that is to tell so.
   std::function<void()> whenItRuns = [] {};
 
+  double distance(const PoseStamped& goal) const override {
+    ++executions_;
+    return StillArm::distance(goal);
+  }
+
+  /// How many commands it has executed so far. Any thread.
+  std::uint64_t executions() const { return executions_; }
   /// How many events so far. Any thread.
   std::uint64_t emitted() const { return events_; }
 
@@ -47,6 +54,7 @@ class HistoryArm final : public suture::PeriodicTask, public suture::StillArm {
 
  private:
   void executed(const PoseStamped& goal, suture::Duration ttl) {
+    ++executions_;
     const Tag tag = tagIn(goal);
     log_.write({.kind = suture::HistoryEntry::Kind::Executed,
                 .at = suture::now(),
@@ -65,6 +73,7 @@ class HistoryArm final : public suture::PeriodicTask, public suture::StillArm {
   suture::HistoryLog log_;
   const std::uint32_t number_;
   const int eventsPerCycle_;
+  mutable std::atomic<std::uint64_t> executions_{0};
   std::atomic<std::uint64_t> events_{0};
   suture::Provided<reference::ArmLike> arm_{*this, "Arm", *this};
 };

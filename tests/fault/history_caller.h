@@ -5,6 +5,7 @@
 #include <suture/component/channel.h>
 #include <suture/component/device.h>
 #include <suture/component/required.h>
+#include <suture/observe/report.h>
 
 #include <algorithm>
 #include <array>
@@ -77,6 +78,14 @@ class HistoryCaller final : public Device {
       noteEnd(moves[i], moved ? Errc{} : moved.error());
     }
     look();
+  }
+
+  /// Notes what the client's report says of its commands. Nothing is sent any more.
+  void noteLedger(const ConnectionReport& report) {
+    look();
+    note({.kind = HistoryEntry::Kind::Counted,
+          .id = report.executed + report.failed,
+          .epoch = report.unknown + report.underWay});
   }
 
   HistoryPort arm{*this, "Arm"};

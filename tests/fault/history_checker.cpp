@@ -43,6 +43,7 @@ class Checker {
       case Kind::Heard: heard(entry); break;
       case Kind::Killed: killed_[entry.client] = entry.at; break;
       case Kind::Connected: break;
+      case Kind::Counted: counted_[entry.client] = entry; break;
       case Kind::Told: told_.try_emplace({entry.client, entry.epoch}, entry.at); break;
     }
   }
@@ -56,6 +57,7 @@ class Checker {
       requireEnd(which, command);
       forbidExecutionAfterLoss(which, command);
     }
+    for (const auto& [client, ledger] : counted_) compareWith(ledger);
     return std::move(found_);
   }
 
@@ -91,6 +93,18 @@ class Checker {
     say(which, "was executed " + milliseconds(command.lastExecuted - told->second) +
                    " after its sender was told that connection " + std::to_string(command.epoch) +
                    " is lost");
+  }
+
+  void compareWith(const HistoryEntry& ledger) {
+    std::uint64_t executed = 0;
+    for (const auto& [which, command] : commands_) {
+      if (which.first == ledger.client) executed += static_cast<unsigned>(command.executions);
+    }
+    if (executed >= ledger.id && executed <= ledger.id + ledger.epoch) return;
+    found_.push_back("the ledger of client " + std::to_string(ledger.client) + " says that " +
+                     std::to_string(ledger.id) + " commands were executed, and " +
+                     std::to_string(ledger.epoch) + " may have been; " + std::to_string(executed) +
+                     " were");
   }
 
   void sent(const HistoryEntry& entry) {
@@ -148,8 +162,9 @@ class Checker {
 
   const Tolerance tolerance_;
   std::map<Key, Command> commands_;
-  std::map<std::uint32_t, HistoryEntry> newest_;  // executed, by client
-  std::map<std::uint32_t, HistoryEntry> heard_;   // the newest, by client
+  std::map<std::uint32_t, HistoryEntry> newest_;   // executed, by client
+  std::map<std::uint32_t, HistoryEntry> heard_;    // the newest, by client
+  std::map<std::uint32_t, HistoryEntry> counted_;  // the last word, by client
   std::map<std::uint32_t, Time> killed_;
   std::map<std::pair<std::uint32_t, std::uint64_t>, Time> told_;  // by client and connection
   std::vector<std::string> found_;

@@ -106,6 +106,18 @@ TEST(HistoryChecker, ACommandThatWasSentOnTheConnectionAfterTheLostOneIsFree) {
   expectNone(history);
 }
 
+TEST(HistoryChecker, ALedgerThatMissesAnExecutionOrInventsOne) {
+  History history = sound();
+  history.push_back({Kind::Counted, history.back().at, 1, 98, 2});
+  expectNone(history);
+  history.back().id = 97;
+  expectOne(history,
+            "the ledger of client 1 says that 97 commands were executed, and 2 may have been; 100 "
+            "were");
+  history.back().id = 101;
+  expectOne(history, "says that 101 commands were executed");
+}
+
 TEST(HistoryChecker, ACallThatEndsLate) {
   History history = sound();
   nth(history, Kind::Ended, 4).at += 301ms;  // the third command has a deadline

@@ -4,6 +4,7 @@
 // listens. Ends on SIGTERM.
 
 #include <suture/manager/manager.h>
+#include <suture/observe/observe.h>
 
 #include <chrono>
 #include <cstdlib>
@@ -52,6 +53,7 @@ int main(int, char** argv) {
       if (mode == "busy") client.ask();
       if (mode == "bursts") client.burst();
     }
+    for (const auto& one : suture::observe(manager, {}).connections) client.noteLedger(one);
     manager.stop();
   });
 }

@@ -136,9 +136,9 @@ class Messages : public testing::TestWithParam<std::tuple<LaneUnderFault, Fault>
   /// And it was heard all the same: a stall can hold up every row for as long as the test asks.
   bool wasUnderFault() const {
     const ConnectionReport seen = report();
-    return reads_ > 0 && plan_.counts->total() > 0 && (!fault().loses || seen.lost > 0) &&
-           (!fault().duplicates || seen.duplicated > 0) &&
-           (!fault().overtakes || seen.overtaken > 0);
+    return reads_ > 0 && plan_.counts->total() > 0 && (!fault().loses || seen.messagesLost > 0) &&
+           (!fault().duplicates || seen.messagesDuplicated > 0) &&
+           (!fault().overtakes || seen.messagesOvertaken > 0);
   }
   // Nothing keeps a place at the provider for ever.
   bool creditsAreBack() const {
@@ -206,8 +206,8 @@ TEST_P(Messages, LeaveASoundHistory) {
   EXPECT_EQ(seen.lane, kLaneNames[static_cast<int>(lane())]);
   EXPECT_EQ(seen.status, ChannelStatus::Connected);
   if (fault().keeps) {
-    EXPECT_EQ(seen.lost, 0u);
-    EXPECT_EQ(seen.overtaken, 0u);
+    EXPECT_EQ(seen.messagesLost, 0u);
+    EXPECT_EQ(seen.messagesOvertaken, 0u);
   }
   expectSound();
 }

@@ -13,6 +13,11 @@ constexpr std::size_t kUnderWay = 2048;
 // How long after others a message may come and still be awaited, if nothing newer does.
 constexpr Duration kMarkPeriod = std::chrono::milliseconds(50);
 
+// The counters have one writer each.
+void increment(std::atomic<std::uint64_t>& counter) {
+  counter.store(counter.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+}
+
 // Of the messages of a connection, so that each kind meets faults of its own.
 enum Stream : std::uint64_t { kCommands, kAnswers, kEvents, kRows };
 
@@ -87,6 +92,7 @@ void DelayedConnection::pump(Time now) {
   deliverRows(now);
   deliverStatus(now);
   countBytes();
+  countCommands();
 }
 
 Time DelayedConnection::due() {
@@ -161,6 +167,7 @@ void DelayedConnection::deliverCommands(Time now) {
   while (const std::byte* memory = commands_.due(now)) {
     if (!commands_.isMark()) {
       deliver(*reinterpret_cast<const rt::CommandRecord*>(memory));
+      ++delivered_;
       any = true;
     }
     commands_.pop();
@@ -170,14 +177,14 @@ void DelayedConnection::deliverCommands(Time now) {
 
 void DelayedConnection::deliver(const rt::CommandRecord& record) {
   if (record.call != 0 && !near_->claimCall(record.call)) {
+    increment(near_->commands.counters.cancelled);
     refuse(record.call, Errc::Cancelled);
     return;
   }
   const auto slot = far_->commands.claim(record.command, record.stamp, record.call);
   if (!slot) {
     // Only if the provider's end has given no credit back: nobody serves it any more.
-    auto& failed = near_->commands.counters.failed;
-    failed.store(failed.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+    increment(near_->commands.counters.refused);
     if (record.call != 0) refuse(record.call, slot.error());
     return;
   }
@@ -353,6 +360,16 @@ void DelayedConnection::deliverStatus(Time now) {
     statuses_.pop();
     near_->tell(status);
   }
+}
+
+// The provider's end may be another lane's client.
+void DelayedConnection::countCommands() {
+  const ChannelCounts& beyond = *far_->counts;
+  constexpr auto kEnd = ChannelCounts::End::Client;
+  near_->counts->told.store(beyond.own(kEnd) + beyond.heard(kEnd));
+  near_->counts->lost.store(
+      commands_.reached() - delivered_ + beyond.lost.load(std::memory_order_relaxed),
+      std::memory_order_relaxed);
 }
 
 void DelayedConnection::countBytes() {

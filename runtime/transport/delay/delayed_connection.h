@@ -61,6 +61,7 @@ class DelayedConnection {
   void takeStatus();
   void deliverStatus(Time now);
   void countBytes();
+  void countCommands();
 
   bool usesCredit(const rt::CommandRecord& record) const;
 
@@ -80,6 +81,7 @@ class DelayedConnection {
   CallsUnderWay calls_;
   // As it was when the last marks were sent: what the next ones say. So what takes no longer than
   // that is not given up.
+  std::uint64_t delivered_ = 0;  // commands
   std::uint64_t commandsSent_ = 0, answersSent_ = 0;
   CallsMark callsMark_{};
   Time nextMarks_{};

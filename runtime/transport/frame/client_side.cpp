@@ -1,6 +1,5 @@
 #include <suture/transport/frame/client_side.h>
 
-#include <algorithm>
 #include <cstring>
 
 namespace suture::frame {
@@ -10,8 +9,7 @@ ClientSide::ClientSide(std::shared_ptr<Channel> channel, std::uint32_t number)
     : Connection(std::move(channel), number),
       events_(channel_->subscribed()),
       since_(channel_->info.events.size()),
-      lent_(channel_->info.commands.size()),
-      refused_(channel_->info.commands.size()) {
+      lent_(channel_->info.commands.size()) {
   for (const CommandInfo& one : channel_->info.commands) {
     if (one.column >= 0) reads_.push_back(&one);
   }
@@ -26,7 +24,7 @@ bool ClientSide::take(const Header& header, std::span<std::byte> payload) {
     case Kind::Event: return takeEvent(header, payload);
     case Kind::Row: return takeRow(header, payload);
     case Kind::Taken: return takeCredits(header);
-    case Kind::Refused: return takeRefusals(header);
+    case Kind::Tally: return takeTally(payload);
     default: return false;
   }
 }
@@ -97,17 +95,14 @@ bool ClientSide::takeCredits(const Header& header) {
   if (header.number >= lent_.size() || header.call > lent_[header.number]) return false;
   lent_[header.number] -= header.call;
   for (std::uint32_t i = 0; i < header.call; ++i) channel_->commands.returnCredit(header.number);
-  const std::uint32_t refused = std::min(refused_[header.number], header.call);
-  refused_[header.number] -= refused;
-  add(channel_->commands.counters.executed, header.call - refused);
   return true;
 }
 
-// Their credits come behind, with those of others that were executed.
-bool ClientSide::takeRefusals(const Header& header) {
-  if (header.number >= refused_.size()) return false;
-  add(channel_->commands.counters.failed, header.call);
-  refused_[header.number] += header.call;
+bool ClientSide::takeTally(std::span<const std::byte> payload) {
+  Tally tally;
+  if (payload.size() != sizeof(tally)) return false;
+  std::memcpy(&tally, payload.data(), sizeof(tally));
+  channel_->counts->told.store(tally);
   return true;
 }
 
@@ -155,7 +150,7 @@ void ClientSide::giveCommand(const rt::CommandRecord& record) {
     channel_->replyError(record.call, Errc::Cancelled);
     channel_->ends.client->ring(rt::RungFor::Arrival);
     channel_->commands.returnCredit(record.command);
-    add(channel_->commands.counters.refused, 1);
+    add(channel_->commands.counters.cancelled, 1);
     return;
   }
   send({.kind = Kind::Command,
@@ -165,11 +160,7 @@ void ClientSide::giveCommand(const rt::CommandRecord& record) {
        {record.arguments(), command.argumentsSize});
   if (record.call != 0) calls_[record.call % calls_.size()] = {record.call, &command};
   // A newest-wins command without an answer uses none.
-  if (command.latest && record.call == 0) {
-    add(channel_->commands.counters.executed, 1);
-  } else {
-    ++lent_[record.command];
-  }
+  if (!command.latest || record.call != 0) ++lent_[record.command];
 }
 
 }  // namespace suture::frame

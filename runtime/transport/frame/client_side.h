@@ -26,7 +26,7 @@ class ClientSide final : public Connection {
   bool takeEvent(const Header& header, std::span<std::byte> payload);
   bool takeRow(const Header& header, std::span<std::byte> payload);
   bool takeCredits(const Header& header);
-  bool takeRefusals(const Header& header);
+  bool takeTally(std::span<const std::byte> payload);
 
   void giveSubscription();
   void giveCommands();
@@ -43,7 +43,6 @@ class ClientSide final : public Connection {
   };
   std::array<Sent, Channel::kMaxCalls> calls_;  // by number
   std::vector<std::uint32_t> lent_;             // by command: how many use a credit
-  std::vector<std::uint32_t> refused_;          // by command: of these, how many were not executed
   bool arrival_ = false, news_ = false;         // the client is to be rung for
 };
 

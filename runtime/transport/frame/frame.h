@@ -13,11 +13,11 @@ enum class Kind : std::uint8_t {
   Command,    ///< number: which; payload: its arguments' slot
   Subscribe,  ///< payload: Subscription
   // provider to client
-  Reply,    ///< call, error; payload: the result's slot, if there is no error
-  Event,    ///< number: which; call: of which subscription; payload: its slot
-  Row,      ///< payload: Columns, and the slots of those that are valid, each filled up to words
-  Taken,    ///< number: a command; call: how many more of it may be sent
-  Refused,  ///< number: a command that awaited no answer; call: how many were not executed
+  Reply,  ///< call, error; payload: the result's slot, if there is no error
+  Event,  ///< number: which; call: of which subscription; payload: its slot
+  Row,    ///< payload: Columns, and the slots of those that are valid, each filled up to words
+  Taken,  ///< number: a command; call: how many more of it may be sent
+  Tally,  ///< payload: suture::Tally, what has become of all commands so far
   // both
   Acknowledge,  ///< nothing but `acknowledged`
 };

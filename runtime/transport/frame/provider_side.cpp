@@ -8,7 +8,6 @@ namespace suture::frame {
 ProviderSide::ProviderSide(std::shared_ptr<Channel> channel, std::uint32_t number)
     : Connection(std::move(channel), number),
       waiting_(channel_->info.commands.size()),
-      refused_(channel_->info.commands.size()),
       since_(channel_->info.events.size(), now()),
       slots_(channel_->state->columns()),
       wantedSlots_(channel_->state->columns()) {
@@ -50,11 +49,8 @@ bool ProviderSide::takeCommand(const Header& header, std::span<std::byte> payloa
 }
 
 bool ProviderSide::refuse(const Header& header, Errc error) {
-  if (header.call == 0) {
-    ++refused_[header.number];
-    anyRefused_ = true;
-    return true;
-  }
+  channel_->counts->turnedAway.fetch_add(1, std::memory_order_relaxed);
+  if (header.call == 0) return true;
   if (refusedCallCount_ == refusedCalls_.size()) return false;
   refusedCalls_[refusedCallCount_++] = {header.call, error};
   return true;
@@ -106,6 +102,7 @@ void ProviderSide::give() {
   giveReplies();
   giveRefusals();
   giveCredits();
+  giveTally();
   giveEvents();
   giveRow();
 }
@@ -130,12 +127,13 @@ void ProviderSide::giveRefusals() {
     const RefusedCall& one = refusedCalls_[--refusedCallCount_];
     send({.kind = Kind::Reply, .error = static_cast<std::uint8_t>(one.error), .call = one.call});
   }
-  for (std::uint16_t command = 0; anyRefused_ && command < refused_.size(); ++command) {
-    if (refused_[command] == 0) continue;
-    if (!hasRoom()) return;
-    send({.kind = Kind::Refused, .number = command, .call = std::exchange(refused_[command], 0)});
-  }
-  anyRefused_ = false;
+}
+
+void ProviderSide::giveTally() {
+  const Tally tally = channel_->counts->own(ChannelCounts::End::Provider);
+  if (tally == tally_ || !hasRoom()) return;
+  tally_ = tally;
+  send({.kind = Kind::Tally}, std::as_bytes(std::span(&tally_, 1)));
 }
 
 void ProviderSide::giveCredits() {

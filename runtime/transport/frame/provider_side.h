@@ -31,6 +31,7 @@ class ProviderSide final : public Connection {
 
   void giveReplies();
   void giveRefusals();
+  void giveTally();
   void giveCredits();
   void giveEvents();
   void giveRow();
@@ -40,8 +41,7 @@ class ProviderSide final : public Connection {
   bool readOnly_ = false;
   bool heard_ = false;                  // the client's side: from then on it is there
   std::vector<std::uint32_t> waiting_;  // by command: credits that the client has not got back
-  std::vector<std::uint32_t> refused_;  // by command: not executed, and the client not yet told
-  bool anyRefused_ = false;
+  Tally tally_;                         // as the client's side has been told
   struct RefusedCall {
     std::uint32_t call;
     Errc error;

@@ -19,6 +19,8 @@ class ClientEnd : public kj::Refcounted {
   void tell(ChannelStatus status) { channel_->tell(status); }
   /// How the provider's clock stands to this process's.
   void setClock(Duration shift, Duration error) { channel_->setClock(shift, error); }
+  /// What the provider's end has counted.
+  void tally(const Tally& tally) { channel_->counts->told.store(tally); }
   /// The connection is over: the client is told `why`, calls under way end with their outcome
   /// unknown. May be called again.
   void close(ChannelStatus why);

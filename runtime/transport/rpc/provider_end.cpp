@@ -13,6 +13,19 @@ void ProviderEnd::hear(BootTime sent) {
   if (silence_ > Duration{0}) channel_->lease.renew(sent + silence_ - silence_ / kDrift);
 }
 
+Earlier ProviderEnd::earlier() {
+  const Earlier earlier = channel_->ledger->before(*channel_);
+  earlierTold_ = earlier.ended;
+  return earlier;
+}
+
+void ProviderEnd::tellEarlier() {
+  if (earlierTold_ || closed_ || channel_->ledger == nullptr) return;
+  const Earlier last = earlier();
+  if (!last.ended) return;
+  KJ_IF_MAYBE (listener, listener_) (*listener)->tells(last);
+}
+
 BootTime ProviderEnd::endOfLease() const {
   return isOver(channel_->status.load()) ? BootTime::max() : channel_->lease.end();
 }

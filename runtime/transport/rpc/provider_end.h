@@ -3,9 +3,11 @@
 
 #include <suture/transport/rpc/kj_comparisons.h>  // first
 
+#include <kj/async.h>
 #include <kj/common.h>
 #include <kj/refcount.h>
 #include <suture/component/channel.h>
+#include <suture/component/ledger.h>
 
 #include <memory>
 
@@ -22,6 +24,10 @@ class ProviderEnd : public kj::Refcounted {
     virtual void told(ChannelStatus status) = 0;
     /// The next such event repeats one that was emitted at `stamp`, for a new subscriber.
     virtual void replays(std::uint16_t event, Time stamp) = 0;
+    /// What has become of the client's commands so far. Resolves when the client has heard.
+    virtual kj::Promise<void> tallies(const Tally& tally) = 0;
+    /// What has become of those of the connections before.
+    virtual void tells(const Earlier& earlier) = 0;
   };
 
   void setListener(kj::Own<Listener> listener) { listener_ = kj::mv(listener); }
@@ -35,6 +41,10 @@ class ProviderEnd : public kj::Refcounted {
   void hear(BootTime sent);
   /// When it is too late to hear(); never, if the connection is over.
   BootTime endOfLease() const;
+  /// What there is to tell the client of the connections of the same name before.
+  Earlier earlier();
+  /// Tells it the last word on them, as soon as there is one.
+  void tellEarlier();
   /// Ends what may be executed, since nobody has heard of the client in time.
   void lapse() { channel_->tell(ChannelStatus::Lapsed); }
   /// The connection is over: the provider lets go of the channel. May be called again.
@@ -65,6 +75,7 @@ class ProviderEnd : public kj::Refcounted {
   Duration silence_{0};  // 0: the client has not said how long it waits
   ChannelStatus told_ = ChannelStatus::Connected;
   std::uint32_t faultsTold_ = 0;
+  bool earlierTold_ = false;  // the last word
 };
 
 }  // namespace suture::rpc

@@ -121,7 +121,7 @@ void ProxyPort::transmit(const rt::CommandRecord& record) {
   if (call != 0 && !channel_->claimCall(call)) {
     reply(call, {}, [](std::byte*) { return Errc::Cancelled; });
     channel_->commands.returnCredit(command);
-    increment(channel_->commands.counters.refused);
+    increment(channel_->commands.counters.cancelled);
     return;
   }
   if (channel_->info.commands[command].latest && call == 0) ++latestInFlight_;
@@ -134,8 +134,6 @@ void ProxyPort::transmit(const rt::CommandRecord& record) {
 }
 
 void ProxyPort::returned(std::uint16_t command, std::uint32_t call, Errc error) {
-  auto& counters = channel_->commands.counters;
-  increment(error == Errc{} ? counters.executed : counters.failed);
   if (error != Errc{} && call != 0) reply(call, {}, [error](std::byte*) { return error; });
   if (channel_->info.commands[command].latest && call == 0) {
     if (latestInFlight_-- == kWindow) pumpCommands();

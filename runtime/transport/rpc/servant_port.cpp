@@ -70,6 +70,12 @@ void ServantPort::subscribe(kj::Own<EventSink> sink, EventSet events, rt::Column
   }));
 }
 
+kj::Promise<void> ServantPort::turnedAway(Errc error) {
+  channel_->counts->turnedAway.fetch_add(1, std::memory_order_relaxed);
+  pumpTally();
+  return remoteError(error);
+}
+
 // A stamp from the future would never be late.
 Time ServantPort::stampOf(wire::Sent::Reader sent) const {
   const Time received = now();
@@ -105,6 +111,7 @@ void ServantPort::pump() {
   channel_->bytesReceived.store(counters_->receivedBytes, std::memory_order_relaxed);
   pumpReplies();
   pumpCredits();
+  pumpTally();
   pumpEvents();
   pumpRow();
   pumpStatus();
@@ -134,6 +141,19 @@ void ServantPort::pumpCredits() {
       if (calls.front().get() != nullptr) calls.front()->fulfill();
       calls.pop_front();
     }
+  }
+}
+
+void ServantPort::pumpTally() {
+  KJ_IF_MAYBE (listener, listener_) {
+    const Tally tally = channel_->counts->own(ChannelCounts::End::Provider);
+    if (tallyInFlight_ || tally == tally_) return;
+    tally_ = tally;
+    tallyInFlight_ = true;
+    sending_.add((*listener)->tallies(tally).then([this] {
+      tallyInFlight_ = false;
+      pumpTally();
+    }));
   }
 }
 

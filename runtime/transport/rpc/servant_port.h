@@ -47,7 +47,7 @@ class ServantPort final : public ProviderEnd, private Pump, private kj::TaskSet:
   kj::Promise<void> command(std::uint16_t command, wire::Sent::Reader sent, const Fill& fill) {
     if (sent.getAnswer()) return call(command, sent, fill, [](const std::byte*, Time) {});
     const Errc error = post(command, sent, 0, fill);
-    if (error != Errc{}) return remoteError(error);
+    if (error != Errc{}) return turnedAway(error);
     return whenTaken(command);
   }
 
@@ -57,9 +57,9 @@ class ServantPort final : public ProviderEnd, private Pump, private kj::TaskSet:
   kj::Promise<void> call(std::uint16_t command, wire::Sent::Reader sent, const Fill& fill,
                          Convert take) {
     PendingCall* pending = openCall();
-    if (pending == nullptr) return remoteError(Errc::TooManyCalls);
+    if (pending == nullptr) return turnedAway(Errc::TooManyCalls);
     const Errc error = post(command, sent, pending->number, fill);
-    if (error != Errc{}) return remoteError(error);
+    if (error != Errc{}) return turnedAway(error);
     taken_[command].emplace_back();  // it uses a credit, and does not wait for it
     return whenAnswered(*pending, kj::mv(take));
   }
@@ -100,6 +100,7 @@ class ServantPort final : public ProviderEnd, private Pump, private kj::TaskSet:
     return kind == CommandKind::Read || kind == CommandKind::QualifiedRead;
   }
 
+  kj::Promise<void> turnedAway(Errc error);
   Time stampOf(wire::Sent::Reader sent) const;
   kj::Promise<void> whenTaken(std::uint16_t command);
   PendingCall* openCall();
@@ -109,6 +110,7 @@ class ServantPort final : public ProviderEnd, private Pump, private kj::TaskSet:
   void overtaken() override;
   void pump() override;
   void pumpCredits();
+  void pumpTally();
   void pumpReplies();
   void pumpEvents();
   void pumpRow();
@@ -134,6 +136,8 @@ class ServantPort final : public ProviderEnd, private Pump, private kj::TaskSet:
   std::vector<Time> since_;  // by event: when it was subscribed to
   bool answering_ = false;   // subscribe(): nothing is sent before its answer
   rt::ColumnSet columns_ = 0;
+  Tally tally_;  // as the client has been told
+  bool tallyInFlight_ = false;
   unsigned eventsInFlight_ = 0;
   unsigned rowsInFlight_ = 0;
   std::uint64_t lastRow_ = 0;

@@ -7,6 +7,7 @@
 #include <suture/manager/manager.h>
 #include <suture/manager/manager_link.h>
 #include <suture/manager/security.h>
+#include <suture/observe/observe.h>
 #include <suture/peer.capnp.h>
 #include <suture/transport/rpc/control_thread.h>
 #include <suture/transport/rpc/failure.h>
@@ -217,10 +218,10 @@ TEST_F(SecurityTest, AReadOnlyRoleReadsAndHearsAndCommandsNothing) {
   EXPECT_EQ(onlooker.arm.servo_cp.start(poseAt(9)).within(5s).error(), Errc::NotPermitted);
   EXPECT_EQ(onlooker.arm.move.start(poseAt(9), 1, "").within(5s).error(), Errc::NotPermitted);
   EXPECT_EQ(onlooker.arm.reset.start().within(5s).error(), Errc::NotPermitted);
-  const auto& counters = viewer.channels().at(0)->commands.counters;
-  const auto failed = counters.failed.load();
+  const auto refused = [&] { return observe(viewer, {}).connections.at(0).refused; };
+  const auto before = refused();
   ASSERT_TRUE(onlooker.arm.hold());  // nobody waits for the answer of this one
-  EXPECT_TRUE(eventually([&] { return counters.failed > failed; })) << "but it is counted";
+  EXPECT_TRUE(eventually([&] { return refused() > before; })) << "but it is counted";
   surgeon.processEvents();
   onlooker.processEvents();
   EXPECT_EQ(surgeon.modes, std::vector<Mode>{Mode::Enabled}) << "and nothing happened";

@@ -123,7 +123,7 @@ TEST(Call, TakenBackInTimeItIsNotExecutedButCounted) {
   EXPECT_EQ(held, 1);
   EXPECT_FALSE(second.cancel());
   EXPECT_TRUE(*second.poll());
-  EXPECT_EQ(channel->commands.counters.refused, 1u);
+  EXPECT_EQ(channel->commands.counters.cancelled, 1u);
 }
 
 }  // namespace

@@ -245,7 +245,7 @@ TEST_F(Delayed, EveryCreditComesBackThoughMessagesAreLost) {
   }
   EXPECT_GT(arm.holds, 0);
   EXPECT_LT(arm.holds, 100);
-  EXPECT_GT(observe(manager, now()).connections.at(0).lost, 0u);
+  EXPECT_GT(observe(manager, now()).connections.at(0).messagesLost, 0u);
 }
 
 TEST_F(Delayed, WithoutADelayNobodyStandsBetween) {

@@ -139,8 +139,8 @@ TEST(HostileFrames, OfAClientReachNothingButItsChannel) {
 }
 
 TEST(HostileFrames, OfAProviderReachNothingButItsClientsChannel) {
-  constexpr std::array kKindsOfProviders = {Kind::Reply, Kind::Event,   Kind::Row,
-                                            Kind::Taken, Kind::Refused, Kind::Acknowledge};
+  constexpr std::array kKindsOfProviders = {Kind::Reply, Kind::Event, Kind::Row,
+                                            Kind::Taken, Kind::Tally, Kind::Acknowledge};
   unsigned events = 0, ended = 0;
   for (unsigned seed = 0; seed < kSessions; ++seed) {
     Played played;

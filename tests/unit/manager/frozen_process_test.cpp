@@ -6,6 +6,7 @@
 #include <suture/component/periodic_task.h>
 #include <suture/manager/global_manager.h>
 #include <suture/manager/manager.h>
+#include <suture/observe/observe.h>
 #include <suture/transport/rpc/control_thread.h>
 
 #include <map>
@@ -60,7 +61,7 @@ struct NumberingClient final : PeriodicTask {
       ++losses;
     }
     if (!was && connected) ++epoch;
-    while (connected && slave.limit(number, reference::Mode::Enabled)) {
+    while (connected && !silent && slave.limit(number, reference::Mode::Enabled)) {
       epochOf[number++] = epoch;
       accepted = epoch;
     }
@@ -69,7 +70,7 @@ struct NumberingClient final : PeriodicTask {
   int number = 1, epoch = 0;
   std::map<int, int> epochOf;
   std::map<int, Time> told;
-  std::atomic<bool> connected{false};
+  std::atomic<bool> connected{false}, silent{false};
   std::atomic<int> losses{0}, accepted{0};  // the latest connection that took a command
   Required<reference::ArmLike> slave{*this, "Slave"};
 };
@@ -116,6 +117,11 @@ class FrozenProcess : public testing::TestWithParam<std::tuple<Lane, Frozen, boo
     (providerFirst ? provider_ : client_).thaw();
     pass(20ms);
     (providerFirst ? client_ : provider_).thaw();
+  }
+  /// The only connection of this process, as it sees it.
+  static ConnectionReport ledger(const Manager& manager) {
+    const Report report = observe(manager, {});
+    return report.connections.empty() ? ConnectionReport{} : report.connections.front();
   }
   int executedAfterLoss() const {
     int count = 0;
@@ -169,6 +175,42 @@ TEST_P(FrozenProcess, ExecutesNothingOfAConnectionThatIsLost) {
   robot_->stop();
   EXPECT_EQ(executedAfterLoss(), 0);
   EXPECT_GT(arm_.executed.size(), 50u);
+}
+
+// The same process, back, tells what became of the commands of the connection that was lost.
+TEST_P(FrozenProcess, KnowsInTheEndWhatBecameOfEachCommand) {
+  connect();
+  for (int round = 0; round < 3; ++round) {
+    ASSERT_TRUE(eventually([this] { return teleop_.connected.load(); }));
+    pass(20ms);
+    arm_.slow = inADrain();
+    ASSERT_TRUE(eventually([this] { return arm_.inHandler == inADrain(); }));
+    freeze();
+    pass(2 * kSilence);
+    const ConnectionReport sums = ledger(*console_);
+    // Memory that both share tells even a client that is frozen.
+    if (lane() != Lane::Shm) {
+      EXPECT_GT(sums.unknown + sums.underWay, 0u);
+    }
+    thaw();
+    arm_.slow = false;
+    ASSERT_TRUE(eventually([this, round] { return teleop_.losses == round + 1; }));
+  }
+  teleop_.silent = true;
+  ASSERT_TRUE(eventually([this] {
+    const ConnectionReport sums = ledger(*console_);
+    return teleop_.connected && sums.unknown == 0 && sums.underWay == 0;
+  }));
+  const ConnectionReport client = ledger(*console_), provider = ledger(*robot_);
+  EXPECT_EQ(client.otherIncarnation, robot_->incarnation());
+  EXPECT_EQ(provider.otherIncarnation, console_->incarnation());
+  console_->stop();
+  robot_->stop();
+  EXPECT_EQ(client.sent, static_cast<unsigned>(teleop_.number - 1));
+  EXPECT_EQ(client.executed, arm_.executed.size());
+  EXPECT_EQ(client.sent, client.executed + client.refused + client.lost);
+  EXPECT_EQ(provider.executed, arm_.executed.size());
+  EXPECT_EQ(provider.sent, provider.executed + provider.refused + provider.lost);
 }
 
 // What a client sends before it knows that it has stood still comes too late.

@@ -241,7 +241,8 @@ TEST(Reconnect, AfterALossOverRpcTheNewChannelIsShown) {
   ASSERT_EQ(channels.size(), 1u);
   EXPECT_NE(channels.front(), lost);
   EXPECT_EQ(channels.front()->status, ChannelStatus::Connected);
-  EXPECT_TRUE(eventually([&] { return channels.front()->commands.counters.executed > 0; }));
+  EXPECT_TRUE(eventually(
+      [&] { return channels.front()->counts->heard(ChannelCounts::End::Client).executed > 0; }));
 }
 
 TEST(Reconnect, AStaleReadAwaitsTheOperator) {

@@ -16,7 +16,11 @@ ConnectionReport clientEnd(const std::string& name) {
   end.lane = "rpc";
   end.end = ConnectionEnd::Client;
   end.sent = 100;
-  end.replaced = 1;
+  end.executed = 90;
+  end.replaced = 2;
+  end.underWay = 3;
+  end.unknown = 5;
+  end.heard = {.executed = 90, .replaced = 1};
   end.bytesSent = 5000;
   end.contract = {.staleReads = 6, .losses = 7, .awaitsOperator = true};
   end.readAge = {90, 1ms, 2ms, 3ms};

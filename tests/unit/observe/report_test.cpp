@@ -26,9 +26,15 @@ suture::Report sample() {
   connection.failed = 10;
   connection.eventsDelivered = 11;
   connection.eventsDropped = 12;
-  connection.lost = 55;
-  connection.duplicated = 56;
-  connection.overtaken = 57;
+  connection.messagesLost = 55;
+  connection.messagesDuplicated = 56;
+  connection.messagesOvertaken = 57;
+  connection.cancelled = 60;
+  connection.lost = 61;
+  connection.unknown = 62;
+  connection.underWay = 63;
+  connection.heard = {.executed = 64};
+  connection.otherIncarnation = 65;
   connection.readAge = {13, 14ns, 15ns, 16ns};
   connection.commandAge = {17, 18ns, 19ns, 20ns};
   suture::TaskReport task;
@@ -42,7 +48,7 @@ suture::Report sample() {
   task.computeTime = {27, 28ns, 29ns, 30ns};
   task.window = {31ns, 32, 33, {34ns, 35ns, 36ns, 37ns, 38ns}, {39ns, 40ns, 41ns, 42ns, 43ns}};
   const suture::DeviceReport device{"Shelf", suture::ComponentState::Faulted, "it fell", 54};
-  return {"left", 2s, {connection}, {task}, {device}, {58, "user 7: no"}};
+  return {"left", 2s, {connection}, {task}, {device}, {58, "user 7: no"}, 59};
 }
 
 TEST(Report, SurvivesJson) {
@@ -59,11 +65,16 @@ TEST(Report, EveryFieldIsInTheJson) {
   EXPECT_EQ(connection.at("contract").at("stale_reads"), 51);
   EXPECT_EQ(connection.at("contract").at("losses"), 52);
   EXPECT_EQ(connection.at("contract").at("awaits_operator"), true);
-  EXPECT_EQ(connection.at("dropped"), 19);
+  EXPECT_EQ(connection.at("dropped"), 79);
+  EXPECT_EQ(connection.at("lost"), 61);
+  EXPECT_EQ(connection.at("unknown"), 62);
+  EXPECT_EQ(connection.at("under_way"), 63);
+  EXPECT_EQ(connection.at("heard").at("executed"), 64);
+  EXPECT_EQ(json.at("incarnation"), 59);
   EXPECT_EQ(connection.at("events_dropped"), 12);
-  EXPECT_EQ(connection.at("lost"), 55);
-  EXPECT_EQ(connection.at("duplicated"), 56);
-  EXPECT_EQ(connection.at("overtaken"), 57);
+  EXPECT_EQ(connection.at("messages_lost"), 55);
+  EXPECT_EQ(connection.at("messages_duplicated"), 56);
+  EXPECT_EQ(connection.at("messages_overtaken"), 57);
   EXPECT_EQ(connection.at("command_age").at("max"), 20);
   const auto& task = json.at("tasks").at(0);
   EXPECT_EQ(task.at("state"), "faulted");
@@ -89,7 +100,7 @@ TEST(Report, AConnectionWithoutAContractHasNone) {
 }
 
 TEST(Report, DroppedIsWhatWasNeitherExecutedNorLateNorReplaced) {
-  EXPECT_EQ(sample().connections[0].dropped(), 5u + 6 + 8);
+  EXPECT_EQ(sample().connections[0].dropped(), 5u + 6 + 8 + 60);
 }
 
 TEST(Report, AnotherJsonIsAnError) {

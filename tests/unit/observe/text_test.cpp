@@ -45,17 +45,20 @@ TEST(Text, TellsAllOfAConnection) {
   one.contract = {.staleReads = 7, .losses = 1, .awaitsOperator = true};
   one.failed = 4;
   one.eventsDropped = 5;
-  one.lost = 6;
-  one.duplicated = 7;
-  one.overtaken = 8;
+  one.lost = 9;
+  one.unknown = 10;
+  one.underWay = 11;
+  one.messagesLost = 6;
+  one.messagesDuplicated = 7;
+  one.messagesOvertaken = 8;
   EXPECT_EQ(
       toText({"left", 0s, {one}, {}, {}}),
       "process left after 0.0 s\n"
       "connections\n"
       "  left:Teleop/Slave -> right:PSM1/Arm: rpc, connected, both ends\n"
       "    sent 100, executed 95, dropped 3, late 2, stale reads 7, losses 1, awaits its "
-      "operator, failed 4, events dropped 5, messages lost 6, duplicated 7, overtaken 8, last "
-      "loss: hung: it sleeps\n");
+      "operator, failed 4, events dropped 5, lost 9, unknown 10, under way 11, messages lost 6, "
+      "duplicated 7, overtaken 8, last loss: hung: it sleeps\n");
 }
 
 TEST(Text, TellsWhatWasRefusedToPeers) {
@@ -69,8 +72,8 @@ TEST(Text, SaysWhichEndCountsWhatThisOneDoesNot) {
             "process left after 0.0 s\n"
             "connections\n"
             "  left:Teleop/Slave -> right:PSM1/Arm: rpc, connected, its client's end\n"
-            "    sent 100, executed 95 (as heard), dropped 3 (at this end), late: see the "
-            "provider's end, no contract\n");
+            "    sent 100, executed 95 (as heard), dropped 3 (at this end), late 2, "
+            "no contract\n");
   EXPECT_EQ(
       toText({"right", 0s, {connection(ConnectionEnd::Provider)}, {}, {}}),
       "process right after 0.0 s\n"
