@@ -2,6 +2,7 @@
 #include <suture/component/ledger.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace suture {
 namespace {
@@ -75,21 +76,26 @@ void Ledger::begin(const std::shared_ptr<Channel>& channel, std::uint64_t otherP
                    const Earlier& earlier) {
   const std::lock_guard lock(mutex_);
   fold();
+  lostHere_ = lostOf(groups());
   if (otherProcess != otherProcess_) leaveProcess();
   otherProcess_ = otherProcess;
   earlier_ = earlier;
   entries_.push_back({channel, channel->counts, otherProcess});
 }
 
+// What is lost stays so, also while more channels are added of which the last word is awaited.
+std::uint64_t Ledger::lostOf(const Groups& all) const {
+  if (!earlier_.ended) return lostHere_;
+  Group earlier = all.earlier;
+  earlier.heard = larger(earlier.heard, earlier_.tally);
+  return earlier.open();
+}
+
 // What it has told is kept, also of channels that somebody still has.
 void Ledger::leaveProcess() {
   const Groups all = groups();
   const Tally told = larger(all.earlier.heard, earlier_.tally);
-  if (earlier_.ended) {
-    Group earlier = all.earlier;
-    earlier.heard = told;
-    lostThere_ += earlier.open();
-  }
+  lostThere_ += std::exchange(lostHere_, 0);
   ended_.heard = told - (all.earlier.heard - ended_.heard);
   gone_ = gone_ + ended_;
   ended_ = {};
@@ -148,8 +154,9 @@ void Ledger::divideOpen(const Groups& all, const Channel* latest, Sums& sums) co
   if (end_ == End::Client) {
     const bool over = latest == nullptr || isOver(latest->status.load(std::memory_order_acquire));
     (over ? sums.unknown : sums.underWay) += all.latest.open();
-    (earlier_.ended ? sums.lost : sums.unknown) += all.earlier.open();
-    sums.lost += lostThere_;
+    const std::uint64_t lost = lostOf(all);
+    sums.lost += lost + lostThere_;
+    sums.unknown += withoutDebt(all.earlier.open(), lost);
     sums.unknown += withoutDebt(all.gone.open(), lostThere_);
   } else {
     // A thread may still be at one of a channel that is over.

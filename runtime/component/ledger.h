@@ -80,6 +80,8 @@ class Ledger {
   void divideOpen(const Groups& all, const Channel* latest, Sums& sums) const;
   void fold();
   void leaveProcess();
+  /// Client's end: how many commands to the present process never reached it, as it has said.
+  std::uint64_t lostOf(const Groups& all) const;
 
   const ChannelCounts::End end_;
   mutable std::mutex mutex_;
@@ -87,8 +89,8 @@ class Ledger {
   std::vector<Entry> entries_;  // oldest first; the last is the connection's
   // Of channels that nobody has any more: to processes that are gone, and to the present one.
   Group gone_, ended_;
-  std::uint64_t lostThere_ = 0;  // of the first
-  Earlier earlier_;              // what the present one has told of all but the last
+  std::uint64_t lostThere_ = 0, lostHere_ = 0;  // at processes that are gone, at the present one
+  Earlier earlier_;                             // what the present one has told of all but the last
 };
 
 }  // namespace suture

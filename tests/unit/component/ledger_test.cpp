@@ -107,6 +107,19 @@ TEST_F(ClientsLedger, WhatWasLostStaysLostWhenTheProcessIsGone) {
   EXPECT_EQ(sums.unknown, 0u);
 }
 
+TEST_F(ClientsLedger, WhatWasLostStaysLostWhileTheLastWordOnMoreIsAwaited) {
+  tenOfWhichThreeAreUnderWay();
+  const auto next = makeChannel();
+  ledger_.begin(next, kRobot, {{.executed = 8, .late = 1}, true});
+  send(*next, 4);
+  ledger_.begin(makeChannel(), kRobot, {{.executed = 10, .late = 1}, false});
+  EXPECT_EQ(ledger_.sums().lost, 1u);
+  EXPECT_EQ(ledger_.sums().unknown, 2u);
+  ledger_.tell({{.executed = 11, .late = 1}, true});
+  EXPECT_EQ(ledger_.sums().lost, 2u);
+  EXPECT_EQ(ledger_.sums().unknown, 0u);
+}
+
 TEST_F(ClientsLedger, ALaneSaysWhatItHasLost) {
   const auto channel = tenOfWhichThreeAreUnderWay();
   channel->counts->lost = 2;
