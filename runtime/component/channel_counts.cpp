@@ -1,35 +1,32 @@
 #include <suture/component/channel_counts.h>
+#include <suture/rt/counter.h>
 
 namespace suture {
 namespace {
 
-std::uint64_t count(const std::atomic<std::uint64_t>& counter) {
-  return counter.load(std::memory_order_relaxed);
-}
-
-/// What the consumer of the commands and the producer of the events count.
+/// The provider counts these: it takes the commands and emits the events.
 Tally ofProvider(const rt::MailboxCounters& commands, const rt::EventCounters& events) {
-  return {.executed = count(commands.executed),
-          .late = count(commands.late),
-          .refused = count(commands.refused),
-          .failed = count(commands.failed),
-          .superseded = count(commands.superseded),
-          .cancelled = count(commands.cancelled),
-          .eventsDropped = count(events.dropped)};
+  return {.executed = rt::count(commands.executed),
+          .late = rt::count(commands.late),
+          .refused = rt::count(commands.refused),
+          .failed = rt::count(commands.failed),
+          .superseded = rt::count(commands.superseded),
+          .cancelled = rt::count(commands.cancelled),
+          .eventsDropped = rt::count(events.dropped)};
 }
 
 }  // namespace
 
-Tally ChannelCounts::own(End end) const {
+Tally ChannelCounts::own(ConnectionEnd end) const {
   Tally tally;
-  if (!foreign || end == End::Provider) tally = ofProvider(*commands, *events);
-  if (!foreign || end == End::Client) tally.replaced = count(commands->replaced);
-  tally.refused += count(turnedAway);
+  if (!foreign || end == ConnectionEnd::Provider) tally = ofProvider(*commands, *events);
+  if (!foreign || end == ConnectionEnd::Client) tally.replaced = rt::count(commands->replaced);
+  tally.refused += rt::count(turnedAway);
   return tally;
 }
 
-Tally ChannelCounts::heard(End end) const {
-  const bool shared = foreign && end == End::Client;
+Tally ChannelCounts::heard(ConnectionEnd end) const {
+  const bool shared = foreign && end == ConnectionEnd::Client;
   return shared ? ofProvider(*commands, *events) : told.load();
 }
 

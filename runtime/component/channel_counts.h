@@ -1,5 +1,6 @@
 #pragma once
-// What one end of a channel counts, for as long as anybody asks: longer than the channel lives.
+// The counts of one end of a channel. They live for as long as somebody asks for them, which is
+// longer than the channel does.
 
 #include <suture/component/tally.h>
 #include <suture/rt/event_queue.h>
@@ -10,21 +11,20 @@
 
 namespace suture {
 
+/// Which ends of a connection a process has.
+enum class ConnectionEnd : std::uint8_t { Client, Provider, Both };
+
 /// Any thread may read.
 struct ChannelCounts {
-  /// Which end of the channel this process has.
-  enum class End : std::uint8_t { Client, Provider, Both };
-
-  /// What this end has counted itself, and what the other has told it. In foreign memory both
+  /// This end has counted own() itself, and the other has told it heard(). In foreign memory both
   /// processes see all counters, and each leaves the other's to it.
-  Tally own(End end) const;
-  Tally heard(End end) const;
+  Tally own(ConnectionEnd end) const;
+  Tally heard(ConnectionEnd end) const;
 
   const std::shared_ptr<const rt::MailboxCounters> commands;
   const std::shared_ptr<const rt::EventCounters> events;
   const bool foreign;
-  /// Of the commands that have left this end: the lane's thread writes what the provider's end has
-  /// counted.
+  /// Client's end: the lane's thread writes what the provider's end has told it.
   SharedTally told{};
   /// Provider's end: how many have arrived that were not let into the mailbox. Written by the lane.
   std::atomic<std::uint64_t> turnedAway{0};

@@ -1,5 +1,6 @@
 #include <suture/component/channel.h>
 #include <suture/component/ledger.h>
+#include <suture/rt/counter.h>
 
 #include <algorithm>
 #include <utility>
@@ -7,14 +8,8 @@
 namespace suture {
 namespace {
 
-using End = ChannelCounts::End;
-
 std::uint64_t withoutDebt(std::uint64_t count, std::uint64_t others) {
   return count - std::min(count, others);
-}
-
-std::uint64_t count(const std::atomic<std::uint64_t>& counter) {
-  return counter.load(std::memory_order_relaxed);
 }
 
 Tally larger(const Tally& one, const Tally& other) {
@@ -23,7 +18,7 @@ Tally larger(const Tally& one, const Tally& other) {
 
 }  // namespace
 
-// What has been heard may be older than what was sent, and never newer.
+// What has been heard may be older than what was sent, but it is never newer.
 std::uint64_t Ledger::Group::open() const {
   return withoutDebt(accepted, own.commands() + heard.commands() + lost);
 }
@@ -41,19 +36,20 @@ Ledger::Group Ledger::Group::operator+(const Group& other) const {
   return sum;
 }
 
-// Of the provider's end, what its lane puts in has been accepted from the client.
+// At the provider's end the lane is the sender, and what it puts in has been accepted.
 Ledger::Group Ledger::groupOf(const ChannelCounts& counts) const {
   const rt::MailboxCounters& commands = *counts.commands;
   Group group;
   group.own = counts.own(end_);
   group.heard = counts.heard(end_);
-  group.lost = count(counts.lost);
-  if (end_ != End::Provider) {
-    group.turnedDown = {count(commands.full), count(commands.tooLarge), count(commands.invalid)};
+  group.lost = rt::count(counts.lost);
+  if (end_ != ConnectionEnd::Provider) {
+    group.turnedDown = {rt::count(commands.full), rt::count(commands.tooLarge),
+                        rt::count(commands.invalid)};
   }
-  group.eventsDelivered = count(counts.events->delivered);
+  group.eventsDelivered = rt::count(counts.events->delivered);
   // Read last: what has an outcome has been sent.
-  group.accepted = count(commands.sent) + count(counts.turnedAway);
+  group.accepted = rt::count(commands.sent) + rt::count(counts.turnedAway);
   return group;
 }
 
@@ -111,7 +107,7 @@ Earlier Ledger::before(const Channel& latest) {
   const std::lock_guard lock(mutex_);
   fold();
   Group group = ended_;
-  bool ended = true;
+  bool ended = history_ == History::Whole;
   for (const Entry& entry : entries_) {
     if (entry.counts == latest.counts) continue;
     group = group + groupOf(*entry.counts);
@@ -151,7 +147,7 @@ Sums Ledger::sums() const {
 }
 
 void Ledger::divideOpen(const Groups& all, const Channel* latest, Sums& sums) const {
-  if (end_ == End::Client) {
+  if (end_ == ConnectionEnd::Client) {
     const bool over = latest == nullptr || isOver(latest->status.load(std::memory_order_acquire));
     (over ? sums.unknown : sums.underWay) += all.latest.open();
     const std::uint64_t lost = lostOf(all);

@@ -41,7 +41,13 @@ struct Sums {
 /// with it. Any thread but a task's may use it.
 class Ledger {
  public:
-  explicit Ledger(ChannelCounts::End end) : end_(end) {}
+  enum class History : std::uint8_t {
+    Whole,
+    Forgotten,  ///< there may have been channels that it knows nothing of
+  };
+
+  explicit Ledger(ConnectionEnd end, History history = History::Whole)
+      : end_(end), history_(history) {}
 
   /// From now on `channel` is the connection's, to a process of that incarnation. `earlier`: what
   /// it tells of the channels before.
@@ -49,7 +55,8 @@ class Ledger {
              const Earlier& earlier = {});
   /// Client's end: more about the same channels as before.
   void tell(const Earlier& earlier);
-  /// Provider's end: what there is to tell of all channels but `latest`.
+  /// Provider's end: what there is to tell of all channels but `latest`. Never the last word, if
+  /// something has been forgotten.
   Earlier before(const Channel& latest);
 
   Sums sums() const;
@@ -83,7 +90,8 @@ class Ledger {
   /// Client's end: how many commands to the present process never reached it, as it has said.
   std::uint64_t lostOf(const Groups& all) const;
 
-  const ChannelCounts::End end_;
+  const ConnectionEnd end_;
+  const History history_;
   mutable std::mutex mutex_;
   std::uint64_t otherProcess_ = 0;
   std::vector<Entry> entries_;  // oldest first; the last is the connection's

@@ -1,6 +1,7 @@
 #include <suture/base/virtual_time.h>
 #include <suture/component/channel.h>
 #include <suture/component/provided.h>
+#include <suture/rt/counter.h>
 
 #include <algorithm>
 #include <array>
@@ -14,11 +15,6 @@ std::size_t payloadWords(const InterfaceInfo& info) {
   std::size_t size = 0;
   for (const EventInfo& event : info.events) size = std::max<std::size_t>(size, event.payloadSize);
   return (size + 7) / 8;
-}
-
-// The counters have one writer each.
-void increment(std::atomic<std::uint64_t>& counter) {
-  counter.store(counter.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
 }
 
 /// The turn of one command, which ends on every way out, also when the handler throws: its room is
@@ -46,7 +42,7 @@ class Turn {
   /// The command has been executed: its place is free, before anybody sees the answer.
   void release() {
     if (std::exchange(released_, true)) return;
-    increment(*outcome);
+    rt::increment(*outcome);
     // A newest-wins command without an answer travels in its cell, not in the ring.
     const bool usesCredit = !channel_.info.commands[command_].latest || call_ != 0;
     channel_.commands.pop();

@@ -172,7 +172,7 @@ class Network::Impl {
   // Of a connection that is taken down and made again, too.
   std::shared_ptr<Ledger> ledgerOf(const std::string& connection) {
     std::shared_ptr<Ledger>& ledger = ledgers_[connection];
-    if (ledger == nullptr) ledger = std::make_shared<Ledger>(ChannelCounts::End::Client);
+    if (ledger == nullptr) ledger = std::make_shared<Ledger>(ConnectionEnd::Client);
     return ledger;
   }
 

@@ -72,11 +72,13 @@ void PeerHost::forget(const rpc::ProviderEnd& end) {
 
 std::shared_ptr<Ledger> PeerHost::ledgerOf(const std::string& name, std::uint64_t client) {
   if (accounts_.size() >= kMostAccounts) {
+    history_ = Ledger::History::Forgotten;
     std::erase_if(accounts_, [](const auto& one) { return one.second.ledger.use_count() == 1; });
   }
   Account& account = accounts_[name];
-  if (account.ledger == nullptr || account.client != client) {
-    account = {client, std::make_shared<Ledger>(ChannelCounts::End::Provider)};
+  const bool unnamed = client == 0;  // a process of before incarnations were told
+  if (account.ledger == nullptr || account.client != client || unnamed) {
+    account = {client, std::make_shared<Ledger>(ConnectionEnd::Provider, history_)};
   }
   return account.ledger;
 }

@@ -78,7 +78,8 @@ class PeerHost {
     std::shared_ptr<Ledger> ledger;
   };
   std::map<std::string, Account> accounts_;  // by connection
-  std::map<std::string, Latest> latest_;     // by required interface, with its process
+  Ledger::History history_ = Ledger::History::Whole;
+  std::map<std::string, Latest> latest_;  // by required interface, with its process
   mutable std::mutex mutex_;
   std::vector<std::shared_ptr<Channel>> served_;
   FrameSockets frames_;

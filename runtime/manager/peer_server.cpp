@@ -281,8 +281,10 @@ wire::ConnectResults::Accepted::Builder PeerServer::accepted(Asked& asked, rpc::
 
 kj::Promise<void> PeerServer::serveCalls(Asked& asked, const std::string& laneReason) {
   auto in = asked.context.getParams();
-  auto port = serve(asked.provided, asked.endpoint, asked.name, in.getEvents(), in.getClockOffset(),
-                    in.getClockError(), true);
+  auto channel = callsChannel(asked.provided, asked.name, in.getEvents());
+  setClock(*channel, in.getClockOffset(), in.getClockError());
+  enter(channel);
+  auto port = serve(asked.provided, asked.endpoint, std::move(channel));
   auto out = accepted(asked, *port);
   if (!laneReason.empty()) out.setLaneReason(textOf(laneReason));
   out.setContract(asked.provided.info().binding().makeServant(kj::mv(port)));
@@ -298,8 +300,7 @@ void PeerServer::shareMemory(Asked& asked, const InterfaceInfo& contract,
   enter(offer.channel);
   auto out = accepted(asked, *kj::refcounted<StatusPort>(host_.control_, offer.channel));
   toWire(offer.parts, out.initMemory());
-  asked.provided.attach(offer.channel);
-  host_.remember(std::move(offer.channel));
+  attach(asked.provided, std::move(offer.channel));
 }
 
 void PeerServer::sendFrames(Asked& asked, const InterfaceInfo& contract,
@@ -330,8 +331,7 @@ void PeerServer::sendFrames(Asked& asked, const InterfaceInfo& contract,
   KJ_IF_MAYBE (token, offered.token) {
     offer.setToken({reinterpret_cast<const kj::byte*>(token->data()), token->size()});
   }
-  asked.provided.attach(channel);
-  host_.remember(std::move(channel));
+  attach(asked.provided, std::move(channel));
 }
 
 kj::Promise<void> PeerServer::open(OpenContext context) {
@@ -346,7 +346,7 @@ kj::Promise<void> PeerServer::open(OpenContext context) {
       [this, context, endpoint]() mutable -> kj::Promise<void> {
         ProvidedBase& provided = host_.directory_.provided(endpoint);
         const std::string name = "(a plain client) -> " + endpoint.toString();
-        auto port = serve(provided, endpoint, name, ~EventSet{0}, 0, 0, false);
+        auto port = serve(provided, endpoint, callsChannel(provided, name, ~EventSet{0}));
         ends_.add(kj::addRef(*port));
         context.getResults().setContract(provided.info().binding().makeServant(kj::mv(port)));
         return kj::READY_NOW;
@@ -382,22 +382,27 @@ Endpoint PeerServer::endpointOf(capnp::Text::Reader component,
   return {host_.directory_.process(), stringOf(component), stringOf(interface)};
 }
 
-kj::Own<rpc::ServantPort> PeerServer::serve(ProvidedBase& provided, const Endpoint& endpoint,
-                                            const std::string& name, EventSet events,
-                                            std::int64_t clockOffset, std::int64_t clockError,
-                                            bool hasAccount) {
+std::shared_ptr<Channel> PeerServer::callsChannel(ProvidedBase& provided, const std::string& name,
+                                                  EventSet events) const {
   const std::shared_ptr<rt::Doorbell> bell = host_.control_.sharedDoorbell();
   const Channel::Ends ends{.client = bell.get(), .provider = &host_.serverOf_(provided)};
   auto channel =
       std::make_shared<Channel>(provided.info(), name, "rpc", ends, provided.state(), events);
   channel->clientsBell = bell;
-  setClock(*channel, clockOffset, clockError);
+  return channel;
+}
+
+kj::Own<rpc::ServantPort> PeerServer::serve(ProvidedBase& provided, const Endpoint& endpoint,
+                                            std::shared_ptr<Channel> channel) {
   auto port = kj::refcounted<rpc::ServantPort>(host_.control_, channel, caller_->counters);
   if (mayOnlyRead(endpoint)) port->setReadOnly();
-  if (hasAccount) enter(channel);
+  attach(provided, std::move(channel));
+  return port;
+}
+
+void PeerServer::attach(ProvidedBase& provided, std::shared_ptr<Channel> channel) {
   provided.attach(channel);
   host_.remember(std::move(channel));
-  return port;
 }
 
 }  // namespace suture

@@ -44,11 +44,12 @@ class PeerServer final : public wire::Peer::Server {
   kj::Promise<void> serveCalls(Asked& asked, const std::string& laneReason);
   void shareMemory(Asked& asked, const InterfaceInfo& contract, std::shared_ptr<MemoryBlock> bell);
   void putTasks(wire::Peer::PingResults::Builder results) const;
+  std::shared_ptr<Channel> callsChannel(ProvidedBase& provided, const std::string& name,
+                                        EventSet events) const;
   kj::Own<rpc::ServantPort> serve(ProvidedBase& provided, const Endpoint& endpoint,
-                                  const std::string& name, EventSet events,
-                                  std::int64_t clockOffset, std::int64_t clockError,
-                                  bool hasAccount);
-  /// Enters it into the sums of its name; before it is attached.
+                                  std::shared_ptr<Channel> channel);
+  void attach(ProvidedBase& provided, std::shared_ptr<Channel> channel);
+  /// Enters it into the sums of its name.
   void enter(const std::shared_ptr<Channel>& channel);
   /// Why the caller is not the process that it says it is, or is not to have that interface.
   std::optional<Refusal> whyNotProcess(const std::string& name) const;

@@ -5,17 +5,6 @@
 namespace suture {
 namespace {
 
-Tally tallyOf(const ConnectionReport& one) {
-  return {.executed = one.executed,
-          .late = one.late,
-          .refused = one.refused,
-          .failed = one.failed,
-          .replaced = one.replaced,
-          .superseded = one.superseded,
-          .cancelled = one.cancelled,
-          .eventsDropped = one.eventsDropped};
-}
-
 // What the provider has counted since it last told its client.
 void settleMore(ConnectionReport& whole, std::uint64_t commands) {
   for (std::uint64_t* const open : {&whole.underWay, &whole.unknown}) {
@@ -42,20 +31,10 @@ void complete(ConnectionReport& whole, const ConnectionReport& other) {
   whole = client;
   whole.end = ConnectionEnd::Both;
   if (client.status == ChannelStatus::Connected) whole.status = provider.status;
-  const Tally& heard = client.heard;
-  const auto exact = [](std::uint64_t clients, std::uint64_t told, std::uint64_t providers) {
-    return clients - std::min(clients, told) + providers;
-  };
-  whole.executed = exact(client.executed, heard.executed, provider.executed);
-  whole.late = exact(client.late, heard.late, provider.late);
-  whole.superseded = exact(client.superseded, heard.superseded, provider.superseded);
-  whole.replaced = exact(client.replaced, heard.replaced, provider.replaced);
-  whole.failed = exact(client.failed, heard.failed, provider.failed);
-  whole.refused = exact(client.refused, heard.refused, provider.refused);
-  whole.cancelled = exact(client.cancelled, heard.cancelled, provider.cancelled);
-  whole.eventsDropped = exact(client.eventsDropped, heard.eventsDropped, provider.eventsDropped);
+  const Tally& provided = provider;
+  static_cast<Tally&>(whole) = client - client.heard + provided;
   whole.heard = {};
-  settleMore(whole, (tallyOf(provider) - heard).commands());
+  settleMore(whole, (provided - client.heard).commands());
   whole.commandAge = provider.commandAge;
 }
 

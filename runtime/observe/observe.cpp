@@ -1,6 +1,7 @@
 #include <suture/component/ledger.h>
 #include <suture/component/task.h>
 #include <suture/observe/observe.h>
+#include <suture/rt/counter.h>
 
 #include <algorithm>
 
@@ -9,10 +10,6 @@ namespace {
 
 Distribution distribution(const rt::Histogram& histogram) {
   return {histogram.count(), histogram.quantile(0.5), histogram.quantile(0.99), histogram.max()};
-}
-
-std::uint64_t count(const std::atomic<std::uint64_t>& counter) {
-  return counter.load(std::memory_order_relaxed);
 }
 
 // A lane's own end of a channel is woken by a doorbell that is no component's.
@@ -29,47 +26,31 @@ ConnectionEnd endOf(const Channel& channel, const std::vector<Component*>& compo
 std::optional<ContractReport> contractOf(const Channel& channel, ConnectionEnd end) {
   if (channel.watch == nullptr || end == ConnectionEnd::Provider) return std::nullopt;
   return ContractReport{
-      .staleReads = count(channel.watch->staleReads),
-      .losses = count(channel.watch->losses),
+      .staleReads = rt::count(channel.watch->staleReads),
+      .losses = rt::count(channel.watch->losses),
       .awaitsOperator = channel.watch->awaitsOperator.load(std::memory_order_relaxed)};
-}
-
-ChannelCounts::End endOf(ConnectionEnd end) {
-  switch (end) {
-    case ConnectionEnd::Client: return ChannelCounts::End::Client;
-    case ConnectionEnd::Provider: return ChannelCounts::End::Provider;
-    case ConnectionEnd::Both: break;
-  }
-  return ChannelCounts::End::Both;
 }
 
 // A connection within a process is one channel for as long as it stands.
 Sums sumsOf(const std::shared_ptr<Channel>& channel, ConnectionEnd end) {
   if (channel->ledger != nullptr) return channel->ledger->sums();
-  Ledger ledger(endOf(end));
+  Ledger ledger(end);
   ledger.begin(channel, 0);
   return ledger.sums();
 }
 
 void putSums(const Sums& sums, ConnectionReport& report) {
+  static_cast<Tally&>(report) = sums.tally;
+  report.heard = sums.heard;
   report.sent = sums.accepted;
-  report.executed = sums.tally.executed;
   report.full = sums.turnedDown.full;
   report.tooLarge = sums.turnedDown.tooLarge;
   report.invalid = sums.turnedDown.invalid;
-  report.replaced = sums.tally.replaced;
-  report.superseded = sums.tally.superseded;
-  report.late = sums.tally.late;
-  report.failed = sums.tally.failed;
-  report.refused = sums.tally.refused;
-  report.cancelled = sums.tally.cancelled;
   report.lost = sums.lost;
   report.unknown = sums.unknown;
   report.underWay = sums.underWay;
-  report.heard = sums.heard;
   report.otherIncarnation = sums.otherProcess;
   report.eventsDelivered = sums.eventsDelivered;
-  report.eventsDropped = sums.tally.eventsDropped;
 }
 
 ConnectionReport reportOf(const std::shared_ptr<Channel>& shared, ConnectionEnd end) {
@@ -82,13 +63,13 @@ ConnectionReport reportOf(const std::shared_ptr<Channel>& shared, ConnectionEnd 
   report.clockError = channel.clockError;
   report.end = end;
   report.status = channel.status.load(std::memory_order_acquire);
-  report.bytesSent = count(channel.bytesSent);
-  report.bytesReceived = count(channel.bytesReceived);
+  report.bytesSent = rt::count(channel.bytesSent);
+  report.bytesReceived = rt::count(channel.bytesReceived);
   report.contract = contractOf(channel, end);
   putSums(sumsOf(shared, end), report);
-  report.messagesLost = count(channel.delivery.lost);
-  report.messagesDuplicated = count(channel.delivery.duplicated);
-  report.messagesOvertaken = count(channel.delivery.overtaken);
+  report.messagesLost = rt::count(channel.delivery.lost);
+  report.messagesDuplicated = rt::count(channel.delivery.duplicated);
+  report.messagesOvertaken = rt::count(channel.delivery.overtaken);
   report.readAge = distribution(channel.readAge);
   report.commandAge = distribution(channel.commandAge);
   return report;
@@ -109,8 +90,8 @@ TaskReport reportOf(const Task& task) {
           .state = state,
           .fault = state == ComponentState::Faulted ? task.fault() : "",
           .faults = task.faults(),
-          .cycles = count(statistics.cycles),
-          .skipped = count(statistics.skipped),
+          .cycles = rt::count(statistics.cycles),
+          .skipped = rt::count(statistics.skipped),
           .lateness = distribution(statistics.lateness),
           .computeTime = distribution(statistics.computeTime),
           .window = reportOf(statistics.windows.last())};

@@ -73,6 +73,9 @@ void eachField(Counts& value,
   visit("events_dropped", value.eventsDropped);
 }
 
+Tally& tallyIn(ConnectionReport& report) { return report; }
+const Tally& tallyIn(const ConnectionReport& report) { return report; }
+
 template <class Connection, class Visit>
 void eachField(Connection& value, const Visit& visit) requires
     std::is_same_v<std::remove_const_t<Connection>, ConnectionReport> {
@@ -87,24 +90,17 @@ void eachField(Connection& value, const Visit& visit) requires
   visit("bytes_sent", value.bytesSent);
   visit("bytes_received", value.bytesReceived);
   visit("contract", value.contract);
+  eachField(tallyIn(value), visit);
   visit("sent", value.sent);
-  visit("executed", value.executed);
   visit("full", value.full);
   visit("too_large", value.tooLarge);
   visit("invalid", value.invalid);
-  visit("replaced", value.replaced);
-  visit("superseded", value.superseded);
-  visit("late", value.late);
-  visit("failed", value.failed);
-  visit("refused", value.refused);
-  visit("cancelled", value.cancelled);
   visit("lost", value.lost);
   visit("unknown", value.unknown);
   visit("under_way", value.underWay);
   visit("heard", value.heard);
   visit("other_incarnation", value.otherIncarnation);
   visit("events_delivered", value.eventsDelivered);
-  visit("events_dropped", value.eventsDropped);
   visit("messages_lost", value.messagesLost);
   visit("messages_duplicated", value.messagesDuplicated);
   visit("messages_overtaken", value.messagesOvertaken);

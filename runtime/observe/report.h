@@ -23,9 +23,6 @@ struct Distribution {
   Duration p50{}, p99{}, max{};
 };
 
-/// Which ends of a connection a process sees.
-enum class ConnectionEnd : std::uint8_t { Client, Provider, Both };
-
 /// How a connection's contract (docs/safety.md) has been kept.
 struct ContractReport {
   std::uint64_t staleReads = 0;  ///< reads of values older than max_age
@@ -35,7 +32,11 @@ struct ContractReport {
 
 /// Each end counts what it sees; the other's counters are in the report of the other's process
 /// (mergeConnections() puts the two together).
-struct ConnectionReport {
+///
+/// Its counts are from the start of this process, or of the client's if that came later, over all
+/// channels that the connection has had. Each command that was sent is one of those in Tally, or
+/// lost, unknown or under way. A client's end counts what it has heard.
+struct ConnectionReport : Tally {
   std::string name;  ///< "left:Teleop/Slave -> right:PSM1/Arm": the same at both ends
   std::string lane;
   std::string laneReason;  ///< why it is not a faster one that had been hoped for
@@ -50,29 +51,17 @@ struct ConnectionReport {
   /// Of the client's end; none at the provider's alone, and of a connection without a contract.
   std::optional<ContractReport> contract;
 
-  /// Counted from the start of this process, or of the client's if that came later, over all
-  /// channels that the connection has had. Commands that were sent are executed, replaced,
-  /// superseded, late, failed, refused, cancelled, lost, unknown or under way, and each is one of
-  /// these.
   std::uint64_t sent = 0;  ///< commands that the client's calls handed over; at the provider's end
                            ///< alone: that the lane did
-  std::uint64_t executed = 0;    ///< by the provider; at the client's end alone: as it has heard
-  std::uint64_t full = 0;        ///< refused: too many waited
-  std::uint64_t tooLarge = 0;    ///< refused: beyond a declared capacity
-  std::uint64_t invalid = 0;     ///< refused: the contract does not admit such values
-  std::uint64_t replaced = 0;    ///< a newer one of the same latest() command came first
-  std::uint64_t superseded = 0;  ///< a later command had run already
-  std::uint64_t late = 0;        ///< older than its ttl
-  std::uint64_t failed = 0;      ///< the handler threw
-  std::uint64_t refused =
-      0;  ///< the provider was suspended, parked or ending, or does not admit them
-  std::uint64_t cancelled = 0;
+  std::uint64_t full = 0;  ///< refused: too many waited
+  std::uint64_t tooLarge = 0;  ///< refused: beyond a declared capacity
+  std::uint64_t invalid = 0;   ///< refused: the contract does not admit such values
   std::uint64_t lost = 0;      ///< they did not reach the provider in time, and it says so
   std::uint64_t unknown = 0;   ///< at the client's end: a lost provider may have executed them
   std::uint64_t underWay = 0;  ///< no outcome yet, or at the client's end none that it has heard of
-  Tally heard;  ///< what of this a client's end has been told; part of what is said above
+  Tally heard;                 ///< the part of its tally that a client's end has been told
   std::uint64_t otherIncarnation = 0;  ///< of the process at the other end, as Report has its own
-  std::uint64_t eventsDelivered = 0, eventsDropped = 0;
+  std::uint64_t eventsDelivered = 0;
   /// Messages either way that the lane lost, brought twice, or brought after newer ones (which are
   /// among the lost, too), as the client's end knows; none has had an effect.
   std::uint64_t messagesLost = 0, messagesDuplicated = 0, messagesOvertaken = 0;

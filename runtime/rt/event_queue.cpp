@@ -1,4 +1,5 @@
 #include <suture/base/shared_slot.h>
+#include <suture/rt/counter.h>
 #include <suture/rt/event_queue.h>
 
 #include <algorithm>
@@ -127,8 +128,7 @@ const EventRecord* EventQueue::next() {
 void EventQueue::pop() {
   if (isShared(next_->event)) releaseSharedSlot(next_->payload());
   if (fromRing_) ring_.pop();
-  std::atomic<std::uint64_t>& delivered = counters_->delivered;
-  delivered.store(delivered.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+  increment(counters_->delivered);
 }
 
 bool EventQueue::pending() const {

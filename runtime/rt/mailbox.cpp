@@ -1,4 +1,5 @@
 #include <suture/base/shared_slot.h>
+#include <suture/rt/counter.h>
 #include <suture/rt/mailbox.h>
 
 #include <algorithm>
@@ -6,11 +7,6 @@
 
 namespace suture::rt {
 namespace {
-
-void increment(std::atomic<std::uint64_t>& counter) {
-  // Single writer: no read-modify-write needed.
-  counter.store(counter.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
-}
 
 /// What the consumer has not popped yet is its own.
 CommandRecord* ownRecord(const std::byte* memory) {

@@ -1,3 +1,4 @@
+#include <suture/rt/counter.h>
 #include <suture/transport/delay/delayed_connection.h>
 
 #include <algorithm>
@@ -12,11 +13,6 @@ constexpr std::size_t kUnderWay = 2048;
 
 // How long after others a message may come and still be awaited, if nothing newer does.
 constexpr Duration kMarkPeriod = std::chrono::milliseconds(50);
-
-// The counters have one writer each.
-void increment(std::atomic<std::uint64_t>& counter) {
-  counter.store(counter.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
-}
 
 // Of the messages of a connection, so that each kind meets faults of its own.
 enum Stream : std::uint64_t { kCommands, kAnswers, kEvents, kRows };
@@ -177,14 +173,14 @@ void DelayedConnection::deliverCommands(Time now) {
 
 void DelayedConnection::deliver(const rt::CommandRecord& record) {
   if (record.call != 0 && !near_->claimCall(record.call)) {
-    increment(near_->commands.counters.cancelled);
+    rt::increment(near_->commands.counters.cancelled);
     refuse(record.call, Errc::Cancelled);
     return;
   }
   const auto slot = far_->commands.claim(record.command, record.stamp, record.call);
   if (!slot) {
     // Only if the provider's end has given no credit back: nobody serves it any more.
-    increment(near_->commands.counters.refused);
+    rt::increment(near_->commands.counters.refused);
     if (record.call != 0) refuse(record.call, slot.error());
     return;
   }
@@ -365,11 +361,10 @@ void DelayedConnection::deliverStatus(Time now) {
 // The provider's end may be another lane's client.
 void DelayedConnection::countCommands() {
   const ChannelCounts& beyond = *far_->counts;
-  constexpr auto kEnd = ChannelCounts::End::Client;
+  constexpr auto kEnd = ConnectionEnd::Client;
   near_->counts->told.store(beyond.own(kEnd) + beyond.heard(kEnd));
-  near_->counts->lost.store(
-      commands_.reached() - delivered_ + beyond.lost.load(std::memory_order_relaxed),
-      std::memory_order_relaxed);
+  near_->counts->lost.store(commands_.reached() - delivered_ + rt::count(beyond.lost),
+                            std::memory_order_relaxed);
 }
 
 void DelayedConnection::countBytes() {

@@ -1,3 +1,4 @@
+#include <suture/rt/counter.h>
 #include <suture/transport/frame/client_side.h>
 
 #include <cstring>
@@ -150,7 +151,7 @@ void ClientSide::giveCommand(const rt::CommandRecord& record) {
     channel_->replyError(record.call, Errc::Cancelled);
     channel_->ends.client->ring(rt::RungFor::Arrival);
     channel_->commands.returnCredit(record.command);
-    add(channel_->commands.counters.cancelled, 1);
+    rt::increment(channel_->commands.counters.cancelled);
     return;
   }
   send({.kind = Kind::Command,

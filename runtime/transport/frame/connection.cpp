@@ -1,3 +1,4 @@
+#include <suture/rt/counter.h>
 #include <suture/transport/frame/connection.h>
 #include <suture/transport/rpc/stamps.h>
 
@@ -26,10 +27,6 @@ std::size_t mostPayload(const InterfaceInfo& contract) {
   return most;
 }
 
-void Connection::add(std::atomic<std::uint64_t>& counter, std::uint64_t count) {
-  counter.store(counter.load(std::memory_order_relaxed) + count, std::memory_order_relaxed);
-}
-
 Connection::Connection(std::shared_ptr<Channel> channel, std::uint32_t number)
     : channel_(std::move(channel)), number_(number) {}
 
@@ -46,7 +43,7 @@ void Connection::breakOff(const std::string& why) {
 }
 
 bool Connection::arrived(const Header& header, std::span<std::byte> payload) {
-  add(channel_->bytesReceived, sizeof(header) + wordBytes(payload.size()));
+  rt::increment(channel_->bytesReceived, sizeof(header) + wordBytes(payload.size()));
   if (!window_.takes(header)) return false;
   return header.kind == Kind::Acknowledge || take(header, payload);
 }
@@ -64,7 +61,7 @@ bool Connection::send() {
 std::byte* Connection::begin(Header header, std::size_t size) {
   header.connection = number_;
   window_.sends(header);
-  add(channel_->bytesSent, sizeof(header) + wordBytes(size));
+  rt::increment(channel_->bytesSent, sizeof(header) + wordBytes(size));
   return socket_->begin(header, size);
 }
 

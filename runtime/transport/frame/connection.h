@@ -61,9 +61,6 @@ class Connection {
   /// The same of all stamps in a slot that has arrived. `shift`: null if it has none.
   void bringHere(StampShift shift, std::byte* slot) const;
 
-  /// To a counter with one writer.
-  static void add(std::atomic<std::uint64_t>& counter, std::uint64_t count);
-
   bool hasRoom() const { return window_.isOpen() && socket_->hasRoom(); }
   /// Memory for the payload; finish() ends the frame. Only if hasRoom().
   std::byte* begin(Header header, std::size_t size);

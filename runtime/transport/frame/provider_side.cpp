@@ -1,3 +1,4 @@
+#include <suture/rt/counter.h>
 #include <suture/transport/frame/provider_side.h>
 
 #include <cstring>
@@ -49,7 +50,7 @@ bool ProviderSide::takeCommand(const Header& header, std::span<std::byte> payloa
 }
 
 bool ProviderSide::refuse(const Header& header, Errc error) {
-  channel_->counts->turnedAway.fetch_add(1, std::memory_order_relaxed);
+  rt::increment(channel_->counts->turnedAway);
   if (header.call == 0) return true;
   if (refusedCallCount_ == refusedCalls_.size()) return false;
   refusedCalls_[refusedCallCount_++] = {header.call, error};
@@ -130,7 +131,7 @@ void ProviderSide::giveRefusals() {
 }
 
 void ProviderSide::giveTally() {
-  const Tally tally = channel_->counts->own(ChannelCounts::End::Provider);
+  const Tally tally = channel_->counts->own(ConnectionEnd::Provider);
   if (tally == tally_ || !hasRoom()) return;
   tally_ = tally;
   send({.kind = Kind::Tally}, std::as_bytes(std::span(&tally_, 1)));

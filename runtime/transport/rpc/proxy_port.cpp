@@ -1,17 +1,9 @@
+#include <suture/rt/counter.h>
 #include <suture/transport/rpc/proxy_port.h>
 
 #include <algorithm>
 
 namespace suture::rpc {
-namespace {
-
-// The counters have one writer each.
-void increment(std::atomic<std::uint64_t>& counter) {
-  counter.store(counter.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
-}
-
-}  // namespace
-
 ProxyPort::ProxyPort(ControlThread& control, std::shared_ptr<Channel> channel,
                      std::shared_ptr<const LinkCounters> counters)
     : ClientEnd(std::move(channel)),
@@ -121,7 +113,7 @@ void ProxyPort::transmit(const rt::CommandRecord& record) {
   if (call != 0 && !channel_->claimCall(call)) {
     reply(call, {}, [](std::byte*) { return Errc::Cancelled; });
     channel_->commands.returnCredit(command);
-    increment(channel_->commands.counters.cancelled);
+    rt::increment(channel_->commands.counters.cancelled);
     return;
   }
   if (channel_->info.commands[command].latest && call == 0) ++latestInFlight_;

@@ -1,3 +1,4 @@
+#include <suture/rt/counter.h>
 #include <suture/transport/rpc/servant_port.h>
 #include <suture/transport/rpc/stamps.h>
 
@@ -71,7 +72,7 @@ void ServantPort::subscribe(kj::Own<EventSink> sink, EventSet events, rt::Column
 }
 
 kj::Promise<void> ServantPort::turnedAway(Errc error) {
-  channel_->counts->turnedAway.fetch_add(1, std::memory_order_relaxed);
+  rt::increment(channel_->counts->turnedAway);
   pumpTally();
   return remoteError(error);
 }
@@ -146,7 +147,7 @@ void ServantPort::pumpCredits() {
 
 void ServantPort::pumpTally() {
   KJ_IF_MAYBE (listener, listener_) {
-    const Tally tally = channel_->counts->own(ChannelCounts::End::Provider);
+    const Tally tally = channel_->counts->own(ConnectionEnd::Provider);
     if (tallyInFlight_ || tally == tally_) return;
     tally_ = tally;
     tallyInFlight_ = true;

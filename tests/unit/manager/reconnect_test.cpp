@@ -242,7 +242,7 @@ TEST(Reconnect, AfterALossOverRpcTheNewChannelIsShown) {
   EXPECT_NE(channels.front(), lost);
   EXPECT_EQ(channels.front()->status, ChannelStatus::Connected);
   EXPECT_TRUE(eventually(
-      [&] { return channels.front()->counts->heard(ChannelCounts::End::Client).executed > 0; }));
+      [&] { return channels.front()->counts->heard(ConnectionEnd::Client).executed > 0; }));
 }
 
 TEST(Reconnect, AStaleReadAwaitsTheOperator) {
