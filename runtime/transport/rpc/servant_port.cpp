@@ -1,4 +1,5 @@
 #include <suture/rt/counter.h>
+#include <suture/transport/rpc/deadline.h>
 #include <suture/transport/rpc/servant_port.h>
 #include <suture/transport/rpc/stamps.h>
 
@@ -6,6 +7,9 @@
 
 namespace suture::rpc {
 namespace {
+
+// A notice for each turn of a task would make each round trip a tenth slower.
+constexpr Duration kTallyPause = std::chrono::milliseconds(5);
 
 /// An event or row that exceeds a message, or that the subscriber refuses, is lost alone, since a
 /// damaged one must not silence a connection that is told of as connected. Throws if the subscriber
@@ -151,10 +155,13 @@ void ServantPort::pumpTally() {
     if (tallyInFlight_ || tally == tally_) return;
     tally_ = tally;
     tallyInFlight_ = true;
-    sending_.add((*listener)->tallies(tally).then([this] {
-      tallyInFlight_ = false;
-      pumpTally();
-    }));
+    sending_.add((*listener)
+                     ->tallies(tally)
+                     .then([this] { return control_.timer().afterDelay(toKj(kTallyPause)); })
+                     .then([this] {
+                       tallyInFlight_ = false;
+                       pumpTally();
+                     }));
   }
 }
 
