@@ -166,6 +166,7 @@ class Sections {
     const auto aged = [](const model::Command& one) { return one.ttlNanoseconds.has_value(); };
     const auto optional = [](const model::Command& one) { return one.optional; };
     const auto takes = [](const model::Command& one) { return !one.parameters.empty(); };
+    const auto carries = [&](const model::Command& one) { return takes(one) || one.result; };
     if (interface_.commands.empty()) return "";
     MarkdownTable table({"error", "of", "meaning"});
     const auto add = [&table](bool possible, const char* name, const char* of,
@@ -179,7 +180,7 @@ class Sections {
         "a required interface belongs to one thread, and this is another");
     add(any(queued), "Full", "commands that wait", "as many as the provider accepts wait already");
     add(any(takes), "TooLarge", "commands with arguments", "text or a list exceeds its bound");
-    add(any(takes), "Invalid", "commands with arguments",
+    add(any(carries), "Invalid", "commands with arguments, reads, answers",
         "a number is not finite, or outside its range");
     add(any(isRead), "NotYet", "reads",
         "nobody has produced the value so far; asking started that");

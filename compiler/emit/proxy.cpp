@@ -20,29 +20,25 @@ WireValue needed(const model::Type& type, const std::string& wireName, const std
 
 void emitColumn(Code& code, const Context& context, const model::Command& read, std::size_t i) {
   const std::string column = std::to_string(i);
-  code.open("if (in.getEvaluated() >> ", column, " & 1) {");
+  code.open("if (columns.hasValue(", column, ")) {");
   code.line("auto& slot = ", kBreakText, "port_->column<",
             slotType(*read.result, context, home(context)), ">(", column, ");");
   const std::string outcome = emitDecode(code, {needed(*read.result, read.wireName, "slot")}, "in",
                                          "port_->shift()", context);
-  const std::string mark = "valid |= suture::rt::ColumnSet{1} << " + column + ";";
-  if (outcome == "Errc{}") {
-    code.line(mark);
-  } else {
+  if (outcome != "Errc{}") {
     emitError(code, outcome);
-    code.line("if (error == Errc{}) ", mark);
+    code.line("if (error != Errc{}) columns.refuse(", column, ", error);");
   }
   code.close("}");
 }
 
 void emitState(Code& code, const Context& context, const model::Interface& interface) {
   code.open("kj::Promise<void> state(StateContext context) override {");
-  code.line("auto in = context.getParams().getRow();").line("suture::rt::ColumnSet valid = 0;");
+  code.line("auto in = context.getParams().getRow();");
+  code.line("suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());");
   const std::vector<const model::Command*> reads = readsOf(interface);
   for (std::size_t i = 0; i < reads.size(); ++i) emitColumn(code, context, *reads[i], i);
-  code.line("port_->publish(in.getStamp(), valid, in.getTooLarge());")
-      .line("return kj::READY_NOW;")
-      .close("}");
+  code.line("port_->publish(in.getStamp(), columns);").line("return kj::READY_NOW;").close("}");
 }
 
 void emitEvent(Code& code, const Context& context, const model::Interface& interface,

@@ -53,8 +53,9 @@ void emitSinkRow(Code& code, const Context& context, const model::Interface& int
   code.open("                      std::span<const std::byte* const>",
             reads.empty() ? "" : " columns", ") override {");
   code.line("auto request = subscriber_.stateRequest();").line("auto out = request.initRow();");
-  code.line("out.setStamp(suture::toNanoseconds(row.stamp));").line("out.setEvaluated(row.valid);");
-  code.line("out.setTooLarge(row.tooLarge);");
+  code.line("out.setStamp(suture::toNanoseconds(row.stamp));");
+  code.line("out.setEvaluated(row.valid | row.invalid);");
+  code.line("out.setTooLarge(row.tooLarge | row.invalid);");
   for (std::size_t i = 0; i < reads.size(); ++i) {
     const std::string column = std::to_string(i);
     const model::Type& type = *reads[i]->result;
@@ -147,6 +148,10 @@ void emitChecks(Code& code, const Context& context, const model::Interface& inte
     checks.add(argumentsCheck(interface, *command, context),
                relative(argumentsStruct(interface, *command), home(context)),
                argumentValues(*command));
+    if (command->result) {
+      checks.add(resultCheck(interface, *command, context),
+                 slotType(*command->result, context, home(context)), resultValues(*command));
+    }
   }
   for (const model::Event* const event : ownEvents(interface)) {
     checks.add(payloadCheck(interface, *event, context),

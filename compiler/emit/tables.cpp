@@ -73,6 +73,9 @@ void declareChecks(Code& code, const Context& context, const model::Interface& i
   for (const model::Command* const command : ownCommands(interface)) {
     declare(argumentsCheck(interface, *command, context),
             relative(argumentsStruct(interface, *command), home));
+    if (command->result) {
+      declare(resultCheck(interface, *command, context), slotType(*command->result, context, home));
+    }
   }
   for (const model::Event* const event : ownEvents(interface)) {
     declare(payloadCheck(interface, *event, context),
@@ -117,6 +120,10 @@ void emitCommand(Code& table, Code& before, const Context& context,
   if (command.concurrent || command.direct) members.push_back(".inCallersThread = true");
   if (const std::string check = argumentsCheck(interface, command, context); !check.empty()) {
     members.push_back(".accepts = checkSlot<" + slot + ", " + check + ">");
+  }
+  if (const std::string check = resultCheck(interface, command, context); !check.empty()) {
+    members.push_back(".acceptsResult = checkSlot<" + slotType(*command.result, context, home) +
+                      ", " + check + ">");
   }
   addMember(members, ".shiftArguments", shiftOf(slot, argumentValues(command), context));
   if (command.result) {

@@ -272,6 +272,16 @@ std::string argumentsCheck(const model::Interface& interface, const model::Comma
   return "accepts" + prefixOf(interface) + model::titleCase(command.wireName);
 }
 
+std::vector<WireValue> resultValues(const model::Command& command) {
+  return {{.type = *command.result, .wireName = "value", .slot = "slot", .isNeeded = true}};
+}
+
+std::string resultCheck(const model::Interface& interface, const model::Command& command,
+                        const Context& context) {
+  if (!command.result || !hasConditions(resultValues(command), context)) return "";
+  return "accepts" + prefixOf(interface) + model::titleCase(command.wireName) + "Result";
+}
+
 std::vector<WireValue> payloadValues(const model::Event& event) {
   std::vector<WireValue> values;
   for (std::size_t i = 0; i < event.payload.size(); ++i) {

@@ -34,6 +34,13 @@ std::vector<WireValue> argumentValues(const model::Command& command);
 std::string argumentsCheck(const model::Interface& interface, const model::Command& command,
                            const Context& context);
 
+/// What a command answers, in the slot "slot". It has a result.
+std::vector<WireValue> resultValues(const model::Command& command);
+
+/// "acceptsArmMeasuredCpResult": the check of a command's result; empty if any will do.
+std::string resultCheck(const model::Interface& interface, const model::Command& command,
+                        const Context& context);
+
 /// What an event carries, in the slot "slot".
 std::vector<WireValue> payloadValues(const model::Event& event);
 

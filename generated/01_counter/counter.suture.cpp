@@ -98,8 +98,8 @@ class CounterSink final : public suture::rpc::EventSink {
     auto request = subscriber_.stateRequest();
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid);
-    out.setTooLarge(row.tooLarge);
+    out.setEvaluated(row.valid | row.invalid);
+    out.setTooLarge(row.tooLarge | row.invalid);
     if (row.valid >> 0 & 1) {
       const auto& slot = slotIn<std::int64_t>(columns[0]);
       out.setValue(slot);
@@ -159,13 +159,12 @@ class CounterReceiver final : public wire::CounterEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rt::ColumnSet valid = 0;
-    if (in.getEvaluated() >> 0 & 1) {
+    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    if (columns.hasValue(0)) {
       auto& slot = port_->column<std::int64_t>(0);
       slot = in.getValue();
-      valid |= suture::rt::ColumnSet{1} << 0;
     }
-    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;
   }
 

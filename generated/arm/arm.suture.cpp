@@ -70,8 +70,15 @@ static_assert(static_cast<std::uint8_t>(ArmWarning::Malformed) == 2);
 bool acceptsArmServoCp(const ArmServoCpArguments& slot);
 bool acceptsArmServoJp(const ArmServoJpArguments& slot);
 bool acceptsArmMoveJp(const ArmMoveJpArguments& slot);
+bool acceptsArmMeasuredJsResult(const JointStateSlot& slot);
+bool acceptsArmSetpointJsResult(const JointStateSlot& slot);
+bool acceptsArmMeasuredCpResult(const PoseStampedSlot& slot);
+bool acceptsArmSetpointCpResult(const PoseStampedSlot& slot);
+bool acceptsArmOperatingStateResult(const OperatingStateSlot& slot);
 bool acceptsArmForwardKinematics(const ArmForwardKinematicsArguments& slot);
+bool acceptsArmForwardKinematicsResult(const PoseStampedSlot& slot);
 bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot);
+bool acceptsArmInverseKinematicsResult(const JointSolutionSlot& slot);
 bool acceptsArmOperatingStateEvent(const OperatingStateSlot& slot);
 bool acceptsArmWarningEvent(const std::uint8_t& slot);
 
@@ -107,30 +114,35 @@ constexpr CommandInfo kArmCommands[] = {
      .resultSize = slotSize<JointStateSlot>,
      .depth = 16,
      .column = 0,
+     .acceptsResult = checkSlot<JointStateSlot, acceptsArmMeasuredJsResult>,
      .shiftResult = shiftSlot<JointStateSlot>},
     {.name = "setpoint_js",
      .kind = CommandKind::Read,
      .resultSize = slotSize<JointStateSlot>,
      .depth = 16,
      .column = 1,
+     .acceptsResult = checkSlot<JointStateSlot, acceptsArmSetpointJsResult>,
      .shiftResult = shiftSlot<JointStateSlot>},
     {.name = "measured_cp",
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = 2,
+     .acceptsResult = checkSlot<PoseStampedSlot, acceptsArmMeasuredCpResult>,
      .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "setpoint_cp",
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = 3,
+     .acceptsResult = checkSlot<PoseStampedSlot, acceptsArmSetpointCpResult>,
      .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "operating_state",
      .kind = CommandKind::Read,
      .resultSize = slotSize<OperatingStateSlot>,
      .depth = 16,
      .column = 4,
+     .acceptsResult = checkSlot<OperatingStateSlot, acceptsArmOperatingStateResult>,
      .shiftResult = shiftSlot<OperatingStateSlot>},
     {.name = "forward_kinematics",
      .kind = CommandKind::QualifiedRead,
@@ -138,6 +150,7 @@ constexpr CommandInfo kArmCommands[] = {
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
      .accepts = checkSlot<ArmForwardKinematicsArguments, acceptsArmForwardKinematics>,
+     .acceptsResult = checkSlot<PoseStampedSlot, acceptsArmForwardKinematicsResult>,
      .shiftArguments = shiftSlot<ArmForwardKinematicsArguments>,
      .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "inverse_kinematics",
@@ -146,6 +159,7 @@ constexpr CommandInfo kArmCommands[] = {
      .resultSize = slotSize<JointSolutionSlot>,
      .depth = 16,
      .accepts = checkSlot<ArmInverseKinematicsArguments, acceptsArmInverseKinematics>,
+     .acceptsResult = checkSlot<JointSolutionSlot, acceptsArmInverseKinematicsResult>,
      .shiftArguments = shiftSlot<ArmInverseKinematicsArguments>},
 };
 
@@ -389,15 +403,23 @@ namespace {
 bool acceptsArmServoCp(const ArmServoCpArguments& slot) { return isValid(slot.goal); }
 bool acceptsArmServoJp(const ArmServoJpArguments& slot) { return isValid(slot.goal); }
 bool acceptsArmMoveJp(const ArmMoveJpArguments& slot) { return isValid(slot.goal); }
+bool acceptsArmMeasuredJsResult(const JointStateSlot& slot) { return isValid(slot); }
+bool acceptsArmSetpointJsResult(const JointStateSlot& slot) { return isValid(slot); }
+bool acceptsArmMeasuredCpResult(const PoseStampedSlot& slot) { return isValid(slot); }
+bool acceptsArmSetpointCpResult(const PoseStampedSlot& slot) { return isValid(slot); }
+bool acceptsArmOperatingStateResult(const OperatingStateSlot& slot) { return isValid(slot); }
 
 bool acceptsArmForwardKinematics(const ArmForwardKinematicsArguments& slot) {
   return isValid(slot.q);
 }
 
+bool acceptsArmForwardKinematicsResult(const PoseStampedSlot& slot) { return isValid(slot); }
+
 bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot) {
   return isValid(slot.goal);
 }
 
+bool acceptsArmInverseKinematicsResult(const JointSolutionSlot& slot) { return isValid(slot); }
 bool acceptsArmOperatingStateEvent(const OperatingStateSlot& slot) { return isValid(slot); }
 bool acceptsArmWarningEvent(const std::uint8_t& slot) { return isKnownArmWarning(slot); }
 
@@ -437,8 +459,8 @@ class ArmSink final : public suture::rpc::EventSink {
     auto request = subscriber_.stateRequest();
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid);
-    out.setTooLarge(row.tooLarge);
+    out.setEvaluated(row.valid | row.invalid);
+    out.setTooLarge(row.tooLarge | row.invalid);
     if (row.valid >> 0 & 1) {
       const auto& slot = slotIn<JointStateSlot>(columns[0]);
       toWire(slot, out.initMeasuredJs());
@@ -631,38 +653,38 @@ class ArmReceiver final : public wire::ArmEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rt::ColumnSet valid = 0;
-    if (in.getEvaluated() >> 0 & 1) {
+    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    if (columns.hasValue(0)) {
       auto& slot = port_->column<JointStateSlot>(0);
       const Errc error =
           in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
+      if (error != Errc{}) columns.refuse(0, error);
     }
-    if (in.getEvaluated() >> 1 & 1) {
+    if (columns.hasValue(1)) {
       auto& slot = port_->column<JointStateSlot>(1);
       const Errc error =
           in.hasSetpointJs() ? fromWire(in.getSetpointJs(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
+      if (error != Errc{}) columns.refuse(1, error);
     }
-    if (in.getEvaluated() >> 2 & 1) {
+    if (columns.hasValue(2)) {
       auto& slot = port_->column<PoseStampedSlot>(2);
       const Errc error =
           in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 2;
+      if (error != Errc{}) columns.refuse(2, error);
     }
-    if (in.getEvaluated() >> 3 & 1) {
+    if (columns.hasValue(3)) {
       auto& slot = port_->column<PoseStampedSlot>(3);
       const Errc error =
           in.hasSetpointCp() ? fromWire(in.getSetpointCp(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 3;
+      if (error != Errc{}) columns.refuse(3, error);
     }
-    if (in.getEvaluated() >> 4 & 1) {
+    if (columns.hasValue(4)) {
       auto& slot = port_->column<OperatingStateSlot>(4);
       const Errc error =
           in.hasOperatingState() ? fromWire(in.getOperatingState(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 4;
+      if (error != Errc{}) columns.refuse(4, error);
     }
-    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;
   }
 

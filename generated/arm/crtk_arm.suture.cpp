@@ -119,6 +119,25 @@ using suture::store;
 
 namespace {
 
+bool acceptsCrtkArmConfigurationJsResult(const JointConfigurationSlot& slot);
+bool acceptsCrtkArmOperatingStateResult(const OperatingStateSlot& slot);
+bool acceptsCrtkArmPeriodStatisticsResult(const IntervalStatisticsSlot& slot);
+bool acceptsCrtkArmMeasuredJsResult(const JointStateSlot& slot);
+bool acceptsCrtkArmSetpointJsResult(const JointStateSlot& slot);
+bool acceptsCrtkArmGoalJsResult(const JointStateSlot& slot);
+bool acceptsCrtkArmMeasuredCpResult(const PoseStampedSlot& slot);
+bool acceptsCrtkArmSetpointCpResult(const PoseStampedSlot& slot);
+bool acceptsCrtkArmGoalCpResult(const PoseStampedSlot& slot);
+bool acceptsCrtkArmLocalMeasuredCpResult(const PoseStampedSlot& slot);
+bool acceptsCrtkArmLocalSetpointCpResult(const PoseStampedSlot& slot);
+bool acceptsCrtkArmMeasuredCvResult(const TwistSlot& slot);
+bool acceptsCrtkArmSetpointCvResult(const TwistSlot& slot);
+bool acceptsCrtkArmBodyMeasuredCfResult(const WrenchSlot& slot);
+bool acceptsCrtkArmSpatialMeasuredCfResult(const WrenchSlot& slot);
+bool acceptsCrtkArmMeasuredCsResult(const CartesianStateSlot& slot);
+bool acceptsCrtkArmBodyJacobianResult(const JacobianSlot& slot);
+bool acceptsCrtkArmSpatialJacobianResult(const JacobianSlot& slot);
+bool acceptsCrtkArmBaseFrameResult(const PoseStampedSlot& slot);
 bool acceptsCrtkArmSetBaseFrame(const CrtkArmSetBaseFrameArguments& slot);
 bool acceptsCrtkArmServoJp(const CrtkArmServoJpArguments& slot);
 bool acceptsCrtkArmServoJr(const CrtkArmServoJrArguments& slot);
@@ -136,10 +155,17 @@ bool acceptsCrtkArmMoveCr(const CrtkArmMoveCrArguments& slot);
 bool acceptsCrtkArmTrajectoryJSetRatio(const CrtkArmTrajectoryJSetRatioArguments& slot);
 bool acceptsCrtkArmTrajectoryJSetRatioV(const CrtkArmTrajectoryJSetRatioVArguments& slot);
 bool acceptsCrtkArmTrajectoryJSetRatioA(const CrtkArmTrajectoryJSetRatioAArguments& slot);
+bool acceptsCrtkArmTrajectoryJRatioResult(const double& slot);
+bool acceptsCrtkArmTrajectoryJRatioVResult(const double& slot);
+bool acceptsCrtkArmTrajectoryJRatioAResult(const double& slot);
 bool acceptsCrtkArmForwardKinematics(const CrtkArmForwardKinematicsArguments& slot);
+bool acceptsCrtkArmForwardKinematicsResult(const PoseStampedSlot& slot);
 bool acceptsCrtkArmInverseKinematics(const CrtkArmInverseKinematicsArguments& slot);
+bool acceptsCrtkArmInverseKinematicsResult(const JointSolutionSlot& slot);
 bool acceptsCrtkArmQueryCp(const CrtkArmQueryCpArguments& slot);
+bool acceptsCrtkArmQueryCpResult(const PoseStampedSlot& slot);
 bool acceptsCrtkArmLocalQueryCp(const CrtkArmLocalQueryCpArguments& slot);
+bool acceptsCrtkArmLocalQueryCpResult(const PoseStampedSlot& slot);
 bool acceptsCrtkArmOperatingStateEvent(const OperatingStateSlot& slot);
 bool acceptsCrtkArmDesiredStateEvent(const std::uint8_t& slot);
 bool acceptsCrtkArmTrajectoryJRatioEvent(const double& slot);
@@ -151,18 +177,21 @@ constexpr CommandInfo kCrtkArmCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<JointConfigurationSlot>,
      .depth = 16,
-     .column = 0},
+     .column = 0,
+     .acceptsResult = checkSlot<JointConfigurationSlot, acceptsCrtkArmConfigurationJsResult>},
     {.name = "operating_state",
      .kind = CommandKind::Read,
      .resultSize = slotSize<OperatingStateSlot>,
      .depth = 16,
      .column = 1,
+     .acceptsResult = checkSlot<OperatingStateSlot, acceptsCrtkArmOperatingStateResult>,
      .shiftResult = shiftSlot<OperatingStateSlot>},
     {.name = "period_statistics",
      .kind = CommandKind::Read,
      .resultSize = slotSize<IntervalStatisticsSlot>,
      .depth = 16,
      .column = 2,
+     .acceptsResult = checkSlot<IntervalStatisticsSlot, acceptsCrtkArmPeriodStatisticsResult>,
      .shiftResult = shiftSlot<IntervalStatisticsSlot>},
     {.name = "enable", .kind = CommandKind::Void, .depth = 16},
     {.name = "disable", .kind = CommandKind::Void, .depth = 16},
@@ -179,96 +208,112 @@ constexpr CommandInfo kCrtkArmCommands[] = {
      .resultSize = slotSize<JointStateSlot>,
      .depth = 16,
      .column = 3,
+     .acceptsResult = checkSlot<JointStateSlot, acceptsCrtkArmMeasuredJsResult>,
      .shiftResult = shiftSlot<JointStateSlot>},
     {.name = "setpoint_js",
      .kind = CommandKind::Read,
      .resultSize = slotSize<JointStateSlot>,
      .depth = 16,
      .column = 4,
+     .acceptsResult = checkSlot<JointStateSlot, acceptsCrtkArmSetpointJsResult>,
      .shiftResult = shiftSlot<JointStateSlot>},
     {.name = "goal_js",
      .kind = CommandKind::Read,
      .resultSize = slotSize<JointStateSlot>,
      .depth = 16,
      .column = 5,
+     .acceptsResult = checkSlot<JointStateSlot, acceptsCrtkArmGoalJsResult>,
      .shiftResult = shiftSlot<JointStateSlot>},
     {.name = "measured_cp",
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = 6,
+     .acceptsResult = checkSlot<PoseStampedSlot, acceptsCrtkArmMeasuredCpResult>,
      .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "setpoint_cp",
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = 7,
+     .acceptsResult = checkSlot<PoseStampedSlot, acceptsCrtkArmSetpointCpResult>,
      .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "goal_cp",
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = 8,
+     .acceptsResult = checkSlot<PoseStampedSlot, acceptsCrtkArmGoalCpResult>,
      .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "local_measured_cp",
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = 9,
+     .acceptsResult = checkSlot<PoseStampedSlot, acceptsCrtkArmLocalMeasuredCpResult>,
      .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "local_setpoint_cp",
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = 10,
+     .acceptsResult = checkSlot<PoseStampedSlot, acceptsCrtkArmLocalSetpointCpResult>,
      .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "measured_cv",
      .kind = CommandKind::Read,
      .resultSize = slotSize<TwistSlot>,
      .depth = 16,
      .column = 11,
+     .acceptsResult = checkSlot<TwistSlot, acceptsCrtkArmMeasuredCvResult>,
      .shiftResult = shiftSlot<TwistSlot>},
     {.name = "setpoint_cv",
      .kind = CommandKind::Read,
      .resultSize = slotSize<TwistSlot>,
      .depth = 16,
      .column = 12,
+     .acceptsResult = checkSlot<TwistSlot, acceptsCrtkArmSetpointCvResult>,
      .shiftResult = shiftSlot<TwistSlot>},
     {.name = "body_measured_cf",
      .kind = CommandKind::Read,
      .resultSize = slotSize<WrenchSlot>,
      .depth = 16,
      .column = 13,
+     .acceptsResult = checkSlot<WrenchSlot, acceptsCrtkArmBodyMeasuredCfResult>,
      .shiftResult = shiftSlot<WrenchSlot>},
     {.name = "spatial_measured_cf",
      .kind = CommandKind::Read,
      .resultSize = slotSize<WrenchSlot>,
      .depth = 16,
      .column = 14,
+     .acceptsResult = checkSlot<WrenchSlot, acceptsCrtkArmSpatialMeasuredCfResult>,
      .shiftResult = shiftSlot<WrenchSlot>},
     {.name = "measured_cs",
      .kind = CommandKind::Read,
      .resultSize = slotSize<CartesianStateSlot>,
      .depth = 16,
      .column = 15,
+     .acceptsResult = checkSlot<CartesianStateSlot, acceptsCrtkArmMeasuredCsResult>,
      .shiftResult = shiftSlot<CartesianStateSlot>},
     {.name = "body_jacobian",
      .kind = CommandKind::Read,
      .resultSize = slotSize<JacobianSlot>,
      .depth = 16,
      .column = 16,
+     .acceptsResult = checkSlot<JacobianSlot, acceptsCrtkArmBodyJacobianResult>,
      .shiftResult = shiftSlot<JacobianSlot>},
     {.name = "spatial_jacobian",
      .kind = CommandKind::Read,
      .resultSize = slotSize<JacobianSlot>,
      .depth = 16,
      .column = 17,
+     .acceptsResult = checkSlot<JacobianSlot, acceptsCrtkArmSpatialJacobianResult>,
      .shiftResult = shiftSlot<JacobianSlot>},
     {.name = "base_frame",
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = 18,
+     .acceptsResult = checkSlot<PoseStampedSlot, acceptsCrtkArmBaseFrameResult>,
      .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "set_base_frame",
      .kind = CommandKind::Write,
@@ -395,23 +440,27 @@ constexpr CommandInfo kCrtkArmCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<double>,
      .depth = 16,
-     .column = 19},
+     .column = 19,
+     .acceptsResult = checkSlot<double, acceptsCrtkArmTrajectoryJRatioResult>},
     {.name = "trajectory_j_ratio_v",
      .kind = CommandKind::Read,
      .resultSize = slotSize<double>,
      .depth = 16,
-     .column = 20},
+     .column = 20,
+     .acceptsResult = checkSlot<double, acceptsCrtkArmTrajectoryJRatioVResult>},
     {.name = "trajectory_j_ratio_a",
      .kind = CommandKind::Read,
      .resultSize = slotSize<double>,
      .depth = 16,
-     .column = 21},
+     .column = 21,
+     .acceptsResult = checkSlot<double, acceptsCrtkArmTrajectoryJRatioAResult>},
     {.name = "forward_kinematics",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<CrtkArmForwardKinematicsArguments>,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
      .accepts = checkSlot<CrtkArmForwardKinematicsArguments, acceptsCrtkArmForwardKinematics>,
+     .acceptsResult = checkSlot<PoseStampedSlot, acceptsCrtkArmForwardKinematicsResult>,
      .shiftArguments = shiftSlot<CrtkArmForwardKinematicsArguments>,
      .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "inverse_kinematics",
@@ -420,6 +469,7 @@ constexpr CommandInfo kCrtkArmCommands[] = {
      .resultSize = slotSize<JointSolutionSlot>,
      .depth = 16,
      .accepts = checkSlot<CrtkArmInverseKinematicsArguments, acceptsCrtkArmInverseKinematics>,
+     .acceptsResult = checkSlot<JointSolutionSlot, acceptsCrtkArmInverseKinematicsResult>,
      .shiftArguments = shiftSlot<CrtkArmInverseKinematicsArguments>},
     {.name = "query_cp",
      .kind = CommandKind::QualifiedRead,
@@ -427,6 +477,7 @@ constexpr CommandInfo kCrtkArmCommands[] = {
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
      .accepts = checkSlot<CrtkArmQueryCpArguments, acceptsCrtkArmQueryCp>,
+     .acceptsResult = checkSlot<PoseStampedSlot, acceptsCrtkArmQueryCpResult>,
      .shiftArguments = shiftSlot<CrtkArmQueryCpArguments>,
      .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "local_query_cp",
@@ -435,6 +486,7 @@ constexpr CommandInfo kCrtkArmCommands[] = {
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
      .accepts = checkSlot<CrtkArmLocalQueryCpArguments, acceptsCrtkArmLocalQueryCp>,
+     .acceptsResult = checkSlot<PoseStampedSlot, acceptsCrtkArmLocalQueryCpResult>,
      .shiftArguments = shiftSlot<CrtkArmLocalQueryCpArguments>,
      .shiftResult = shiftSlot<PoseStampedSlot>},
 };
@@ -1137,6 +1189,33 @@ void shiftStamps(CrtkArmLocalQueryCpArguments& slot, Duration shift) { shiftStam
 
 namespace {
 
+bool acceptsCrtkArmConfigurationJsResult(const JointConfigurationSlot& slot) {
+  return isValid(slot);
+}
+
+bool acceptsCrtkArmOperatingStateResult(const OperatingStateSlot& slot) { return isValid(slot); }
+
+bool acceptsCrtkArmPeriodStatisticsResult(const IntervalStatisticsSlot& slot) {
+  return isValid(slot);
+}
+
+bool acceptsCrtkArmMeasuredJsResult(const JointStateSlot& slot) { return isValid(slot); }
+bool acceptsCrtkArmSetpointJsResult(const JointStateSlot& slot) { return isValid(slot); }
+bool acceptsCrtkArmGoalJsResult(const JointStateSlot& slot) { return isValid(slot); }
+bool acceptsCrtkArmMeasuredCpResult(const PoseStampedSlot& slot) { return isValid(slot); }
+bool acceptsCrtkArmSetpointCpResult(const PoseStampedSlot& slot) { return isValid(slot); }
+bool acceptsCrtkArmGoalCpResult(const PoseStampedSlot& slot) { return isValid(slot); }
+bool acceptsCrtkArmLocalMeasuredCpResult(const PoseStampedSlot& slot) { return isValid(slot); }
+bool acceptsCrtkArmLocalSetpointCpResult(const PoseStampedSlot& slot) { return isValid(slot); }
+bool acceptsCrtkArmMeasuredCvResult(const TwistSlot& slot) { return isValid(slot); }
+bool acceptsCrtkArmSetpointCvResult(const TwistSlot& slot) { return isValid(slot); }
+bool acceptsCrtkArmBodyMeasuredCfResult(const WrenchSlot& slot) { return isValid(slot); }
+bool acceptsCrtkArmSpatialMeasuredCfResult(const WrenchSlot& slot) { return isValid(slot); }
+bool acceptsCrtkArmMeasuredCsResult(const CartesianStateSlot& slot) { return isValid(slot); }
+bool acceptsCrtkArmBodyJacobianResult(const JacobianSlot& slot) { return isValid(slot); }
+bool acceptsCrtkArmSpatialJacobianResult(const JacobianSlot& slot) { return isValid(slot); }
+bool acceptsCrtkArmBaseFrameResult(const PoseStampedSlot& slot) { return isValid(slot); }
+
 bool acceptsCrtkArmSetBaseFrame(const CrtkArmSetBaseFrameArguments& slot) {
   return isValid(slot.frame);
 }
@@ -1174,20 +1253,29 @@ bool acceptsCrtkArmTrajectoryJSetRatioA(const CrtkArmTrajectoryJSetRatioAArgumen
   return inRange(slot.ratio, 0.01, 1);
 }
 
+bool acceptsCrtkArmTrajectoryJRatioResult(const double& slot) { return isValid(slot); }
+bool acceptsCrtkArmTrajectoryJRatioVResult(const double& slot) { return isValid(slot); }
+bool acceptsCrtkArmTrajectoryJRatioAResult(const double& slot) { return isValid(slot); }
+
 bool acceptsCrtkArmForwardKinematics(const CrtkArmForwardKinematicsArguments& slot) {
   return isValid(slot.q);
 }
+
+bool acceptsCrtkArmForwardKinematicsResult(const PoseStampedSlot& slot) { return isValid(slot); }
 
 bool acceptsCrtkArmInverseKinematics(const CrtkArmInverseKinematicsArguments& slot) {
   return isValid(slot.goal);
 }
 
+bool acceptsCrtkArmInverseKinematicsResult(const JointSolutionSlot& slot) { return isValid(slot); }
 bool acceptsCrtkArmQueryCp(const CrtkArmQueryCpArguments& slot) { return isValid(slot.q); }
+bool acceptsCrtkArmQueryCpResult(const PoseStampedSlot& slot) { return isValid(slot); }
 
 bool acceptsCrtkArmLocalQueryCp(const CrtkArmLocalQueryCpArguments& slot) {
   return isValid(slot.q);
 }
 
+bool acceptsCrtkArmLocalQueryCpResult(const PoseStampedSlot& slot) { return isValid(slot); }
 bool acceptsCrtkArmOperatingStateEvent(const OperatingStateSlot& slot) { return isValid(slot); }
 bool acceptsCrtkArmDesiredStateEvent(const std::uint8_t& slot) { return isKnownArmState(slot); }
 bool acceptsCrtkArmTrajectoryJRatioEvent(const double& slot) { return isValid(slot); }
@@ -1272,8 +1360,8 @@ class CrtkArmSink final : public suture::rpc::EventSink {
     auto request = subscriber_.stateRequest();
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid);
-    out.setTooLarge(row.tooLarge);
+    out.setEvaluated(row.valid | row.invalid);
+    out.setTooLarge(row.tooLarge | row.invalid);
     if (row.valid >> 0 & 1) {
       const auto& slot = slotIn<JointConfigurationSlot>(columns[0]);
       toWire(slot, out.initConfigurationJs());
@@ -1951,137 +2039,134 @@ class CrtkArmReceiver final : public wire::CrtkArmEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rt::ColumnSet valid = 0;
-    if (in.getEvaluated() >> 0 & 1) {
+    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    if (columns.hasValue(0)) {
       auto& slot = port_->column<JointConfigurationSlot>(0);
       const Errc error =
           in.hasConfigurationJs() ? fromWire(in.getConfigurationJs(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
+      if (error != Errc{}) columns.refuse(0, error);
     }
-    if (in.getEvaluated() >> 1 & 1) {
+    if (columns.hasValue(1)) {
       auto& slot = port_->column<OperatingStateSlot>(1);
       const Errc error =
           in.hasOperatingState() ? fromWire(in.getOperatingState(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
+      if (error != Errc{}) columns.refuse(1, error);
     }
-    if (in.getEvaluated() >> 2 & 1) {
+    if (columns.hasValue(2)) {
       auto& slot = port_->column<IntervalStatisticsSlot>(2);
       const Errc error =
           in.hasPeriodStatistics() ? fromWire(in.getPeriodStatistics(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 2;
+      if (error != Errc{}) columns.refuse(2, error);
     }
-    if (in.getEvaluated() >> 3 & 1) {
+    if (columns.hasValue(3)) {
       auto& slot = port_->column<JointStateSlot>(3);
       const Errc error =
           in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 3;
+      if (error != Errc{}) columns.refuse(3, error);
     }
-    if (in.getEvaluated() >> 4 & 1) {
+    if (columns.hasValue(4)) {
       auto& slot = port_->column<JointStateSlot>(4);
       const Errc error =
           in.hasSetpointJs() ? fromWire(in.getSetpointJs(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 4;
+      if (error != Errc{}) columns.refuse(4, error);
     }
-    if (in.getEvaluated() >> 5 & 1) {
+    if (columns.hasValue(5)) {
       auto& slot = port_->column<JointStateSlot>(5);
       const Errc error =
           in.hasGoalJs() ? fromWire(in.getGoalJs(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 5;
+      if (error != Errc{}) columns.refuse(5, error);
     }
-    if (in.getEvaluated() >> 6 & 1) {
+    if (columns.hasValue(6)) {
       auto& slot = port_->column<PoseStampedSlot>(6);
       const Errc error =
           in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 6;
+      if (error != Errc{}) columns.refuse(6, error);
     }
-    if (in.getEvaluated() >> 7 & 1) {
+    if (columns.hasValue(7)) {
       auto& slot = port_->column<PoseStampedSlot>(7);
       const Errc error =
           in.hasSetpointCp() ? fromWire(in.getSetpointCp(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 7;
+      if (error != Errc{}) columns.refuse(7, error);
     }
-    if (in.getEvaluated() >> 8 & 1) {
+    if (columns.hasValue(8)) {
       auto& slot = port_->column<PoseStampedSlot>(8);
       const Errc error =
           in.hasGoalCp() ? fromWire(in.getGoalCp(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 8;
+      if (error != Errc{}) columns.refuse(8, error);
     }
-    if (in.getEvaluated() >> 9 & 1) {
+    if (columns.hasValue(9)) {
       auto& slot = port_->column<PoseStampedSlot>(9);
       const Errc error =
           in.hasLocalMeasuredCp() ? fromWire(in.getLocalMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 9;
+      if (error != Errc{}) columns.refuse(9, error);
     }
-    if (in.getEvaluated() >> 10 & 1) {
+    if (columns.hasValue(10)) {
       auto& slot = port_->column<PoseStampedSlot>(10);
       const Errc error =
           in.hasLocalSetpointCp() ? fromWire(in.getLocalSetpointCp(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 10;
+      if (error != Errc{}) columns.refuse(10, error);
     }
-    if (in.getEvaluated() >> 11 & 1) {
+    if (columns.hasValue(11)) {
       auto& slot = port_->column<TwistSlot>(11);
       const Errc error =
           in.hasMeasuredCv() ? fromWire(in.getMeasuredCv(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 11;
+      if (error != Errc{}) columns.refuse(11, error);
     }
-    if (in.getEvaluated() >> 12 & 1) {
+    if (columns.hasValue(12)) {
       auto& slot = port_->column<TwistSlot>(12);
       const Errc error =
           in.hasSetpointCv() ? fromWire(in.getSetpointCv(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 12;
+      if (error != Errc{}) columns.refuse(12, error);
     }
-    if (in.getEvaluated() >> 13 & 1) {
+    if (columns.hasValue(13)) {
       auto& slot = port_->column<WrenchSlot>(13);
       const Errc error =
           in.hasBodyMeasuredCf() ? fromWire(in.getBodyMeasuredCf(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 13;
+      if (error != Errc{}) columns.refuse(13, error);
     }
-    if (in.getEvaluated() >> 14 & 1) {
+    if (columns.hasValue(14)) {
       auto& slot = port_->column<WrenchSlot>(14);
       const Errc error =
           in.hasSpatialMeasuredCf() ? fromWire(in.getSpatialMeasuredCf(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 14;
+      if (error != Errc{}) columns.refuse(14, error);
     }
-    if (in.getEvaluated() >> 15 & 1) {
+    if (columns.hasValue(15)) {
       auto& slot = port_->column<CartesianStateSlot>(15);
       const Errc error =
           in.hasMeasuredCs() ? fromWire(in.getMeasuredCs(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 15;
+      if (error != Errc{}) columns.refuse(15, error);
     }
-    if (in.getEvaluated() >> 16 & 1) {
+    if (columns.hasValue(16)) {
       auto& slot = port_->column<JacobianSlot>(16);
       const Errc error =
           in.hasBodyJacobian() ? fromWire(in.getBodyJacobian(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 16;
+      if (error != Errc{}) columns.refuse(16, error);
     }
-    if (in.getEvaluated() >> 17 & 1) {
+    if (columns.hasValue(17)) {
       auto& slot = port_->column<JacobianSlot>(17);
       const Errc error =
           in.hasSpatialJacobian() ? fromWire(in.getSpatialJacobian(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 17;
+      if (error != Errc{}) columns.refuse(17, error);
     }
-    if (in.getEvaluated() >> 18 & 1) {
+    if (columns.hasValue(18)) {
       auto& slot = port_->column<PoseStampedSlot>(18);
       const Errc error =
           in.hasBaseFrame() ? fromWire(in.getBaseFrame(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 18;
+      if (error != Errc{}) columns.refuse(18, error);
     }
-    if (in.getEvaluated() >> 19 & 1) {
+    if (columns.hasValue(19)) {
       auto& slot = port_->column<double>(19);
       slot = in.getTrajectoryJRatio();
-      valid |= suture::rt::ColumnSet{1} << 19;
     }
-    if (in.getEvaluated() >> 20 & 1) {
+    if (columns.hasValue(20)) {
       auto& slot = port_->column<double>(20);
       slot = in.getTrajectoryJRatioV();
-      valid |= suture::rt::ColumnSet{1} << 20;
     }
-    if (in.getEvaluated() >> 21 & 1) {
+    if (columns.hasValue(21)) {
       auto& slot = port_->column<double>(21);
       slot = in.getTrajectoryJRatioA();
-      valid |= suture::rt::ColumnSet{1} << 21;
     }
-    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;
   }
 

@@ -41,6 +41,7 @@ namespace {
 
 bool acceptsLoopServerPut(const LoopServerPutArguments& slot);
 bool acceptsLoopServerBounce(const LoopServerBounceArguments& slot);
+bool acceptsLoopServerValueResult(const robots::PosePrmSlot& slot);
 bool acceptsLoopServerEchoEvent(const robots::PosePrmSlot& slot);
 
 constexpr CommandInfo kLoopServerCommands[] = {
@@ -61,6 +62,7 @@ constexpr CommandInfo kLoopServerCommands[] = {
      .resultSize = slotSize<robots::PosePrmSlot>,
      .depth = 16,
      .column = 0,
+     .acceptsResult = checkSlot<robots::PosePrmSlot, acceptsLoopServerValueResult>,
      .shiftResult = shiftSlot<robots::PosePrmSlot>},
 };
 
@@ -137,6 +139,7 @@ namespace {
 
 bool acceptsLoopServerPut(const LoopServerPutArguments& slot) { return isValid(slot.value); }
 bool acceptsLoopServerBounce(const LoopServerBounceArguments& slot) { return isValid(slot.value); }
+bool acceptsLoopServerValueResult(const robots::PosePrmSlot& slot) { return isValid(slot); }
 bool acceptsLoopServerEchoEvent(const robots::PosePrmSlot& slot) { return isValid(slot); }
 
 // --- LoopServer over Cap'n Proto RPC: the provider's side
@@ -164,8 +167,8 @@ class LoopServerSink final : public suture::rpc::EventSink {
     auto request = subscriber_.stateRequest();
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid);
-    out.setTooLarge(row.tooLarge);
+    out.setEvaluated(row.valid | row.invalid);
+    out.setTooLarge(row.tooLarge | row.invalid);
     if (row.valid >> 0 & 1) {
       const auto& slot = slotIn<robots::PosePrmSlot>(columns[0]);
       toWire(slot, out.initValue());
@@ -234,14 +237,14 @@ class LoopServerReceiver final : public wire::LoopServerEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rt::ColumnSet valid = 0;
-    if (in.getEvaluated() >> 0 & 1) {
+    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    if (columns.hasValue(0)) {
       auto& slot = port_->column<robots::PosePrmSlot>(0);
       const Errc error =
           in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
+      if (error != Errc{}) columns.refuse(0, error);
     }
-    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;
   }
 

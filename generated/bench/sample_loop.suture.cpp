@@ -41,6 +41,7 @@ namespace {
 
 bool acceptsSampleServerPut(const SampleServerPutArguments& slot);
 bool acceptsSampleServerBounce(const SampleServerBounceArguments& slot);
+bool acceptsSampleServerValueResult(const robots::PoseSampleSlot& slot);
 bool acceptsSampleServerEchoEvent(const robots::PoseSampleSlot& slot);
 
 constexpr CommandInfo kSampleServerCommands[] = {
@@ -61,6 +62,7 @@ constexpr CommandInfo kSampleServerCommands[] = {
      .resultSize = slotSize<robots::PoseSampleSlot>,
      .depth = 16,
      .column = 0,
+     .acceptsResult = checkSlot<robots::PoseSampleSlot, acceptsSampleServerValueResult>,
      .shiftResult = shiftSlot<robots::PoseSampleSlot>},
 };
 
@@ -135,6 +137,7 @@ bool acceptsSampleServerBounce(const SampleServerBounceArguments& slot) {
   return isValid(slot.value);
 }
 
+bool acceptsSampleServerValueResult(const robots::PoseSampleSlot& slot) { return isValid(slot); }
 bool acceptsSampleServerEchoEvent(const robots::PoseSampleSlot& slot) { return isValid(slot); }
 
 // --- SampleServer over Cap'n Proto RPC: the provider's side
@@ -162,8 +165,8 @@ class SampleServerSink final : public suture::rpc::EventSink {
     auto request = subscriber_.stateRequest();
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid);
-    out.setTooLarge(row.tooLarge);
+    out.setEvaluated(row.valid | row.invalid);
+    out.setTooLarge(row.tooLarge | row.invalid);
     if (row.valid >> 0 & 1) {
       const auto& slot = slotIn<robots::PoseSampleSlot>(columns[0]);
       toWire(slot, out.initValue());
@@ -232,14 +235,14 @@ class SampleServerReceiver final : public wire::SampleServerEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rt::ColumnSet valid = 0;
-    if (in.getEvaluated() >> 0 & 1) {
+    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    if (columns.hasValue(0)) {
       auto& slot = port_->column<robots::PoseSampleSlot>(0);
       const Errc error =
           in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
+      if (error != Errc{}) columns.refuse(0, error);
     }
-    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;
   }
 

@@ -28,6 +28,7 @@ using suture::store;
 namespace {
 
 bool acceptsTurntableTurn(const TurntableTurnArguments& slot);
+bool acceptsTurntableAngleResult(const double& slot);
 
 constexpr CommandInfo kTurntableCommands[] = {
     {.name = "turn",
@@ -39,7 +40,8 @@ constexpr CommandInfo kTurntableCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<double>,
      .depth = 16,
-     .column = 0},
+     .column = 0,
+     .acceptsResult = checkSlot<double, acceptsTurntableAngleResult>},
 };
 
 // The self-description, as in loadable/turntable.suture.json.
@@ -69,6 +71,7 @@ bool store(const double& angle, TurntableTurnArguments& slot) { return store(ang
 namespace {
 
 bool acceptsTurntableTurn(const TurntableTurnArguments& slot) { return isValid(slot.angle); }
+bool acceptsTurntableAngleResult(const double& slot) { return isValid(slot); }
 
 // --- Turntable over Cap'n Proto RPC: the provider's side
 
@@ -85,8 +88,8 @@ class TurntableSink final : public suture::rpc::EventSink {
     auto request = subscriber_.stateRequest();
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid);
-    out.setTooLarge(row.tooLarge);
+    out.setEvaluated(row.valid | row.invalid);
+    out.setTooLarge(row.tooLarge | row.invalid);
     if (row.valid >> 0 & 1) {
       const auto& slot = slotIn<double>(columns[0]);
       out.setAngle(slot);
@@ -146,13 +149,12 @@ class TurntableReceiver final : public wire::TurntableEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rt::ColumnSet valid = 0;
-    if (in.getEvaluated() >> 0 & 1) {
+    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    if (columns.hasValue(0)) {
       auto& slot = port_->column<double>(0);
       slot = in.getAngle();
-      valid |= suture::rt::ColumnSet{1} << 0;
     }
-    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;
   }
 

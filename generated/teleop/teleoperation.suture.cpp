@@ -47,6 +47,8 @@ static_assert(std::is_same_v<decltype(FollowAnchors::slave_setpoint), Eigen::Iso
 static_assert(std::is_same_v<decltype(FollowAnchors::scale), double>);
 static_assert(std::is_same_v<decltype(FollowAnchors::entry), std::uint64_t>);
 
+bool acceptsTeleoperationTeleopStateResult(const std::uint8_t& slot);
+bool acceptsTeleoperationAnchorsResult(const FollowAnchorsSlot& slot);
 bool acceptsTeleoperationTeleopStateEvent(const std::uint8_t& slot);
 bool acceptsTeleoperationFollowedEvent(const FollowAnchorsSlot& slot);
 
@@ -57,12 +59,14 @@ constexpr CommandInfo kTeleoperationCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<std::uint8_t>,
      .depth = 16,
-     .column = 0},
+     .column = 0,
+     .acceptsResult = checkSlot<std::uint8_t, acceptsTeleoperationTeleopStateResult>},
     {.name = "anchors",
      .kind = CommandKind::Read,
      .resultSize = slotSize<FollowAnchorsSlot>,
      .depth = 16,
      .column = 1,
+     .acceptsResult = checkSlot<FollowAnchorsSlot, acceptsTeleoperationAnchorsResult>,
      .shiftResult = shiftSlot<FollowAnchorsSlot>},
 };
 
@@ -221,6 +225,12 @@ bool isValid(const FollowAnchorsSlot& slot) {
 
 namespace {
 
+bool acceptsTeleoperationTeleopStateResult(const std::uint8_t& slot) {
+  return isKnownTeleopState(slot);
+}
+
+bool acceptsTeleoperationAnchorsResult(const FollowAnchorsSlot& slot) { return isValid(slot); }
+
 bool acceptsTeleoperationTeleopStateEvent(const std::uint8_t& slot) {
   return isKnownTeleopState(slot);
 }
@@ -258,8 +268,8 @@ class TeleoperationSink final : public suture::rpc::EventSink {
     auto request = subscriber_.stateRequest();
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid);
-    out.setTooLarge(row.tooLarge);
+    out.setEvaluated(row.valid | row.invalid);
+    out.setTooLarge(row.tooLarge | row.invalid);
     if (row.valid >> 0 & 1) {
       const auto& slot = slotIn<std::uint8_t>(columns[0]);
       out.setTeleopState(wireTeleopState(slot));
@@ -338,19 +348,19 @@ class TeleoperationReceiver final : public wire::TeleoperationEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rt::ColumnSet valid = 0;
-    if (in.getEvaluated() >> 0 & 1) {
+    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    if (columns.hasValue(0)) {
       auto& slot = port_->column<std::uint8_t>(0);
       const Errc error = fromWire(in.getTeleopState(), slot);
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
+      if (error != Errc{}) columns.refuse(0, error);
     }
-    if (in.getEvaluated() >> 1 & 1) {
+    if (columns.hasValue(1)) {
       auto& slot = port_->column<FollowAnchorsSlot>(1);
       const Errc error =
           in.hasAnchors() ? fromWire(in.getAnchors(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
+      if (error != Errc{}) columns.refuse(1, error);
     }
-    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;
   }
 

@@ -16,7 +16,7 @@ std::string remedyFor(Errc error, const Target& target) {
     case Errc::Suspended: return "`suture read " + component + " component_state` tells how it is";
     case Errc::Full: return "Send less, or again when it has taken some";
     case Errc::OutcomeUnknown: return "`suture doctor " + target.toString() + "` looks for it";
-    default: return "`suture describe " + target.toString() + "` tells what it takes";
+    default: return "`suture describe " + target.toString() + "` tells what it takes and answers";
   }
 }
 

@@ -42,7 +42,7 @@ void CallBase::passOnTo(RequiredBase::Follower follower) {
 
 // --- what RequiredBase does for the calls under way on it
 
-RequiredBase::PendingCall* RequiredBase::openCall() {
+RequiredBase::PendingCall* RequiredBase::openCall(std::uint16_t command) {
   collectReplies();
   const auto free = std::find_if(books_->calls.begin(), books_->calls.end(),
                                  [](const PendingCall& call) { return call.number == 0; });
@@ -50,6 +50,7 @@ RequiredBase::PendingCall* RequiredBase::openCall() {
   const auto index = static_cast<std::uint32_t>(free - books_->calls.begin());
   ++callsOpened_;
   free->number = callsOpened_ % (1u << 27) * Channel::kMaxCalls + index + Channel::kMaxCalls;
+  free->command = command;
   free->done = free->abandoned = false;
   free->error = Errc{};
   return &*free;
@@ -93,6 +94,9 @@ void RequiredBase::collect(ReplyRecord& reply, std::size_t size) {
   std::memcpy(call.result.data(), reply.result(), std::min(size, call.result.size()));
   call.shared = reply.shared;
   if (reply.shared) putSharedSlot(reply.result(), nullptr);  // it is the call's now
+  if (call.error == Errc{} && !admitsCopy(call.command, call.result.data())) {
+    call.error = Errc::Invalid;
+  }
   if (call.abandoned) discard(call);
 }
 

@@ -40,7 +40,7 @@ Sample<void> RequiredBase::judgeLoss(Errc error, std::uint16_t command, std::byt
   if ((error != Errc::Lost && error != Errc::Faulted) || channel_->watch == nullptr) return error;
   const auto column = static_cast<unsigned>(info_.commands[command].column);
   const Result<Time> stamp = channel_->state->read(column, slot);
-  if (!stamp) return error;
+  if (!stamp || !admitsCopy(command, slot)) return error;
   return fallBack(channel_->watch->contract.onLoss, error, *stamp);
 }
 
@@ -98,6 +98,10 @@ Errc RequiredBase::commit(std::uint16_t command, const std::byte* arguments, boo
   return Errc{};
 }
 
+bool RequiredBase::admitsCopy(std::uint16_t command, const std::byte* result) const {
+  return !channel_->foreign || info_.commands[command].admitsResult(result);
+}
+
 Errc RequiredBase::ask(std::uint16_t command, bool& device) {
   if (const Errc error = unusable(command); error != Errc{}) return error;
   device = channel_->ends.device != nullptr;
@@ -114,6 +118,7 @@ Sample<void> RequiredBase::read(std::uint16_t command, std::byte* slot, bool& de
   const auto column = static_cast<unsigned>(info_.commands[command].column);
   const Result<Time> stamp = channel_->state->read(column, slot);
   if (!stamp) return stamp.error();
+  if (!admitsCopy(command, slot)) return Errc::Invalid;
   countRead(*channel_, column);
   channel_->noteRead(*stamp);
   return judgeAge(*stamp);
@@ -129,6 +134,7 @@ Sample<void> RequiredBase::readAt(Time at, std::uint16_t command, std::byte* slo
   const auto column = static_cast<unsigned>(info_.commands[command].column);
   const Result<Time> stamp = channel_->state->readAt(at, column, slot);
   if (!stamp) return stamp.error();
+  if (!admitsCopy(command, slot)) return Errc::Invalid;
   return Sample<void>(*stamp);
 }
 
@@ -143,9 +149,10 @@ Sample<void> RequiredBase::readRow(const Time* at, std::span<const std::uint16_t
   const std::span<std::byte* const> wanted = std::span(byColumn).first(state.columns());
   const rt::StateTable::Row row =
       at == nullptr ? state.readRow(wanted) : state.readRowAt(*at, wanted);
-  for (const std::uint16_t command : commands) {
-    const auto column = static_cast<unsigned>(info_.commands[command].column);
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    const auto column = static_cast<unsigned>(info_.commands[commands[i]].column);
     if (const Errc error = row.missing(column); error != Errc{}) return error;
+    if (!admitsCopy(commands[i], slots[i])) return Errc::Invalid;
   }
   if (at != nullptr) return Sample<void>(row.stamp);
   channel_->noteRead(row.stamp);

@@ -25,6 +25,15 @@ Errc RequiredBase::judgeHere(std::uint16_t command, Arguments&... arguments) {
   return Errc{};
 }
 
+template <class Slot, class Value>
+Errc RequiredBase::judgeResultHere(std::uint16_t command, const Value& value) const {
+  const CommandInfo& info = info_.commands[command];
+  if (info.acceptsResult == nullptr) return Errc{};
+  LooseSlot<Slot> slot;
+  if (!store(value, slot.value())) return Errc::TooLarge;
+  return info.admitsResult(slot.memory()) ? Errc{} : Errc::Invalid;
+}
+
 /// A void or write command: queued at the provider, executed in its thread. A direct() one, and any
 /// of a device, is executed at once in the caller's thread where both are in one process.
 ///   slave_.servo_cp(goal);                        queued; the answer says whether
@@ -52,7 +61,7 @@ class Command<Method, ArgumentsSlot> {
     if (ProvidedBase* const callee = required_.callee(id_)) {
       return resultOf<Nothing>(callHere(*callee, arguments...));
     }
-    auto* pending = required_.openCall();
+    auto* pending = required_.openCall(id_);
     if (pending == nullptr) return Errc::TooManyCalls;
     return {required_, *pending, required_.deadlineOf(id_), send(pending->number, arguments...)};
   }
@@ -100,7 +109,8 @@ class ReadCommand<Method, ResultSlot> {
   ReadCommand(RequiredBase& required, std::uint16_t id) : required_(required), id_(id) {}
 
   /// The newest value. Errc::NotYet until the provider has produced it for the first time; asking
-  /// makes it do so from now on. Allocates only if Value does.
+  /// makes it do so from now on. Errc::Invalid while the contract does not admit what the provider
+  /// produces; a device in this process answers by itself, unjudged. Allocates only if Value does.
   Sample<Value> operator()() {
     Value value{};
     const Sample<void> read = (*this)(value);
@@ -154,7 +164,7 @@ class ReadCommand<Method, ResultSlot> {
   [[nodiscard]] Call<Sample<Value>, ResultSlot> fresh() {
     if (const Errc error = required_.unusable(id_); error != Errc{}) return error;
     if (required_.callee(id_) != nullptr) return (*this)();
-    auto* pending = required_.openCall();
+    auto* pending = required_.openCall(id_);
     if (pending == nullptr) return Errc::TooManyCalls;
     return {required_, *pending, required_.deadlineOf(id_),
             required_.send(id_, pending->number, [](std::byte*) { return true; })};
@@ -201,7 +211,7 @@ class AnsweredCommand {
   [[nodiscard]] Call<Result<Value>, ResultSlot> start(Arguments... arguments) {
     if (const Errc error = required_.unusable(id_); error != Errc{}) return error;
     if (ProvidedBase* const callee = required_.callee(id_)) return askHere(*callee, arguments...);
-    auto* pending = required_.openCall();
+    auto* pending = required_.openCall(id_);
     if (pending == nullptr) return Errc::TooManyCalls;
     return {required_, *pending, required_.deadlineOf(id_),
             required_.send(id_, pending->number, [&]([[maybe_unused]] std::byte* memory) {
@@ -221,6 +231,7 @@ class AnsweredCommand {
       error = RequiredBase::callHere<Contract>(
           callee, [&](Contract& contract) { value = (contract.*Method)(arguments...); });
     }
+    if (error == Errc{}) error = required_.judgeResultHere<ResultSlot>(id_, value);
     return error == Errc{} ? Result<Value>(std::move(value)) : Result<Value>(tl::unexpect, error);
   }
 

@@ -40,10 +40,14 @@ struct CommandInfo {
   /// False for arguments that the contract does not admit: NaN, out of range(), an enumerator that
   /// it does not declare. Of a slot with any bytes. Null: it admits all.
   bool (*accepts)(const std::byte* arguments) = nullptr;
+  bool (*acceptsResult)(const std::byte* result) = nullptr;  ///< as accepts
   // Turn the stamps in a slot into those of another clock; null: it has none. Of any bytes.
   StampShift shiftArguments = nullptr, shiftResult = nullptr;
 
   bool admits(const std::byte* arguments) const { return accepts == nullptr || accepts(arguments); }
+  bool admitsResult(const std::byte* result) const {
+    return acceptsResult == nullptr || acceptsResult(result);
+  }
 };
 
 /// A set of a contract's events, one bit each.

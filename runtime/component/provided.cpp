@@ -241,13 +241,19 @@ void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time p
   } else {
     const ResultForm form{command.resultSize, command.sharedResult};
     channel.reply(record.call, form, [&](std::byte* result) {
-      const Errc error = execute(record.command, record.arguments(), result);
+      const Errc error = produce(record.command, record.arguments(), result);
       turn.outcome = &channel.commands.counters.executed;
       turn.release();
       return error;
     });
     turn.answered = true;
   }
+}
+
+Errc ProvidedBase::produce(std::uint16_t command, const std::byte* arguments, std::byte* result) {
+  const Errc error = execute(command, arguments, result);
+  if (error != Errc{}) return error;
+  return info_.commands[command].admitsResult(result) ? Errc{} : Errc::Invalid;
 }
 
 void ProvidedBase::publishRow() {
@@ -257,14 +263,15 @@ void ProvidedBase::publishRow() {
 void ProvidedBase::advance() {
   const rt::ColumnSet demand = state_->demand();
   if (demand == 0) return;
-  rt::ColumnSet valid = 0, tooLarge = 0;
+  rt::ColumnSet valid = 0, tooLarge = 0, invalid = 0;
   for (std::uint16_t i = 0; i < info_.commands.size(); ++i) {
     const int column = info_.commands[i].column;
     if (column < 0 || (demand >> column & 1) == 0) continue;
-    const Errc error = execute(i, nullptr, state_->draft(static_cast<unsigned>(column)));
-    (error == Errc{} ? valid : tooLarge) |= rt::ColumnSet{1} << column;
+    const Errc error = produce(i, nullptr, state_->draft(static_cast<unsigned>(column)));
+    rt::ColumnSet& group = error == Errc{} ? valid : error == Errc::Invalid ? invalid : tooLarge;
+    group |= rt::ColumnSet{1} << column;
   }
-  state_->publish(now(), valid, tooLarge);
+  state_->publish(now(), valid, tooLarge, invalid);
   channels_.forEach([this](ChannelList::Node& node) {
     if (node.channel->wantsRows.load(std::memory_order_relaxed)) {
       owner_.ringLater(*node.channel->ends.client);

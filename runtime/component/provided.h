@@ -92,6 +92,8 @@ class ProvidedBase {
   virtual Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) = 0;
 
  private:
+  /// execute(), and Errc::Invalid for a result that the contract does not admit.
+  Errc produce(std::uint16_t command, const std::byte* arguments, std::byte* result);
   template <class, class...>
   friend class Emitter;
   friend class RequiredBase;

@@ -125,6 +125,7 @@ class RequiredBase {
   using Follower = void (*)(RequiredBase&, PendingCall&);
   struct PendingCall {
     std::uint32_t number = 0;  // 0: free
+    std::uint16_t command = 0;
     bool done = false;
     bool abandoned = false;
     bool fresh = false;  // answered since the last handleEvents()
@@ -156,6 +157,12 @@ class RequiredBase {
   /// Does the same for arguments that go to a handler as they are.
   template <class Slot, class... Arguments>
   Errc judgeHere(std::uint16_t command, Arguments&... arguments);
+  /// An error for the result of a call in this thread that no client is to see.
+  template <class Slot, class Value>
+  Errc judgeResultHere(std::uint16_t command, const Value& value) const;
+  /// False for a result that another process wrote and that the contract does not admit. It is
+  /// asked of the copy, which the other process can no longer change.
+  bool admitsCopy(std::uint16_t command, const std::byte* result) const;
   /// Copies the newest result of read `command` into `slot`, unless the provider is a `device`, to
   /// be called directly.
   Sample<void> read(std::uint16_t command, std::byte* slot, bool& device);
@@ -166,7 +173,7 @@ class RequiredBase {
   /// The reads `commands` of one row, each into its slot: of the newest row, or of that at `at`.
   Sample<void> readRow(const Time* at, std::span<const std::uint16_t> commands,
                        std::span<std::byte* const> slots, bool& device);
-  PendingCall* openCall();
+  PendingCall* openCall(std::uint16_t command);
   void closeCall(PendingCall& call);
   void collectReplies();
   void noteTaking();

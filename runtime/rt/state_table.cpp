@@ -143,7 +143,7 @@ StateTable::RowHeader& StateTable::headerAt(std::uint64_t sequence) const {
   return *reinterpret_cast<RowHeader*>(rows_ + (sequence & rowMask_) * rowBytes_);
 }
 
-void StateTable::publish(Time stamp, ColumnSet valid, ColumnSet tooLarge) {
+void StateTable::publish(Time stamp, ColumnSet valid, ColumnSet tooLarge, ColumnSet invalid) {
   const auto lock = shared_.lock();
   const std::uint64_t sequence = newest_->load(std::memory_order_relaxed) + 1;
   lastStamp_ = std::max(lastStamp_, stamp);
@@ -153,6 +153,7 @@ void StateTable::publish(Time stamp, ColumnSet valid, ColumnSet tooLarge) {
                      std::memory_order_release);
   header.valid.store(valid, std::memory_order_release);
   header.tooLarge.store(tooLarge, std::memory_order_release);
+  header.invalid.store(invalid, std::memory_order_release);
   for (unsigned i = 0; i < columns_.size(); ++i) {
     if (valid >> i & 1) storeColumn(i, header);
   }
@@ -165,9 +166,17 @@ bool StateTable::askAll(ColumnSet columns) {
   return (columns & ~demand_->fetch_or(columns, std::memory_order_acq_rel)) != 0;
 }
 
+bool StateTable::Row::keep(ColumnSet columns) {
+  valid &= columns;
+  tooLarge &= columns;
+  invalid &= columns;
+  return (valid | tooLarge | invalid) != 0;
+}
+
 Errc StateTable::Row::missing(unsigned column) const {
   if (valid >> column & 1) return Errc{};
   if (tooLarge >> column & 1) return Errc::TooLarge;
+  if (invalid >> column & 1) return Errc::Invalid;
   return tooOld ? Errc::TooOld : Errc::NotYet;
 }
 
@@ -181,6 +190,7 @@ bool StateTable::tryRead(Row& row, const Copy& copy) const {
   row.stamp = possible(header.stamp.load(std::memory_order_acquire));
   row.valid = header.valid.load(std::memory_order_acquire);
   row.tooLarge = header.tooLarge.load(std::memory_order_acquire);
+  row.invalid = header.invalid.load(std::memory_order_acquire);
   if (shared_.which() != 0 && sequence != newest_->load(std::memory_order_relaxed)) {
     row.tooOld = (row.valid & shared_.which()) != 0;
     row.valid &= ~shared_.which();

@@ -51,9 +51,10 @@ class StateTable {
   /// Where to prepare column `column` of the next row. Private to the writer.
   std::byte* draft(unsigned column);
   /// Publishes the draft as a new row: of the columns in `valid` the values, of those in `tooLarge`
-  /// the fact that they did not fit. All others say "not yet". Stamps never go back: an earlier one
-  /// counts as that of the row before.
-  void publish(Time stamp, ColumnSet valid, ColumnSet tooLarge);
+  /// the fact that they did not fit, of those in `invalid` that the contract does not admit them.
+  /// All others say "not yet". Stamps never go back: an earlier one counts as that of the row
+  /// before.
+  void publish(Time stamp, ColumnSet valid, ColumnSet tooLarge, ColumnSet invalid = 0);
   /// Columns that somebody has asked for. Never shrinks.
   ColumnSet demand() const { return demand_->load(std::memory_order_acquire); }
 
@@ -75,9 +76,11 @@ class StateTable {
   struct Row {
     std::uint64_t sequence = 0;  ///< 0: there is none
     Time stamp{};
-    ColumnSet valid = 0, tooLarge = 0;
+    ColumnSet valid = 0, tooLarge = 0, invalid = 0;
     bool tooOld = false;  ///< there was one, and it has been overwritten
 
+    /// Leaves out what is in none of `columns`; false if nothing is left.
+    bool keep(ColumnSet columns);
     /// Why there is no value of `column`; 0 if there is one.
     Errc missing(unsigned column) const;
   };
@@ -111,7 +114,7 @@ class StateTable {
   };
   struct RowHeader {
     Word sequence;  // of the complete row that lies here; 0 while it is written
-    Word stamp, valid, tooLarge;
+    Word stamp, valid, tooLarge, invalid;
   };
 
   static std::size_t bytesOfRow(std::span<const std::uint32_t> columnSizes);

@@ -9,6 +9,7 @@
 
 #include <atomic>
 #include <functional>
+#include <limits>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -55,7 +56,10 @@ class RecordingArm : public GripperArm {
   PoseStamped measured_cp() const override {
     const std::lock_guard lock(mutex_);
     evaluated_ = suture::now();
-    return measured_;
+    if (!garbled_) return measured_;
+    PoseStamped nowhere = measured_;
+    nowhere.pose.translation().x() = std::numeric_limits<double>::quiet_NaN();
+    return nowhere;
   }
   const JointState& measured_js() const override { return outgrown_ ? tooLarge_ : joints_; }
   double distance(const PoseStamped& to) const override {
@@ -113,6 +117,8 @@ class RecordingArm : public GripperArm {
   }
   /// Any thread: from now on its joints do not fit what the contract declares.
   void outgrow() { outgrown_ = true; }
+  /// Any thread: whether what it measures, and what it answers from that, is no number.
+  void garble(bool garbled) { garbled_ = garbled; }
   /// From now on writes down each goal: its place is its client, its number and its connection.
   void keepHistory(const std::string& file) {
     const std::lock_guard lock(mutex_);
@@ -157,7 +163,7 @@ class RecordingArm : public GripperArm {
   mutable suture::Time evaluated_;
   JointState joints_;
   const JointState tooLarge_{{"a name of 16 chr"}, {}};
-  std::atomic<bool> outgrown_{false};
+  std::atomic<bool> outgrown_{false}, garbled_{false};
   std::atomic<double> opening_{0};
   mutable std::atomic<pid_t> ranIn_{0}, answeredBy_{0};
 };

@@ -1,5 +1,7 @@
 // Every kind of command.
 #include <suture/component/channel.h>
+#include <suture/component/read_together.h>
+
 #include "conformance/setup.h"
 
 namespace conformance {
@@ -113,20 +115,34 @@ TEST_P(QueuedWireCommands, AFreshReadIsStampedWhereItIsEvaluated) {
   });
 }
 
-TEST_P(QueuedCommands, AReadThatDoesNotFitIsToldSo) {
-  arm->at([](ArmComponent& one) {
-    one.outgrow();
-    one.emitSoon([](Ports) {});  // in a cycle, after which it is known
-  });
-  EXPECT_TRUE(suture::eventually([&] {
-    suture::Errc error{};
-    client->with([&](Arm& remote) {
-      JointState joints;
-      const auto read = remote.measured_js(joints);
-      if (!read) error = read.error();
+TEST_P(QueuedCommands, AReadWithoutAValueSaysWhy) {
+  const auto becomes = [this](Errc joints, Errc pose) {
+    arm->at([](ArmComponent& one) { one.emitSoon([](Ports) {}); });  // in a cycle, which publishes
+    return suture::eventually([&] {
+      bool is = false;
+      client->with([&](Arm& remote) {
+        const auto jointsRead = remote.measured_js();
+        const auto poseRead = remote.measured_cp();
+        is = (jointsRead ? Errc{} : jointsRead.error()) == joints &&
+             (poseRead ? Errc{} : poseRead.error()) == pose;
+      });
+      return is;
     });
-    return error == Errc::TooLarge;
-  }));
+  };
+  EXPECT_TRUE(becomes(Errc{}, Errc{}));
+  arm->at([](ArmComponent& one) { one.garble(true); });
+  EXPECT_TRUE(becomes(Errc{}, Errc::Invalid));
+  client->with([](Arm& remote) {
+    const auto fresh = remote.measured_cp.fresh().within(5s);
+    EXPECT_EQ(fresh ? Errc{} : fresh.error(), Errc::Invalid);
+    const auto row = suture::readTogether(remote.measured_js, remote.measured_cp);
+    EXPECT_EQ(row ? Errc{} : row.error(), Errc::Invalid);
+  });
+  arm->at([](ArmComponent& one) {
+    one.garble(false);
+    one.outgrow();
+  });
+  EXPECT_TRUE(becomes(Errc::TooLarge, Errc{}));
 }
 
 TEST_P(Commands, AQualifiedReadAnswersItsQuestion) {
@@ -135,6 +151,12 @@ TEST_P(Commands, AQualifiedReadAnswersItsQuestion) {
     const auto distance = remote.distance.start(poseAt(4)).within(5s);
     ASSERT_TRUE(distance);
     EXPECT_EQ(*distance, 3.0);
+  });
+  // An answer that is no number reaches nobody.
+  arm->at([](ArmComponent& one) { one.garble(true); });
+  client->with([](Arm& remote) {
+    const auto distance = remote.distance.start(poseAt(4)).within(5s);
+    EXPECT_EQ(distance ? Errc{} : distance.error(), Errc::Invalid);
   });
 }
 

@@ -51,7 +51,10 @@ namespace {
 bool acceptsArmLikeServoCp(const ArmLikeServoCpArguments& slot);
 bool acceptsArmLikeServoJp(const ArmLikeServoJpArguments& slot);
 bool acceptsArmLikeSetMode(const ArmLikeSetModeArguments& slot);
+bool acceptsArmLikeMeasuredCpResult(const PoseStampedSlot& slot);
+bool acceptsArmLikeMeasuredJsResult(const JointStateSlot& slot);
 bool acceptsArmLikeDistance(const ArmLikeDistanceArguments& slot);
+bool acceptsArmLikeDistanceResult(const double& slot);
 bool acceptsArmLikeMove(const ArmLikeMoveArguments& slot);
 bool acceptsArmLikeLimit(const ArmLikeLimitArguments& slot);
 bool acceptsArmLikeModeEvent(const std::uint8_t& slot);
@@ -84,18 +87,21 @@ constexpr CommandInfo kArmLikeCommands[] = {
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = 0,
+     .acceptsResult = checkSlot<PoseStampedSlot, acceptsArmLikeMeasuredCpResult>,
      .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "measured_js",
      .kind = CommandKind::Read,
      .resultSize = slotSize<JointStateSlot>,
      .depth = 16,
-     .column = 1},
+     .column = 1,
+     .acceptsResult = checkSlot<JointStateSlot, acceptsArmLikeMeasuredJsResult>},
     {.name = "distance",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<ArmLikeDistanceArguments>,
      .resultSize = slotSize<double>,
      .depth = 16,
      .accepts = checkSlot<ArmLikeDistanceArguments, acceptsArmLikeDistance>,
+     .acceptsResult = checkSlot<double, acceptsArmLikeDistanceResult>,
      .shiftArguments = shiftSlot<ArmLikeDistanceArguments>},
     {.name = "move",
      .kind = CommandKind::WriteReturn,
@@ -182,7 +188,10 @@ namespace {
 bool acceptsArmLikeServoCp(const ArmLikeServoCpArguments& slot) { return isValid(slot.goal); }
 bool acceptsArmLikeServoJp(const ArmLikeServoJpArguments& slot) { return isValid(slot.goal); }
 bool acceptsArmLikeSetMode(const ArmLikeSetModeArguments& slot) { return isKnownMode(slot.mode); }
+bool acceptsArmLikeMeasuredCpResult(const PoseStampedSlot& slot) { return isValid(slot); }
+bool acceptsArmLikeMeasuredJsResult(const JointStateSlot& slot) { return isValid(slot); }
 bool acceptsArmLikeDistance(const ArmLikeDistanceArguments& slot) { return isValid(slot.to); }
+bool acceptsArmLikeDistanceResult(const double& slot) { return isValid(slot); }
 
 bool acceptsArmLikeMove(const ArmLikeMoveArguments& slot) {
   return isValid(slot.goal) && inRange(slot.speed, 0, 1);
@@ -239,8 +248,8 @@ class ArmLikeSink final : public suture::rpc::EventSink {
     auto request = subscriber_.stateRequest();
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid);
-    out.setTooLarge(row.tooLarge);
+    out.setEvaluated(row.valid | row.invalid);
+    out.setTooLarge(row.tooLarge | row.invalid);
     if (row.valid >> 0 & 1) {
       const auto& slot = slotIn<PoseStampedSlot>(columns[0]);
       toWire(slot, out.initMeasuredCp());
@@ -398,20 +407,20 @@ class ArmLikeReceiver final : public wire::ArmLikeEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rt::ColumnSet valid = 0;
-    if (in.getEvaluated() >> 0 & 1) {
+    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    if (columns.hasValue(0)) {
       auto& slot = port_->column<PoseStampedSlot>(0);
       const Errc error =
           in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
+      if (error != Errc{}) columns.refuse(0, error);
     }
-    if (in.getEvaluated() >> 1 & 1) {
+    if (columns.hasValue(1)) {
       auto& slot = port_->column<JointStateSlot>(1);
       const Errc error =
           in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
+      if (error != Errc{}) columns.refuse(1, error);
     }
-    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;
   }
 

@@ -44,6 +44,8 @@ using suture::store;
 namespace {
 
 bool acceptsGripperArmClose(const GripperArmCloseArguments& slot);
+bool acceptsGripperArmCloseResult(const double& slot);
+bool acceptsGripperArmOpeningResult(const double& slot);
 bool acceptsGripperArmFits(const GripperArmFitsArguments& slot);
 bool acceptsGripperArmGrippedEvent(const double& slot);
 
@@ -53,12 +55,14 @@ constexpr CommandInfo kGripperArmCommands[] = {
      .argumentsSize = slotSize<GripperArmCloseArguments>,
      .resultSize = slotSize<double>,
      .depth = 16,
-     .accepts = checkSlot<GripperArmCloseArguments, acceptsGripperArmClose>},
+     .accepts = checkSlot<GripperArmCloseArguments, acceptsGripperArmClose>,
+     .acceptsResult = checkSlot<double, acceptsGripperArmCloseResult>},
     {.name = "opening",
      .kind = CommandKind::Read,
      .resultSize = slotSize<double>,
      .depth = 16,
-     .column = 2},
+     .column = 2,
+     .acceptsResult = checkSlot<double, acceptsGripperArmOpeningResult>},
     {.name = "release", .kind = CommandKind::Void, .depth = 16, .inCallersThread = true},
     {.name = "fits",
      .kind = CommandKind::QualifiedRead,
@@ -88,6 +92,8 @@ bool store(const double& width, GripperArmFitsArguments& slot) { return store(wi
 namespace {
 
 bool acceptsGripperArmClose(const GripperArmCloseArguments& slot) { return isValid(slot.width); }
+bool acceptsGripperArmCloseResult(const double& slot) { return isValid(slot); }
+bool acceptsGripperArmOpeningResult(const double& slot) { return isValid(slot); }
 bool acceptsGripperArmFits(const GripperArmFitsArguments& slot) { return isValid(slot.width); }
 bool acceptsGripperArmGrippedEvent(const double& slot) { return isValid(slot); }
 
@@ -138,8 +144,8 @@ class GripperArmSink final : public suture::rpc::EventSink {
     auto request = subscriber_.stateRequest();
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid);
-    out.setTooLarge(row.tooLarge);
+    out.setEvaluated(row.valid | row.invalid);
+    out.setTooLarge(row.tooLarge | row.invalid);
     if (row.valid >> 0 & 1) {
       const auto& slot = slotIn<PoseStampedSlot>(columns[0]);
       toWire(slot, out.initMeasuredCp());
@@ -245,25 +251,24 @@ class GripperArmReceiver final : public wire::GripperArmEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rt::ColumnSet valid = 0;
-    if (in.getEvaluated() >> 0 & 1) {
+    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    if (columns.hasValue(0)) {
       auto& slot = port_->column<PoseStampedSlot>(0);
       const Errc error =
           in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
+      if (error != Errc{}) columns.refuse(0, error);
     }
-    if (in.getEvaluated() >> 1 & 1) {
+    if (columns.hasValue(1)) {
       auto& slot = port_->column<JointStateSlot>(1);
       const Errc error =
           in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
+      if (error != Errc{}) columns.refuse(1, error);
     }
-    if (in.getEvaluated() >> 2 & 1) {
+    if (columns.hasValue(2)) {
       auto& slot = port_->column<double>(2);
       slot = in.getOpening();
-      valid |= suture::rt::ColumnSet{1} << 2;
     }
-    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;
   }
 

@@ -42,12 +42,24 @@ namespace {
 bool acceptsAllKindsSetScalar(const AllKindsSetScalarArguments& slot);
 bool acceptsAllKindsSetVector(const AllKindsSetVectorArguments& slot);
 bool acceptsAllKindsSetRecord(const AllKindsSetRecordArguments& slot);
+bool acceptsAllKindsScalarResult(const double& slot);
+bool acceptsAllKindsVectorResult(const std::array<double, 3>& slot);
+bool acceptsAllKindsRecordResult(const robots::PosePrmSlot& slot);
 bool acceptsAllKindsTwiceScalar(const AllKindsTwiceScalarArguments& slot);
+bool acceptsAllKindsTwiceScalarResult(const double& slot);
 bool acceptsAllKindsTwiceVector(const AllKindsTwiceVectorArguments& slot);
+bool acceptsAllKindsTwiceVectorResult(const std::array<double, 3>& slot);
 bool acceptsAllKindsTwiceRecord(const AllKindsTwiceRecordArguments& slot);
+bool acceptsAllKindsTwiceRecordResult(const robots::PosePrmSlot& slot);
+bool acceptsAllKindsTakeScalarResult(const double& slot);
+bool acceptsAllKindsTakeVectorResult(const std::array<double, 3>& slot);
+bool acceptsAllKindsTakeRecordResult(const robots::PosePrmSlot& slot);
 bool acceptsAllKindsSwapScalar(const AllKindsSwapScalarArguments& slot);
+bool acceptsAllKindsSwapScalarResult(const double& slot);
 bool acceptsAllKindsSwapVector(const AllKindsSwapVectorArguments& slot);
+bool acceptsAllKindsSwapVectorResult(const std::array<double, 3>& slot);
 bool acceptsAllKindsSwapRecord(const AllKindsSwapRecordArguments& slot);
+bool acceptsAllKindsSwapRecordResult(const robots::PosePrmSlot& slot);
 bool acceptsAllKindsScalarSetEvent(const double& slot);
 bool acceptsAllKindsVectorSetEvent(const std::array<double, 3>& slot);
 bool acceptsAllKindsRecordSetEvent(const robots::PosePrmSlot& slot);
@@ -78,17 +90,20 @@ constexpr CommandInfo kAllKindsCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<double>,
      .depth = 16,
-     .column = 0},
+     .column = 0,
+     .acceptsResult = checkSlot<double, acceptsAllKindsScalarResult>},
     {.name = "vector",
      .kind = CommandKind::Read,
      .resultSize = slotSize<std::array<double, 3>>,
      .depth = 16,
-     .column = 1},
+     .column = 1,
+     .acceptsResult = checkSlot<std::array<double, 3>, acceptsAllKindsVectorResult>},
     {.name = "record",
      .kind = CommandKind::Read,
      .resultSize = slotSize<robots::PosePrmSlot>,
      .depth = 16,
      .column = 2,
+     .acceptsResult = checkSlot<robots::PosePrmSlot, acceptsAllKindsRecordResult>,
      .shiftResult = shiftSlot<robots::PosePrmSlot>},
     {.name = "text",
      .kind = CommandKind::Read,
@@ -100,19 +115,22 @@ constexpr CommandInfo kAllKindsCommands[] = {
      .argumentsSize = slotSize<AllKindsTwiceScalarArguments>,
      .resultSize = slotSize<double>,
      .depth = 16,
-     .accepts = checkSlot<AllKindsTwiceScalarArguments, acceptsAllKindsTwiceScalar>},
+     .accepts = checkSlot<AllKindsTwiceScalarArguments, acceptsAllKindsTwiceScalar>,
+     .acceptsResult = checkSlot<double, acceptsAllKindsTwiceScalarResult>},
     {.name = "twice_vector",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<AllKindsTwiceVectorArguments>,
      .resultSize = slotSize<std::array<double, 3>>,
      .depth = 16,
-     .accepts = checkSlot<AllKindsTwiceVectorArguments, acceptsAllKindsTwiceVector>},
+     .accepts = checkSlot<AllKindsTwiceVectorArguments, acceptsAllKindsTwiceVector>,
+     .acceptsResult = checkSlot<std::array<double, 3>, acceptsAllKindsTwiceVectorResult>},
     {.name = "twice_record",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<AllKindsTwiceRecordArguments>,
      .resultSize = slotSize<robots::PosePrmSlot>,
      .depth = 16,
      .accepts = checkSlot<AllKindsTwiceRecordArguments, acceptsAllKindsTwiceRecord>,
+     .acceptsResult = checkSlot<robots::PosePrmSlot, acceptsAllKindsTwiceRecordResult>,
      .shiftArguments = shiftSlot<AllKindsTwiceRecordArguments>,
      .shiftResult = shiftSlot<robots::PosePrmSlot>},
     {.name = "twice_text",
@@ -123,15 +141,18 @@ constexpr CommandInfo kAllKindsCommands[] = {
     {.name = "take_scalar",
      .kind = CommandKind::VoidReturn,
      .resultSize = slotSize<double>,
-     .depth = 16},
+     .depth = 16,
+     .acceptsResult = checkSlot<double, acceptsAllKindsTakeScalarResult>},
     {.name = "take_vector",
      .kind = CommandKind::VoidReturn,
      .resultSize = slotSize<std::array<double, 3>>,
-     .depth = 16},
+     .depth = 16,
+     .acceptsResult = checkSlot<std::array<double, 3>, acceptsAllKindsTakeVectorResult>},
     {.name = "take_record",
      .kind = CommandKind::VoidReturn,
      .resultSize = slotSize<robots::PosePrmSlot>,
      .depth = 16,
+     .acceptsResult = checkSlot<robots::PosePrmSlot, acceptsAllKindsTakeRecordResult>,
      .shiftResult = shiftSlot<robots::PosePrmSlot>},
     {.name = "take_text",
      .kind = CommandKind::VoidReturn,
@@ -142,19 +163,22 @@ constexpr CommandInfo kAllKindsCommands[] = {
      .argumentsSize = slotSize<AllKindsSwapScalarArguments>,
      .resultSize = slotSize<double>,
      .depth = 16,
-     .accepts = checkSlot<AllKindsSwapScalarArguments, acceptsAllKindsSwapScalar>},
+     .accepts = checkSlot<AllKindsSwapScalarArguments, acceptsAllKindsSwapScalar>,
+     .acceptsResult = checkSlot<double, acceptsAllKindsSwapScalarResult>},
     {.name = "swap_vector",
      .kind = CommandKind::WriteReturn,
      .argumentsSize = slotSize<AllKindsSwapVectorArguments>,
      .resultSize = slotSize<std::array<double, 3>>,
      .depth = 16,
-     .accepts = checkSlot<AllKindsSwapVectorArguments, acceptsAllKindsSwapVector>},
+     .accepts = checkSlot<AllKindsSwapVectorArguments, acceptsAllKindsSwapVector>,
+     .acceptsResult = checkSlot<std::array<double, 3>, acceptsAllKindsSwapVectorResult>},
     {.name = "swap_record",
      .kind = CommandKind::WriteReturn,
      .argumentsSize = slotSize<AllKindsSwapRecordArguments>,
      .resultSize = slotSize<robots::PosePrmSlot>,
      .depth = 16,
      .accepts = checkSlot<AllKindsSwapRecordArguments, acceptsAllKindsSwapRecord>,
+     .acceptsResult = checkSlot<robots::PosePrmSlot, acceptsAllKindsSwapRecordResult>,
      .shiftArguments = shiftSlot<AllKindsSwapRecordArguments>,
      .shiftResult = shiftSlot<robots::PosePrmSlot>},
     {.name = "swap_text",
@@ -396,30 +420,48 @@ bool acceptsAllKindsSetRecord(const AllKindsSetRecordArguments& slot) {
   return isValid(slot.value);
 }
 
+bool acceptsAllKindsScalarResult(const double& slot) { return isValid(slot); }
+bool acceptsAllKindsVectorResult(const std::array<double, 3>& slot) { return isValid(slot); }
+bool acceptsAllKindsRecordResult(const robots::PosePrmSlot& slot) { return isValid(slot); }
+
 bool acceptsAllKindsTwiceScalar(const AllKindsTwiceScalarArguments& slot) {
   return isValid(slot.value);
 }
+
+bool acceptsAllKindsTwiceScalarResult(const double& slot) { return isValid(slot); }
 
 bool acceptsAllKindsTwiceVector(const AllKindsTwiceVectorArguments& slot) {
   return isValid(slot.value);
 }
 
+bool acceptsAllKindsTwiceVectorResult(const std::array<double, 3>& slot) { return isValid(slot); }
+
 bool acceptsAllKindsTwiceRecord(const AllKindsTwiceRecordArguments& slot) {
   return isValid(slot.value);
 }
+
+bool acceptsAllKindsTwiceRecordResult(const robots::PosePrmSlot& slot) { return isValid(slot); }
+bool acceptsAllKindsTakeScalarResult(const double& slot) { return isValid(slot); }
+bool acceptsAllKindsTakeVectorResult(const std::array<double, 3>& slot) { return isValid(slot); }
+bool acceptsAllKindsTakeRecordResult(const robots::PosePrmSlot& slot) { return isValid(slot); }
 
 bool acceptsAllKindsSwapScalar(const AllKindsSwapScalarArguments& slot) {
   return isValid(slot.value);
 }
 
+bool acceptsAllKindsSwapScalarResult(const double& slot) { return isValid(slot); }
+
 bool acceptsAllKindsSwapVector(const AllKindsSwapVectorArguments& slot) {
   return isValid(slot.value);
 }
+
+bool acceptsAllKindsSwapVectorResult(const std::array<double, 3>& slot) { return isValid(slot); }
 
 bool acceptsAllKindsSwapRecord(const AllKindsSwapRecordArguments& slot) {
   return isValid(slot.value);
 }
 
+bool acceptsAllKindsSwapRecordResult(const robots::PosePrmSlot& slot) { return isValid(slot); }
 bool acceptsAllKindsScalarSetEvent(const double& slot) { return isValid(slot); }
 bool acceptsAllKindsVectorSetEvent(const std::array<double, 3>& slot) { return isValid(slot); }
 bool acceptsAllKindsRecordSetEvent(const robots::PosePrmSlot& slot) { return isValid(slot); }
@@ -470,8 +512,8 @@ class AllKindsSink final : public suture::rpc::EventSink {
     auto request = subscriber_.stateRequest();
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid);
-    out.setTooLarge(row.tooLarge);
+    out.setEvaluated(row.valid | row.invalid);
+    out.setTooLarge(row.tooLarge | row.invalid);
     if (row.valid >> 0 & 1) {
       const auto& slot = slotIn<double>(columns[0]);
       out.setScalar(slot);
@@ -770,29 +812,28 @@ class AllKindsReceiver final : public wire::AllKindsEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rt::ColumnSet valid = 0;
-    if (in.getEvaluated() >> 0 & 1) {
+    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    if (columns.hasValue(0)) {
       auto& slot = port_->column<double>(0);
       slot = in.getScalar();
-      valid |= suture::rt::ColumnSet{1} << 0;
     }
-    if (in.getEvaluated() >> 1 & 1) {
+    if (columns.hasValue(1)) {
       auto& slot = port_->column<std::array<double, 3>>(1);
       const Errc error = in.hasVector() ? fromWire(in.getVector(), slot) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
+      if (error != Errc{}) columns.refuse(1, error);
     }
-    if (in.getEvaluated() >> 2 & 1) {
+    if (columns.hasValue(2)) {
       auto& slot = port_->column<robots::PosePrmSlot>(2);
       const Errc error =
           in.hasRecord() ? fromWire(in.getRecord(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 2;
+      if (error != Errc{}) columns.refuse(2, error);
     }
-    if (in.getEvaluated() >> 3 & 1) {
+    if (columns.hasValue(3)) {
       auto& slot = port_->column<suture::BoundedText<31>>(3);
       const Errc error = fromWire(in.getText(), slot);
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 3;
+      if (error != Errc{}) columns.refuse(3, error);
     }
-    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;
   }
 

@@ -40,6 +40,8 @@ static_assert(std::is_same_v<decltype(CollectingInterval::every), std::uint32_t>
 static_assert(std::is_same_v<decltype(CollectingInterval::atLeast), std::chrono::nanoseconds>);
 
 bool acceptsCollectingSetInterval(const CollectingSetIntervalArguments& slot);
+bool acceptsCollectingIntervalResult(const CollectingIntervalSlot& slot);
+bool acceptsCollectingCountsResult(const CollectedCountsSlot& slot);
 
 constexpr CommandInfo kCollectingCommands[] = {
     {.name = "start_collecting", .kind = CommandKind::Void, .depth = 16},
@@ -54,7 +56,8 @@ constexpr CommandInfo kCollectingCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<CollectingIntervalSlot>,
      .depth = 16,
-     .column = 0},
+     .column = 0,
+     .acceptsResult = checkSlot<CollectingIntervalSlot, acceptsCollectingIntervalResult>},
     {.name = "collecting",
      .kind = CommandKind::Read,
      .resultSize = slotSize<std::uint8_t>,
@@ -64,7 +67,8 @@ constexpr CommandInfo kCollectingCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<CollectedCountsSlot>,
      .depth = 16,
-     .column = 2},
+     .column = 2,
+     .acceptsResult = checkSlot<CollectedCountsSlot, acceptsCollectingCountsResult>},
 };
 
 // The self-description, as in suture/standard/collecting.suture.json.
@@ -197,6 +201,9 @@ bool acceptsCollectingSetInterval(const CollectingSetIntervalArguments& slot) {
   return isValid(slot.interval);
 }
 
+bool acceptsCollectingIntervalResult(const CollectingIntervalSlot& slot) { return isValid(slot); }
+bool acceptsCollectingCountsResult(const CollectedCountsSlot& slot) { return isValid(slot); }
+
 // --- Collecting over Cap'n Proto RPC: the provider's side
 
 /// Makes remote calls of a subscriber's events and rows.
@@ -212,8 +219,8 @@ class CollectingSink final : public suture::rpc::EventSink {
     auto request = subscriber_.stateRequest();
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid);
-    out.setTooLarge(row.tooLarge);
+    out.setEvaluated(row.valid | row.invalid);
+    out.setTooLarge(row.tooLarge | row.invalid);
     if (row.valid >> 0 & 1) {
       const auto& slot = slotIn<CollectingIntervalSlot>(columns[0]);
       toWire(slot, out.initInterval());
@@ -323,25 +330,24 @@ class CollectingReceiver final : public wire::CollectingEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rt::ColumnSet valid = 0;
-    if (in.getEvaluated() >> 0 & 1) {
+    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    if (columns.hasValue(0)) {
       auto& slot = port_->column<CollectingIntervalSlot>(0);
       const Errc error =
           in.hasInterval() ? fromWire(in.getInterval(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
+      if (error != Errc{}) columns.refuse(0, error);
     }
-    if (in.getEvaluated() >> 1 & 1) {
+    if (columns.hasValue(1)) {
       auto& slot = port_->column<std::uint8_t>(1);
       slot = in.getCollecting();
-      valid |= suture::rt::ColumnSet{1} << 1;
     }
-    if (in.getEvaluated() >> 2 & 1) {
+    if (columns.hasValue(2)) {
       auto& slot = port_->column<CollectedCountsSlot>(2);
       const Errc error =
           in.hasCounts() ? fromWire(in.getCounts(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 2;
+      if (error != Errc{}) columns.refuse(2, error);
     }
-    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;
   }
 

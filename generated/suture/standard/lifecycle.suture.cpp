@@ -54,6 +54,8 @@ static_assert(std::is_same_v<decltype(StateChange::state), ComponentState>);
 static_assert(std::is_same_v<decltype(StateChange::fault), std::string>);
 static_assert(std::is_same_v<decltype(StateChange::stamp), std::chrono::steady_clock::time_point>);
 
+bool acceptsLifecycleComponentStateResult(const std::uint8_t& slot);
+bool acceptsLifecycleResumeConnectionResult(const std::uint8_t& slot);
 bool acceptsLifecycleStateChangedEvent(const StateChangeSlot& slot);
 
 constexpr CommandInfo kLifecycleCommands[] = {
@@ -69,12 +71,14 @@ constexpr CommandInfo kLifecycleCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<std::uint8_t>,
      .depth = 16,
-     .column = 0},
+     .column = 0,
+     .acceptsResult = checkSlot<std::uint8_t, acceptsLifecycleComponentStateResult>},
     {.name = "resume_connection",
      .kind = CommandKind::WriteReturn,
      .argumentsSize = slotSize<LifecycleResumeConnectionArguments>,
      .resultSize = slotSize<std::uint8_t>,
-     .depth = 16},
+     .depth = 16,
+     .acceptsResult = checkSlot<std::uint8_t, acceptsLifecycleResumeConnectionResult>},
 };
 
 constexpr EventInfo kLifecycleEvents[] = {
@@ -291,6 +295,14 @@ bool isValid(const StateChangeSlot& slot) {
 
 namespace {
 
+bool acceptsLifecycleComponentStateResult(const std::uint8_t& slot) {
+  return isKnownComponentState(slot);
+}
+
+bool acceptsLifecycleResumeConnectionResult(const std::uint8_t& slot) {
+  return isKnownResumeOutcome(slot);
+}
+
 bool acceptsLifecycleStateChangedEvent(const StateChangeSlot& slot) { return isValid(slot); }
 
 // --- Lifecycle over Cap'n Proto RPC: the provider's side
@@ -318,8 +330,8 @@ class LifecycleSink final : public suture::rpc::EventSink {
     auto request = subscriber_.stateRequest();
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid);
-    out.setTooLarge(row.tooLarge);
+    out.setEvaluated(row.valid | row.invalid);
+    out.setTooLarge(row.tooLarge | row.invalid);
     if (row.valid >> 0 & 1) {
       const auto& slot = slotIn<std::uint8_t>(columns[0]);
       out.setComponentState(wireComponentState(slot));
@@ -406,13 +418,13 @@ class LifecycleReceiver final : public wire::LifecycleEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rt::ColumnSet valid = 0;
-    if (in.getEvaluated() >> 0 & 1) {
+    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    if (columns.hasValue(0)) {
       auto& slot = port_->column<std::uint8_t>(0);
       const Errc error = fromWire(in.getComponentState(), slot);
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
+      if (error != Errc{}) columns.refuse(0, error);
     }
-    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;
   }
 

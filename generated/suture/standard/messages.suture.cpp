@@ -185,8 +185,8 @@ class MessagesSink final : public suture::rpc::EventSink {
     auto request = subscriber_.stateRequest();
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid);
-    out.setTooLarge(row.tooLarge);
+    out.setEvaluated(row.valid | row.invalid);
+    out.setTooLarge(row.tooLarge | row.invalid);
     return request.send().ignoreResult();
   }
 
@@ -220,8 +220,8 @@ class MessagesReceiver final : public wire::MessagesEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rt::ColumnSet valid = 0;
-    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;
   }
 

@@ -16,6 +16,7 @@ using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
+using suture::checkSlot;
 using suture::load;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
@@ -45,12 +46,15 @@ static_assert(std::is_same_v<decltype(TaskWindow::skipped), std::uint64_t>);
 static_assert(std::is_same_v<decltype(TaskWindow::period), DurationSummary>);
 static_assert(std::is_same_v<decltype(TaskWindow::compute), DurationSummary>);
 
+bool acceptsTaskTimingWindowResult(const TaskWindowSlot& slot);
+
 constexpr CommandInfo kTaskTimingCommands[] = {
     {.name = "window",
      .kind = CommandKind::Read,
      .resultSize = slotSize<TaskWindowSlot>,
      .depth = 16,
      .column = 0,
+     .acceptsResult = checkSlot<TaskWindowSlot, acceptsTaskTimingWindowResult>,
      .shiftResult = shiftSlot<TaskWindowSlot>},
     {.name = "cycles",
      .kind = CommandKind::Read,
@@ -213,6 +217,8 @@ bool isValid(const TaskWindowSlot& slot) {
 
 namespace {
 
+bool acceptsTaskTimingWindowResult(const TaskWindowSlot& slot) { return isValid(slot); }
+
 // --- TaskTiming over Cap'n Proto RPC: the provider's side
 
 /// Makes remote calls of a subscriber's events and rows.
@@ -228,8 +234,8 @@ class TaskTimingSink final : public suture::rpc::EventSink {
     auto request = subscriber_.stateRequest();
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid);
-    out.setTooLarge(row.tooLarge);
+    out.setEvaluated(row.valid | row.invalid);
+    out.setTooLarge(row.tooLarge | row.invalid);
     if (row.valid >> 0 & 1) {
       const auto& slot = slotIn<TaskWindowSlot>(columns[0]);
       toWire(slot, out.initWindow());
@@ -312,24 +318,22 @@ class TaskTimingReceiver final : public wire::TaskTimingEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rt::ColumnSet valid = 0;
-    if (in.getEvaluated() >> 0 & 1) {
+    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    if (columns.hasValue(0)) {
       auto& slot = port_->column<TaskWindowSlot>(0);
       const Errc error =
           in.hasWindow() ? fromWire(in.getWindow(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
+      if (error != Errc{}) columns.refuse(0, error);
     }
-    if (in.getEvaluated() >> 1 & 1) {
+    if (columns.hasValue(1)) {
       auto& slot = port_->column<std::uint64_t>(1);
       slot = in.getCycles();
-      valid |= suture::rt::ColumnSet{1} << 1;
     }
-    if (in.getEvaluated() >> 2 & 1) {
+    if (columns.hasValue(2)) {
       auto& slot = port_->column<std::uint64_t>(2);
       slot = in.getSkipped();
-      valid |= suture::rt::ColumnSet{1} << 2;
     }
-    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;
   }
 

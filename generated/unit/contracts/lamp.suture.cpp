@@ -140,8 +140,8 @@ class LampSink final : public suture::rpc::EventSink {
     auto request = subscriber_.stateRequest();
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid);
-    out.setTooLarge(row.tooLarge);
+    out.setEvaluated(row.valid | row.invalid);
+    out.setTooLarge(row.tooLarge | row.invalid);
     if (row.valid >> 0 & 1) {
       const auto& slot = slotIn<std::uint8_t>(columns[0]);
       out.setLit(slot != 0);
@@ -212,13 +212,12 @@ class LampReceiver final : public wire::LampEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rt::ColumnSet valid = 0;
-    if (in.getEvaluated() >> 0 & 1) {
+    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    if (columns.hasValue(0)) {
       auto& slot = port_->column<std::uint8_t>(0);
       slot = in.getLit();
-      valid |= suture::rt::ColumnSet{1} << 0;
     }
-    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;
   }
 

@@ -19,7 +19,7 @@ enum Stream : std::uint64_t { kCommands, kAnswers, kEvents, kRows };
 
 struct RowRecord {
   Time stamp;
-  rt::ColumnSet valid, tooLarge;
+  rt::ColumnSet valid, tooLarge, invalid;
 };
 
 std::size_t largestCommand(const InterfaceInfo& info) {
@@ -300,23 +300,21 @@ void DelayedConnection::takeRows() {
   const std::uint64_t newest = far_->state->rows(), capacity = far_->state->capacity();
   if (newest > capacity) nextRow_ = std::max(nextRow_, newest - capacity + 1);  // of those kept
   for (; nextRow_ <= newest; ++nextRow_) {
-    const rt::StateTable::Row row = far_->state->readRowNumber(nextRow_, slotPointers_);
+    rt::StateTable::Row row = far_->state->readRowNumber(nextRow_, slotPointers_);
     if (row.sequence == 0) continue;
     far_->countReceived(far_->state->rowBytes());
-    keepRow(row, now() + delay_.answers);
+    if (row.keep(asked_)) keepRow(row, now() + delay_.answers);
   }
 }
 
 // Without room a row is left out: a state thins out where a queue would overflow.
 void DelayedConnection::keepRow(const rt::StateTable::Row& row, Time due) {
-  const rt::ColumnSet valid = row.valid & asked_, tooLarge = row.tooLarge & asked_;
-  if ((valid | tooLarge) == 0) return;
   std::byte* memory = rows_.claim(due, largestRow(*near_->state));
   if (memory == nullptr) return;
-  new (memory) RowRecord{row.stamp, valid, tooLarge};
+  new (memory) RowRecord{row.stamp, row.valid, row.tooLarge, row.invalid};
   memory += sizeof(RowRecord);
   for (unsigned i = 0; i < slotPointers_.size(); ++i) {
-    if (valid >> i & 1) std::memcpy(memory, slotPointers_[i], near_->state->columnSize(i));
+    if (row.valid >> i & 1) std::memcpy(memory, slotPointers_[i], near_->state->columnSize(i));
     memory += wordBytes(near_->state->columnSize(i));
   }
   rows_.commit();
@@ -332,7 +330,7 @@ void DelayedConnection::deliverRows(Time now) {
       if (row.valid >> i & 1) std::memcpy(near_->state->draft(i), memory, size);
       memory += wordBytes(size);
     }
-    near_->state->publish(row.stamp, row.valid, row.tooLarge);
+    near_->state->publish(row.stamp, row.valid, row.tooLarge, row.invalid);
     rows_.pop();
     any = true;
   }

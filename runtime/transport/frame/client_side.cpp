@@ -87,7 +87,8 @@ bool ClientSide::takeRow(const Header& header, std::span<std::byte> payload) {
     payload = payload.subspan(wordBytes(size));
   }
   if (!payload.empty()) return false;
-  mirror.publish(here(header.stamp), columns.valid & columns_, columns.tooLarge & columns_);
+  mirror.publish(here(header.stamp), columns.valid & columns_, columns.tooLarge & columns_,
+                 columns.invalid & columns_);
   news_ = news_ || channel_->wantsRows.load(std::memory_order_relaxed);
   return true;
 }

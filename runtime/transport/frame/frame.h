@@ -48,7 +48,7 @@ struct Subscription {
 };
 
 struct Columns {
-  std::uint64_t valid, tooLarge;
+  std::uint64_t valid, tooLarge, invalid;
 };
 
 /// What one send or one receive may take of small frames, bytes.

@@ -174,13 +174,11 @@ void ProviderSide::giveRow() {
   if (columns_ == 0 || !hasRoom() || state.rows() == lastRow_) return;
   rt::StateTable::Row row = state.readRow(wantedSlots_);
   lastRow_ = row.sequence;
-  row.valid &= columns_;
-  row.tooLarge &= columns_;
-  if ((row.valid | row.tooLarge) != 0) sendRow(row);
+  if (row.keep(columns_)) sendRow(row);
 }
 
 void ProviderSide::sendRow(const rt::StateTable::Row& row) {
-  const Columns columns{row.valid, row.tooLarge};
+  const Columns columns{row.valid, row.tooLarge, row.invalid};
   std::size_t size = sizeof(columns);
   for (unsigned i = 0; i < slots_.size(); ++i) {
     if (row.valid >> i & 1) size += slots_[i].size() * sizeof(std::uint64_t);

@@ -34,9 +34,10 @@ Time ProxyPort::here(std::int64_t stamp) const {
   return stamp == 0 ? received : std::min(received, fromNanoseconds(shifted(stamp, shift())));
 }
 
-void ProxyPort::publish(std::int64_t stamp, rt::ColumnSet valid, rt::ColumnSet tooLarge) {
+// A row of another process is judged where the client reads it.
+void ProxyPort::publish(std::int64_t stamp, const RowColumns& columns) {
   if (isClosed()) return;
-  channel_->state->publish(here(stamp), valid, tooLarge);
+  channel_->state->publish(here(stamp), columns.valid, columns.tooLarge, columns.invalid);
   if (channel_->wantsRows.load(std::memory_order_relaxed)) channel_->ends.client->ring();
 }
 

@@ -10,6 +10,7 @@
 #include <suture/transport/rpc/control_thread.h>
 #include <suture/transport/rpc/message_stream.h>
 #include <suture/transport/rpc/remote_error.h>
+#include <suture/transport/rpc/row_columns.h>
 #include <suture/transport/rpc/wire.h>
 
 #include <memory>
@@ -64,9 +65,9 @@ class ProxyPort final : public ClientEnd, private Pump, private kj::TaskSet::Err
   Slot& column(unsigned column) {
     return newSlot<Slot>(channel_->state->draft(column));
   }
-  /// Publishes the columns in `valid`, and that those in `tooLarge` did not fit; `stamp` is on the
-  /// provider's clock, ns.
-  void publish(std::int64_t stamp, rt::ColumnSet valid, rt::ColumnSet tooLarge);
+  /// Publishes the slots of column(), and why others have no value; `stamp` is on the provider's
+  /// clock, ns.
+  void publish(std::int64_t stamp, const RowColumns& columns);
 
   /// Hands an event to the client: `decode(Slot&)` converts the payload and returns an Errc. The
   /// promise is the answer to the provider; see acknowledge().

@@ -206,9 +206,7 @@ void ServantPort::pumpRow() {
     if (columns_ == 0 || rowsInFlight_ == kWindow || channel_->state->rows() == lastRow_) return;
     rt::StateTable::Row row = channel_->state->readRow(rowPointers_);
     lastRow_ = row.sequence;
-    row.valid &= columns_;
-    row.tooLarge &= columns_;
-    if ((row.valid | row.tooLarge) != 0) sendRow(**sink, row);
+    if (row.keep(columns_)) sendRow(**sink, row);
     releaseRow();
   }
 }

@@ -28,6 +28,7 @@ class Hand final : public suture::EventTask, public robots::Gripper {
     everything_.bytes = {1, 2, 255};
     everything_.flags = {true, false};
     everything_.names = {"left", "right"};
+    everything_.modes = {Mode::Disabled, Mode::Servo};  // zero, as it begins, is no mode
     everything_.goal.pose.translation().x() = 0.5;
     everything_.ratio = 0.1F;
     everything_.point.y() = 2;

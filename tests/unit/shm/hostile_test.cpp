@@ -63,9 +63,15 @@ struct Teleop final : PeriodicTask {
     (void)slave.servo_cp({});
     (void)slave.servo_jp({{"a", "b"}, {1, 2}});
     (void)slave.set_mode(Mode::Enabled);
-    (void)slave.measured_cp();
+    const auto read = slave.measured_cp();
+    poseError = read ? Errc{} : read.error();
+    if (read) note(read->pose.matrix().allFinite());
     (void)slave.measured_js();
     if (call.poll() != nullptr) call = slave.move.start({}, 0.5, "test");
+    if (const auto* const answer = question.poll(); answer != nullptr) {
+      if (!*answer) distanceError = answer->error();
+      question = slave.distance.start({});
+    }
   }
   void note(bool valid) {
     ++heard;
@@ -74,6 +80,8 @@ struct Teleop final : PeriodicTask {
   std::atomic<std::uint64_t> heard{0}, invalid{0};
   Required<ArmLike> slave{*this, "Slave"};
   decltype(std::declval<Required<ArmLike>&>().move.start({}, 0, "")) call{Errc::NotYet};
+  decltype(std::declval<Required<ArmLike>&>().distance.start({})) question{Errc::NotYet};
+  std::atomic<Errc> poseError{}, distanceError{};  // why the last had no value
 };
 
 /// Another process, which has the memory and no good intentions.
@@ -147,6 +155,44 @@ TEST_F(HostileProvider, EmitsWhatNoHandlerSees) {
   EXPECT_EQ(teleop.heard, 1u);
   EXPECT_EQ(teleop.invalid, 0u);
   EXPECT_EQ(client->events.dropped(), 1u);
+}
+
+TEST_F(HostileProvider, PublishesWhatNoClientSees) {
+  teleop.slave.attach(client);
+  teleop.start();
+  rt::StateTable& state = *offer.channel->state;
+  std::memset(state.draft(0), 0xff, state.columnSize(0));
+  state.publish(now(), 1, 0);
+  EXPECT_TRUE(eventually([&] { return teleop.poseError == Errc::Invalid; }));
+  std::memset(state.draft(0), 0, state.columnSize(0));
+  state.publish(now(), 1, 0);
+  EXPECT_TRUE(eventually([&] { return teleop.poseError == Errc{}; }));
+  teleop.stop();
+  EXPECT_EQ(teleop.invalid, 0u);
+}
+
+TEST_F(HostileProvider, AnswersWhatNoClientSees) {
+  teleop.slave.attach(client);
+  teleop.start();
+  const auto answerAll = [this] {
+    rt::Mailbox& commands = offer.channel->commands;
+    commands.fixCut();
+    while (const rt::CommandRecord* const record = commands.next()) {
+      const std::uint32_t size = contract.commands[record->command].resultSize;
+      if (record->call != 0 && contract.commands[record->command].name == std::string("distance")) {
+        offer.channel->reply(record->call, {.size = size}, [size](std::byte* result) {
+          std::memset(result, 0xff, size);  // no number
+          return Errc{};
+        });
+      }
+      commands.pop();
+    }
+  };
+  EXPECT_TRUE(eventually([&] {
+    answerAll();
+    return teleop.distanceError == Errc::Invalid;
+  }));
+  teleop.stop();
 }
 
 class HostileMemory : public SharedConnection, public testing::TestWithParam<unsigned> {};

@@ -77,8 +77,13 @@ static_assert(std::is_same_v<decltype(Everything::when), std::chrono::steady_clo
 
 bool acceptsArmServoCp(const ArmServoCpArguments& slot);
 bool acceptsArmSetSpeed(const ArmSetSpeedArguments& slot);
+bool acceptsArmMeasuredCpResult(const PoseStampedSlot& slot);
+bool acceptsArmModeResult(const std::int8_t& slot);
+bool acceptsArmEverythingResult(const EverythingSlot& slot);
 bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot);
+bool acceptsArmInverseKinematicsResult(const EverythingSlot& slot);
 bool acceptsArmGrasp(const ArmGraspArguments& slot);
+bool acceptsArmLoadResult(const double& slot);
 bool acceptsArmModeChangedEvent(const std::int8_t& slot);
 bool acceptsArmArrivedEvent(const PoseStampedSlot& slot);
 bool acceptsArmMovedEvent(const ArmMovedPayload& slot);
@@ -103,17 +108,20 @@ constexpr CommandInfo kArmCommands[] = {
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = 0,
+     .acceptsResult = checkSlot<PoseStampedSlot, acceptsArmMeasuredCpResult>,
      .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "mode",
      .kind = CommandKind::Read,
      .resultSize = slotSize<std::int8_t>,
      .depth = 16,
-     .column = 1},
+     .column = 1,
+     .acceptsResult = checkSlot<std::int8_t, acceptsArmModeResult>},
     {.name = "everything",
      .kind = CommandKind::Read,
      .resultSize = slotSize<EverythingSlot>,
      .depth = 16,
      .column = 2,
+     .acceptsResult = checkSlot<EverythingSlot, acceptsArmEverythingResult>,
      .shiftResult = shiftSlot<EverythingSlot>},
     {.name = "inverse_kinematics",
      .kind = CommandKind::QualifiedRead,
@@ -121,6 +129,7 @@ constexpr CommandInfo kArmCommands[] = {
      .resultSize = slotSize<EverythingSlot>,
      .depth = 16,
      .accepts = checkSlot<ArmInverseKinematicsArguments, acceptsArmInverseKinematics>,
+     .acceptsResult = checkSlot<EverythingSlot, acceptsArmInverseKinematicsResult>,
      .shiftArguments = shiftSlot<ArmInverseKinematicsArguments>,
      .shiftResult = shiftSlot<EverythingSlot>},
     {.name = "grasp",
@@ -139,7 +148,8 @@ constexpr CommandInfo kArmCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<double>,
      .depth = 16,
-     .column = 3},
+     .column = 3,
+     .acceptsResult = checkSlot<double, acceptsArmLoadResult>},
 };
 
 constexpr EventInfo kArmEvents[] = {
@@ -501,15 +511,21 @@ namespace {
 
 bool acceptsArmServoCp(const ArmServoCpArguments& slot) { return isValid(slot.goal); }
 bool acceptsArmSetSpeed(const ArmSetSpeedArguments& slot) { return isValid(slot.speed); }
+bool acceptsArmMeasuredCpResult(const PoseStampedSlot& slot) { return isValid(slot); }
+bool acceptsArmModeResult(const std::int8_t& slot) { return isKnownMode(slot); }
+bool acceptsArmEverythingResult(const EverythingSlot& slot) { return isValid(slot); }
 
 bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot) {
   return isValid(slot.x) && inRange(slot.tolerance, 0, 1);
 }
 
+bool acceptsArmInverseKinematicsResult(const EverythingSlot& slot) { return isValid(slot); }
+
 bool acceptsArmGrasp(const ArmGraspArguments& slot) {
   return isValid(slot.width) && isKnownMode(slot.mode);
 }
 
+bool acceptsArmLoadResult(const double& slot) { return isValid(slot); }
 bool acceptsArmModeChangedEvent(const std::int8_t& slot) { return isKnownMode(slot); }
 bool acceptsArmArrivedEvent(const PoseStampedSlot& slot) { return isValid(slot); }
 
@@ -558,8 +574,8 @@ class ArmSink final : public suture::rpc::EventSink {
     auto request = subscriber_.stateRequest();
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid);
-    out.setTooLarge(row.tooLarge);
+    out.setEvaluated(row.valid | row.invalid);
+    out.setTooLarge(row.tooLarge | row.invalid);
     if (row.valid >> 0 & 1) {
       const auto& slot = slotIn<PoseStampedSlot>(columns[0]);
       toWire(slot, out.initMeasuredCp());
@@ -729,30 +745,29 @@ class ArmReceiver final : public wire::ArmEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rt::ColumnSet valid = 0;
-    if (in.getEvaluated() >> 0 & 1) {
+    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    if (columns.hasValue(0)) {
       auto& slot = port_->column<PoseStampedSlot>(0);
       const Errc error =
           in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
+      if (error != Errc{}) columns.refuse(0, error);
     }
-    if (in.getEvaluated() >> 1 & 1) {
+    if (columns.hasValue(1)) {
       auto& slot = port_->column<std::int8_t>(1);
       const Errc error = fromWire(in.getMode(), slot);
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
+      if (error != Errc{}) columns.refuse(1, error);
     }
-    if (in.getEvaluated() >> 2 & 1) {
+    if (columns.hasValue(2)) {
       auto& slot = port_->column<EverythingSlot>(2);
       const Errc error =
           in.hasEverything() ? fromWire(in.getEverything(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 2;
+      if (error != Errc{}) columns.refuse(2, error);
     }
-    if (in.getEvaluated() >> 3 & 1) {
+    if (columns.hasValue(3)) {
       auto& slot = port_->column<double>(3);
       slot = in.getLoad();
-      valid |= suture::rt::ColumnSet{1} << 3;
     }
-    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;
   }
 

@@ -50,6 +50,7 @@ using suture::store;
 namespace {
 
 bool acceptsGripperOpen(const GripperOpenArguments& slot);
+bool acceptsGripperOpeningResult(const double& slot);
 bool acceptsGripperFits(const GripperFitsArguments& slot);
 bool acceptsGripperGrippedEvent(const GripperGrippedPayload& slot);
 
@@ -63,7 +64,8 @@ constexpr CommandInfo kGripperCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<double>,
      .depth = 16,
-     .column = 4},
+     .column = 4,
+     .acceptsResult = checkSlot<double, acceptsGripperOpeningResult>},
     {.name = "fits",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<GripperFitsArguments>,
@@ -237,6 +239,7 @@ constexpr char kGripperDescription[] = R"json(
 "name": "opening", "is": "Float64"}]}]})json";
 
 bool acceptsNamesTitle(const NamesNameArguments& slot);
+bool acceptsNamesRangeResult(const double& slot);
 bool acceptsNamesLatchedEvent(const double& slot);
 
 constexpr CommandInfo kNamesCommands[] = {
@@ -254,7 +257,8 @@ constexpr CommandInfo kNamesCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<double>,
      .depth = 16,
-     .column = 0},
+     .column = 0,
+     .acceptsResult = checkSlot<double, acceptsNamesRangeResult>},
 };
 
 constexpr EventInfo kNamesEvents[] = {
@@ -320,6 +324,7 @@ bool store(const double& range, const double& slot, const double& store_,
 namespace {
 
 bool acceptsGripperOpen(const GripperOpenArguments& slot) { return isValid(slot.width); }
+bool acceptsGripperOpeningResult(const double& slot) { return isValid(slot); }
 bool acceptsGripperFits(const GripperFitsArguments& slot) { return isValid(slot.width); }
 bool acceptsGripperGrippedEvent(const GripperGrippedPayload& slot) { return isValid(slot.value); }
 
@@ -371,8 +376,8 @@ class GripperSink final : public suture::rpc::EventSink {
     auto request = subscriber_.stateRequest();
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid);
-    out.setTooLarge(row.tooLarge);
+    out.setEvaluated(row.valid | row.invalid);
+    out.setTooLarge(row.tooLarge | row.invalid);
     if (row.valid >> 0 & 1) {
       const auto& slot = slotIn<PoseStampedSlot>(columns[0]);
       toWire(slot, out.initMeasuredCp());
@@ -474,35 +479,33 @@ class GripperReceiver final : public wire::GripperEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rt::ColumnSet valid = 0;
-    if (in.getEvaluated() >> 0 & 1) {
+    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    if (columns.hasValue(0)) {
       auto& slot = port_->column<PoseStampedSlot>(0);
       const Errc error =
           in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
+      if (error != Errc{}) columns.refuse(0, error);
     }
-    if (in.getEvaluated() >> 1 & 1) {
+    if (columns.hasValue(1)) {
       auto& slot = port_->column<std::int8_t>(1);
       const Errc error = fromWire(in.getMode(), slot);
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
+      if (error != Errc{}) columns.refuse(1, error);
     }
-    if (in.getEvaluated() >> 2 & 1) {
+    if (columns.hasValue(2)) {
       auto& slot = port_->column<EverythingSlot>(2);
       const Errc error =
           in.hasEverything() ? fromWire(in.getEverything(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 2;
+      if (error != Errc{}) columns.refuse(2, error);
     }
-    if (in.getEvaluated() >> 3 & 1) {
+    if (columns.hasValue(3)) {
       auto& slot = port_->column<double>(3);
       slot = in.getLoad();
-      valid |= suture::rt::ColumnSet{1} << 3;
     }
-    if (in.getEvaluated() >> 4 & 1) {
+    if (columns.hasValue(4)) {
       auto& slot = port_->column<double>(4);
       slot = in.getOpening();
-      valid |= suture::rt::ColumnSet{1} << 4;
     }
-    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;
   }
 
@@ -632,6 +635,7 @@ bool acceptsNamesTitle(const NamesNameArguments& slot) {
   return isValid(slot.range) && isValid(slot.slot) && isValid(slot.store);
 }
 
+bool acceptsNamesRangeResult(const double& slot) { return isValid(slot); }
 bool acceptsNamesLatchedEvent(const double& slot) { return isValid(slot); }
 
 // --- Names over Cap'n Proto RPC: the provider's side
@@ -658,8 +662,8 @@ class NamesSink final : public suture::rpc::EventSink {
     auto request = subscriber_.stateRequest();
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid);
-    out.setTooLarge(row.tooLarge);
+    out.setEvaluated(row.valid | row.invalid);
+    out.setTooLarge(row.tooLarge | row.invalid);
     if (row.valid >> 0 & 1) {
       const auto& slot = slotIn<double>(columns[0]);
       out.setRange(slot);
@@ -736,13 +740,12 @@ class NamesReceiver final : public wire::NamesEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rt::ColumnSet valid = 0;
-    if (in.getEvaluated() >> 0 & 1) {
+    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    if (columns.hasValue(0)) {
       auto& slot = port_->column<double>(0);
       slot = in.getRange();
-      valid |= suture::rt::ColumnSet{1} << 0;
     }
-    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;
   }
 

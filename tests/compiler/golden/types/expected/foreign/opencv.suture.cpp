@@ -45,6 +45,7 @@ static_assert(std::is_same_v<decltype(View::intrinsics), cv::Matx33d>);
 static_assert(std::is_same_v<decltype(View::points), std::vector<cv::Point3d>>);
 
 bool acceptsCameraAim(const CameraAimArguments& slot);
+bool acceptsCameraViewResult(const ViewSlot& slot);
 
 constexpr CommandInfo kCameraCommands[] = {
     {.name = "aim",
@@ -56,7 +57,8 @@ constexpr CommandInfo kCameraCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<ViewSlot>,
      .depth = 16,
-     .column = 0},
+     .column = 0,
+     .acceptsResult = checkSlot<ViewSlot, acceptsCameraViewResult>},
 };
 
 // The self-description, as in foreign/opencv.suture.json.
@@ -195,6 +197,7 @@ bool isValid(const ViewSlot& slot) {
 namespace {
 
 bool acceptsCameraAim(const CameraAimArguments& slot) { return isValid(slot.at); }
+bool acceptsCameraViewResult(const ViewSlot& slot) { return isValid(slot); }
 
 // --- Camera over Cap'n Proto RPC: the provider's side
 
@@ -210,8 +213,8 @@ class CameraSink final : public suture::rpc::EventSink {
     auto request = subscriber_.stateRequest();
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid);
-    out.setTooLarge(row.tooLarge);
+    out.setEvaluated(row.valid | row.invalid);
+    out.setTooLarge(row.tooLarge | row.invalid);
     if (row.valid >> 0 & 1) {
       const auto& slot = slotIn<ViewSlot>(columns[0]);
       toWire(slot, out.initView());
@@ -270,14 +273,14 @@ class CameraReceiver final : public wire::CameraEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rt::ColumnSet valid = 0;
-    if (in.getEvaluated() >> 0 & 1) {
+    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    if (columns.hasValue(0)) {
       auto& slot = port_->column<ViewSlot>(0);
       const Errc error =
           in.hasView() ? fromWire(in.getView(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
+      if (error != Errc{}) columns.refuse(0, error);
     }
-    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;
   }
 

@@ -97,6 +97,10 @@ static_assert(std::is_same_v<decltype(Matrices::wait),
 
 bool acceptsStorePut(const StorePutArguments& slot);
 bool acceptsStoreChoose(const StoreChooseArguments& slot);
+bool acceptsStoreSequencesResult(const SequencesSlot& slot);
+bool acceptsStoreChoicesResult(const ChoicesSlot& slot);
+bool acceptsStoreMatricesResult(const MatricesSlot& slot);
+bool acceptsStoreReadingResult(const suture::SlotTuple<double, std::int16_t>& slot);
 bool acceptsStoreChangedEvent(const suture::SlotVariant<double, PointSlot>& slot);
 
 constexpr CommandInfo kStoreCommands[] = {
@@ -114,22 +118,26 @@ constexpr CommandInfo kStoreCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<SequencesSlot>,
      .depth = 16,
-     .column = 0},
+     .column = 0,
+     .acceptsResult = checkSlot<SequencesSlot, acceptsStoreSequencesResult>},
     {.name = "choices",
      .kind = CommandKind::Read,
      .resultSize = slotSize<ChoicesSlot>,
      .depth = 16,
-     .column = 1},
+     .column = 1,
+     .acceptsResult = checkSlot<ChoicesSlot, acceptsStoreChoicesResult>},
     {.name = "matrices",
      .kind = CommandKind::Read,
      .resultSize = slotSize<MatricesSlot>,
      .depth = 16,
-     .column = 2},
+     .column = 2,
+     .acceptsResult = checkSlot<MatricesSlot, acceptsStoreMatricesResult>},
     {.name = "reading",
      .kind = CommandKind::Read,
      .resultSize = slotSize<suture::SlotTuple<double, std::int16_t>>,
      .depth = 16,
-     .column = 3},
+     .column = 3,
+     .acceptsResult = checkSlot<suture::SlotTuple<double, std::int16_t>, acceptsStoreReadingResult>},
 };
 
 constexpr EventInfo kStoreEvents[] = {
@@ -997,6 +1005,13 @@ namespace {
 
 bool acceptsStorePut(const StorePutArguments& slot) { return isValid(slot.value); }
 bool acceptsStoreChoose(const StoreChooseArguments& slot) { return isValid(slot.gain); }
+bool acceptsStoreSequencesResult(const SequencesSlot& slot) { return isValid(slot); }
+bool acceptsStoreChoicesResult(const ChoicesSlot& slot) { return isValid(slot); }
+bool acceptsStoreMatricesResult(const MatricesSlot& slot) { return isValid(slot); }
+
+bool acceptsStoreReadingResult(const suture::SlotTuple<double, std::int16_t>& slot) {
+  return isValid(slot);
+}
 
 bool acceptsStoreChangedEvent(const suture::SlotVariant<double, PointSlot>& slot) {
   return isValid(slot);
@@ -1026,8 +1041,8 @@ class StoreSink final : public suture::rpc::EventSink {
     auto request = subscriber_.stateRequest();
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid);
-    out.setTooLarge(row.tooLarge);
+    out.setEvaluated(row.valid | row.invalid);
+    out.setTooLarge(row.tooLarge | row.invalid);
     if (row.valid >> 0 & 1) {
       const auto& slot = slotIn<SequencesSlot>(columns[0]);
       toWire(slot, out.initSequences());
@@ -1143,32 +1158,32 @@ class StoreReceiver final : public wire::StoreEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rt::ColumnSet valid = 0;
-    if (in.getEvaluated() >> 0 & 1) {
+    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    if (columns.hasValue(0)) {
       auto& slot = port_->column<SequencesSlot>(0);
       const Errc error =
           in.hasSequences() ? fromWire(in.getSequences(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
+      if (error != Errc{}) columns.refuse(0, error);
     }
-    if (in.getEvaluated() >> 1 & 1) {
+    if (columns.hasValue(1)) {
       auto& slot = port_->column<ChoicesSlot>(1);
       const Errc error =
           in.hasChoices() ? fromWire(in.getChoices(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
+      if (error != Errc{}) columns.refuse(1, error);
     }
-    if (in.getEvaluated() >> 2 & 1) {
+    if (columns.hasValue(2)) {
       auto& slot = port_->column<MatricesSlot>(2);
       const Errc error =
           in.hasMatrices() ? fromWire(in.getMatrices(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 2;
+      if (error != Errc{}) columns.refuse(2, error);
     }
-    if (in.getEvaluated() >> 3 & 1) {
+    if (columns.hasValue(3)) {
       auto& slot = port_->column<suture::SlotTuple<double, std::int16_t>>(3);
       const Errc error =
           in.hasReading() ? fromWire(in.getReading(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 3;
+      if (error != Errc{}) columns.refuse(3, error);
     }
-    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;
   }
 

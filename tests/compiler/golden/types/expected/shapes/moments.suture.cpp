@@ -60,6 +60,8 @@ static_assert(std::is_same_v<decltype(Moments::entry),
 static_assert(std::is_same_v<decltype(Moments::either),
                              std::variant<std::int64_t, std::chrono::steady_clock::time_point, shapes::Moment>>);
 
+bool acceptsJournalMomentsResult(const MomentsSlot& slot);
+bool acceptsJournalFindResult(const suture::SlotOptional<MomentSlot>& slot);
 bool acceptsJournalChangedEvent(const JournalChangedPayload& slot);
 
 void shiftJournalLatestResult(std::int64_t& slot, Duration shift) { slot = shifted(slot, shift); }
@@ -91,12 +93,14 @@ constexpr CommandInfo kJournalCommands[] = {
      .resultSize = slotSize<MomentsSlot>,
      .depth = 16,
      .column = 1,
+     .acceptsResult = checkSlot<MomentsSlot, acceptsJournalMomentsResult>,
      .shiftResult = shiftSlot<MomentsSlot>},
     {.name = "find",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<JournalFindArguments>,
      .resultSize = slotSize<suture::SlotOptional<MomentSlot>>,
      .depth = 16,
+     .acceptsResult = checkSlot<suture::SlotOptional<MomentSlot>, acceptsJournalFindResult>,
      .shiftResult = shiftSlot<suture::SlotOptional<MomentSlot>, shiftJournalFindResult>},
 };
 
@@ -471,6 +475,12 @@ bool isValid(const MomentsSlot& slot) {
 
 namespace {
 
+bool acceptsJournalMomentsResult(const MomentsSlot& slot) { return isValid(slot); }
+
+bool acceptsJournalFindResult(const suture::SlotOptional<MomentSlot>& slot) {
+  return isValid(slot);
+}
+
 bool acceptsJournalChangedEvent(const JournalChangedPayload& slot) { return isValid(slot.value); }
 
 // --- Journal over Cap'n Proto RPC: the provider's side
@@ -510,8 +520,8 @@ class JournalSink final : public suture::rpc::EventSink {
     auto request = subscriber_.stateRequest();
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid);
-    out.setTooLarge(row.tooLarge);
+    out.setEvaluated(row.valid | row.invalid);
+    out.setTooLarge(row.tooLarge | row.invalid);
     if (row.valid >> 0 & 1) {
       const auto& slot = slotIn<std::int64_t>(columns[0]);
       out.setLatest(slot);
@@ -613,19 +623,18 @@ class JournalReceiver final : public wire::JournalEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rt::ColumnSet valid = 0;
-    if (in.getEvaluated() >> 0 & 1) {
+    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    if (columns.hasValue(0)) {
       auto& slot = port_->column<std::int64_t>(0);
       slot = suture::rpc::shifted(in.getLatest(), port_->shift());
-      valid |= suture::rt::ColumnSet{1} << 0;
     }
-    if (in.getEvaluated() >> 1 & 1) {
+    if (columns.hasValue(1)) {
       auto& slot = port_->column<MomentsSlot>(1);
       const Errc error =
           in.hasMoments() ? fromWire(in.getMoments(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 1;
+      if (error != Errc{}) columns.refuse(1, error);
     }
-    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;
   }
 

@@ -75,7 +75,9 @@ static_assert(std::is_same_v<decltype(Open::image), Eigen::MatrixXd>);
 static_assert(std::is_same_v<decltype(Open::root), Root>);
 
 bool acceptsArchivePut(const ArchivePutArguments& slot);
+bool acceptsArchiveNewestResult(const OpenSlot& slot);
 bool acceptsArchiveReplace(const ArchiveReplaceArguments& slot);
+bool acceptsArchiveReplaceResult(const OpenSlot& slot);
 bool acceptsArchiveGrownEvent(const ArchiveGrownPayload& slot);
 bool acceptsArchiveChangedEvent(const OpenSlot& slot);
 
@@ -97,7 +99,8 @@ constexpr CommandInfo kArchiveCommands[] = {
      .resultSize = slotSize<OpenSlot>,
      .depth = 16,
      .column = 0,
-     .sharedResult = true},
+     .sharedResult = true,
+     .acceptsResult = checkSlot<OpenSlot, acceptsArchiveNewestResult>},
     {.name = "find",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<ArchiveFindArguments>,
@@ -112,7 +115,8 @@ constexpr CommandInfo kArchiveCommands[] = {
      .depth = 16,
      .sharedArguments = true,
      .sharedResult = true,
-     .accepts = checkSlot<ArchiveReplaceArguments, acceptsArchiveReplace>},
+     .accepts = checkSlot<ArchiveReplaceArguments, acceptsArchiveReplace>,
+     .acceptsResult = checkSlot<OpenSlot, acceptsArchiveReplaceResult>},
 };
 
 constexpr EventInfo kArchiveEvents[] = {
@@ -598,7 +602,9 @@ bool isValid(const OpenSlot& slot) {
 namespace {
 
 bool acceptsArchivePut(const ArchivePutArguments& slot) { return isValid(slot.value); }
+bool acceptsArchiveNewestResult(const OpenSlot& slot) { return isValid(slot); }
 bool acceptsArchiveReplace(const ArchiveReplaceArguments& slot) { return isValid(slot.value); }
+bool acceptsArchiveReplaceResult(const OpenSlot& slot) { return isValid(slot); }
 bool acceptsArchiveGrownEvent(const ArchiveGrownPayload& slot) { return isValid(slot.value2); }
 bool acceptsArchiveChangedEvent(const OpenSlot& slot) { return isValid(slot); }
 
@@ -639,8 +645,8 @@ class ArchiveSink final : public suture::rpc::EventSink {
     auto request = subscriber_.stateRequest();
     auto out = request.initRow();
     out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid);
-    out.setTooLarge(row.tooLarge);
+    out.setEvaluated(row.valid | row.invalid);
+    out.setTooLarge(row.tooLarge | row.invalid);
     if (row.valid >> 0 & 1) {
       const auto& slot = slotIn<OpenSlot>(columns[0]);
       toWire(slot, out.initNewest());
@@ -739,14 +745,14 @@ class ArchiveReceiver final : public wire::ArchiveEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rt::ColumnSet valid = 0;
-    if (in.getEvaluated() >> 0 & 1) {
+    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    if (columns.hasValue(0)) {
       auto& slot = port_->column<OpenSlot>(0);
       const Errc error =
           in.hasNewest() ? fromWire(in.getNewest(), slot, port_->shift()) : Errc::Invalid;
-      if (error == Errc{}) valid |= suture::rt::ColumnSet{1} << 0;
+      if (error != Errc{}) columns.refuse(0, error);
     }
-    port_->publish(in.getStamp(), valid, in.getTooLarge());
+    port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;
   }
 
