@@ -27,7 +27,7 @@ void emitColumn(Code& code, const Context& context, const model::Command& read, 
                                          "port_->shift()", context);
   if (outcome != "Errc{}") {
     emitError(code, outcome);
-    code.line("if (error != Errc{}) columns.refuse(", column, ", error);");
+    code.line("columns.enter(", column, ", error);");
   }
   code.close("}");
 }
@@ -35,7 +35,8 @@ void emitColumn(Code& code, const Context& context, const model::Command& read, 
 void emitState(Code& code, const Context& context, const model::Interface& interface) {
   code.open("kj::Promise<void> state(StateContext context) override {");
   code.line("auto in = context.getParams().getRow();");
-  code.line("suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());");
+  code.line("auto columns = ", kBreakText,
+            "port_->columnsOf(in.getEvaluated(), in.getTooLarge());");
   const std::vector<const model::Command*> reads = readsOf(interface);
   for (std::size_t i = 0; i < reads.size(); ++i) emitColumn(code, context, *reads[i], i);
   code.line("port_->publish(in.getStamp(), columns);").line("return kj::READY_NOW;").close("}");

@@ -59,7 +59,7 @@ void emitSinkRow(Code& code, const Context& context, const model::Interface& int
   for (std::size_t i = 0; i < reads.size(); ++i) {
     const std::string column = std::to_string(i);
     const model::Type& type = *reads[i]->result;
-    code.open("if (row.valid >> ", column, " & 1) {");
+    code.open("if (row.hasValue(", column, ")) {");
     code.line("const auto& slot = ", kBreakText, "slotIn<", slotType(type, context, home(context)),
               ">(columns[", column, "]);");
     code.line(encode({type, reads[i]->wireName, "slot", {}}, "out", context), ";").close("}");

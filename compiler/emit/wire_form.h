@@ -34,7 +34,7 @@ std::vector<WireValue> argumentValues(const model::Command& command);
 std::string argumentsCheck(const model::Interface& interface, const model::Command& command,
                            const Context& context);
 
-/// What a command answers, in the slot "slot". It has a result.
+/// What a command that has a result answers: it lies in the slot "slot".
 std::vector<WireValue> resultValues(const model::Command& command);
 
 /// "acceptsArmMeasuredCpResult": the check of a command's result; empty if any will do.

@@ -461,23 +461,23 @@ class ArmSink final : public suture::rpc::EventSink {
     out.setStamp(suture::toNanoseconds(row.stamp));
     out.setEvaluated(row.valid | row.invalid);
     out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.valid >> 0 & 1) {
+    if (row.hasValue(0)) {
       const auto& slot = slotIn<JointStateSlot>(columns[0]);
       toWire(slot, out.initMeasuredJs());
     }
-    if (row.valid >> 1 & 1) {
+    if (row.hasValue(1)) {
       const auto& slot = slotIn<JointStateSlot>(columns[1]);
       toWire(slot, out.initSetpointJs());
     }
-    if (row.valid >> 2 & 1) {
+    if (row.hasValue(2)) {
       const auto& slot = slotIn<PoseStampedSlot>(columns[2]);
       toWire(slot, out.initMeasuredCp());
     }
-    if (row.valid >> 3 & 1) {
+    if (row.hasValue(3)) {
       const auto& slot = slotIn<PoseStampedSlot>(columns[3]);
       toWire(slot, out.initSetpointCp());
     }
-    if (row.valid >> 4 & 1) {
+    if (row.hasValue(4)) {
       const auto& slot = slotIn<OperatingStateSlot>(columns[4]);
       toWire(slot, out.initOperatingState());
     }
@@ -653,36 +653,36 @@ class ArmReceiver final : public wire::ArmEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
     if (columns.hasValue(0)) {
       auto& slot = port_->column<JointStateSlot>(0);
       const Errc error =
           in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(0, error);
+      columns.enter(0, error);
     }
     if (columns.hasValue(1)) {
       auto& slot = port_->column<JointStateSlot>(1);
       const Errc error =
           in.hasSetpointJs() ? fromWire(in.getSetpointJs(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(1, error);
+      columns.enter(1, error);
     }
     if (columns.hasValue(2)) {
       auto& slot = port_->column<PoseStampedSlot>(2);
       const Errc error =
           in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(2, error);
+      columns.enter(2, error);
     }
     if (columns.hasValue(3)) {
       auto& slot = port_->column<PoseStampedSlot>(3);
       const Errc error =
           in.hasSetpointCp() ? fromWire(in.getSetpointCp(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(3, error);
+      columns.enter(3, error);
     }
     if (columns.hasValue(4)) {
       auto& slot = port_->column<OperatingStateSlot>(4);
       const Errc error =
           in.hasOperatingState() ? fromWire(in.getOperatingState(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(4, error);
+      columns.enter(4, error);
     }
     port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;

@@ -1362,91 +1362,91 @@ class CrtkArmSink final : public suture::rpc::EventSink {
     out.setStamp(suture::toNanoseconds(row.stamp));
     out.setEvaluated(row.valid | row.invalid);
     out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.valid >> 0 & 1) {
+    if (row.hasValue(0)) {
       const auto& slot = slotIn<JointConfigurationSlot>(columns[0]);
       toWire(slot, out.initConfigurationJs());
     }
-    if (row.valid >> 1 & 1) {
+    if (row.hasValue(1)) {
       const auto& slot = slotIn<OperatingStateSlot>(columns[1]);
       toWire(slot, out.initOperatingState());
     }
-    if (row.valid >> 2 & 1) {
+    if (row.hasValue(2)) {
       const auto& slot = slotIn<IntervalStatisticsSlot>(columns[2]);
       toWire(slot, out.initPeriodStatistics());
     }
-    if (row.valid >> 3 & 1) {
+    if (row.hasValue(3)) {
       const auto& slot = slotIn<JointStateSlot>(columns[3]);
       toWire(slot, out.initMeasuredJs());
     }
-    if (row.valid >> 4 & 1) {
+    if (row.hasValue(4)) {
       const auto& slot = slotIn<JointStateSlot>(columns[4]);
       toWire(slot, out.initSetpointJs());
     }
-    if (row.valid >> 5 & 1) {
+    if (row.hasValue(5)) {
       const auto& slot = slotIn<JointStateSlot>(columns[5]);
       toWire(slot, out.initGoalJs());
     }
-    if (row.valid >> 6 & 1) {
+    if (row.hasValue(6)) {
       const auto& slot = slotIn<PoseStampedSlot>(columns[6]);
       toWire(slot, out.initMeasuredCp());
     }
-    if (row.valid >> 7 & 1) {
+    if (row.hasValue(7)) {
       const auto& slot = slotIn<PoseStampedSlot>(columns[7]);
       toWire(slot, out.initSetpointCp());
     }
-    if (row.valid >> 8 & 1) {
+    if (row.hasValue(8)) {
       const auto& slot = slotIn<PoseStampedSlot>(columns[8]);
       toWire(slot, out.initGoalCp());
     }
-    if (row.valid >> 9 & 1) {
+    if (row.hasValue(9)) {
       const auto& slot = slotIn<PoseStampedSlot>(columns[9]);
       toWire(slot, out.initLocalMeasuredCp());
     }
-    if (row.valid >> 10 & 1) {
+    if (row.hasValue(10)) {
       const auto& slot = slotIn<PoseStampedSlot>(columns[10]);
       toWire(slot, out.initLocalSetpointCp());
     }
-    if (row.valid >> 11 & 1) {
+    if (row.hasValue(11)) {
       const auto& slot = slotIn<TwistSlot>(columns[11]);
       toWire(slot, out.initMeasuredCv());
     }
-    if (row.valid >> 12 & 1) {
+    if (row.hasValue(12)) {
       const auto& slot = slotIn<TwistSlot>(columns[12]);
       toWire(slot, out.initSetpointCv());
     }
-    if (row.valid >> 13 & 1) {
+    if (row.hasValue(13)) {
       const auto& slot = slotIn<WrenchSlot>(columns[13]);
       toWire(slot, out.initBodyMeasuredCf());
     }
-    if (row.valid >> 14 & 1) {
+    if (row.hasValue(14)) {
       const auto& slot = slotIn<WrenchSlot>(columns[14]);
       toWire(slot, out.initSpatialMeasuredCf());
     }
-    if (row.valid >> 15 & 1) {
+    if (row.hasValue(15)) {
       const auto& slot = slotIn<CartesianStateSlot>(columns[15]);
       toWire(slot, out.initMeasuredCs());
     }
-    if (row.valid >> 16 & 1) {
+    if (row.hasValue(16)) {
       const auto& slot = slotIn<JacobianSlot>(columns[16]);
       toWire(slot, out.initBodyJacobian());
     }
-    if (row.valid >> 17 & 1) {
+    if (row.hasValue(17)) {
       const auto& slot = slotIn<JacobianSlot>(columns[17]);
       toWire(slot, out.initSpatialJacobian());
     }
-    if (row.valid >> 18 & 1) {
+    if (row.hasValue(18)) {
       const auto& slot = slotIn<PoseStampedSlot>(columns[18]);
       toWire(slot, out.initBaseFrame());
     }
-    if (row.valid >> 19 & 1) {
+    if (row.hasValue(19)) {
       const auto& slot = slotIn<double>(columns[19]);
       out.setTrajectoryJRatio(slot);
     }
-    if (row.valid >> 20 & 1) {
+    if (row.hasValue(20)) {
       const auto& slot = slotIn<double>(columns[20]);
       out.setTrajectoryJRatioV(slot);
     }
-    if (row.valid >> 21 & 1) {
+    if (row.hasValue(21)) {
       const auto& slot = slotIn<double>(columns[21]);
       out.setTrajectoryJRatioA(slot);
     }
@@ -2039,120 +2039,120 @@ class CrtkArmReceiver final : public wire::CrtkArmEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
     if (columns.hasValue(0)) {
       auto& slot = port_->column<JointConfigurationSlot>(0);
       const Errc error =
           in.hasConfigurationJs() ? fromWire(in.getConfigurationJs(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(0, error);
+      columns.enter(0, error);
     }
     if (columns.hasValue(1)) {
       auto& slot = port_->column<OperatingStateSlot>(1);
       const Errc error =
           in.hasOperatingState() ? fromWire(in.getOperatingState(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(1, error);
+      columns.enter(1, error);
     }
     if (columns.hasValue(2)) {
       auto& slot = port_->column<IntervalStatisticsSlot>(2);
       const Errc error =
           in.hasPeriodStatistics() ? fromWire(in.getPeriodStatistics(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(2, error);
+      columns.enter(2, error);
     }
     if (columns.hasValue(3)) {
       auto& slot = port_->column<JointStateSlot>(3);
       const Errc error =
           in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(3, error);
+      columns.enter(3, error);
     }
     if (columns.hasValue(4)) {
       auto& slot = port_->column<JointStateSlot>(4);
       const Errc error =
           in.hasSetpointJs() ? fromWire(in.getSetpointJs(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(4, error);
+      columns.enter(4, error);
     }
     if (columns.hasValue(5)) {
       auto& slot = port_->column<JointStateSlot>(5);
       const Errc error =
           in.hasGoalJs() ? fromWire(in.getGoalJs(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(5, error);
+      columns.enter(5, error);
     }
     if (columns.hasValue(6)) {
       auto& slot = port_->column<PoseStampedSlot>(6);
       const Errc error =
           in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(6, error);
+      columns.enter(6, error);
     }
     if (columns.hasValue(7)) {
       auto& slot = port_->column<PoseStampedSlot>(7);
       const Errc error =
           in.hasSetpointCp() ? fromWire(in.getSetpointCp(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(7, error);
+      columns.enter(7, error);
     }
     if (columns.hasValue(8)) {
       auto& slot = port_->column<PoseStampedSlot>(8);
       const Errc error =
           in.hasGoalCp() ? fromWire(in.getGoalCp(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(8, error);
+      columns.enter(8, error);
     }
     if (columns.hasValue(9)) {
       auto& slot = port_->column<PoseStampedSlot>(9);
       const Errc error =
           in.hasLocalMeasuredCp() ? fromWire(in.getLocalMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(9, error);
+      columns.enter(9, error);
     }
     if (columns.hasValue(10)) {
       auto& slot = port_->column<PoseStampedSlot>(10);
       const Errc error =
           in.hasLocalSetpointCp() ? fromWire(in.getLocalSetpointCp(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(10, error);
+      columns.enter(10, error);
     }
     if (columns.hasValue(11)) {
       auto& slot = port_->column<TwistSlot>(11);
       const Errc error =
           in.hasMeasuredCv() ? fromWire(in.getMeasuredCv(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(11, error);
+      columns.enter(11, error);
     }
     if (columns.hasValue(12)) {
       auto& slot = port_->column<TwistSlot>(12);
       const Errc error =
           in.hasSetpointCv() ? fromWire(in.getSetpointCv(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(12, error);
+      columns.enter(12, error);
     }
     if (columns.hasValue(13)) {
       auto& slot = port_->column<WrenchSlot>(13);
       const Errc error =
           in.hasBodyMeasuredCf() ? fromWire(in.getBodyMeasuredCf(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(13, error);
+      columns.enter(13, error);
     }
     if (columns.hasValue(14)) {
       auto& slot = port_->column<WrenchSlot>(14);
       const Errc error =
           in.hasSpatialMeasuredCf() ? fromWire(in.getSpatialMeasuredCf(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(14, error);
+      columns.enter(14, error);
     }
     if (columns.hasValue(15)) {
       auto& slot = port_->column<CartesianStateSlot>(15);
       const Errc error =
           in.hasMeasuredCs() ? fromWire(in.getMeasuredCs(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(15, error);
+      columns.enter(15, error);
     }
     if (columns.hasValue(16)) {
       auto& slot = port_->column<JacobianSlot>(16);
       const Errc error =
           in.hasBodyJacobian() ? fromWire(in.getBodyJacobian(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(16, error);
+      columns.enter(16, error);
     }
     if (columns.hasValue(17)) {
       auto& slot = port_->column<JacobianSlot>(17);
       const Errc error =
           in.hasSpatialJacobian() ? fromWire(in.getSpatialJacobian(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(17, error);
+      columns.enter(17, error);
     }
     if (columns.hasValue(18)) {
       auto& slot = port_->column<PoseStampedSlot>(18);
       const Errc error =
           in.hasBaseFrame() ? fromWire(in.getBaseFrame(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(18, error);
+      columns.enter(18, error);
     }
     if (columns.hasValue(19)) {
       auto& slot = port_->column<double>(19);

@@ -270,11 +270,11 @@ class TeleoperationSink final : public suture::rpc::EventSink {
     out.setStamp(suture::toNanoseconds(row.stamp));
     out.setEvaluated(row.valid | row.invalid);
     out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.valid >> 0 & 1) {
+    if (row.hasValue(0)) {
       const auto& slot = slotIn<std::uint8_t>(columns[0]);
       out.setTeleopState(wireTeleopState(slot));
     }
-    if (row.valid >> 1 & 1) {
+    if (row.hasValue(1)) {
       const auto& slot = slotIn<FollowAnchorsSlot>(columns[1]);
       toWire(slot, out.initAnchors());
     }
@@ -348,17 +348,17 @@ class TeleoperationReceiver final : public wire::TeleoperationEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
     if (columns.hasValue(0)) {
       auto& slot = port_->column<std::uint8_t>(0);
       const Errc error = fromWire(in.getTeleopState(), slot);
-      if (error != Errc{}) columns.refuse(0, error);
+      columns.enter(0, error);
     }
     if (columns.hasValue(1)) {
       auto& slot = port_->column<FollowAnchorsSlot>(1);
       const Errc error =
           in.hasAnchors() ? fromWire(in.getAnchors(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(1, error);
+      columns.enter(1, error);
     }
     port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;

@@ -263,15 +263,14 @@ void ProvidedBase::publishRow() {
 void ProvidedBase::advance() {
   const rt::ColumnSet demand = state_->demand();
   if (demand == 0) return;
-  rt::ColumnSet valid = 0, tooLarge = 0, invalid = 0;
+  rt::RowColumns columns;
   for (std::uint16_t i = 0; i < info_.commands.size(); ++i) {
     const int column = info_.commands[i].column;
     if (column < 0 || (demand >> column & 1) == 0) continue;
-    const Errc error = produce(i, nullptr, state_->draft(static_cast<unsigned>(column)));
-    rt::ColumnSet& group = error == Errc{} ? valid : error == Errc::Invalid ? invalid : tooLarge;
-    group |= rt::ColumnSet{1} << column;
+    const auto number = static_cast<unsigned>(column);
+    columns.enter(number, produce(i, nullptr, state_->draft(number)));
   }
-  state_->publish(now(), valid, tooLarge, invalid);
+  state_->publish(now(), columns);
   channels_.forEach([this](ChannelList::Node& node) {
     if (node.channel->wantsRows.load(std::memory_order_relaxed)) {
       owner_.ringLater(*node.channel->ends.client);
@@ -330,7 +329,7 @@ void ProvidedBase::keepLatched(std::uint16_t event, Time stamp,
   if (latched.keeping.test_and_set(std::memory_order_acquire)) return;
   std::copy(payload.begin(), payload.end(), latched.values.draft(0));
   if (info_.events[event].sharedPayload) sharedSlotIn(payload.data())->retain();
-  latched.values.publish(stamp, 1, 0);
+  latched.values.publish(stamp, {.valid = 1});
   latched.keeping.clear(std::memory_order_release);
 }
 

@@ -143,7 +143,7 @@ StateTable::RowHeader& StateTable::headerAt(std::uint64_t sequence) const {
   return *reinterpret_cast<RowHeader*>(rows_ + (sequence & rowMask_) * rowBytes_);
 }
 
-void StateTable::publish(Time stamp, ColumnSet valid, ColumnSet tooLarge, ColumnSet invalid) {
+void StateTable::publish(Time stamp, const RowColumns& columns) {
   const auto lock = shared_.lock();
   const std::uint64_t sequence = newest_->load(std::memory_order_relaxed) + 1;
   lastStamp_ = std::max(lastStamp_, stamp);
@@ -151,11 +151,11 @@ void StateTable::publish(Time stamp, ColumnSet valid, ColumnSet tooLarge, Column
   header.sequence.store(0, std::memory_order_relaxed);
   header.stamp.store(static_cast<std::uint64_t>(toNanoseconds(lastStamp_)),
                      std::memory_order_release);
-  header.valid.store(valid, std::memory_order_release);
-  header.tooLarge.store(tooLarge, std::memory_order_release);
-  header.invalid.store(invalid, std::memory_order_release);
+  header.valid.store(columns.valid, std::memory_order_release);
+  header.tooLarge.store(columns.tooLarge, std::memory_order_release);
+  header.invalid.store(columns.invalid, std::memory_order_release);
   for (unsigned i = 0; i < columns_.size(); ++i) {
-    if (valid >> i & 1) storeColumn(i, header);
+    if (columns.hasValue(i)) storeColumn(i, header);
   }
   header.sequence.store(sequence, std::memory_order_release);
   newest_->store(sequence, std::memory_order_release);
@@ -166,15 +166,14 @@ bool StateTable::askAll(ColumnSet columns) {
   return (columns & ~demand_->fetch_or(columns, std::memory_order_acq_rel)) != 0;
 }
 
-bool StateTable::Row::keep(ColumnSet columns) {
-  valid &= columns;
-  tooLarge &= columns;
-  invalid &= columns;
-  return (valid | tooLarge | invalid) != 0;
+StateTable::Row StateTable::overwritten() {
+  Row row;
+  row.tooOld = true;
+  return row;
 }
 
 Errc StateTable::Row::missing(unsigned column) const {
-  if (valid >> column & 1) return Errc{};
+  if (hasValue(column)) return Errc{};
   if (tooLarge >> column & 1) return Errc::TooLarge;
   if (invalid >> column & 1) return Errc::Invalid;
   return tooOld ? Errc::TooOld : Errc::NotYet;
@@ -222,7 +221,8 @@ std::uint64_t StateTable::oldest(std::uint64_t newest) const {
 }
 
 bool StateTable::stampOf(std::uint64_t sequence, Time& stamp) const {
-  Row row{.sequence = sequence};
+  Row row;
+  row.sequence = sequence;
   const bool whole = tryRead(row, [](RowHeader&, const Row&) {});
   stamp = row.stamp;
   return whole;
@@ -232,7 +232,8 @@ bool StateTable::stampOf(std::uint64_t sequence, Time& stamp) const {
 StateTable::Row StateTable::findAt(Time at) const {
   std::uint64_t last = rows();  // so that no number beyond it overflows
   std::uint64_t first = oldest(last);
-  Row found{.tooOld = first > 1};
+  Row found;
+  found.tooOld = first > 1;
   while (first <= last) {
     const std::uint64_t middle = first + (last - first) / 2;
     Time stamp;
@@ -256,19 +257,19 @@ StateTable::Row StateTable::readAt(Time at, const Copy& copy) const {
     row.tooOld = false;
     if (tryRead(row, copy)) return row;
   }
-  return Row{.tooOld = true};
+  return overwritten();
 }
 
 auto StateTable::copying(unsigned column, std::byte* slot) const {
   return [this, column, slot](RowHeader& header, const Row& row) {
-    if (row.valid >> column & 1) loadColumn(column, header, slot);
+    if (row.hasValue(column)) loadColumn(column, header, slot);
   };
 }
 
 auto StateTable::copying(std::span<std::byte* const> slots) const {
   return [this, slots](RowHeader& header, const Row& row) {
     for (std::size_t i = 0; i < slots.size(); ++i) {
-      if (slots[i] == nullptr || (row.valid >> i & 1) == 0) continue;
+      if (slots[i] == nullptr || !row.hasValue(i)) continue;
       loadColumn(static_cast<unsigned>(i), header, slots[i]);
     }
   };
@@ -288,23 +289,24 @@ StateTable::Row StateTable::readRowNumber(std::uint64_t sequence,
                                           std::span<std::byte* const> slots) const {
   const auto lock = shared_.lock();
   const std::uint64_t newest = newest_->load(std::memory_order_acquire);
-  Row row{.sequence = sequence};
+  Row row;
+  row.sequence = sequence;
   if (sequence > newest) return Row{};
   if (sequence >= oldest(newest) && tryRead(row, copying(slots))) return row;
-  return Row{.tooOld = true};
+  return overwritten();
 }
 
 Result<Time> StateTable::read(unsigned column, std::byte* slot) const {
   const auto lock = shared_.lock();
   const Row row = readNewest(copying(column, slot));
-  if (row.valid >> column & 1) return row.stamp;
+  if (row.hasValue(column)) return row.stamp;
   return tl::unexpected(row.missing(column));
 }
 
 Result<Time> StateTable::readAt(Time at, unsigned column, std::byte* slot) const {
   const auto lock = shared_.lock();
   const Row row = readAt(at, copying(column, slot));
-  if (row.valid >> column & 1) return row.stamp;
+  if (row.hasValue(column)) return row.stamp;
   return tl::unexpected(row.missing(column));
 }
 

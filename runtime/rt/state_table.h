@@ -4,6 +4,7 @@
 #include <suture/base/errors.h>
 #include <suture/base/memory_block.h>
 #include <suture/base/time.h>
+#include <suture/rt/row_columns.h>
 #include <suture/rt/shared_columns.h>
 
 #include <algorithm>
@@ -15,9 +16,6 @@
 #include <vector>
 
 namespace suture::rt {
-
-/// A set of columns, one bit each: at most 64 reads in a contract.
-using ColumnSet = std::uint64_t;
 
 /// A ring of rows in a sealed memory block, prefaulted, so that another process can map it
 /// read-only. One writer thread; any number of readers, disturbed only if they are stopped for
@@ -50,11 +48,9 @@ class StateTable {
 
   /// Where to prepare column `column` of the next row. Private to the writer.
   std::byte* draft(unsigned column);
-  /// Publishes the draft as a new row: of the columns in `valid` the values, of those in `tooLarge`
-  /// the fact that they did not fit, of those in `invalid` that the contract does not admit them.
-  /// All others say "not yet". Stamps never go back: an earlier one counts as that of the row
-  /// before.
-  void publish(Time stamp, ColumnSet valid, ColumnSet tooLarge, ColumnSet invalid = 0);
+  /// Publishes the draft as a new row: the values of the valid columns, and of the others why they
+  /// have none. Stamps never go back: an earlier one counts as that of the row before.
+  void publish(Time stamp, const RowColumns& columns);
   /// Columns that somebody has asked for. Never shrinks.
   ColumnSet demand() const { return demand_->load(std::memory_order_acquire); }
 
@@ -73,14 +69,11 @@ class StateTable {
   Result<Time> readAt(Time at, unsigned column, std::byte* slot) const;
   /// Copies the newest row into `slots` (one pointer a column, nullptr: not wanted) and tells its
   /// columns.
-  struct Row {
+  struct Row : RowColumns {
     std::uint64_t sequence = 0;  ///< 0: there is none
     Time stamp{};
-    ColumnSet valid = 0, tooLarge = 0, invalid = 0;
     bool tooOld = false;  ///< there was one, and it has been overwritten
 
-    /// Leaves out what is in none of `columns`; false if nothing is left.
-    bool keep(ColumnSet columns);
     /// Why there is no value of `column`; 0 if there is one.
     Errc missing(unsigned column) const;
   };
@@ -124,6 +117,7 @@ class StateTable {
   void loadColumn(unsigned column, RowHeader& header, std::byte* slot) const;
   RowHeader& headerAt(std::uint64_t sequence) const;
   Word* payloadOf(RowHeader& header) const { return reinterpret_cast<Word*>(&header + 1); }
+  static Row overwritten();
   std::uint64_t oldest(std::uint64_t newest) const;
   bool stampOf(std::uint64_t sequence, Time& stamp) const;
   Row findAt(Time at) const;

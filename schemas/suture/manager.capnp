@@ -5,8 +5,9 @@
 using Cxx = import "/capnp/c++.capnp";
 $Cxx.namespace("suture::wire");
 
-const protocolVersion :UInt16 = 1;
-# Of manager.capnp and peer.capnp together. Both sides say theirs in hello; a difference is a refusal.
+const protocolVersion :UInt16 = 2;
+# It counts the changes of manager.capnp, peer.capnp, frames and shared memory. Both sides say theirs in hello; a difference
+# is a refusal.
 
 const renewalMilliseconds :UInt32 = 500;
 # How often a lease is renewed.

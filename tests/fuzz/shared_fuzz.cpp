@@ -97,7 +97,8 @@ class Processes {
   }
   void publish() {
     std::memset(table_.draft(0), static_cast<int>(input_.byte()), kColumns[0]);
-    table_.publish(now(), input_.byte(), input_.byte());
+    const std::uint64_t valid = input_.byte(), tooLarge = input_.byte();
+    table_.publish(now(), {.valid = valid, .tooLarge = tooLarge});
   }
   /// With what means something there more often than by chance.
   void scribble(const MemoryBlock& block) {

@@ -250,11 +250,11 @@ class ArmLikeSink final : public suture::rpc::EventSink {
     out.setStamp(suture::toNanoseconds(row.stamp));
     out.setEvaluated(row.valid | row.invalid);
     out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.valid >> 0 & 1) {
+    if (row.hasValue(0)) {
       const auto& slot = slotIn<PoseStampedSlot>(columns[0]);
       toWire(slot, out.initMeasuredCp());
     }
-    if (row.valid >> 1 & 1) {
+    if (row.hasValue(1)) {
       const auto& slot = slotIn<JointStateSlot>(columns[1]);
       toWire(slot, out.initMeasuredJs());
     }
@@ -407,18 +407,18 @@ class ArmLikeReceiver final : public wire::ArmLikeEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
     if (columns.hasValue(0)) {
       auto& slot = port_->column<PoseStampedSlot>(0);
       const Errc error =
           in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(0, error);
+      columns.enter(0, error);
     }
     if (columns.hasValue(1)) {
       auto& slot = port_->column<JointStateSlot>(1);
       const Errc error =
           in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(1, error);
+      columns.enter(1, error);
     }
     port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;

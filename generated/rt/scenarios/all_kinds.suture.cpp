@@ -514,19 +514,19 @@ class AllKindsSink final : public suture::rpc::EventSink {
     out.setStamp(suture::toNanoseconds(row.stamp));
     out.setEvaluated(row.valid | row.invalid);
     out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.valid >> 0 & 1) {
+    if (row.hasValue(0)) {
       const auto& slot = slotIn<double>(columns[0]);
       out.setScalar(slot);
     }
-    if (row.valid >> 1 & 1) {
+    if (row.hasValue(1)) {
       const auto& slot = slotIn<std::array<double, 3>>(columns[1]);
       toWire(slot, out.initVector());
     }
-    if (row.valid >> 2 & 1) {
+    if (row.hasValue(2)) {
       const auto& slot = slotIn<robots::PosePrmSlot>(columns[2]);
       toWire(slot, out.initRecord());
     }
-    if (row.valid >> 3 & 1) {
+    if (row.hasValue(3)) {
       const auto& slot = slotIn<suture::BoundedText<31>>(columns[3]);
       toWire(slot, out.initText(slot.size));
     }
@@ -812,7 +812,7 @@ class AllKindsReceiver final : public wire::AllKindsEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
     if (columns.hasValue(0)) {
       auto& slot = port_->column<double>(0);
       slot = in.getScalar();
@@ -820,18 +820,18 @@ class AllKindsReceiver final : public wire::AllKindsEvents::Server {
     if (columns.hasValue(1)) {
       auto& slot = port_->column<std::array<double, 3>>(1);
       const Errc error = in.hasVector() ? fromWire(in.getVector(), slot) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(1, error);
+      columns.enter(1, error);
     }
     if (columns.hasValue(2)) {
       auto& slot = port_->column<robots::PosePrmSlot>(2);
       const Errc error =
           in.hasRecord() ? fromWire(in.getRecord(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(2, error);
+      columns.enter(2, error);
     }
     if (columns.hasValue(3)) {
       auto& slot = port_->column<suture::BoundedText<31>>(3);
       const Errc error = fromWire(in.getText(), slot);
-      if (error != Errc{}) columns.refuse(3, error);
+      columns.enter(3, error);
     }
     port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;

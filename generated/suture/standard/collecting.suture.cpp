@@ -221,15 +221,15 @@ class CollectingSink final : public suture::rpc::EventSink {
     out.setStamp(suture::toNanoseconds(row.stamp));
     out.setEvaluated(row.valid | row.invalid);
     out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.valid >> 0 & 1) {
+    if (row.hasValue(0)) {
       const auto& slot = slotIn<CollectingIntervalSlot>(columns[0]);
       toWire(slot, out.initInterval());
     }
-    if (row.valid >> 1 & 1) {
+    if (row.hasValue(1)) {
       const auto& slot = slotIn<std::uint8_t>(columns[1]);
       out.setCollecting(slot != 0);
     }
-    if (row.valid >> 2 & 1) {
+    if (row.hasValue(2)) {
       const auto& slot = slotIn<CollectedCountsSlot>(columns[2]);
       toWire(slot, out.initCounts());
     }
@@ -330,12 +330,12 @@ class CollectingReceiver final : public wire::CollectingEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
     if (columns.hasValue(0)) {
       auto& slot = port_->column<CollectingIntervalSlot>(0);
       const Errc error =
           in.hasInterval() ? fromWire(in.getInterval(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(0, error);
+      columns.enter(0, error);
     }
     if (columns.hasValue(1)) {
       auto& slot = port_->column<std::uint8_t>(1);
@@ -345,7 +345,7 @@ class CollectingReceiver final : public wire::CollectingEvents::Server {
       auto& slot = port_->column<CollectedCountsSlot>(2);
       const Errc error =
           in.hasCounts() ? fromWire(in.getCounts(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(2, error);
+      columns.enter(2, error);
     }
     port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;

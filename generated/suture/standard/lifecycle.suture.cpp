@@ -332,7 +332,7 @@ class LifecycleSink final : public suture::rpc::EventSink {
     out.setStamp(suture::toNanoseconds(row.stamp));
     out.setEvaluated(row.valid | row.invalid);
     out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.valid >> 0 & 1) {
+    if (row.hasValue(0)) {
       const auto& slot = slotIn<std::uint8_t>(columns[0]);
       out.setComponentState(wireComponentState(slot));
     }
@@ -418,11 +418,11 @@ class LifecycleReceiver final : public wire::LifecycleEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
     if (columns.hasValue(0)) {
       auto& slot = port_->column<std::uint8_t>(0);
       const Errc error = fromWire(in.getComponentState(), slot);
-      if (error != Errc{}) columns.refuse(0, error);
+      columns.enter(0, error);
     }
     port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;

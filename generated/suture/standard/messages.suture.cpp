@@ -220,7 +220,7 @@ class MessagesReceiver final : public wire::MessagesEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
     port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;
   }

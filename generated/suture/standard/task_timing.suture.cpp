@@ -236,15 +236,15 @@ class TaskTimingSink final : public suture::rpc::EventSink {
     out.setStamp(suture::toNanoseconds(row.stamp));
     out.setEvaluated(row.valid | row.invalid);
     out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.valid >> 0 & 1) {
+    if (row.hasValue(0)) {
       const auto& slot = slotIn<TaskWindowSlot>(columns[0]);
       toWire(slot, out.initWindow());
     }
-    if (row.valid >> 1 & 1) {
+    if (row.hasValue(1)) {
       const auto& slot = slotIn<std::uint64_t>(columns[1]);
       out.setCycles(slot);
     }
-    if (row.valid >> 2 & 1) {
+    if (row.hasValue(2)) {
       const auto& slot = slotIn<std::uint64_t>(columns[2]);
       out.setSkipped(slot);
     }
@@ -318,12 +318,12 @@ class TaskTimingReceiver final : public wire::TaskTimingEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
     if (columns.hasValue(0)) {
       auto& slot = port_->column<TaskWindowSlot>(0);
       const Errc error =
           in.hasWindow() ? fromWire(in.getWindow(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(0, error);
+      columns.enter(0, error);
     }
     if (columns.hasValue(1)) {
       auto& slot = port_->column<std::uint64_t>(1);

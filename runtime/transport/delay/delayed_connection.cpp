@@ -19,7 +19,7 @@ enum Stream : std::uint64_t { kCommands, kAnswers, kEvents, kRows };
 
 struct RowRecord {
   Time stamp;
-  rt::ColumnSet valid, tooLarge, invalid;
+  rt::RowColumns columns;
 };
 
 std::size_t largestCommand(const InterfaceInfo& info) {
@@ -303,7 +303,8 @@ void DelayedConnection::takeRows() {
     rt::StateTable::Row row = far_->state->readRowNumber(nextRow_, slotPointers_);
     if (row.sequence == 0) continue;
     far_->countReceived(far_->state->rowBytes());
-    if (row.keep(asked_)) keepRow(row, now() + delay_.answers);
+    row.keep(asked_);
+    if (row.any()) keepRow(row, now() + delay_.answers);
   }
 }
 
@@ -311,10 +312,10 @@ void DelayedConnection::takeRows() {
 void DelayedConnection::keepRow(const rt::StateTable::Row& row, Time due) {
   std::byte* memory = rows_.claim(due, largestRow(*near_->state));
   if (memory == nullptr) return;
-  new (memory) RowRecord{row.stamp, row.valid, row.tooLarge, row.invalid};
+  new (memory) RowRecord{row.stamp, row};
   memory += sizeof(RowRecord);
   for (unsigned i = 0; i < slotPointers_.size(); ++i) {
-    if (row.valid >> i & 1) std::memcpy(memory, slotPointers_[i], near_->state->columnSize(i));
+    if (row.hasValue(i)) std::memcpy(memory, slotPointers_[i], near_->state->columnSize(i));
     memory += wordBytes(near_->state->columnSize(i));
   }
   rows_.commit();
@@ -327,10 +328,10 @@ void DelayedConnection::deliverRows(Time now) {
     memory += sizeof(RowRecord);
     for (unsigned i = 0; i < slotPointers_.size(); ++i) {
       const std::uint32_t size = near_->state->columnSize(i);
-      if (row.valid >> i & 1) std::memcpy(near_->state->draft(i), memory, size);
+      if (row.columns.hasValue(i)) std::memcpy(near_->state->draft(i), memory, size);
       memory += wordBytes(size);
     }
-    near_->state->publish(row.stamp, row.valid, row.tooLarge, row.invalid);
+    near_->state->publish(row.stamp, row.columns);
     rows_.pop();
     any = true;
   }

@@ -73,13 +73,13 @@ bool ClientSide::takeEvent(const Header& header, std::span<std::byte> payload) {
 }
 
 bool ClientSide::takeRow(const Header& header, std::span<std::byte> payload) {
-  Columns columns;
+  rt::RowColumns columns;
   if (payload.size() < sizeof(columns)) return false;
   std::memcpy(&columns, payload.data(), sizeof(columns));
   payload = payload.subspan(sizeof(columns));
   rt::StateTable& mirror = *channel_->state;
   for (unsigned i = 0; i < mirror.columns(); ++i) {
-    if ((columns.valid >> i & 1) == 0) continue;
+    if (!columns.hasValue(i)) continue;
     const std::size_t size = mirror.columnSize(i);
     if (payload.size() < wordBytes(size)) return false;
     bringHere(reads_[i]->shiftResult, payload.data());
@@ -87,8 +87,8 @@ bool ClientSide::takeRow(const Header& header, std::span<std::byte> payload) {
     payload = payload.subspan(wordBytes(size));
   }
   if (!payload.empty()) return false;
-  mirror.publish(here(header.stamp), columns.valid & columns_, columns.tooLarge & columns_,
-                 columns.invalid & columns_);
+  columns.keep(columns_);
+  mirror.publish(here(header.stamp), columns);
   news_ = news_ || channel_->wantsRows.load(std::memory_order_relaxed);
   return true;
 }

@@ -9,7 +9,7 @@ namespace suture::frame {
 namespace {
 
 std::size_t rowBytes(const InterfaceInfo& contract) {
-  std::size_t size = sizeof(Columns);
+  std::size_t size = sizeof(rt::RowColumns);
   for (const CommandInfo& one : contract.commands) {
     if (one.column >= 0) size += wordBytes(one.resultSize);
   }

@@ -1,6 +1,8 @@
 #pragma once
 // What goes over the wire of a frame link: headers, each with a payload behind it.
 
+#include <suture/rt/row_columns.h>
+
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +17,7 @@ enum class Kind : std::uint8_t {
   // provider to client
   Reply,  ///< call, error; payload: the result's slot, if there is no error
   Event,  ///< number: which; call: of which subscription; payload: its slot
-  Row,    ///< payload: Columns, and the slots of those that are valid, each filled up to words
+  Row,    ///< payload: RowColumns, and the slots of those that are valid, each filled up to words
   Taken,  ///< number: a command; call: how many more of it may be sent
   Tally,  ///< payload: suture::Tally, what has become of all commands so far
   // both
@@ -39,16 +41,13 @@ struct Header {
   std::int64_t stamp = 0;        ///< the sender's steady clock, ns
 };
 static_assert(sizeof(Header) == 40 && std::is_trivially_copyable_v<Header>);
+static_assert(sizeof(rt::RowColumns) == 24 && std::is_trivially_copyable_v<rt::RowColumns>);
 static_assert(std::endian::native == std::endian::little);
 
 struct Subscription {
   std::uint64_t events;   ///< a bit each
   std::uint64_t joining;  ///< of these the last value first, if they are latched
   std::uint64_t columns;  ///< of the state that the client reads
-};
-
-struct Columns {
-  std::uint64_t valid, tooLarge, invalid;
 };
 
 /// What one send or one receive may take of small frames, bytes.

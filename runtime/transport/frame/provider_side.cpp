@@ -174,14 +174,15 @@ void ProviderSide::giveRow() {
   if (columns_ == 0 || !hasRoom() || state.rows() == lastRow_) return;
   rt::StateTable::Row row = state.readRow(wantedSlots_);
   lastRow_ = row.sequence;
-  if (row.keep(columns_)) sendRow(row);
+  row.keep(columns_);
+  if (row.any()) sendRow(row);
 }
 
 void ProviderSide::sendRow(const rt::StateTable::Row& row) {
-  const Columns columns{row.valid, row.tooLarge, row.invalid};
+  const rt::RowColumns& columns = row;
   std::size_t size = sizeof(columns);
   for (unsigned i = 0; i < slots_.size(); ++i) {
-    if (row.valid >> i & 1) size += slots_[i].size() * sizeof(std::uint64_t);
+    if (row.hasValue(i)) size += slots_[i].size() * sizeof(std::uint64_t);
   }
   std::byte* memory = begin({.kind = Kind::Row, .stamp = toNanoseconds(row.stamp)}, size);
   const auto put = [&memory](const void* bytes, std::size_t count) {
@@ -190,7 +191,7 @@ void ProviderSide::sendRow(const rt::StateTable::Row& row) {
   };
   put(&columns, sizeof(columns));
   for (unsigned i = 0; i < slots_.size(); ++i) {
-    if (row.valid >> i & 1) put(slots_[i].data(), slots_[i].size() * sizeof(std::uint64_t));
+    if (row.hasValue(i)) put(slots_[i].data(), slots_[i].size() * sizeof(std::uint64_t));
   }
   finish();
 }

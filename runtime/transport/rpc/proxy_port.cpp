@@ -35,9 +35,9 @@ Time ProxyPort::here(std::int64_t stamp) const {
 }
 
 // A row of another process is judged where the client reads it.
-void ProxyPort::publish(std::int64_t stamp, const RowColumns& columns) {
+void ProxyPort::publish(std::int64_t stamp, const rt::RowColumns& columns) {
   if (isClosed()) return;
-  channel_->state->publish(here(stamp), columns.valid, columns.tooLarge, columns.invalid);
+  channel_->state->publish(here(stamp), columns);
   if (channel_->wantsRows.load(std::memory_order_relaxed)) channel_->ends.client->ring();
 }
 

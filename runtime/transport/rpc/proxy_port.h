@@ -10,7 +10,6 @@
 #include <suture/transport/rpc/control_thread.h>
 #include <suture/transport/rpc/message_stream.h>
 #include <suture/transport/rpc/remote_error.h>
-#include <suture/transport/rpc/row_columns.h>
 #include <suture/transport/rpc/wire.h>
 
 #include <memory>
@@ -60,6 +59,13 @@ class ProxyPort final : public ClientEnd, private Pump, private kj::TaskSet::Err
     if (call != 0) reply(call, {}, [](std::byte*) { return Errc{}; });
   }
 
+  /// Reads the two sets of a row that has come: a column that the contract does not admit is in
+  /// both.
+  static rt::RowColumns columnsOf(rt::ColumnSet evaluated, rt::ColumnSet tooLarge) {
+    return {.valid = evaluated & ~tooLarge,
+            .tooLarge = tooLarge & ~evaluated,
+            .invalid = evaluated & tooLarge};
+  }
   /// The slot of column `column` in the next row.
   template <class Slot>
   Slot& column(unsigned column) {
@@ -67,7 +73,7 @@ class ProxyPort final : public ClientEnd, private Pump, private kj::TaskSet::Err
   }
   /// Publishes the slots of column(), and why others have no value; `stamp` is on the provider's
   /// clock, ns.
-  void publish(std::int64_t stamp, const RowColumns& columns);
+  void publish(std::int64_t stamp, const rt::RowColumns& columns);
 
   /// Hands an event to the client: `decode(Slot&)` converts the payload and returns an Errc. The
   /// promise is the answer to the provider; see acknowledge().

@@ -206,7 +206,8 @@ void ServantPort::pumpRow() {
     if (columns_ == 0 || rowsInFlight_ == kWindow || channel_->state->rows() == lastRow_) return;
     rt::StateTable::Row row = channel_->state->readRow(rowPointers_);
     lastRow_ = row.sequence;
-    if (row.keep(columns_)) sendRow(**sink, row);
+    row.keep(columns_);
+    if (row.any()) sendRow(**sink, row);
     releaseRow();
   }
 }

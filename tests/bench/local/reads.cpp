@@ -30,7 +30,7 @@ class Writer {
           for (suture::Time due = suture::now(); !stop_; due += kWriterPeriod) {
             words.fill(words[0] + 1);
             std::memcpy(table.draft(0), words.data(), sizeof(words));
-            table.publish(suture::now(), 1, 0);
+            table.publish(suture::now(), {.valid = 1});
             std::this_thread::sleep_until(due);
           }
         }) {}

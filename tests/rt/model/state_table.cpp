@@ -15,7 +15,7 @@ struct Table {
   explicit Table(unsigned rows) : table(kColumns, rows) { publish(1); }
   void publish(std::uint64_t serial) {
     std::memcpy(table.draft(0), &serial, sizeof(serial));
-    table.publish(suture::fromNanoseconds(static_cast<std::int64_t>(serial)), 1, 0);
+    table.publish(suture::fromNanoseconds(static_cast<std::int64_t>(serial)), {.valid = 1});
   }
   std::uint64_t readRow() const {
     std::uint64_t value = 0;

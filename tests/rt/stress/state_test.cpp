@@ -27,7 +27,7 @@ TEST(Stress, StateTable) {
   const auto write = [&] {
     for (std::uint64_t serial = 1; !span.over(serial - 1); ++serial) {
       for (unsigned column : {0u, 1u}) fill(at(table.draft(column)), serial);
-      table.publish(suture::now(), 3, 0);
+      table.publish(suture::now(), {.valid = 3});
     }
     ended = true;
   };

@@ -64,7 +64,7 @@ TEST(FrameStamps, OfEventsAndRowsAreTheClients) {
   ends.exchange();
   const Time produced = now();
   ASSERT_TRUE(ends.far->events.push(kStoppedMethod, produced, {}));
-  ends.far->state->publish(produced, 1, 0);
+  ends.far->state->publish(produced, {.valid = 1});
   ends.exchange();
   const rt::EventRecord* const event = ends.near->events.next();
   ASSERT_NE(event, nullptr);

@@ -286,7 +286,7 @@ TEST(ForeignStateTable, IsReadInAnotherProcessAndAskedThere) {
   for (int row = 1; row <= 10; ++row) {
     std::memset(table.draft(1), row, 24);
     const Time stamp = now();
-    table.publish(stamp, 2, 0);
+    table.publish(stamp, {.valid = 2});
     EXPECT_EQ(view.read(1, slot.data()).value(), stamp);
     EXPECT_EQ(slot[23], static_cast<std::byte>(row));
   }
@@ -315,7 +315,7 @@ TEST(ForeignStateTable, StampsHaveAnAge) {
   StateTable provider(columns, 4);
   const StateTable client(columns, 4, provider.memory(),
                           std::make_shared<std::atomic<ColumnSet>>());
-  provider.publish(now(), 1, 0);
+  provider.publish(now(), {.valid = 1});
   std::vector<std::uint64_t> words(provider.memory()->size() / 8);
   std::memcpy(words.data(), provider.memory()->data(), words.size() * 8);
   for (std::uint64_t& word : words) {

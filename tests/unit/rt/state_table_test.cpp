@@ -15,14 +15,14 @@ TEST(StateTable, SaysNotYetUntilAColumnHasBeenProduced) {
   StateTable table(kSizes);
   std::array<std::byte, 120> slot;
   EXPECT_EQ(table.read(0, slot.data()).error(), Errc::NotYet);
-  table.publish(now(), 0b010, 0);
+  table.publish(now(), {.valid = 0b010});
   EXPECT_EQ(table.read(0, slot.data()).error(), Errc::NotYet);
   EXPECT_TRUE(table.read(1, slot.data()));
 }
 
 TEST(StateTable, TellsThatAValueDidNotFit) {
   StateTable table(kSizes);
-  table.publish(now(), 0b010, 0b001);
+  table.publish(now(), {.valid = 0b010, .tooLarge = 0b001});
   std::array<std::byte, 120> slot;
   EXPECT_EQ(table.read(0, slot.data()).error(), Errc::TooLarge);
 }
@@ -48,7 +48,7 @@ TEST(StateTable, AValueWhoseSizeIsNoMultipleOfAWordKeepsItsNeighbours) {
   const std::uint32_t value = 0xdeadbeef;
   std::memcpy(table.draft(1), &value, sizeof(value));
   const Time stamp = now();
-  table.publish(stamp, 0b010, 0);
+  table.publish(stamp, {.valid = 0b010});
   std::array<std::uint32_t, 3> around{1, 2, 3};
   const auto read = table.read(1, reinterpret_cast<std::byte*>(&around[1]));
   EXPECT_EQ(around, (std::array<std::uint32_t, 3>{1, value, 3}));
@@ -58,7 +58,7 @@ TEST(StateTable, AValueWhoseSizeIsNoMultipleOfAWordKeepsItsNeighbours) {
 /// Publishes `value` in column 1 at `value` ns.
 void publish(StateTable& table, std::uint32_t value) {
   std::memcpy(table.draft(1), &value, sizeof(value));
-  table.publish(fromNanoseconds(value), 0b010, 0);
+  table.publish(fromNanoseconds(value), {.valid = 0b010});
 }
 
 Result<std::uint32_t> valueAt(const StateTable& table, std::int64_t nanoseconds) {
@@ -93,7 +93,7 @@ TEST(StateTable, TellsWhatWasNotYetFromWhatIsNoMore) {
 
 TEST(StateTable, AColumnThatWasProducedLaterWasNotYet) {
   StateTable table(kSizes, 4);
-  table.publish(fromNanoseconds(10), 0b100, 0);
+  table.publish(fromNanoseconds(10), {.valid = 0b100});
   publish(table, 20);
   EXPECT_EQ(valueAt(table, 10).error(), Errc::NotYet);
   EXPECT_EQ(valueAt(table, 20).value(), 20u);
@@ -102,7 +102,7 @@ TEST(StateTable, AColumnThatWasProducedLaterWasNotYet) {
 TEST(StateTable, AnEarlierStampCountsAsTheOneBefore) {
   StateTable table(kSizes, 4);
   publish(table, 20);
-  table.publish(fromNanoseconds(10), 0b010, 0);
+  table.publish(fromNanoseconds(10), {.valid = 0b010});
   std::uint32_t value = 0;
   EXPECT_EQ(*table.read(1, reinterpret_cast<std::byte*>(&value)), fromNanoseconds(20));
 }
@@ -140,7 +140,7 @@ TEST(StateTable, ThePastIsNeverTornUnderAFastWriter) {
   std::thread writer([&table] {
     for (std::uint64_t i = 1; i <= kRows; ++i) {
       for (std::size_t word = 0; word < 16; ++word) std::memcpy(table.draft(0) + 8 * word, &i, 8);
-      table.publish(fromNanoseconds(static_cast<std::int64_t>(2 * i)), 1, 0);
+      table.publish(fromNanoseconds(static_cast<std::int64_t>(2 * i)), {.valid = 1});
     }
   });
   std::array<std::uint64_t, 16> wide{};
@@ -177,7 +177,7 @@ TEST(StateTable, NeverTornUnderAFastWriter) {
     for (std::uint64_t i = 1; i <= kRows; ++i) {
       for (std::size_t word = 0; word < 16; ++word) std::memcpy(table.draft(0) + 8 * word, &i, 8);
       std::memcpy(table.draft(1), &i, 8);
-      table.publish(fromNanoseconds(static_cast<std::int64_t>(i)), 0b11, 0);
+      table.publish(fromNanoseconds(static_cast<std::int64_t>(i)), {.valid = 0b11});
     }
   });
   const auto reader = [&table] {

@@ -162,10 +162,10 @@ TEST_F(HostileProvider, PublishesWhatNoClientSees) {
   teleop.start();
   rt::StateTable& state = *offer.channel->state;
   std::memset(state.draft(0), 0xff, state.columnSize(0));
-  state.publish(now(), 1, 0);
+  state.publish(now(), {.valid = 1});
   EXPECT_TRUE(eventually([&] { return teleop.poseError == Errc::Invalid; }));
   std::memset(state.draft(0), 0, state.columnSize(0));
-  state.publish(now(), 1, 0);
+  state.publish(now(), {.valid = 1});
   EXPECT_TRUE(eventually([&] { return teleop.poseError == Errc{}; }));
   teleop.stop();
   EXPECT_EQ(teleop.invalid, 0u);

@@ -576,19 +576,19 @@ class ArmSink final : public suture::rpc::EventSink {
     out.setStamp(suture::toNanoseconds(row.stamp));
     out.setEvaluated(row.valid | row.invalid);
     out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.valid >> 0 & 1) {
+    if (row.hasValue(0)) {
       const auto& slot = slotIn<PoseStampedSlot>(columns[0]);
       toWire(slot, out.initMeasuredCp());
     }
-    if (row.valid >> 1 & 1) {
+    if (row.hasValue(1)) {
       const auto& slot = slotIn<std::int8_t>(columns[1]);
       out.setMode(wireMode(slot));
     }
-    if (row.valid >> 2 & 1) {
+    if (row.hasValue(2)) {
       const auto& slot = slotIn<EverythingSlot>(columns[2]);
       toWire(slot, out.initEverything());
     }
-    if (row.valid >> 3 & 1) {
+    if (row.hasValue(3)) {
       const auto& slot = slotIn<double>(columns[3]);
       out.setLoad(slot);
     }
@@ -745,23 +745,23 @@ class ArmReceiver final : public wire::ArmEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
     if (columns.hasValue(0)) {
       auto& slot = port_->column<PoseStampedSlot>(0);
       const Errc error =
           in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(0, error);
+      columns.enter(0, error);
     }
     if (columns.hasValue(1)) {
       auto& slot = port_->column<std::int8_t>(1);
       const Errc error = fromWire(in.getMode(), slot);
-      if (error != Errc{}) columns.refuse(1, error);
+      columns.enter(1, error);
     }
     if (columns.hasValue(2)) {
       auto& slot = port_->column<EverythingSlot>(2);
       const Errc error =
           in.hasEverything() ? fromWire(in.getEverything(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(2, error);
+      columns.enter(2, error);
     }
     if (columns.hasValue(3)) {
       auto& slot = port_->column<double>(3);

@@ -215,7 +215,7 @@ class CameraSink final : public suture::rpc::EventSink {
     out.setStamp(suture::toNanoseconds(row.stamp));
     out.setEvaluated(row.valid | row.invalid);
     out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.valid >> 0 & 1) {
+    if (row.hasValue(0)) {
       const auto& slot = slotIn<ViewSlot>(columns[0]);
       toWire(slot, out.initView());
     }
@@ -273,12 +273,12 @@ class CameraReceiver final : public wire::CameraEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
     if (columns.hasValue(0)) {
       auto& slot = port_->column<ViewSlot>(0);
       const Errc error =
           in.hasView() ? fromWire(in.getView(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(0, error);
+      columns.enter(0, error);
     }
     port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;

@@ -1043,19 +1043,19 @@ class StoreSink final : public suture::rpc::EventSink {
     out.setStamp(suture::toNanoseconds(row.stamp));
     out.setEvaluated(row.valid | row.invalid);
     out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.valid >> 0 & 1) {
+    if (row.hasValue(0)) {
       const auto& slot = slotIn<SequencesSlot>(columns[0]);
       toWire(slot, out.initSequences());
     }
-    if (row.valid >> 1 & 1) {
+    if (row.hasValue(1)) {
       const auto& slot = slotIn<ChoicesSlot>(columns[1]);
       toWire(slot, out.initChoices());
     }
-    if (row.valid >> 2 & 1) {
+    if (row.hasValue(2)) {
       const auto& slot = slotIn<MatricesSlot>(columns[2]);
       toWire(slot, out.initMatrices());
     }
-    if (row.valid >> 3 & 1) {
+    if (row.hasValue(3)) {
       const auto& slot = slotIn<suture::SlotTuple<double, std::int16_t>>(columns[3]);
       toWire(slot, out.initReading());
     }
@@ -1158,30 +1158,30 @@ class StoreReceiver final : public wire::StoreEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
     if (columns.hasValue(0)) {
       auto& slot = port_->column<SequencesSlot>(0);
       const Errc error =
           in.hasSequences() ? fromWire(in.getSequences(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(0, error);
+      columns.enter(0, error);
     }
     if (columns.hasValue(1)) {
       auto& slot = port_->column<ChoicesSlot>(1);
       const Errc error =
           in.hasChoices() ? fromWire(in.getChoices(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(1, error);
+      columns.enter(1, error);
     }
     if (columns.hasValue(2)) {
       auto& slot = port_->column<MatricesSlot>(2);
       const Errc error =
           in.hasMatrices() ? fromWire(in.getMatrices(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(2, error);
+      columns.enter(2, error);
     }
     if (columns.hasValue(3)) {
       auto& slot = port_->column<suture::SlotTuple<double, std::int16_t>>(3);
       const Errc error =
           in.hasReading() ? fromWire(in.getReading(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(3, error);
+      columns.enter(3, error);
     }
     port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;

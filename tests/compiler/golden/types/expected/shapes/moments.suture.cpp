@@ -522,11 +522,11 @@ class JournalSink final : public suture::rpc::EventSink {
     out.setStamp(suture::toNanoseconds(row.stamp));
     out.setEvaluated(row.valid | row.invalid);
     out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.valid >> 0 & 1) {
+    if (row.hasValue(0)) {
       const auto& slot = slotIn<std::int64_t>(columns[0]);
       out.setLatest(slot);
     }
-    if (row.valid >> 1 & 1) {
+    if (row.hasValue(1)) {
       const auto& slot = slotIn<MomentsSlot>(columns[1]);
       toWire(slot, out.initMoments());
     }
@@ -623,7 +623,7 @@ class JournalReceiver final : public wire::JournalEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
     if (columns.hasValue(0)) {
       auto& slot = port_->column<std::int64_t>(0);
       slot = suture::rpc::shifted(in.getLatest(), port_->shift());
@@ -632,7 +632,7 @@ class JournalReceiver final : public wire::JournalEvents::Server {
       auto& slot = port_->column<MomentsSlot>(1);
       const Errc error =
           in.hasMoments() ? fromWire(in.getMoments(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(1, error);
+      columns.enter(1, error);
     }
     port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;

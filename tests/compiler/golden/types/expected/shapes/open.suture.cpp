@@ -647,7 +647,7 @@ class ArchiveSink final : public suture::rpc::EventSink {
     out.setStamp(suture::toNanoseconds(row.stamp));
     out.setEvaluated(row.valid | row.invalid);
     out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.valid >> 0 & 1) {
+    if (row.hasValue(0)) {
       const auto& slot = slotIn<OpenSlot>(columns[0]);
       toWire(slot, out.initNewest());
     }
@@ -745,12 +745,12 @@ class ArchiveReceiver final : public wire::ArchiveEvents::Server {
  protected:
   kj::Promise<void> state(StateContext context) override {
     auto in = context.getParams().getRow();
-    suture::rpc::RowColumns columns(in.getEvaluated(), in.getTooLarge());
+    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
     if (columns.hasValue(0)) {
       auto& slot = port_->column<OpenSlot>(0);
       const Errc error =
           in.hasNewest() ? fromWire(in.getNewest(), slot, port_->shift()) : Errc::Invalid;
-      if (error != Errc{}) columns.refuse(0, error);
+      columns.enter(0, error);
     }
     port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;
