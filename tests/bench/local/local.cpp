@@ -8,9 +8,9 @@ namespace bench {
 namespace {
 
 constexpr Part<LocalOptions> kLocalParts[] = {
-    {"clock", clockRows},   {"ring", ringRow},      {"reads", readRows},
-    {"CSC", cscRows},       {"fan-out", fanOutRow}, {"throughput", throughputRows},
-    {"jitter", jitterRows},
+    {"clock", clockRows},           {"ring", ringRow},      {"reads", readRows},
+    {"judging", judgingRow},        {"CSC", cscRows},       {"fan-out", fanOutRow},
+    {"throughput", throughputRows}, {"jitter", jitterRows},
 };
 
 }  // namespace

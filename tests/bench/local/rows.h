@@ -19,6 +19,9 @@ std::string ringRow(const LocalOptions& options, Report& report);
 /// "read_command": the whole read command of a client. Both with PoseSample.
 std::string readRows(const LocalOptions& options, Report& report);
 
+/// "judging": what it costs to ask whether the contract admits a PoseSample.
+std::string judgingRow(const LocalOptions& options, Report& report);
+
 /// "csc": client, server, client between two event-driven tasks; "bare": two threads, two rings and
 /// two doorbells, nothing else, taken in turns with it.
 std::string cscRows(const LocalOptions& options, Report& report);
