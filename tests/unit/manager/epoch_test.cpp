@@ -87,6 +87,18 @@ class Caller {
     });
   }
 
+  /// Says hello in `version` of the protocol: the refusal, or "".
+  std::string hello(std::uint16_t version) {
+    return control_.run(10s, [this, version] {
+      auto hello = link_->bootstrap<wire::Peer>().helloRequest();
+      hello.setVersion(version);
+      hello.setProcess("left");
+      return hello.send().then([](auto&& results) {
+        return results.isRefused() ? fromWire(results.getRefused()).text : std::string();
+      });
+    });
+  }
+
   std::atomic<int> closed{0};
 
  private:
@@ -144,6 +156,15 @@ TEST_F(Epochs, OneThatComesTooLateIsRefused) {
             "connecting left:Teleop/Slave -> there:PSM/Arm: a later attempt of the same interface "
             "has come first. Nothing has to be done.");
   EXPECT_EQ(standing(), 1u);
+}
+
+// It would misread what lies in shared memory and in frames.
+TEST_F(Epochs, OneOfAnotherProtocolIsRefused) {
+  Caller caller(provider_, "a");
+  EXPECT_EQ(caller.hello(1),
+            "talk to process 'there': it speaks version 2 of the protocol, the caller version 1. "
+            "Build both from the same release.");
+  EXPECT_EQ(caller.hello(2), "");
 }
 
 TEST_F(Epochs, OfDifferentClocksAreNotCompared) {

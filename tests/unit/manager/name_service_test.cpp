@@ -15,6 +15,14 @@ class Service {
     session_ = hello.send().wait(scope_).getSession();
   }
 
+  /// Why a process of `version` of the protocol gets no session, or "".
+  std::string refusalOf(std::uint16_t version) {
+    auto hello = manager_.helloRequest();
+    hello.setVersion(version);
+    hello.setProgram("old");
+    auto results = hello.send().wait(scope_);
+    return results.isRefused() ? std::string(results.getRefused().getText().cStr()) : "";
+  }
   wire::Lease::Client enrol(const char* name) {
     auto request = session_.registerRequest();
     request.initProcess().setName(name);
@@ -49,6 +57,14 @@ class Service {
       kj::refcounted<NameService>(timer_), refusals_, std::make_shared<rpc::Caller>());
   wire::Session::Client session_ = nullptr;
 };
+
+TEST(NameService, AnotherProtocolIsRefused) {
+  Service service;
+  EXPECT_EQ(service.refusalOf(1),
+            "talk to the global manager: it speaks version 2 of the protocol and 'old' speaks "
+            "version 1. Build both from the same release.");
+  EXPECT_EQ(service.refusalOf(2), "");
+}
 
 TEST(NameService, WhoWaitsForASilentProcessHearsWhenItIsBack) {
   Service service;
