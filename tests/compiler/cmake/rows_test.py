@@ -1,8 +1,9 @@
-"""What runs and what is rewritten after each kind of change: rows_test.py ROW --generator G --package P --scratch S."""
+"""What runs and what is rewritten after each kind of change: rows_test.py ROW... --generator G --package P --scratch S."""
 
 import argparse
 import pathlib
 import shutil
+import sys
 
 from scratch import HERE, Project, empty, expect, is_idle, run, runs_of_suturec
 
@@ -172,30 +173,53 @@ def committed(project):
     expect(status != 0 and "count/old.suture.h is generated from no header" in text, "and names a left-over", text)
 
 
-# Rows that begin before the first build.
-BEFORE = {"no_lock": stops_without_lock}
-AFTER = {row.__name__: row for row in (no_change, touched_header, edited_comment, transitive_header, new_field,
+# What begins in a project that has been configured, and in one that has been built.
+CONFIGURED = {"no_lock": stops_without_lock}
+BUILT = {row.__name__: row for row in (no_change, touched_header, edited_comment, transitive_header, new_field,
                                        changed_define, added_header, removed_output, stale_output, bad_header,
                                        interrupted, capnp_interrupted, committed)}
 
 
+def fails(name, row, project, kept):
+    """Whether a row fails that begins with what was kept, at the place and with the times of then."""
+    shutil.rmtree(project.root)
+    shutil.copytree(kept, project.root, symlinks=True)
+    print(f"{name}:", flush=True)
+    try:
+        row(project)
+    except SystemExit as failure:
+        print(failure, flush=True)
+        return True
+    return False
+
+
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("row", choices=[*BEFORE, *AFTER])
+    parser.add_argument("rows", nargs="+", choices=[*CONFIGURED, *BUILT])
     parser.add_argument("--generator", default="Ninja")
     parser.add_argument("--package", type=pathlib.Path, required=True)
     parser.add_argument("--scratch", type=pathlib.Path, required=True)
     arguments = parser.parse_args()
-    root = empty(arguments.scratch / f"{arguments.row} {arguments.generator}")
+    root = empty(arguments.scratch / f"{arguments.generator} {arguments.rows[0]}")
     shutil.copytree(HERE / "project", root, dirs_exist_ok=True)
     project = Project(root, arguments.package, arguments.generator)
+    failed = []
+
+    def try_rows(rows):
+        kept = root.with_name(root.name + " kept")
+        shutil.rmtree(kept, ignore_errors=True)
+        shutil.copytree(root, kept, symlinks=True)
+        failed.extend(name for name in arguments.rows if name in rows and fails(name, rows[name], project, kept))
+        shutil.rmtree(root)
+        kept.rename(root)
+
     project.configure()
-    if arguments.row in BEFORE:
-        BEFORE[arguments.row](project)
-    else:
-        project.must_build("update-lock", "update-lock")
-        project.must_build("builds")
-        AFTER[arguments.row](project)
+    try_rows(CONFIGURED)
+    project.must_build("update-lock", "update-lock")
+    project.must_build("builds")
+    try_rows(BUILT)
+    if failed:
+        sys.exit("FAILED: " + " ".join(failed))
 
 
 if __name__ == "__main__":
