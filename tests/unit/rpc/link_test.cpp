@@ -37,6 +37,15 @@ class LinkTest : public testing::TestWithParam<const char*> {
     return std::string(GetParam()) == "unix" ? "unix:" + directory_.file("s") : "tcp://127.0.0.1:0";
   }
 
+  /// A busy machine may take any time to send what a test sends.
+  static StreamLimits patientLimits() {
+    constexpr std::int64_t kPatience = 600'000;
+    return {.partialMilliseconds = kPatience,
+            .firstMilliseconds = kPatience,
+            .handshakeMilliseconds = kPatience,
+            .helloMilliseconds = kPatience};
+  }
+
   void serve(std::size_t maxLinks = 2) {
     server_ = kj::heap<LinkServer>(
         port_, Address::parse(freshAddress()),
@@ -44,7 +53,7 @@ class LinkTest : public testing::TestWithParam<const char*> {
           caller->known = knows_;
           return Echo::Client(kj::heap<EchoServer>());
         },
-        refusals_, StreamLimits{}, maxLinks);
+        refusals_, patientLimits(), maxLinks);
   }
 
   kj::Own<Link> connect() {
