@@ -1,16 +1,23 @@
 """A process that is told to end while it starts, or while nobody reads what it tells."""
 
+import fcntl
 import json
 import pathlib
 import signal
 import subprocess
 import sys
 import tempfile
+import termios
 import time
 import unittest
 
 PROGRAM, LIBRARY = sys.argv.pop(1), sys.argv.pop(1)
 MANAGER = pathlib.Path(PROGRAM).parent / "suture-manager"
+
+
+def unread(pipe):
+    """How many bytes wait in it."""
+    return int.from_bytes(fcntl.ioctl(pipe, termios.FIONREAD, bytes(4)), sys.byteorder)
 
 
 class Ending(unittest.TestCase):
@@ -20,8 +27,8 @@ class Ending(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
         self.brake = self.folder / "brake"
 
-    def start(self, *command):
-        process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    def start(self, *command, **settings):
+        process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **settings)
 
         def end():
             process.kill()
@@ -30,10 +37,10 @@ class Ending(unittest.TestCase):
         self.addCleanup(end)
         return process
 
-    def workstation(self, deployment, *arguments):
+    def workstation(self, deployment, *arguments, **settings):
         file = self.folder / "d.json"
         file.write_text(json.dumps(deployment))
-        return self.start(PROGRAM, "--deployment", file, *arguments)
+        return self.start(PROGRAM, "--deployment", file, *arguments, **settings)
 
     def component(self, name, class_name, **parameters):
         return {"name": name, "class": class_name, "library": LIBRARY, "parameters": parameters}
@@ -76,8 +83,9 @@ class Ending(unittest.TestCase):
         kinds = [json.loads(line)["kind"] for line in station.stdout]
         self.assertEqual((kinds[0], kinds[-1]), ("started", "report"))
 
-        station = self.workstation(deployment, *pace)
-        time.sleep(3)  # until the pipe is full
+        # A pipe of one page has no room as soon as anything is in it.
+        station = self.workstation(deployment, *pace, pipesize=4096)
+        self.await_true(lambda: unread(station.stdout) > 0)
         station.terminate()
         self.assertEqual(station.wait(timeout=60), 0)
 
