@@ -14,6 +14,8 @@
 
 #include "reference/arm_like.suture.h"
 #include "support/eventually.h"
+#include "support/pass.h"
+#include "support/stepped.h"
 #include "support/test_thread.h"
 #include "unit/rpc/socket_pair.h"
 
@@ -290,6 +292,7 @@ TEST(Link, TakesNoMoreThanItsTurnFromAPeerThatSendsWithoutEnd) {
 }
 
 TEST(LaneThread, DropsALinkThatIsEmptyAndNobodys) {
+  const TestClock clock(steppedOptions());
   auto pair = rpc::makeSocketPair();
   Link far(rpc::ByteStream(kj::mv(pair.theirs)), 1);
   Pair first(1), second(2);
@@ -309,7 +312,7 @@ TEST(LaneThread, DropsALinkThatIsEmptyAndNobodys) {
   EXPECT_TRUE(isHeard(first));
   first.near->status = ChannelStatus::Closed;
   lane.doorbell()->ring();
-  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  pass(std::chrono::milliseconds(20));
   link->join(second.client);  // it is ours, and so still carried
   lane.doorbell()->ring();
   EXPECT_TRUE(isHeard(second));

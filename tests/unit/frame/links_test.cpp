@@ -4,6 +4,8 @@
 #include <suture/transport/rpc/event_port.h>
 
 #include "support/eventually.h"
+#include "support/pass.h"
+#include "support/stepped.h"
 #include "unit/rpc/socket_pair.h"
 
 namespace suture {
@@ -16,6 +18,7 @@ class FrameLinksTest : public testing::Test {
   ~FrameLinksTest() noexcept override {}
 
  protected:
+  const TestClock clock{steppedOptions()};
   rpc::EventPort port;
   frame::LaneThread lane;
   FrameLinks links{lane};
@@ -49,7 +52,7 @@ TEST_F(FrameLinksTest, ThatHaveEndedAreNotMeantAnyMore) {
     const auto hold = links.hold("robot");
     link.reset();
     lane.doorbell()->ring();
-    std::this_thread::sleep_for(20ms);
+    pass(20ms);
     EXPECT_EQ(links.client("robot", 1s), name);
   }
   EXPECT_TRUE(eventually([&] { return links.client("robot", 1s) != name; }));
