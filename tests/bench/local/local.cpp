@@ -8,9 +8,11 @@ namespace bench {
 namespace {
 
 constexpr Part<LocalOptions> kLocalParts[] = {
-    {"clock", clockRows},           {"ring", ringRow},      {"reads", readRows},
-    {"judging", judgingRow},        {"CSC", cscRows},       {"fan-out", fanOutRow},
-    {"throughput", throughputRows}, {"jitter", jitterRows},
+    {"clock", clockRows},         {"ring", ringRow},
+    {"reads", readRows},          {"judging", judgingRow},
+    {"beginning", beginningRows}, {"CSC", cscRows},
+    {"fan-out", fanOutRow},       {"throughput", throughputRows},
+    {"jitter", jitterRows},
 };
 
 }  // namespace

@@ -22,6 +22,9 @@ std::string readRows(const LocalOptions& options, Report& report);
 /// "judging": what it costs to ask whether the contract admits a PoseSample.
 std::string judgingRow(const LocalOptions& options, Report& report);
 
+/// "begin": what the executing thread asks before each command, whether its connection is over.
+std::string beginningRows(const LocalOptions& options, Report& report);
+
 /// "csc": client, server, client between two event-driven tasks; "bare": two threads, two rings and
 /// two doorbells, nothing else, taken in turns with it.
 std::string cscRows(const LocalOptions& options, Report& report);

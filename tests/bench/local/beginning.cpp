@@ -1,0 +1,68 @@
+#include <suture/component/channel.h>
+
+#include <memory>
+
+#include "bench/local/rows.h"
+#include "bench/sample_loop.suture.h"
+#include "bench/table.h"
+#include "bench/timed_loops.h"
+
+namespace bench {
+namespace {
+
+using suture::Arena;
+using suture::Channel;
+using suture::MemoryBlock;
+
+constexpr suture::Duration kSilence = std::chrono::hours(1);
+
+/// The provider's end of a connection, on memory of its own or on memory that its client may write.
+class ProvidersEnd {
+ public:
+  explicit ProvidersEnd(Arena memory = {})
+      : channel_(contract(), "client -> provider", "", {.client = &bell_, .provider = &bell_},
+                 makeStateTable(contract()), suture::EventSet{0}, std::move(memory)) {}
+
+  static Arena sharedMemory() {
+    return {std::make_shared<MemoryBlock>("bench-channel", Channel::bytesFor(contract())),
+            Arena::Content::Zeros};
+  }
+  void grantLease() { channel_.lease.renew(suture::BootClock::now() + kSilence); }
+
+  Statistics measure(const LocalOptions& options, bool looksAtClock) {
+    return timedLoops(options.count(200), 100'000, [&] {
+      suture::Errc over = channel_.begin(looksAtClock);
+      keep(over);
+    });
+  }
+
+ private:
+  static const suture::InterfaceInfo& contract() { return suture::interfaceInfo<SampleServer>(); }
+
+  suture::rt::Doorbell bell_;
+  Channel channel_;
+};
+
+}  // namespace
+
+std::string beginningRows(const LocalOptions& options, Report& report) {
+  Table table(1);
+  table.row(joined({"ns, whether a command may begin"}, statisticsTitles()));
+  table.line();
+  const auto row = [&](const char* title, const std::string& figure, const Statistics& cost) {
+    report.add("begin." + figure, "ns", cost);
+    table.row(joined({title}, cellsOf(cost, 1)));
+  };
+  ProvidersEnd local;
+  row("`local`", "local", local.measure(options, true));
+  ProvidersEnd remote;
+  remote.grantLease();
+  row("`frame` and `rpc`", "remote", remote.measure(options, true));
+  ProvidersEnd shared(ProvidersEnd::sharedMemory());
+  shared.grantLease();
+  row("`shm` without a ttl", "shm", shared.measure(options, false));
+  row("`shm` with a ttl", "shm_ttl", shared.measure(options, true));
+  return table.toString();
+}
+
+}  // namespace bench
