@@ -109,7 +109,7 @@ void emitStruct(Code& code, const Context& context, const model::Struct& type) {
   emitDecodeAndReturn(code, values, "in", "shift", context);
   code.close("}").blank();
 
-  code.open("bool isValid(const ", slot, "&", named("slot", hasConditions(values, context)), ") {");
+  code.open("bool isValid(", validityParameters(slot, values, context), ") {");
   emitValidity(code, values, context);
   code.close("}").blank();
 }
@@ -154,7 +154,7 @@ void declare(Code& code, const Context& context, const std::string& name) {
     code.line("void toWire(const ", slot, "& slot, ", wire, "::Builder out);");
     code.line("suture::Errc fromWire(", wire, "::Reader in, ", kBreakText, slot, "& slot, ",
               kBreakText, "suture::Duration shift);");
-    code.line("bool isValid(const ", slot, "& slot);");
+    code.line("bool isValid(const ", slot, "& slot, ", kBreakText, "suture::FieldPath* path);");
   } else {
     const model::Enum& one = *context.lookup.findEnum(name);
     const EnumNames names(one, home.cxxNamespace);

@@ -162,19 +162,34 @@ bool mentions(std::string_view text, std::string_view word) {
 /// Those names of the runtime that `body` says.
 void emitUsings(Code& code, std::string_view body) {
   bool any = false;
-  for (const char* const name : {"CommandInfo",      "CommandKind",
-                                 "Duration",         "Errc",
-                                 "EventInfo",        "checkSlot",
-                                 "elementsIn",       "load",
-                                 "newSlot",          "rpc::ProxyPort",
-                                 "rpc::ServantPort", "rpc::allOf",
-                                 "rpc::firstError",  "rpc::fromDefault",
-                                 "rpc::fromWire",    "rpc::fromWireList",
-                                 "rpc::inRange",     "rpc::isValid",
-                                 "rpc::numberOf",    "rpc::shifted",
-                                 "rpc::toWire",      "rpc::toWireList",
-                                 "shiftSlot",        "slotIn",
-                                 "slotSize",         "store"}) {
+  for (const char* const name : {"CommandInfo",
+                                 "CommandKind",
+                                 "Duration",
+                                 "Errc",
+                                 "EventInfo",
+                                 "FieldPath",
+                                 "checkSlot",
+                                 "elementsIn",
+                                 "load",
+                                 "newSlot",
+                                 "refusedAt",
+                                 "rpc::ProxyPort",
+                                 "rpc::ServantPort",
+                                 "rpc::allOf",
+                                 "rpc::firstError",
+                                 "rpc::fromDefault",
+                                 "rpc::fromWire",
+                                 "rpc::fromWireList",
+                                 "rpc::inRange",
+                                 "rpc::isValid",
+                                 "rpc::numberOf",
+                                 "rpc::shifted",
+                                 "rpc::toWire",
+                                 "rpc::toWireList",
+                                 "shiftSlot",
+                                 "slotIn",
+                                 "slotSize",
+                                 "store"}) {
     const std::string_view full = name;
     if (!mentions(body, full.substr(full.rfind(':') + 1))) continue;
     any = true;

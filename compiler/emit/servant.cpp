@@ -117,12 +117,13 @@ class Checks {
   void add(const std::string& check, const std::string& slot,
            const std::vector<WireValue>& values) {
     if (check.empty()) return;
-    const std::string head = "bool " + check + "(const " + slot + "& slot) {";
+    const std::string head =
+        "bool " + check + "(" + validityParameters(slot, values, context_) + ") {";
     Code body;
     emitValidity(body, values, context_);
     const std::string line = head + " " + body.text().substr(0, body.text().find('\n')) + " }";
     const bool isOneLine = line.size() == head.size() + body.text().size() + 2;
-    if (isOneLine && line.size() <= Code::kColumns) {
+    if (isOneLine && line.size() - 1 <= Code::kColumns) {  // without the break in the head
       code_.line(line);
       close_ = true;
       return;

@@ -67,7 +67,7 @@ void declareChecks(Code& code, const Context& context, const model::Interface& i
   bool any = false;
   const auto declare = [&](const std::string& check, const std::string& slot) {
     if (check.empty()) return;
-    code.line("bool ", check, "(const ", slot, "& slot);");
+    code.line("bool ", check, "(const ", slot, "& slot, ", kBreakText, "FieldPath* path);");
     any = true;
   };
   for (const model::Command* const command : ownCommands(interface)) {

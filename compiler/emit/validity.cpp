@@ -22,17 +22,27 @@ std::string within(const std::string& slot, const Range& range, double scale) {
          cxxNumber(range->second * scale) + ")";
 }
 
-std::string allOf(const std::string& slot, const std::string& parameter, const std::string& each) {
-  return "allOf(" + slot + ", " + kBreak + "[](" + parameter + ") {" +
+bool usesPath(const std::string& condition) {
+  return condition.find(", path") != std::string::npos;
+}
+
+/// `path` is null where C++ does not count the elements of such a type by one number in brackets.
+std::string allOf(const std::string& slot, const std::string& path, const std::string& parameter,
+                  const std::string& each) {
+  const std::string capture = usesPath(each) ? "[path]" : "[]";
+  return "allOf(" + slot + ", " + path + ", " + kBreak + capture + "(" + parameter + ") {" +
          lambdaBody("return " + each + ";") + "})";
 }
 
 /// Of an Eigen type.
 std::string coefficientsCondition(const Type& type, const std::string& slot, const Range& range,
                                   unsigned depth) {
-  if (!range) return isReal(type.scalar) ? "isValid(" + slot + ")" : "";
+  const bool vector = type.shape == Shape::Matrix && (type.rows == 1 || type.columns == 1);
+  if (!range && !isReal(type.scalar)) return "";
+  if (!range) return "isValid(" + slot + (vector ? ", path)" : ")");
   const std::string item = "element" + depthSuffix(depth);
-  return allOf(slot, cxxScalar(type.scalar) + " " + item, within(item, range, 1));
+  return allOf(slot, vector ? "path" : "nullptr", cxxScalar(type.scalar) + " " + item,
+               within(item, range, 1));
 }
 
 /// Is there anything in it that has to be looked at?
@@ -54,7 +64,7 @@ bool isChecked(const Type& type) {
 
 /// Of what one overload of the runtime's isValid() judges as a whole.
 std::string wholeCondition(const Type& type, const std::string& slot) {
-  return isChecked(type) ? "isValid(" + slot + ")" : "";
+  return isChecked(type) ? "isValid(" + slot + ", path)" : "";
 }
 
 std::string condition(const Type& type, const std::string& slot, const Range& range,
@@ -67,12 +77,12 @@ std::string mapCondition(const Type& type, const std::string& slot, const Range&
   const std::string each =
       condition(type.element.back(), item + ".value", range, context, depth + 1);
   const std::string itemType = elementSlot(type, context, context.header.cxxNamespace);
-  return allOf(slot, "const " + itemType + "& " + item, each);
+  return allOf(slot, "path", "const " + itemType + "& " + item, each);
 }
 
 /// Of a number of seconds, as the slot holds it: its count, or nanoseconds.
 std::string durationCondition(const Type& type, const std::string& slot, const Range& range) {
-  if (!range) return wholeCondition(type, slot);
+  if (!range) return isChecked(type) ? "isValid(" + slot + ")" : "";
   const double counts =
       static_cast<double>(type.periodDenominator) / static_cast<double>(type.periodNumerator);
   return within(slot, range, isReal(lock::wireScalar(type)) ? counts : 1e9);
@@ -84,9 +94,9 @@ std::string sequenceCondition(const Type& type, const std::string& slot, const R
   const std::string item = "element" + depthSuffix(depth);
   const std::string each = condition(element, item, range, context, depth + 1);
   if (each.empty()) return "";
-  if (element.shape == Shape::Scalar && !range) return "isValid(" + slot + ")";
+  if (element.shape == Shape::Scalar && !range) return "isValid(" + slot + ", path)";
   const std::string itemType = slotType(element, context, context.header.cxxNamespace);
-  return allOf(slot, "const " + itemType + "& " + item, each);
+  return allOf(slot, "path", "const " + itemType + "& " + item, each);
 }
 
 /// An expression of type bool; empty when there is nothing to check.
@@ -98,7 +108,7 @@ std::string condition(const Type& type, const std::string& slot, const Range& ra
       if (range) return within(slot, range, 1);
       return isReal(type.scalar) ? "isValid(" + slot + ")" : "";
     case Shape::Duration: return durationCondition(type, slot, range);
-    case Shape::Struct: return "isValid(" + slot + ")";
+    case Shape::Struct: return "isValid(" + slot + ", path)";
     case Shape::Enum: return enumCheck(type.name, context) + "(" + slot + ")";
     case Shape::Text:
     case Shape::TimePoint:
@@ -120,25 +130,58 @@ std::string condition(const Type& type, const std::string& slot, const Range& ra
   return "";
 }
 
+std::string conditionOf(const WireValue& value, const Context& context) {
+  return condition(value.type, value.slot, value.range, context, 0);
+}
+
+/// What a check returns that refuses the value.
+std::string refusalOf(const WireValue& value) {
+  return value.member.empty() ? "false" : "refusedAt(path, \"" + value.member + "\")";
+}
+
+void emitRefusal(Code& code, const std::string& unless, const std::string& refusal) {
+  const std::string line = "  if (!" + unless + ") return " + refusal + ";";
+  const bool isOneLine = unless.find(kBody) == std::string::npos && line.size() <= Code::kColumns;
+  if (isOneLine) {
+    code.line("if (!", unless, ") return ", refusal, ";");
+  } else {
+    code.open("if (!", unless, ") {").line("return ", refusal, ";").close("}");
+  }
+}
+
 }  // namespace
 
 bool hasConditions(const std::vector<WireValue>& values, const Context& context) {
-  return std::any_of(values.begin(), values.end(), [&](const WireValue& value) {
-    return !condition(value.type, value.slot, value.range, context, 0).empty();
+  return std::any_of(values.begin(), values.end(),
+                     [&](const WireValue& value) { return !conditionOf(value, context).empty(); });
+}
+
+std::string validityParameters(const std::string& slot, const std::vector<WireValue>& values,
+                               const Context& context) {
+  const bool tells = std::any_of(values.begin(), values.end(), [&](const WireValue& value) {
+    const std::string one = conditionOf(value, context);
+    return !one.empty() && (usesPath(one) || !value.member.empty());
   });
+  return "const " + slot + (hasConditions(values, context) ? "& slot, " : "&, ") + kBreak +
+         (tells ? "FieldPath* path" : "FieldPath*");
 }
 
 void emitValidity(Code& code, const std::vector<WireValue>& values, const Context& context) {
-  std::string rest;
+  std::vector<const WireValue*> checked;
   for (const WireValue& value : values) {
-    const std::string one = condition(value.type, value.slot, value.range, context, 0);
-    const bool hasLambda = one.find(kBody) != std::string::npos;
-    if (hasLambda) code.open("if (!", one, ") {").line("return false;").close("}");
-    if (one.empty() || hasLambda) continue;
-    if (!rest.empty()) rest += std::string(" && ") + kBreak;
-    rest += one;
+    if (!conditionOf(value, context).empty()) checked.push_back(&value);
   }
-  code.line("return ", rest.empty() ? "true" : rest, ";");
+  std::string last = "true";
+  for (const WireValue* const value : checked) {
+    const std::string one = conditionOf(*value, context);
+    const std::string refusal = refusalOf(*value);
+    if (value != checked.back() || one.find(kBody) != std::string::npos) {
+      emitRefusal(code, one, refusal);
+    } else {
+      last = value->member.empty() ? one : one + " || " + kBreak + refusal;
+    }
+  }
+  code.line("return ", last, ";");
 }
 
 }  // namespace suture::compiler::emit

@@ -253,7 +253,8 @@ std::vector<WireValue> fieldValues(const model::Struct& type, const Context& con
                       .wireName = field.wireName,
                       .slot = "slot." + field.name,
                       .range = admitted(field),
-                      .preset = preset ? access(type, field, fresh, true, home) : ""});
+                      .preset = preset ? access(type, field, fresh, true, home) : "",
+                      .member = field.isBase ? "" : field.name});
   }
   return values;
 }
@@ -261,7 +262,11 @@ std::vector<WireValue> fieldValues(const model::Struct& type, const Context& con
 std::vector<WireValue> argumentValues(const model::Command& command) {
   std::vector<WireValue> values;
   for (const model::Parameter& one : command.parameters) {
-    values.push_back({one.type, one.wireName, "slot." + one.name, one.range});
+    values.push_back({.type = one.type,
+                      .wireName = one.wireName,
+                      .slot = "slot." + one.name,
+                      .range = one.range,
+                      .member = one.name});
   }
   return values;
 }
@@ -284,13 +289,15 @@ std::string resultCheck(const model::Interface& interface, const model::Command&
 
 std::vector<WireValue> payloadValues(const model::Event& event) {
   std::vector<WireValue> values;
+  const bool several = event.payload.size() > 1;
   for (std::size_t i = 0; i < event.payload.size(); ++i) {
     const auto range = i < event.limits.size() ? event.limits[i].range : std::nullopt;
     values.push_back({.type = event.payload[i],
                       .wireName = lock::payloadName(i),
                       .slot = payloadMember(event, "slot", i),
                       .range = range,
-                      .isNeeded = true});
+                      .isNeeded = true,
+                      .member = several ? lock::payloadName(i) : ""});
   }
   return values;
 }

@@ -22,6 +22,8 @@ struct WireValue {
   std::string preset{};
   /// Every sender knows it: where a struct or an array is missing, the message is wrong.
   bool isNeeded = false;
+  /// How C++ calls it within the whole; empty where it is the whole, or a base class of it.
+  std::string member{};
 };
 
 /// What a type is made of, as the members of `slot`.
@@ -70,7 +72,12 @@ bool usesShift(const model::Type& type);
 /// Is there anything that emitValidity() would check?
 bool hasConditions(const std::vector<WireValue>& values, const Context& context);
 
-/// Returns whether every number is finite and within its range, and every enum known.
+/// The parameters of such a function for `slot`, a type; named as far as it uses them.
+std::string validityParameters(const std::string& slot, const std::vector<WireValue>& values,
+                               const Context& context);
+
+/// Returns whether every number is finite and within its range, and every enum known; `path` is
+/// told which is the first that is not.
 void emitValidity(Code& code, const std::vector<WireValue>& values, const Context& context);
 
 /// "wireMode": the function from an enum's slot to capnp's enum, qualified where it is another

@@ -14,14 +14,14 @@
 namespace robots {
 void toWire(const JointGoalSlot& slot, wire::JointGoal::Builder out);
 suture::Errc fromWire(wire::JointGoal::Reader in, JointGoalSlot& slot, suture::Duration shift);
-bool isValid(const JointGoalSlot& slot);
+bool isValid(const JointGoalSlot& slot, suture::FieldPath* path);
 void toWire(const JointSolutionSlot& slot, wire::JointSolution::Builder out);
 suture::Errc fromWire(wire::JointSolution::Reader in, JointSolutionSlot& slot,
                       suture::Duration shift);
-bool isValid(const JointSolutionSlot& slot);
+bool isValid(const JointSolutionSlot& slot, suture::FieldPath* path);
 void toWire(const JointStateSlot& slot, wire::JointState::Builder out);
 suture::Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, suture::Duration shift);
-bool isValid(const JointStateSlot& slot);
+bool isValid(const JointStateSlot& slot, suture::FieldPath* path);
 }  // namespace robots
 
 // Defined in robot_types/operating_state.suture.cpp.
@@ -29,14 +29,14 @@ namespace robots {
 void toWire(const OperatingStateSlot& slot, wire::OperatingState::Builder out);
 suture::Errc fromWire(wire::OperatingState::Reader in, OperatingStateSlot& slot,
                       suture::Duration shift);
-bool isValid(const OperatingStateSlot& slot);
+bool isValid(const OperatingStateSlot& slot, suture::FieldPath* path);
 }  // namespace robots
 
 // Defined in robot_types/pose.suture.cpp.
 namespace robots {
 void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out);
 suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, suture::Duration shift);
-bool isValid(const PoseStampedSlot& slot);
+bool isValid(const PoseStampedSlot& slot, suture::FieldPath* path);
 }  // namespace robots
 
 namespace robots {
@@ -46,8 +46,10 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::FieldPath;
 using suture::checkSlot;
 using suture::newSlot;
+using suture::refusedAt;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::fromWire;
@@ -67,20 +69,20 @@ static_assert(static_cast<std::uint8_t>(ArmWarning::NotEnabled) == 0);
 static_assert(static_cast<std::uint8_t>(ArmWarning::OutOfReach) == 1);
 static_assert(static_cast<std::uint8_t>(ArmWarning::Malformed) == 2);
 
-bool acceptsArmServoCp(const ArmServoCpArguments& slot);
-bool acceptsArmServoJp(const ArmServoJpArguments& slot);
-bool acceptsArmMoveJp(const ArmMoveJpArguments& slot);
-bool acceptsArmMeasuredJsResult(const JointStateSlot& slot);
-bool acceptsArmSetpointJsResult(const JointStateSlot& slot);
-bool acceptsArmMeasuredCpResult(const PoseStampedSlot& slot);
-bool acceptsArmSetpointCpResult(const PoseStampedSlot& slot);
-bool acceptsArmOperatingStateResult(const OperatingStateSlot& slot);
-bool acceptsArmForwardKinematics(const ArmForwardKinematicsArguments& slot);
-bool acceptsArmForwardKinematicsResult(const PoseStampedSlot& slot);
-bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot);
-bool acceptsArmInverseKinematicsResult(const JointSolutionSlot& slot);
-bool acceptsArmOperatingStateEvent(const OperatingStateSlot& slot);
-bool acceptsArmWarningEvent(const std::uint8_t& slot);
+bool acceptsArmServoCp(const ArmServoCpArguments& slot, FieldPath* path);
+bool acceptsArmServoJp(const ArmServoJpArguments& slot, FieldPath* path);
+bool acceptsArmMoveJp(const ArmMoveJpArguments& slot, FieldPath* path);
+bool acceptsArmMeasuredJsResult(const JointStateSlot& slot, FieldPath* path);
+bool acceptsArmSetpointJsResult(const JointStateSlot& slot, FieldPath* path);
+bool acceptsArmMeasuredCpResult(const PoseStampedSlot& slot, FieldPath* path);
+bool acceptsArmSetpointCpResult(const PoseStampedSlot& slot, FieldPath* path);
+bool acceptsArmOperatingStateResult(const OperatingStateSlot& slot, FieldPath* path);
+bool acceptsArmForwardKinematics(const ArmForwardKinematicsArguments& slot, FieldPath* path);
+bool acceptsArmForwardKinematicsResult(const PoseStampedSlot& slot, FieldPath* path);
+bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot, FieldPath* path);
+bool acceptsArmInverseKinematicsResult(const JointSolutionSlot& slot, FieldPath* path);
+bool acceptsArmOperatingStateEvent(const OperatingStateSlot& slot, FieldPath* path);
+bool acceptsArmWarningEvent(const std::uint8_t& slot, FieldPath* path);
 
 constexpr CommandInfo kArmCommands[] = {
     {.name = "enable", .kind = CommandKind::Void, .depth = 16},
@@ -400,28 +402,61 @@ Errc fromWire(wire::ArmWarning in, std::uint8_t& slot) {
 
 namespace {
 
-bool acceptsArmServoCp(const ArmServoCpArguments& slot) { return isValid(slot.goal); }
-bool acceptsArmServoJp(const ArmServoJpArguments& slot) { return isValid(slot.goal); }
-bool acceptsArmMoveJp(const ArmMoveJpArguments& slot) { return isValid(slot.goal); }
-bool acceptsArmMeasuredJsResult(const JointStateSlot& slot) { return isValid(slot); }
-bool acceptsArmSetpointJsResult(const JointStateSlot& slot) { return isValid(slot); }
-bool acceptsArmMeasuredCpResult(const PoseStampedSlot& slot) { return isValid(slot); }
-bool acceptsArmSetpointCpResult(const PoseStampedSlot& slot) { return isValid(slot); }
-bool acceptsArmOperatingStateResult(const OperatingStateSlot& slot) { return isValid(slot); }
-
-bool acceptsArmForwardKinematics(const ArmForwardKinematicsArguments& slot) {
-  return isValid(slot.q);
+bool acceptsArmServoCp(const ArmServoCpArguments& slot, FieldPath* path) {
+  return isValid(slot.goal, path) || refusedAt(path, "goal");
 }
 
-bool acceptsArmForwardKinematicsResult(const PoseStampedSlot& slot) { return isValid(slot); }
-
-bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot) {
-  return isValid(slot.goal);
+bool acceptsArmServoJp(const ArmServoJpArguments& slot, FieldPath* path) {
+  return isValid(slot.goal, path) || refusedAt(path, "goal");
 }
 
-bool acceptsArmInverseKinematicsResult(const JointSolutionSlot& slot) { return isValid(slot); }
-bool acceptsArmOperatingStateEvent(const OperatingStateSlot& slot) { return isValid(slot); }
-bool acceptsArmWarningEvent(const std::uint8_t& slot) { return isKnownArmWarning(slot); }
+bool acceptsArmMoveJp(const ArmMoveJpArguments& slot, FieldPath* path) {
+  return isValid(slot.goal, path) || refusedAt(path, "goal");
+}
+
+bool acceptsArmMeasuredJsResult(const JointStateSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsArmSetpointJsResult(const JointStateSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsArmMeasuredCpResult(const PoseStampedSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsArmSetpointCpResult(const PoseStampedSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsArmOperatingStateResult(const OperatingStateSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsArmForwardKinematics(const ArmForwardKinematicsArguments& slot, FieldPath* path) {
+  return isValid(slot.q, path) || refusedAt(path, "q");
+}
+
+bool acceptsArmForwardKinematicsResult(const PoseStampedSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot, FieldPath* path) {
+  return isValid(slot.goal, path) || refusedAt(path, "goal");
+}
+
+bool acceptsArmInverseKinematicsResult(const JointSolutionSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsArmOperatingStateEvent(const OperatingStateSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsArmWarningEvent(const std::uint8_t& slot, FieldPath*) {
+  return isKnownArmWarning(slot);
+}
 
 // --- Arm over Cap'n Proto RPC: the provider's side
 

@@ -15,52 +15,52 @@ namespace robots {
 void toWire(const CartesianStateSlot& slot, wire::CartesianState::Builder out);
 suture::Errc fromWire(wire::CartesianState::Reader in, CartesianStateSlot& slot,
                       suture::Duration shift);
-bool isValid(const CartesianStateSlot& slot);
+bool isValid(const CartesianStateSlot& slot, suture::FieldPath* path);
 void toWire(const TwistSlot& slot, wire::Twist::Builder out);
 suture::Errc fromWire(wire::Twist::Reader in, TwistSlot& slot, suture::Duration shift);
-bool isValid(const TwistSlot& slot);
+bool isValid(const TwistSlot& slot, suture::FieldPath* path);
 void toWire(const TwistGoalSlot& slot, wire::TwistGoal::Builder out);
 suture::Errc fromWire(wire::TwistGoal::Reader in, TwistGoalSlot& slot, suture::Duration shift);
-bool isValid(const TwistGoalSlot& slot);
+bool isValid(const TwistGoalSlot& slot, suture::FieldPath* path);
 void toWire(const WrenchSlot& slot, wire::Wrench::Builder out);
 suture::Errc fromWire(wire::Wrench::Reader in, WrenchSlot& slot, suture::Duration shift);
-bool isValid(const WrenchSlot& slot);
+bool isValid(const WrenchSlot& slot, suture::FieldPath* path);
 void toWire(const WrenchGoalSlot& slot, wire::WrenchGoal::Builder out);
 suture::Errc fromWire(wire::WrenchGoal::Reader in, WrenchGoalSlot& slot, suture::Duration shift);
-bool isValid(const WrenchGoalSlot& slot);
+bool isValid(const WrenchGoalSlot& slot, suture::FieldPath* path);
 }  // namespace robots
 
 // Defined in robot_types/joint_commands.suture.cpp.
 namespace robots {
 void toWire(const JacobianSlot& slot, wire::Jacobian::Builder out);
 suture::Errc fromWire(wire::Jacobian::Reader in, JacobianSlot& slot, suture::Duration shift);
-bool isValid(const JacobianSlot& slot);
+bool isValid(const JacobianSlot& slot, suture::FieldPath* path);
 void toWire(const JointConfigurationSlot& slot, wire::JointConfiguration::Builder out);
 suture::Errc fromWire(wire::JointConfiguration::Reader in, JointConfigurationSlot& slot,
                       suture::Duration shift);
-bool isValid(const JointConfigurationSlot& slot);
+bool isValid(const JointConfigurationSlot& slot, suture::FieldPath* path);
 void toWire(const JointEffortGoalSlot& slot, wire::JointEffortGoal::Builder out);
 suture::Errc fromWire(wire::JointEffortGoal::Reader in, JointEffortGoalSlot& slot,
                       suture::Duration shift);
-bool isValid(const JointEffortGoalSlot& slot);
+bool isValid(const JointEffortGoalSlot& slot, suture::FieldPath* path);
 void toWire(const JointVelocityGoalSlot& slot, wire::JointVelocityGoal::Builder out);
 suture::Errc fromWire(wire::JointVelocityGoal::Reader in, JointVelocityGoalSlot& slot,
                       suture::Duration shift);
-bool isValid(const JointVelocityGoalSlot& slot);
+bool isValid(const JointVelocityGoalSlot& slot, suture::FieldPath* path);
 }  // namespace robots
 
 // Defined in robot_types/joints.suture.cpp.
 namespace robots {
 void toWire(const JointGoalSlot& slot, wire::JointGoal::Builder out);
 suture::Errc fromWire(wire::JointGoal::Reader in, JointGoalSlot& slot, suture::Duration shift);
-bool isValid(const JointGoalSlot& slot);
+bool isValid(const JointGoalSlot& slot, suture::FieldPath* path);
 void toWire(const JointSolutionSlot& slot, wire::JointSolution::Builder out);
 suture::Errc fromWire(wire::JointSolution::Reader in, JointSolutionSlot& slot,
                       suture::Duration shift);
-bool isValid(const JointSolutionSlot& slot);
+bool isValid(const JointSolutionSlot& slot, suture::FieldPath* path);
 void toWire(const JointStateSlot& slot, wire::JointState::Builder out);
 suture::Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, suture::Duration shift);
-bool isValid(const JointStateSlot& slot);
+bool isValid(const JointStateSlot& slot, suture::FieldPath* path);
 }  // namespace robots
 
 // Defined in robot_types/messages.suture.cpp.
@@ -68,7 +68,7 @@ namespace robots {
 void toWire(const IntervalStatisticsSlot& slot, wire::IntervalStatistics::Builder out);
 suture::Errc fromWire(wire::IntervalStatistics::Reader in, IntervalStatisticsSlot& slot,
                       suture::Duration shift);
-bool isValid(const IntervalStatisticsSlot& slot);
+bool isValid(const IntervalStatisticsSlot& slot, suture::FieldPath* path);
 }  // namespace robots
 
 // Defined in robot_types/operating_state.suture.cpp.
@@ -79,21 +79,21 @@ suture::Errc fromWire(wire::ArmState in, std::uint8_t& slot);
 void toWire(const OperatingStateSlot& slot, wire::OperatingState::Builder out);
 suture::Errc fromWire(wire::OperatingState::Reader in, OperatingStateSlot& slot,
                       suture::Duration shift);
-bool isValid(const OperatingStateSlot& slot);
+bool isValid(const OperatingStateSlot& slot, suture::FieldPath* path);
 }  // namespace robots
 
 // Defined in robot_types/pose.suture.cpp.
 namespace robots {
 void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out);
 suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, suture::Duration shift);
-bool isValid(const PoseStampedSlot& slot);
+bool isValid(const PoseStampedSlot& slot, suture::FieldPath* path);
 }  // namespace robots
 
 // Defined in suture/standard/messages.suture.cpp.
 namespace suture {
 void toWire(const MessageSlot& slot, wire::Message::Builder out);
 suture::Errc fromWire(wire::Message::Reader in, MessageSlot& slot, suture::Duration shift);
-bool isValid(const MessageSlot& slot);
+bool isValid(const MessageSlot& slot, suture::FieldPath* path);
 }  // namespace suture
 
 namespace robots {
@@ -103,8 +103,10 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::FieldPath;
 using suture::checkSlot;
 using suture::newSlot;
+using suture::refusedAt;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::fromWire;
@@ -119,58 +121,63 @@ using suture::store;
 
 namespace {
 
-bool acceptsCrtkArmConfigurationJsResult(const JointConfigurationSlot& slot);
-bool acceptsCrtkArmOperatingStateResult(const OperatingStateSlot& slot);
-bool acceptsCrtkArmPeriodStatisticsResult(const IntervalStatisticsSlot& slot);
-bool acceptsCrtkArmMeasuredJsResult(const JointStateSlot& slot);
-bool acceptsCrtkArmSetpointJsResult(const JointStateSlot& slot);
-bool acceptsCrtkArmGoalJsResult(const JointStateSlot& slot);
-bool acceptsCrtkArmMeasuredCpResult(const PoseStampedSlot& slot);
-bool acceptsCrtkArmSetpointCpResult(const PoseStampedSlot& slot);
-bool acceptsCrtkArmGoalCpResult(const PoseStampedSlot& slot);
-bool acceptsCrtkArmLocalMeasuredCpResult(const PoseStampedSlot& slot);
-bool acceptsCrtkArmLocalSetpointCpResult(const PoseStampedSlot& slot);
-bool acceptsCrtkArmMeasuredCvResult(const TwistSlot& slot);
-bool acceptsCrtkArmSetpointCvResult(const TwistSlot& slot);
-bool acceptsCrtkArmBodyMeasuredCfResult(const WrenchSlot& slot);
-bool acceptsCrtkArmSpatialMeasuredCfResult(const WrenchSlot& slot);
-bool acceptsCrtkArmMeasuredCsResult(const CartesianStateSlot& slot);
-bool acceptsCrtkArmBodyJacobianResult(const JacobianSlot& slot);
-bool acceptsCrtkArmSpatialJacobianResult(const JacobianSlot& slot);
-bool acceptsCrtkArmBaseFrameResult(const PoseStampedSlot& slot);
-bool acceptsCrtkArmSetBaseFrame(const CrtkArmSetBaseFrameArguments& slot);
-bool acceptsCrtkArmServoJp(const CrtkArmServoJpArguments& slot);
-bool acceptsCrtkArmServoJr(const CrtkArmServoJrArguments& slot);
-bool acceptsCrtkArmServoJv(const CrtkArmServoJvArguments& slot);
-bool acceptsCrtkArmServoJf(const CrtkArmServoJfArguments& slot);
-bool acceptsCrtkArmServoCp(const CrtkArmServoCpArguments& slot);
-bool acceptsCrtkArmServoCr(const CrtkArmServoCrArguments& slot);
-bool acceptsCrtkArmServoCv(const CrtkArmServoCvArguments& slot);
-bool acceptsCrtkArmBodyServoCf(const CrtkArmBodyServoCfArguments& slot);
-bool acceptsCrtkArmSpatialServoCf(const CrtkArmSpatialServoCfArguments& slot);
-bool acceptsCrtkArmMoveJp(const CrtkArmMoveJpArguments& slot);
-bool acceptsCrtkArmMoveJr(const CrtkArmMoveJrArguments& slot);
-bool acceptsCrtkArmMoveCp(const CrtkArmMoveCpArguments& slot);
-bool acceptsCrtkArmMoveCr(const CrtkArmMoveCrArguments& slot);
-bool acceptsCrtkArmTrajectoryJSetRatio(const CrtkArmTrajectoryJSetRatioArguments& slot);
-bool acceptsCrtkArmTrajectoryJSetRatioV(const CrtkArmTrajectoryJSetRatioVArguments& slot);
-bool acceptsCrtkArmTrajectoryJSetRatioA(const CrtkArmTrajectoryJSetRatioAArguments& slot);
-bool acceptsCrtkArmTrajectoryJRatioResult(const double& slot);
-bool acceptsCrtkArmTrajectoryJRatioVResult(const double& slot);
-bool acceptsCrtkArmTrajectoryJRatioAResult(const double& slot);
-bool acceptsCrtkArmForwardKinematics(const CrtkArmForwardKinematicsArguments& slot);
-bool acceptsCrtkArmForwardKinematicsResult(const PoseStampedSlot& slot);
-bool acceptsCrtkArmInverseKinematics(const CrtkArmInverseKinematicsArguments& slot);
-bool acceptsCrtkArmInverseKinematicsResult(const JointSolutionSlot& slot);
-bool acceptsCrtkArmQueryCp(const CrtkArmQueryCpArguments& slot);
-bool acceptsCrtkArmQueryCpResult(const PoseStampedSlot& slot);
-bool acceptsCrtkArmLocalQueryCp(const CrtkArmLocalQueryCpArguments& slot);
-bool acceptsCrtkArmLocalQueryCpResult(const PoseStampedSlot& slot);
-bool acceptsCrtkArmOperatingStateEvent(const OperatingStateSlot& slot);
-bool acceptsCrtkArmDesiredStateEvent(const std::uint8_t& slot);
-bool acceptsCrtkArmTrajectoryJRatioEvent(const double& slot);
-bool acceptsCrtkArmTrajectoryJRatioVEvent(const double& slot);
-bool acceptsCrtkArmTrajectoryJRatioAEvent(const double& slot);
+bool acceptsCrtkArmConfigurationJsResult(const JointConfigurationSlot& slot, FieldPath* path);
+bool acceptsCrtkArmOperatingStateResult(const OperatingStateSlot& slot, FieldPath* path);
+bool acceptsCrtkArmPeriodStatisticsResult(const IntervalStatisticsSlot& slot, FieldPath* path);
+bool acceptsCrtkArmMeasuredJsResult(const JointStateSlot& slot, FieldPath* path);
+bool acceptsCrtkArmSetpointJsResult(const JointStateSlot& slot, FieldPath* path);
+bool acceptsCrtkArmGoalJsResult(const JointStateSlot& slot, FieldPath* path);
+bool acceptsCrtkArmMeasuredCpResult(const PoseStampedSlot& slot, FieldPath* path);
+bool acceptsCrtkArmSetpointCpResult(const PoseStampedSlot& slot, FieldPath* path);
+bool acceptsCrtkArmGoalCpResult(const PoseStampedSlot& slot, FieldPath* path);
+bool acceptsCrtkArmLocalMeasuredCpResult(const PoseStampedSlot& slot, FieldPath* path);
+bool acceptsCrtkArmLocalSetpointCpResult(const PoseStampedSlot& slot, FieldPath* path);
+bool acceptsCrtkArmMeasuredCvResult(const TwistSlot& slot, FieldPath* path);
+bool acceptsCrtkArmSetpointCvResult(const TwistSlot& slot, FieldPath* path);
+bool acceptsCrtkArmBodyMeasuredCfResult(const WrenchSlot& slot, FieldPath* path);
+bool acceptsCrtkArmSpatialMeasuredCfResult(const WrenchSlot& slot, FieldPath* path);
+bool acceptsCrtkArmMeasuredCsResult(const CartesianStateSlot& slot, FieldPath* path);
+bool acceptsCrtkArmBodyJacobianResult(const JacobianSlot& slot, FieldPath* path);
+bool acceptsCrtkArmSpatialJacobianResult(const JacobianSlot& slot, FieldPath* path);
+bool acceptsCrtkArmBaseFrameResult(const PoseStampedSlot& slot, FieldPath* path);
+bool acceptsCrtkArmSetBaseFrame(const CrtkArmSetBaseFrameArguments& slot, FieldPath* path);
+bool acceptsCrtkArmServoJp(const CrtkArmServoJpArguments& slot, FieldPath* path);
+bool acceptsCrtkArmServoJr(const CrtkArmServoJrArguments& slot, FieldPath* path);
+bool acceptsCrtkArmServoJv(const CrtkArmServoJvArguments& slot, FieldPath* path);
+bool acceptsCrtkArmServoJf(const CrtkArmServoJfArguments& slot, FieldPath* path);
+bool acceptsCrtkArmServoCp(const CrtkArmServoCpArguments& slot, FieldPath* path);
+bool acceptsCrtkArmServoCr(const CrtkArmServoCrArguments& slot, FieldPath* path);
+bool acceptsCrtkArmServoCv(const CrtkArmServoCvArguments& slot, FieldPath* path);
+bool acceptsCrtkArmBodyServoCf(const CrtkArmBodyServoCfArguments& slot, FieldPath* path);
+bool acceptsCrtkArmSpatialServoCf(const CrtkArmSpatialServoCfArguments& slot, FieldPath* path);
+bool acceptsCrtkArmMoveJp(const CrtkArmMoveJpArguments& slot, FieldPath* path);
+bool acceptsCrtkArmMoveJr(const CrtkArmMoveJrArguments& slot, FieldPath* path);
+bool acceptsCrtkArmMoveCp(const CrtkArmMoveCpArguments& slot, FieldPath* path);
+bool acceptsCrtkArmMoveCr(const CrtkArmMoveCrArguments& slot, FieldPath* path);
+bool acceptsCrtkArmTrajectoryJSetRatio(const CrtkArmTrajectoryJSetRatioArguments& slot,
+                                       FieldPath* path);
+bool acceptsCrtkArmTrajectoryJSetRatioV(const CrtkArmTrajectoryJSetRatioVArguments& slot,
+                                        FieldPath* path);
+bool acceptsCrtkArmTrajectoryJSetRatioA(const CrtkArmTrajectoryJSetRatioAArguments& slot,
+                                        FieldPath* path);
+bool acceptsCrtkArmTrajectoryJRatioResult(const double& slot, FieldPath* path);
+bool acceptsCrtkArmTrajectoryJRatioVResult(const double& slot, FieldPath* path);
+bool acceptsCrtkArmTrajectoryJRatioAResult(const double& slot, FieldPath* path);
+bool acceptsCrtkArmForwardKinematics(const CrtkArmForwardKinematicsArguments& slot,
+                                     FieldPath* path);
+bool acceptsCrtkArmForwardKinematicsResult(const PoseStampedSlot& slot, FieldPath* path);
+bool acceptsCrtkArmInverseKinematics(const CrtkArmInverseKinematicsArguments& slot,
+                                     FieldPath* path);
+bool acceptsCrtkArmInverseKinematicsResult(const JointSolutionSlot& slot, FieldPath* path);
+bool acceptsCrtkArmQueryCp(const CrtkArmQueryCpArguments& slot, FieldPath* path);
+bool acceptsCrtkArmQueryCpResult(const PoseStampedSlot& slot, FieldPath* path);
+bool acceptsCrtkArmLocalQueryCp(const CrtkArmLocalQueryCpArguments& slot, FieldPath* path);
+bool acceptsCrtkArmLocalQueryCpResult(const PoseStampedSlot& slot, FieldPath* path);
+bool acceptsCrtkArmOperatingStateEvent(const OperatingStateSlot& slot, FieldPath* path);
+bool acceptsCrtkArmDesiredStateEvent(const std::uint8_t& slot, FieldPath* path);
+bool acceptsCrtkArmTrajectoryJRatioEvent(const double& slot, FieldPath* path);
+bool acceptsCrtkArmTrajectoryJRatioVEvent(const double& slot, FieldPath* path);
+bool acceptsCrtkArmTrajectoryJRatioAEvent(const double& slot, FieldPath* path);
 
 constexpr CommandInfo kCrtkArmCommands[] = {
     {.name = "configuration_js",
@@ -1189,98 +1196,202 @@ void shiftStamps(CrtkArmLocalQueryCpArguments& slot, Duration shift) { shiftStam
 
 namespace {
 
-bool acceptsCrtkArmConfigurationJsResult(const JointConfigurationSlot& slot) {
-  return isValid(slot);
+bool acceptsCrtkArmConfigurationJsResult(const JointConfigurationSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
 }
 
-bool acceptsCrtkArmOperatingStateResult(const OperatingStateSlot& slot) { return isValid(slot); }
-
-bool acceptsCrtkArmPeriodStatisticsResult(const IntervalStatisticsSlot& slot) {
-  return isValid(slot);
+bool acceptsCrtkArmOperatingStateResult(const OperatingStateSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
 }
 
-bool acceptsCrtkArmMeasuredJsResult(const JointStateSlot& slot) { return isValid(slot); }
-bool acceptsCrtkArmSetpointJsResult(const JointStateSlot& slot) { return isValid(slot); }
-bool acceptsCrtkArmGoalJsResult(const JointStateSlot& slot) { return isValid(slot); }
-bool acceptsCrtkArmMeasuredCpResult(const PoseStampedSlot& slot) { return isValid(slot); }
-bool acceptsCrtkArmSetpointCpResult(const PoseStampedSlot& slot) { return isValid(slot); }
-bool acceptsCrtkArmGoalCpResult(const PoseStampedSlot& slot) { return isValid(slot); }
-bool acceptsCrtkArmLocalMeasuredCpResult(const PoseStampedSlot& slot) { return isValid(slot); }
-bool acceptsCrtkArmLocalSetpointCpResult(const PoseStampedSlot& slot) { return isValid(slot); }
-bool acceptsCrtkArmMeasuredCvResult(const TwistSlot& slot) { return isValid(slot); }
-bool acceptsCrtkArmSetpointCvResult(const TwistSlot& slot) { return isValid(slot); }
-bool acceptsCrtkArmBodyMeasuredCfResult(const WrenchSlot& slot) { return isValid(slot); }
-bool acceptsCrtkArmSpatialMeasuredCfResult(const WrenchSlot& slot) { return isValid(slot); }
-bool acceptsCrtkArmMeasuredCsResult(const CartesianStateSlot& slot) { return isValid(slot); }
-bool acceptsCrtkArmBodyJacobianResult(const JacobianSlot& slot) { return isValid(slot); }
-bool acceptsCrtkArmSpatialJacobianResult(const JacobianSlot& slot) { return isValid(slot); }
-bool acceptsCrtkArmBaseFrameResult(const PoseStampedSlot& slot) { return isValid(slot); }
-
-bool acceptsCrtkArmSetBaseFrame(const CrtkArmSetBaseFrameArguments& slot) {
-  return isValid(slot.frame);
+bool acceptsCrtkArmPeriodStatisticsResult(const IntervalStatisticsSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
 }
 
-bool acceptsCrtkArmServoJp(const CrtkArmServoJpArguments& slot) { return isValid(slot.goal); }
-bool acceptsCrtkArmServoJr(const CrtkArmServoJrArguments& slot) { return isValid(slot.step); }
-bool acceptsCrtkArmServoJv(const CrtkArmServoJvArguments& slot) { return isValid(slot.goal); }
-bool acceptsCrtkArmServoJf(const CrtkArmServoJfArguments& slot) { return isValid(slot.goal); }
-bool acceptsCrtkArmServoCp(const CrtkArmServoCpArguments& slot) { return isValid(slot.goal); }
-bool acceptsCrtkArmServoCr(const CrtkArmServoCrArguments& slot) { return isValid(slot.step); }
-bool acceptsCrtkArmServoCv(const CrtkArmServoCvArguments& slot) { return isValid(slot.goal); }
-
-bool acceptsCrtkArmBodyServoCf(const CrtkArmBodyServoCfArguments& slot) {
-  return isValid(slot.goal);
+bool acceptsCrtkArmMeasuredJsResult(const JointStateSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
 }
 
-bool acceptsCrtkArmSpatialServoCf(const CrtkArmSpatialServoCfArguments& slot) {
-  return isValid(slot.goal);
+bool acceptsCrtkArmSetpointJsResult(const JointStateSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
 }
 
-bool acceptsCrtkArmMoveJp(const CrtkArmMoveJpArguments& slot) { return isValid(slot.goal); }
-bool acceptsCrtkArmMoveJr(const CrtkArmMoveJrArguments& slot) { return isValid(slot.step); }
-bool acceptsCrtkArmMoveCp(const CrtkArmMoveCpArguments& slot) { return isValid(slot.goal); }
-bool acceptsCrtkArmMoveCr(const CrtkArmMoveCrArguments& slot) { return isValid(slot.step); }
-
-bool acceptsCrtkArmTrajectoryJSetRatio(const CrtkArmTrajectoryJSetRatioArguments& slot) {
-  return inRange(slot.ratio, 0.01, 1);
+bool acceptsCrtkArmGoalJsResult(const JointStateSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
 }
 
-bool acceptsCrtkArmTrajectoryJSetRatioV(const CrtkArmTrajectoryJSetRatioVArguments& slot) {
-  return inRange(slot.ratio, 0.01, 1);
+bool acceptsCrtkArmMeasuredCpResult(const PoseStampedSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
 }
 
-bool acceptsCrtkArmTrajectoryJSetRatioA(const CrtkArmTrajectoryJSetRatioAArguments& slot) {
-  return inRange(slot.ratio, 0.01, 1);
+bool acceptsCrtkArmSetpointCpResult(const PoseStampedSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
 }
 
-bool acceptsCrtkArmTrajectoryJRatioResult(const double& slot) { return isValid(slot); }
-bool acceptsCrtkArmTrajectoryJRatioVResult(const double& slot) { return isValid(slot); }
-bool acceptsCrtkArmTrajectoryJRatioAResult(const double& slot) { return isValid(slot); }
-
-bool acceptsCrtkArmForwardKinematics(const CrtkArmForwardKinematicsArguments& slot) {
-  return isValid(slot.q);
+bool acceptsCrtkArmGoalCpResult(const PoseStampedSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
 }
 
-bool acceptsCrtkArmForwardKinematicsResult(const PoseStampedSlot& slot) { return isValid(slot); }
-
-bool acceptsCrtkArmInverseKinematics(const CrtkArmInverseKinematicsArguments& slot) {
-  return isValid(slot.goal);
+bool acceptsCrtkArmLocalMeasuredCpResult(const PoseStampedSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
 }
 
-bool acceptsCrtkArmInverseKinematicsResult(const JointSolutionSlot& slot) { return isValid(slot); }
-bool acceptsCrtkArmQueryCp(const CrtkArmQueryCpArguments& slot) { return isValid(slot.q); }
-bool acceptsCrtkArmQueryCpResult(const PoseStampedSlot& slot) { return isValid(slot); }
-
-bool acceptsCrtkArmLocalQueryCp(const CrtkArmLocalQueryCpArguments& slot) {
-  return isValid(slot.q);
+bool acceptsCrtkArmLocalSetpointCpResult(const PoseStampedSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
 }
 
-bool acceptsCrtkArmLocalQueryCpResult(const PoseStampedSlot& slot) { return isValid(slot); }
-bool acceptsCrtkArmOperatingStateEvent(const OperatingStateSlot& slot) { return isValid(slot); }
-bool acceptsCrtkArmDesiredStateEvent(const std::uint8_t& slot) { return isKnownArmState(slot); }
-bool acceptsCrtkArmTrajectoryJRatioEvent(const double& slot) { return isValid(slot); }
-bool acceptsCrtkArmTrajectoryJRatioVEvent(const double& slot) { return isValid(slot); }
-bool acceptsCrtkArmTrajectoryJRatioAEvent(const double& slot) { return isValid(slot); }
+bool acceptsCrtkArmMeasuredCvResult(const TwistSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsCrtkArmSetpointCvResult(const TwistSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsCrtkArmBodyMeasuredCfResult(const WrenchSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsCrtkArmSpatialMeasuredCfResult(const WrenchSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsCrtkArmMeasuredCsResult(const CartesianStateSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsCrtkArmBodyJacobianResult(const JacobianSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsCrtkArmSpatialJacobianResult(const JacobianSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsCrtkArmBaseFrameResult(const PoseStampedSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsCrtkArmSetBaseFrame(const CrtkArmSetBaseFrameArguments& slot, FieldPath* path) {
+  return isValid(slot.frame, path) || refusedAt(path, "frame");
+}
+
+bool acceptsCrtkArmServoJp(const CrtkArmServoJpArguments& slot, FieldPath* path) {
+  return isValid(slot.goal, path) || refusedAt(path, "goal");
+}
+
+bool acceptsCrtkArmServoJr(const CrtkArmServoJrArguments& slot, FieldPath* path) {
+  return isValid(slot.step, path) || refusedAt(path, "step");
+}
+
+bool acceptsCrtkArmServoJv(const CrtkArmServoJvArguments& slot, FieldPath* path) {
+  return isValid(slot.goal, path) || refusedAt(path, "goal");
+}
+
+bool acceptsCrtkArmServoJf(const CrtkArmServoJfArguments& slot, FieldPath* path) {
+  return isValid(slot.goal, path) || refusedAt(path, "goal");
+}
+
+bool acceptsCrtkArmServoCp(const CrtkArmServoCpArguments& slot, FieldPath* path) {
+  return isValid(slot.goal, path) || refusedAt(path, "goal");
+}
+
+bool acceptsCrtkArmServoCr(const CrtkArmServoCrArguments& slot, FieldPath* path) {
+  return isValid(slot.step, path) || refusedAt(path, "step");
+}
+
+bool acceptsCrtkArmServoCv(const CrtkArmServoCvArguments& slot, FieldPath* path) {
+  return isValid(slot.goal, path) || refusedAt(path, "goal");
+}
+
+bool acceptsCrtkArmBodyServoCf(const CrtkArmBodyServoCfArguments& slot, FieldPath* path) {
+  return isValid(slot.goal, path) || refusedAt(path, "goal");
+}
+
+bool acceptsCrtkArmSpatialServoCf(const CrtkArmSpatialServoCfArguments& slot, FieldPath* path) {
+  return isValid(slot.goal, path) || refusedAt(path, "goal");
+}
+
+bool acceptsCrtkArmMoveJp(const CrtkArmMoveJpArguments& slot, FieldPath* path) {
+  return isValid(slot.goal, path) || refusedAt(path, "goal");
+}
+
+bool acceptsCrtkArmMoveJr(const CrtkArmMoveJrArguments& slot, FieldPath* path) {
+  return isValid(slot.step, path) || refusedAt(path, "step");
+}
+
+bool acceptsCrtkArmMoveCp(const CrtkArmMoveCpArguments& slot, FieldPath* path) {
+  return isValid(slot.goal, path) || refusedAt(path, "goal");
+}
+
+bool acceptsCrtkArmMoveCr(const CrtkArmMoveCrArguments& slot, FieldPath* path) {
+  return isValid(slot.step, path) || refusedAt(path, "step");
+}
+
+bool acceptsCrtkArmTrajectoryJSetRatio(const CrtkArmTrajectoryJSetRatioArguments& slot,
+                                       FieldPath* path) {
+  return inRange(slot.ratio, 0.01, 1) || refusedAt(path, "ratio");
+}
+
+bool acceptsCrtkArmTrajectoryJSetRatioV(const CrtkArmTrajectoryJSetRatioVArguments& slot,
+                                        FieldPath* path) {
+  return inRange(slot.ratio, 0.01, 1) || refusedAt(path, "ratio");
+}
+
+bool acceptsCrtkArmTrajectoryJSetRatioA(const CrtkArmTrajectoryJSetRatioAArguments& slot,
+                                        FieldPath* path) {
+  return inRange(slot.ratio, 0.01, 1) || refusedAt(path, "ratio");
+}
+
+bool acceptsCrtkArmTrajectoryJRatioResult(const double& slot, FieldPath*) { return isValid(slot); }
+bool acceptsCrtkArmTrajectoryJRatioVResult(const double& slot, FieldPath*) { return isValid(slot); }
+bool acceptsCrtkArmTrajectoryJRatioAResult(const double& slot, FieldPath*) { return isValid(slot); }
+
+bool acceptsCrtkArmForwardKinematics(const CrtkArmForwardKinematicsArguments& slot,
+                                     FieldPath* path) {
+  return isValid(slot.q, path) || refusedAt(path, "q");
+}
+
+bool acceptsCrtkArmForwardKinematicsResult(const PoseStampedSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsCrtkArmInverseKinematics(const CrtkArmInverseKinematicsArguments& slot,
+                                     FieldPath* path) {
+  return isValid(slot.goal, path) || refusedAt(path, "goal");
+}
+
+bool acceptsCrtkArmInverseKinematicsResult(const JointSolutionSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsCrtkArmQueryCp(const CrtkArmQueryCpArguments& slot, FieldPath* path) {
+  return isValid(slot.q, path) || refusedAt(path, "q");
+}
+
+bool acceptsCrtkArmQueryCpResult(const PoseStampedSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsCrtkArmLocalQueryCp(const CrtkArmLocalQueryCpArguments& slot, FieldPath* path) {
+  return isValid(slot.q, path) || refusedAt(path, "q");
+}
+
+bool acceptsCrtkArmLocalQueryCpResult(const PoseStampedSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsCrtkArmOperatingStateEvent(const OperatingStateSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsCrtkArmDesiredStateEvent(const std::uint8_t& slot, FieldPath*) {
+  return isKnownArmState(slot);
+}
+
+bool acceptsCrtkArmTrajectoryJRatioEvent(const double& slot, FieldPath*) { return isValid(slot); }
+bool acceptsCrtkArmTrajectoryJRatioVEvent(const double& slot, FieldPath*) { return isValid(slot); }
+bool acceptsCrtkArmTrajectoryJRatioAEvent(const double& slot, FieldPath*) { return isValid(slot); }
 
 // --- CrtkArm over Cap'n Proto RPC: the provider's side
 

@@ -12,7 +12,9 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
+using suture::FieldPath;
 using suture::load;
+using suture::refusedAt;
 using suture::rpc::fromWire;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
@@ -89,9 +91,10 @@ Errc fromWire(wire::MtmParameters::Reader in, MtmParametersSlot& slot, Duration)
   return fromWire(in.getSide(), slot.side);
 }
 
-bool isValid(const MtmParametersSlot& slot) {
-  return isKnownMtmSide(slot.side) && inRange(slot.time_constant, 0.0001, 10) &&
-      inRange(slot.angular_rate, 0.01, 20);
+bool isValid(const MtmParametersSlot& slot, FieldPath* path) {
+  if (!isKnownMtmSide(slot.side)) return refusedAt(path, "side");
+  if (!inRange(slot.time_constant, 0.0001, 10)) return refusedAt(path, "time_constant");
+  return inRange(slot.angular_rate, 0.01, 20) || refusedAt(path, "angular_rate");
 }
 
 }  // namespace robots

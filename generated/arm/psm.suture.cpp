@@ -12,7 +12,9 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
+using suture::FieldPath;
 using suture::load;
+using suture::refusedAt;
 using suture::rpc::fromWire;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
@@ -62,9 +64,10 @@ Errc fromWire(wire::PsmParameters::Reader in, PsmParametersSlot& slot, Duration)
   return Errc{};
 }
 
-bool isValid(const PsmParametersSlot& slot) {
-  return inRange(slot.time_constant, 0.0001, 10) && inRange(slot.angular_rate, 0.01, 20) &&
-      inRange(slot.insertion_rate, 0.001, 2);
+bool isValid(const PsmParametersSlot& slot, FieldPath* path) {
+  if (!inRange(slot.time_constant, 0.0001, 10)) return refusedAt(path, "time_constant");
+  if (!inRange(slot.angular_rate, 0.01, 20)) return refusedAt(path, "angular_rate");
+  return inRange(slot.insertion_rate, 0.001, 2) || refusedAt(path, "insertion_rate");
 }
 
 }  // namespace robots

@@ -14,7 +14,7 @@
 namespace robots {
 void toWire(const PosePrmSlot& slot, wire::PosePrm::Builder out);
 suture::Errc fromWire(wire::PosePrm::Reader in, PosePrmSlot& slot, suture::Duration shift);
-bool isValid(const PosePrmSlot& slot);
+bool isValid(const PosePrmSlot& slot, suture::FieldPath* path);
 }  // namespace robots
 
 namespace bench {
@@ -24,8 +24,10 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::FieldPath;
 using suture::checkSlot;
 using suture::newSlot;
+using suture::refusedAt;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::fromWire;
@@ -39,10 +41,10 @@ using suture::store;
 
 namespace {
 
-bool acceptsLoopServerPut(const LoopServerPutArguments& slot);
-bool acceptsLoopServerBounce(const LoopServerBounceArguments& slot);
-bool acceptsLoopServerValueResult(const robots::PosePrmSlot& slot);
-bool acceptsLoopServerEchoEvent(const robots::PosePrmSlot& slot);
+bool acceptsLoopServerPut(const LoopServerPutArguments& slot, FieldPath* path);
+bool acceptsLoopServerBounce(const LoopServerBounceArguments& slot, FieldPath* path);
+bool acceptsLoopServerValueResult(const robots::PosePrmSlot& slot, FieldPath* path);
+bool acceptsLoopServerEchoEvent(const robots::PosePrmSlot& slot, FieldPath* path);
 
 constexpr CommandInfo kLoopServerCommands[] = {
     {.name = "put",
@@ -137,10 +139,21 @@ void shiftStamps(LoopServerBounceArguments& slot, Duration shift) {
 
 namespace {
 
-bool acceptsLoopServerPut(const LoopServerPutArguments& slot) { return isValid(slot.value); }
-bool acceptsLoopServerBounce(const LoopServerBounceArguments& slot) { return isValid(slot.value); }
-bool acceptsLoopServerValueResult(const robots::PosePrmSlot& slot) { return isValid(slot); }
-bool acceptsLoopServerEchoEvent(const robots::PosePrmSlot& slot) { return isValid(slot); }
+bool acceptsLoopServerPut(const LoopServerPutArguments& slot, FieldPath* path) {
+  return isValid(slot.value, path) || refusedAt(path, "value");
+}
+
+bool acceptsLoopServerBounce(const LoopServerBounceArguments& slot, FieldPath* path) {
+  return isValid(slot.value, path) || refusedAt(path, "value");
+}
+
+bool acceptsLoopServerValueResult(const robots::PosePrmSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsLoopServerEchoEvent(const robots::PosePrmSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
 
 // --- LoopServer over Cap'n Proto RPC: the provider's side
 

@@ -14,7 +14,7 @@
 namespace robots {
 void toWire(const PoseSampleSlot& slot, wire::PoseSample::Builder out);
 suture::Errc fromWire(wire::PoseSample::Reader in, PoseSampleSlot& slot, suture::Duration shift);
-bool isValid(const PoseSampleSlot& slot);
+bool isValid(const PoseSampleSlot& slot, suture::FieldPath* path);
 }  // namespace robots
 
 namespace bench {
@@ -24,8 +24,10 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::FieldPath;
 using suture::checkSlot;
 using suture::newSlot;
+using suture::refusedAt;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::fromWire;
@@ -39,10 +41,10 @@ using suture::store;
 
 namespace {
 
-bool acceptsSampleServerPut(const SampleServerPutArguments& slot);
-bool acceptsSampleServerBounce(const SampleServerBounceArguments& slot);
-bool acceptsSampleServerValueResult(const robots::PoseSampleSlot& slot);
-bool acceptsSampleServerEchoEvent(const robots::PoseSampleSlot& slot);
+bool acceptsSampleServerPut(const SampleServerPutArguments& slot, FieldPath* path);
+bool acceptsSampleServerBounce(const SampleServerBounceArguments& slot, FieldPath* path);
+bool acceptsSampleServerValueResult(const robots::PoseSampleSlot& slot, FieldPath* path);
+bool acceptsSampleServerEchoEvent(const robots::PoseSampleSlot& slot, FieldPath* path);
 
 constexpr CommandInfo kSampleServerCommands[] = {
     {.name = "put",
@@ -131,14 +133,21 @@ void shiftStamps(SampleServerBounceArguments& slot, Duration shift) {
 
 namespace {
 
-bool acceptsSampleServerPut(const SampleServerPutArguments& slot) { return isValid(slot.value); }
-
-bool acceptsSampleServerBounce(const SampleServerBounceArguments& slot) {
-  return isValid(slot.value);
+bool acceptsSampleServerPut(const SampleServerPutArguments& slot, FieldPath* path) {
+  return isValid(slot.value, path) || refusedAt(path, "value");
 }
 
-bool acceptsSampleServerValueResult(const robots::PoseSampleSlot& slot) { return isValid(slot); }
-bool acceptsSampleServerEchoEvent(const robots::PoseSampleSlot& slot) { return isValid(slot); }
+bool acceptsSampleServerBounce(const SampleServerBounceArguments& slot, FieldPath* path) {
+  return isValid(slot.value, path) || refusedAt(path, "value");
+}
+
+bool acceptsSampleServerValueResult(const robots::PoseSampleSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsSampleServerEchoEvent(const robots::PoseSampleSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
 
 // --- SampleServer over Cap'n Proto RPC: the provider's side
 

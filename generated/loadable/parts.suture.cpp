@@ -12,7 +12,9 @@ namespace loadable {
 
 using suture::Duration;
 using suture::Errc;
+using suture::FieldPath;
 using suture::load;
+using suture::refusedAt;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
@@ -69,8 +71,8 @@ Errc fromWire(wire::PlatterParameters::Reader in, PlatterParametersSlot& slot, D
   return Errc{};
 }
 
-bool isValid(const PlatterParametersSlot& slot) {
-  return isValid(slot.angle);
+bool isValid(const PlatterParametersSlot& slot, FieldPath* path) {
+  return isValid(slot.angle) || refusedAt(path, "angle");
 }
 
 void toWire(const SpindleParametersSlot& slot, wire::SpindleParameters::Builder out) {
@@ -87,7 +89,7 @@ Errc fromWire(wire::SpindleParameters::Reader in, SpindleParametersSlot& slot, D
   });
 }
 
-bool isValid(const SpindleParametersSlot&) {
+bool isValid(const SpindleParametersSlot&, FieldPath*) {
   return true;
 }
 

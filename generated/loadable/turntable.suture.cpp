@@ -15,8 +15,10 @@ namespace loadable {
 using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Errc;
+using suture::FieldPath;
 using suture::checkSlot;
 using suture::newSlot;
+using suture::refusedAt;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::isValid;
@@ -27,8 +29,8 @@ using suture::store;
 
 namespace {
 
-bool acceptsTurntableTurn(const TurntableTurnArguments& slot);
-bool acceptsTurntableAngleResult(const double& slot);
+bool acceptsTurntableTurn(const TurntableTurnArguments& slot, FieldPath* path);
+bool acceptsTurntableAngleResult(const double& slot, FieldPath* path);
 
 constexpr CommandInfo kTurntableCommands[] = {
     {.name = "turn",
@@ -70,8 +72,11 @@ bool store(const double& angle, TurntableTurnArguments& slot) { return store(ang
 
 namespace {
 
-bool acceptsTurntableTurn(const TurntableTurnArguments& slot) { return isValid(slot.angle); }
-bool acceptsTurntableAngleResult(const double& slot) { return isValid(slot); }
+bool acceptsTurntableTurn(const TurntableTurnArguments& slot, FieldPath* path) {
+  return isValid(slot.angle) || refusedAt(path, "angle");
+}
+
+bool acceptsTurntableAngleResult(const double& slot, FieldPath*) { return isValid(slot); }
 
 // --- Turntable over Cap'n Proto RPC: the provider's side
 

@@ -12,6 +12,7 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
+using suture::FieldPath;
 using suture::load;
 using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
@@ -56,7 +57,7 @@ Errc fromWire(wire::RecorderParameters::Reader in, RecorderParametersSlot& slot,
       : fromDefault(RecorderParameters().file, slot.file);
 }
 
-bool isValid(const RecorderParametersSlot&) {
+bool isValid(const RecorderParametersSlot&, FieldPath*) {
   return true;
 }
 

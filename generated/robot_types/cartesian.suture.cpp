@@ -11,7 +11,9 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
+using suture::FieldPath;
 using suture::load;
+using suture::refusedAt;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
 using suture::rpc::fromDefault;
@@ -446,8 +448,9 @@ Errc fromWire(wire::Twist::Reader in, TwistSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const TwistSlot& slot) {
-  return isValid(slot.linear) && isValid(slot.angular);
+bool isValid(const TwistSlot& slot, FieldPath* path) {
+  if (!isValid(slot.linear, path)) return refusedAt(path, "linear");
+  return isValid(slot.angular, path) || refusedAt(path, "angular");
 }
 
 void toWire(const TwistGoalSlot& slot, wire::TwistGoal::Builder out) {
@@ -475,9 +478,11 @@ Errc fromWire(wire::TwistGoal::Reader in, TwistGoalSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const TwistGoalSlot& slot) {
-  return isValid(slot.linear) && isValid(slot.angular) && isValid(slot.linear_acceleration) &&
-      isValid(slot.angular_acceleration);
+bool isValid(const TwistGoalSlot& slot, FieldPath* path) {
+  if (!isValid(slot.linear, path)) return refusedAt(path, "linear");
+  if (!isValid(slot.angular, path)) return refusedAt(path, "angular");
+  if (!isValid(slot.linear_acceleration, path)) return refusedAt(path, "linear_acceleration");
+  return isValid(slot.angular_acceleration, path) || refusedAt(path, "angular_acceleration");
 }
 
 void toWire(const WrenchSlot& slot, wire::Wrench::Builder out) {
@@ -504,8 +509,9 @@ Errc fromWire(wire::Wrench::Reader in, WrenchSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const WrenchSlot& slot) {
-  return isValid(slot.force) && isValid(slot.torque);
+bool isValid(const WrenchSlot& slot, FieldPath* path) {
+  if (!isValid(slot.force, path)) return refusedAt(path, "force");
+  return isValid(slot.torque, path) || refusedAt(path, "torque");
 }
 
 void toWire(const WrenchGoalSlot& slot, wire::WrenchGoal::Builder out) {
@@ -527,8 +533,9 @@ Errc fromWire(wire::WrenchGoal::Reader in, WrenchGoalSlot& slot, Duration shift)
   });
 }
 
-bool isValid(const WrenchGoalSlot& slot) {
-  return isValid(slot.force) && isValid(slot.torque);
+bool isValid(const WrenchGoalSlot& slot, FieldPath* path) {
+  if (!isValid(slot.force, path)) return refusedAt(path, "force");
+  return isValid(slot.torque, path) || refusedAt(path, "torque");
 }
 
 void toWire(const CartesianStateSlot& slot, wire::CartesianState::Builder out) {
@@ -566,9 +573,12 @@ Errc fromWire(wire::CartesianState::Reader in, CartesianStateSlot& slot, Duratio
   });
 }
 
-bool isValid(const CartesianStateSlot& slot) {
-  return isValid(slot.position) && isValid(slot.linear_velocity) &&
-      isValid(slot.angular_velocity) && isValid(slot.force) && isValid(slot.torque);
+bool isValid(const CartesianStateSlot& slot, FieldPath* path) {
+  if (!isValid(slot.position)) return refusedAt(path, "position");
+  if (!isValid(slot.linear_velocity, path)) return refusedAt(path, "linear_velocity");
+  if (!isValid(slot.angular_velocity, path)) return refusedAt(path, "angular_velocity");
+  if (!isValid(slot.force, path)) return refusedAt(path, "force");
+  return isValid(slot.torque, path) || refusedAt(path, "torque");
 }
 
 void toWire(const CartesianGoalSlot& slot, wire::CartesianGoal::Builder out) {
@@ -605,9 +615,12 @@ Errc fromWire(wire::CartesianGoal::Reader in, CartesianGoalSlot& slot, Duration 
   });
 }
 
-bool isValid(const CartesianGoalSlot& slot) {
-  return isValid(slot.goal) && isValid(slot.linear_velocity) && isValid(slot.angular_velocity) &&
-      isValid(slot.linear_acceleration) && isValid(slot.angular_acceleration);
+bool isValid(const CartesianGoalSlot& slot, FieldPath* path) {
+  if (!isValid(slot.goal)) return refusedAt(path, "goal");
+  if (!isValid(slot.linear_velocity, path)) return refusedAt(path, "linear_velocity");
+  if (!isValid(slot.angular_velocity, path)) return refusedAt(path, "angular_velocity");
+  if (!isValid(slot.linear_acceleration, path)) return refusedAt(path, "linear_acceleration");
+  return isValid(slot.angular_acceleration, path) || refusedAt(path, "angular_acceleration");
 }
 
 void toWire(const ServoCartesianSlot& slot, wire::ServoCartesian::Builder out) {
@@ -645,14 +658,19 @@ Errc fromWire(wire::ServoCartesian::Reader in, ServoCartesianSlot& slot, Duratio
   });
 }
 
-bool isValid(const ServoCartesianSlot& slot) {
-  if (!allOf(slot.axis_mode, [](const std::uint8_t& element) {
+bool isValid(const ServoCartesianSlot& slot, FieldPath* path) {
+  if (!isValid(slot.task_frame)) return refusedAt(path, "task_frame");
+  if (!isValid(slot.position)) return refusedAt(path, "position");
+  if (!isValid(slot.linear_velocity, path)) return refusedAt(path, "linear_velocity");
+  if (!isValid(slot.angular_velocity, path)) return refusedAt(path, "angular_velocity");
+  if (!isValid(slot.force, path)) return refusedAt(path, "force");
+  if (!isValid(slot.torque, path)) return refusedAt(path, "torque");
+  if (!allOf(slot.axis_mode, path, [](const std::uint8_t& element) {
     return isKnownServoMode(element);
   })) {
-    return false;
+    return refusedAt(path, "axis_mode");
   }
-  return isValid(slot.task_frame) && isValid(slot.position) && isValid(slot.linear_velocity) &&
-      isValid(slot.angular_velocity) && isValid(slot.force) && isValid(slot.torque);
+  return true;
 }
 
 void toWire(const HalfPlaneGainsSlot& slot, wire::HalfPlaneGains::Builder out) {
@@ -673,8 +691,11 @@ Errc fromWire(wire::HalfPlaneGains::Reader in, HalfPlaneGainsSlot& slot, Duratio
   });
 }
 
-bool isValid(const HalfPlaneGainsSlot& slot) {
-  return isValid(slot.p) && isValid(slot.d) && isValid(slot.bias) && isValid(slot.deadband);
+bool isValid(const HalfPlaneGainsSlot& slot, FieldPath* path) {
+  if (!isValid(slot.p, path)) return refusedAt(path, "p");
+  if (!isValid(slot.d, path)) return refusedAt(path, "d");
+  if (!isValid(slot.bias, path)) return refusedAt(path, "bias");
+  return isValid(slot.deadband, path) || refusedAt(path, "deadband");
 }
 
 void toWire(const AngularHalfPlaneGainsSlot& slot, wire::AngularHalfPlaneGains::Builder out) {
@@ -695,8 +716,11 @@ Errc fromWire(wire::AngularHalfPlaneGains::Reader in, AngularHalfPlaneGainsSlot&
   });
 }
 
-bool isValid(const AngularHalfPlaneGainsSlot& slot) {
-  return isValid(slot.p) && isValid(slot.d) && isValid(slot.bias) && isValid(slot.deadband);
+bool isValid(const AngularHalfPlaneGainsSlot& slot, FieldPath* path) {
+  if (!isValid(slot.p, path)) return refusedAt(path, "p");
+  if (!isValid(slot.d, path)) return refusedAt(path, "d");
+  if (!isValid(slot.bias, path)) return refusedAt(path, "bias");
+  return isValid(slot.deadband, path) || refusedAt(path, "deadband");
 }
 
 void toWire(const CartesianImpedanceSlot& slot, wire::CartesianImpedance::Builder out) {
@@ -726,11 +750,14 @@ Errc fromWire(wire::CartesianImpedance::Reader in, CartesianImpedanceSlot& slot,
   });
 }
 
-bool isValid(const CartesianImpedanceSlot& slot) {
-  return isValid(slot.force_orientation) && isValid(slot.force_position) &&
-      isValid(slot.torque_orientation) && isValid(slot.position_positive) &&
-      isValid(slot.position_negative) && isValid(slot.orientation_positive) &&
-      isValid(slot.orientation_negative);
+bool isValid(const CartesianImpedanceSlot& slot, FieldPath* path) {
+  if (!isValid(slot.force_orientation)) return refusedAt(path, "force_orientation");
+  if (!isValid(slot.force_position, path)) return refusedAt(path, "force_position");
+  if (!isValid(slot.torque_orientation)) return refusedAt(path, "torque_orientation");
+  if (!isValid(slot.position_positive, path)) return refusedAt(path, "position_positive");
+  if (!isValid(slot.position_negative, path)) return refusedAt(path, "position_negative");
+  if (!isValid(slot.orientation_positive, path)) return refusedAt(path, "orientation_positive");
+  return isValid(slot.orientation_negative, path) || refusedAt(path, "orientation_negative");
 }
 
 }  // namespace robots

@@ -11,7 +11,9 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
+using suture::FieldPath;
 using suture::load;
+using suture::refusedAt;
 using suture::rpc::firstError;
 using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
@@ -156,8 +158,8 @@ Errc fromWire(wire::ButtonEvent::Reader in, ButtonEventSlot& slot, Duration shif
   return fromWire(in.getType(), slot.type);
 }
 
-bool isValid(const ButtonEventSlot& slot) {
-  return isKnownButtonAction(slot.type);
+bool isValid(const ButtonEventSlot& slot, FieldPath* path) {
+  return isKnownButtonAction(slot.type) || refusedAt(path, "type");
 }
 
 void toWire(const InputDataSlot& slot, wire::InputData::Builder out) {
@@ -176,8 +178,8 @@ Errc fromWire(wire::InputData::Reader in, InputDataSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const InputDataSlot& slot) {
-  return isValid(slot.analog_inputs);
+bool isValid(const InputDataSlot& slot, FieldPath* path) {
+  return isValid(slot.analog_inputs, path) || refusedAt(path, "analog_inputs");
 }
 
 void toWire(const ImuSampleSlot& slot, wire::ImuSample::Builder out) {
@@ -201,9 +203,10 @@ Errc fromWire(wire::ImuSample::Reader in, ImuSampleSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const ImuSampleSlot& slot) {
-  return isValid(slot.orientation) && isValid(slot.angular_velocity) &&
-      isValid(slot.linear_acceleration);
+bool isValid(const ImuSampleSlot& slot, FieldPath* path) {
+  if (!isValid(slot.orientation)) return refusedAt(path, "orientation");
+  if (!isValid(slot.angular_velocity, path)) return refusedAt(path, "angular_velocity");
+  return isValid(slot.linear_acceleration, path) || refusedAt(path, "linear_acceleration");
 }
 
 }  // namespace robots

@@ -11,8 +11,10 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
+using suture::FieldPath;
 using suture::elementsIn;
 using suture::load;
+using suture::refusedAt;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
@@ -423,8 +425,8 @@ Errc fromWire(wire::JointPosition::Reader in, JointPositionSlot& slot, Duration 
   });
 }
 
-bool isValid(const JointPositionSlot& slot) {
-  return isValid(slot.position);
+bool isValid(const JointPositionSlot& slot, FieldPath* path) {
+  return isValid(slot.position, path) || refusedAt(path, "position");
 }
 
 void toWire(const JointPositionGoalSlot& slot, wire::JointPositionGoal::Builder out) {
@@ -447,8 +449,10 @@ Errc fromWire(wire::JointPositionGoal::Reader in, JointPositionGoalSlot& slot, D
   });
 }
 
-bool isValid(const JointPositionGoalSlot& slot) {
-  return isValid(slot.goal) && isValid(slot.velocity) && isValid(slot.acceleration);
+bool isValid(const JointPositionGoalSlot& slot, FieldPath* path) {
+  if (!isValid(slot.goal, path)) return refusedAt(path, "goal");
+  if (!isValid(slot.velocity, path)) return refusedAt(path, "velocity");
+  return isValid(slot.acceleration, path) || refusedAt(path, "acceleration");
 }
 
 void toWire(const JointVelocitySlot& slot, wire::JointVelocity::Builder out) {
@@ -463,8 +467,8 @@ Errc fromWire(wire::JointVelocity::Reader in, JointVelocitySlot& slot, Duration 
   return fromWire(in.getVelocity(), slot.velocity);
 }
 
-bool isValid(const JointVelocitySlot& slot) {
-  return isValid(slot.velocity);
+bool isValid(const JointVelocitySlot& slot, FieldPath* path) {
+  return isValid(slot.velocity, path) || refusedAt(path, "velocity");
 }
 
 void toWire(const JointVelocityGoalSlot& slot, wire::JointVelocityGoal::Builder out) {
@@ -487,9 +491,11 @@ Errc fromWire(wire::JointVelocityGoal::Reader in, JointVelocityGoalSlot& slot, D
   });
 }
 
-bool isValid(const JointVelocityGoalSlot& slot) {
-  return isValid(slot.goal) && isValid(slot.acceleration) && isValid(slot.deceleration) &&
-      isValid(slot.guard);
+bool isValid(const JointVelocityGoalSlot& slot, FieldPath* path) {
+  if (!isValid(slot.goal, path)) return refusedAt(path, "goal");
+  if (!isValid(slot.acceleration, path)) return refusedAt(path, "acceleration");
+  if (!isValid(slot.deceleration, path)) return refusedAt(path, "deceleration");
+  return isValid(slot.guard, path) || refusedAt(path, "guard");
 }
 
 void toWire(const JointEffortGoalSlot& slot, wire::JointEffortGoal::Builder out) {
@@ -506,8 +512,8 @@ Errc fromWire(wire::JointEffortGoal::Reader in, JointEffortGoalSlot& slot, Durat
   });
 }
 
-bool isValid(const JointEffortGoalSlot& slot) {
-  return isValid(slot.effort);
+bool isValid(const JointEffortGoalSlot& slot, FieldPath* path) {
+  return isValid(slot.effort, path) || refusedAt(path, "effort");
 }
 
 void toWire(const JointConfigurationSlot& slot, wire::JointConfiguration::Builder out) {
@@ -545,13 +551,20 @@ Errc fromWire(wire::JointConfiguration::Reader in, JointConfigurationSlot& slot,
   });
 }
 
-bool isValid(const JointConfigurationSlot& slot) {
-  if (!allOf(slot.type, [](const std::uint8_t& element) { return isKnownJointType(element); })) {
-    return false;
+bool isValid(const JointConfigurationSlot& slot, FieldPath* path) {
+  if (!allOf(slot.type, path, [](const std::uint8_t& element) {
+    return isKnownJointType(element);
+  })) {
+    return refusedAt(path, "type");
   }
-  return isValid(slot.position_min) && isValid(slot.position_max) && isValid(slot.velocity_min) &&
-      isValid(slot.velocity_max) && isValid(slot.acceleration_min) &&
-      isValid(slot.acceleration_max) && isValid(slot.effort_min) && isValid(slot.effort_max);
+  if (!isValid(slot.position_min, path)) return refusedAt(path, "position_min");
+  if (!isValid(slot.position_max, path)) return refusedAt(path, "position_max");
+  if (!isValid(slot.velocity_min, path)) return refusedAt(path, "velocity_min");
+  if (!isValid(slot.velocity_max, path)) return refusedAt(path, "velocity_max");
+  if (!isValid(slot.acceleration_min, path)) return refusedAt(path, "acceleration_min");
+  if (!isValid(slot.acceleration_max, path)) return refusedAt(path, "acceleration_max");
+  if (!isValid(slot.effort_min, path)) return refusedAt(path, "effort_min");
+  return isValid(slot.effort_max, path) || refusedAt(path, "effort_max");
 }
 
 void toWire(const ServoJointSlot& slot, wire::ServoJoint::Builder out) {
@@ -576,9 +589,11 @@ Errc fromWire(wire::ServoJoint::Reader in, ServoJointSlot& slot, Duration shift)
   });
 }
 
-bool isValid(const ServoJointSlot& slot) {
-  return isValid(slot.position) && isValid(slot.velocity) && isValid(slot.effort) &&
-      isValid(slot.position_projection);
+bool isValid(const ServoJointSlot& slot, FieldPath* path) {
+  if (!isValid(slot.position, path)) return refusedAt(path, "position");
+  if (!isValid(slot.velocity, path)) return refusedAt(path, "velocity");
+  if (!isValid(slot.effort, path)) return refusedAt(path, "effort");
+  return isValid(slot.position_projection, path) || refusedAt(path, "position_projection");
 }
 
 void toWire(const ActuatorJointCouplingSlot& slot, wire::ActuatorJointCoupling::Builder out) {
@@ -605,9 +620,18 @@ Errc fromWire(wire::ActuatorJointCoupling::Reader in, ActuatorJointCouplingSlot&
   });
 }
 
-bool isValid(const ActuatorJointCouplingSlot& slot) {
-  return isValid(slot.actuator_to_joint_position) && isValid(slot.joint_to_actuator_position) &&
-      isValid(slot.actuator_to_joint_effort) && isValid(slot.joint_to_actuator_effort);
+bool isValid(const ActuatorJointCouplingSlot& slot, FieldPath* path) {
+  if (!isValid(slot.actuator_to_joint_position, path)) {
+    return refusedAt(path, "actuator_to_joint_position");
+  }
+  if (!isValid(slot.joint_to_actuator_position, path)) {
+    return refusedAt(path, "joint_to_actuator_position");
+  }
+  if (!isValid(slot.actuator_to_joint_effort, path)) {
+    return refusedAt(path, "actuator_to_joint_effort");
+  }
+  return isValid(slot.joint_to_actuator_effort, path) ||
+      refusedAt(path, "joint_to_actuator_effort");
 }
 
 void toWire(const JacobianSlot& slot, wire::Jacobian::Builder out) {
@@ -624,8 +648,8 @@ Errc fromWire(wire::Jacobian::Reader in, JacobianSlot& slot, Duration shift) {
   return fromWire(in.getCoefficients(), slot.coefficients);
 }
 
-bool isValid(const JacobianSlot& slot) {
-  return isValid(slot.coefficients);
+bool isValid(const JacobianSlot& slot, FieldPath* path) {
+  return isValid(slot.coefficients, path) || refusedAt(path, "coefficients");
 }
 
 }  // namespace robots

@@ -11,7 +11,9 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
+using suture::FieldPath;
 using suture::load;
+using suture::refusedAt;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
@@ -119,8 +121,10 @@ Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, Duration shift)
   });
 }
 
-bool isValid(const JointStateSlot& slot) {
-  return isValid(slot.position) && isValid(slot.velocity) && isValid(slot.effort);
+bool isValid(const JointStateSlot& slot, FieldPath* path) {
+  if (!isValid(slot.position, path)) return refusedAt(path, "position");
+  if (!isValid(slot.velocity, path)) return refusedAt(path, "velocity");
+  return isValid(slot.effort, path) || refusedAt(path, "effort");
 }
 
 void toWire(const JointGoalSlot& slot, wire::JointGoal::Builder out) {
@@ -133,8 +137,8 @@ Errc fromWire(wire::JointGoal::Reader in, JointGoalSlot& slot, Duration shift) {
   return fromWire(in.getPosition(), slot.position);
 }
 
-bool isValid(const JointGoalSlot& slot) {
-  return isValid(slot.position);
+bool isValid(const JointGoalSlot& slot, FieldPath* path) {
+  return isValid(slot.position, path) || refusedAt(path, "position");
 }
 
 void toWire(const JointSolutionSlot& slot, wire::JointSolution::Builder out) {
@@ -149,8 +153,8 @@ Errc fromWire(wire::JointSolution::Reader in, JointSolutionSlot& slot, Duration)
   return fromWire(in.getPosition(), slot.position);
 }
 
-bool isValid(const JointSolutionSlot& slot) {
-  return isValid(slot.position);
+bool isValid(const JointSolutionSlot& slot, FieldPath* path) {
+  return isValid(slot.position, path) || refusedAt(path, "position");
 }
 
 }  // namespace robots

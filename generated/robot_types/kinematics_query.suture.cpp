@@ -11,7 +11,9 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
+using suture::FieldPath;
 using suture::load;
+using suture::refusedAt;
 using suture::rpc::firstError;
 using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
@@ -111,8 +113,8 @@ Errc fromWire(wire::ForwardKinematicsRequest::Reader in, ForwardKinematicsReques
   return fromWire(in.getJp(), slot.jp);
 }
 
-bool isValid(const ForwardKinematicsRequestSlot& slot) {
-  return isValid(slot.jp);
+bool isValid(const ForwardKinematicsRequestSlot& slot, FieldPath* path) {
+  return isValid(slot.jp, path) || refusedAt(path, "jp");
 }
 
 void toWire(const ForwardKinematicsResponseSlot& slot, wire::ForwardKinematicsResponse::Builder out) {
@@ -130,8 +132,8 @@ Errc fromWire(wire::ForwardKinematicsResponse::Reader in, ForwardKinematicsRespo
   });
 }
 
-bool isValid(const ForwardKinematicsResponseSlot& slot) {
-  return isValid(slot.cp);
+bool isValid(const ForwardKinematicsResponseSlot& slot, FieldPath* path) {
+  return isValid(slot.cp) || refusedAt(path, "cp");
 }
 
 void toWire(const InverseKinematicsRequestSlot& slot, wire::InverseKinematicsRequest::Builder out) {
@@ -147,8 +149,9 @@ Errc fromWire(wire::InverseKinematicsRequest::Reader in, InverseKinematicsReques
   });
 }
 
-bool isValid(const InverseKinematicsRequestSlot& slot) {
-  return isValid(slot.cp) && isValid(slot.jp);
+bool isValid(const InverseKinematicsRequestSlot& slot, FieldPath* path) {
+  if (!isValid(slot.cp)) return refusedAt(path, "cp");
+  return isValid(slot.jp, path) || refusedAt(path, "jp");
 }
 
 void toWire(const InverseKinematicsResponseSlot& slot, wire::InverseKinematicsResponse::Builder out) {
@@ -165,8 +168,8 @@ Errc fromWire(wire::InverseKinematicsResponse::Reader in, InverseKinematicsRespo
   });
 }
 
-bool isValid(const InverseKinematicsResponseSlot& slot) {
-  return isValid(slot.jp);
+bool isValid(const InverseKinematicsResponseSlot& slot, FieldPath* path) {
+  return isValid(slot.jp, path) || refusedAt(path, "jp");
 }
 
 }  // namespace robots

@@ -11,7 +11,9 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
+using suture::FieldPath;
 using suture::load;
+using suture::refusedAt;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
@@ -101,9 +103,11 @@ Errc fromWire(wire::IntervalStatistics::Reader in, IntervalStatisticsSlot& slot,
   return Errc{};
 }
 
-bool isValid(const IntervalStatisticsSlot& slot) {
-  return isValid(slot.period_average) && isValid(slot.period_deviation) &&
-      isValid(slot.period_min) && isValid(slot.period_max);
+bool isValid(const IntervalStatisticsSlot& slot, FieldPath* path) {
+  if (!isValid(slot.period_average)) return refusedAt(path, "period_average");
+  if (!isValid(slot.period_deviation)) return refusedAt(path, "period_deviation");
+  if (!isValid(slot.period_min)) return refusedAt(path, "period_min");
+  return isValid(slot.period_max) || refusedAt(path, "period_max");
 }
 
 void toWire(const KeyValueSlot& slot, wire::KeyValue::Builder out) {
@@ -118,7 +122,7 @@ Errc fromWire(wire::KeyValue::Reader in, KeyValueSlot& slot, Duration) {
   });
 }
 
-bool isValid(const KeyValueSlot&) {
+bool isValid(const KeyValueSlot&, FieldPath*) {
   return true;
 }
 

@@ -11,7 +11,9 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
+using suture::FieldPath;
 using suture::load;
+using suture::refusedAt;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
@@ -120,8 +122,8 @@ Errc fromWire(wire::OperatingState::Reader in, OperatingStateSlot& slot, Duratio
   });
 }
 
-bool isValid(const OperatingStateSlot& slot) {
-  return isKnownArmState(slot.state);
+bool isValid(const OperatingStateSlot& slot, FieldPath* path) {
+  return isKnownArmState(slot.state) || refusedAt(path, "state");
 }
 
 }  // namespace robots

@@ -11,7 +11,9 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
+using suture::FieldPath;
 using suture::load;
+using suture::refusedAt;
 using suture::rpc::firstError;
 using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
@@ -120,8 +122,8 @@ Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, Duration shif
       : fromDefault(PoseStamped().pose, slot.pose);
 }
 
-bool isValid(const PoseStampedSlot& slot) {
-  return isValid(slot.pose);
+bool isValid(const PoseStampedSlot& slot, FieldPath* path) {
+  return isValid(slot.pose) || refusedAt(path, "pose");
 }
 
 void toWire(const PoseSampleSlot& slot, wire::PoseSample::Builder out) {
@@ -144,8 +146,9 @@ Errc fromWire(wire::PoseSample::Reader in, PoseSampleSlot& slot, Duration shift)
   });
 }
 
-bool isValid(const PoseSampleSlot& slot) {
-  return isValid(slot.rotation) && isValid(slot.position);
+bool isValid(const PoseSampleSlot& slot, FieldPath* path) {
+  if (!isValid(slot.rotation)) return refusedAt(path, "rotation");
+  return isValid(slot.position, path) || refusedAt(path, "position");
 }
 
 void toWire(const PosePrmSlot& slot, wire::PosePrm::Builder out) {
@@ -169,8 +172,8 @@ Errc fromWire(wire::PosePrm::Reader in, PosePrmSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const PosePrmSlot& slot) {
-  return isValid(slot.position);
+bool isValid(const PosePrmSlot& slot, FieldPath* path) {
+  return isValid(slot.position) || refusedAt(path, "position");
 }
 
 }  // namespace robots

@@ -11,7 +11,9 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
+using suture::FieldPath;
 using suture::load;
+using suture::refusedAt;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
 using suture::rpc::fromDefault;
@@ -195,11 +197,11 @@ Errc fromWire(wire::PoseArray::Reader in, PoseArraySlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const PoseArraySlot& slot) {
-  if (!allOf(slot.positions, [](const std::array<double, 12>& element) {
+bool isValid(const PoseArraySlot& slot, FieldPath* path) {
+  if (!allOf(slot.positions, path, [](const std::array<double, 12>& element) {
     return isValid(element);
   })) {
-    return false;
+    return refusedAt(path, "positions");
   }
   return true;
 }
@@ -222,7 +224,7 @@ Errc fromWire(wire::ImageFrame::Reader in, ImageFrameSlot& slot, Duration shift)
   return fromWire(in.getData(), slot.data);
 }
 
-bool isValid(const ImageFrameSlot&) {
+bool isValid(const ImageFrameSlot&, FieldPath*) {
   return true;
 }
 
@@ -253,9 +255,11 @@ Errc fromWire(wire::CameraInfo::Reader in, CameraInfoSlot& slot, Duration shift)
   });
 }
 
-bool isValid(const CameraInfoSlot& slot) {
-  return isValid(slot.distortion) && isValid(slot.intrinsic) && isValid(slot.rectification) &&
-      isValid(slot.projection);
+bool isValid(const CameraInfoSlot& slot, FieldPath* path) {
+  if (!isValid(slot.distortion, path)) return refusedAt(path, "distortion");
+  if (!isValid(slot.intrinsic)) return refusedAt(path, "intrinsic");
+  if (!isValid(slot.rectification)) return refusedAt(path, "rectification");
+  return isValid(slot.projection) || refusedAt(path, "projection");
 }
 
 void toWire(const DepthMapSlot& slot, wire::DepthMap::Builder out) {
@@ -280,8 +284,8 @@ Errc fromWire(wire::DepthMap::Reader in, DepthMapSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const DepthMapSlot& slot) {
-  return isValid(slot.points);
+bool isValid(const DepthMapSlot& slot, FieldPath* path) {
+  return isValid(slot.points, path) || refusedAt(path, "points");
 }
 
 }  // namespace robots

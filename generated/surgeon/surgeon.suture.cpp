@@ -12,7 +12,9 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
+using suture::FieldPath;
 using suture::load;
+using suture::refusedAt;
 using suture::rpc::fromWire;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
@@ -67,9 +69,11 @@ Errc fromWire(wire::SurgeonParameters::Reader in, SurgeonParametersSlot& slot, D
   return Errc{};
 }
 
-bool isValid(const SurgeonParametersSlot& slot) {
-  return inRange(slot.amplitude, 0, 0.2) && inRange(slot.turn, 0, 1) &&
-      inRange(slot.frequency, 0.001, 10) && inRange(slot.ramp, 0.1, 100);
+bool isValid(const SurgeonParametersSlot& slot, FieldPath* path) {
+  if (!inRange(slot.amplitude, 0, 0.2)) return refusedAt(path, "amplitude");
+  if (!inRange(slot.turn, 0, 1)) return refusedAt(path, "turn");
+  if (!inRange(slot.frequency, 0.001, 10)) return refusedAt(path, "frequency");
+  return inRange(slot.ramp, 0.1, 100) || refusedAt(path, "ramp");
 }
 
 }  // namespace robots

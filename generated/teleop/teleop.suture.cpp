@@ -12,7 +12,9 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
+using suture::FieldPath;
 using suture::load;
+using suture::refusedAt;
 using suture::rpc::fromWire;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
@@ -62,8 +64,8 @@ Errc fromWire(wire::TeleopParameters::Reader in, TeleopParametersSlot& slot, Dur
   return Errc{};
 }
 
-bool isValid(const TeleopParametersSlot& slot) {
-  return inRange(slot.scale, 0.01, 10);
+bool isValid(const TeleopParametersSlot& slot, FieldPath* path) {
+  return inRange(slot.scale, 0.01, 10) || refusedAt(path, "scale");
 }
 
 }  // namespace robots

@@ -17,8 +17,10 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::FieldPath;
 using suture::checkSlot;
 using suture::load;
+using suture::refusedAt;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::firstError;
@@ -47,10 +49,10 @@ static_assert(std::is_same_v<decltype(FollowAnchors::slave_setpoint), Eigen::Iso
 static_assert(std::is_same_v<decltype(FollowAnchors::scale), double>);
 static_assert(std::is_same_v<decltype(FollowAnchors::entry), std::uint64_t>);
 
-bool acceptsTeleoperationTeleopStateResult(const std::uint8_t& slot);
-bool acceptsTeleoperationAnchorsResult(const FollowAnchorsSlot& slot);
-bool acceptsTeleoperationTeleopStateEvent(const std::uint8_t& slot);
-bool acceptsTeleoperationFollowedEvent(const FollowAnchorsSlot& slot);
+bool acceptsTeleoperationTeleopStateResult(const std::uint8_t& slot, FieldPath* path);
+bool acceptsTeleoperationAnchorsResult(const FollowAnchorsSlot& slot, FieldPath* path);
+bool acceptsTeleoperationTeleopStateEvent(const std::uint8_t& slot, FieldPath* path);
+bool acceptsTeleoperationFollowedEvent(const FollowAnchorsSlot& slot, FieldPath* path);
 
 constexpr CommandInfo kTeleoperationCommands[] = {
     {.name = "enable", .kind = CommandKind::Void, .depth = 16},
@@ -219,23 +221,29 @@ Errc fromWire(wire::FollowAnchors::Reader in, FollowAnchorsSlot& slot, Duration 
   });
 }
 
-bool isValid(const FollowAnchorsSlot& slot) {
-  return isValid(slot.master) && isValid(slot.slave_setpoint) && isValid(slot.scale);
+bool isValid(const FollowAnchorsSlot& slot, FieldPath* path) {
+  if (!isValid(slot.master)) return refusedAt(path, "master");
+  if (!isValid(slot.slave_setpoint)) return refusedAt(path, "slave_setpoint");
+  return isValid(slot.scale) || refusedAt(path, "scale");
 }
 
 namespace {
 
-bool acceptsTeleoperationTeleopStateResult(const std::uint8_t& slot) {
+bool acceptsTeleoperationTeleopStateResult(const std::uint8_t& slot, FieldPath*) {
   return isKnownTeleopState(slot);
 }
 
-bool acceptsTeleoperationAnchorsResult(const FollowAnchorsSlot& slot) { return isValid(slot); }
+bool acceptsTeleoperationAnchorsResult(const FollowAnchorsSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
 
-bool acceptsTeleoperationTeleopStateEvent(const std::uint8_t& slot) {
+bool acceptsTeleoperationTeleopStateEvent(const std::uint8_t& slot, FieldPath*) {
   return isKnownTeleopState(slot);
 }
 
-bool acceptsTeleoperationFollowedEvent(const FollowAnchorsSlot& slot) { return isValid(slot); }
+bool acceptsTeleoperationFollowedEvent(const FollowAnchorsSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
 
 // --- Teleoperation over Cap'n Proto RPC: the provider's side
 

@@ -3,6 +3,7 @@
 // owns memory lies on the heap, and the record holds a counted pointer to it, which whoever lets go
 // of the record releases. Only devices have such: no real-time thread touches them.
 
+#include <suture/base/field_path.h>
 #include <suture/base/time.h>
 
 #include <atomic>
@@ -90,9 +91,9 @@ const Slot& slotIn(const std::byte* memory) {
 }
 
 /// What `check` says of the slot in a record.
-template <class Slot, bool (*check)(const Slot&)>
-bool checkSlot(const std::byte* memory) {
-  return check(slotIn<Slot>(memory));
+template <class Slot, bool (*check)(const Slot&, FieldPath*)>
+bool checkSlot(const std::byte* memory, FieldPath* path) {
+  return check(slotIn<Slot>(memory), path);
 }
 
 /// Turns the stamps of the slot in a record, of a type that owns no memory and whatever bytes, by

@@ -73,6 +73,24 @@ std::size_t Channel::bytesFor(const InterfaceInfo& info) {
   return memory.used();
 }
 
+bool Channel::admits(const CommandInfo& command, const std::byte* arguments) {
+  FieldPath path;
+  if (command.admits(arguments, &path)) return true;
+  return lastInvalid.note(path), false;
+}
+
+bool Channel::admitsResult(const CommandInfo& command, const std::byte* result) {
+  FieldPath path;
+  if (command.admitsResult(result, &path)) return true;
+  return lastInvalid.note(path), false;
+}
+
+bool Channel::admits(const EventInfo& event, const std::byte* payload) {
+  FieldPath path;
+  if (event.admits(payload, &path)) return true;
+  return lastInvalid.note(path), false;
+}
+
 void Channel::subscribe(EventSet wanted, EventSet newlyWanted) {
   words_->subscribed.store(wanted, std::memory_order_release);
   if (newlyWanted != 0) words_->joining.fetch_or(newlyWanted, std::memory_order_release);

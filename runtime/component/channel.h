@@ -10,6 +10,7 @@
 #include <suture/component/delivery.h>
 #include <suture/component/direct_handlers.h>
 #include <suture/component/interface_info.h>
+#include <suture/component/last_invalid.h>
 #include <suture/component/lease.h>
 #include <suture/component/lifecycle.h>
 #include <suture/rt/doorbell.h>
@@ -144,6 +145,13 @@ class Channel {
   rt::Histogram commandAge;  ///< provider: age of each command, when it was executed
   std::atomic<std::uint64_t> bytesSent{0}, bytesReceived{0};  ///< on the lane's wire; 0 on `local`
   DeliveryCounters delivery;  ///< client's end, both ways; all 0 on a lane that loses nothing
+  LastInvalid lastInvalid;    ///< of what this process judged, at either end
+
+  /// Any thread: false, and noted, for arguments, a result or a payload that the contract does not
+  /// admit.
+  bool admits(const CommandInfo& command, const std::byte* arguments);
+  bool admitsResult(const CommandInfo& command, const std::byte* result);
+  bool admits(const EventInfo& event, const std::byte* payload);
 
   /// Of foreign memory, where nobody else counts: this endpoint has put so many bytes in, or taken
   /// them out, with what the queues add.

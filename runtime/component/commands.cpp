@@ -83,7 +83,7 @@ Errc RequiredBase::judge(std::uint16_t command, const std::byte* arguments, bool
     counters.tooLarge.fetch_add(1, std::memory_order_relaxed);
     return Errc::TooLarge;
   }
-  if (info_.commands[command].admits(arguments)) return Errc{};
+  if (channel_->admits(info_.commands[command], arguments)) return Errc{};
   counters.invalid.fetch_add(1, std::memory_order_relaxed);
   return Errc::Invalid;
 }
@@ -98,8 +98,16 @@ Errc RequiredBase::commit(std::uint16_t command, const std::byte* arguments, boo
   return Errc{};
 }
 
+bool RequiredBase::admitsResult(std::uint16_t command, const std::byte* result) const {
+  return channel_->admitsResult(info_.commands[command], result);
+}
+
 bool RequiredBase::admitsCopy(std::uint16_t command, const std::byte* result) const {
-  return !channel_->foreign || info_.commands[command].admitsResult(result);
+  return !channel_->foreign || admitsResult(command, result);
+}
+
+FieldPath RequiredBase::lastInvalid() const {
+  return channel_ == nullptr ? FieldPath() : channel_->lastInvalid.read();
 }
 
 Errc RequiredBase::ask(std::uint16_t command, bool& device) {

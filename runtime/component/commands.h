@@ -31,7 +31,7 @@ Errc RequiredBase::judgeResultHere(std::uint16_t command, const Value& value) co
   if (info.acceptsResult == nullptr) return Errc{};
   LooseSlot<Slot> slot;
   if (!store(value, slot.value())) return Errc::TooLarge;
-  return info.admitsResult(slot.memory()) ? Errc{} : Errc::Invalid;
+  return admitsResult(command, slot.memory()) ? Errc{} : Errc::Invalid;
 }
 
 /// A void or write command: queued at the provider, executed in its thread. A direct() one, and any

@@ -114,7 +114,7 @@ void RequiredBase::deliver(const rt::EventRecord& record) {
   const EventInfo& info = info_.events[record.event];
   channel_->countReceived(sizeof(record) + info.payloadSize);
   // On other lanes it was looked at when it arrived.
-  if (channel_->foreign && !info.admits(record.payload())) {
+  if (channel_->foreign && !channel_->admits(info, record.payload())) {
     return channel_->events.countDropped();
   }
   satisfyAwaited(record);

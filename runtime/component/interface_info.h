@@ -1,6 +1,7 @@
 #pragma once
 // What the runtime knows of a contract: plain tables that suturec writes.
 
+#include <suture/base/field_path.h>
 #include <suture/base/time.h>
 
 #include <algorithm>
@@ -22,6 +23,11 @@ inline constexpr Duration kDefaultDeadline = std::chrono::seconds(1);
 
 using StampShift = void (*)(std::byte* slot, Duration shift);
 
+/// False for a value that the contract does not admit: NaN, out of range(), an enumerator that it
+/// does not declare. Of a slot with any bytes. `path`, unless it is null, is told which part of the
+/// value that is, the first of several.
+using ValueCheck = bool (*)(const std::byte* slot, FieldPath* path);
+
 struct CommandInfo {
   const char* name;  ///< as in C++: "servo_cp"
   CommandKind kind;
@@ -37,16 +43,16 @@ struct CommandInfo {
   /// concurrent() or direct(): a client in the provider's process, without delay between the two,
   /// calls it in its own thread.
   bool inCallersThread = false;
-  /// False for arguments that the contract does not admit: NaN, out of range(), an enumerator that
-  /// it does not declare. Of a slot with any bytes. Null: it admits all.
-  bool (*accepts)(const std::byte* arguments) = nullptr;
-  bool (*acceptsResult)(const std::byte* result) = nullptr;  ///< as accepts
+  ValueCheck accepts = nullptr, acceptsResult = nullptr;  ///< null: it admits all
   // Turn the stamps in a slot into those of another clock; null: it has none. Of any bytes.
   StampShift shiftArguments = nullptr, shiftResult = nullptr;
 
-  bool admits(const std::byte* arguments) const { return accepts == nullptr || accepts(arguments); }
-  bool admitsResult(const std::byte* result) const {
-    return acceptsResult == nullptr || acceptsResult(result);
+  /// The check, and `path` begins with the name of the command.
+  bool admits(const std::byte* arguments, FieldPath* path = nullptr) const {
+    return accepts == nullptr || accepts(arguments, path) || refusedAt(path, name);
+  }
+  bool admitsResult(const std::byte* result, FieldPath* path = nullptr) const {
+    return acceptsResult == nullptr || acceptsResult(result, path) || refusedAt(path, name);
   }
 };
 
@@ -59,11 +65,14 @@ struct EventInfo {
   std::uint32_t depth;
   bool latest = false;
   bool latched = false;
-  bool sharedPayload = false;                           ///< as of a command
-  bool (*accepts)(const std::byte* payload) = nullptr;  ///< as of a command
-  StampShift shiftPayload = nullptr;                    ///< as of a command
+  bool sharedPayload = false;         ///< as of a command
+  ValueCheck accepts = nullptr;       ///< as of a command
+  StampShift shiftPayload = nullptr;  ///< as of a command
 
-  bool admits(const std::byte* payload) const { return accepts == nullptr || accepts(payload); }
+  /// As of a command.
+  bool admits(const std::byte* payload, FieldPath* path = nullptr) const {
+    return accepts == nullptr || accepts(payload, path) || refusedAt(path, name);
+  }
 };
 
 /// The table of a contract that derives from another, of N rows: the base's, then its own.

@@ -226,7 +226,7 @@ void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time p
     return;
   }
   // On other lanes they were looked at when they arrived.
-  if (channel.foreign && !command.admits(record.arguments())) {
+  if (channel.foreign && !channel.admits(command, record.arguments())) {
     turn.outcome = &channel.commands.counters.refused;
     turn.error = Errc::Invalid;
     return;
@@ -241,7 +241,7 @@ void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time p
   } else {
     const ResultForm form{command.resultSize, command.sharedResult};
     channel.reply(record.call, form, [&](std::byte* result) {
-      const Errc error = produce(record.command, record.arguments(), result);
+      const Errc error = produce(record.command, record.arguments(), result, &channel);
       turn.outcome = &channel.commands.counters.executed;
       turn.release();
       return error;
@@ -250,10 +250,19 @@ void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time p
   }
 }
 
-Errc ProvidedBase::produce(std::uint16_t command, const std::byte* arguments, std::byte* result) {
+Errc ProvidedBase::produce(std::uint16_t command, const std::byte* arguments, std::byte* result,
+                           Channel* asker) {
   const Errc error = execute(command, arguments, result);
-  if (error != Errc{}) return error;
-  return info_.commands[command].admitsResult(result) ? Errc{} : Errc::Invalid;
+  FieldPath path;
+  if (error != Errc{} || info_.commands[command].admitsResult(result, &path)) return error;
+  noteInvalid(path, asker);
+  return Errc::Invalid;
+}
+
+void ProvidedBase::noteInvalid(const FieldPath& path, Channel* asker) {
+  lastInvalid_.note(path);
+  if (asker != nullptr) return asker->lastInvalid.note(path);
+  channels_.forEach([&path](ChannelList::Node& node) { node.channel->lastInvalid.note(path); });
 }
 
 void ProvidedBase::publishRow() {
@@ -268,7 +277,7 @@ void ProvidedBase::advance() {
     const int column = info_.commands[i].column;
     if (column < 0 || (demand >> column & 1) == 0) continue;
     const auto number = static_cast<unsigned>(column);
-    columns.enter(number, produce(i, nullptr, state_->draft(number)));
+    columns.enter(number, produce(i, nullptr, state_->draft(number), nullptr));
   }
   state_->publish(now(), columns);
   channels_.forEach([this](ChannelList::Node& node) {
@@ -299,7 +308,10 @@ Errc ProvidedBase::emit(std::uint16_t event, const std::byte* slot, bool fits) {
   if (ownThread && owner_.ownedByAnotherThread()) return Errc::WrongThread;
   if (!fits) return Errc::TooLarge;
   const EventInfo& info = info_.events[event];
-  if (!info.admits(slot)) return Errc::Invalid;
+  if (FieldPath path; !info.admits(slot, &path)) {
+    noteInvalid(path, nullptr);
+    return Errc::Invalid;
+  }
   const Time stamp = now();
   const std::span payload(slot, info.payloadSize);
   if (info.latched) keepLatched(event, stamp, payload);

@@ -5,6 +5,7 @@
 #include <suture/component/channel_list.h>
 #include <suture/component/component.h>
 #include <suture/component/interface_info.h>
+#include <suture/component/last_invalid.h>
 
 #include <atomic>
 #include <cstddef>
@@ -45,6 +46,10 @@ class ProvidedBase {
   Component& owner() const { return owner_; }
   const std::shared_ptr<rt::StateTable>& state() const { return state_; }
   const ChannelList& channels() const { return channels_; }
+  /// Any thread: which part was wrong of the last row, answer or event that this interface produced
+  /// and that its contract does not admit: "measured_cp.pose". It begins with the name of the
+  /// command or event, and is empty before the first. Never allocates.
+  FieldPath lastInvalid() const { return lastInvalid_.read(); }
   /// The implementation, as a pointer to `contract`, which is this one's or one of its bases: what
   /// a local client of a device calls directly.
   void* implementation(const InterfaceInfo& contract) const;
@@ -92,8 +97,11 @@ class ProvidedBase {
   virtual Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) = 0;
 
  private:
-  /// execute(), and Errc::Invalid for a result that the contract does not admit.
-  Errc produce(std::uint16_t command, const std::byte* arguments, std::byte* result);
+  /// execute(), and Errc::Invalid for a result that the contract does not admit. `asker` is who
+  /// misses it; null: all clients.
+  Errc produce(std::uint16_t command, const std::byte* arguments, std::byte* result,
+               Channel* asker);
+  void noteInvalid(const FieldPath& path, Channel* asker);
   template <class, class...>
   friend class Emitter;
   friend class RequiredBase;
@@ -124,6 +132,7 @@ class ProvidedBase {
   ChannelList channels_;
   bool everyState_ = false;
   Duration commandAge_{0};
+  LastInvalid lastInvalid_;
   struct Latched;
   std::vector<std::unique_ptr<Latched>> latched_;  // by event; null: it is not latched
   std::vector<std::uint64_t> replayed_;            // one payload, for the thread that serves

@@ -60,6 +60,13 @@ class RequiredBase {
   /// operator.
   Errc unusable(std::uint16_t command);
 
+  /// The owner's thread, after Errc::Invalid: which part of the value it was, "servo_cp.goal.pose".
+  /// It is of the last value of this connection that this process refused: arguments that were to
+  /// be sent, or a copy of what another process wrote; of a provider in this process its answers,
+  /// rows and events as well. It begins with the name of the command or event, and is empty before
+  /// the first. Never allocates.
+  FieldPath lastInvalid() const;
+
   /// The events that are subscribed to. Any thread.
   EventSet subscribed() const { return subscribed_.load(std::memory_order_relaxed); }
 
@@ -160,8 +167,10 @@ class RequiredBase {
   /// An error for the result of a call in this thread that no client is to see.
   template <class Slot, class Value>
   Errc judgeResultHere(std::uint16_t command, const Value& value) const;
-  /// False for a result that another process wrote and that the contract does not admit. It is
-  /// asked of the copy, which the other process can no longer change.
+  /// False, and noted, for a result that the contract does not admit.
+  bool admitsResult(std::uint16_t command, const std::byte* result) const;
+  /// The same where another process wrote it. It is asked of the copy, which the other process can
+  /// no longer change.
   bool admitsCopy(std::uint16_t command, const std::byte* result) const;
   /// Copies the newest result of read `command` into `slot`, unless the provider is a `device`, to
   /// be called directly.

@@ -36,6 +36,7 @@ void complete(ConnectionReport& whole, const ConnectionReport& other) {
   whole.heard = {};
   settleMore(whole, (provided - client.heard).commands());
   whole.commandAge = provider.commandAge;
+  if (whole.lastInvalid.empty()) whole.lastInvalid = provider.lastInvalid;
 }
 
 }  // namespace

@@ -67,6 +67,7 @@ ConnectionReport reportOf(const std::shared_ptr<Channel>& shared, ConnectionEnd 
   report.bytesReceived = rt::count(channel.bytesReceived);
   report.contract = contractOf(channel, end);
   putSums(sumsOf(shared, end), report);
+  report.lastInvalid = channel.lastInvalid.read().text();
   report.messagesLost = rt::count(channel.delivery.lost);
   report.messagesDuplicated = rt::count(channel.delivery.duplicated);
   report.messagesOvertaken = rt::count(channel.delivery.overtaken);

@@ -95,6 +95,7 @@ void eachField(Connection& value, const Visit& visit) requires
   visit("full", value.full);
   visit("too_large", value.tooLarge);
   visit("invalid", value.invalid);
+  visit("last_invalid", value.lastInvalid);
   visit("lost", value.lost);
   visit("unknown", value.unknown);
   visit("under_way", value.underWay);

@@ -56,6 +56,8 @@ struct ConnectionReport : Tally {
   std::uint64_t full = 0;  ///< refused: too many waited
   std::uint64_t tooLarge = 0;  ///< refused: beyond a declared capacity
   std::uint64_t invalid = 0;   ///< refused: the contract does not admit such values
+  /// Which part of a value it was that this end refused last: "servo_cp.goal.pose"; "": none was.
+  std::string lastInvalid;
   std::uint64_t lost = 0;      ///< they did not reach the provider in time, and it says so
   std::uint64_t unknown = 0;   ///< at the client's end: a lost provider may have executed them
   std::uint64_t underWay = 0;  ///< no outcome yet, or at the client's end none that it has heard of

@@ -79,6 +79,7 @@ std::string lines(const ConnectionReport& one) {
   text += counted("dropped", one.dropped()) + (client && provider ? ", " : " (at this end), ");
   text += counted("late", one.late) + ", ";
   text += keptContract(one);
+  if (!one.lastInvalid.empty()) text += ", last invalid " + one.lastInvalid;
   if (one.failed > 0) text += ", " + counted("failed", one.failed);
   if (one.eventsDropped > 0) text += ", " + counted("events dropped", one.eventsDropped);
   if (one.lost > 0) text += ", " + counted("lost", one.lost);

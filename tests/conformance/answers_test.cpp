@@ -91,21 +91,26 @@ TEST_P(QueuedAnswers, WhatDoesNotFitIsRefused) {
   EXPECT_TRUE(arm->taken().empty());
 }
 
-// Whoever sends it is told at once, also by a command that awaits no answer.
+// Whoever sends it is told at once, also by a command that awaits no answer, and what was wrong.
 TEST_P(JudgedArguments, WhatNoProviderMayActOnIsRefusedWhereItIsSent) {
   client->with([](Arm& remote) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     const auto unknown = static_cast<Mode>(77);
-    EXPECT_EQ(remote.move.start(poseAt(1), 1.5, "").within(0s).error(), Errc::Invalid);
-    for (const auto& answer : {remote.servo_cp(poseAt(kNone)), remote.limit(kNone, Mode::Enabled),
-                               remote.limit(1, unknown), remote.set_mode(unknown)}) {
-      ASSERT_FALSE(answer);
-      EXPECT_EQ(answer.error(), Errc::Invalid);
-    }
+    const auto refused = [&remote](const auto& answer) {
+      EXPECT_EQ(answer ? Errc{} : answer.error(), Errc::Invalid);
+      return std::string(remote.lastInvalid().text());
+    };
+    EXPECT_EQ(remote.lastInvalid().text(), "");
+    EXPECT_EQ(refused(remote.move.start(poseAt(1), 1.5, "").within(0s)), "move.speed");
+    EXPECT_EQ(refused(remote.servo_cp(poseAt(kNone))), "servo_cp.goal.pose");
+    EXPECT_EQ(refused(remote.limit(kNone, Mode::Enabled)), "limit.speed");
+    EXPECT_EQ(refused(remote.limit(1, unknown)), "limit.mode");
+    EXPECT_EQ(refused(remote.servo_jp({{}, {0, 1, kNone}})), "servo_jp.goal.position[2]");
     EXPECT_TRUE(remote.limit(1, Mode::Enabled));
+    EXPECT_EQ(refused(remote.set_mode(unknown)), "set_mode.mode");
   });
   EXPECT_TRUE(eventuallyTaken({"limit 1 enabled"}));
-  EXPECT_EQ(channel()->commands.counters.invalid, 5u);
+  EXPECT_EQ(channel()->commands.counters.invalid, 6u);
 }
 
 TEST_P(Answers, AThrowIsAnAnswerToo) {

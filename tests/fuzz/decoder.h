@@ -53,7 +53,10 @@ struct Checks {
       require(std::memcmp(received.get(), slot.get(), sizeof(Slot)) == 0);
     }
     require(encoded(*received) == encoded(*slot));
-    require(isValid(*received) == isValid(*slot));
+    FieldPath path;
+    const bool valid = isValid(*received, &path);
+    require(valid == path.empty());  // whatever is refused, it says what
+    require(valid == isValid(*slot, nullptr));
 
     // A value may hold less than its slot, a duration in hours for one; but what it holds, stays.
     const auto loaded = throughValue(*received);

@@ -14,13 +14,13 @@
 namespace reference {
 void toWire(const JointStateSlot& slot, wire::JointState::Builder out);
 suture::Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, suture::Duration shift);
-bool isValid(const JointStateSlot& slot);
+bool isValid(const JointStateSlot& slot, suture::FieldPath* path);
 wire::Mode wireMode(std::uint8_t slot);
 bool isKnownMode(std::uint8_t slot);
 suture::Errc fromWire(wire::Mode in, std::uint8_t& slot);
 void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out);
 suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, suture::Duration shift);
-bool isValid(const PoseStampedSlot& slot);
+bool isValid(const PoseStampedSlot& slot, suture::FieldPath* path);
 }  // namespace reference
 
 namespace reference {
@@ -30,9 +30,11 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::FieldPath;
 using suture::checkSlot;
 using suture::load;
 using suture::newSlot;
+using suture::refusedAt;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::firstError;
@@ -48,18 +50,18 @@ using suture::store;
 
 namespace {
 
-bool acceptsArmLikeServoCp(const ArmLikeServoCpArguments& slot);
-bool acceptsArmLikeServoJp(const ArmLikeServoJpArguments& slot);
-bool acceptsArmLikeSetMode(const ArmLikeSetModeArguments& slot);
-bool acceptsArmLikeMeasuredCpResult(const PoseStampedSlot& slot);
-bool acceptsArmLikeMeasuredJsResult(const JointStateSlot& slot);
-bool acceptsArmLikeDistance(const ArmLikeDistanceArguments& slot);
-bool acceptsArmLikeDistanceResult(const double& slot);
-bool acceptsArmLikeMove(const ArmLikeMoveArguments& slot);
-bool acceptsArmLikeLimit(const ArmLikeLimitArguments& slot);
-bool acceptsArmLikeModeEvent(const std::uint8_t& slot);
-bool acceptsArmLikeArrivedEvent(const PoseStampedSlot& slot);
-bool acceptsArmLikeMovedEvent(const ArmLikeMovedPayload& slot);
+bool acceptsArmLikeServoCp(const ArmLikeServoCpArguments& slot, FieldPath* path);
+bool acceptsArmLikeServoJp(const ArmLikeServoJpArguments& slot, FieldPath* path);
+bool acceptsArmLikeSetMode(const ArmLikeSetModeArguments& slot, FieldPath* path);
+bool acceptsArmLikeMeasuredCpResult(const PoseStampedSlot& slot, FieldPath* path);
+bool acceptsArmLikeMeasuredJsResult(const JointStateSlot& slot, FieldPath* path);
+bool acceptsArmLikeDistance(const ArmLikeDistanceArguments& slot, FieldPath* path);
+bool acceptsArmLikeDistanceResult(const double& slot, FieldPath* path);
+bool acceptsArmLikeMove(const ArmLikeMoveArguments& slot, FieldPath* path);
+bool acceptsArmLikeLimit(const ArmLikeLimitArguments& slot, FieldPath* path);
+bool acceptsArmLikeModeEvent(const std::uint8_t& slot, FieldPath* path);
+bool acceptsArmLikeArrivedEvent(const PoseStampedSlot& slot, FieldPath* path);
+bool acceptsArmLikeMovedEvent(const ArmLikeMovedPayload& slot, FieldPath* path);
 
 constexpr CommandInfo kArmLikeCommands[] = {
     {.name = "servo_cp",
@@ -185,27 +187,51 @@ void shiftStamps(ArmLikeMovedPayload& slot, Duration shift) { shiftStamps(slot.v
 
 namespace {
 
-bool acceptsArmLikeServoCp(const ArmLikeServoCpArguments& slot) { return isValid(slot.goal); }
-bool acceptsArmLikeServoJp(const ArmLikeServoJpArguments& slot) { return isValid(slot.goal); }
-bool acceptsArmLikeSetMode(const ArmLikeSetModeArguments& slot) { return isKnownMode(slot.mode); }
-bool acceptsArmLikeMeasuredCpResult(const PoseStampedSlot& slot) { return isValid(slot); }
-bool acceptsArmLikeMeasuredJsResult(const JointStateSlot& slot) { return isValid(slot); }
-bool acceptsArmLikeDistance(const ArmLikeDistanceArguments& slot) { return isValid(slot.to); }
-bool acceptsArmLikeDistanceResult(const double& slot) { return isValid(slot); }
-
-bool acceptsArmLikeMove(const ArmLikeMoveArguments& slot) {
-  return isValid(slot.goal) && inRange(slot.speed, 0, 1);
+bool acceptsArmLikeServoCp(const ArmLikeServoCpArguments& slot, FieldPath* path) {
+  return isValid(slot.goal, path) || refusedAt(path, "goal");
 }
 
-bool acceptsArmLikeLimit(const ArmLikeLimitArguments& slot) {
-  return isValid(slot.speed) && isKnownMode(slot.mode);
+bool acceptsArmLikeServoJp(const ArmLikeServoJpArguments& slot, FieldPath* path) {
+  return isValid(slot.goal, path) || refusedAt(path, "goal");
 }
 
-bool acceptsArmLikeModeEvent(const std::uint8_t& slot) { return isKnownMode(slot); }
-bool acceptsArmLikeArrivedEvent(const PoseStampedSlot& slot) { return isValid(slot); }
+bool acceptsArmLikeSetMode(const ArmLikeSetModeArguments& slot, FieldPath* path) {
+  return isKnownMode(slot.mode) || refusedAt(path, "mode");
+}
 
-bool acceptsArmLikeMovedEvent(const ArmLikeMovedPayload& slot) {
-  return isValid(slot.value) && isValid(slot.value2);
+bool acceptsArmLikeMeasuredCpResult(const PoseStampedSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsArmLikeMeasuredJsResult(const JointStateSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsArmLikeDistance(const ArmLikeDistanceArguments& slot, FieldPath* path) {
+  return isValid(slot.to, path) || refusedAt(path, "to");
+}
+
+bool acceptsArmLikeDistanceResult(const double& slot, FieldPath*) { return isValid(slot); }
+
+bool acceptsArmLikeMove(const ArmLikeMoveArguments& slot, FieldPath* path) {
+  if (!isValid(slot.goal, path)) return refusedAt(path, "goal");
+  return inRange(slot.speed, 0, 1) || refusedAt(path, "speed");
+}
+
+bool acceptsArmLikeLimit(const ArmLikeLimitArguments& slot, FieldPath* path) {
+  if (!isValid(slot.speed)) return refusedAt(path, "speed");
+  return isKnownMode(slot.mode) || refusedAt(path, "mode");
+}
+
+bool acceptsArmLikeModeEvent(const std::uint8_t& slot, FieldPath*) { return isKnownMode(slot); }
+
+bool acceptsArmLikeArrivedEvent(const PoseStampedSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsArmLikeMovedEvent(const ArmLikeMovedPayload& slot, FieldPath* path) {
+  if (!isValid(slot.value, path)) return refusedAt(path, "value");
+  return isValid(slot.value2) || refusedAt(path, "value2");
 }
 
 // --- ArmLike over Cap'n Proto RPC: the provider's side

@@ -11,7 +11,9 @@ namespace reference {
 
 using suture::Duration;
 using suture::Errc;
+using suture::FieldPath;
 using suture::load;
+using suture::refusedAt;
 using suture::rpc::firstError;
 using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
@@ -107,8 +109,8 @@ Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, Duration shif
       : fromDefault(PoseStamped().pose, slot.pose);
 }
 
-bool isValid(const PoseStampedSlot& slot) {
-  return isValid(slot.pose);
+bool isValid(const PoseStampedSlot& slot, FieldPath* path) {
+  return isValid(slot.pose) || refusedAt(path, "pose");
 }
 
 void toWire(const JointStateSlot& slot, wire::JointState::Builder out) {
@@ -123,8 +125,8 @@ Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, Duration) {
   });
 }
 
-bool isValid(const JointStateSlot& slot) {
-  return isValid(slot.position);
+bool isValid(const JointStateSlot& slot, FieldPath* path) {
+  return isValid(slot.position, path) || refusedAt(path, "position");
 }
 
 }  // namespace reference

@@ -14,13 +14,13 @@
 namespace reference {
 void toWire(const JointStateSlot& slot, wire::JointState::Builder out);
 suture::Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, suture::Duration shift);
-bool isValid(const JointStateSlot& slot);
+bool isValid(const JointStateSlot& slot, suture::FieldPath* path);
 wire::Mode wireMode(std::uint8_t slot);
 bool isKnownMode(std::uint8_t slot);
 suture::Errc fromWire(wire::Mode in, std::uint8_t& slot);
 void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out);
 suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, suture::Duration shift);
-bool isValid(const PoseStampedSlot& slot);
+bool isValid(const PoseStampedSlot& slot, suture::FieldPath* path);
 }  // namespace reference
 
 namespace reference {
@@ -29,8 +29,10 @@ using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Errc;
 using suture::EventInfo;
+using suture::FieldPath;
 using suture::checkSlot;
 using suture::newSlot;
+using suture::refusedAt;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::fromWire;
@@ -43,11 +45,11 @@ using suture::store;
 
 namespace {
 
-bool acceptsGripperArmClose(const GripperArmCloseArguments& slot);
-bool acceptsGripperArmCloseResult(const double& slot);
-bool acceptsGripperArmOpeningResult(const double& slot);
-bool acceptsGripperArmFits(const GripperArmFitsArguments& slot);
-bool acceptsGripperArmGrippedEvent(const double& slot);
+bool acceptsGripperArmClose(const GripperArmCloseArguments& slot, FieldPath* path);
+bool acceptsGripperArmCloseResult(const double& slot, FieldPath* path);
+bool acceptsGripperArmOpeningResult(const double& slot, FieldPath* path);
+bool acceptsGripperArmFits(const GripperArmFitsArguments& slot, FieldPath* path);
+bool acceptsGripperArmGrippedEvent(const double& slot, FieldPath* path);
 
 constexpr CommandInfo kGripperArmCommands[] = {
     {.name = "close",
@@ -91,11 +93,18 @@ bool store(const double& width, GripperArmFitsArguments& slot) { return store(wi
 
 namespace {
 
-bool acceptsGripperArmClose(const GripperArmCloseArguments& slot) { return isValid(slot.width); }
-bool acceptsGripperArmCloseResult(const double& slot) { return isValid(slot); }
-bool acceptsGripperArmOpeningResult(const double& slot) { return isValid(slot); }
-bool acceptsGripperArmFits(const GripperArmFitsArguments& slot) { return isValid(slot.width); }
-bool acceptsGripperArmGrippedEvent(const double& slot) { return isValid(slot); }
+bool acceptsGripperArmClose(const GripperArmCloseArguments& slot, FieldPath* path) {
+  return isValid(slot.width) || refusedAt(path, "width");
+}
+
+bool acceptsGripperArmCloseResult(const double& slot, FieldPath*) { return isValid(slot); }
+bool acceptsGripperArmOpeningResult(const double& slot, FieldPath*) { return isValid(slot); }
+
+bool acceptsGripperArmFits(const GripperArmFitsArguments& slot, FieldPath* path) {
+  return isValid(slot.width) || refusedAt(path, "width");
+}
+
+bool acceptsGripperArmGrippedEvent(const double& slot, FieldPath*) { return isValid(slot); }
 
 // --- GripperArm over Cap'n Proto RPC: the provider's side
 

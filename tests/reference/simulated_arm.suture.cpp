@@ -12,7 +12,9 @@ namespace reference {
 
 using suture::Duration;
 using suture::Errc;
+using suture::FieldPath;
 using suture::load;
+using suture::refusedAt;
 using suture::rpc::firstError;
 using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
@@ -61,8 +63,9 @@ Errc fromWire(wire::SimulatedArmParameters::Reader in, SimulatedArmParametersSlo
   });
 }
 
-bool isValid(const SimulatedArmParametersSlot& slot) {
-  return inRange(slot.period, 0.0001, 1) && isValid(slot.home);
+bool isValid(const SimulatedArmParametersSlot& slot, FieldPath* path) {
+  if (!inRange(slot.period, 0.0001, 1)) return refusedAt(path, "period");
+  return isValid(slot.home, path) || refusedAt(path, "home");
 }
 
 }  // namespace reference

@@ -14,7 +14,7 @@
 namespace robots {
 void toWire(const PosePrmSlot& slot, wire::PosePrm::Builder out);
 suture::Errc fromWire(wire::PosePrm::Reader in, PosePrmSlot& slot, suture::Duration shift);
-bool isValid(const PosePrmSlot& slot);
+bool isValid(const PosePrmSlot& slot, suture::FieldPath* path);
 }  // namespace robots
 
 namespace scenarios {
@@ -24,8 +24,10 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::FieldPath;
 using suture::checkSlot;
 using suture::newSlot;
+using suture::refusedAt;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::fromWire;
@@ -39,30 +41,30 @@ using suture::store;
 
 namespace {
 
-bool acceptsAllKindsSetScalar(const AllKindsSetScalarArguments& slot);
-bool acceptsAllKindsSetVector(const AllKindsSetVectorArguments& slot);
-bool acceptsAllKindsSetRecord(const AllKindsSetRecordArguments& slot);
-bool acceptsAllKindsScalarResult(const double& slot);
-bool acceptsAllKindsVectorResult(const std::array<double, 3>& slot);
-bool acceptsAllKindsRecordResult(const robots::PosePrmSlot& slot);
-bool acceptsAllKindsTwiceScalar(const AllKindsTwiceScalarArguments& slot);
-bool acceptsAllKindsTwiceScalarResult(const double& slot);
-bool acceptsAllKindsTwiceVector(const AllKindsTwiceVectorArguments& slot);
-bool acceptsAllKindsTwiceVectorResult(const std::array<double, 3>& slot);
-bool acceptsAllKindsTwiceRecord(const AllKindsTwiceRecordArguments& slot);
-bool acceptsAllKindsTwiceRecordResult(const robots::PosePrmSlot& slot);
-bool acceptsAllKindsTakeScalarResult(const double& slot);
-bool acceptsAllKindsTakeVectorResult(const std::array<double, 3>& slot);
-bool acceptsAllKindsTakeRecordResult(const robots::PosePrmSlot& slot);
-bool acceptsAllKindsSwapScalar(const AllKindsSwapScalarArguments& slot);
-bool acceptsAllKindsSwapScalarResult(const double& slot);
-bool acceptsAllKindsSwapVector(const AllKindsSwapVectorArguments& slot);
-bool acceptsAllKindsSwapVectorResult(const std::array<double, 3>& slot);
-bool acceptsAllKindsSwapRecord(const AllKindsSwapRecordArguments& slot);
-bool acceptsAllKindsSwapRecordResult(const robots::PosePrmSlot& slot);
-bool acceptsAllKindsScalarSetEvent(const double& slot);
-bool acceptsAllKindsVectorSetEvent(const std::array<double, 3>& slot);
-bool acceptsAllKindsRecordSetEvent(const robots::PosePrmSlot& slot);
+bool acceptsAllKindsSetScalar(const AllKindsSetScalarArguments& slot, FieldPath* path);
+bool acceptsAllKindsSetVector(const AllKindsSetVectorArguments& slot, FieldPath* path);
+bool acceptsAllKindsSetRecord(const AllKindsSetRecordArguments& slot, FieldPath* path);
+bool acceptsAllKindsScalarResult(const double& slot, FieldPath* path);
+bool acceptsAllKindsVectorResult(const std::array<double, 3>& slot, FieldPath* path);
+bool acceptsAllKindsRecordResult(const robots::PosePrmSlot& slot, FieldPath* path);
+bool acceptsAllKindsTwiceScalar(const AllKindsTwiceScalarArguments& slot, FieldPath* path);
+bool acceptsAllKindsTwiceScalarResult(const double& slot, FieldPath* path);
+bool acceptsAllKindsTwiceVector(const AllKindsTwiceVectorArguments& slot, FieldPath* path);
+bool acceptsAllKindsTwiceVectorResult(const std::array<double, 3>& slot, FieldPath* path);
+bool acceptsAllKindsTwiceRecord(const AllKindsTwiceRecordArguments& slot, FieldPath* path);
+bool acceptsAllKindsTwiceRecordResult(const robots::PosePrmSlot& slot, FieldPath* path);
+bool acceptsAllKindsTakeScalarResult(const double& slot, FieldPath* path);
+bool acceptsAllKindsTakeVectorResult(const std::array<double, 3>& slot, FieldPath* path);
+bool acceptsAllKindsTakeRecordResult(const robots::PosePrmSlot& slot, FieldPath* path);
+bool acceptsAllKindsSwapScalar(const AllKindsSwapScalarArguments& slot, FieldPath* path);
+bool acceptsAllKindsSwapScalarResult(const double& slot, FieldPath* path);
+bool acceptsAllKindsSwapVector(const AllKindsSwapVectorArguments& slot, FieldPath* path);
+bool acceptsAllKindsSwapVectorResult(const std::array<double, 3>& slot, FieldPath* path);
+bool acceptsAllKindsSwapRecord(const AllKindsSwapRecordArguments& slot, FieldPath* path);
+bool acceptsAllKindsSwapRecordResult(const robots::PosePrmSlot& slot, FieldPath* path);
+bool acceptsAllKindsScalarSetEvent(const double& slot, FieldPath* path);
+bool acceptsAllKindsVectorSetEvent(const std::array<double, 3>& slot, FieldPath* path);
+bool acceptsAllKindsRecordSetEvent(const robots::PosePrmSlot& slot, FieldPath* path);
 
 constexpr CommandInfo kAllKindsCommands[] = {
     {.name = "clear", .kind = CommandKind::Void, .depth = 16},
@@ -408,63 +410,91 @@ bool store(const std::string& value, AllKindsSwapTextArguments& slot) {
 
 namespace {
 
-bool acceptsAllKindsSetScalar(const AllKindsSetScalarArguments& slot) {
-  return isValid(slot.value);
+bool acceptsAllKindsSetScalar(const AllKindsSetScalarArguments& slot, FieldPath* path) {
+  return isValid(slot.value) || refusedAt(path, "value");
 }
 
-bool acceptsAllKindsSetVector(const AllKindsSetVectorArguments& slot) {
-  return isValid(slot.value);
+bool acceptsAllKindsSetVector(const AllKindsSetVectorArguments& slot, FieldPath* path) {
+  return isValid(slot.value, path) || refusedAt(path, "value");
 }
 
-bool acceptsAllKindsSetRecord(const AllKindsSetRecordArguments& slot) {
-  return isValid(slot.value);
+bool acceptsAllKindsSetRecord(const AllKindsSetRecordArguments& slot, FieldPath* path) {
+  return isValid(slot.value, path) || refusedAt(path, "value");
 }
 
-bool acceptsAllKindsScalarResult(const double& slot) { return isValid(slot); }
-bool acceptsAllKindsVectorResult(const std::array<double, 3>& slot) { return isValid(slot); }
-bool acceptsAllKindsRecordResult(const robots::PosePrmSlot& slot) { return isValid(slot); }
+bool acceptsAllKindsScalarResult(const double& slot, FieldPath*) { return isValid(slot); }
 
-bool acceptsAllKindsTwiceScalar(const AllKindsTwiceScalarArguments& slot) {
-  return isValid(slot.value);
+bool acceptsAllKindsVectorResult(const std::array<double, 3>& slot, FieldPath* path) {
+  return isValid(slot, path);
 }
 
-bool acceptsAllKindsTwiceScalarResult(const double& slot) { return isValid(slot); }
-
-bool acceptsAllKindsTwiceVector(const AllKindsTwiceVectorArguments& slot) {
-  return isValid(slot.value);
+bool acceptsAllKindsRecordResult(const robots::PosePrmSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
 }
 
-bool acceptsAllKindsTwiceVectorResult(const std::array<double, 3>& slot) { return isValid(slot); }
-
-bool acceptsAllKindsTwiceRecord(const AllKindsTwiceRecordArguments& slot) {
-  return isValid(slot.value);
+bool acceptsAllKindsTwiceScalar(const AllKindsTwiceScalarArguments& slot, FieldPath* path) {
+  return isValid(slot.value) || refusedAt(path, "value");
 }
 
-bool acceptsAllKindsTwiceRecordResult(const robots::PosePrmSlot& slot) { return isValid(slot); }
-bool acceptsAllKindsTakeScalarResult(const double& slot) { return isValid(slot); }
-bool acceptsAllKindsTakeVectorResult(const std::array<double, 3>& slot) { return isValid(slot); }
-bool acceptsAllKindsTakeRecordResult(const robots::PosePrmSlot& slot) { return isValid(slot); }
+bool acceptsAllKindsTwiceScalarResult(const double& slot, FieldPath*) { return isValid(slot); }
 
-bool acceptsAllKindsSwapScalar(const AllKindsSwapScalarArguments& slot) {
-  return isValid(slot.value);
+bool acceptsAllKindsTwiceVector(const AllKindsTwiceVectorArguments& slot, FieldPath* path) {
+  return isValid(slot.value, path) || refusedAt(path, "value");
 }
 
-bool acceptsAllKindsSwapScalarResult(const double& slot) { return isValid(slot); }
-
-bool acceptsAllKindsSwapVector(const AllKindsSwapVectorArguments& slot) {
-  return isValid(slot.value);
+bool acceptsAllKindsTwiceVectorResult(const std::array<double, 3>& slot, FieldPath* path) {
+  return isValid(slot, path);
 }
 
-bool acceptsAllKindsSwapVectorResult(const std::array<double, 3>& slot) { return isValid(slot); }
-
-bool acceptsAllKindsSwapRecord(const AllKindsSwapRecordArguments& slot) {
-  return isValid(slot.value);
+bool acceptsAllKindsTwiceRecord(const AllKindsTwiceRecordArguments& slot, FieldPath* path) {
+  return isValid(slot.value, path) || refusedAt(path, "value");
 }
 
-bool acceptsAllKindsSwapRecordResult(const robots::PosePrmSlot& slot) { return isValid(slot); }
-bool acceptsAllKindsScalarSetEvent(const double& slot) { return isValid(slot); }
-bool acceptsAllKindsVectorSetEvent(const std::array<double, 3>& slot) { return isValid(slot); }
-bool acceptsAllKindsRecordSetEvent(const robots::PosePrmSlot& slot) { return isValid(slot); }
+bool acceptsAllKindsTwiceRecordResult(const robots::PosePrmSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsAllKindsTakeScalarResult(const double& slot, FieldPath*) { return isValid(slot); }
+
+bool acceptsAllKindsTakeVectorResult(const std::array<double, 3>& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsAllKindsTakeRecordResult(const robots::PosePrmSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsAllKindsSwapScalar(const AllKindsSwapScalarArguments& slot, FieldPath* path) {
+  return isValid(slot.value) || refusedAt(path, "value");
+}
+
+bool acceptsAllKindsSwapScalarResult(const double& slot, FieldPath*) { return isValid(slot); }
+
+bool acceptsAllKindsSwapVector(const AllKindsSwapVectorArguments& slot, FieldPath* path) {
+  return isValid(slot.value, path) || refusedAt(path, "value");
+}
+
+bool acceptsAllKindsSwapVectorResult(const std::array<double, 3>& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsAllKindsSwapRecord(const AllKindsSwapRecordArguments& slot, FieldPath* path) {
+  return isValid(slot.value, path) || refusedAt(path, "value");
+}
+
+bool acceptsAllKindsSwapRecordResult(const robots::PosePrmSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsAllKindsScalarSetEvent(const double& slot, FieldPath*) { return isValid(slot); }
+
+bool acceptsAllKindsVectorSetEvent(const std::array<double, 3>& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsAllKindsRecordSetEvent(const robots::PosePrmSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
 
 // --- AllKinds over Cap'n Proto RPC: the provider's side
 

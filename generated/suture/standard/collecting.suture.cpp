@@ -16,9 +16,11 @@ using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
+using suture::FieldPath;
 using suture::checkSlot;
 using suture::load;
 using suture::newSlot;
+using suture::refusedAt;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::fromWire;
@@ -39,9 +41,9 @@ static_assert(std::is_same_v<decltype(CollectedCounts::missed), std::uint64_t>);
 static_assert(std::is_same_v<decltype(CollectingInterval::every), std::uint32_t>);
 static_assert(std::is_same_v<decltype(CollectingInterval::atLeast), std::chrono::nanoseconds>);
 
-bool acceptsCollectingSetInterval(const CollectingSetIntervalArguments& slot);
-bool acceptsCollectingIntervalResult(const CollectingIntervalSlot& slot);
-bool acceptsCollectingCountsResult(const CollectedCountsSlot& slot);
+bool acceptsCollectingSetInterval(const CollectingSetIntervalArguments& slot, FieldPath* path);
+bool acceptsCollectingIntervalResult(const CollectingIntervalSlot& slot, FieldPath* path);
+bool acceptsCollectingCountsResult(const CollectedCountsSlot& slot, FieldPath* path);
 
 constexpr CommandInfo kCollectingCommands[] = {
     {.name = "start_collecting", .kind = CommandKind::Void, .depth = 16},
@@ -176,7 +178,7 @@ Errc fromWire(wire::CollectedCounts::Reader in, CollectedCountsSlot& slot, Durat
   return Errc{};
 }
 
-bool isValid(const CollectedCountsSlot&) {
+bool isValid(const CollectedCountsSlot&, FieldPath*) {
   return true;
 }
 
@@ -191,18 +193,23 @@ Errc fromWire(wire::CollectingInterval::Reader in, CollectingIntervalSlot& slot,
   return Errc{};
 }
 
-bool isValid(const CollectingIntervalSlot& slot) {
-  return inRange(slot.every, 1, 4294967295);
+bool isValid(const CollectingIntervalSlot& slot, FieldPath* path) {
+  return inRange(slot.every, 1, 4294967295) || refusedAt(path, "every");
 }
 
 namespace {
 
-bool acceptsCollectingSetInterval(const CollectingSetIntervalArguments& slot) {
-  return isValid(slot.interval);
+bool acceptsCollectingSetInterval(const CollectingSetIntervalArguments& slot, FieldPath* path) {
+  return isValid(slot.interval, path) || refusedAt(path, "interval");
 }
 
-bool acceptsCollectingIntervalResult(const CollectingIntervalSlot& slot) { return isValid(slot); }
-bool acceptsCollectingCountsResult(const CollectedCountsSlot& slot) { return isValid(slot); }
+bool acceptsCollectingIntervalResult(const CollectingIntervalSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsCollectingCountsResult(const CollectedCountsSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
 
 // --- Collecting over Cap'n Proto RPC: the provider's side
 

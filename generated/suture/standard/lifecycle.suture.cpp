@@ -17,9 +17,11 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::FieldPath;
 using suture::checkSlot;
 using suture::load;
 using suture::newSlot;
+using suture::refusedAt;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::firstError;
@@ -54,9 +56,9 @@ static_assert(std::is_same_v<decltype(StateChange::state), ComponentState>);
 static_assert(std::is_same_v<decltype(StateChange::fault), std::string>);
 static_assert(std::is_same_v<decltype(StateChange::stamp), std::chrono::steady_clock::time_point>);
 
-bool acceptsLifecycleComponentStateResult(const std::uint8_t& slot);
-bool acceptsLifecycleResumeConnectionResult(const std::uint8_t& slot);
-bool acceptsLifecycleStateChangedEvent(const StateChangeSlot& slot);
+bool acceptsLifecycleComponentStateResult(const std::uint8_t& slot, FieldPath* path);
+bool acceptsLifecycleResumeConnectionResult(const std::uint8_t& slot, FieldPath* path);
+bool acceptsLifecycleStateChangedEvent(const StateChangeSlot& slot, FieldPath* path);
 
 constexpr CommandInfo kLifecycleCommands[] = {
     {.name = "suspend",
@@ -289,21 +291,23 @@ Errc fromWire(wire::StateChange::Reader in, StateChangeSlot& slot, Duration shif
   });
 }
 
-bool isValid(const StateChangeSlot& slot) {
-  return isKnownComponentState(slot.state);
+bool isValid(const StateChangeSlot& slot, FieldPath* path) {
+  return isKnownComponentState(slot.state) || refusedAt(path, "state");
 }
 
 namespace {
 
-bool acceptsLifecycleComponentStateResult(const std::uint8_t& slot) {
+bool acceptsLifecycleComponentStateResult(const std::uint8_t& slot, FieldPath*) {
   return isKnownComponentState(slot);
 }
 
-bool acceptsLifecycleResumeConnectionResult(const std::uint8_t& slot) {
+bool acceptsLifecycleResumeConnectionResult(const std::uint8_t& slot, FieldPath*) {
   return isKnownResumeOutcome(slot);
 }
 
-bool acceptsLifecycleStateChangedEvent(const StateChangeSlot& slot) { return isValid(slot); }
+bool acceptsLifecycleStateChangedEvent(const StateChangeSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
 
 // --- Lifecycle over Cap'n Proto RPC: the provider's side
 

@@ -15,6 +15,7 @@ namespace suture {
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::FieldPath;
 using suture::checkSlot;
 using suture::load;
 using suture::rpc::ProxyPort;
@@ -37,9 +38,9 @@ static_assert(std::is_same_v<decltype(Message::code), std::uint32_t>);
 static_assert(std::is_same_v<decltype(Message::counter), std::uint32_t>);
 static_assert(std::is_same_v<decltype(Message::stamp), std::chrono::steady_clock::time_point>);
 
-bool acceptsMessagesStatusEvent(const MessageSlot& slot);
-bool acceptsMessagesWarningEvent(const MessageSlot& slot);
-bool acceptsMessagesErrorEvent(const MessageSlot& slot);
+bool acceptsMessagesStatusEvent(const MessageSlot& slot, FieldPath* path);
+bool acceptsMessagesWarningEvent(const MessageSlot& slot, FieldPath* path);
+bool acceptsMessagesErrorEvent(const MessageSlot& slot, FieldPath* path);
 
 constexpr EventInfo kMessagesEvents[] = {
     {.name = "status",
@@ -138,15 +139,23 @@ Errc fromWire(wire::Message::Reader in, MessageSlot& slot, Duration shift) {
   return fromWire(in.getText(), slot.text);
 }
 
-bool isValid(const MessageSlot&) {
+bool isValid(const MessageSlot&, FieldPath*) {
   return true;
 }
 
 namespace {
 
-bool acceptsMessagesStatusEvent(const MessageSlot& slot) { return isValid(slot); }
-bool acceptsMessagesWarningEvent(const MessageSlot& slot) { return isValid(slot); }
-bool acceptsMessagesErrorEvent(const MessageSlot& slot) { return isValid(slot); }
+bool acceptsMessagesStatusEvent(const MessageSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsMessagesWarningEvent(const MessageSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsMessagesErrorEvent(const MessageSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
 
 // --- Messages over Cap'n Proto RPC: the provider's side
 

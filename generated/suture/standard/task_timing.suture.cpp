@@ -16,8 +16,10 @@ using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
+using suture::FieldPath;
 using suture::checkSlot;
 using suture::load;
+using suture::refusedAt;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::firstError;
@@ -46,7 +48,7 @@ static_assert(std::is_same_v<decltype(TaskWindow::skipped), std::uint64_t>);
 static_assert(std::is_same_v<decltype(TaskWindow::period), DurationSummary>);
 static_assert(std::is_same_v<decltype(TaskWindow::compute), DurationSummary>);
 
-bool acceptsTaskTimingWindowResult(const TaskWindowSlot& slot);
+bool acceptsTaskTimingWindowResult(const TaskWindowSlot& slot, FieldPath* path);
 
 constexpr CommandInfo kTaskTimingCommands[] = {
     {.name = "window",
@@ -187,7 +189,7 @@ Errc fromWire(wire::DurationSummary::Reader in, DurationSummarySlot& slot, Durat
   return Errc{};
 }
 
-bool isValid(const DurationSummarySlot&) {
+bool isValid(const DurationSummarySlot&, FieldPath*) {
   return true;
 }
 
@@ -211,13 +213,16 @@ Errc fromWire(wire::TaskWindow::Reader in, TaskWindowSlot& slot, Duration shift)
   });
 }
 
-bool isValid(const TaskWindowSlot& slot) {
-  return isValid(slot.period) && isValid(slot.compute);
+bool isValid(const TaskWindowSlot& slot, FieldPath* path) {
+  if (!isValid(slot.period, path)) return refusedAt(path, "period");
+  return isValid(slot.compute, path) || refusedAt(path, "compute");
 }
 
 namespace {
 
-bool acceptsTaskTimingWindowResult(const TaskWindowSlot& slot) { return isValid(slot); }
+bool acceptsTaskTimingWindowResult(const TaskWindowSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
 
 // --- TaskTiming over Cap'n Proto RPC: the provider's side
 

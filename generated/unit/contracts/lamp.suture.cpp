@@ -14,7 +14,7 @@
 namespace suture {
 void toWire(const MessageSlot& slot, wire::Message::Builder out);
 suture::Errc fromWire(wire::Message::Reader in, MessageSlot& slot, suture::Duration shift);
-bool isValid(const MessageSlot& slot);
+bool isValid(const MessageSlot& slot, suture::FieldPath* path);
 }  // namespace suture
 
 namespace contracts {

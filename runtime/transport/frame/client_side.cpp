@@ -63,7 +63,7 @@ bool ClientSide::takeEvent(const Header& header, std::span<std::byte> payload) {
   if (payload.size() != event.payloadSize) return false;
   if (header.call < since_[header.number]) return true;
   bringHere(event.shiftPayload, payload.data());
-  if (!event.admits(payload.data())) {
+  if (!channel_->admits(event, payload.data())) {
     channel_->events.countDropped();
     return true;
   }

@@ -67,7 +67,7 @@ Errc ProviderSide::post(const Header& header, std::span<const std::byte> payload
   const auto slot = channel_->commands.claim(header.number, here(header.stamp), header.call);
   if (!slot) return slot.error();
   if (!payload.empty()) std::memcpy(*slot, payload.data(), payload.size());
-  if (!command.admits(*slot)) {
+  if (!channel_->admits(command, *slot)) {
     channel_->commands.abandon();
     return Errc::Invalid;
   }

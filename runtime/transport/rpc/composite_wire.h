@@ -68,82 +68,89 @@ Errc fromWire(Reader in, BoundedMatrix<S, R, C>& slot) {
 // --- validity
 
 template <std::uint32_t N>
-bool isValid(const BoundedText<N>&);
+bool isValid(const BoundedText<N>&, FieldPath*);
 template <class S, std::size_t N>
-bool isValid(const std::array<S, N>& slot);
+bool isValid(const std::array<S, N>& slot, FieldPath* path);
 template <class S, std::uint32_t N>
-bool isValid(const BoundedList<S, N>& slot);
+bool isValid(const BoundedList<S, N>& slot, FieldPath* path);
 template <class Key, class Value>
-bool isValid(const SlotEntry<Key, Value>& slot);
+bool isValid(const SlotEntry<Key, Value>& slot, FieldPath* path);
 template <class S>
-bool isValid(const SlotOptional<S>& slot);
+bool isValid(const SlotOptional<S>& slot, FieldPath* path);
 template <class S>
-bool isValid(const OpenOptional<S>& slot);
+bool isValid(const OpenOptional<S>& slot, FieldPath* path);
 template <class... S>
-bool isValid(const SlotTuple<S...>& slot);
+bool isValid(const SlotTuple<S...>& slot, FieldPath* path);
 template <class... S>
-bool isValid(const SlotVariant<S...>& slot);
+bool isValid(const SlotVariant<S...>& slot, FieldPath* path);
 template <Number S, std::uint32_t R, std::uint32_t C>
-bool isValid(const BoundedMatrix<S, R, C>& slot);
-inline bool isValid(SlotNothing) { return true; }
+bool isValid(const BoundedMatrix<S, R, C>& slot, FieldPath* = nullptr);
+inline bool isValid(SlotNothing, FieldPath*) { return true; }
 
+// What is there is the thing itself, so a path says no more of it.
 template <class S, class Check>
-bool allOf(const SlotOptional<S>& slot, const Check& check) {
+bool allOf(const SlotOptional<S>& slot, FieldPath*, const Check& check) {
   return slot.present == 0 || check(slot.value);
 }
 template <class S, class Check>
-bool allOf(const OpenOptional<S>& slot, const Check& check) {
+bool allOf(const OpenOptional<S>& slot, FieldPath*, const Check& check) {
   return slot.present == 0 || check(*slot.value);
 }
 template <Number S, std::uint32_t R, std::uint32_t C, class Check>
-bool allOf(const BoundedMatrix<S, R, C>& slot, const Check& check) {
+bool allOf(const BoundedMatrix<S, R, C>& slot, FieldPath*, const Check& check) {
   const auto [rows, columns] = extentOf(slot);
   if (rows != slot.rows || columns != slot.columns) return false;
-  const S* const begin = elements(slot);
-  return std::all_of(begin, begin + std::size_t{rows} * columns, check);
+  return allOf(elements(slot), std::size_t{rows} * columns, nullptr, check);
 }
 
 template <std::uint32_t N>
-bool isValid(const BoundedText<N>&) {
+bool isValid(const BoundedText<N>&, FieldPath*) {
   return true;
 }
 template <class S, std::size_t N>
-bool isValid(const std::array<S, N>& slot) {
-  return allOf(slot, [](const S& element) { return isValid(element); });
+bool isValid(const std::array<S, N>& slot, FieldPath* path) {
+  return allOf(slot, path, [path](const S& element) { return isValid(element, path); });
 }
 template <class S, std::uint32_t N>
-bool isValid(const BoundedList<S, N>& slot) {
-  return allOf(slot, [](const S& element) { return isValid(element); });
+bool isValid(const BoundedList<S, N>& slot, FieldPath* path) {
+  return allOf(slot, path, [path](const S& element) { return isValid(element, path); });
 }
 template <class Key, class Value>
-bool isValid(const SlotEntry<Key, Value>& slot) {
-  return isValid(slot.value);  // no key is a real number
+bool isValid(const SlotEntry<Key, Value>& slot, FieldPath* path) {
+  return isValid(slot.value, path);  // no key is a real number
 }
 template <class S>
-bool isValid(const SlotOptional<S>& slot) {
-  return allOf(slot, [](const S& value) { return isValid(value); });
+bool isValid(const SlotOptional<S>& slot, FieldPath* path) {
+  return allOf(slot, path, [path](const S& value) { return isValid(value, path); });
 }
 template <class S>
-bool isValid(const OpenOptional<S>& slot) {
-  return allOf(slot, [](const S& value) { return isValid(value); });
+bool isValid(const OpenOptional<S>& slot, FieldPath* path) {
+  return allOf(slot, path, [path](const S& value) { return isValid(value, path); });
+}
+template <class Tuple, std::size_t... I>
+bool areItemsValid(const Tuple& slot, FieldPath* path, std::index_sequence<I...>) {
+  const auto isItemValid = [path](const auto& one, std::size_t index) {
+    if (isValid(one, path)) return true;
+    if (path != nullptr) path->enterElement(index);
+    return false;
+  };
+  return (isItemValid(item<I>(slot), I) && ...);
 }
 template <class... S>
-bool isValid(const SlotTuple<S...>& slot) {
-  bool valid = isValid(slot.head);
-  if constexpr (sizeof...(S) > 1) valid = valid && isValid(slot.tail);
-  return valid;
+bool isValid(const SlotTuple<S...>& slot, FieldPath* path) {
+  return areItemsValid(slot, path, std::index_sequence_for<S...>());
 }
 template <class Slot, std::size_t... I>
-bool isValidAlternative(const Slot& slot, std::index_sequence<I...>) {
-  return ((slot.index == I && isValid(alternative<I>(slot))) || ...);
+bool isAlternativeValid(const Slot& slot, FieldPath* path, std::index_sequence<I...>) {
+  return ((slot.index == I && isValid(alternative<I>(slot), path)) || ...);
 }
 template <class... S>
-bool isValid(const SlotVariant<S...>& slot) {
-  return isValidAlternative(slot, std::index_sequence_for<S...>());
+bool isValid(const SlotVariant<S...>& slot, FieldPath* path) {
+  return isAlternativeValid(slot, path, std::index_sequence_for<S...>());
 }
 template <Number S, std::uint32_t R, std::uint32_t C>
-bool isValid(const BoundedMatrix<S, R, C>& slot) {
-  return allOf(slot, [](S coefficient) { return isValid(coefficient); });
+bool isValid(const BoundedMatrix<S, R, C>& slot, FieldPath*) {
+  return allOf(slot, nullptr, [](S coefficient) { return isValid(coefficient); });
 }
 
 }  // namespace suture::rpc

@@ -81,7 +81,9 @@ class ProxyPort final : public ClientEnd, private Pump, private kj::TaskSet::Err
   kj::Promise<void> event(std::uint16_t event, const Decode& decode) {
     LooseSlot<Slot> payload;
     if (const Errc error = decode(payload.value()); error != Errc{}) return remoteError(error);
-    if (!channel_->info.events[event].admits(payload.memory())) return remoteError(Errc::Invalid);
+    if (!channel_->admits(channel_->info.events[event], payload.memory())) {
+      return remoteError(Errc::Invalid, channel_->lastInvalid.read());
+    }
     push(event, payload.memory());
     return acknowledge();
   }

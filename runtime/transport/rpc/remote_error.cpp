@@ -12,10 +12,11 @@ constexpr std::string_view kPrefix = "suture error ";
 
 }  // namespace
 
-kj::Exception remoteError(Errc error) {
+kj::Exception remoteError(Errc error, const FieldPath& invalid) {
   const auto number = std::to_string(static_cast<unsigned>(error));
-  return failure(kj::Exception::Type::FAILED,
-                 std::string(kPrefix) + number + ": " + toString(error));
+  std::string text = std::string(kPrefix) + number + ": " + toString(error);
+  if (!invalid.empty()) text.append(": ").append(invalid.text());
+  return failure(kj::Exception::Type::FAILED, text);
 }
 
 Errc errcOf(const kj::Exception& exception) {
@@ -33,8 +34,10 @@ Errc errcOf(const kj::Exception& exception) {
 
 std::string reasonOf(const kj::Exception& exception) {
   const Errc error = errcOf(exception);
+  if (error != Errc::Invalid) return toString(error);
   const std::string text = describe(exception);
-  return error == Errc::Invalid && !text.starts_with(kPrefix) ? text : toString(error);
+  const std::size_t number = text.starts_with(kPrefix) ? text.find(": ") : std::string::npos;
+  return number == std::string::npos ? text : text.substr(number + 2);
 }
 
 }  // namespace suture::rpc

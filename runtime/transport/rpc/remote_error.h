@@ -3,13 +3,15 @@
 
 #include <kj/exception.h>
 #include <suture/base/errors.h>
+#include <suture/base/field_path.h>
 
 #include <string>
 
 namespace suture::rpc {
 
-/// The rejection that tells `error` to the caller, as a number and in words.
-kj::Exception remoteError(Errc error);
+/// The rejection that tells `error` to the caller, as a number and in words. `invalid` is which
+/// part of a value it is about, if that is known.
+kj::Exception remoteError(Errc error, const FieldPath& invalid = {});
 
 /// What a remote call ended in. A broken connection is OutcomeUnknown, anything else that did not
 /// come from remoteError() is Invalid.

@@ -75,10 +75,10 @@ void ServantPort::subscribe(kj::Own<EventSink> sink, EventSet events, rt::Column
   }));
 }
 
-kj::Promise<void> ServantPort::turnedAway(Errc error) {
+kj::Promise<void> ServantPort::turnedAway(const Refusal& refusal) {
   rt::increment(channel_->counts->turnedAway);
   pumpTally();
-  return remoteError(error);
+  return remoteError(refusal.error, refusal.invalid);
 }
 
 // A stamp from the future would never be late.
@@ -95,12 +95,13 @@ kj::Promise<void> ServantPort::whenTaken(std::uint16_t command) {
   return kj::mv(pair.promise);
 }
 
-ServantPort::PendingCall* ServantPort::openCall() {
+ServantPort::PendingCall* ServantPort::openCall(std::uint16_t command) {
   const auto free = std::find_if(calls_.begin(), calls_.end(), [](const PendingCall& call) {
     return call.done.get() == nullptr;
   });
   if (free == calls_.end()) return nullptr;
   free->number = ++callsOpened_ == 0 ? ++callsOpened_ : callsOpened_;
+  free->command = command;
   return &*free;
 }
 
@@ -130,12 +131,21 @@ void ServantPort::pumpReplies() {
         call.take(reply->result(), reply->stamp);
         call.done->fulfill();
       } else {
-        call.done->reject(remoteError(reply->error));
+        call.done->reject(failureOf(call, reply->error));
       }
       call = PendingCall{};
     }
     channel_->popReply();
   }
+}
+
+// The provider noted what is invalid before it answered. Of two such answers to one command, both
+// tell what the later had.
+kj::Exception ServantPort::failureOf(const PendingCall& call, Errc error) const {
+  if (error != Errc::Invalid) return remoteError(error);
+  const FieldPath last = channel_->lastInvalid.read();
+  const bool isOfThis = last.beginsWith(channel_->info.commands[call.command].name);
+  return remoteError(error, isOfThis ? last : FieldPath());
 }
 
 void ServantPort::pumpCredits() {

@@ -46,8 +46,8 @@ class ServantPort final : public ProviderEnd, private Pump, private kj::TaskSet:
   template <class Fill>
   kj::Promise<void> command(std::uint16_t command, wire::Sent::Reader sent, const Fill& fill) {
     if (sent.getAnswer()) return call(command, sent, fill, [](const std::byte*, Time) {});
-    const Errc error = post(command, sent, 0, fill);
-    if (error != Errc{}) return turnedAway(error);
+    const Refusal refusal = post(command, sent, 0, fill);
+    if (refusal.error != Errc{}) return turnedAway(refusal);
     return whenTaken(command);
   }
 
@@ -56,10 +56,10 @@ class ServantPort final : public ProviderEnd, private Pump, private kj::TaskSet:
   template <class Fill, class Convert>
   kj::Promise<void> call(std::uint16_t command, wire::Sent::Reader sent, const Fill& fill,
                          Convert take) {
-    PendingCall* pending = openCall();
-    if (pending == nullptr) return turnedAway(Errc::TooManyCalls);
-    const Errc error = post(command, sent, pending->number, fill);
-    if (error != Errc{}) return turnedAway(error);
+    PendingCall* pending = openCall(command);
+    if (pending == nullptr) return turnedAway({Errc::TooManyCalls});
+    const Refusal refusal = post(command, sent, pending->number, fill);
+    if (refusal.error != Errc{}) return turnedAway(refusal);
     taken_[command].emplace_back();  // it uses a credit, and does not wait for it
     return whenAnswered(*pending, kj::mv(take));
   }
@@ -71,39 +71,49 @@ class ServantPort final : public ProviderEnd, private Pump, private kj::TaskSet:
   using Take = kj::Function<void(const std::byte*, Time)>;
   struct PendingCall {
     std::uint32_t number = 0;  // 0: free
+    std::uint16_t command = 0;
     kj::Own<kj::PromiseFulfiller<void>> done;
     Take take = [](const std::byte*, Time) {};
   };
   using Taken = kj::Own<kj::PromiseFulfiller<void>>;
+  struct Refusal {
+    Errc error{};         // 0: there is none
+    FieldPath invalid{};  // what is, of Errc::Invalid, as far as it was decoded
+  };
 
   template <class Fill>
-  Errc post(std::uint16_t command, wire::Sent::Reader sent, std::uint32_t call, const Fill& fill) {
+  Refusal post(std::uint16_t command, wire::Sent::Reader sent, std::uint32_t call,
+               const Fill& fill) {
     if (const Errc error = errorOf(channel_->status.load(std::memory_order_acquire));
         error != Errc{}) {
-      return error;
+      return {error};
     }
-    if (readOnly_ && !isRead(channel_->info.commands[command].kind)) return Errc::NotPermitted;
+    const CommandInfo& info = channel_->info.commands[command];
+    if (readOnly_ && !isRead(info.kind)) return {Errc::NotPermitted};
     const auto slot = channel_->commands.claim(command, stampOf(sent), call);
-    if (!slot) return slot.error();
-    Errc filled = fill(*slot);
-    if (filled == Errc{} && !channel_->info.commands[command].admits(*slot)) filled = Errc::Invalid;
-    if (filled != Errc{}) {
+    if (!slot) return {slot.error()};
+    Refusal refusal{fill(*slot)};
+    if (refusal.error == Errc{} && !info.admits(*slot, &refusal.invalid)) {
+      refusal.error = Errc::Invalid;
+      channel_->lastInvalid.note(refusal.invalid);
+    }
+    if (refusal.error != Errc{}) {
       channel_->commands.abandon();
-      return filled;
+      return refusal;
     }
     channel_->commands.commit();
     channel_->ends.provider->ring();
-    return Errc{};
+    return {};
   }
 
   static bool isRead(CommandKind kind) {
     return kind == CommandKind::Read || kind == CommandKind::QualifiedRead;
   }
 
-  kj::Promise<void> turnedAway(Errc error);
+  kj::Promise<void> turnedAway(const Refusal& refusal);
   Time stampOf(wire::Sent::Reader sent) const;
   kj::Promise<void> whenTaken(std::uint16_t command);
-  PendingCall* openCall();
+  PendingCall* openCall(std::uint16_t command);
   kj::Promise<void> whenAnswered(PendingCall& call, Take take);
 
   void ending() override;
@@ -112,6 +122,7 @@ class ServantPort final : public ProviderEnd, private Pump, private kj::TaskSet:
   void pumpCredits();
   void pumpTally();
   void pumpReplies();
+  kj::Exception failureOf(const PendingCall& call, Errc error) const;
   void pumpEvents();
   void pumpRow();
   bool wanted(const rt::EventRecord& record) const;

@@ -18,7 +18,7 @@ namespace robots {
 
 void toWire(const EverythingSlot& slot, wire::Everything::Builder out);
 suture::Errc fromWire(wire::Everything::Reader in, EverythingSlot& slot, suture::Duration shift);
-bool isValid(const EverythingSlot& slot);
+bool isValid(const EverythingSlot& slot, suture::FieldPath* path = nullptr);
 wire::Mode wireMode(std::int8_t slot);
 
 namespace {
@@ -163,22 +163,26 @@ TEST_F(RoundTrip, AnUnknownEnumeratorIsRefused) {
   EXPECT_EQ(back(slot), Errc::Invalid);
 }
 
-TEST_F(RoundTrip, NumbersThatNobodyMayActOn) {
+TEST_F(RoundTrip, NumbersThatNobodyMayActOnAreToldByTheirPlace) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto valid = [this](auto change) {
+  const auto refused = [this](auto change) {
     Everything value = something();
     change(value);
     sent(value);
     EverythingSlot slot{};
     EXPECT_EQ(back(slot), Errc{});
-    return isValid(slot);
+    suture::FieldPath path;
+    const bool valid = isValid(slot, &path);
+    EXPECT_EQ(valid, path.empty());
+    return std::string(path.text());
   };
-  EXPECT_TRUE(valid([](Everything&) {}));
-  EXPECT_FALSE(valid([](Everything& value) { value.speed = 2.5; })) << "outside its range";
-  EXPECT_FALSE(valid([&](Everything& value) { value.speed = nan; }));
-  EXPECT_FALSE(valid([&](Everything& value) { value.pairs[1][0] = nan; }));
-  EXPECT_FALSE(valid([&](Everything& value) { value.track[0].pose(0, 3) = nan; }));
-  EXPECT_FALSE(valid([&](Everything& value) { value.plane.x() = static_cast<float>(nan); }));
+  EXPECT_EQ(refused([](Everything&) {}), "");
+  EXPECT_EQ(refused([](Everything& value) { value.speed = 2.5; }), "speed") << "outside its range";
+  EXPECT_EQ(refused([&](Everything& value) { value.speed = nan; }), "speed");
+  EXPECT_EQ(refused([&](Everything& value) { value.pairs[1][0] = nan; }), "pairs[1][0]");
+  EXPECT_EQ(refused([&](Everything& value) { value.track[0].pose(0, 3) = nan; }), "track[0].pose");
+  EXPECT_EQ(refused([&](Everything& value) { value.plane.x() = static_cast<float>(nan); }),
+            "plane[0]");
 }
 
 TEST_F(RoundTrip, EnumsTravelByOrdinalNotByValue) {

@@ -16,7 +16,7 @@ struct PointSlot {
 
 bool store(const Point& value, PointSlot& slot) { return slot.at = value, true; }
 void load(const PointSlot& slot, Point& value) { value = slot.at; }
-bool isValid(const PointSlot&) { return true; }
+bool isValid(const PointSlot&, suture::FieldPath*) { return true; }
 
 void toWire(const PointSlot& slot, suture::wire::Vec3::Builder out) {
   out.setX(slot.at[0]);

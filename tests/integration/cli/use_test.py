@@ -98,8 +98,8 @@ class Use(System):
     def test_the_providers_refusal_is_told(self):
         error = self.refused("call", GRIPPER, "inverse_kinematics", "--args", json.dumps({"x": json.loads(GOAL)["goal"]}),
                              "tolerance=2")
-        self.assertEqual(error, f"call inverse_kinematics of {GRIPPER}: value outside its declared limits. "
-                                f"`suture describe {GRIPPER}` tells what it takes and answers")
+        self.assertEqual(error, f"call inverse_kinematics of {GRIPPER}: value outside its declared limits: "
+                                f"inverse_kinematics.tolerance. `suture describe {GRIPPER}` tells what it takes and answers")
 
     def test_a_handler_that_throws(self):
         error = self.refused("call", GRIPPER, "grasp", "width=-1", "mode=Servo")

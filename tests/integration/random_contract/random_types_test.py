@@ -17,7 +17,7 @@ COUNT = 12  # structs
 def declarations(name):
     return (f"void toWire(const {name}Slot&, wire::{name}::Builder);\n"
             f"suture::Errc fromWire(wire::{name}::Reader, {name}Slot&, suture::Duration);\n"
-            f"bool isValid(const {name}Slot&);\n")
+            f"bool isValid(const {name}Slot&, suture::FieldPath* = nullptr);\n")
 
 
 def check(types, name):

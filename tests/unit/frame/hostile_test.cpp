@@ -7,6 +7,8 @@
 #include <array>
 #include <limits>
 #include <random>
+#include <string>
+#include <vector>
 
 #include "reference/arm_like.suture.h"
 #include "unit/rpc/socket_pair.h"
@@ -173,6 +175,34 @@ TEST(HostileFrames, OfAProviderReachNothingButItsClientsChannel) {
   EXPECT_GT(events, 100u);
   EXPECT_GT(ended, kSessions / 10);
   std::printf("%u sessions: %u events taken, %u sessions ended\n", kSessions, events, ended);
+}
+
+/// Has `side` take one frame, and returns what of its channel was refused.
+template <class Side>
+std::string refusedOf(const Header& header, std::uint32_t size) {
+  Played played;
+  auto pair = rpc::makeSocketPair();
+  const auto side = std::make_shared<Side>(played.channel, kConnection);
+  Link link(rpc::ByteStream(kj::mv(pair.ours)), kHostileEpoch);
+  link.join(side);
+  Peer peer(kj::mv(pair.theirs));
+  peer.send(header, std::vector(size, std::byte{0xff}));  // no number
+  link.arrived();
+  link.turn();
+  EXPECT_FALSE(side->broken());
+  return std::string(played.channel->lastInvalid.read().text());
+}
+
+TEST(HostileFrames, WhatTheContractDoesNotAdmitIsToldByItsPlace) {
+  constexpr std::uint16_t kServoCp = 0, kArrived = 1;
+  EXPECT_EQ(refusedOf<ProviderSide>(
+                {.kind = Kind::Command, .number = kServoCp, .connection = kConnection},
+                contract().commands[kServoCp].argumentsSize),
+            "servo_cp.goal.pose");
+  EXPECT_EQ(
+      refusedOf<ClientSide>({.kind = Kind::Event, .number = kArrived, .connection = kConnection},
+                            contract().events[kArrived].payloadSize),
+      "arrived.pose");
 }
 
 }  // namespace

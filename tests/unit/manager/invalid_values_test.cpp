@@ -39,6 +39,12 @@ class LyingArm final : public reference::wire::ArmLike::Server {
   kj::Maybe<Events>& subscriber_;
 };
 
+void fillIn(wire::Pose::Builder pose) {
+  pose.setM00(1);
+  pose.setM11(1);
+  pose.setM22(1);
+}
+
 /// Why what `send` sends is refused; "" if it is taken, for which an answer may have to wait.
 template <class Send>
 std::string answerTo(rpc::ControlThread& control, const Send& send) {
@@ -77,10 +83,7 @@ class InvalidEvents : public testing::Test {
   std::string refusalOf(double speed) {
     return answerTo(control_, [this, speed] {
       auto request = KJ_ASSERT_NONNULL(subscriber_).movedRequest();
-      auto pose = request.initValue().initPose();
-      pose.setM00(1);
-      pose.setM11(1);
-      pose.setM22(1);
+      fillIn(request.initValue().initPose());
       request.setValue2(speed);
       return request.send().ignoreResult();
     });
@@ -99,6 +102,7 @@ class InvalidEvents : public testing::Test {
 TEST_F(InvalidEvents, ReachNoHandler) {
   ASSERT_TRUE(eventually([this] { return isSubscribed(); }));
   EXPECT_NE(refusalOf(std::numeric_limits<double>::quiet_NaN()), "");
+  EXPECT_EQ(channel_->lastInvalid.read().text(), "moved.value2");
   EXPECT_EQ(channel_->events.next(), nullptr);
   EXPECT_EQ(refusalOf(1), "");
   EXPECT_NE(channel_->events.next(), nullptr);
@@ -130,6 +134,28 @@ class InvalidCommands : public testing::Test {
       return request.send().ignoreResult();
     });
   }
+  /// Calls distance(), whose answer is refused: the last that was is of command `last`.
+  std::string refusalOfDistance(const char* last) {
+    return answerTo(control_, [this, last] {
+      auto request = KJ_ASSERT_NONNULL(arm_).distanceRequest();
+      fillIn(request.initTo().initPose());
+      auto call = request.send().ignoreResult();
+      return kj::evalLast([this, last] { refuseAnswer(last); })
+          .then([call = kj::mv(call)]() mutable { return kj::mv(call); });
+    });
+  }
+  /// As a provider does: notes what is wrong, then answers.
+  void refuseAnswer(const char* last) {
+    channel_->commands.fixCut();
+    const rt::CommandRecord* const record = channel_->commands.next();
+    ASSERT_NE(record, nullptr);
+    FieldPath path;
+    path.enterMember(last);
+    channel_->lastInvalid.note(path);
+    channel_->replyError(record->call, Errc::Invalid);
+    channel_->commands.pop();
+    control_.doorbell().ring();
+  }
 
   rpc::ControlThread control_;
   rt::Doorbell provider_;
@@ -140,11 +166,19 @@ class InvalidCommands : public testing::Test {
   kj::Maybe<reference::wire::ArmLike::Client> arm_;
 };
 
-TEST_F(InvalidCommands, ReachNoHandler) {
-  EXPECT_NE(refusalOf(std::numeric_limits<double>::quiet_NaN()), "");
+TEST_F(InvalidCommands, ReachNoHandlerAndAreToldByTheirPlace) {
+  const std::string refusal = refusalOf(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_TRUE(refusal.ends_with(": value outside its declared limits: limit.speed")) << refusal;
+  EXPECT_EQ(channel_->lastInvalid.read().text(), "limit.speed");
   EXPECT_FALSE(channel_->commands.pending());
   EXPECT_EQ(refusalOf(1), "");
   EXPECT_TRUE(channel_->commands.pending());
+}
+
+TEST_F(InvalidCommands, AnAnswerThatIsRefusedIsToldByItsPlace) {
+  const std::string own = refusalOfDistance("distance"), other = refusalOfDistance("move");
+  EXPECT_TRUE(own.ends_with(": value outside its declared limits: distance")) << own;
+  EXPECT_TRUE(other.ends_with(": value outside its declared limits")) << other;
 }
 
 }  // namespace

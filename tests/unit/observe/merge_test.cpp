@@ -36,6 +36,7 @@ ConnectionReport providerEnd(const std::string& name) {
   end.executed = 95;
   end.replaced = 2;
   end.late = 2;
+  end.lastInvalid = "limit.speed";
   end.bytesReceived = 4999;
   end.commandAge = {95, 4ms, 5ms, 6ms};
   return end;
@@ -47,6 +48,7 @@ void expectWhole(const ConnectionReport& whole) {
   EXPECT_EQ(whole.executed, 95u);
   EXPECT_EQ(whole.replaced, 3u);
   EXPECT_EQ(whole.late, 2u);
+  EXPECT_EQ(whole.lastInvalid, "limit.speed");
   EXPECT_EQ(whole.bytesSent, 5000u);
   ASSERT_TRUE(whole.contract);
   EXPECT_EQ(whole.contract->staleReads, 6u);

@@ -4,6 +4,7 @@
 #include <suture/observe/observe.h>
 
 #include <chrono>
+#include <limits>
 #include <thread>
 
 #include "reference/simulated_arm.suture.h"
@@ -70,6 +71,25 @@ TEST(Observe, CountsWhatALocalConnectionDoes) {
   EXPECT_GE(report.tasks[0].window.length, 2ms);
   EXPECT_GT(report.tasks[0].window.period.mean, 0ns);
   EXPECT_GT(report.tasks[0].window.compute.p99, 0ns);
+}
+
+TEST(Observe, TellsWhichPartOfAValueWasRefused) {
+  struct Console final : suture::Device {
+    suture::Required<reference::ArmLike> arm{*this, "Arm"};
+  } console;
+  reference::SimulatedArm arm({});
+  suture::Manager manager("here");
+  manager.add("PSM", arm);
+  manager.add("Console", console);
+  manager.connect("Console/Arm", "PSM/Arm");
+  manager.start();
+  const auto present = [&] { return suture::observe(manager, suture::now()).connections.at(0); };
+  EXPECT_EQ(present().lastInvalid, "");
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(console.arm.limit(kNone, reference::Mode::Enabled));
+  EXPECT_EQ(present().invalid, 1u);
+  EXPECT_EQ(present().lastInvalid, "limit.speed");
+  manager.stop();
 }
 
 TEST(Observe, TellsHowAContractIsKeptAndWhatDevicesAre) {

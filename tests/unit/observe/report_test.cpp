@@ -20,6 +20,7 @@ suture::Report sample() {
   connection.executed = 4;
   connection.full = 5;
   connection.tooLarge = 6;
+  connection.lastInvalid = "servo_cp.goal.pose";
   connection.replaced = 7;
   connection.superseded = 8;
   connection.late = 9;
@@ -66,6 +67,7 @@ TEST(Report, EveryFieldIsInTheJson) {
   EXPECT_EQ(connection.at("contract").at("losses"), 52);
   EXPECT_EQ(connection.at("contract").at("awaits_operator"), true);
   EXPECT_EQ(connection.at("dropped"), 79);
+  EXPECT_EQ(connection.at("last_invalid"), "servo_cp.goal.pose");
   EXPECT_EQ(connection.at("lost"), 61);
   EXPECT_EQ(connection.at("unknown"), 62);
   EXPECT_EQ(connection.at("under_way"), 63);

@@ -43,6 +43,7 @@ TEST(Text, TellsAllOfAConnection) {
   ConnectionReport one = connection(ConnectionEnd::Both);
   one.whyLost = "hung: it sleeps";
   one.contract = {.staleReads = 7, .losses = 1, .awaitsOperator = true};
+  one.lastInvalid = "servo_cp.goal.pose";
   one.failed = 4;
   one.eventsDropped = 5;
   one.lost = 9;
@@ -51,14 +52,14 @@ TEST(Text, TellsAllOfAConnection) {
   one.messagesLost = 6;
   one.messagesDuplicated = 7;
   one.messagesOvertaken = 8;
-  EXPECT_EQ(
-      toText({"left", 0s, {one}, {}, {}}),
-      "process left after 0.0 s\n"
-      "connections\n"
-      "  left:Teleop/Slave -> right:PSM1/Arm: rpc, connected, both ends\n"
-      "    sent 100, executed 95, dropped 3, late 2, stale reads 7, losses 1, awaits its "
-      "operator, failed 4, events dropped 5, lost 9, unknown 10, under way 11, messages lost 6, "
-      "duplicated 7, overtaken 8, last loss: hung: it sleeps\n");
+  EXPECT_EQ(toText({"left", 0s, {one}, {}, {}}),
+            "process left after 0.0 s\n"
+            "connections\n"
+            "  left:Teleop/Slave -> right:PSM1/Arm: rpc, connected, both ends\n"
+            "    sent 100, executed 95, dropped 3, late 2, stale reads 7, losses 1, awaits its "
+            "operator, last invalid servo_cp.goal.pose, failed 4, events dropped 5, lost 9, "
+            "unknown 10, under way 11, messages lost 6, "
+            "duplicated 7, overtaken 8, last loss: hung: it sleeps\n");
 }
 
 TEST(Text, TellsWhatWasRefusedToPeers) {

@@ -155,6 +155,7 @@ TEST_F(HostileProvider, EmitsWhatNoHandlerSees) {
   EXPECT_EQ(teleop.heard, 1u);
   EXPECT_EQ(teleop.invalid, 0u);
   EXPECT_EQ(client->events.dropped(), 1u);
+  EXPECT_EQ(client->lastInvalid.read().text(), "arrived.pose");
 }
 
 TEST_F(HostileProvider, PublishesWhatNoClientSees) {
@@ -164,6 +165,7 @@ TEST_F(HostileProvider, PublishesWhatNoClientSees) {
   std::memset(state.draft(0), 0xff, state.columnSize(0));
   state.publish(now(), {.valid = 1});
   EXPECT_TRUE(eventually([&] { return teleop.poseError == Errc::Invalid; }));
+  EXPECT_EQ(client->lastInvalid.read().text(), "measured_cp.pose");
   std::memset(state.draft(0), 0, state.columnSize(0));
   state.publish(now(), {.valid = 1});
   EXPECT_TRUE(eventually([&] { return teleop.poseError == Errc{}; }));
@@ -193,6 +195,24 @@ TEST_F(HostileProvider, AnswersWhatNoClientSees) {
     return teleop.distanceError == Errc::Invalid;
   }));
   teleop.stop();
+  EXPECT_EQ(client->lastInvalid.read().text(), "distance");
+}
+
+class HostileClient : public SharedConnection, public testing::Test {};
+
+TEST_F(HostileClient, SendsWhatNoHandlerSees) {
+  psm.port.attach(offer.channel);
+  psm.start();
+  constexpr std::uint16_t kServoJp = 1;
+  const Result<std::byte*> arguments = client->commands.claim(kServoJp, now(), 0);
+  ASSERT_TRUE(arguments);
+  std::memset(*arguments, 0xff, contract.commands[kServoJp].argumentsSize);
+  client->commands.commit();
+  client->ends.provider->ring();
+  EXPECT_TRUE(eventually([&] { return !offer.channel->lastInvalid.read().empty(); }));
+  psm.stop();
+  EXPECT_EQ(offer.channel->lastInvalid.read().text(), "servo_jp.goal.position");
+  EXPECT_EQ(psm.handled, 0u);
 }
 
 class HostileMemory : public SharedConnection, public testing::TestWithParam<unsigned> {};

@@ -8,7 +8,7 @@ namespace shapes {
 
 void toWire(const ChoicesSlot& slot, wire::Choices::Builder out);
 Errc fromWire(wire::Choices::Reader in, ChoicesSlot& slot, suture::Duration shift);
-bool isValid(const ChoicesSlot& slot);
+bool isValid(const ChoicesSlot& slot, suture::FieldPath* path = nullptr);
 
 namespace {
 
@@ -137,30 +137,33 @@ TEST(Choices, AMissingAlternativeHasItsDefaults) {
   EXPECT_EQ(std::get<Point>(received.either).x, Point().x);
 }
 
-TEST(Choices, NumbersInsideAreJudged) {
-  const auto accepts = [](auto change) {
+TEST(Choices, WhatIsWrongInsideIsTold) {
+  const auto refused = [](auto change) {
     Choices value = full();
     change(value);
-    return Trip().accepts(value);
+    return Trip().refused(value);
   };
-  EXPECT_TRUE(accepts([](Choices&) {}));
-  EXPECT_FALSE(accepts([](Choices& value) { value.gain = kNaN; }));
-  EXPECT_FALSE(accepts([](Choices& value) { value.share = 1.5; }));
-  EXPECT_TRUE(accepts([](Choices& value) { value.share.reset(); }));
-  EXPECT_FALSE(accepts([](Choices& value) { value.target->x = 11; }));
-  EXPECT_FALSE(accepts([](Choices& value) { value.seen[1]->y() = kNaN; }));
-  EXPECT_FALSE(accepts([](Choices& value) { value.entry.second = kNaN; }));
-  EXPECT_FALSE(accepts([](Choices& value) { std::get<2>(value.triple).y = kNaN; }));
-  EXPECT_FALSE(accepts([](Choices& value) { value.either.emplace<4>(kNaN); }));
-  EXPECT_FALSE(accepts([](Choices& value) { value.nested = std::optional<Point>(point(kNaN)); }));
-  EXPECT_FALSE(accepts([](Choices& value) { value.owned->x = kNaN; }));
+  EXPECT_EQ(refused([](Choices&) {}), "");
+  EXPECT_EQ(refused([](Choices& value) { value.gain = kNaN; }), "gain");
+  EXPECT_EQ(refused([](Choices& value) { value.share = 1.5; }), "share");
+  EXPECT_EQ(refused([](Choices& value) { value.share.reset(); }), "");
+  EXPECT_EQ(refused([](Choices& value) { value.target->x = 11; }), "target.x");
+  EXPECT_EQ(refused([](Choices& value) { value.seen[1]->y() = kNaN; }), "seen[1][1]");
+  EXPECT_EQ(refused([](Choices& value) { value.entry.second = kNaN; }), "entry[1]");
+  EXPECT_EQ(refused([](Choices& value) { std::get<2>(value.triple).y = kNaN; }), "triple[2].y");
+  EXPECT_EQ(refused([](Choices& value) { value.either.emplace<4>(kNaN); }), "either");
+  EXPECT_EQ(refused([](Choices& value) { value.nested = std::optional<Point>(point(kNaN)); }),
+            "nested.x");
+  EXPECT_EQ(refused([](Choices& value) { value.owned->x = kNaN; }), "owned.x");
 }
 
 TEST(Choices, AnIndexOutOfRangeIsNotValid) {
   Trip trip;
-  EXPECT_TRUE(trip.accepts(full()));
+  EXPECT_EQ(trip.refused(full()), "");
   trip.slot->either.index = 5;
-  EXPECT_FALSE(isValid(*trip.slot));
+  suture::FieldPath path;
+  EXPECT_FALSE(isValid(*trip.slot, &path));
+  EXPECT_EQ(path.text(), "either");
 }
 
 }  // namespace

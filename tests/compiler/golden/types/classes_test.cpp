@@ -8,7 +8,7 @@ namespace shapes {
 
 void toWire(const ClassesSlot& slot, wire::Classes::Builder out);
 Errc fromWire(wire::Classes::Reader in, ClassesSlot& slot, suture::Duration shift);
-bool isValid(const ClassesSlot& slot);
+bool isValid(const ClassesSlot& slot, suture::FieldPath* path = nullptr);
 
 namespace {
 
@@ -49,12 +49,14 @@ TEST(Classes, AllThatIsPartOfTheValueArrives) {
 TEST(Classes, WhatIsHiddenIsJudgedToo) {
   Classes value;
   fill(value);
-  EXPECT_TRUE(Trip().accepts(value));
+  EXPECT_EQ(Trip().refused(value), "");
   value.counter = Counter(101);
-  EXPECT_FALSE(Trip().accepts(value));
+  EXPECT_EQ(Trip().refused(value), "counter.count_");
   value.counter = Counter(100);
+  value.tool.last.value.x = kNaN;
+  EXPECT_EQ(Trip().refused(value), "tool.last.value.x");
   value.tool.x = kNaN;
-  EXPECT_FALSE(Trip().accepts(value)) << "in a base";
+  EXPECT_EQ(Trip().refused(value), "tool.x") << "in a base";
 }
 
 }  // namespace

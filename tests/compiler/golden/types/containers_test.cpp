@@ -8,7 +8,7 @@ namespace shapes {
 
 void toWire(const SequencesSlot& slot, wire::Sequences::Builder out);
 Errc fromWire(wire::Sequences::Reader in, SequencesSlot& slot, suture::Duration shift);
-bool isValid(const SequencesSlot& slot);
+bool isValid(const SequencesSlot& slot, suture::FieldPath* path = nullptr);
 Errc fromWire(wire::Level in, std::int16_t& slot);
 wire::Level wireLevel(std::int16_t slot);
 
@@ -150,21 +150,39 @@ TEST(Containers, AnArrayOfAnotherLengthIsRefused) {
   EXPECT_EQ(trip.receive(), Errc::Invalid);
 }
 
-TEST(Containers, NumbersInsideAreJudged) {
-  const auto accepts = [](auto change) {
+TEST(Containers, WhatIsWrongInsideIsToldByItsPlaceOrItsKey) {
+  const auto refused = [](auto change) {
     Sequences value = full();
     change(value);
-    return Trip().accepts(value);
+    return Trip().refused(value);
   };
-  EXPECT_TRUE(accepts([](Sequences&) {}));
-  EXPECT_FALSE(accepts([](Sequences& value) { value.row[1] = kNaN; }));
-  EXPECT_FALSE(accepts([](Sequences& value) { value.path[2].y = kNaN; }));
-  EXPECT_FALSE(accepts([](Sequences& value) { value.corners[0].x = 10.5; }));
-  EXPECT_FALSE(accepts([](Sequences& value) { value.gains["a"] = kNaN; }));
-  EXPECT_FALSE(accepts([](Sequences& value) { value.points[0].x = -11; }));
-  EXPECT_FALSE(accepts([](Sequences& value) { value.series["x"][1] = static_cast<float>(kNaN); }));
-  EXPECT_FALSE(accepts([](Sequences& value) { value.shares[Level::Low] = 1.5; }));
-  EXPECT_FALSE(accepts([](Sequences& value) { value.shares[Level::Low] = kNaN; }));
+  EXPECT_EQ(refused([](Sequences&) {}), "");
+  EXPECT_EQ(refused([](Sequences& value) { value.row[1] = kNaN; }), "row[1]");
+  EXPECT_EQ(refused([](Sequences& value) { value.path[2].y = kNaN; }), "path[2].y");
+  EXPECT_EQ(refused([](Sequences& value) { value.corners[0].x = 10.5; }), "corners[0].x");
+  EXPECT_EQ(refused([](Sequences& value) { value.gains["a"] = kNaN; }), "gains[\"a\"]");
+  EXPECT_EQ(refused([](Sequences& value) { value.points[7].x = -11; }), "points[7].x");
+  EXPECT_EQ(refused([](Sequences& value) { value.series["x"][1] = static_cast<float>(kNaN); }),
+            "series[\"x\"][1]");
+  EXPECT_EQ(refused([](Sequences& value) { value.shares[Level::Low] = 1.5; }), "shares[10]");
+  EXPECT_EQ(refused([](Sequences& value) { value.shares[Level::Low] = kNaN; }), "shares[10]");
+}
+
+TEST(Containers, TheFirstOfSeveralIsTold) {
+  Sequences value = full();
+  value.shares[Level::Low] = kNaN;
+  value.path[2].y = kNaN;
+  value.path[1].x = kNaN;
+  EXPECT_EQ(Trip().refused(value), "path[1].x");
+}
+
+TEST(Containers, AnEnumeratorThatIsNotDeclaredIsToldAsWell) {
+  Trip trip;
+  EXPECT_EQ(trip.refused(full()), "");
+  trip.slot->levels.data[0] = 17;
+  suture::FieldPath path;
+  EXPECT_FALSE(isValid(*trip.slot, &path));
+  EXPECT_EQ(path.text(), "levels[0]");
 }
 
 TEST(Enums, AnUnknownOneIsTheFallback) {

@@ -15,16 +15,16 @@ using suture::Errc;
 
 void toWire(const MotionSlot& slot, wire::Motion::Builder out);
 Errc fromWire(wire::Motion::Reader in, MotionSlot& slot, Duration shift);
-bool isValid(const MotionSlot& slot);
+bool isValid(const MotionSlot& slot, suture::FieldPath* path = nullptr);
 void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out);
 Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, Duration shift);
-bool isValid(const PoseStampedSlot& slot);
+bool isValid(const PoseStampedSlot& slot, suture::FieldPath* path = nullptr);
 void toWire(const JointStateSlot& slot, wire::JointState::Builder out);
 Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, Duration shift);
-bool isValid(const JointStateSlot& slot);
+bool isValid(const JointStateSlot& slot, suture::FieldPath* path = nullptr);
 void toWire(const ViewSlot& slot, wire::View::Builder out);
 Errc fromWire(wire::View::Reader in, ViewSlot& slot, Duration shift);
-bool isValid(const ViewSlot& slot);
+bool isValid(const ViewSlot& slot, suture::FieldPath* path = nullptr);
 
 namespace {
 

@@ -8,7 +8,7 @@ namespace shapes {
 
 void toWire(const MatricesSlot& slot, wire::Matrices::Builder out);
 Errc fromWire(wire::Matrices::Reader in, MatricesSlot& slot, suture::Duration shift);
-bool isValid(const MatricesSlot& slot);
+bool isValid(const MatricesSlot& slot, suture::FieldPath* path = nullptr);
 
 namespace {
 
@@ -101,20 +101,23 @@ TEST(Matrices, ExtentsThatContradictTheDataAreRefused) {
   EXPECT_EQ(trip.receive(), Errc::TooLarge);
 }
 
-TEST(Matrices, NumbersInsideAreJudged) {
-  const auto accepts = [](auto change) {
+TEST(Matrices, VectorsTellTheCoefficientThatIsWrongAndMatricesThemselves) {
+  const auto refused = [](auto change) {
     Matrices value = full();
     change(value);
-    return Trip().accepts(value);
+    return Trip().refused(value);
   };
-  EXPECT_TRUE(accepts([](Matrices&) {}));
-  EXPECT_FALSE(accepts([](Matrices& value) { value.joints[3] = kNaN; }));
-  EXPECT_FALSE(accepts([](Matrices& value) { value.any(1, 2) = kNaN; }));
-  EXPECT_FALSE(accepts([](Matrices& value) { value.columns(2, 1) = kNaN; }));
-  EXPECT_FALSE(accepts([](Matrices& value) { value.cloud[1].z() = kNaN; }));
-  EXPECT_FALSE(accepts([](Matrices& value) { value.scaled(0, 3) = kNaN; }));
-  EXPECT_FALSE(accepts(
-      [](Matrices& value) { value.wait = std::chrono::duration<double, std::milli>(kNaN); }));
+  EXPECT_EQ(refused([](Matrices&) {}), "");
+  EXPECT_EQ(refused([](Matrices& value) { value.joints[3] = kNaN; }), "joints[3]");
+  EXPECT_EQ(refused([](Matrices& value) { value.any(1, 2) = kNaN; }), "any");
+  EXPECT_EQ(refused([](Matrices& value) { value.fixed(3, 4) = kNaN; }), "fixed");
+  EXPECT_EQ(refused([](Matrices& value) { value.columns(2, 1) = kNaN; }), "columns[1][2]");
+  EXPECT_EQ(refused([](Matrices& value) { value.cloud[1].z() = kNaN; }), "cloud[1][2]");
+  EXPECT_EQ(refused([](Matrices& value) { value.scaled(0, 3) = kNaN; }), "scaled");
+  EXPECT_EQ(refused([](Matrices& value) {
+              value.wait = std::chrono::duration<double, std::milli>(kNaN);
+            }),
+            "wait");
 }
 
 }  // namespace

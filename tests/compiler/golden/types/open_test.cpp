@@ -8,7 +8,7 @@ namespace shapes {
 
 void toWire(const OpenSlot& slot, wire::Open::Builder out);
 Errc fromWire(wire::Open::Reader in, OpenSlot& slot, suture::Duration shift);
-bool isValid(const OpenSlot& slot);
+bool isValid(const OpenSlot& slot, suture::FieldPath* path = nullptr);
 
 namespace {
 
@@ -106,18 +106,18 @@ TEST(Open, WhatHoldsItselfArrives) {
 TEST(Open, NumbersAreJudgedHoweverDeep) {
   Open value;
   fill(value, 3);
-  EXPECT_TRUE(Trip().accepts(value));
+  EXPECT_EQ(Trip().refused(value), "");
   value.cloud[2].z() = kNaN;
-  EXPECT_FALSE(Trip().accepts(value));
+  EXPECT_EQ(Trip().refused(value), "cloud[2][2]");
   fill(value, 3);
   value.any(2, 1) = 1.5;
-  EXPECT_FALSE(Trip().accepts(value));
+  EXPECT_EQ(Trip().refused(value), "any");
   fill(value, 3);
   value.root.branches.resize(1);
   value.root.branches[0].roots["deep"].branches.resize(1);
-  EXPECT_TRUE(Trip().accepts(value));
+  EXPECT_EQ(Trip().refused(value), "");
   value.root.branches[0].roots["deep"].branches[0].length = 11;
-  EXPECT_FALSE(Trip().accepts(value));
+  EXPECT_EQ(Trip().refused(value), "root.branches[0].roots[\"deep\"].branches[0].length");
 }
 
 TEST(Open, TheBoundsThatThereAreHold) {

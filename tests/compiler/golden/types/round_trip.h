@@ -5,6 +5,7 @@
 #include <capnp/serialize.h>
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
+#include <suture/base/field_path.h>
 #include <suture/base/shared_slot.h>
 #include <suture/base/time.h>
 
@@ -14,6 +15,7 @@
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace shapes {
@@ -54,10 +56,14 @@ struct RoundTrip {
     load(*slot, received);
   }
 
-  bool accepts(const Value& value) {
+  /// Which part of the value the check refuses; "" if it refuses none.
+  std::string refused(const Value& value) {
     send(value);
     EXPECT_EQ(receive(), Errc{});
-    return isValid(*slot);
+    suture::FieldPath path;
+    const bool valid = isValid(*slot, &path);
+    EXPECT_EQ(valid, path.empty());
+    return std::string(path.text());
   }
 
   bool fits(const Value& value) const {

@@ -14,7 +14,7 @@
 namespace robots {
 void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out);
 suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, suture::Duration shift);
-bool isValid(const PoseStampedSlot& slot);
+bool isValid(const PoseStampedSlot& slot, suture::FieldPath* path);
 }  // namespace robots
 
 namespace robots {
@@ -24,10 +24,12 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::FieldPath;
 using suture::checkSlot;
 using suture::elementsIn;
 using suture::load;
 using suture::newSlot;
+using suture::refusedAt;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::allOf;
@@ -75,18 +77,18 @@ static_assert(std::is_same_v<decltype(Everything::attitude), Eigen::Quaterniond>
 static_assert(std::is_same_v<decltype(Everything::period), std::chrono::milliseconds>);
 static_assert(std::is_same_v<decltype(Everything::when), std::chrono::steady_clock::time_point>);
 
-bool acceptsArmServoCp(const ArmServoCpArguments& slot);
-bool acceptsArmSetSpeed(const ArmSetSpeedArguments& slot);
-bool acceptsArmMeasuredCpResult(const PoseStampedSlot& slot);
-bool acceptsArmModeResult(const std::int8_t& slot);
-bool acceptsArmEverythingResult(const EverythingSlot& slot);
-bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot);
-bool acceptsArmInverseKinematicsResult(const EverythingSlot& slot);
-bool acceptsArmGrasp(const ArmGraspArguments& slot);
-bool acceptsArmLoadResult(const double& slot);
-bool acceptsArmModeChangedEvent(const std::int8_t& slot);
-bool acceptsArmArrivedEvent(const PoseStampedSlot& slot);
-bool acceptsArmMovedEvent(const ArmMovedPayload& slot);
+bool acceptsArmServoCp(const ArmServoCpArguments& slot, FieldPath* path);
+bool acceptsArmSetSpeed(const ArmSetSpeedArguments& slot, FieldPath* path);
+bool acceptsArmMeasuredCpResult(const PoseStampedSlot& slot, FieldPath* path);
+bool acceptsArmModeResult(const std::int8_t& slot, FieldPath* path);
+bool acceptsArmEverythingResult(const EverythingSlot& slot, FieldPath* path);
+bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot, FieldPath* path);
+bool acceptsArmInverseKinematicsResult(const EverythingSlot& slot, FieldPath* path);
+bool acceptsArmGrasp(const ArmGraspArguments& slot, FieldPath* path);
+bool acceptsArmLoadResult(const double& slot, FieldPath* path);
+bool acceptsArmModeChangedEvent(const std::int8_t& slot, FieldPath* path);
+bool acceptsArmArrivedEvent(const PoseStampedSlot& slot, FieldPath* path);
+bool acceptsArmMovedEvent(const ArmMovedPayload& slot, FieldPath* path);
 
 constexpr CommandInfo kArmCommands[] = {
     {.name = "enable", .kind = CommandKind::Void, .depth = 4},
@@ -492,45 +494,76 @@ Errc fromWire(wire::Everything::Reader in, EverythingSlot& slot, Duration shift)
   });
 }
 
-bool isValid(const EverythingSlot& slot) {
-  if (!allOf(slot.pairs, [](const std::array<double, 2>& element) { return isValid(element); })) {
-    return false;
+bool isValid(const EverythingSlot& slot, FieldPath* path) {
+  if (!inRange(slot.speed, -0.5, 2)) return refusedAt(path, "speed");
+  if (!isValid(slot.ratio)) return refusedAt(path, "ratio");
+  if (!isKnownMode(slot.mode)) return refusedAt(path, "mode");
+  if (!allOf(slot.pairs, path, [path](const std::array<double, 2>& element) {
+    return isValid(element, path);
+  })) {
+    return refusedAt(path, "pairs");
   }
-  if (!allOf(slot.modes, [](const std::int8_t& element) { return isKnownMode(element); })) {
-    return false;
+  if (!allOf(slot.modes, path, [](const std::int8_t& element) { return isKnownMode(element); })) {
+    return refusedAt(path, "modes");
   }
-  if (!allOf(slot.track, [](const PoseStampedSlot& element) { return isValid(element); })) {
-    return false;
+  if (!isValid(slot.goal, path)) return refusedAt(path, "goal");
+  if (!allOf(slot.track, path, [path](const PoseStampedSlot& element) {
+    return isValid(element, path);
+  })) {
+    return refusedAt(path, "track");
   }
-  return inRange(slot.speed, -0.5, 2) && isValid(slot.ratio) && isKnownMode(slot.mode) &&
-      isValid(slot.goal) && isValid(slot.point) && isValid(slot.plane) && isValid(slot.inertia) &&
-      isValid(slot.jacobian) && isValid(slot.attitude);
+  if (!isValid(slot.point, path)) return refusedAt(path, "point");
+  if (!isValid(slot.plane, path)) return refusedAt(path, "plane");
+  if (!isValid(slot.inertia)) return refusedAt(path, "inertia");
+  if (!isValid(slot.jacobian)) return refusedAt(path, "jacobian");
+  return isValid(slot.attitude) || refusedAt(path, "attitude");
 }
 
 namespace {
 
-bool acceptsArmServoCp(const ArmServoCpArguments& slot) { return isValid(slot.goal); }
-bool acceptsArmSetSpeed(const ArmSetSpeedArguments& slot) { return isValid(slot.speed); }
-bool acceptsArmMeasuredCpResult(const PoseStampedSlot& slot) { return isValid(slot); }
-bool acceptsArmModeResult(const std::int8_t& slot) { return isKnownMode(slot); }
-bool acceptsArmEverythingResult(const EverythingSlot& slot) { return isValid(slot); }
-
-bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot) {
-  return isValid(slot.x) && inRange(slot.tolerance, 0, 1);
+bool acceptsArmServoCp(const ArmServoCpArguments& slot, FieldPath* path) {
+  return isValid(slot.goal, path) || refusedAt(path, "goal");
 }
 
-bool acceptsArmInverseKinematicsResult(const EverythingSlot& slot) { return isValid(slot); }
-
-bool acceptsArmGrasp(const ArmGraspArguments& slot) {
-  return isValid(slot.width) && isKnownMode(slot.mode);
+bool acceptsArmSetSpeed(const ArmSetSpeedArguments& slot, FieldPath* path) {
+  return isValid(slot.speed) || refusedAt(path, "speed");
 }
 
-bool acceptsArmLoadResult(const double& slot) { return isValid(slot); }
-bool acceptsArmModeChangedEvent(const std::int8_t& slot) { return isKnownMode(slot); }
-bool acceptsArmArrivedEvent(const PoseStampedSlot& slot) { return isValid(slot); }
+bool acceptsArmMeasuredCpResult(const PoseStampedSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
 
-bool acceptsArmMovedEvent(const ArmMovedPayload& slot) {
-  return isValid(slot.value) && isValid(slot.value2) && isKnownMode(slot.value3);
+bool acceptsArmModeResult(const std::int8_t& slot, FieldPath*) { return isKnownMode(slot); }
+
+bool acceptsArmEverythingResult(const EverythingSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot, FieldPath* path) {
+  if (!isValid(slot.x, path)) return refusedAt(path, "x");
+  return inRange(slot.tolerance, 0, 1) || refusedAt(path, "tolerance");
+}
+
+bool acceptsArmInverseKinematicsResult(const EverythingSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsArmGrasp(const ArmGraspArguments& slot, FieldPath* path) {
+  if (!isValid(slot.width)) return refusedAt(path, "width");
+  return isKnownMode(slot.mode) || refusedAt(path, "mode");
+}
+
+bool acceptsArmLoadResult(const double& slot, FieldPath*) { return isValid(slot); }
+bool acceptsArmModeChangedEvent(const std::int8_t& slot, FieldPath*) { return isKnownMode(slot); }
+
+bool acceptsArmArrivedEvent(const PoseStampedSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsArmMovedEvent(const ArmMovedPayload& slot, FieldPath* path) {
+  if (!isValid(slot.value, path)) return refusedAt(path, "value");
+  if (!isValid(slot.value2)) return refusedAt(path, "value2");
+  return isKnownMode(slot.value3) || refusedAt(path, "value3");
 }
 
 // --- Arm over Cap'n Proto RPC: the provider's side

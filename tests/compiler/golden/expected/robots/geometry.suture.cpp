@@ -11,7 +11,9 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
+using suture::FieldPath;
 using suture::load;
+using suture::refusedAt;
 using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
@@ -59,8 +61,8 @@ Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, Duration shif
       : fromDefault(PoseStamped().pose, slot.pose);
 }
 
-bool isValid(const PoseStampedSlot& slot) {
-  return isValid(slot.pose);
+bool isValid(const PoseStampedSlot& slot, FieldPath* path) {
+  return isValid(slot.pose) || refusedAt(path, "pose");
 }
 
 }  // namespace robots

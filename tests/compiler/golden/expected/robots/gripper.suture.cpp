@@ -14,7 +14,7 @@
 namespace robots {
 void toWire(const EverythingSlot& slot, wire::Everything::Builder out);
 suture::Errc fromWire(wire::Everything::Reader in, EverythingSlot& slot, suture::Duration shift);
-bool isValid(const EverythingSlot& slot);
+bool isValid(const EverythingSlot& slot, suture::FieldPath* path);
 wire::Mode wireMode(std::int8_t slot);
 bool isKnownMode(std::int8_t slot);
 suture::Errc fromWire(wire::Mode in, std::int8_t& slot);
@@ -24,7 +24,7 @@ suture::Errc fromWire(wire::Mode in, std::int8_t& slot);
 namespace robots {
 void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out);
 suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, suture::Duration shift);
-bool isValid(const PoseStampedSlot& slot);
+bool isValid(const PoseStampedSlot& slot, suture::FieldPath* path);
 }  // namespace robots
 
 namespace robots {
@@ -33,9 +33,11 @@ using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Errc;
 using suture::EventInfo;
+using suture::FieldPath;
 using suture::checkSlot;
 using suture::load;
 using suture::newSlot;
+using suture::refusedAt;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::firstError;
@@ -49,10 +51,10 @@ using suture::store;
 
 namespace {
 
-bool acceptsGripperOpen(const GripperOpenArguments& slot);
-bool acceptsGripperOpeningResult(const double& slot);
-bool acceptsGripperFits(const GripperFitsArguments& slot);
-bool acceptsGripperGrippedEvent(const GripperGrippedPayload& slot);
+bool acceptsGripperOpen(const GripperOpenArguments& slot, FieldPath* path);
+bool acceptsGripperOpeningResult(const double& slot, FieldPath* path);
+bool acceptsGripperFits(const GripperFitsArguments& slot, FieldPath* path);
+bool acceptsGripperGrippedEvent(const GripperGrippedPayload& slot, FieldPath* path);
 
 constexpr CommandInfo kGripperCommands[] = {
     {.name = "open",
@@ -238,9 +240,9 @@ constexpr char kGripperDescription[] = R"json(
 "is": "@0xe827b555e2bdb416"}, {"at": 6, "name": "load", "is": "Float64"}, {"at": 7,
 "name": "opening", "is": "Float64"}]}]})json";
 
-bool acceptsNamesTitle(const NamesNameArguments& slot);
-bool acceptsNamesRangeResult(const double& slot);
-bool acceptsNamesLatchedEvent(const double& slot);
+bool acceptsNamesTitle(const NamesNameArguments& slot, FieldPath* path);
+bool acceptsNamesRangeResult(const double& slot, FieldPath* path);
+bool acceptsNamesLatchedEvent(const double& slot, FieldPath* path);
 
 constexpr CommandInfo kNamesCommands[] = {
     {.name = "queue",
@@ -323,10 +325,19 @@ bool store(const double& range, const double& slot, const double& store_,
 
 namespace {
 
-bool acceptsGripperOpen(const GripperOpenArguments& slot) { return isValid(slot.width); }
-bool acceptsGripperOpeningResult(const double& slot) { return isValid(slot); }
-bool acceptsGripperFits(const GripperFitsArguments& slot) { return isValid(slot.width); }
-bool acceptsGripperGrippedEvent(const GripperGrippedPayload& slot) { return isValid(slot.value); }
+bool acceptsGripperOpen(const GripperOpenArguments& slot, FieldPath* path) {
+  return isValid(slot.width) || refusedAt(path, "width");
+}
+
+bool acceptsGripperOpeningResult(const double& slot, FieldPath*) { return isValid(slot); }
+
+bool acceptsGripperFits(const GripperFitsArguments& slot, FieldPath* path) {
+  return isValid(slot.width) || refusedAt(path, "width");
+}
+
+bool acceptsGripperGrippedEvent(const GripperGrippedPayload& slot, FieldPath* path) {
+  return isValid(slot.value) || refusedAt(path, "value");
+}
 
 // --- Gripper over Cap'n Proto RPC: the provider's side
 
@@ -631,12 +642,14 @@ const suture::rpc::Binding& gripperBinding() {
   return kBinding;
 }
 
-bool acceptsNamesTitle(const NamesNameArguments& slot) {
-  return isValid(slot.range) && isValid(slot.slot) && isValid(slot.store);
+bool acceptsNamesTitle(const NamesNameArguments& slot, FieldPath* path) {
+  if (!isValid(slot.range)) return refusedAt(path, "range");
+  if (!isValid(slot.slot)) return refusedAt(path, "slot");
+  return isValid(slot.store) || refusedAt(path, "store");
 }
 
-bool acceptsNamesRangeResult(const double& slot) { return isValid(slot); }
-bool acceptsNamesLatchedEvent(const double& slot) { return isValid(slot); }
+bool acceptsNamesRangeResult(const double& slot, FieldPath*) { return isValid(slot); }
+bool acceptsNamesLatchedEvent(const double& slot, FieldPath*) { return isValid(slot); }
 
 // --- Names over Cap'n Proto RPC: the provider's side
 

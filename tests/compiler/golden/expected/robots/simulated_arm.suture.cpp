@@ -19,7 +19,9 @@ namespace robots {
 
 using suture::Duration;
 using suture::Errc;
+using suture::FieldPath;
 using suture::load;
+using suture::refusedAt;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::inRange;
@@ -66,8 +68,9 @@ Errc fromWire(wire::ArmParameters::Reader in, ArmParametersSlot& slot, Duration)
   });
 }
 
-bool isValid(const ArmParametersSlot& slot) {
-  return inRange(slot.rate, 1, 4000) && isKnownMode(slot.start);
+bool isValid(const ArmParametersSlot& slot, FieldPath* path) {
+  if (!inRange(slot.rate, 1, 4000)) return refusedAt(path, "rate");
+  return isKnownMode(slot.start) || refusedAt(path, "start");
 }
 
 }  // namespace robots

@@ -11,7 +11,9 @@ namespace foreign {
 
 using suture::Duration;
 using suture::Errc;
+using suture::FieldPath;
 using suture::load;
+using suture::refusedAt;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
 using suture::rpc::fromDefault;
@@ -133,8 +135,8 @@ Errc fromWire(wire::Vector::Reader in, KDLVectorSlot& slot, Duration) {
       : fromDefault(KDL::Vector().data, slot.data);
 }
 
-bool isValid(const KDLVectorSlot& slot) {
-  return isValid(slot.data);
+bool isValid(const KDLVectorSlot& slot, FieldPath* path) {
+  return isValid(slot.data, path) || refusedAt(path, "data");
 }
 
 void toWire(const KDLRotationSlot& slot, wire::Rotation::Builder out) {
@@ -146,8 +148,8 @@ Errc fromWire(wire::Rotation::Reader in, KDLRotationSlot& slot, Duration) {
       : fromDefault(KDL::Rotation().data, slot.data);
 }
 
-bool isValid(const KDLRotationSlot& slot) {
-  return isValid(slot.data);
+bool isValid(const KDLRotationSlot& slot, FieldPath* path) {
+  return isValid(slot.data, path) || refusedAt(path, "data");
 }
 
 void toWire(const KDLFrameSlot& slot, wire::Frame::Builder out) {
@@ -162,8 +164,9 @@ Errc fromWire(wire::Frame::Reader in, KDLFrameSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const KDLFrameSlot& slot) {
-  return isValid(slot.p) && isValid(slot.M);
+bool isValid(const KDLFrameSlot& slot, FieldPath* path) {
+  if (!isValid(slot.p, path)) return refusedAt(path, "p");
+  return isValid(slot.M, path) || refusedAt(path, "M");
 }
 
 void toWire(const KDLTwistSlot& slot, wire::Twist::Builder out) {
@@ -180,8 +183,9 @@ Errc fromWire(wire::Twist::Reader in, KDLTwistSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const KDLTwistSlot& slot) {
-  return isValid(slot.vel) && isValid(slot.rot);
+bool isValid(const KDLTwistSlot& slot, FieldPath* path) {
+  if (!isValid(slot.vel, path)) return refusedAt(path, "vel");
+  return isValid(slot.rot, path) || refusedAt(path, "rot");
 }
 
 void toWire(const KDLWrenchSlot& slot, wire::Wrench::Builder out) {
@@ -198,8 +202,9 @@ Errc fromWire(wire::Wrench::Reader in, KDLWrenchSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const KDLWrenchSlot& slot) {
-  return isValid(slot.force) && isValid(slot.torque);
+bool isValid(const KDLWrenchSlot& slot, FieldPath* path) {
+  if (!isValid(slot.force, path)) return refusedAt(path, "force");
+  return isValid(slot.torque, path) || refusedAt(path, "torque");
 }
 
 void toWire(const KDLJntArraySlot& slot, wire::Joints::Builder out) {
@@ -211,9 +216,9 @@ Errc fromWire(wire::Joints::Reader in, KDLJntArraySlot& slot, Duration) {
       : fromDefault(KDL::JntArray().data, slot.data);
 }
 
-bool isValid(const KDLJntArraySlot& slot) {
-  if (!allOf(slot.data, [](const double& element) { return inRange(element, -6.5, 6.5); })) {
-    return false;
+bool isValid(const KDLJntArraySlot& slot, FieldPath* path) {
+  if (!allOf(slot.data, path, [](const double& element) { return inRange(element, -6.5, 6.5); })) {
+    return refusedAt(path, "data");
   }
   return true;
 }
@@ -234,8 +239,11 @@ Errc fromWire(wire::Motion::Reader in, MotionSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const MotionSlot& slot) {
-  return isValid(slot.frame) && isValid(slot.twist) && isValid(slot.wrench) && isValid(slot.joints);
+bool isValid(const MotionSlot& slot, FieldPath* path) {
+  if (!isValid(slot.frame, path)) return refusedAt(path, "frame");
+  if (!isValid(slot.twist, path)) return refusedAt(path, "twist");
+  if (!isValid(slot.wrench, path)) return refusedAt(path, "wrench");
+  return isValid(slot.joints, path) || refusedAt(path, "joints");
 }
 
 }  // namespace foreign

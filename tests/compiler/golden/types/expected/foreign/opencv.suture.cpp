@@ -16,9 +16,11 @@ using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
+using suture::FieldPath;
 using suture::checkSlot;
 using suture::load;
 using suture::newSlot;
+using suture::refusedAt;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::allOf;
@@ -44,8 +46,8 @@ static_assert(std::is_same_v<decltype(cv::Matx33d::val), double[9]>);
 static_assert(std::is_same_v<decltype(View::intrinsics), cv::Matx33d>);
 static_assert(std::is_same_v<decltype(View::points), std::vector<cv::Point3d>>);
 
-bool acceptsCameraAim(const CameraAimArguments& slot);
-bool acceptsCameraViewResult(const ViewSlot& slot);
+bool acceptsCameraAim(const CameraAimArguments& slot, FieldPath* path);
+bool acceptsCameraViewResult(const ViewSlot& slot, FieldPath* path);
 
 constexpr CommandInfo kCameraCommands[] = {
     {.name = "aim",
@@ -153,8 +155,10 @@ Errc fromWire(wire::Point3d::Reader in, cvPoint3dSlot& slot, Duration) {
   return Errc{};
 }
 
-bool isValid(const cvPoint3dSlot& slot) {
-  return isValid(slot.x) && isValid(slot.y) && isValid(slot.z);
+bool isValid(const cvPoint3dSlot& slot, FieldPath* path) {
+  if (!isValid(slot.x)) return refusedAt(path, "x");
+  if (!isValid(slot.y)) return refusedAt(path, "y");
+  return isValid(slot.z) || refusedAt(path, "z");
 }
 
 void toWire(const cvMatx33dSlot& slot, wire::Matx33d::Builder out) {
@@ -166,8 +170,8 @@ Errc fromWire(wire::Matx33d::Reader in, cvMatx33dSlot& slot, Duration) {
       : fromDefault(cv::Matx33d().val, slot.val);
 }
 
-bool isValid(const cvMatx33dSlot& slot) {
-  return isValid(slot.val);
+bool isValid(const cvMatx33dSlot& slot, FieldPath* path) {
+  return isValid(slot.val, path) || refusedAt(path, "val");
 }
 
 void toWire(const ViewSlot& slot, wire::View::Builder out) {
@@ -187,17 +191,23 @@ Errc fromWire(wire::View::Reader in, ViewSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const ViewSlot& slot) {
-  if (!allOf(slot.points, [](const cvPoint3dSlot& element) { return isValid(element); })) {
-    return false;
+bool isValid(const ViewSlot& slot, FieldPath* path) {
+  if (!isValid(slot.intrinsics, path)) return refusedAt(path, "intrinsics");
+  if (!allOf(slot.points, path, [path](const cvPoint3dSlot& element) {
+    return isValid(element, path);
+  })) {
+    return refusedAt(path, "points");
   }
-  return isValid(slot.intrinsics);
+  return true;
 }
 
 namespace {
 
-bool acceptsCameraAim(const CameraAimArguments& slot) { return isValid(slot.at); }
-bool acceptsCameraViewResult(const ViewSlot& slot) { return isValid(slot); }
+bool acceptsCameraAim(const CameraAimArguments& slot, FieldPath* path) {
+  return isValid(slot.at, path) || refusedAt(path, "at");
+}
+
+bool acceptsCameraViewResult(const ViewSlot& slot, FieldPath* path) { return isValid(slot, path); }
 
 // --- Camera over Cap'n Proto RPC: the provider's side
 

@@ -11,7 +11,9 @@ namespace foreign {
 
 using suture::Duration;
 using suture::Errc;
+using suture::FieldPath;
 using suture::load;
+using suture::refusedAt;
 using suture::rpc::firstError;
 using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
@@ -173,7 +175,7 @@ Errc fromWire(wire::Time::Reader in, rosTimeSlot& slot, Duration) {
   return Errc{};
 }
 
-bool isValid(const rosTimeSlot&) {
+bool isValid(const rosTimeSlot&, FieldPath*) {
   return true;
 }
 
@@ -193,8 +195,8 @@ Errc fromWire(wire::Header::Reader in, HeaderSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const HeaderSlot& slot) {
-  return isValid(slot.stamp);
+bool isValid(const HeaderSlot& slot, FieldPath* path) {
+  return isValid(slot.stamp, path) || refusedAt(path, "stamp");
 }
 
 void toWire(const PointSlot& slot, wire::Point::Builder out) {
@@ -210,8 +212,10 @@ Errc fromWire(wire::Point::Reader in, PointSlot& slot, Duration) {
   return Errc{};
 }
 
-bool isValid(const PointSlot& slot) {
-  return isValid(slot.x) && isValid(slot.y) && isValid(slot.z);
+bool isValid(const PointSlot& slot, FieldPath* path) {
+  if (!isValid(slot.x)) return refusedAt(path, "x");
+  if (!isValid(slot.y)) return refusedAt(path, "y");
+  return isValid(slot.z) || refusedAt(path, "z");
 }
 
 void toWire(const QuaternionSlot& slot, wire::Quaternion::Builder out) {
@@ -229,8 +233,11 @@ Errc fromWire(wire::Quaternion::Reader in, QuaternionSlot& slot, Duration) {
   return Errc{};
 }
 
-bool isValid(const QuaternionSlot& slot) {
-  return isValid(slot.x) && isValid(slot.y) && isValid(slot.z) && isValid(slot.w);
+bool isValid(const QuaternionSlot& slot, FieldPath* path) {
+  if (!isValid(slot.x)) return refusedAt(path, "x");
+  if (!isValid(slot.y)) return refusedAt(path, "y");
+  if (!isValid(slot.z)) return refusedAt(path, "z");
+  return isValid(slot.w) || refusedAt(path, "w");
 }
 
 void toWire(const PoseSlot& slot, wire::Pose::Builder out) {
@@ -247,8 +254,9 @@ Errc fromWire(wire::Pose::Reader in, PoseSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const PoseSlot& slot) {
-  return isValid(slot.position) && isValid(slot.orientation);
+bool isValid(const PoseSlot& slot, FieldPath* path) {
+  if (!isValid(slot.position, path)) return refusedAt(path, "position");
+  return isValid(slot.orientation, path) || refusedAt(path, "orientation");
 }
 
 void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {
@@ -265,8 +273,9 @@ Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, Duration shif
   });
 }
 
-bool isValid(const PoseStampedSlot& slot) {
-  return isValid(slot.header) && isValid(slot.pose);
+bool isValid(const PoseStampedSlot& slot, FieldPath* path) {
+  if (!isValid(slot.header, path)) return refusedAt(path, "header");
+  return isValid(slot.pose, path) || refusedAt(path, "pose");
 }
 
 void toWire(const JointStateSlot& slot, wire::JointState::Builder out) {
@@ -291,9 +300,11 @@ Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, Duration shift)
   });
 }
 
-bool isValid(const JointStateSlot& slot) {
-  return isValid(slot.header) && isValid(slot.position) && isValid(slot.velocity) &&
-      isValid(slot.effort);
+bool isValid(const JointStateSlot& slot, FieldPath* path) {
+  if (!isValid(slot.header, path)) return refusedAt(path, "header");
+  if (!isValid(slot.position, path)) return refusedAt(path, "position");
+  if (!isValid(slot.velocity, path)) return refusedAt(path, "velocity");
+  return isValid(slot.effort, path) || refusedAt(path, "effort");
 }
 
 }  // namespace foreign

@@ -11,7 +11,9 @@ namespace shapes {
 
 using suture::Duration;
 using suture::Errc;
+using suture::FieldPath;
 using suture::load;
+using suture::refusedAt;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
 using suture::rpc::fromDefault;
@@ -81,12 +83,16 @@ Errc fromWire(wire::Bulk::Reader in, BulkSlot& slot, Duration) {
   });
 }
 
-bool isValid(const BulkSlot& slot) {
-  if (!allOf(slot.triple, [](const std::int16_t& element) { return inRange(element, -5, 5); })) {
-    return false;
+bool isValid(const BulkSlot& slot, FieldPath* path) {
+  if (!isValid(slot.samples, path)) return refusedAt(path, "samples");
+  if (!allOf(slot.triple, path, [](const std::int16_t& element) {
+    return inRange(element, -5, 5);
+  })) {
+    return refusedAt(path, "triple");
   }
-  return isValid(slot.samples) && isValid(slot.line) && isValid(slot.jacobian) &&
-      isValid(slot.image);
+  if (!isValid(slot.line, path)) return refusedAt(path, "line");
+  if (!isValid(slot.jacobian)) return refusedAt(path, "jacobian");
+  return isValid(slot.image) || refusedAt(path, "image");
 }
 
 }  // namespace shapes

@@ -14,14 +14,16 @@ bool isKnownLevel(std::int16_t slot);
 suture::Errc fromWire(wire::Level in, std::int16_t& slot);
 void toWire(const PointSlot& slot, wire::Point::Builder out);
 suture::Errc fromWire(wire::Point::Reader in, PointSlot& slot, suture::Duration shift);
-bool isValid(const PointSlot& slot);
+bool isValid(const PointSlot& slot, suture::FieldPath* path);
 }  // namespace shapes
 
 namespace shapes {
 
 using suture::Duration;
 using suture::Errc;
+using suture::FieldPath;
 using suture::load;
+using suture::refusedAt;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
@@ -163,7 +165,7 @@ void reserve(const ClassesSlot*, Classes& value) {
 
 void toWire(const TreeSlot& slot, wire::Tree::Builder out);
 suture::Errc fromWire(wire::Tree::Reader in, TreeSlot& slot, suture::Duration shift);
-bool isValid(const TreeSlot& slot);
+bool isValid(const TreeSlot& slot, suture::FieldPath* path);
 
 void toWire(const NamedSlot& slot, wire::Named::Builder out) {
   toWire(slot.name, out.initName(slot.name.size));
@@ -173,7 +175,7 @@ Errc fromWire(wire::Named::Reader in, NamedSlot& slot, Duration) {
   return fromWire(in.getName(), slot.name);
 }
 
-bool isValid(const NamedSlot&) {
+bool isValid(const NamedSlot&, FieldPath*) {
   return true;
 }
 
@@ -187,8 +189,9 @@ Errc fromWire(wire::StampedPoint::Reader in, StampedPointSlot& slot, Duration sh
   return fromWire(in.getValue(), slot.value, shift);
 }
 
-bool isValid(const StampedPointSlot& slot) {
-  return isValid(slot.value) && isValid(slot.time);
+bool isValid(const StampedPointSlot& slot, FieldPath* path) {
+  if (!isValid(slot.value, path)) return refusedAt(path, "value");
+  return isValid(slot.time) || refusedAt(path, "time");
 }
 
 void toWire(const ToolSlot& slot, wire::Tool::Builder out) {
@@ -205,8 +208,10 @@ Errc fromWire(wire::Tool::Reader in, ToolSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const ToolSlot& slot) {
-  return isValid(slot.base) && isValid(slot.basePoint) && isValid(slot.last);
+bool isValid(const ToolSlot& slot, FieldPath* path) {
+  if (!isValid(slot.base, path)) return false;
+  if (!isValid(slot.basePoint, path)) return false;
+  return isValid(slot.last, path) || refusedAt(path, "last");
 }
 
 void toWire(const StampedLevelSlot& slot, wire::StampedLevel::Builder out) {
@@ -219,8 +224,9 @@ Errc fromWire(wire::StampedLevel::Reader in, StampedLevelSlot& slot, Duration) {
   return fromWire(in.getValue(), slot.value);
 }
 
-bool isValid(const StampedLevelSlot& slot) {
-  return isKnownLevel(slot.value) && isValid(slot.time);
+bool isValid(const StampedLevelSlot& slot, FieldPath* path) {
+  if (!isKnownLevel(slot.value)) return refusedAt(path, "value");
+  return isValid(slot.time) || refusedAt(path, "time");
 }
 
 void toWire(const CounterSlot& slot, wire::Counter::Builder out) {
@@ -232,8 +238,8 @@ Errc fromWire(wire::Counter::Reader in, CounterSlot& slot, Duration) {
   return Errc{};
 }
 
-bool isValid(const CounterSlot& slot) {
-  return inRange(slot.count_, 0, 100);
+bool isValid(const CounterSlot& slot, FieldPath* path) {
+  return inRange(slot.count_, 0, 100) || refusedAt(path, "count_");
 }
 
 void toWire(const suture::OpenOptional<TreeSlot>& slot,
@@ -269,11 +275,13 @@ Errc fromWire(wire::Tree::Reader in, TreeSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const TreeSlot& slot) {
-  if (!allOf(slot.children, [](const TreeSlot& element) { return isValid(element); })) {
-    return false;
+bool isValid(const TreeSlot& slot, FieldPath* path) {
+  if (!allOf(slot.children, path, [path](const TreeSlot& element) {
+    return isValid(element, path);
+  })) {
+    return refusedAt(path, "children");
   }
-  return isValid(slot.shadow);
+  return isValid(slot.shadow, path) || refusedAt(path, "shadow");
 }
 
 void toWire(const ClassesSlot& slot, wire::Classes::Builder out) {
@@ -299,11 +307,17 @@ Errc fromWire(wire::Classes::Reader in, ClassesSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const ClassesSlot& slot) {
-  if (!allOf(slot.spiral, [](const PointSlot& element) { return isValid(element); })) {
-    return false;
+bool isValid(const ClassesSlot& slot, FieldPath* path) {
+  if (!isValid(slot.tool, path)) return refusedAt(path, "tool");
+  if (!isValid(slot.level, path)) return refusedAt(path, "level");
+  if (!isValid(slot.counter, path)) return refusedAt(path, "counter");
+  if (!isValid(slot.polar, path)) return refusedAt(path, "polar");
+  if (!allOf(slot.spiral, path, [path](const PointSlot& element) {
+    return isValid(element, path);
+  })) {
+    return refusedAt(path, "spiral");
   }
-  return isValid(slot.tool) && isValid(slot.level) && isValid(slot.counter) && isValid(slot.polar);
+  return true;
 }
 
 }  // namespace shapes

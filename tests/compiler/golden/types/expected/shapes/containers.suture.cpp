@@ -17,9 +17,11 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::FieldPath;
 using suture::checkSlot;
 using suture::load;
 using suture::newSlot;
+using suture::refusedAt;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::allOf;
@@ -95,13 +97,14 @@ static_assert(std::is_same_v<decltype(Matrices::scaled), Eigen::Affine3d>);
 static_assert(std::is_same_v<decltype(Matrices::wait),
                              std::chrono::duration<double, std::ratio<1, 1000>>>);
 
-bool acceptsStorePut(const StorePutArguments& slot);
-bool acceptsStoreChoose(const StoreChooseArguments& slot);
-bool acceptsStoreSequencesResult(const SequencesSlot& slot);
-bool acceptsStoreChoicesResult(const ChoicesSlot& slot);
-bool acceptsStoreMatricesResult(const MatricesSlot& slot);
-bool acceptsStoreReadingResult(const suture::SlotTuple<double, std::int16_t>& slot);
-bool acceptsStoreChangedEvent(const suture::SlotVariant<double, PointSlot>& slot);
+bool acceptsStorePut(const StorePutArguments& slot, FieldPath* path);
+bool acceptsStoreChoose(const StoreChooseArguments& slot, FieldPath* path);
+bool acceptsStoreSequencesResult(const SequencesSlot& slot, FieldPath* path);
+bool acceptsStoreChoicesResult(const ChoicesSlot& slot, FieldPath* path);
+bool acceptsStoreMatricesResult(const MatricesSlot& slot, FieldPath* path);
+bool acceptsStoreReadingResult(const suture::SlotTuple<double, std::int16_t>& slot,
+                               FieldPath* path);
+bool acceptsStoreChangedEvent(const suture::SlotVariant<double, PointSlot>& slot, FieldPath* path);
 
 constexpr CommandInfo kStoreCommands[] = {
     {.name = "put",
@@ -504,8 +507,9 @@ Errc fromWire(wire::Point::Reader in, PointSlot& slot, Duration) {
   return Errc{};
 }
 
-bool isValid(const PointSlot& slot) {
-  return inRange(slot.x, -10, 10) && isValid(slot.y);
+bool isValid(const PointSlot& slot, FieldPath* path) {
+  if (!inRange(slot.x, -10, 10)) return refusedAt(path, "x");
+  return isValid(slot.y) || refusedAt(path, "y");
 }
 
 void toWire(const suture::SlotEntry<suture::BoundedText<6>, double>& slot,
@@ -644,22 +648,32 @@ Errc fromWire(wire::Sequences::Reader in, SequencesSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const SequencesSlot& slot) {
-  if (!allOf(slot.corners, [](const PointSlot& element) { return isValid(element); })) {
-    return false;
+bool isValid(const SequencesSlot& slot, FieldPath* path) {
+  if (!isValid(slot.row, path)) return refusedAt(path, "row");
+  if (!allOf(slot.corners, path, [path](const PointSlot& element) {
+    return isValid(element, path);
+  })) {
+    return refusedAt(path, "corners");
   }
-  if (!allOf(slot.path, [](const PointSlot& element) { return isValid(element); })) {
-    return false;
+  if (!allOf(slot.path, path, [path](const PointSlot& element) {
+    return isValid(element, path);
+  })) {
+    return refusedAt(path, "path");
   }
-  if (!allOf(slot.levels, [](const std::int16_t& element) { return isKnownLevel(element); })) {
-    return false;
+  if (!allOf(slot.levels, path, [](const std::int16_t& element) {
+    return isKnownLevel(element);
+  })) {
+    return refusedAt(path, "levels");
   }
-  if (!allOf(slot.shares, [](const suture::SlotEntry<std::int16_t, double>& element) {
+  if (!isValid(slot.gains, path)) return refusedAt(path, "gains");
+  if (!isValid(slot.points, path)) return refusedAt(path, "points");
+  if (!isValid(slot.series, path)) return refusedAt(path, "series");
+  if (!allOf(slot.shares, path, [](const suture::SlotEntry<std::int16_t, double>& element) {
     return inRange(element.value, 0, 1);
   })) {
-    return false;
+    return refusedAt(path, "shares");
   }
-  return isValid(slot.row) && isValid(slot.gains) && isValid(slot.points) && isValid(slot.series);
+  return true;
 }
 
 void toWire(const suture::SlotOptional<double>& slot,
@@ -909,18 +923,23 @@ Errc fromWire(wire::Choices::Reader in, ChoicesSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const ChoicesSlot& slot) {
-  if (!allOf(slot.share, [](const double& element) { return inRange(element, 0, 1); })) {
-    return false;
+bool isValid(const ChoicesSlot& slot, FieldPath* path) {
+  if (!isValid(slot.gain, path)) return refusedAt(path, "gain");
+  if (!allOf(slot.share, path, [](const double& element) { return inRange(element, 0, 1); })) {
+    return refusedAt(path, "share");
   }
-  if (!allOf(slot.seen, [](const suture::SlotOptional<std::array<double, 3>>& element) {
-    return isValid(element);
+  if (!isValid(slot.target, path)) return refusedAt(path, "target");
+  if (!isValid(slot.polygon, path)) return refusedAt(path, "polygon");
+  if (!allOf(slot.seen, path, [path](const suture::SlotOptional<std::array<double, 3>>& element) {
+    return isValid(element, path);
   })) {
-    return false;
+    return refusedAt(path, "seen");
   }
-  return isValid(slot.gain) && isValid(slot.target) && isValid(slot.polygon) &&
-      isValid(slot.entry) && isValid(slot.triple) && isValid(slot.either) && isValid(slot.nested) &&
-      isValid(slot.owned);
+  if (!isValid(slot.entry, path)) return refusedAt(path, "entry");
+  if (!isValid(slot.triple, path)) return refusedAt(path, "triple");
+  if (!isValid(slot.either, path)) return refusedAt(path, "either");
+  if (!isValid(slot.nested, path)) return refusedAt(path, "nested");
+  return isValid(slot.owned, path) || refusedAt(path, "owned");
 }
 
 void toWire(const MatricesSlot& slot, wire::Matrices::Builder out) {
@@ -955,18 +974,29 @@ Errc fromWire(wire::Matrices::Reader in, MatricesSlot& slot, Duration) {
   });
 }
 
-bool isValid(const MatricesSlot& slot) {
-  if (!allOf(slot.columns, [](const std::array<double, 3>& element) { return isValid(element); })) {
-    return false;
+bool isValid(const MatricesSlot& slot, FieldPath* path) {
+  if (!isValid(slot.joints, path)) return refusedAt(path, "joints");
+  if (!isValid(slot.row, path)) return refusedAt(path, "row");
+  if (!isValid(slot.any)) return refusedAt(path, "any");
+  if (!allOf(slot.columns, path, [path](const std::array<double, 3>& element) {
+    return isValid(element, path);
+  })) {
+    return refusedAt(path, "columns");
   }
-  if (!allOf(slot.cloud, [](const std::array<double, 3>& element) { return isValid(element); })) {
-    return false;
+  if (!isValid(slot.limited, path)) return refusedAt(path, "limited");
+  if (!isValid(slot.fixed)) return refusedAt(path, "fixed");
+  if (!allOf(slot.cloud, path, [path](const std::array<double, 3>& element) {
+    return isValid(element, path);
+  })) {
+    return refusedAt(path, "cloud");
   }
-  if (!allOf(slot.wrenches, [](const std::array<float, 6>& element) { return isValid(element); })) {
-    return false;
+  if (!allOf(slot.wrenches, path, [path](const std::array<float, 6>& element) {
+    return isValid(element, path);
+  })) {
+    return refusedAt(path, "wrenches");
   }
-  return isValid(slot.joints) && isValid(slot.row) && isValid(slot.any) && isValid(slot.limited) &&
-      isValid(slot.fixed) && isValid(slot.scaled) && isValid(slot.wait);
+  if (!isValid(slot.scaled)) return refusedAt(path, "scaled");
+  return isValid(slot.wait) || refusedAt(path, "wait");
 }
 
 void toWire(const suture::SlotTuple<double, std::int16_t>& slot,
@@ -1003,18 +1033,33 @@ Errc fromWire(wire::ShapesContainersEitherOfFloat64OrPoint::Reader in,
 
 namespace {
 
-bool acceptsStorePut(const StorePutArguments& slot) { return isValid(slot.value); }
-bool acceptsStoreChoose(const StoreChooseArguments& slot) { return isValid(slot.gain); }
-bool acceptsStoreSequencesResult(const SequencesSlot& slot) { return isValid(slot); }
-bool acceptsStoreChoicesResult(const ChoicesSlot& slot) { return isValid(slot); }
-bool acceptsStoreMatricesResult(const MatricesSlot& slot) { return isValid(slot); }
-
-bool acceptsStoreReadingResult(const suture::SlotTuple<double, std::int16_t>& slot) {
-  return isValid(slot);
+bool acceptsStorePut(const StorePutArguments& slot, FieldPath* path) {
+  return isValid(slot.value, path) || refusedAt(path, "value");
 }
 
-bool acceptsStoreChangedEvent(const suture::SlotVariant<double, PointSlot>& slot) {
-  return isValid(slot);
+bool acceptsStoreChoose(const StoreChooseArguments& slot, FieldPath* path) {
+  return isValid(slot.gain, path) || refusedAt(path, "gain");
+}
+
+bool acceptsStoreSequencesResult(const SequencesSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsStoreChoicesResult(const ChoicesSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsStoreMatricesResult(const MatricesSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsStoreReadingResult(const suture::SlotTuple<double, std::int16_t>& slot,
+                               FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsStoreChangedEvent(const suture::SlotVariant<double, PointSlot>& slot, FieldPath* path) {
+  return isValid(slot, path);
 }
 
 // --- Store over Cap'n Proto RPC: the provider's side

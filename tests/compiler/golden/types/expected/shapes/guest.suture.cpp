@@ -12,7 +12,9 @@ namespace shapes {
 
 using suture::Duration;
 using suture::Errc;
+using suture::FieldPath;
 using suture::load;
+using suture::refusedAt;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
@@ -51,8 +53,9 @@ Errc fromWire(wire::Limits::Reader in, guestLimitsSlot& slot, Duration) {
   return Errc{};
 }
 
-bool isValid(const guestLimitsSlot& slot) {
-  return isValid(slot.low) && isValid(slot.high);
+bool isValid(const guestLimitsSlot& slot, FieldPath* path) {
+  if (!isValid(slot.low)) return refusedAt(path, "low");
+  return isValid(slot.high) || refusedAt(path, "high");
 }
 
 }  // namespace shapes

@@ -17,10 +17,12 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::FieldPath;
 using suture::checkSlot;
 using suture::elementsIn;
 using suture::load;
 using suture::newSlot;
+using suture::refusedAt;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::allOf;
@@ -60,9 +62,9 @@ static_assert(std::is_same_v<decltype(Moments::entry),
 static_assert(std::is_same_v<decltype(Moments::either),
                              std::variant<std::int64_t, std::chrono::steady_clock::time_point, shapes::Moment>>);
 
-bool acceptsJournalMomentsResult(const MomentsSlot& slot);
-bool acceptsJournalFindResult(const suture::SlotOptional<MomentSlot>& slot);
-bool acceptsJournalChangedEvent(const JournalChangedPayload& slot);
+bool acceptsJournalMomentsResult(const MomentsSlot& slot, FieldPath* path);
+bool acceptsJournalFindResult(const suture::SlotOptional<MomentSlot>& slot, FieldPath* path);
+bool acceptsJournalChangedEvent(const JournalChangedPayload& slot, FieldPath* path);
 
 void shiftJournalLatestResult(std::int64_t& slot, Duration shift) { slot = shifted(slot, shift); }
 
@@ -332,7 +334,7 @@ Errc fromWire(wire::Moment::Reader in, MomentSlot& slot, Duration shift) {
   return Errc{};
 }
 
-bool isValid(const MomentSlot&) {
+bool isValid(const MomentSlot&, FieldPath*) {
   return true;
 }
 
@@ -466,22 +468,30 @@ Errc fromWire(wire::Moments::Reader in, MomentsSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const MomentsSlot& slot) {
-  if (!allOf(slot.moments, [](const MomentSlot& element) { return isValid(element); })) {
-    return false;
+bool isValid(const MomentsSlot& slot, FieldPath* path) {
+  if (!allOf(slot.moments, path, [path](const MomentSlot& element) {
+    return isValid(element, path);
+  })) {
+    return refusedAt(path, "moments");
   }
-  return isValid(slot.moment) && isValid(slot.entry) && isValid(slot.either);
+  if (!isValid(slot.moment, path)) return refusedAt(path, "moment");
+  if (!isValid(slot.entry, path)) return refusedAt(path, "entry");
+  return isValid(slot.either, path) || refusedAt(path, "either");
 }
 
 namespace {
 
-bool acceptsJournalMomentsResult(const MomentsSlot& slot) { return isValid(slot); }
-
-bool acceptsJournalFindResult(const suture::SlotOptional<MomentSlot>& slot) {
-  return isValid(slot);
+bool acceptsJournalMomentsResult(const MomentsSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
 }
 
-bool acceptsJournalChangedEvent(const JournalChangedPayload& slot) { return isValid(slot.value); }
+bool acceptsJournalFindResult(const suture::SlotOptional<MomentSlot>& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsJournalChangedEvent(const JournalChangedPayload& slot, FieldPath* path) {
+  return isValid(slot.value, path) || refusedAt(path, "value");
+}
 
 // --- Journal over Cap'n Proto RPC: the provider's side
 

@@ -14,7 +14,7 @@
 namespace shapes {
 void toWire(const PointSlot& slot, wire::Point::Builder out);
 suture::Errc fromWire(wire::Point::Reader in, PointSlot& slot, suture::Duration shift);
-bool isValid(const PointSlot& slot);
+bool isValid(const PointSlot& slot, suture::FieldPath* path);
 }  // namespace shapes
 
 namespace shapes {
@@ -24,9 +24,11 @@ using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
+using suture::FieldPath;
 using suture::checkSlot;
 using suture::load;
 using suture::newSlot;
+using suture::refusedAt;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::allOf;
@@ -74,12 +76,12 @@ static_assert(std::is_same_v<decltype(Open::cloud), std::vector<Eigen::Vector3d>
 static_assert(std::is_same_v<decltype(Open::image), Eigen::MatrixXd>);
 static_assert(std::is_same_v<decltype(Open::root), Root>);
 
-bool acceptsArchivePut(const ArchivePutArguments& slot);
-bool acceptsArchiveNewestResult(const OpenSlot& slot);
-bool acceptsArchiveReplace(const ArchiveReplaceArguments& slot);
-bool acceptsArchiveReplaceResult(const OpenSlot& slot);
-bool acceptsArchiveGrownEvent(const ArchiveGrownPayload& slot);
-bool acceptsArchiveChangedEvent(const OpenSlot& slot);
+bool acceptsArchivePut(const ArchivePutArguments& slot, FieldPath* path);
+bool acceptsArchiveNewestResult(const OpenSlot& slot, FieldPath* path);
+bool acceptsArchiveReplace(const ArchiveReplaceArguments& slot, FieldPath* path);
+bool acceptsArchiveReplaceResult(const OpenSlot& slot, FieldPath* path);
+bool acceptsArchiveGrownEvent(const ArchiveGrownPayload& slot, FieldPath* path);
+bool acceptsArchiveChangedEvent(const OpenSlot& slot, FieldPath* path);
 
 constexpr CommandInfo kArchiveCommands[] = {
     {.name = "put",
@@ -359,10 +361,10 @@ void load(const ArchiveGrownPayload& slot, std::string& value, Root& value2) {
 
 void toWire(const BranchSlot& slot, wire::Branch::Builder out);
 suture::Errc fromWire(wire::Branch::Reader in, BranchSlot& slot, suture::Duration shift);
-bool isValid(const BranchSlot& slot);
+bool isValid(const BranchSlot& slot, suture::FieldPath* path);
 void toWire(const RootSlot& slot, wire::Root::Builder out);
 suture::Errc fromWire(wire::Root::Reader in, RootSlot& slot, suture::Duration shift);
-bool isValid(const RootSlot& slot);
+bool isValid(const RootSlot& slot, suture::FieldPath* path);
 
 void toWire(const suture::SlotEntry<suture::OpenText, RootSlot>& slot,
             wire::ShapesOpenEntryOfTextToRoot::Builder out) {
@@ -393,8 +395,9 @@ Errc fromWire(wire::Branch::Reader in, BranchSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const BranchSlot& slot) {
-  return inRange(slot.length, 0, 10) && isValid(slot.roots);
+bool isValid(const BranchSlot& slot, FieldPath* path) {
+  if (!inRange(slot.length, 0, 10)) return refusedAt(path, "length");
+  return isValid(slot.roots, path) || refusedAt(path, "roots");
 }
 
 void toWire(const suture::OpenOptional<RootSlot>& slot, wire::ShapesOpenOptionalRoot::Builder out) {
@@ -436,14 +439,19 @@ Errc fromWire(wire::Root::Reader in, RootSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const RootSlot& slot) {
-  if (!allOf(slot.children, [](const RootSlot& element) { return isValid(element); })) {
-    return false;
+bool isValid(const RootSlot& slot, FieldPath* path) {
+  if (!allOf(slot.children, path, [path](const RootSlot& element) {
+    return isValid(element, path);
+  })) {
+    return refusedAt(path, "children");
   }
-  if (!allOf(slot.branches, [](const BranchSlot& element) { return isValid(element); })) {
-    return false;
+  if (!isValid(slot.shadow, path)) return refusedAt(path, "shadow");
+  if (!allOf(slot.branches, path, [path](const BranchSlot& element) {
+    return isValid(element, path);
+  })) {
+    return refusedAt(path, "branches");
   }
-  return isValid(slot.shadow);
+  return true;
 }
 
 void toWire(const suture::SlotEntry<suture::OpenText, suture::OpenList<PointSlot>>& slot,
@@ -584,29 +592,55 @@ Errc fromWire(wire::Open::Reader in, OpenSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const OpenSlot& slot) {
-  if (!allOf(slot.path, [](const PointSlot& element) { return isValid(element); })) {
-    return false;
+bool isValid(const OpenSlot& slot, FieldPath* path) {
+  if (!isValid(slot.samples, path)) return refusedAt(path, "samples");
+  if (!isValid(slot.block, path)) return refusedAt(path, "block");
+  if (!allOf(slot.path, path, [path](const PointSlot& element) {
+    return isValid(element, path);
+  })) {
+    return refusedAt(path, "path");
   }
-  if (!allOf(slot.any, [](double element) { return inRange(element, -1, 1); })) {
-    return false;
+  if (!isValid(slot.series, path)) return refusedAt(path, "series");
+  if (!isValid(slot.either, path)) return refusedAt(path, "either");
+  if (!isValid(slot.joints, path)) return refusedAt(path, "joints");
+  if (!allOf(slot.any, nullptr, [](double element) { return inRange(element, -1, 1); })) {
+    return refusedAt(path, "any");
   }
-  if (!allOf(slot.cloud, [](const std::array<double, 3>& element) { return isValid(element); })) {
-    return false;
+  if (!isValid(slot.wide)) return refusedAt(path, "wide");
+  if (!allOf(slot.cloud, path, [path](const std::array<double, 3>& element) {
+    return isValid(element, path);
+  })) {
+    return refusedAt(path, "cloud");
   }
-  return isValid(slot.samples) && isValid(slot.block) && isValid(slot.series) &&
-      isValid(slot.either) && isValid(slot.joints) && isValid(slot.wide) && isValid(slot.image) &&
-      isValid(slot.root);
+  if (!isValid(slot.image)) return refusedAt(path, "image");
+  return isValid(slot.root, path) || refusedAt(path, "root");
 }
 
 namespace {
 
-bool acceptsArchivePut(const ArchivePutArguments& slot) { return isValid(slot.value); }
-bool acceptsArchiveNewestResult(const OpenSlot& slot) { return isValid(slot); }
-bool acceptsArchiveReplace(const ArchiveReplaceArguments& slot) { return isValid(slot.value); }
-bool acceptsArchiveReplaceResult(const OpenSlot& slot) { return isValid(slot); }
-bool acceptsArchiveGrownEvent(const ArchiveGrownPayload& slot) { return isValid(slot.value2); }
-bool acceptsArchiveChangedEvent(const OpenSlot& slot) { return isValid(slot); }
+bool acceptsArchivePut(const ArchivePutArguments& slot, FieldPath* path) {
+  return isValid(slot.value, path) || refusedAt(path, "value");
+}
+
+bool acceptsArchiveNewestResult(const OpenSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsArchiveReplace(const ArchiveReplaceArguments& slot, FieldPath* path) {
+  return isValid(slot.value, path) || refusedAt(path, "value");
+}
+
+bool acceptsArchiveReplaceResult(const OpenSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
+
+bool acceptsArchiveGrownEvent(const ArchiveGrownPayload& slot, FieldPath* path) {
+  return isValid(slot.value2, path) || refusedAt(path, "value2");
+}
+
+bool acceptsArchiveChangedEvent(const OpenSlot& slot, FieldPath* path) {
+  return isValid(slot, path);
+}
 
 // --- Archive over Cap'n Proto RPC: the provider's side
 
