@@ -17,6 +17,7 @@ enum class SUTURE_TYPE() ArmWarning : std::uint8_t {
   NotEnabled,  ///< motion commands need an enabled arm
   OutOfReach,  ///< no joint vector within limits reaches the goal
   Malformed,   ///< the goal has the wrong length, is not finite or not a pose
+  ClientGone,  ///< the client whose stream it followed is gone; the arm holds
 };
 
 /// Commands run in the arm's own thread before its next cycle; reads are from the end of its last

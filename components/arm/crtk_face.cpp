@@ -197,7 +197,7 @@ void CrtkFace<N>::drive(const std::optional<JointStreamGoal<N>>& goal, const cha
   if (!arm_.mayMove()) return;
   if (!goal) return arm_.warn(ArmWarning::Malformed);
   const Joints& limit = arm_.model_.rate_limit;
-  arm_.follow(arm_.setpoint_, {}, activity);
+  arm_.followStream(arm_.setpoint_, {}, activity);
   stream_.follow(goal->rate.cwiseMax(-limit).cwiseMin(limit), activity, goal->bounds);
 }
 
@@ -228,7 +228,7 @@ void CrtkFace<N>::drive(typename Stream::Kind kind, const std::optional<TwistStr
                         const char* activity, const Eigen::Matrix3d& axes) {
   if (!arm_.mayMove()) return;
   if (!goal) return arm_.warn(ArmWarning::Malformed);
-  arm_.follow(arm_.setpoint_, {}, activity);
+  arm_.followStream(arm_.setpoint_, {}, activity);
   stream_.follow(kind, goal->twist, activity, goal->force, {.change = goal->change, .axes = axes});
 }
 
@@ -363,6 +363,7 @@ std::string_view CrtkFace<N>::textOf(ArmWarning warning) {
     case ArmWarning::NotEnabled: return "motion needs an enabled arm";
     case ArmWarning::OutOfReach: return "no joint vector within limits reaches the goal";
     case ArmWarning::Malformed: return "the goal has the wrong length or is not finite or no pose";
+    case ArmWarning::ClientGone: return "the client whose stream the arm followed is gone";
   }
   return "";
 }

@@ -30,6 +30,11 @@ ArmModel<7> model(const MtmParameters& parameters) {
 Mtm::Mtm(const MtmParameters& parameters)
     : PeriodicTask({.period = parameters.period}), SimulatedArm(model(parameters)) {}
 
+void Mtm::onClient(const suture::ProvidedBase& /*interface*/, const suture::ConnectedClient& client,
+                   suture::ClientNews news) {
+  if (news != suture::ClientNews::Connected) clientGone(client);
+}
+
 void Mtm::run() {
   const suture::Time now = suture::now();
   face_.advance(now);

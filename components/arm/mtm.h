@@ -35,6 +35,10 @@ class SUTURE_COMPONENT() Mtm final : public suture::PeriodicTask, public Simulat
   void run() override;
 
  private:
+  const suture::ConnectedClient* asking() const override { return caller(); }
+  void onClient(const suture::ProvidedBase& interface, const suture::ConnectedClient& client,
+                suture::ClientNews news) override;
+
   CrtkFace<7> face_{*this};
   suture::Provided<Arm> arm_{*this, "Arm", *this};
   suture::Provided<CrtkArm> crtk_{*this, "Crtk", face_};

@@ -27,6 +27,11 @@ ArmModel<6> model(const PsmParameters& parameters) {
 Psm::Psm(const PsmParameters& parameters)
     : PeriodicTask({.period = parameters.period}), SimulatedArm(model(parameters)) {}
 
+void Psm::onClient(const suture::ProvidedBase& /*interface*/, const suture::ConnectedClient& client,
+                   suture::ClientNews news) {
+  if (news != suture::ClientNews::Connected) clientGone(client);
+}
+
 void Psm::run() {
   const suture::Time now = suture::now();
   face_.advance(now);

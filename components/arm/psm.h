@@ -34,6 +34,10 @@ class SUTURE_COMPONENT() Psm final : public suture::PeriodicTask, public Simulat
   void run() override;
 
  private:
+  const suture::ConnectedClient* asking() const override { return caller(); }
+  void onClient(const suture::ProvidedBase& interface, const suture::ConnectedClient& client,
+                suture::ClientNews news) override;
+
   CrtkFace<6> face_{*this};
   suture::Provided<Arm> arm_{*this, "Arm", *this};
   suture::Provided<CrtkArm> crtk_{*this, "Crtk", face_};

@@ -160,6 +160,7 @@ void SimulatedArm<N>::startMove(const Joints& goal, bool homing) {
 template <int N>
 void SimulatedArm<N>::endMove(bool reached) {
   servoing_.end();
+  streamer_ = nullptr;
   if (!move_) return;
   move_.reset();
   moveEnded_ = reached;
@@ -177,9 +178,23 @@ void SimulatedArm<N>::follow(const Joints& setpoint, suture::Time goalStamp, con
 }
 
 template <int N>
-void SimulatedArm<N>::servo(const Joints& setpoint, suture::Time goalStamp, const char* activity) {
+void SimulatedArm<N>::followStream(const Joints& setpoint, suture::Time goalStamp,
+                                   const char* activity) {
   follow(setpoint, goalStamp, activity);
+  streamer_ = asking();
+}
+
+template <int N>
+void SimulatedArm<N>::servo(const Joints& setpoint, suture::Time goalStamp, const char* activity) {
+  followStream(setpoint, goalStamp, activity);
   servoing_.ask();
+}
+
+template <int N>
+void SimulatedArm<N>::clientGone(const suture::ConnectedClient& client) {
+  if (&client != streamer_) return;
+  hold();
+  warn(ArmWarning::ClientGone);
 }
 
 template <int N>

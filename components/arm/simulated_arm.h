@@ -3,6 +3,7 @@
 // joints.
 
 #include <suture/base/time.h>
+#include <suture/component/connected_client.h>
 
 #include <array>
 #include <optional>
@@ -58,6 +59,10 @@ class SimulatedArm : public Arm {
   PoseStamped forward_kinematics(const JointGoal& q) const override;
   JointSolution inverse_kinematics(const PoseStamped& goal) const override;
 
+  /// `client` is gone: if the arm follows a stream of its goals, that ends as hold(), and the arm
+  /// says so. A move goes on to its end.
+  void clientGone(const suture::ConnectedClient& client);
+
   /// One cycle at time `now`, after the commands that arrived for it.
   void step(suture::Time now);
 
@@ -75,13 +80,18 @@ class SimulatedArm : public Arm {
  private:
   friend class CrtkFace<N>;  // the rest of the same arm
 
+  /// Whose command is being executed; null: nobody's who could be gone.
+  virtual const suture::ConnectedClient* asking() const { return nullptr; }
+
   bool mayMove();
   void warn(ArmWarning reason);
   void enter(ArmState state, const char* activity);
   void startMove(const Joints& goal, bool homing);
   void endMove(bool reached);
   void follow(const Joints& setpoint, suture::Time goalStamp, const char* activity);
-  /// The same for a goal that has to be repeated.
+  /// The same for what a client streams.
+  void followStream(const Joints& setpoint, suture::Time goalStamp, const char* activity);
+  /// The same for goals of positions.
   void servo(const Joints& setpoint, suture::Time goalStamp, const char* activity);
   void publish(suture::Time now);
 
@@ -94,8 +104,9 @@ class SimulatedArm : public Arm {
   std::optional<JointMove<N>> move_;
   suture::Time moveStart_;  // of the cycle that began move_
   bool homing_ = false;
-  StreamWatch servoing_;  // whatever else the arm does ends it
-  double moveRatio_ = 1;  // of the rates that a move may use
+  StreamWatch servoing_;                               // whatever else the arm does ends it
+  const suture::ConnectedClient* streamer_ = nullptr;  // whose stream is followed
+  double moveRatio_ = 1;                               // of the rates that a move may use
 
   JointState measuredJs_, setpointJs_;
   PoseStamped measuredCp_, setpointCp_;

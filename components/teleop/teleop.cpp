@@ -44,7 +44,8 @@ void Teleop::run() {
   const auto slaveSample = slave_.setpoint_cp();
   const PoseStamped* master = usable(masterSample);
   const PoseStamped* slave = usable(slaveSample);
-  if (master == nullptr || slave == nullptr || !masterWatch_.ready() || !slaveWatch_.ready()) {
+  if (master == nullptr || slave == nullptr || isOld(*master) || !masterWatch_.ready() ||
+      !slaveWatch_.ready()) {
     return leave();
   }
   if (!law_) begin(*master, *slave);
@@ -54,6 +55,10 @@ void Teleop::run() {
 
 const PoseStamped* Teleop::usable(const suture::Sample<PoseStamped>& sample) const {
   return sample && sample.age() <= maxAge_ && sample->valid ? &*sample : nullptr;
+}
+
+bool Teleop::isOld(const PoseStamped& master) const {
+  return suture::now() - master.stamp > maxAge_;
 }
 
 void Teleop::begin(const PoseStamped& master, const PoseStamped& slaveSetpoint) {

@@ -47,6 +47,8 @@ class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Tele
  private:
   /// The pose if it may be acted on.
   const PoseStamped* usable(const suture::Sample<PoseStamped>& sample) const;
+  /// It was measured too long ago, however new the row that it came in.
+  bool isOld(const PoseStamped& master) const;
   void begin(const PoseStamped& master, const PoseStamped& slaveSetpoint);
   void leave();
   void enter(TeleopState state);

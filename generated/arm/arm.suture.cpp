@@ -68,6 +68,7 @@ static_assert(std::is_same_v<std::underlying_type_t<ArmWarning>, std::uint8_t>);
 static_assert(static_cast<std::uint8_t>(ArmWarning::NotEnabled) == 0);
 static_assert(static_cast<std::uint8_t>(ArmWarning::OutOfReach) == 1);
 static_assert(static_cast<std::uint8_t>(ArmWarning::Malformed) == 2);
+static_assert(static_cast<std::uint8_t>(ArmWarning::ClientGone) == 3);
 
 bool acceptsArmServoCp(const ArmServoCpArguments& slot, FieldPath* path);
 bool acceptsArmServoJp(const ArmServoJpArguments& slot, FieldPath* path);
@@ -183,7 +184,7 @@ constexpr EventInfo kArmEvents[] = {
 constexpr char kArmDescription[] = R"json(
 {"name": "robots::Arm",
 "doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. Poses are of the tool tip in the arm's base frame. An arm starts, and restarts, disabled\nand not homed; until it is enabled it ignores motion commands.",
-"hash": "9aa063d6d8764804f45a215cbae980fe", "commands": [{"name": "enable", "kind": "void",
+"hash": "3dcc7b31a05ad0e6831d76d8edc62d74", "commands": [{"name": "enable", "kind": "void",
 "ordinal": 1, "doc": "Powers the arm; it holds its position.", "queue": 16}, {"name": "disable",
 "kind": "void", "ordinal": 2, "doc": "Stops at once and ignores motion until enabled again.",
 "queue": 16}, {"name": "home", "kind": "void", "ordinal": 3,
@@ -237,7 +238,9 @@ constexpr char kArmDescription[] = R"json(
 "doc": "motion commands need an enabled arm"}, {"name": "OutOfReach", "value": 1,
 "wire": "outOfReach", "doc": "no joint vector within limits reaches the goal"}, {
 "name": "Malformed", "value": 2, "wire": "malformed",
-"doc": "the goal has the wrong length, is not finite or not a pose"}]}], "structs": [{
+"doc": "the goal has the wrong length, is not finite or not a pose"}, {"name": "ClientGone",
+"value": 3, "wire": "clientGone",
+"doc": "the client whose stream it followed is gone; the arm holds"}]}], "structs": [{
 "name": "robots::PoseStamped",
 "doc": "A pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.", "fields": [{
 "name": "pose", "doc": "Tool tip in the base frame.", "type": {"kind": "isometry",
@@ -331,10 +334,10 @@ constexpr char kArmDescription[] = R"json(
 "name": "ArmState", "members": [{"at": 0, "name": "undefined"}, {"at": 1, "name": "disabled"}, {
 "at": 2, "name": "enabled"}, {"at": 3, "name": "paused"}, {"at": 4, "name": "fault"}]}, {
 "id": "@0xa4117f14f97ed1bb", "kind": "enum", "name": "ArmWarning", "members": [{"at": 0,
-"name": "notEnabled"}, {"at": 1, "name": "outOfReach"}, {"at": 2, "name": "malformed"}]}, {
-"id": "@0x8943f2eac122865a", "kind": "struct", "name": "JointGoal", "members": [{"at": 0,
-"name": "position", "is": "List(Float64) unit \"rad\""}, {"at": 1, "name": "stamp",
-"is": "Int64 clock \"steady\""}]}, {"id": "@0x871d0a082eb81ee3", "kind": "struct",
+"name": "notEnabled"}, {"at": 1, "name": "outOfReach"}, {"at": 2, "name": "malformed"}, {"at": 3,
+"name": "clientGone"}]}, {"id": "@0x8943f2eac122865a", "kind": "struct", "name": "JointGoal",
+"members": [{"at": 0, "name": "position", "is": "List(Float64) unit \"rad\""}, {"at": 1,
+"name": "stamp", "is": "Int64 clock \"steady\""}]}, {"id": "@0x871d0a082eb81ee3", "kind": "struct",
 "name": "JointSolution", "members": [{"at": 0, "name": "position",
 "is": "List(Float64) unit \"rad\" shape \"8\""}, {"at": 1, "name": "joints", "is": "UInt32"}, {
 "at": 2, "name": "found", "is": "Bool"}]}]})json";
@@ -374,6 +377,7 @@ wire::ArmWarning wireArmWarning(std::uint8_t slot) {
     case ArmWarning::NotEnabled: return wire::ArmWarning::NOT_ENABLED;
     case ArmWarning::OutOfReach: return wire::ArmWarning::OUT_OF_REACH;
     case ArmWarning::Malformed: return wire::ArmWarning::MALFORMED;
+    case ArmWarning::ClientGone: return wire::ArmWarning::CLIENT_GONE;
   }
   return wire::ArmWarning{};
 }
@@ -383,6 +387,7 @@ bool isKnownArmWarning(std::uint8_t slot) {
     case ArmWarning::NotEnabled:
     case ArmWarning::OutOfReach:
     case ArmWarning::Malformed:
+    case ArmWarning::ClientGone:
       return true;
   }
   return false;
@@ -396,6 +401,8 @@ Errc fromWire(wire::ArmWarning in, std::uint8_t& slot) {
         static_cast<std::uint8_t>(ArmWarning::OutOfReach), Errc{};
     case wire::ArmWarning::MALFORMED: return slot =
         static_cast<std::uint8_t>(ArmWarning::Malformed), Errc{};
+    case wire::ArmWarning::CLIENT_GONE: return slot =
+        static_cast<std::uint8_t>(ArmWarning::ClientGone), Errc{};
   }
   return Errc::Invalid;
 }
@@ -922,7 +929,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::Arm>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::Arm",
-      .hash = "9aa063d6d8764804f45a215cbae980fe",
+      .hash = "3dcc7b31a05ad0e6831d76d8edc62d74",
       .description = robots::kArmDescription,
       .commands = robots::kArmCommands,
       .events = robots::kArmEvents,

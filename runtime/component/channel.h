@@ -25,6 +25,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace suture {
 
@@ -86,7 +87,9 @@ class Channel {
   Channel& operator=(const Channel&) = delete;
 
   const InterfaceInfo& info;
-  const std::string name;  ///< "Teleop/Slave -> psm-host:PSM/Arm"
+  const std::string name;  ///< "console:Teleop/Slave -> psm-host:PSM/Arm"
+  /// The client's part of that name.
+  std::string_view client() const { return std::string_view(name).substr(0, name.rfind(" -> ")); }
   const std::string lane;
   const Ends ends;
   const std::shared_ptr<rt::StateTable> state;
@@ -109,8 +112,9 @@ class Channel {
   /// wrong that may be, either way: so much can be wrong with an age. Zero where both have one
   /// clock. Set before either end is attached, and again and again while the connection stands.
   std::atomic<Duration> clockShift{Duration{0}}, clockError{Duration{0}};
-  /// What `ends.client` belongs to, so that it can be rung as long as somebody has this; of a
-  /// provider in another process, what `ends.provider` does. Set before either end is attached.
+  /// What `ends.client` belongs to, so that it can be rung as long as somebody has this; and what
+  /// `ends.provider` does, where the client may outlive it. Set before the end that rings it is
+  /// attached.
   std::shared_ptr<rt::Doorbell> clientsBell, providersBell;
   /// Of a client in another process that reads the provider's table: what it asks for there. Set
   /// before either end is attached.

@@ -6,8 +6,10 @@
 namespace suture {
 namespace {
 
-bool isClosed(const ChannelList::Node& node) {
-  return node.channel->status.load(std::memory_order_acquire) == ChannelStatus::Closed;
+// In one order with ProvidedBase::tellOf(), which does the two the other way round.
+bool mayGo(const ChannelList::Node& node) {
+  return node.channel->status.load(std::memory_order_seq_cst) == ChannelStatus::Closed &&
+         !node.known.load(std::memory_order_seq_cst);
 }
 
 }  // namespace
@@ -25,7 +27,8 @@ ChannelList::~ChannelList() {
 }
 
 void ChannelList::add(std::shared_ptr<Channel> channel) {
-  auto* node = new Node{std::move(channel)};
+  const std::string_view client = channel->client();
+  auto* node = new Node{std::move(channel), ConnectedClient(client)};
   Node* next = head_.load(std::memory_order_relaxed);
   do {
     node->next.store(next, std::memory_order_relaxed);
@@ -46,7 +49,7 @@ bool ChannelList::unlinkClosed() {
   Node* head = head_.load(std::memory_order_acquire);
   if (head == nullptr) return false;
   for (Node* node = head; Node* next = node->next.load(std::memory_order_relaxed);) {
-    if (isClosed(*next)) {
+    if (mayGo(*next)) {
       node->next.store(next->next.load(std::memory_order_relaxed), std::memory_order_release);
       unlink(next);
     } else {
@@ -54,7 +57,7 @@ bool ChannelList::unlinkClosed() {
     }
   }
   Node* const second = head->next.load(std::memory_order_relaxed);
-  if (isClosed(*head) && head_.compare_exchange_strong(head, second)) unlink(head);
+  if (mayGo(*head) && head_.compare_exchange_strong(head, second)) unlink(head);
   return unlinked_ != nullptr;
 }
 

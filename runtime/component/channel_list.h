@@ -1,6 +1,7 @@
 #pragma once
 // The channels of one provided interface.
 
+#include <suture/component/connected_client.h>
 #include <suture/component/interface_info.h>
 
 #include <atomic>
@@ -23,6 +24,10 @@ class ChannelList {
 
   struct Node {
     std::shared_ptr<Channel> channel;
+    const ConnectedClient client;
+    /// The component has been told of the client, and not yet that it is gone: until then nobody
+    /// takes the node out. Written by the thread that serves the channel.
+    std::atomic<bool> known{false};
     std::atomic<Node*> next{nullptr};
     /// The events that the owner of the list sends there: none before its first cycle with it.
     EventSet served = 0;
@@ -49,7 +54,8 @@ class ChannelList {
 
   bool empty() const { return head_.load(std::memory_order_acquire) == nullptr; }
 
-  /// Of Walkers::Owner: takes the closed channels out; true if there are any, then letGo() follows.
+  /// Of Walkers::Owner: takes out the closed channels of whose end nobody has to be told; true if
+  /// there are any, then letGo() follows.
   bool unlinkClosed();
   /// Of Walkers::Owner.
   void letGo();

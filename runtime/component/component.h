@@ -3,6 +3,7 @@
 // thread.
 
 #include <suture/base/time.h>
+#include <suture/component/connected_client.h>
 #include <suture/component/lifecycle.h>
 #include <suture/rt/doorbell.h>
 #include <suture/rt/due_bells.h>
@@ -122,6 +123,15 @@ class Component {
   virtual void onStop() {}
   /// Before the cycles of a task go on after a fault: the place to make its members sound again.
   virtual void onRestart() {}
+  /// A client of `interface` has connected, before any of its commands is executed; or its
+  /// connection has ended, and nothing of it is executed any more. Told once each, while the
+  /// component runs: of a connection that ends while it is suspended or faulted, when it goes on;
+  /// of one that came and went unseen, never. In a task's thread, before the commands of a cycle.
+  /// In the executor's, for a device, which is not told of clients that call it directly.
+  virtual void onClient(const ProvidedBase& /*interface*/, const ConnectedClient& /*client*/,
+                        ClientNews /*news*/) {}
+  /// A task's thread: the client whose command is being executed; null outside of such handlers.
+  const ConnectedClient* caller() const { return caller_; }
 
   // --- for Device and the kinds of task ---
 
@@ -174,6 +184,7 @@ class Component {
   std::vector<RequiredBase*> required_;
   rt::DueBells dueBells_;
   Component* lender_ = nullptr;
+  const ConnectedClient* caller_ = nullptr;
   std::atomic<const void*> owner_{nullptr};
   struct Aside;
   const std::shared_ptr<Aside> aside_;

@@ -17,9 +17,11 @@ std::size_t payloadWords(const InterfaceInfo& info) {
   return (size + 7) / 8;
 }
 
+}  // namespace
+
 /// The turn of one command, which ends on every way out, also when the handler throws: its room is
 /// free again, and whoever waits for an answer has one.
-class Turn {
+class ProvidedBase::Turn {
  public:
   Turn(Channel& channel, Component& owner, const rt::CommandRecord& record)
       : outcome(&channel.commands.counters.failed),
@@ -30,6 +32,7 @@ class Turn {
   Turn(const Turn&) = delete;
   Turn& operator=(const Turn&) = delete;
   ~Turn() {
+    if (owner_.ownsThread()) owner_.caller_ = nullptr;
     release();
     if (call_ != 0 && !answered) channel_.replyError(call_, error);
     if (channel_.wantsRows.load(std::memory_order_relaxed)) {  // what has been taken, too
@@ -37,6 +40,11 @@ class Turn {
     } else if (call_ != 0) {
       owner_.ringForArrival(channel_);
     }
+  }
+
+  /// Its handler is about to run. A device's may run in several threads at once.
+  void begin(const ConnectedClient& client) {
+    if (owner_.ownsThread()) owner_.caller_ = &client;
   }
 
   /// The command has been executed: its place is free, before anybody sees the answer.
@@ -61,8 +69,6 @@ class Turn {
   const std::uint32_t call_;
   bool released_ = false;
 };
-
-}  // namespace
 
 /// The last value of a latched event: the only column of a table.
 struct ProvidedBase::Latched {
@@ -141,7 +147,32 @@ bool ProvidedBase::inService() const {
   return everyState_ || statusIn(owner_.state()) == ChannelStatus::Connected;
 }
 
+bool ProvidedBase::hears() const {
+  return owner_.state() == ComponentState::Running && !owner_.ending();
+}
+
+// Local clients of a device come and go in threads of their own.
+bool ProvidedBase::isNews(const ChannelList::Node& node) {
+  if (node.channel->ends.device != nullptr) return false;
+  const bool over = isOver(node.channel->status.load(std::memory_order_seq_cst));
+  return over == node.known.load(std::memory_order_relaxed);
+}
+
+// A client is known before its status is read, so that whoever takes closed channels out beside
+// this leaves in those of which the component has been told.
+void ProvidedBase::tellOf(ChannelList::Node& node) {
+  if (!isNews(node)) return;
+  const bool known = node.known.exchange(true, std::memory_order_seq_cst);
+  const ChannelStatus status = node.channel->status.load(std::memory_order_seq_cst);
+  const bool over = isOver(status);
+  if (over) node.known.store(false, std::memory_order_seq_cst);
+  if (known != over) return;  // it has come and gone
+  const ClientNews end = status == ChannelStatus::Lapsed ? ClientNews::Silent : ClientNews::Closed;
+  owner_.onClient(*this, node.client, over ? end : ClientNews::Connected);
+}
+
 void ProvidedBase::drain() {
+  if (hears()) channels_.forEach([this](ChannelList::Node& node) { tellOf(node); });
   if (owner_.ownsThread() && channels_.unlinkClosed()) {
     owner_.ringNow();  // a bell that is due may go with its channel
     channels_.letGo();
@@ -153,7 +184,7 @@ void ProvidedBase::drain() {
     // Fixed first: the events of a command meet those who subscribed before they sent it.
     if (any) channel.commands.fixCut();
     greet(node);
-    if (any) drain(channel);
+    if (any) drain(node);
   });
 }
 
@@ -182,7 +213,8 @@ Errc ProvidedBase::refusal() const {
 
 // A handler may take long, and the process may be stopped at any moment: what has become of a
 // command, of its connection and of this component, is judged when its turn comes.
-void ProvidedBase::drain(Channel& channel) {
+void ProvidedBase::drain(ChannelList::Node& node) {
+  Channel& channel = *node.channel;
   const Time drainStart = now();
   const Time resumed = everyState_ ? Time{} : owner_.resumed();
   bool first = true;
@@ -197,7 +229,7 @@ void ProvidedBase::drain(Channel& channel) {
     } else if (record->stamp < resumed) {
       turnAway(channel, *record, Errc::Suspended);
     } else {
-      run(channel, *record, first || !hasTtl ? drainStart : now());
+      run(node, *record, first || !hasTtl ? drainStart : now());
     }
     first = false;
   }
@@ -210,7 +242,8 @@ void ProvidedBase::turnAway(Channel& channel, const rt::CommandRecord& record, E
   turn.outcome = &channel.commands.counters.refused;
 }
 
-void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time present) {
+void ProvidedBase::run(ChannelList::Node& node, const rt::CommandRecord& record, Time present) {
+  Channel& channel = *node.channel;
   const CommandInfo& command = info_.commands[record.command];
   Turn turn(channel, owner_, record);
   channel.countReceived(rt::SpscRing::recordSize(sizeof(record) + command.argumentsSize));
@@ -235,6 +268,7 @@ void ProvidedBase::run(Channel& channel, const rt::CommandRecord& record, Time p
     time->note(VirtualTime::Kind::Execute, name_.c_str(), command.name, record.sequence);
   }
   channel.commandAge.record(commandAge_);
+  turn.begin(node.client);
   if (record.call == 0) {
     execute(record.command, record.arguments(), nullptr);
     turn.outcome = &channel.commands.counters.executed;
@@ -289,10 +323,10 @@ void ProvidedBase::advance() {
 
 bool ProvidedBase::pending() const {
   bool any = false;
-  channels_.forEach([this, &any](ChannelList::Node& node) {
+  channels_.forEach([&any, hears = hears()](ChannelList::Node& node) {
     const Channel& channel = *node.channel;
     const bool newcomer = channel.joining() && channel.ends.device == nullptr;
-    any = any || newcomer || channel.commands.pending();
+    any = any || newcomer || channel.commands.pending() || (hears && isNews(node));
   });
   return any;
 }

@@ -97,6 +97,8 @@ class ProvidedBase {
   virtual Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) = 0;
 
  private:
+  class Turn;
+
   /// execute(), and Errc::Invalid for a result that the contract does not admit. `asker` is who
   /// misses it; null: all clients.
   Errc produce(std::uint16_t command, const std::byte* arguments, std::byte* result,
@@ -107,14 +109,18 @@ class ProvidedBase {
   friend class RequiredBase;
 
   Errc emit(std::uint16_t event, const std::byte* slot, bool fits);
+  /// The component may be told of its clients now.
+  bool hears() const;
+  static bool isNews(const ChannelList::Node& node);
+  void tellOf(ChannelList::Node& node);
   void greet(ChannelList::Node& node);
-  void drain(Channel& channel);
+  void drain(ChannelList::Node& node);
   /// What commands that wait are answered now; 0: they are executed.
   Errc refusal() const;
   /// Any thread, of a device in this process: gives `channel`, whose client just subscribed, the
   /// last values.
   void greetLocal(Channel& channel);
-  void run(Channel& channel, const rt::CommandRecord& record, Time drainStart);
+  void run(ChannelList::Node& node, const rt::CommandRecord& record, Time present);
   void turnAway(Channel& channel, const rt::CommandRecord& record, Errc refusal);
   void tellState(Channel& channel) const;
   void deliver(Channel& channel, std::uint16_t event, Time stamp,

@@ -39,12 +39,13 @@ void RequiredBase::awaitDirectHandlers() const {
   if (channel_ != nullptr) channel_->direct.awaitCalls();
 }
 
-// The provider lets go of it in its own time.
+// The provider lets go of it in its own time, and may be gone itself.
 void RequiredBase::close(const std::shared_ptr<Channel>& channel) {
   if (channel == nullptr) return;
   channel->cut();
   channel->status = ChannelStatus::Closed;
   channel->direct.clear();
+  if (channel->providersBell != nullptr) channel->providersBell->ring();
 }
 
 void RequiredBase::attach(std::shared_ptr<Channel> channel) {

@@ -119,6 +119,7 @@ std::shared_ptr<Channel> connectLocally(RequiredBase& required, ProvidedBase& pr
                               .here = &provided},
                              required.owner().sharedDoorbell());
   channel->watch = std::move(watch);
+  channel->providersBell = provider.sharedDoorbell();
   required.attach(channel);
   return channel;
 }

@@ -19,6 +19,8 @@ enum ArmWarning @0xa4117f14f97ed1bb $Meta.cxx("robots::ArmWarning") $Meta.underl
   # no joint vector within limits reaches the goal
   malformed @2 $Meta.cxx("Malformed") $Meta.value(2);
   # the goal has the wrong length, is not finite or not a pose
+  clientGone @3 $Meta.cxx("ClientGone") $Meta.value(3);
+  # the client whose stream it followed is gone; the arm holds
 }
 
 interface Arm @0xd2a6fc6237d6fd07 $Meta.cxx("robots::Arm") {

@@ -102,6 +102,11 @@ class RecordingArm : public GripperArm {
   }
   /// The process in which the last distance() ran.
   pid_t answeredBy() const { return answeredBy_; }
+  /// What it has been told of its clients, in order: "console:Teleop/Slave connected".
+  std::vector<std::string> clients() const {
+    const std::lock_guard lock(mutex_);
+    return clients_;
+  }
   /// The thread, of all on this machine, in which the last release() or fits() ran.
   pid_t ranIn() const { return ranIn_; }
 
@@ -127,6 +132,13 @@ class RecordingArm : public GripperArm {
 
   Gate& gate;
   std::atomic<bool> throwOnEnable{false};
+
+ protected:
+  void note(const suture::ConnectedClient& client, suture::ClientNews news) {
+    static constexpr const char* kNews[] = {" connected", " closed", " silent"};
+    const std::lock_guard lock(mutex_);
+    clients_.push_back(std::string(client.name) + kNews[static_cast<int>(news)]);
+  }
 
  private:
   /// How old the runtime found the command whose handler runs.
@@ -157,7 +169,7 @@ class RecordingArm : public GripperArm {
   }
 
   mutable std::mutex mutex_;
-  std::vector<std::string> log_;
+  std::vector<std::string> log_, clients_;
   std::optional<suture::HistoryLog> history_;
   PoseStamped measured_;
   mutable suture::Time evaluated_;
@@ -232,6 +244,10 @@ class ArmTask final : public Task, public ArmComponent {
     this->doorbell().ring();
   }
   suture::Duration commandAge() const override { return arm_.commandAge(); }
+  void onClient(const suture::ProvidedBase&, const suture::ConnectedClient& client,
+                suture::ClientNews news) override {
+    note(client, news);
+  }
   void run() override { emissions_.perform({arm_, gripper_}); }
 
   Emissions emissions_;
@@ -247,6 +263,10 @@ class ArmDevice final : public suture::Device, public ArmComponent {
  private:
   void perform(std::function<void(Ports)> emission) override { emission({arm_, gripper_}); }
   suture::Duration commandAge() const override { return arm_.commandAge(); }
+  void onClient(const suture::ProvidedBase&, const suture::ConnectedClient& client,
+                suture::ClientNews news) override {
+    note(client, news);
+  }
 
   suture::Provided<ArmLike> arm_{*this, "Arm", *this};
   suture::Provided<GripperArm> gripper_{*this, "Gripper", *this};

@@ -58,6 +58,9 @@ class Provider {
   std::vector<std::string> taken() const {
     return at([](ArmComponent& arm) { return arm.taken(); });
   }
+  std::vector<std::string> clients() const {
+    return at([](ArmComponent& arm) { return arm.clients(); });
+  }
   /// "" if nothing has been taken.
   std::string lastTaken() const {
     const std::vector<std::string> lines = taken();

@@ -135,6 +135,16 @@ void Conformance::connect(const std::string& required, const std::string& provid
   }));
 }
 
+void Conformance::disconnectArm() {
+  clientManager_->disconnect("Console/Arm");
+  // A device looks at its connections only when it uses them.
+  EXPECT_TRUE(suture::eventually([&] {
+    bool connected = true;
+    client->with([&](Arm& remote) { connected = remote.connected(); });
+    return !connected;
+  }));
+}
+
 void Conformance::settle() {
   client->with([](Arm& remote) { EXPECT_TRUE(remote.hold.start().within(5s)); });
 }

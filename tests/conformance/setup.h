@@ -30,6 +30,10 @@ class Conformance : public testing::TestWithParam<Row> {
 
   /// Connects another required interface of the client.
   void connect(const std::string& required, const std::string& provided);
+  /// Returns when the client has let go of the connection of its "Arm".
+  void disconnectArm();
+  /// Only where the ends do not share a manager: the client's process goes away.
+  void endClientsProcess() { ownClientManager_.reset(); }
 
   bool eventuallyTaken(const std::vector<std::string>& lines) {
     return suture::eventually([&] { return arm->taken() == lines; });

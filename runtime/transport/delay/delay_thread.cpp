@@ -37,6 +37,7 @@ std::shared_ptr<Channel> DelayThread::interpose(const RequiredBase& required,
                                         far->lane + (delay.faults.any() ? "+fault" : "+delay"),
                                         ends, std::move(state), far->subscribed());
   near->clientsBell = bell;
+  near->providersBell = sharedDoorbell();
   near->offered = far->offered;
   near->watch = far->watch;
   auto connection = std::make_unique<DelayedConnection>(near, std::move(far), delay);

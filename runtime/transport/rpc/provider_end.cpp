@@ -30,6 +30,11 @@ BootTime ProviderEnd::endOfLease() const {
   return isOver(channel_->status.load()) ? BootTime::max() : channel_->lease.end();
 }
 
+void ProviderEnd::lapse() {
+  channel_->tell(ChannelStatus::Lapsed);
+  channel_->ends.provider->ring();  // its component is to be told
+}
+
 void ProviderEnd::close() {
   if (closed_) return;
   closed_ = true;

@@ -46,7 +46,7 @@ class ProviderEnd : public kj::Refcounted {
   /// Tells it the last word on them, as soon as there is one.
   void tellEarlier();
   /// Ends what may be executed, since nobody has heard of the client in time.
-  void lapse() { channel_->tell(ChannelStatus::Lapsed); }
+  void lapse();
   /// The connection is over: the provider lets go of the channel. May be called again.
   void close();
   /// The same for a later connection of the same interface, and the client is told, if it can still

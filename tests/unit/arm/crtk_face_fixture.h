@@ -40,6 +40,15 @@ struct Deaf {
   void warning(ArmWarning) {}
 };
 
+/// Obeys whom the test says.
+struct CommandedArm final : SimulatedArm<6> {
+  using SimulatedArm::SimulatedArm;
+  const suture::ConnectedClient* commander = nullptr;
+
+ private:
+  const suture::ConnectedClient* asking() const override { return commander; }
+};
+
 class CrtkFaceTest : public testing::Test {
  protected:
   CrtkFaceTest() {
@@ -77,7 +86,7 @@ class CrtkFaceTest : public testing::Test {
     EXPECT_LT((moved - by).norm(), 1e-6) << moved.transpose();
   }
 
-  SimulatedArm<6> arm_{psmModel()};
+  CommandedArm arm_{psmModel()};
   CrtkFace<6> crtk_{arm_};
   suture::Time time_ = suture::now();
   HeardCrtk heard_;

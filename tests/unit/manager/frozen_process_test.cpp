@@ -41,12 +41,22 @@ struct NotingArm final : PeriodicTask, StillArm {
     }
   }
 
+  void onClient(const ProvidedBase&, const ConnectedClient& client, ClientNews news) override {
+    EXPECT_EQ(client.name, "console:Teleop/Slave");
+    if (news == ClientNews::Connected) ++clients;
+    if (news == ClientNews::Closed) ++closed;
+    if (news == ClientNews::Silent) ++silent;
+    gone = now();
+  }
+
   struct Execution {
     int number;
     Time at;
   };
   std::vector<Execution> executed;
   std::atomic<bool> slow{false}, inHandler{false};
+  std::atomic<int> clients{0}, closed{0}, silent{0};  // what it has been told of them
+  std::atomic<Time> gone{Time{}};                     // when it was last told anything
   Provided<reference::ArmLike> port{*this, "Arm", *this};
 };
 
@@ -243,6 +253,26 @@ TEST_P(FrozenProcess, ExecutesNothingWhileItsOperatorIsAwaited) {
   console_->stop();
   robot_->stop();
   EXPECT_EQ(executedAfterLoss(), 0);
+}
+
+// A client that stands still is gone for its provider when its lease has ended: while it still
+// stands.
+TEST_P(FrozenProcess, TellsTheProvidersComponentOfASilentClientOnce) {
+  connect();
+  ASSERT_TRUE(eventually([this] { return arm_.clients == 1; }));
+  freeze();
+  const Time frozenAt = now();
+  pass(2 * kSilence);
+  if (frozen() == Frozen::Client) {
+    EXPECT_EQ(arm_.silent, 1);
+    EXPECT_LE(arm_.gone.load() - frozenAt, kSilence + 2ms);
+  }
+  thaw();
+  ASSERT_TRUE(eventually([this] { return teleop_.losses == 1 && teleop_.connected; }));
+  ASSERT_TRUE(eventually([this] { return arm_.clients == 2; }));
+  pass(3 * kSilence);
+  EXPECT_EQ(arm_.silent + arm_.closed, 1);
+  EXPECT_EQ(arm_.clients, 2);
 }
 
 TEST_P(FrozenProcess, KeepsAConnectionThatBearsIt) {

@@ -1,0 +1,49 @@
+// What a provider's component is told of its clients.
+
+#include "conformance/setup.h"
+
+namespace conformance {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+/// The provider has a thread in which it is told: it is no device that its client calls directly.
+class WireClients : public Conformance {
+ protected:
+  std::string named(const char* news) const {
+    return std::string(GetParam().sharesManager() ? "alone" : "client") + ":Console/Arm" + news;
+  }
+  bool eventuallyTold(const Lines& lines) const {
+    return suture::eventually([&] { return arm->clients() == lines; });
+  }
+};
+
+TEST_P(WireClients, AConnectionIsToldOfAndItsEndAndTheNextOne) {
+  const Lines first{named(" connected")};
+  EXPECT_TRUE(eventuallyTold(first));
+  disconnectArm();
+  const Lines gone{named(" connected"), named(" closed")};
+  EXPECT_TRUE(eventuallyTold(gone));
+  connect("Arm", provided());
+  settle();
+  EXPECT_EQ(arm->clients(), (Lines{named(" connected"), named(" closed"), named(" connected")}))
+      << "each once";
+}
+
+class WireClientProcesses : public WireClients {};
+
+TEST_P(WireClientProcesses, TheEndOfTheClientsProcessIsToldOfOnce) {
+  EXPECT_TRUE(eventuallyTold({named(" connected")}));
+  endClientsProcess();
+  const Lines gone{named(" connected"), named(" closed")};
+  EXPECT_TRUE(eventuallyTold(gone));
+}
+
+INSTANTIATE_TEST_SUITE_P(Lanes, WireClients, testing::ValuesIn(wireRows(isQueued)), nameOf);
+INSTANTIATE_TEST_SUITE_P(Lanes, WireClientProcesses, testing::ValuesIn(wireRows([](const Row& row) {
+                           return !row.sharesManager();
+                         })),
+                         nameOf);
+
+}  // namespace
+}  // namespace conformance

@@ -1,0 +1,96 @@
+#pragma once
+// An arm that is always ready, stands where the test puts it and keeps the goals that it gets.
+
+#include <suture/component/periodic_task.h>
+#include <suture/component/provided.h>
+
+#include <chrono>
+#include <cstddef>
+#include <mutex>
+#include <vector>
+
+#include "arm/arm.suture.h"
+
+namespace robots::test {
+
+/// Its public methods are any thread's, those of the contract its own.
+class ScriptedArm final : public suture::PeriodicTask, public Arm {
+ public:
+  ScriptedArm() : PeriodicTask({.period = std::chrono::milliseconds(1)}) {
+    port_.keepState({.manual = true});
+  }
+  ~ScriptedArm() override { stop(); }
+
+  /// Measures and holds this pose from now on.
+  void place(const Eigen::Isometry3d& pose) {
+    const std::lock_guard lock(mutex_);
+    pose_ = pose;
+  }
+  Eigen::Isometry3d pose() const {
+    const std::lock_guard lock(mutex_);
+    return pose_;
+  }
+  /// While it is silent it works, but publishes no row.
+  void beSilent(bool silent) {
+    const std::lock_guard lock(mutex_);
+    silent_ = silent;
+  }
+  /// While its encoders are stuck it publishes rows, with the pose of before.
+  void beStuck(bool stuck) {
+    const std::lock_guard lock(mutex_);
+    stuck_ = stuck;
+  }
+  std::vector<PoseStamped> goals() const {
+    const std::lock_guard lock(mutex_);
+    return goals_;
+  }
+  void forgetGoals() {
+    const std::lock_guard lock(mutex_);
+    goals_.clear();
+  }
+
+  void enable() override {}
+  void disable() override {}
+  void home() override {}
+  void hold() override {}
+  void servo_cp(const PoseStamped& goal) override {
+    const std::lock_guard lock(mutex_);
+    goals_.push_back(goal);
+    pose_ = goal.pose;
+  }
+  void servo_jp(const JointGoal&) override {}
+  void move_jp(const JointGoal&) override {}
+  const JointState& measured_js() const override { return joints_; }
+  const JointState& setpoint_js() const override { return joints_; }
+  PoseStamped measured_cp() const override { return {pose(), stamp_, true}; }
+  PoseStamped setpoint_cp() const override { return {pose(), stamp_, true}; }
+  const OperatingState& operating_state() const override { return state_; }
+  PoseStamped forward_kinematics(const JointGoal&) const override { return {}; }
+  JointSolution inverse_kinematics(const PoseStamped&) const override { return {}; }
+
+ private:
+  void onStart() override {
+    state_.state = ArmState::Enabled;
+    state_.is_homed = true;
+    port_.emit().operating_state(state_);
+  }
+  void run() override {
+    if (!isSilent()) port_.advance();
+  }
+  bool isSilent() {
+    const std::lock_guard lock(mutex_);
+    if (!stuck_) stamp_ = suture::now();
+    return silent_;
+  }
+
+  mutable std::mutex mutex_;
+  Eigen::Isometry3d pose_ = Eigen::Isometry3d::Identity();
+  std::vector<PoseStamped> goals_;
+  bool silent_ = false, stuck_ = false;
+  suture::Time stamp_;
+  JointState joints_;
+  OperatingState state_;
+  suture::Provided<Arm> port_{*this, "Arm", *this};
+};
+
+}  // namespace robots::test
