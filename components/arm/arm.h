@@ -14,10 +14,12 @@ namespace robots {
 
 /// Why an arm does not do what it is asked.
 enum class SUTURE_TYPE() ArmWarning : std::uint8_t {
-  NotEnabled,  ///< motion commands need an enabled arm
-  OutOfReach,  ///< no joint vector within limits reaches the goal
-  Malformed,   ///< the goal has the wrong length, is not finite or not a pose
-  ClientGone,  ///< the client whose stream it followed is gone; the arm holds
+  NotEnabled,      ///< motion commands need an enabled arm
+  OutOfReach,      ///< no joint vector within limits reaches the goal
+  Malformed,       ///< the goal has the wrong length, is not finite or not a pose
+  ClientGone,      ///< the client whose stream it followed is gone; the arm holds
+  WrongState,      ///< the operating state does not admit the command: operating_states.h
+  FollowingError,  ///< a joint trailed its set-point by more than its bound; the arm is in FAULT
 };
 
 /// Commands run in the arm's own thread before its next cycle; reads are from the end of its last
@@ -65,7 +67,8 @@ class SUTURE_INTERFACE() Arm {
   suture::EventOf<OperatingState> operating_state_event;
   /// A move ended: true at its goal, false when something else replaced it.
   SUTURE_EVENT() suture::EventOf<bool> goal_reached;
-  /// The arm refuses what it is asked to do; once per reason, until it obeys again.
+  /// What the arm refuses, once per reason until it obeys again; a state command each time. And
+  /// what has befallen it.
   SUTURE_EVENT(name("warning")) suture::EventOf<ArmWarning> warning_event;
 };
 

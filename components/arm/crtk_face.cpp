@@ -65,69 +65,9 @@ CrtkFace<N>::CrtkFace(SimulatedArm<N>& arm) : arm_(arm), goalJs_(arm.setpoint_js
 // --- the state machine
 
 template <int N>
-void CrtkFace<N>::enable() {
-  desired_ = ArmState::Enabled;
-  arm_.enable();
-}
-
-template <int N>
-void CrtkFace<N>::disable() {
-  desired_ = ArmState::Disabled;
-  arm_.disable();
-}
-
-template <int N>
-void CrtkFace<N>::pause() {
-  if (arm_.state_.state != ArmState::Enabled) {
-    error_ = "pause: the arm is not enabled";
-    return;
-  }
-  desired_ = ArmState::Paused;
-  arm_.endMove(false);
-  arm_.setpoint_ = arm_.dynamics_.measured();
-  arm_.setpointStamp_ = {};
-  arm_.enter(ArmState::Paused, "paused");
-}
-
-template <int N>
-void CrtkFace<N>::resume() {
-  if (arm_.state_.state != ArmState::Paused) {
-    error_ = "resume: the arm is not paused";
-    return;
-  }
-  desired_ = ArmState::Enabled;
-  arm_.enter(ArmState::Enabled, "holding");
-}
-
-template <int N>
-void CrtkFace<N>::home() {
-  arm_.home();
-}
-
-template <int N>
-void CrtkFace<N>::unhome() {
-  arm_.state_.is_homed = false;
-  arm_.state_.stamp = suture::now();
-  arm_.stateChanged_ = true;
-}
-
-template <int N>
 void CrtkFace<N>::state_command(const std::string& name) {
-  struct Entry {
-    std::string_view name;
-    void (CrtkFace::*command)();
-  };
-  static constexpr Entry kCommands[] = {
-      {"enable", &CrtkFace::enable}, {"disable", &CrtkFace::disable}, {"pause", &CrtkFace::pause},
-      {"resume", &CrtkFace::resume}, {"home", &CrtkFace::home},       {"unhome", &CrtkFace::unhome},
-  };
-  const auto found = std::find_if(std::begin(kCommands), std::end(kCommands),
-                                  [&](const Entry& entry) { return entry.name == name; });
-  if (found == std::end(kCommands)) {
-    error_ = "state_command: enable, disable, pause, resume, home or unhome";
-  } else {
-    (this->*found->command)();
-  }
+  if (const auto command = stateCommandNamed(name)) return arm_.obey(*command);
+  error_ = "state_command: enable, disable, pause, resume, home or unhome";
 }
 
 // --- frames
@@ -358,12 +298,15 @@ void CrtkFace<N>::publishGoal(suture::Time now) {
 }
 
 template <int N>
-std::string_view CrtkFace<N>::textOf(ArmWarning warning) {
-  switch (warning) {
+std::string_view CrtkFace<N>::textOf(ArmWarning reason) const {
+  switch (reason) {
     case ArmWarning::NotEnabled: return "motion needs an enabled arm";
     case ArmWarning::OutOfReach: return "no joint vector within limits reaches the goal";
     case ArmWarning::Malformed: return "the goal has the wrong length or is not finite or no pose";
     case ArmWarning::ClientGone: return "the client whose stream the arm followed is gone";
+    case ArmWarning::WrongState: return arm_.refusal_;
+    case ArmWarning::FollowingError:
+      return "a joint trailed its set-point by more than its bound; enable or disable the arm";
   }
   return "";
 }

@@ -30,12 +30,12 @@ class CrtkFace final : public CrtkArm {
   const JointConfiguration& configuration_js() const override { return configuration_; }
   const OperatingState& operating_state() const override { return arm_.operating_state(); }
   IntervalStatistics period_statistics() const override { return periods_.last(); }
-  void enable() override;
-  void disable() override;
-  void pause() override;
-  void resume() override;
-  void home() override;
-  void unhome() override;
+  void enable() override { arm_.obey(StateCommand::Enable); }
+  void disable() override { arm_.obey(StateCommand::Disable); }
+  void pause() override { arm_.obey(StateCommand::Pause); }
+  void resume() override { arm_.obey(StateCommand::Resume); }
+  void home() override { arm_.obey(StateCommand::Home); }
+  void unhome() override { arm_.obey(StateCommand::Unhome); }
   void state_command(const std::string& name) override;
 
   const JointState& measured_js() const override { return arm_.measured_js(); }
@@ -93,7 +93,7 @@ class CrtkFace final : public CrtkArm {
   /// Before the arm's own announce(), which forgets it.
   template <class Events>
   void announce(Events&& events) {
-    if (desired_) events.desired_state(*desired_);
+    if (arm_.desired_) events.desired_state(*arm_.desired_);
     if (arm_.stateChanged_) events.operating_state(arm_.state_);
     if (arm_.moveEnded_) events.goal_reached(*arm_.moveEnded_);
     if (ratiosChanged_) {
@@ -105,9 +105,12 @@ class CrtkFace final : public CrtkArm {
     if (arm_.stateChanged_ && !arm_.state_.sub_state.empty()) {
       events.status(message(arm_.state_.sub_state));
     }
-    if (arm_.newWarning_) events.warning(message(textOf(*arm_.newWarning_)));
+    arm_.warnings_.forEachNew([&](ArmWarning reason) {
+      const suture::Message& text = message(textOf(reason));
+      isError(reason) ? events.error(text) : events.warning(text);
+    });
     if (!error_.empty()) events.error(message(error_));
-    desired_.reset();
+    arm_.desired_.reset();
     ratiosChanged_ = gravityChanged_ = false;
     error_ = {};
   }
@@ -116,7 +119,10 @@ class CrtkFace final : public CrtkArm {
   using Stream = MotionStream<N>;
   using SpatialVector = kinematics::SpatialVector;
 
-  static std::string_view textOf(ArmWarning warning);
+  std::string_view textOf(ArmWarning reason) const;
+  static bool isError(ArmWarning reason) {
+    return reason == ArmWarning::WrongState || reason == ArmWarning::FollowingError;
+  }
   const suture::Message& message(std::string_view text) {
     return draft_.write(text, 0, ++messages_);
   }
@@ -152,7 +158,6 @@ class CrtkFace final : public CrtkArm {
   CartesianState measuredCs_;
   Jacobian bodyJacobian_, spatialJacobian_;
 
-  std::optional<ArmState> desired_;
   bool ratiosChanged_ = true, gravityChanged_ = true;
   std::string_view error_;  // of static storage
   suture::MessageDraft draft_;

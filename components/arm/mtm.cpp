@@ -16,6 +16,7 @@ ArmModel<7> model(const MtmParameters& parameters) {
       .home = ArmModel<7>::Joints::Zero(),
       .rate_limit = ArmModel<7>::Joints::Constant(parameters.angular_rate),
       .time_constant = parameters.time_constant,
+      .following_error = ArmModel<7>::Joints::Constant(parameters.following_error),
   };
   // Well conditioned, and 0.1 m from any limit in all directions.
   model.home[1] = 0.4;

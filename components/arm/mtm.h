@@ -24,6 +24,9 @@ struct SUTURE_TYPE() MtmParameters {
   /// How far the measured joints trail their set-point: here, the hand that moves the master.
   SUTURE_FIELD(unit("s"), range(0.0001, 10)) double time_constant = 0.01;
   SUTURE_FIELD(unit("rad/s"), range(0.01, 20)) double angular_rate = 4.0;
+  /// A rotating joint that trails its set-point by more faults the arm. A servo goal may lie
+  /// 0.4 rad ahead of the joints at these rates, and the joints trail by rate x time constant.
+  SUTURE_FIELD(unit("rad"), range(0.001, 10)) double following_error = 0.8;
 };
 
 /// A master tool manipulator (arm/kinematics/davinci.h). There is no hand on it: a surgeon

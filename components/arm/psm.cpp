@@ -14,11 +14,13 @@ ArmModel<6> model(const PsmParameters& parameters) {
       .home = ArmModel<6>::Joints::Zero(),
       .rate_limit = ArmModel<6>::Joints::Constant(parameters.angular_rate),
       .time_constant = parameters.time_constant,
+      .following_error = ArmModel<6>::Joints::Constant(parameters.following_error),
   };
   // Inside the patient from the start: the cannula is not simulated.
   model.parked[kInsertion] = 0.1;
   model.home[kInsertion] = 0.12;
   model.rate_limit[kInsertion] = parameters.insertion_rate;
+  model.following_error[kInsertion] = parameters.insertion_following_error;
   return model;
 }
 

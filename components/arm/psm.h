@@ -21,8 +21,13 @@ struct SUTURE_TYPE() PsmParameters {
   SUTURE_FIELD(unit("s"), range(0.0001, 10)) double time_constant = 0.01;
   /// Rate limit of the rotating joints.
   SUTURE_FIELD(unit("rad/s"), range(0.01, 20)) double angular_rate = 4.0;
+  /// A rotating joint that trails its set-point by more faults the arm. A servo goal may lie
+  /// 0.4 rad ahead of the joints at these rates, and the joints trail by rate x time constant.
+  SUTURE_FIELD(unit("rad"), range(0.001, 10)) double following_error = 0.8;
   /// Rate limit of the insertion.
   SUTURE_FIELD(unit("m/s"), range(0.001, 2)) double insertion_rate = 0.4;
+  /// The same bound for the insertion.
+  SUTURE_FIELD(unit("m"), range(0.0001, 1)) double insertion_following_error = 0.08;
 };
 
 /// A patient side manipulator with large needle driver (arm/kinematics/davinci.h). Its base frame

@@ -9,6 +9,9 @@
 namespace robots {
 namespace {
 
+// What an arm does when it has just entered each of the states, in their order.
+constexpr std::array<const char*, 5> kActivities{"", "", "holding", "paused", "following error"};
+
 template <int N>
 JointState blank(const std::array<const char*, std::size_t{N}>& names) {
   JointState state;
@@ -39,21 +42,35 @@ SimulatedArm<N>::SimulatedArm(const ArmModel<N>& model)
 }
 
 template <int N>
-void SimulatedArm<N>::enable() {
-  if (state_.state != ArmState::Enabled) enter(ArmState::Enabled, "holding");
+void SimulatedArm<N>::obey(StateCommand command) {
+  const auto next = after(state_.state, command);
+  if (!next) return refuse(command);
+  if (command == StateCommand::Home) return startMove(model_.home, true);
+  if (command == StateCommand::Unhome) return unhome();
+  desired_ = next;
+  if (*next != state_.state) restIn(*next);
 }
 
 template <int N>
-void SimulatedArm<N>::disable() {
+void SimulatedArm<N>::refuse(StateCommand command) {
+  if (command == StateCommand::Home) return warn(ArmWarning::NotEnabled);
+  refusal_ = whyRefused(command);
+  warnings_.tell(ArmWarning::WrongState);
+}
+
+template <int N>
+void SimulatedArm<N>::unhome() {
+  state_.is_homed = false;
+  state_.stamp = suture::now();
+  stateChanged_ = true;
+}
+
+template <int N>
+void SimulatedArm<N>::restIn(ArmState state) {
   endMove(false);
   setpoint_ = dynamics_.measured();
   setpointStamp_ = {};
-  if (state_.state != ArmState::Disabled) enter(ArmState::Disabled, "");
-}
-
-template <int N>
-void SimulatedArm<N>::home() {
-  if (mayMove()) startMove(model_.home, true);
+  enter(state, kActivities[static_cast<std::size_t>(state)]);
 }
 
 template <int N>
@@ -111,6 +128,10 @@ template <int N>
 void SimulatedArm<N>::step(suture::Time now) {
   if (lastStep_ != suture::Time{}) dynamics_.advance(secondsBetween(lastStep_, now));
   lastStep_ = now;
+  if (trails()) {
+    restIn(ArmState::Fault);
+    warnings_.tell(ArmWarning::FollowingError);
+  }
   if (servoing_.hasFallenSilent(now)) hold();
   if (move_) {
     if (moveStart_ == suture::Time{}) moveStart_ = now;
@@ -122,6 +143,14 @@ void SimulatedArm<N>::step(suture::Time now) {
   publish(now);
 }
 
+// The joints have had a cycle to follow what they were commanded.
+template <int N>
+bool SimulatedArm<N>::trails() const {
+  const Joints error = dynamics_.setpoint() - dynamics_.measured();
+  return state_.state == ArmState::Enabled &&
+         (error.cwiseAbs().array() > model_.following_error.array()).any();
+}
+
 template <int N>
 bool SimulatedArm<N>::mayMove() {
   if (state_.state == ArmState::Enabled) return true;
@@ -130,15 +159,9 @@ bool SimulatedArm<N>::mayMove() {
 }
 
 template <int N>
-void SimulatedArm<N>::warn(ArmWarning reason) {
-  if (standingWarning_ == reason) return;
-  standingWarning_ = newWarning_ = reason;
-}
-
-template <int N>
 void SimulatedArm<N>::enter(ArmState state, const char* activity) {
   const bool busy = move_.has_value();
-  standingWarning_.reset();
+  warnings_.obey();
   if (state_.state == state && state_.sub_state == activity && state_.is_busy == busy) return;
   state_.state = state;
   state_.sub_state = activity;
@@ -194,7 +217,7 @@ template <int N>
 void SimulatedArm<N>::clientGone(const suture::ConnectedClient& client) {
   if (&client != streamer_) return;
   hold();
-  warn(ArmWarning::ClientGone);
+  warnings_.tell(ArmWarning::ClientGone);
 }
 
 template <int N>

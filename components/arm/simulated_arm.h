@@ -6,13 +6,17 @@
 #include <suture/component/connected_client.h>
 
 #include <array>
+#include <limits>
 #include <optional>
+#include <string_view>
 
 #include "arm/arm.h"
 #include "arm/joint_dynamics.h"
 #include "arm/joint_move.h"
 #include "arm/kinematics/chain.h"
+#include "arm/operating_states.h"
 #include "arm/stream_watch.h"
+#include "arm/warnings.h"
 
 namespace robots {
 
@@ -27,6 +31,8 @@ struct ArmModel {
   Joints home;           ///< where home() takes it
   Joints rate_limit;     ///< rad/s or m/s
   double time_constant;  ///< s: how far the measured joints trail the set-point
+  /// A joint that trails its set-point by more faults the arm.
+  Joints following_error = Joints::Constant(std::numeric_limits<double>::infinity());
 };
 
 template <int N>
@@ -43,9 +49,9 @@ class SimulatedArm : public Arm {
   /// Parked and disabled. Throws std::invalid_argument for impossible dynamics.
   explicit SimulatedArm(const ArmModel<N>& model);
 
-  void enable() override;
-  void disable() override;
-  void home() override;
+  void enable() override { obey(StateCommand::Enable); }
+  void disable() override { obey(StateCommand::Disable); }
+  void home() override { obey(StateCommand::Home); }
   void hold() override;
   void servo_cp(const PoseStamped& goal) override;
   void servo_jp(const JointGoal& goal) override;
@@ -71,10 +77,10 @@ class SimulatedArm : public Arm {
   void announce(Events&& events) {
     if (stateChanged_) events.operating_state(state_);
     if (moveEnded_) events.goal_reached(*moveEnded_);
-    if (newWarning_) events.warning(*newWarning_);
+    warnings_.forEachNew([&events](ArmWarning reason) { events.warning(reason); });
     stateChanged_ = false;
     moveEnded_.reset();
-    newWarning_.reset();
+    warnings_.forgetNews();
   }
 
  private:
@@ -83,8 +89,16 @@ class SimulatedArm : public Arm {
   /// Whose command is being executed; null: nobody's who could be gone.
   virtual const suture::ConnectedClient* asking() const { return nullptr; }
 
+  /// Does what after() says, or refuses.
+  void obey(StateCommand command);
+  void refuse(StateCommand command);
+  void unhome();
+  /// Changes to `state`, in which the arm holds where it is.
+  void restIn(ArmState state);
+  /// A joint trails its set-point by too much.
+  bool trails() const;
   bool mayMove();
-  void warn(ArmWarning reason);
+  void warn(ArmWarning reason) { warnings_.warn(reason); }
   void enter(ArmState state, const char* activity);
   void startMove(const Joints& goal, bool homing);
   void endMove(bool reached);
@@ -114,7 +128,9 @@ class SimulatedArm : public Arm {
 
   bool stateChanged_ = true;
   std::optional<bool> moveEnded_;
-  std::optional<ArmWarning> standingWarning_, newWarning_;
+  std::optional<ArmState> desired_;  // what a command asked for, since the face has told it
+  Warnings warnings_;
+  std::string_view refusal_;  // why the last state command was refused
 };
 
 extern template class SimulatedArm<6>;

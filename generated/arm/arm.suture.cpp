@@ -69,6 +69,8 @@ static_assert(static_cast<std::uint8_t>(ArmWarning::NotEnabled) == 0);
 static_assert(static_cast<std::uint8_t>(ArmWarning::OutOfReach) == 1);
 static_assert(static_cast<std::uint8_t>(ArmWarning::Malformed) == 2);
 static_assert(static_cast<std::uint8_t>(ArmWarning::ClientGone) == 3);
+static_assert(static_cast<std::uint8_t>(ArmWarning::WrongState) == 4);
+static_assert(static_cast<std::uint8_t>(ArmWarning::FollowingError) == 5);
 
 bool acceptsArmServoCp(const ArmServoCpArguments& slot, FieldPath* path);
 bool acceptsArmServoJp(const ArmServoJpArguments& slot, FieldPath* path);
@@ -184,7 +186,7 @@ constexpr EventInfo kArmEvents[] = {
 constexpr char kArmDescription[] = R"json(
 {"name": "robots::Arm",
 "doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. Poses are of the tool tip in the arm's base frame. An arm starts, and restarts, disabled\nand not homed; until it is enabled it ignores motion commands.",
-"hash": "3dcc7b31a05ad0e6831d76d8edc62d74", "commands": [{"name": "enable", "kind": "void",
+"hash": "a93e3e063c01b42e4b998c16ebc39fc7", "commands": [{"name": "enable", "kind": "void",
 "ordinal": 1, "doc": "Powers the arm; it holds its position.", "queue": 16}, {"name": "disable",
 "kind": "void", "ordinal": 2, "doc": "Stops at once and ignores motion until enabled again.",
 "queue": 16}, {"name": "home", "kind": "void", "ordinal": 3,
@@ -227,7 +229,7 @@ constexpr char kArmDescription[] = R"json(
 "name": "goal_reached", "kind": "write", "ordinal": 2, "wire": "goalReached",
 "doc": "A move ended: true at its goal, false when something else replaced it.", "payload": {
 "type": {"kind": "Bool"}}, "queue": 16}, {"name": "warning", "kind": "write", "ordinal": 3,
-"doc": "The arm refuses what it is asked to do; once per reason, until it obeys again.",
+"doc": "What the arm refuses, once per reason until it obeys again; a state command each time. And\nwhat has befallen it.",
 "payload": {"type": {"kind": "enum", "name": "robots::ArmWarning"}}, "queue": 16}], "enums": [{
 "name": "robots::ArmState", "doc": "The states of CRTK.", "underlying": "UInt8", "enumerators": [{
 "name": "Undefined", "value": 0, "wire": "undefined"}, {"name": "Disabled", "value": 1,
@@ -240,8 +242,12 @@ constexpr char kArmDescription[] = R"json(
 "name": "Malformed", "value": 2, "wire": "malformed",
 "doc": "the goal has the wrong length, is not finite or not a pose"}, {"name": "ClientGone",
 "value": 3, "wire": "clientGone",
-"doc": "the client whose stream it followed is gone; the arm holds"}]}], "structs": [{
-"name": "robots::PoseStamped",
+"doc": "the client whose stream it followed is gone; the arm holds"}, {"name": "WrongState",
+"value": 4, "wire": "wrongState",
+"doc": "the operating state does not admit the command: operating_states.h"}, {
+"name": "FollowingError", "value": 5, "wire": "followingError",
+"doc": "a joint trailed its set-point by more than its bound; the arm is in FAULT"}]}], "structs": [
+{"name": "robots::PoseStamped",
 "doc": "A pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.", "fields": [{
 "name": "pose", "doc": "Tool tip in the base frame.", "type": {"kind": "isometry",
 "scalar": "Float64"}, "unit": "m"}, {"name": "stamp",
@@ -335,9 +341,10 @@ constexpr char kArmDescription[] = R"json(
 "at": 2, "name": "enabled"}, {"at": 3, "name": "paused"}, {"at": 4, "name": "fault"}]}, {
 "id": "@0xa4117f14f97ed1bb", "kind": "enum", "name": "ArmWarning", "members": [{"at": 0,
 "name": "notEnabled"}, {"at": 1, "name": "outOfReach"}, {"at": 2, "name": "malformed"}, {"at": 3,
-"name": "clientGone"}]}, {"id": "@0x8943f2eac122865a", "kind": "struct", "name": "JointGoal",
-"members": [{"at": 0, "name": "position", "is": "List(Float64) unit \"rad\""}, {"at": 1,
-"name": "stamp", "is": "Int64 clock \"steady\""}]}, {"id": "@0x871d0a082eb81ee3", "kind": "struct",
+"name": "clientGone"}, {"at": 4, "name": "wrongState"}, {"at": 5, "name": "followingError"}]}, {
+"id": "@0x8943f2eac122865a", "kind": "struct", "name": "JointGoal", "members": [{"at": 0,
+"name": "position", "is": "List(Float64) unit \"rad\""}, {"at": 1, "name": "stamp",
+"is": "Int64 clock \"steady\""}]}, {"id": "@0x871d0a082eb81ee3", "kind": "struct",
 "name": "JointSolution", "members": [{"at": 0, "name": "position",
 "is": "List(Float64) unit \"rad\" shape \"8\""}, {"at": 1, "name": "joints", "is": "UInt32"}, {
 "at": 2, "name": "found", "is": "Bool"}]}]})json";
@@ -378,6 +385,8 @@ wire::ArmWarning wireArmWarning(std::uint8_t slot) {
     case ArmWarning::OutOfReach: return wire::ArmWarning::OUT_OF_REACH;
     case ArmWarning::Malformed: return wire::ArmWarning::MALFORMED;
     case ArmWarning::ClientGone: return wire::ArmWarning::CLIENT_GONE;
+    case ArmWarning::WrongState: return wire::ArmWarning::WRONG_STATE;
+    case ArmWarning::FollowingError: return wire::ArmWarning::FOLLOWING_ERROR;
   }
   return wire::ArmWarning{};
 }
@@ -388,6 +397,8 @@ bool isKnownArmWarning(std::uint8_t slot) {
     case ArmWarning::OutOfReach:
     case ArmWarning::Malformed:
     case ArmWarning::ClientGone:
+    case ArmWarning::WrongState:
+    case ArmWarning::FollowingError:
       return true;
   }
   return false;
@@ -403,6 +414,10 @@ Errc fromWire(wire::ArmWarning in, std::uint8_t& slot) {
         static_cast<std::uint8_t>(ArmWarning::Malformed), Errc{};
     case wire::ArmWarning::CLIENT_GONE: return slot =
         static_cast<std::uint8_t>(ArmWarning::ClientGone), Errc{};
+    case wire::ArmWarning::WRONG_STATE: return slot =
+        static_cast<std::uint8_t>(ArmWarning::WrongState), Errc{};
+    case wire::ArmWarning::FOLLOWING_ERROR: return slot =
+        static_cast<std::uint8_t>(ArmWarning::FollowingError), Errc{};
   }
   return Errc::Invalid;
 }
@@ -929,7 +944,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::Arm>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::Arm",
-      .hash = "3dcc7b31a05ad0e6831d76d8edc62d74",
+      .hash = "a93e3e063c01b42e4b998c16ebc39fc7",
       .description = robots::kArmDescription,
       .commands = robots::kArmCommands,
       .events = robots::kArmEvents,

@@ -147,7 +147,8 @@ class Required<robots::Arm> : public RequiredBase {
     Subscription<robots::OperatingStateSlot, robots::OperatingState> operating_state;
     /// A move ended: true at its goal, false when something else replaced it.
     Subscription<std::uint8_t, bool> goal_reached;
-    /// The arm refuses what it is asked to do; once per reason, until it obeys again.
+    /// What the arm refuses, once per reason until it obeys again; a state command each time. And
+    /// what has befallen it.
     Subscription<std::uint8_t, robots::ArmWarning> warning;
   };
   Events& on() { return events_; }
@@ -182,7 +183,8 @@ class Provided<robots::Arm> : public ProvidedBase {
     Emitter<robots::OperatingStateSlot, robots::OperatingState> operating_state;
     /// A move ended: true at its goal, false when something else replaced it.
     Emitter<std::uint8_t, bool> goal_reached;
-    /// The arm refuses what it is asked to do; once per reason, until it obeys again.
+    /// What the arm refuses, once per reason until it obeys again; a state command each time. And
+    /// what has befallen it.
     Emitter<std::uint8_t, robots::ArmWarning> warning;
   };
   Events& emit() { return events_; }

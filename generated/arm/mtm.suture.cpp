@@ -31,6 +31,7 @@ static_assert(std::is_same_v<decltype(MtmParameters::side), MtmSide>);
 static_assert(std::is_same_v<decltype(MtmParameters::period), std::chrono::nanoseconds>);
 static_assert(std::is_same_v<decltype(MtmParameters::time_constant), double>);
 static_assert(std::is_same_v<decltype(MtmParameters::angular_rate), double>);
+static_assert(std::is_same_v<decltype(MtmParameters::following_error), double>);
 
 }  // namespace
 
@@ -40,6 +41,7 @@ bool store(const MtmParameters& value, MtmParametersSlot& slot) {
   fits &= store(value.period, slot.period);
   fits &= store(value.time_constant, slot.time_constant);
   fits &= store(value.angular_rate, slot.angular_rate);
+  fits &= store(value.following_error, slot.following_error);
   return fits;
 }
 
@@ -48,6 +50,7 @@ void load(const MtmParametersSlot& slot, MtmParameters& value) {
   load(slot.period, value.period);
   load(slot.time_constant, value.time_constant);
   load(slot.angular_rate, value.angular_rate);
+  load(slot.following_error, value.following_error);
 }
 
 // --- between slots and Cap'n Proto
@@ -82,19 +85,27 @@ void toWire(const MtmParametersSlot& slot, wire::MtmParameters::Builder out) {
   out.setPeriod(slot.period);
   out.setTimeConstant(slot.time_constant);
   out.setAngularRate(slot.angular_rate);
+  out.setFollowingError(slot.following_error);
 }
 
 Errc fromWire(wire::MtmParameters::Reader in, MtmParametersSlot& slot, Duration) {
   slot.period = in.getPeriod();
   slot.time_constant = in.getTimeConstant();
   slot.angular_rate = in.getAngularRate();
+  slot.following_error = in.getFollowingError();
   return fromWire(in.getSide(), slot.side);
 }
 
+<<<<<<< HEAD
 bool isValid(const MtmParametersSlot& slot, FieldPath* path) {
   if (!isKnownMtmSide(slot.side)) return refusedAt(path, "side");
   if (!inRange(slot.time_constant, 0.0001, 10)) return refusedAt(path, "time_constant");
   return inRange(slot.angular_rate, 0.01, 20) || refusedAt(path, "angular_rate");
+=======
+bool isValid(const MtmParametersSlot& slot) {
+  return isKnownMtmSide(slot.side) && inRange(slot.time_constant, 0.0001, 10) &&
+      inRange(slot.angular_rate, 0.01, 20) && inRange(slot.following_error, 0.001, 10);
+>>>>>>> arms
 }
 
 }  // namespace robots
@@ -113,6 +124,7 @@ void fromJson(const suture::JsonReader& in, MtmParameters& value) {
   reader.field("period", value.period);
   reader.field("time_constant", value.time_constant, 0.0001, 10);
   reader.field("angular_rate", value.angular_rate, 0.01, 20);
+  reader.field("following_error", value.following_error, 0.001, 10);
   reader.finish();
 }
 

@@ -15,10 +15,11 @@ class JsonReader;
 namespace robots {
 
 struct MtmParametersSlot {
-  std::uint8_t side;     // MtmSide
-  std::int64_t period;   // std::chrono::nanoseconds, ns
-  double time_constant;  // s
-  double angular_rate;   // rad/s
+  std::uint8_t side;       // MtmSide
+  std::int64_t period;     // std::chrono::nanoseconds, ns
+  double time_constant;    // s
+  double angular_rate;     // rad/s
+  double following_error;  // rad
 };
 
 bool store(const MtmParameters& value, MtmParametersSlot& slot);

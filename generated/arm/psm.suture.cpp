@@ -27,7 +27,9 @@ namespace {
 static_assert(std::is_same_v<decltype(PsmParameters::period), std::chrono::nanoseconds>);
 static_assert(std::is_same_v<decltype(PsmParameters::time_constant), double>);
 static_assert(std::is_same_v<decltype(PsmParameters::angular_rate), double>);
+static_assert(std::is_same_v<decltype(PsmParameters::following_error), double>);
 static_assert(std::is_same_v<decltype(PsmParameters::insertion_rate), double>);
+static_assert(std::is_same_v<decltype(PsmParameters::insertion_following_error), double>);
 
 }  // namespace
 
@@ -36,7 +38,9 @@ bool store(const PsmParameters& value, PsmParametersSlot& slot) {
   fits &= store(value.period, slot.period);
   fits &= store(value.time_constant, slot.time_constant);
   fits &= store(value.angular_rate, slot.angular_rate);
+  fits &= store(value.following_error, slot.following_error);
   fits &= store(value.insertion_rate, slot.insertion_rate);
+  fits &= store(value.insertion_following_error, slot.insertion_following_error);
   return fits;
 }
 
@@ -44,7 +48,9 @@ void load(const PsmParametersSlot& slot, PsmParameters& value) {
   load(slot.period, value.period);
   load(slot.time_constant, value.time_constant);
   load(slot.angular_rate, value.angular_rate);
+  load(slot.following_error, value.following_error);
   load(slot.insertion_rate, value.insertion_rate);
+  load(slot.insertion_following_error, value.insertion_following_error);
 }
 
 // --- between slots and Cap'n Proto
@@ -53,21 +59,27 @@ void toWire(const PsmParametersSlot& slot, wire::PsmParameters::Builder out) {
   out.setPeriod(slot.period);
   out.setTimeConstant(slot.time_constant);
   out.setAngularRate(slot.angular_rate);
+  out.setFollowingError(slot.following_error);
   out.setInsertionRate(slot.insertion_rate);
+  out.setInsertionFollowingError(slot.insertion_following_error);
 }
 
 Errc fromWire(wire::PsmParameters::Reader in, PsmParametersSlot& slot, Duration) {
   slot.period = in.getPeriod();
   slot.time_constant = in.getTimeConstant();
   slot.angular_rate = in.getAngularRate();
+  slot.following_error = in.getFollowingError();
   slot.insertion_rate = in.getInsertionRate();
+  slot.insertion_following_error = in.getInsertionFollowingError();
   return Errc{};
 }
 
 bool isValid(const PsmParametersSlot& slot, FieldPath* path) {
   if (!inRange(slot.time_constant, 0.0001, 10)) return refusedAt(path, "time_constant");
   if (!inRange(slot.angular_rate, 0.01, 20)) return refusedAt(path, "angular_rate");
-  return inRange(slot.insertion_rate, 0.001, 2) || refusedAt(path, "insertion_rate");
+  if (!inRange(slot.following_error, 0.001, 10)) return refusedAt(path, "following_error");
+  if (!inRange(slot.insertion_rate, 0.001, 2)) return refusedAt(path, "insertion_rate");
+  return inRange(slot.insertion_following_error, 0.0001, 1) || refusedAt(path, "insertion_following_error");
 }
 
 }  // namespace robots
@@ -79,7 +91,9 @@ void fromJson(const suture::JsonReader& in, PsmParameters& value) {
   reader.field("period", value.period);
   reader.field("time_constant", value.time_constant, 0.0001, 10);
   reader.field("angular_rate", value.angular_rate, 0.01, 20);
+  reader.field("following_error", value.following_error, 0.001, 10);
   reader.field("insertion_rate", value.insertion_rate, 0.001, 2);
+  reader.field("insertion_following_error", value.insertion_following_error, 0.0001, 1);
   reader.finish();
 }
 

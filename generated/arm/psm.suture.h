@@ -15,10 +15,12 @@ class JsonReader;
 namespace robots {
 
 struct PsmParametersSlot {
-  std::int64_t period;    // std::chrono::nanoseconds, ns
-  double time_constant;   // s
-  double angular_rate;    // rad/s
-  double insertion_rate;  // m/s
+  std::int64_t period;               // std::chrono::nanoseconds, ns
+  double time_constant;              // s
+  double angular_rate;               // rad/s
+  double following_error;            // rad
+  double insertion_rate;             // m/s
+  double insertion_following_error;  // m
 };
 
 bool store(const PsmParameters& value, PsmParametersSlot& slot);

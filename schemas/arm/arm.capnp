@@ -21,6 +21,10 @@ enum ArmWarning @0xa4117f14f97ed1bb $Meta.cxx("robots::ArmWarning") $Meta.underl
   # the goal has the wrong length, is not finite or not a pose
   clientGone @3 $Meta.cxx("ClientGone") $Meta.value(3);
   # the client whose stream it followed is gone; the arm holds
+  wrongState @4 $Meta.cxx("WrongState") $Meta.value(4);
+  # the operating state does not admit the command: operating_states.h
+  followingError @5 $Meta.cxx("FollowingError") $Meta.value(5);
+  # a joint trailed its set-point by more than its bound; the arm is in FAULT
 }
 
 interface Arm @0xd2a6fc6237d6fd07 $Meta.cxx("robots::Arm") {
@@ -82,7 +86,8 @@ interface ArmEvents @0xdcbc184d8af1d03c $Meta.eventsOf("robots::Arm") {
   goalReached @2 (value :Bool) -> () $Meta.cxx("goal_reached") $Meta.queue(16);
   # A move ended: true at its goal, false when something else replaced it.
   warning @3 (value :ArmWarning) -> () $Meta.queue(16);
-  # The arm refuses what it is asked to do; once per reason, until it obeys again.
+  # What the arm refuses, once per reason until it obeys again; a state command each time. And
+  # what has befallen it.
 }
 
 struct ArmStateRow @0x8c45d754ae03e800 $Meta.stateOf("robots::Arm") {

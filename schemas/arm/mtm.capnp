@@ -19,4 +19,8 @@ struct MtmParameters @0x82e61784da147f11 $Meta.cxx("robots::MtmParameters") {
   # How far the measured joints trail their set-point: here, the hand that moves the master.
   angularRate @3 :Float64 = 4.0 $Meta.cxx("angular_rate") $Meta.range(lowest = 0.01, highest = 20)
       $Meta.unit("rad/s");
+  followingError @4 :Float64 = 0.8 $Meta.cxx("following_error")
+      $Meta.range(lowest = 0.001, highest = 10) $Meta.unit("rad");
+  # A rotating joint that trails its set-point by more faults the arm. A servo goal may lie
+  # 0.4 rad ahead of the joints at these rates, and the joints trail by rate x time constant.
 }

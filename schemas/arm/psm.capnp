@@ -17,4 +17,11 @@ struct PsmParameters @0x9dae68576e1e4769 $Meta.cxx("robots::PsmParameters") {
   insertionRate @3 :Float64 = 0.4 $Meta.cxx("insertion_rate")
       $Meta.range(lowest = 0.001, highest = 2) $Meta.unit("m/s");
   # Rate limit of the insertion.
+  followingError @4 :Float64 = 0.8 $Meta.cxx("following_error")
+      $Meta.range(lowest = 0.001, highest = 10) $Meta.unit("rad");
+  # A rotating joint that trails its set-point by more faults the arm. A servo goal may lie
+  # 0.4 rad ahead of the joints at these rates, and the joints trail by rate x time constant.
+  insertionFollowingError @5 :Float64 = 0.08 $Meta.cxx("insertion_following_error")
+      $Meta.range(lowest = 1e-04, highest = 1) $Meta.unit("m");
+  # The same bound for the insertion.
 }

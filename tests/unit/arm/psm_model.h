@@ -13,7 +13,8 @@ inline ArmModel<6> psmModel() {
                     .parked = Joints::Zero(),
                     .home = Joints::Constant(0.1),
                     .rate_limit = Joints::Constant(4),
-                    .time_constant = 0.01};
+                    .time_constant = 0.01,
+                    .following_error = Joints::Constant(0.35)};
   model.parked[2] = 0.1;
   return model;
 }

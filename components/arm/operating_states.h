@@ -1,0 +1,60 @@
+#pragma once
+// The operating states of an arm as CRTK defines them (collaborative-robotics.github.io): what each
+// command leads to in each state.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "robot_types/operating_state.h"
+
+namespace robots {
+
+enum class StateCommand : std::uint8_t { Enable, Disable, Pause, Resume, Home, Unhome };
+
+/// The names of the commands, in their order.
+constexpr std::array<std::string_view, 6> kStateCommands{"enable", "disable", "pause",
+                                                         "resume", "home",    "unhome"};
+
+/// None if there is no such command.
+constexpr std::optional<StateCommand> stateCommandNamed(std::string_view name) {
+  const auto* const found = std::find(kStateCommands.begin(), kStateCommands.end(), name);
+  if (found == kStateCommands.end()) return std::nullopt;
+  return static_cast<StateCommand>(found - kStateCommands.begin());
+}
+
+/// The state after `command` in `state`; none if the command is refused there, which changes
+/// nothing. FAULT is entered by the arm alone, from ENABLED, and left by enable and disable alone;
+/// PAUSED is left by resume, not by enable, so that nobody ends another's pause by accident.
+constexpr std::optional<ArmState> after(ArmState state, StateCommand command) {
+  using enum ArmState;
+  constexpr std::optional<ArmState> kNo;
+  // Rows: the states in their order. Columns: the commands in theirs.
+  constexpr std::optional<ArmState> kTable[][kStateCommands.size()] = {
+      // enable  disable   pause   resume   home     unhome
+      {kNo, Disabled, kNo, kNo, kNo, Undefined},           // Undefined
+      {Enabled, Disabled, kNo, kNo, kNo, Disabled},        // Disabled
+      {Enabled, Disabled, Paused, kNo, Enabled, Enabled},  // Enabled
+      {kNo, Disabled, kNo, Enabled, kNo, Paused},          // Paused
+      {Enabled, Disabled, kNo, kNo, kNo, Fault},           // Fault
+  };
+  return kTable[static_cast<std::size_t>(state)][static_cast<std::size_t>(command)];
+}
+
+/// Why a command is refused where after() has none, for people.
+constexpr std::string_view whyRefused(StateCommand command) {
+  switch (command) {
+    case StateCommand::Enable: return "enable: the arm is paused; resume or disable it";
+    case StateCommand::Pause: return "pause: the arm is not enabled";
+    case StateCommand::Resume: return "resume: the arm is not paused";
+    case StateCommand::Home: return "home: the arm is not enabled";
+    case StateCommand::Disable:
+    case StateCommand::Unhome: break;  // these are possible in every state
+  }
+  return "";
+}
+
+}  // namespace robots
