@@ -38,6 +38,7 @@ model::Diagnostics check(const model::Model& model) {
     checkNames(complete, findings);
     const model::Header header = declaredIn(complete);
     checkEnums(header, findings);
+    checkExchanges(header, findings);
     checkNumbers(header, findings);
     checkQueues(header, findings);
     checkContracts(header, findings);

@@ -25,16 +25,6 @@ void checkName(const std::string& what, const std::string& name,
            "call it otherwise");
 }
 
-void checkLifecycle(const std::string& subject, const model::Lifecycle& lifecycle,
-                    const model::Interface& interface, const model::Source& source,
-                    model::Diagnostics& findings) {
-  if (!lifecycle.since || (*lifecycle.since >= 1 && *lifecycle.since <= interface.version)) return;
-  addError(findings, source, "since-version",
-           subject + " is there since(" + std::to_string(*lifecycle.since) +
-               "), but the contract has version " + std::to_string(interface.version),
-           "say version(n) on the contract, or a since() from 1 to its version");
-}
-
 bool isAnswered(CommandKind kind) { return kind != CommandKind::Read; }
 
 void checkCommand(const model::Command& command, model::Diagnostics& findings) {
@@ -68,17 +58,12 @@ void checkInterface(const model::Interface& interface, model::Diagnostics& findi
     addError(findings, interface.source, "version-range", name + " has version(0)",
              "versions count from 1");
   }
-  checkLifecycle(name, interface.lifecycle, interface, interface.source, findings);
   for (const model::Command& command : interface.commands) {
     checkName("command", command.name, kTakenFromCommands, command.source, findings);
-    checkLifecycle("command '" + command.name + "'", command.lifecycle, interface, command.source,
-                   findings);
     checkCommand(command, findings);
   }
   for (const model::Event& event : interface.events) {
     checkName("event", event.name, kTakenFromEvents, event.source, findings);
-    checkLifecycle("event '" + event.name + "'", event.lifecycle, interface, event.source,
-                   findings);
   }
 }
 

@@ -58,7 +58,10 @@ void checkEnum(const model::Enum& type, LifecycleRule& rule) {
 }
 
 void checkLifecyclesOf(const model::Interface& interface, LifecycleRule& rule) {
+  rule.checkSince("contract '" + model::unqualified(interface.name) + "'", interface.lifecycle,
+                  interface.source);
   for (const model::Command& command : interface.commands) {
+    rule.checkSince("command '" + command.name + "'", command.lifecycle, command.source);
     for (const model::Parameter& parameter : command.parameters) {
       rule.checkUse("parameter '" + parameter.name + "'", command.lifecycle, parameter.type,
                     parameter.source);
@@ -68,6 +71,7 @@ void checkLifecyclesOf(const model::Interface& interface, LifecycleRule& rule) {
                   *command.result, command.source);
   }
   for (const model::Event& event : interface.events) {
+    rule.checkSince("event '" + event.name + "'", event.lifecycle, event.source);
     for (const model::Type& type : event.payload) {
       rule.checkUse("the payload of event '" + event.name + "'", event.lifecycle, type,
                     event.source);

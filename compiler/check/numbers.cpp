@@ -1,3 +1,5 @@
+#include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "compiler/check/rules.h"
@@ -8,7 +10,10 @@ namespace {
 
 using Range = std::optional<std::pair<double, double>>;
 
-std::string shown(double number) { return nlohmann::json(number).dump(); }
+std::string shown(double number) {
+  if (std::isinf(number)) return number > 0 ? "inf" : "-inf";
+  return nlohmann::json(number).dump();
+}
 
 class NumberRule {
  public:
@@ -28,7 +33,24 @@ class NumberRule {
     }
   }
 
+  /// A sender that leaves the field as it is would be refused, and so would every older sender.
+  void applyDefault(const model::Field& field) {
+    const bool number = field.type.shape == model::Type::Shape::Scalar;
+    if (!number || !field.range || field.range->first > field.range->second) return;
+    const double value = defaultOf(field);
+    if (value >= field.range->first && value <= field.range->second) return;
+    addError(findings_, field.source, "default-range",
+             "field '" + field.name + "' is " + shown(value) + " by default, outside its range " +
+                 shown(field.range->first) + " to " + shown(field.range->second),
+             "give it a default within its range, or make it a std::optional");
+  }
+
  private:
+  static double defaultOf(const model::Field& field) {
+    const std::string& json = field.defaultJson;
+    return std::strtod(json.c_str() + (json.starts_with('"') ? 1 : 0), nullptr);
+  }
+
   model::Diagnostics& findings_;
 };
 
@@ -55,6 +77,7 @@ void checkNumbers(const model::Header& header, model::Diagnostics& findings) {
   for (const model::Struct& type : header.structs) {
     for (const model::Field& field : type.fields) {
       rule.apply("field '" + field.name + "'", field.unit, field.range, field.source);
+      rule.applyDefault(field);
     }
   }
   for (const model::Interface& interface : header.interfaces) checkNumbersOf(interface, rule);

@@ -13,7 +13,10 @@ void checkNames(const model::Header& header, model::Diagnostics& findings);
 /// Enums: neither empty nor larger than the wire's 16 bits, values distinct, one fallback at most.
 void checkEnums(const model::Header& header, model::Diagnostics& findings);
 
-/// unit() and range() of fields, parameters, results and payloads.
+/// Names that was() exchanges: their lock would read the same before and after.
+void checkExchanges(const model::Header& header, model::Diagnostics& findings);
+
+/// unit() and range() of fields, parameters, results and payloads; defaults within their ranges.
 void checkNumbers(const model::Header& header, model::Diagnostics& findings);
 
 /// queue(), latest() and ttl(): where they mean something, and which exclude each other.
@@ -23,7 +26,7 @@ void checkQueues(const model::Header& header, model::Diagnostics& findings);
 /// that generated code needs for itself.
 void checkContracts(const model::Header& header, model::Diagnostics& findings);
 
-/// since() and deprecated() of types: versions count from 1, and what is new avoids what is old.
+/// since() and deprecated(): versions count from 1, and what is new avoids what is old.
 void checkLifecycles(const model::Header& header, const model::Lookup& lookup,
                      model::Diagnostics& findings);
 
