@@ -96,16 +96,11 @@ Errc fromWire(wire::MtmParameters::Reader in, MtmParametersSlot& slot, Duration)
   return fromWire(in.getSide(), slot.side);
 }
 
-<<<<<<< HEAD
 bool isValid(const MtmParametersSlot& slot, FieldPath* path) {
   if (!isKnownMtmSide(slot.side)) return refusedAt(path, "side");
   if (!inRange(slot.time_constant, 0.0001, 10)) return refusedAt(path, "time_constant");
-  return inRange(slot.angular_rate, 0.01, 20) || refusedAt(path, "angular_rate");
-=======
-bool isValid(const MtmParametersSlot& slot) {
-  return isKnownMtmSide(slot.side) && inRange(slot.time_constant, 0.0001, 10) &&
-      inRange(slot.angular_rate, 0.01, 20) && inRange(slot.following_error, 0.001, 10);
->>>>>>> arms
+  if (!inRange(slot.angular_rate, 0.01, 20)) return refusedAt(path, "angular_rate");
+  return inRange(slot.following_error, 0.001, 10) || refusedAt(path, "following_error");
 }
 
 }  // namespace robots

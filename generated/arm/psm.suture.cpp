@@ -79,7 +79,8 @@ bool isValid(const PsmParametersSlot& slot, FieldPath* path) {
   if (!inRange(slot.angular_rate, 0.01, 20)) return refusedAt(path, "angular_rate");
   if (!inRange(slot.following_error, 0.001, 10)) return refusedAt(path, "following_error");
   if (!inRange(slot.insertion_rate, 0.001, 2)) return refusedAt(path, "insertion_rate");
-  return inRange(slot.insertion_following_error, 0.0001, 1) || refusedAt(path, "insertion_following_error");
+  return inRange(slot.insertion_following_error, 0.0001, 1) ||
+      refusedAt(path, "insertion_following_error");
 }
 
 }  // namespace robots
