@@ -28,6 +28,7 @@ static_assert(std::is_same_v<decltype(PsmParameters::angular_rate), double>);
 static_assert(std::is_same_v<decltype(PsmParameters::following_error), double>);
 static_assert(std::is_same_v<decltype(PsmParameters::insertion_rate), double>);
 static_assert(std::is_same_v<decltype(PsmParameters::insertion_following_error), double>);
+static_assert(std::is_same_v<decltype(PsmParameters::servo_horizon), double>);
 
 }  // namespace
 
@@ -39,6 +40,7 @@ bool store(const PsmParameters& value, PsmParametersSlot& slot) {
   fits &= store(value.following_error, slot.following_error);
   fits &= store(value.insertion_rate, slot.insertion_rate);
   fits &= store(value.insertion_following_error, slot.insertion_following_error);
+  fits &= store(value.servo_horizon, slot.servo_horizon);
   return fits;
 }
 
@@ -49,6 +51,7 @@ void load(const PsmParametersSlot& slot, PsmParameters& value) {
   load(slot.following_error, value.following_error);
   load(slot.insertion_rate, value.insertion_rate);
   load(slot.insertion_following_error, value.insertion_following_error);
+  load(slot.servo_horizon, value.servo_horizon);
 }
 
 // --- between slots and Cap'n Proto
@@ -60,6 +63,7 @@ void toWire(const PsmParametersSlot& slot, wire::PsmParameters::Builder out) {
   out.setFollowingError(slot.following_error);
   out.setInsertionRate(slot.insertion_rate);
   out.setInsertionFollowingError(slot.insertion_following_error);
+  out.setServoHorizon(slot.servo_horizon);
 }
 
 Errc fromWire(wire::PsmParameters::Reader in, PsmParametersSlot& slot, Duration) {
@@ -69,13 +73,14 @@ Errc fromWire(wire::PsmParameters::Reader in, PsmParametersSlot& slot, Duration)
   slot.following_error = in.getFollowingError();
   slot.insertion_rate = in.getInsertionRate();
   slot.insertion_following_error = in.getInsertionFollowingError();
+  slot.servo_horizon = in.getServoHorizon();
   return Errc{};
 }
 
 bool isValid(const PsmParametersSlot& slot) {
   return inRange(slot.time_constant, 0.0001, 10) && inRange(slot.angular_rate, 0.01, 20) &&
       inRange(slot.following_error, 0.001, 10) && inRange(slot.insertion_rate, 0.001, 2) &&
-      inRange(slot.insertion_following_error, 0.0001, 1);
+      inRange(slot.insertion_following_error, 0.0001, 1) && inRange(slot.servo_horizon, 0.001, 10);
 }
 
 }  // namespace robots
@@ -90,6 +95,7 @@ void fromJson(const suture::JsonReader& in, PsmParameters& value) {
   reader.field("following_error", value.following_error, 0.001, 10);
   reader.field("insertion_rate", value.insertion_rate, 0.001, 2);
   reader.field("insertion_following_error", value.insertion_following_error, 0.0001, 1);
+  reader.field("servo_horizon", value.servo_horizon, 0.001, 10);
   reader.finish();
 }
 
