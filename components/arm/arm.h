@@ -15,11 +15,14 @@ namespace robots {
 /// Why an arm does not do what it is asked.
 enum class SUTURE_TYPE() ArmWarning : std::uint8_t {
   NotEnabled,      ///< motion commands need an enabled arm
-  OutOfReach,      ///< no joint vector within limits reaches the goal
+  OutOfReach,      ///< no joint vector reaches the goal; for a move, none within limits
   Malformed,       ///< the goal has the wrong length, is not finite or not a pose
   ClientGone,      ///< the client whose stream it followed is gone; the arm holds
   WrongState,      ///< the operating state does not admit the command: operating_states.h
   FollowingError,  ///< a joint trailed its set-point by more than its bound; the arm is in FAULT
+  AtLimit,         ///< a servo goal lies beyond a joint limit: the arm slides along it; once until
+                   ///< goals lie within again
+  StepTooFar,      ///< a servo goal lies farther from the set-point than the rates allow
 };
 
 /// Commands run in the arm's own thread before its next cycle; reads are from the end of its last
@@ -38,10 +41,11 @@ class SUTURE_INTERFACE() Arm {
   /// Drops what is under way; the set-point stays where it is.
   SUTURE_COMMAND() virtual void hold() = 0;
 
-  /// Streams Cartesian goals, newest wins. A goal out of reach leaves the set-point and says so in
-  /// `warning`. setpoint_cp keeps the goal's stamp.
+  /// Streams Cartesian goals, newest wins. Beyond a joint limit the arm slides along that, at the
+  /// nearest that the limits leave; a goal out of reach, or too far for one step, leaves the
+  /// set-point. All three it says in `warning`. setpoint_cp keeps the goal's stamp.
   SUTURE_COMMAND(latest(), ttl(20ms)) virtual void servo_cp(const PoseStamped& goal) = 0;
-  /// Streams joint goals, newest wins; cut to the joint limits.
+  /// Streams joint goals, newest wins. A joint whose goal lies beyond its limit stays at that.
   SUTURE_COMMAND(latest(), ttl(20ms)) virtual void servo_jp(const JointGoal& goal) = 0;
   /// Plans and executes a smooth motion from the set-point. Ends with goal_reached.
   SUTURE_COMMAND() virtual void move_jp(const JointGoal& goal) = 0;

@@ -3,6 +3,8 @@
 
 #include <suture/component/required.h>
 
+#include <utility>
+
 #include "arm/arm.suture.h"
 
 namespace robots {
@@ -17,12 +19,19 @@ class ArmWatch {
       homed_ = state.is_homed;
       busy_ = state.is_busy;
     });
+    arm_.on().warning([this](const ArmWarning& warning) {
+      brokenOff_ = brokenOff_ || warning == ArmWarning::StepTooFar;
+    });
   }
   ArmWatch(const ArmWatch&) = delete;
   ArmWatch& operator=(const ArmWatch&) = delete;
 
   /// The arm obeys servo commands: enabled, homed, and no move under way.
   bool ready() const { return state_ == ArmState::Enabled && homed_ && !busy_; }
+
+  /// Since the last call the arm has refused a goal that lies too far from its set-point: whoever
+  /// streams goals begins anew, from where the arm is, or the arm would refuse them for ever.
+  bool hasBrokenOff() { return std::exchange(brokenOff_, false); }
 
   /// Once a cycle: enables and homes the arm, each at most once, so that an arm which someone
   /// disabled, or which came back after a failure, stays disabled.
@@ -41,6 +50,7 @@ class ArmWatch {
   ArmState state_ = ArmState::Undefined;
   bool homed_ = false;
   bool busy_ = false;
+  bool brokenOff_ = false;
   bool enableAsked_ = false;
   bool homeAsked_ = false;
 };

@@ -119,7 +119,7 @@ void CrtkFace<N>::servo_jr(const JointGoal& step) {
   if (!arm_.mayMove()) return;
   const auto q = toJoints<N>(step.position);
   if (!q) return arm_.warn(ArmWarning::Malformed);
-  arm_.servo(arm_.model_.chain.clamp(arm_.setpoint_ + *q), step.stamp, "servo_jr");
+  arm_.servo(arm_.withinLimits(arm_.setpoint_ + *q), step.stamp, "servo_jr");
 }
 
 template <int N>
@@ -301,9 +301,12 @@ template <int N>
 std::string_view CrtkFace<N>::textOf(ArmWarning reason) const {
   switch (reason) {
     case ArmWarning::NotEnabled: return "motion needs an enabled arm";
-    case ArmWarning::OutOfReach: return "no joint vector within limits reaches the goal";
+    case ArmWarning::OutOfReach: return "no joint vector reaches the goal";
     case ArmWarning::Malformed: return "the goal has the wrong length or is not finite or no pose";
     case ArmWarning::ClientGone: return "the client whose stream the arm followed is gone";
+    case ArmWarning::AtLimit: return "the goal lies beyond a joint limit; the arm slides along it";
+    case ArmWarning::StepTooFar:
+      return "the goal lies farther from the set-point than the rates allow in one step";
     case ArmWarning::WrongState: return arm_.refusal_;
     case ArmWarning::FollowingError:
       return "a joint trailed its set-point by more than its bound; enable or disable the arm";

@@ -17,6 +17,7 @@ ArmModel<7> model(const MtmParameters& parameters) {
       .rate_limit = ArmModel<7>::Joints::Constant(parameters.angular_rate),
       .time_constant = parameters.time_constant,
       .following_error = ArmModel<7>::Joints::Constant(parameters.following_error),
+      .servo_horizon = parameters.servo_horizon,
   };
   // Well conditioned, and 0.1 m from any limit in all directions.
   model.home[1] = 0.4;

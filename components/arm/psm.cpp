@@ -15,6 +15,7 @@ ArmModel<6> model(const PsmParameters& parameters) {
       .rate_limit = ArmModel<6>::Joints::Constant(parameters.angular_rate),
       .time_constant = parameters.time_constant,
       .following_error = ArmModel<6>::Joints::Constant(parameters.following_error),
+      .servo_horizon = parameters.servo_horizon,
   };
   // Inside the patient from the start: the cannula is not simulated.
   model.parked[kInsertion] = 0.1;

@@ -28,6 +28,10 @@ struct SUTURE_TYPE() PsmParameters {
   SUTURE_FIELD(unit("m/s"), range(0.001, 2)) double insertion_rate = 0.4;
   /// The same bound for the insertion.
   SUTURE_FIELD(unit("m"), range(0.0001, 1)) double insertion_following_error = 0.08;
+  /// A servo goal may lie so far from the set-point as the joints can move in this time at their
+  /// rate limits; one that lies farther is refused. By default as long as a stream may be silent:
+  /// what the master does in 0.1 s is far below the rates of the slave.
+  SUTURE_FIELD(unit("s"), range(0.001, 10)) double servo_horizon = 0.1;
 };
 
 /// A patient side manipulator with large needle driver (arm/kinematics/davinci.h). Its base frame

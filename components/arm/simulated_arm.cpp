@@ -85,8 +85,8 @@ void SimulatedArm<N>::servo_cp(const PoseStamped& goal) {
   if (!mayMove()) return;
   if (!isPose(goal)) return warn(ArmWarning::Malformed);
   const auto solution = kinematics::inverse(model_.chain, goal.pose, setpoint_);
-  if (!solution.found) return warn(ArmWarning::OutOfReach);
-  servo(solution.q, goal.stamp, "servo_cp");
+  if (!solution.found && !solution.limited) return warn(ArmWarning::OutOfReach);
+  servo({solution.q, solution.limited}, goal.stamp, "servo_cp");
 }
 
 template <int N>
@@ -94,7 +94,7 @@ void SimulatedArm<N>::servo_jp(const JointGoal& goal) {
   if (!mayMove()) return;
   const auto q = toJoints<N>(goal.position);
   if (!q) return warn(ArmWarning::Malformed);
-  servo(model_.chain.clamp(*q), goal.stamp, "servo_jp");
+  servo(withinLimits(*q), goal.stamp, "servo_jp");
 }
 
 template <int N>
@@ -184,6 +184,7 @@ template <int N>
 void SimulatedArm<N>::endMove(bool reached) {
   servoing_.end();
   streamer_ = nullptr;
+  sliding_ = false;
   if (!move_) return;
   move_.reset();
   moveEnded_ = reached;
@@ -208,9 +209,21 @@ void SimulatedArm<N>::followStream(const Joints& setpoint, suture::Time goalStam
 }
 
 template <int N>
-void SimulatedArm<N>::servo(const Joints& setpoint, suture::Time goalStamp, const char* activity) {
-  followStream(setpoint, goalStamp, activity);
+typename SimulatedArm<N>::ServoTarget SimulatedArm<N>::withinLimits(const Joints& q) const {
+  return {model_.chain.clamp(q), !model_.chain.within(q)};
+}
+
+template <int N>
+void SimulatedArm<N>::servo(const ServoTarget& target, suture::Time goalStamp,
+                            const char* activity) {
+  const Joints furthest = model_.servo_horizon * model_.rate_limit;
+  const Joints step = target.q - setpoint_;
+  if ((step.cwiseAbs().array() > furthest.array()).any()) return warn(ArmWarning::StepTooFar);
+  const bool slid = sliding_;
+  followStream(target.q, goalStamp, activity);
   servoing_.ask();
+  sliding_ = target.limited;
+  if (sliding_ && !slid) warnings_.tell(ArmWarning::AtLimit);
 }
 
 template <int N>

@@ -33,6 +33,8 @@ struct ArmModel {
   double time_constant;  ///< s: how far the measured joints trail the set-point
   /// A joint that trails its set-point by more faults the arm.
   Joints following_error = Joints::Constant(std::numeric_limits<double>::infinity());
+  /// s: a servo goal may lie so far from the set-point as the joints can move in this time.
+  double servo_horizon = 0.1;
 };
 
 template <int N>
@@ -105,8 +107,14 @@ class SimulatedArm : public Arm {
   void follow(const Joints& setpoint, suture::Time goalStamp, const char* activity);
   /// The same for what a client streams.
   void followStream(const Joints& setpoint, suture::Time goalStamp, const char* activity);
-  /// The same for goals of positions.
-  void servo(const Joints& setpoint, suture::Time goalStamp, const char* activity);
+  /// A set-point that a servo goal leads to.
+  struct ServoTarget {
+    Joints q;
+    bool limited;  ///< the goal itself lies beyond a joint limit
+  };
+  ServoTarget withinLimits(const Joints& q) const;
+  /// The same for a goal of a position, unless it is too far for one step.
+  void servo(const ServoTarget& target, suture::Time goalStamp, const char* activity);
   void publish(suture::Time now);
 
   const ArmModel<N> model_;
@@ -120,6 +128,7 @@ class SimulatedArm : public Arm {
   bool homing_ = false;
   StreamWatch servoing_;                               // whatever else the arm does ends it
   const suture::ConnectedClient* streamer_ = nullptr;  // whose stream is followed
+  bool sliding_ = false;                               // along a joint limit
   double moveRatio_ = 1;                               // of the rates that a move may use
 
   JointState measuredJs_, setpointJs_;

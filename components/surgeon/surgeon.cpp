@@ -11,6 +11,7 @@ Surgeon::Surgeon(const SurgeonParameters& parameters)
 void Surgeon::run() {
   const suture::Time now = suture::now();
   if (!watch_.ready() || !master_.connected()) return path_.reset();
+  if (watch_.hasBrokenOff()) path_.reset();
   if (!path_) {
     const auto start = master_.setpoint_cp();
     if (!start || !start->valid) return;

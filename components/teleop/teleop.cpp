@@ -48,6 +48,7 @@ void Teleop::run() {
       !slaveWatch_.ready()) {
     return leave();
   }
+  if (slaveWatch_.hasBrokenOff()) law_.reset();
   if (!law_) begin(*master, *slave);
   // The goal keeps the stamp of the master's data, so its age is known wherever it arrives.
   if (!slave_.servo_cp({law_->follow(master->pose), master->stamp, true})) leave();

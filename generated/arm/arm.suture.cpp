@@ -71,6 +71,8 @@ static_assert(static_cast<std::uint8_t>(ArmWarning::Malformed) == 2);
 static_assert(static_cast<std::uint8_t>(ArmWarning::ClientGone) == 3);
 static_assert(static_cast<std::uint8_t>(ArmWarning::WrongState) == 4);
 static_assert(static_cast<std::uint8_t>(ArmWarning::FollowingError) == 5);
+static_assert(static_cast<std::uint8_t>(ArmWarning::AtLimit) == 6);
+static_assert(static_cast<std::uint8_t>(ArmWarning::StepTooFar) == 7);
 
 bool acceptsArmServoCp(const ArmServoCpArguments& slot, FieldPath* path);
 bool acceptsArmServoJp(const ArmServoJpArguments& slot, FieldPath* path);
@@ -186,7 +188,7 @@ constexpr EventInfo kArmEvents[] = {
 constexpr char kArmDescription[] = R"json(
 {"name": "robots::Arm",
 "doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. Poses are of the tool tip in the arm's base frame. An arm starts, and restarts, disabled\nand not homed; until it is enabled it ignores motion commands.",
-"hash": "a93e3e063c01b42e4b998c16ebc39fc7", "commands": [{"name": "enable", "kind": "void",
+"hash": "e9f7172c4630239080c455b9e909eaec", "commands": [{"name": "enable", "kind": "void",
 "ordinal": 1, "doc": "Powers the arm; it holds its position.", "queue": 16}, {"name": "disable",
 "kind": "void", "ordinal": 2, "doc": "Stops at once and ignores motion until enabled again.",
 "queue": 16}, {"name": "home", "kind": "void", "ordinal": 3,
@@ -194,10 +196,11 @@ constexpr char kArmDescription[] = R"json(
 "name": "hold", "kind": "void", "ordinal": 4,
 "doc": "Drops what is under way; the set-point stays where it is.", "queue": 16}, {
 "name": "servo_cp", "kind": "write", "ordinal": 5, "wire": "servoCp",
-"doc": "Streams Cartesian goals, newest wins. A goal out of reach leaves the set-point and says so in\n`warning`. setpoint_cp keeps the goal's stamp.",
+"doc": "Streams Cartesian goals, newest wins. Beyond a joint limit the arm slides along that, at the\nnearest that the limits leave; a goal out of reach, or too far for one step, leaves the\nset-point. All three it says in `warning`. setpoint_cp keeps the goal's stamp.",
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
 "queue": 16, "latest": true, "ttl": 0.02}, {"name": "servo_jp", "kind": "write", "ordinal": 6,
-"wire": "servoJp", "doc": "Streams joint goals, newest wins; cut to the joint limits.",
+"wire": "servoJp",
+"doc": "Streams joint goals, newest wins. A joint whose goal lies beyond its limit stays at that.",
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
 "queue": 16, "latest": true, "ttl": 0.02}, {"name": "move_jp", "kind": "write", "ordinal": 7,
 "wire": "moveJp",
@@ -238,7 +241,7 @@ constexpr char kArmDescription[] = R"json(
 "name": "robots::ArmWarning", "doc": "Why an arm does not do what it is asked.",
 "underlying": "UInt8", "enumerators": [{"name": "NotEnabled", "value": 0, "wire": "notEnabled",
 "doc": "motion commands need an enabled arm"}, {"name": "OutOfReach", "value": 1,
-"wire": "outOfReach", "doc": "no joint vector within limits reaches the goal"}, {
+"wire": "outOfReach", "doc": "no joint vector reaches the goal; for a move, none within limits"}, {
 "name": "Malformed", "value": 2, "wire": "malformed",
 "doc": "the goal has the wrong length, is not finite or not a pose"}, {"name": "ClientGone",
 "value": 3, "wire": "clientGone",
@@ -246,8 +249,12 @@ constexpr char kArmDescription[] = R"json(
 "value": 4, "wire": "wrongState",
 "doc": "the operating state does not admit the command: operating_states.h"}, {
 "name": "FollowingError", "value": 5, "wire": "followingError",
-"doc": "a joint trailed its set-point by more than its bound; the arm is in FAULT"}]}], "structs": [
-{"name": "robots::PoseStamped",
+"doc": "a joint trailed its set-point by more than its bound; the arm is in FAULT"}, {
+"name": "AtLimit", "value": 6, "wire": "atLimit",
+"doc": "a servo goal lies beyond a joint limit: the arm slides along it; once until\ngoals lie within again"
+}, {"name": "StepTooFar", "value": 7, "wire": "stepTooFar",
+"doc": "a servo goal lies farther from the set-point than the rates allow"}]}], "structs": [{
+"name": "robots::PoseStamped",
 "doc": "A pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.", "fields": [{
 "name": "pose", "doc": "Tool tip in the base frame.", "type": {"kind": "isometry",
 "scalar": "Float64"}, "unit": "m"}, {"name": "stamp",
@@ -341,13 +348,13 @@ constexpr char kArmDescription[] = R"json(
 "at": 2, "name": "enabled"}, {"at": 3, "name": "paused"}, {"at": 4, "name": "fault"}]}, {
 "id": "@0xa4117f14f97ed1bb", "kind": "enum", "name": "ArmWarning", "members": [{"at": 0,
 "name": "notEnabled"}, {"at": 1, "name": "outOfReach"}, {"at": 2, "name": "malformed"}, {"at": 3,
-"name": "clientGone"}, {"at": 4, "name": "wrongState"}, {"at": 5, "name": "followingError"}]}, {
-"id": "@0x8943f2eac122865a", "kind": "struct", "name": "JointGoal", "members": [{"at": 0,
-"name": "position", "is": "List(Float64) unit \"rad\""}, {"at": 1, "name": "stamp",
-"is": "Int64 clock \"steady\""}]}, {"id": "@0x871d0a082eb81ee3", "kind": "struct",
-"name": "JointSolution", "members": [{"at": 0, "name": "position",
-"is": "List(Float64) unit \"rad\" shape \"8\""}, {"at": 1, "name": "joints", "is": "UInt32"}, {
-"at": 2, "name": "found", "is": "Bool"}]}]})json";
+"name": "clientGone"}, {"at": 4, "name": "wrongState"}, {"at": 5, "name": "followingError"}, {
+"at": 6, "name": "atLimit"}, {"at": 7, "name": "stepTooFar"}]}, {"id": "@0x8943f2eac122865a",
+"kind": "struct", "name": "JointGoal", "members": [{"at": 0, "name": "position",
+"is": "List(Float64) unit \"rad\""}, {"at": 1, "name": "stamp", "is": "Int64 clock \"steady\""}]}, {
+"id": "@0x871d0a082eb81ee3", "kind": "struct", "name": "JointSolution", "members": [{"at": 0,
+"name": "position", "is": "List(Float64) unit \"rad\" shape \"8\""}, {"at": 1, "name": "joints",
+"is": "UInt32"}, {"at": 2, "name": "found", "is": "Bool"}]}]})json";
 
 }  // namespace
 
@@ -387,6 +394,8 @@ wire::ArmWarning wireArmWarning(std::uint8_t slot) {
     case ArmWarning::ClientGone: return wire::ArmWarning::CLIENT_GONE;
     case ArmWarning::WrongState: return wire::ArmWarning::WRONG_STATE;
     case ArmWarning::FollowingError: return wire::ArmWarning::FOLLOWING_ERROR;
+    case ArmWarning::AtLimit: return wire::ArmWarning::AT_LIMIT;
+    case ArmWarning::StepTooFar: return wire::ArmWarning::STEP_TOO_FAR;
   }
   return wire::ArmWarning{};
 }
@@ -399,6 +408,8 @@ bool isKnownArmWarning(std::uint8_t slot) {
     case ArmWarning::ClientGone:
     case ArmWarning::WrongState:
     case ArmWarning::FollowingError:
+    case ArmWarning::AtLimit:
+    case ArmWarning::StepTooFar:
       return true;
   }
   return false;
@@ -418,6 +429,10 @@ Errc fromWire(wire::ArmWarning in, std::uint8_t& slot) {
         static_cast<std::uint8_t>(ArmWarning::WrongState), Errc{};
     case wire::ArmWarning::FOLLOWING_ERROR: return slot =
         static_cast<std::uint8_t>(ArmWarning::FollowingError), Errc{};
+    case wire::ArmWarning::AT_LIMIT: return slot =
+        static_cast<std::uint8_t>(ArmWarning::AtLimit), Errc{};
+    case wire::ArmWarning::STEP_TOO_FAR: return slot =
+        static_cast<std::uint8_t>(ArmWarning::StepTooFar), Errc{};
   }
   return Errc::Invalid;
 }
@@ -944,7 +959,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::Arm>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::Arm",
-      .hash = "a93e3e063c01b42e4b998c16ebc39fc7",
+      .hash = "e9f7172c4630239080c455b9e909eaec",
       .description = robots::kArmDescription,
       .commands = robots::kArmCommands,
       .events = robots::kArmEvents,

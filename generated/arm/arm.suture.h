@@ -102,11 +102,12 @@ class Required<robots::Arm> : public RequiredBase {
   Command<&Contract::home, NoSlot> home{*this, static_cast<std::uint16_t>(Id::home)};
   /// Drops what is under way; the set-point stays where it is.
   Command<&Contract::hold, NoSlot> hold{*this, static_cast<std::uint16_t>(Id::hold)};
-  /// Streams Cartesian goals, newest wins. A goal out of reach leaves the set-point and says so in
-  /// `warning`. setpoint_cp keeps the goal's stamp.
+  /// Streams Cartesian goals, newest wins. Beyond a joint limit the arm slides along that, at the
+  /// nearest that the limits leave; a goal out of reach, or too far for one step, leaves the
+  /// set-point. All three it says in `warning`. setpoint_cp keeps the goal's stamp.
   Command<&Contract::servo_cp, robots::ArmServoCpArguments> servo_cp{
       *this, static_cast<std::uint16_t>(Id::servo_cp)};
-  /// Streams joint goals, newest wins; cut to the joint limits.
+  /// Streams joint goals, newest wins. A joint whose goal lies beyond its limit stays at that.
   Command<&Contract::servo_jp, robots::ArmServoJpArguments> servo_jp{
       *this, static_cast<std::uint16_t>(Id::servo_jp)};
   /// Plans and executes a smooth motion from the set-point. Ends with goal_reached.

@@ -20,6 +20,7 @@ struct MtmParametersSlot {
   double time_constant;    // s
   double angular_rate;     // rad/s
   double following_error;  // rad
+  double servo_horizon;    // s
 };
 
 bool store(const MtmParameters& value, MtmParametersSlot& slot);

@@ -21,6 +21,7 @@ struct PsmParametersSlot {
   double following_error;            // rad
   double insertion_rate;             // m/s
   double insertion_following_error;  // m
+  double servo_horizon;              // s
 };
 
 bool store(const PsmParameters& value, PsmParametersSlot& slot);

@@ -16,7 +16,7 @@ enum ArmWarning @0xa4117f14f97ed1bb $Meta.cxx("robots::ArmWarning") $Meta.underl
   notEnabled @0 $Meta.cxx("NotEnabled") $Meta.value(0);
   # motion commands need an enabled arm
   outOfReach @1 $Meta.cxx("OutOfReach") $Meta.value(1);
-  # no joint vector within limits reaches the goal
+  # no joint vector reaches the goal; for a move, none within limits
   malformed @2 $Meta.cxx("Malformed") $Meta.value(2);
   # the goal has the wrong length, is not finite or not a pose
   clientGone @3 $Meta.cxx("ClientGone") $Meta.value(3);
@@ -25,6 +25,11 @@ enum ArmWarning @0xa4117f14f97ed1bb $Meta.cxx("robots::ArmWarning") $Meta.underl
   # the operating state does not admit the command: operating_states.h
   followingError @5 $Meta.cxx("FollowingError") $Meta.value(5);
   # a joint trailed its set-point by more than its bound; the arm is in FAULT
+  atLimit @6 $Meta.cxx("AtLimit") $Meta.value(6);
+  # a servo goal lies beyond a joint limit: the arm slides along it; once until
+  # goals lie within again
+  stepTooFar @7 $Meta.cxx("StepTooFar") $Meta.value(7);
+  # a servo goal lies farther from the set-point than the rates allow
 }
 
 interface Arm @0xd2a6fc6237d6fd07 $Meta.cxx("robots::Arm") {
@@ -44,11 +49,12 @@ interface Arm @0xd2a6fc6237d6fd07 $Meta.cxx("robots::Arm") {
   # Drops what is under way; the set-point stays where it is.
   servoCp @5 (goal :Pose.PoseStamped, sent :Rpc.Sent) -> () $Meta.cxx("servo_cp")
       $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(20000000);
-  # Streams Cartesian goals, newest wins. A goal out of reach leaves the set-point and says so in
-  # `warning`. setpoint_cp keeps the goal's stamp.
+  # Streams Cartesian goals, newest wins. Beyond a joint limit the arm slides along that, at the
+  # nearest that the limits leave; a goal out of reach, or too far for one step, leaves the
+  # set-point. All three it says in `warning`. setpoint_cp keeps the goal's stamp.
   servoJp @6 (goal :Joints.JointGoal, sent :Rpc.Sent) -> () $Meta.cxx("servo_jp")
       $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(20000000);
-  # Streams joint goals, newest wins; cut to the joint limits.
+  # Streams joint goals, newest wins. A joint whose goal lies beyond its limit stays at that.
   moveJp @7 (goal :Joints.JointGoal, sent :Rpc.Sent) -> () $Meta.cxx("move_jp") $Meta.kind("write")
       $Meta.queue(16);
   # Plans and executes a smooth motion from the set-point. Ends with goal_reached.

@@ -23,4 +23,9 @@ struct MtmParameters @0x82e61784da147f11 $Meta.cxx("robots::MtmParameters") {
       $Meta.range(lowest = 0.001, highest = 10) $Meta.unit("rad");
   # A rotating joint that trails its set-point by more faults the arm. A servo goal may lie
   # 0.4 rad ahead of the joints at these rates, and the joints trail by rate x time constant.
+  servoHorizon @5 :Float64 = 0.1 $Meta.cxx("servo_horizon")
+      $Meta.range(lowest = 0.001, highest = 10) $Meta.unit("s");
+  # A servo goal may lie so far from the set-point as the joints can move in this time at their
+  # rate limits; one that lies farther is refused. By default as long as a stream may be silent:
+  # what the master does in 0.1 s is far below the rates of the slave.
 }

@@ -24,4 +24,9 @@ struct PsmParameters @0x9dae68576e1e4769 $Meta.cxx("robots::PsmParameters") {
   insertionFollowingError @5 :Float64 = 0.08 $Meta.cxx("insertion_following_error")
       $Meta.range(lowest = 1e-04, highest = 1) $Meta.unit("m");
   # The same bound for the insertion.
+  servoHorizon @6 :Float64 = 0.1 $Meta.cxx("servo_horizon")
+      $Meta.range(lowest = 0.001, highest = 10) $Meta.unit("s");
+  # A servo goal may lie so far from the set-point as the joints can move in this time at their
+  # rate limits; one that lies farther is refused. By default as long as a stream may be silent:
+  # what the master does in 0.1 s is far below the rates of the slave.
 }

@@ -21,34 +21,51 @@ Vector6 weights() {
   return weights;
 }
 
-// The damped step; joints at a limit that the gradient pushes outward take no part.
+// So small a step (rad or m) leads nowhere: the search stands at the nearest that the limits leave.
+constexpr double kStandstill = 1e-12;
+
+enum class Limits { Heeded, Ignored };
+
+// The joint is at a limit, and `direction` leads it outward.
+template <int N>
+bool leadsOut(const Chain<N>& chain, const typename Chain<N>::Joints& q,
+              const typename Chain<N>::Joints& direction, int i) {
+  return (q[i] >= chain.upper()[i] && direction[i] > 0) ||
+         (q[i] <= chain.lower()[i] && direction[i] < 0);
+}
+
+// The damped step; joints at a limit that the gradient or the step would push outward take no part.
 template <int N>
 typename Chain<N>::Joints dampedStep(const Chain<N>& chain, const typename Chain<N>::Joints& q,
-                                     const Vector6& error) {
+                                     const Vector6& error, Limits limits) {
   const Vector6 weight = weights();
   const typename Chain<N>::Jacobian jacobian = chain.jacobian(q);
   typename Chain<N>::Joints gradient = jacobian.transpose() * weight.cwiseProduct(error);
   Eigen::Matrix<double, N, N> normal = jacobian.transpose() * weight.asDiagonal() * jacobian;
   normal.diagonal().array() += 0.5 * error.dot(weight.cwiseProduct(error)) + kMinimumDamping;
-  for (int i = 0; i < N; ++i) {
-    const bool pushedOut = (q[i] >= chain.upper()[i] && gradient[i] > 0) ||
-                           (q[i] <= chain.lower()[i] && gradient[i] < 0);
-    if (!pushedOut) continue;
-    normal.row(i).setZero();
-    normal.col(i).setZero();
-    normal(i, i) = 1;
-    gradient[i] = 0;
+  typename Chain<N>::Joints direction = gradient;
+  // Each turn but the last holds at least one joint more.
+  for (bool solved = false;; solved = true) {
+    bool holdsMore = false;
+    for (int i = 0; i < N && limits == Limits::Heeded; ++i) {
+      if (!leadsOut(chain, q, direction, i)) continue;
+      normal.row(i).setZero();
+      normal.col(i).setZero();
+      normal(i, i) = 1;
+      gradient[i] = 0;
+      holdsMore = true;
+    }
+    if (solved && !holdsMore) return direction;
+    direction = normal.llt().solve(gradient);
   }
-  return normal.llt().solve(gradient);
 }
 
-}  // namespace
-
 template <int N>
-InverseSolution<N> inverse(const Chain<N>& chain, const Eigen::Isometry3d& goal,
-                           const typename Chain<N>::Joints& start, const InverseOptions& options) {
+InverseSolution<N> search(const Chain<N>& chain, const Eigen::Isometry3d& goal,
+                          const typename Chain<N>::Joints& start, const InverseOptions& options,
+                          Limits limits) {
   InverseSolution<N> solution;
-  solution.q = chain.clamp(start);
+  solution.q = start;
   for (;; ++solution.iterations) {
     const Vector6 error = poseError(chain.forward(solution.q), goal);
     solution.position_error = error.template head<3>().norm();
@@ -57,8 +74,28 @@ InverseSolution<N> inverse(const Chain<N>& chain, const Eigen::Isometry3d& goal,
                      solution.orientation_error <= options.orientation_tolerance;
     const bool spent = solution.iterations >= options.max_iterations || !error.allFinite();
     if (solution.found || spent) return solution;
-    solution.q = chain.clamp(solution.q + dampedStep(chain, solution.q, error));
+    const typename Chain<N>::Joints before = solution.q;
+    solution.q += dampedStep(chain, before, error, limits);
+    if (limits == Limits::Heeded) solution.q = chain.clamp(solution.q);
+    if ((solution.q - before).cwiseAbs().maxCoeff() <= kStandstill) return solution;
   }
+}
+
+// A joint rests against its limit.
+template <int N>
+bool isAtLimit(const Chain<N>& chain, const typename Chain<N>::Joints& q) {
+  return (q.array() <= chain.lower().array()).any() || (q.array() >= chain.upper().array()).any();
+}
+
+}  // namespace
+
+template <int N>
+InverseSolution<N> inverse(const Chain<N>& chain, const Eigen::Isometry3d& goal,
+                           const typename Chain<N>::Joints& start, const InverseOptions& options) {
+  InverseSolution<N> solution = search(chain, goal, chain.clamp(start), options, Limits::Heeded);
+  solution.limited = !solution.found && isAtLimit(chain, solution.q) &&
+                     search(chain, goal, solution.q, options, Limits::Ignored).found;
+  return solution;
 }
 
 template InverseSolution<6> inverse(const Chain<6>&, const Eigen::Isometry3d&,

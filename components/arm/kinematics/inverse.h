@@ -11,8 +11,8 @@ struct InverseOptions {
   double orientation_tolerance = 1e-9;  ///< rad
 };
 
-/// The answer of `inverse`: within the joint limits even when not found, then the best that was
-/// reached.
+/// The answer of `inverse`: within the joint limits even when not found, then the nearest that was
+/// reached: where 0.1 m of position weigh as much as 1 rad of orientation.
 template <int N>
 struct InverseSolution {
   typename Chain<N>::Joints q;
@@ -20,6 +20,10 @@ struct InverseSolution {
   double orientation_error = 0;  ///< rad
   int iterations = 0;
   bool found = false;  ///< both errors are within tolerance
+  /// Not found, and only because of the joint limits: without them the goal would be reached. Then
+  /// `q` is the nearest within them. Neither found nor limited: no joint vector reaches the goal,
+  /// or none that the search finds.
+  bool limited = false;
 };
 
 /// Joint vector whose tip pose is `goal` (base frame), searched from `start`; the joints it need
@@ -27,7 +31,7 @@ struct InverseSolution {
 /// error (Sugihara, "Solvability-unconcerned inverse kinematics by the Levenberg-Marquardt method",
 /// IEEE Transactions on Robotics 27(5), 2011), so it neither blows up at a singularity nor out of
 /// reach. A joint that is pushed against its limit is held there for that iteration. A goal that is
-/// not finite is not found. Never allocates; time is bounded by max_iterations.
+/// not finite is not found. Never allocates; time is bounded by twice max_iterations.
 template <int N>
 InverseSolution<N> inverse(const Chain<N>& chain, const Eigen::Isometry3d& goal,
                            const typename Chain<N>::Joints& start,

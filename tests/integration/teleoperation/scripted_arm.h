@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <limits>
 #include <mutex>
 #include <vector>
 
@@ -40,6 +41,12 @@ class ScriptedArm final : public suture::PeriodicTask, public Arm {
     const std::lock_guard lock(mutex_);
     stuck_ = stuck;
   }
+  /// Refuses goals that lie farther from where it is, m.
+  void refuseStepsBeyond(double distance) {
+    const std::lock_guard lock(mutex_);
+    longestStep_ = distance;
+  }
+  /// Those that it has obeyed.
   std::vector<PoseStamped> goals() const {
     const std::lock_guard lock(mutex_);
     return goals_;
@@ -55,6 +62,10 @@ class ScriptedArm final : public suture::PeriodicTask, public Arm {
   void hold() override {}
   void servo_cp(const PoseStamped& goal) override {
     const std::lock_guard lock(mutex_);
+    if ((goal.pose.translation() - pose_.translation()).norm() > longestStep_) {
+      port_.emit().warning(ArmWarning::StepTooFar);
+      return;
+    }
     goals_.push_back(goal);
     pose_ = goal.pose;
   }
@@ -86,6 +97,7 @@ class ScriptedArm final : public suture::PeriodicTask, public Arm {
   mutable std::mutex mutex_;
   Eigen::Isometry3d pose_ = Eigen::Isometry3d::Identity();
   std::vector<PoseStamped> goals_;
+  double longestStep_ = std::numeric_limits<double>::infinity();
   bool silent_ = false, stuck_ = false;
   suture::Time stamp_;
   JointState joints_;

@@ -141,14 +141,14 @@ TEST_F(SimulatedArmTest, ServoCpLagsByTheTimeConstantAndCarriesTheStamp) {
   EXPECT_LT(kinematics::poseError(arm_.measured_cp().pose, goal.pose).norm(), 1e-8);
 }
 
-TEST_F(SimulatedArmTest, RefusesWhatIsOutOfReachAndKeepsItsSetpoint) {
+TEST_F(SimulatedArmTest, RefusesWhatIsFarOutOfReachAndKeepsItsSetpoint) {
   makeReady();
   const PoseStamped before = arm_.setpoint_cp();
   for (int i = 0; i < 3; ++i) {
     arm_.servo_cp(goalAt({1, 0, 0}));
     cycles(1);
   }
-  EXPECT_EQ(heard_.warnings, std::vector{ArmWarning::OutOfReach});
+  EXPECT_EQ(heard_.warnings, std::vector{ArmWarning::StepTooFar});
   EXPECT_TRUE(arm_.setpoint_cp().pose.isApprox(before.pose));
   arm_.servo_cp(goalAt({0.001, 0, 0}));
   arm_.servo_cp(goalAt({1, 0, 0}));

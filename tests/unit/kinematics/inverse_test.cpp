@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "arm/kinematics/davinci.h"
 #include "arm/kinematics/pose_error.h"
 #include "unit/kinematics/kdl_oracle.h"
@@ -74,6 +76,49 @@ TEST(Inverse, ReportsAPoseThatOnlyALimitForbids) {
   EXPECT_FALSE(solution.found);
   EXPECT_TRUE(chain.within(solution.q));
   EXPECT_LT(solution.position_error, 0.006);
+  EXPECT_TRUE(solution.limited);
+}
+
+// What the search minimises: 0.1 m weigh as much as 1 rad.
+double distance(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
+  const auto error = poseError(from, to);
+  return std::hypot(error.head<3>().norm() / 0.1, error.tail<3>().norm());
+}
+
+// Goals that one joint would have to leave its limits for.
+TEST(Inverse, LeavesThePsmNearestToAGoalThatALimitForbids) {
+  constexpr int N = 6;
+  const auto chain = psm();
+  std::mt19937 random(3);
+  std::uniform_int_distribution<int> anyJoint(0, N - 1);
+  for (int sample = 0; sample < 500; ++sample) {
+    auto beyond = randomJoints(chain, random);
+    const int joint = anyJoint(random);
+    beyond[joint] = chain.upper()[joint] + 0.01;
+    const auto goal = chain.forward(beyond);
+    const auto start = nearby(chain, beyond, 0.01, random);
+    const auto solution = inverse(chain, goal, start);
+    if (solution.found) continue;  // another posture reaches it
+    ASSERT_TRUE(solution.limited) << beyond.transpose();
+    ASSERT_TRUE(chain.within(solution.q));
+    const double reached = distance(chain.forward(solution.q), goal);
+    ASSERT_LE(reached, distance(chain.forward(chain.clamp(beyond)), goal) + 1e-9);
+    for (int i = 0; i < 50; ++i) {
+      const auto beside = nearby(chain, solution.q, 0.001, random);
+      ASSERT_LE(reached, distance(chain.forward(beside), goal) + 1e-6) << beyond.transpose();
+    }
+  }
+}
+
+TEST(Inverse, TellsAGoalThatNoJointsReachFromOneThatALimitForbids) {
+  const auto chain = mtmLeft();
+  const Chain<7>::Joints start = Chain<7>::Joints::Constant(0.1);
+  Eigen::Isometry3d goal = chain.forward(start);
+  goal.translation() += Eigen::Vector3d(0, 0, -3.0);  // the links are not that long
+  const auto solution = inverse(chain, goal, start);
+  EXPECT_FALSE(solution.found);
+  EXPECT_FALSE(solution.limited);
+  EXPECT_TRUE(chain.within(solution.q));
 }
 
 TEST(Inverse, StopsAfterTheIterationsItIsGiven) {

@@ -1,0 +1,115 @@
+// Goals beyond a joint limit, and goals that lie too far away for one step.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "unit/arm/crtk_face_fixture.h"
+
+namespace robots::test {
+namespace {
+
+class LimitsTest : public CrtkFaceTest {
+ protected:
+  using Joints = Eigen::Matrix<double, 6, 1>;
+  static constexpr int kInsertion = 2;
+
+  /// Close to the end of the insertion.
+  LimitsTest() {
+    crtk_.move_jp(toGoal(at(0.235)));
+    while (crtk_.operating_state().sub_state != "holding") cycles(1);
+    heard_ = {};
+  }
+
+  double deepest() const { return chain_.upper()[kInsertion]; }
+  static Joints at(double insertion) {
+    Joints q = Joints::Constant(0.1);
+    q[kInsertion] = insertion;
+    return q;
+  }
+  static JointGoal toGoal(const Joints& q) { return {{q.data(), q.data() + q.size()}, {}}; }
+  PoseStamped toPose(const Joints& q) const { return {chain_.forward(q), {}, true}; }
+  template <class Servo>
+  void expectSlides(const Servo& servo) {
+    for (int i = 1; i <= 20; ++i) {
+      Joints q = at(deepest() + 0.001 * i);
+      q[0] += 0.001 * i;
+      servo(q);
+      cycles(1);
+      EXPECT_EQ(setpoint(kInsertion), deepest()) << i;
+      EXPECT_NEAR(setpoint(0), q[0], 1e-4) << i << ": along the limit it follows";
+    }
+    ASSERT_EQ(heard_.warnings.size(), 1u) << "it says so, once";
+    EXPECT_NE(heard_.warnings[0].find("slides"), std::string::npos) << heard_.warnings[0];
+    servo(at(0.237));
+    cycles(1);
+    EXPECT_NEAR(setpoint(kInsertion), 0.237, 1e-6) << "it comes back with the goal";
+    EXPECT_EQ(heard_.warnings.size(), 1u);
+    servo(at(deepest() + 0.01));
+    cycles(1);
+    EXPECT_EQ(heard_.warnings.size(), 2u) << "what begins anew is news";
+  }
+  template <class Servo>
+  void expectRefused(const char* what, const Servo& servo) {
+    crtk_.hold();
+    cycles(1);
+    heard_ = {};
+    const std::vector<double> before = positions();
+    for (int i = 0; i < 5; ++i) {
+      servo();
+      cycles(1);
+    }
+    EXPECT_EQ(positions(), before) << what;
+    ASSERT_EQ(heard_.warnings.size(), 1u) << what;
+    EXPECT_NE(heard_.warnings[0].find("farther"), std::string::npos) << heard_.warnings[0];
+  }
+
+  const kinematics::Chain<6> chain_ = kinematics::psm();
+};
+
+TEST_F(LimitsTest, AJointGoalBeyondALimitSlidesAlongIt) {
+  expectSlides([&](const Joints& q) { crtk_.servo_jp(toGoal(q)); });
+}
+
+TEST_F(LimitsTest, APoseBeyondALimitSlidesAlongIt) {
+  expectSlides([&](const Joints& q) { crtk_.servo_cp(toPose(q)); });
+}
+
+TEST_F(LimitsTest, SlidingEndsWithWhateverTheArmDoesInstead) {
+  crtk_.servo_jp(toGoal(at(deepest() + 0.01)));
+  cycles(1);
+  crtk_.hold();
+  crtk_.servo_jp(toGoal(at(deepest() + 0.01)));
+  cycles(1);
+  EXPECT_EQ(heard_.warnings.size(), 2u);
+}
+
+// The rates of this arm are 4 rad/s and 4 m/s, its horizon is 0.1 s.
+TEST_F(LimitsTest, AGoalThatIsTooFarForOneStepIsRefused) {
+  Joints far = at(0.235), near = far;
+  far[0] += 0.41;
+  near[0] += 0.3;
+  expectRefused("servo_jp", [&] { crtk_.servo_jp(toGoal(far)); });
+  expectRefused("servo_cp", [&] { crtk_.servo_cp(toPose(far)); });
+  Joints step = Joints::Zero();
+  step[0] = 0.41;
+  expectRefused("servo_jr", [&] { crtk_.servo_jr(toGoal(step)); });
+  crtk_.servo_jp(toGoal(near));
+  cycles(1);
+  EXPECT_NEAR(setpoint(0), near[0], 1e-9);
+}
+
+TEST_F(LimitsTest, AGoalThatIsTooFarEndsAStreamByItsSilence) {
+  crtk_.servo_jp(toGoal(at(0.235)));
+  cycles(1);
+  Joints far = at(0.235);
+  far[0] += 0.5;
+  for (int i = 0; i < 110; ++i) {
+    crtk_.servo_jp(toGoal(far));
+    cycles(1);
+  }
+  EXPECT_EQ(crtk_.operating_state().sub_state, "holding");
+}
+
+}  // namespace
+}  // namespace robots::test
