@@ -210,10 +210,7 @@ std::string sourceBody(const Context& context) {
   emitForeignConverters(code, context);
   inNamespace(code, home, [&](Code& inner) {
     Code body;
-    hidden(body, [&](Code& part) {
-      emitChecks(part, context);
-      forEachInterface(part, context, emitTables);
-    });
+    hidden(body, [&](Code& part) { emitChecks(part, context); });
     emitSlotConversions(body, context);
     forEachInterface(body, context, emitArgumentConversions);
     emitConverters(body, context);
@@ -222,6 +219,7 @@ std::string sourceBody(const Context& context) {
         emitServant(part, context, one);
         emitProxy(part, context, one);
         emitBinding(part, context, one);
+        emitTables(part, context, one);
       }
     });
     emitUsings(inner, body.text());

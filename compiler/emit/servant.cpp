@@ -116,7 +116,7 @@ class Checks {
 
   void add(const std::string& check, const std::string& slot,
            const std::vector<WireValue>& values) {
-    if (check.empty()) return;
+    if (check.empty() || isStructCheck(check)) return;
     const std::string head =
         "bool " + check + "(" + validityParameters(slot, values, context_) + ") {";
     Code body;

@@ -61,29 +61,6 @@ std::string packed(const std::string& json) {
   return text + line;
 }
 
-/// The checks of values are defined behind the converters, which they need.
-void declareChecks(Code& code, const Context& context, const model::Interface& interface) {
-  const std::string& home = context.header.cxxNamespace;
-  bool any = false;
-  const auto declare = [&](const std::string& check, const std::string& slot) {
-    if (check.empty()) return;
-    code.line("bool ", check, "(const ", slot, "& slot, ", kBreakText, "FieldPath* path);");
-    any = true;
-  };
-  for (const model::Command* const command : ownCommands(interface)) {
-    declare(argumentsCheck(interface, *command, context),
-            relative(argumentsStruct(interface, *command), home));
-    if (command->result) {
-      declare(resultCheck(interface, *command, context), slotType(*command->result, context, home));
-    }
-  }
-  for (const model::Event* const event : ownEvents(interface)) {
-    declare(payloadCheck(interface, *event, context),
-            payloadSlot(interface, *event, context, home));
-  }
-  if (any) code.blank();
-}
-
 /// Unless there is nothing to say.
 void addMember(std::vector<std::string>& members, const char* name, const std::string& value) {
   if (!value.empty()) members.push_back(std::string(name) + " = " + value);
@@ -201,7 +178,6 @@ std::string rows(Code& code, const model::Interface& interface, const std::strin
 }  // namespace
 
 void emitTables(Code& code, const Context& context, const model::Interface& interface) {
-  declareChecks(code, context, interface);
   emitCommands(code, context, interface);
   emitEvents(code, context, interface);
   code.line("// The self-description, as in ", model::stemOf(context.header.path), ".suture.json.");

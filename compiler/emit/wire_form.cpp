@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <string_view>
 
 #include "compiler/emit/contract.h"
 #include "compiler/lock/composites.h"
@@ -233,6 +234,12 @@ std::string enumCheck(const std::string& enumName, const Context& context) {
 
 namespace {
 
+constexpr std::string_view kStructCheck = "isValid";
+
+std::string structCheck(const Type& type, const Context& context) {
+  return qualifier(type.name, context).append(kStructCheck);
+}
+
 /// An infinite default means that infinity says something.
 std::optional<std::pair<double, double>> admitted(const model::Field& field) {
   const bool infinite = field.defaultJson == "\"inf\"" || field.defaultJson == "\"-inf\"";
@@ -242,6 +249,8 @@ std::optional<std::pair<double, double>> admitted(const model::Field& field) {
 }
 
 }  // namespace
+
+bool isStructCheck(const std::string& check) { return check.ends_with(kStructCheck); }
 
 std::vector<WireValue> fieldValues(const model::Struct& type, const Context& context) {
   const std::string& home = context.header.cxxNamespace;
@@ -284,6 +293,7 @@ std::vector<WireValue> resultValues(const model::Command& command) {
 std::string resultCheck(const model::Interface& interface, const model::Command& command,
                         const Context& context) {
   if (!command.result || !hasConditions(resultValues(command), context)) return "";
+  if (command.result->shape == Shape::Struct) return structCheck(*command.result, context);
   return "accepts" + prefixOf(interface) + model::titleCase(command.wireName) + "Result";
 }
 
@@ -305,6 +315,9 @@ std::vector<WireValue> payloadValues(const model::Event& event) {
 std::string payloadCheck(const model::Interface& interface, const model::Event& event,
                          const Context& context) {
   if (!hasConditions(payloadValues(event), context)) return "";
+  if (event.payload.size() == 1 && event.payload.front().shape == Shape::Struct) {
+    return structCheck(event.payload.front(), context);
+  }
   return "accepts" + prefixOf(interface) + model::titleCase(event.wireName) + "Event";
 }
 

@@ -36,17 +36,22 @@ std::vector<WireValue> argumentValues(const model::Command& command);
 std::string argumentsCheck(const model::Interface& interface, const model::Command& command,
                            const Context& context);
 
+/// True for the check of a struct, which is there for whatever has one in it.
+bool isStructCheck(const std::string& check);
+
 /// What a command that has a result answers: it lies in the slot "slot".
 std::vector<WireValue> resultValues(const model::Command& command);
 
-/// "acceptsArmMeasuredCpResult": the check of a command's result; empty if any will do.
+/// "acceptsArmDistanceResult": the check of a command's result, of a struct "isValid"; empty if any
+/// will do.
 std::string resultCheck(const model::Interface& interface, const model::Command& command,
                         const Context& context);
 
 /// What an event carries, in the slot "slot".
 std::vector<WireValue> payloadValues(const model::Event& event);
 
-/// "acceptsArmMovedEvent": the check of an event's payload; empty if any will do.
+/// "acceptsArmMovedEvent": the check of an event's payload, of one struct "isValid"; empty if any
+/// will do.
 std::string payloadCheck(const model::Interface& interface, const model::Event& event,
                          const Context& context);
 

@@ -24,50 +24,6 @@ using suture::slotIn;
 using suture::slotSize;
 using suture::store;
 
-namespace {
-
-constexpr CommandInfo kCounterCommands[] = {
-    {.name = "add",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<CounterAddArguments>,
-     .depth = 8},
-    {.name = "value",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<std::int64_t>,
-     .depth = 16,
-     .column = 0},
-};
-
-constexpr EventInfo kCounterEvents[] = {
-    {.name = "ten_more", .payloadSize = slotSize<std::int64_t>, .depth = 16},
-};
-
-// The self-description, as in 01_counter/counter.suture.json.
-constexpr char kCounterDescription[] = R"json(
-{"name": "counting::Counter", "hash": "38931bde09fe12583e55c15888548c0c", "commands": [{
-"name": "add", "kind": "write", "ordinal": 1,
-"doc": "Adds to the count. Runs in the provider's thread.", "parameters": [{"name": "amount",
-"type": {"kind": "Int32"}}], "queue": 8}, {"name": "value", "kind": "read", "ordinal": 2,
-"doc": "The newest count; never waits for anyone.", "result": {"type": {"kind": "Int64"}},
-"queue": 16}], "events": [{"name": "ten_more", "kind": "write", "ordinal": 1, "wire": "tenMore",
-"doc": "The count has passed a multiple of ten.", "payload": {"type": {"kind": "Int64"}},
-"queue": 16}], "enums": [], "structs": [], "wire": [{"id": "@0xd6d42f0aed709948",
-"kind": "interface", "name": "Counter", "members": [{"at": 0, "name": "subscribe", "parameters": [{
-"at": 0, "name": "events", "is": "@0xab8aa54e33362c79"}, {"at": 1, "name": "eventMask",
-"is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "add",
-"is": "kind \"write\"", "parameters": [{"at": 0, "name": "amount", "is": "Int32"}, {"at": 1,
-"name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "value", "is": "kind \"read\"",
-"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "Int64"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
-"id": "@0xab8aa54e33362c79", "kind": "interface", "name": "CounterEvents", "members": [{"at": 0,
-"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xbfec877b65b98c5c"}]}, {"at": 1,
-"name": "tenMore", "parameters": [{"at": 0, "name": "value", "is": "Int64"}]}]}, {
-"id": "@0xbfec877b65b98c5c", "kind": "struct", "name": "CounterStateRow", "members": [{"at": 0,
-"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "value", "is": "Int64"}, {"at": 3, "name": "tooLarge", "is": "UInt64"}]}]})json";
-
-}  // namespace
-
 bool store(const std::int32_t& amount, CounterAddArguments& slot) {
   return store(amount, slot.amount);
 }
@@ -243,6 +199,46 @@ const suture::rpc::Binding& counterBinding() {
   static const CounterBinding kBinding;
   return kBinding;
 }
+
+constexpr CommandInfo kCounterCommands[] = {
+    {.name = "add",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<CounterAddArguments>,
+     .depth = 8},
+    {.name = "value",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<std::int64_t>,
+     .depth = 16,
+     .column = 0},
+};
+
+constexpr EventInfo kCounterEvents[] = {
+    {.name = "ten_more", .payloadSize = slotSize<std::int64_t>, .depth = 16},
+};
+
+// The self-description, as in 01_counter/counter.suture.json.
+constexpr char kCounterDescription[] = R"json(
+{"name": "counting::Counter", "hash": "38931bde09fe12583e55c15888548c0c", "commands": [{
+"name": "add", "kind": "write", "ordinal": 1,
+"doc": "Adds to the count. Runs in the provider's thread.", "parameters": [{"name": "amount",
+"type": {"kind": "Int32"}}], "queue": 8}, {"name": "value", "kind": "read", "ordinal": 2,
+"doc": "The newest count; never waits for anyone.", "result": {"type": {"kind": "Int64"}},
+"queue": 16}], "events": [{"name": "ten_more", "kind": "write", "ordinal": 1, "wire": "tenMore",
+"doc": "The count has passed a multiple of ten.", "payload": {"type": {"kind": "Int64"}},
+"queue": 16}], "enums": [], "structs": [], "wire": [{"id": "@0xd6d42f0aed709948",
+"kind": "interface", "name": "Counter", "members": [{"at": 0, "name": "subscribe", "parameters": [{
+"at": 0, "name": "events", "is": "@0xab8aa54e33362c79"}, {"at": 1, "name": "eventMask",
+"is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "add",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "amount", "is": "Int32"}, {"at": 1,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "value", "is": "kind \"read\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "Int64"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xab8aa54e33362c79", "kind": "interface", "name": "CounterEvents", "members": [{"at": 0,
+"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xbfec877b65b98c5c"}]}, {"at": 1,
+"name": "tenMore", "parameters": [{"at": 0, "name": "value", "is": "Int64"}]}]}, {
+"id": "@0xbfec877b65b98c5c", "kind": "struct", "name": "CounterStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "value", "is": "Int64"}, {"at": 3, "name": "tooLarge", "is": "UInt64"}]}]})json";
 
 }  // namespace
 }  // namespace counting

@@ -74,288 +74,6 @@ static_assert(static_cast<std::uint8_t>(ArmWarning::FollowingError) == 5);
 static_assert(static_cast<std::uint8_t>(ArmWarning::AtLimit) == 6);
 static_assert(static_cast<std::uint8_t>(ArmWarning::StepTooFar) == 7);
 
-bool acceptsArmServoCp(const ArmServoCpArguments& slot, FieldPath* path);
-bool acceptsArmServoJp(const ArmServoJpArguments& slot, FieldPath* path);
-bool acceptsArmMoveJp(const ArmMoveJpArguments& slot, FieldPath* path);
-bool acceptsArmMeasuredJsResult(const JointStateSlot& slot, FieldPath* path);
-bool acceptsArmSetpointJsResult(const JointStateSlot& slot, FieldPath* path);
-bool acceptsArmMeasuredCpResult(const PoseStampedSlot& slot, FieldPath* path);
-bool acceptsArmSetpointCpResult(const PoseStampedSlot& slot, FieldPath* path);
-bool acceptsArmOperatingStateResult(const OperatingStateSlot& slot, FieldPath* path);
-bool acceptsArmForwardKinematics(const ArmForwardKinematicsArguments& slot, FieldPath* path);
-bool acceptsArmForwardKinematicsResult(const PoseStampedSlot& slot, FieldPath* path);
-bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot, FieldPath* path);
-bool acceptsArmInverseKinematicsResult(const JointSolutionSlot& slot, FieldPath* path);
-bool acceptsArmOperatingStateEvent(const OperatingStateSlot& slot, FieldPath* path);
-bool acceptsArmWarningEvent(const std::uint8_t& slot, FieldPath* path);
-
-constexpr CommandInfo kArmCommands[] = {
-    {.name = "enable", .kind = CommandKind::Void, .depth = 16},
-    {.name = "disable", .kind = CommandKind::Void, .depth = 16},
-    {.name = "home", .kind = CommandKind::Void, .depth = 16},
-    {.name = "hold", .kind = CommandKind::Void, .depth = 16},
-    {.name = "servo_cp",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmServoCpArguments>,
-     .depth = 16,
-     .latest = true,
-     .ttl = Duration(20'000'000),
-     .accepts = checkSlot<ArmServoCpArguments, acceptsArmServoCp>,
-     .shiftArguments = shiftSlot<ArmServoCpArguments>},
-    {.name = "servo_jp",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmServoJpArguments>,
-     .depth = 16,
-     .latest = true,
-     .ttl = Duration(20'000'000),
-     .accepts = checkSlot<ArmServoJpArguments, acceptsArmServoJp>,
-     .shiftArguments = shiftSlot<ArmServoJpArguments>},
-    {.name = "move_jp",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmMoveJpArguments>,
-     .depth = 16,
-     .accepts = checkSlot<ArmMoveJpArguments, acceptsArmMoveJp>,
-     .shiftArguments = shiftSlot<ArmMoveJpArguments>},
-    {.name = "measured_js",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<JointStateSlot>,
-     .depth = 16,
-     .column = 0,
-     .acceptsResult = checkSlot<JointStateSlot, acceptsArmMeasuredJsResult>,
-     .shiftResult = shiftSlot<JointStateSlot>},
-    {.name = "setpoint_js",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<JointStateSlot>,
-     .depth = 16,
-     .column = 1,
-     .acceptsResult = checkSlot<JointStateSlot, acceptsArmSetpointJsResult>,
-     .shiftResult = shiftSlot<JointStateSlot>},
-    {.name = "measured_cp",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<PoseStampedSlot>,
-     .depth = 16,
-     .column = 2,
-     .acceptsResult = checkSlot<PoseStampedSlot, acceptsArmMeasuredCpResult>,
-     .shiftResult = shiftSlot<PoseStampedSlot>},
-    {.name = "setpoint_cp",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<PoseStampedSlot>,
-     .depth = 16,
-     .column = 3,
-     .acceptsResult = checkSlot<PoseStampedSlot, acceptsArmSetpointCpResult>,
-     .shiftResult = shiftSlot<PoseStampedSlot>},
-    {.name = "operating_state",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<OperatingStateSlot>,
-     .depth = 16,
-     .column = 4,
-     .acceptsResult = checkSlot<OperatingStateSlot, acceptsArmOperatingStateResult>,
-     .shiftResult = shiftSlot<OperatingStateSlot>},
-    {.name = "forward_kinematics",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<ArmForwardKinematicsArguments>,
-     .resultSize = slotSize<PoseStampedSlot>,
-     .depth = 16,
-     .accepts = checkSlot<ArmForwardKinematicsArguments, acceptsArmForwardKinematics>,
-     .acceptsResult = checkSlot<PoseStampedSlot, acceptsArmForwardKinematicsResult>,
-     .shiftArguments = shiftSlot<ArmForwardKinematicsArguments>,
-     .shiftResult = shiftSlot<PoseStampedSlot>},
-    {.name = "inverse_kinematics",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<ArmInverseKinematicsArguments>,
-     .resultSize = slotSize<JointSolutionSlot>,
-     .depth = 16,
-     .accepts = checkSlot<ArmInverseKinematicsArguments, acceptsArmInverseKinematics>,
-     .acceptsResult = checkSlot<JointSolutionSlot, acceptsArmInverseKinematicsResult>,
-     .shiftArguments = shiftSlot<ArmInverseKinematicsArguments>},
-};
-
-constexpr EventInfo kArmEvents[] = {
-    {.name = "operating_state",
-     .payloadSize = slotSize<OperatingStateSlot>,
-     .depth = 16,
-     .latched = true,
-     .accepts = checkSlot<OperatingStateSlot, acceptsArmOperatingStateEvent>,
-     .shiftPayload = shiftSlot<OperatingStateSlot>},
-    {.name = "goal_reached", .payloadSize = slotSize<std::uint8_t>, .depth = 16},
-    {.name = "warning",
-     .payloadSize = slotSize<std::uint8_t>,
-     .depth = 16,
-     .accepts = checkSlot<std::uint8_t, acceptsArmWarningEvent>},
-};
-
-// The self-description, as in arm/arm.suture.json.
-constexpr char kArmDescription[] = R"json(
-{"name": "robots::Arm",
-"doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. Poses are of the tool tip in the arm's base frame. An arm starts, and restarts, disabled\nand not homed; until it is enabled it ignores motion commands.",
-"hash": "e9f7172c4630239080c455b9e909eaec", "commands": [{"name": "enable", "kind": "void",
-"ordinal": 1, "doc": "Powers the arm; it holds its position.", "queue": 16}, {"name": "disable",
-"kind": "void", "ordinal": 2, "doc": "Stops at once and ignores motion until enabled again.",
-"queue": 16}, {"name": "home", "kind": "void", "ordinal": 3,
-"doc": "Moves to the home position; needs an enabled arm. Ends with goal_reached.", "queue": 16}, {
-"name": "hold", "kind": "void", "ordinal": 4,
-"doc": "Drops what is under way; the set-point stays where it is.", "queue": 16}, {
-"name": "servo_cp", "kind": "write", "ordinal": 5, "wire": "servoCp",
-"doc": "Streams Cartesian goals, newest wins. Beyond a joint limit the arm slides along that, at the\nnearest that the limits leave; a goal out of reach, or too far for one step, leaves the\nset-point. All three it says in `warning`. setpoint_cp keeps the goal's stamp.",
-"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
-"queue": 16, "latest": true, "ttl": 0.02}, {"name": "servo_jp", "kind": "write", "ordinal": 6,
-"wire": "servoJp",
-"doc": "Streams joint goals, newest wins. A joint whose goal lies beyond its limit stays at that.",
-"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
-"queue": 16, "latest": true, "ttl": 0.02}, {"name": "move_jp", "kind": "write", "ordinal": 7,
-"wire": "moveJp",
-"doc": "Plans and executes a smooth motion from the set-point. Ends with goal_reached.",
-"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
-"queue": 16}, {"name": "measured_js", "kind": "read", "ordinal": 8, "wire": "measuredJs",
-"doc": "Where the joints are. Stamp: the arm's cycle.", "result": {"type": {"kind": "struct",
-"name": "robots::JointState"}}, "queue": 16}, {"name": "setpoint_js", "kind": "read", "ordinal": 9,
-"wire": "setpointJs", "doc": "Where the joints shall be.", "result": {"type": {"kind": "struct",
-"name": "robots::JointState"}}, "queue": 16}, {"name": "measured_cp", "kind": "read", "ordinal": 10,
-"wire": "measuredCp", "doc": "Where the tool tip is. Stamp: the arm's cycle.", "result": {"type": {
-"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "setpoint_cp",
-"kind": "read", "ordinal": 11, "wire": "setpointCp",
-"doc": "Where the tool tip shall be. Stamp: that of the servo_cp goal it came from, else the arm's\ncycle.",
-"result": {"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
-"name": "operating_state", "kind": "read", "ordinal": 12, "wire": "operatingState", "result": {
-"type": {"kind": "struct", "name": "robots::OperatingState"}}, "queue": 16}, {
-"name": "forward_kinematics", "kind": "qualified read", "ordinal": 13, "wire": "forwardKinematics",
-"doc": "The tool tip for a joint vector; not valid if it has the wrong length.", "parameters": [{
-"name": "q", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "result": {"type": {
-"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "inverse_kinematics",
-"kind": "qualified read", "ordinal": 14, "wire": "inverseKinematics",
-"doc": "A joint vector for a tool tip, searched from the present set-point.", "parameters": [{
-"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}], "result": {"type": {
-"kind": "struct", "name": "robots::JointSolution"}}, "queue": 16}], "events": [{
-"name": "operating_state", "kind": "write", "ordinal": 1, "wire": "operatingState",
-"doc": "Each change of the operating state, and the last one to whoever connects.", "payload": {
-"type": {"kind": "struct", "name": "robots::OperatingState"}}, "queue": 16, "latched": true}, {
-"name": "goal_reached", "kind": "write", "ordinal": 2, "wire": "goalReached",
-"doc": "A move ended: true at its goal, false when something else replaced it.", "payload": {
-"type": {"kind": "Bool"}}, "queue": 16}, {"name": "warning", "kind": "write", "ordinal": 3,
-"doc": "What the arm refuses, once per reason until it obeys again; a state command each time. And\nwhat has befallen it.",
-"payload": {"type": {"kind": "enum", "name": "robots::ArmWarning"}}, "queue": 16}], "enums": [{
-"name": "robots::ArmState", "doc": "The states of CRTK.", "underlying": "UInt8", "enumerators": [{
-"name": "Undefined", "value": 0, "wire": "undefined"}, {"name": "Disabled", "value": 1,
-"wire": "disabled"}, {"name": "Enabled", "value": 2, "wire": "enabled"}, {"name": "Paused",
-"value": 3, "wire": "paused"}, {"name": "Fault", "value": 4, "wire": "fault"}]}, {
-"name": "robots::ArmWarning", "doc": "Why an arm does not do what it is asked.",
-"underlying": "UInt8", "enumerators": [{"name": "NotEnabled", "value": 0, "wire": "notEnabled",
-"doc": "motion commands need an enabled arm"}, {"name": "OutOfReach", "value": 1,
-"wire": "outOfReach", "doc": "no joint vector reaches the goal; for a move, none within limits"}, {
-"name": "Malformed", "value": 2, "wire": "malformed",
-"doc": "the goal has the wrong length, is not finite or not a pose"}, {"name": "ClientGone",
-"value": 3, "wire": "clientGone",
-"doc": "the client whose stream it followed is gone; the arm holds"}, {"name": "WrongState",
-"value": 4, "wire": "wrongState",
-"doc": "the operating state does not admit the command: operating_states.h"}, {
-"name": "FollowingError", "value": 5, "wire": "followingError",
-"doc": "a joint trailed its set-point by more than its bound; the arm is in FAULT"}, {
-"name": "AtLimit", "value": 6, "wire": "atLimit",
-"doc": "a servo goal lies beyond a joint limit: the arm slides along it; once until\ngoals lie within again"
-}, {"name": "StepTooFar", "value": 7, "wire": "stepTooFar",
-"doc": "a servo goal lies farther from the set-point than the rates allow"}]}], "structs": [{
-"name": "robots::PoseStamped",
-"doc": "A pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.", "fields": [{
-"name": "pose", "doc": "Tool tip in the base frame.", "type": {"kind": "isometry",
-"scalar": "Float64"}, "unit": "m"}, {"name": "stamp",
-"doc": "When the pose was true; of a set-point, the stamp of the data it was made from.", "type": {
-"kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "False: do not use.", "type": {
-"kind": "Bool"}, "default": false}]}, {"name": "robots::JointGoal",
-"doc": "Where joints shall go: CRTK's servo_jp and move_jp.", "fields": [{"name": "position",
-"doc": "One entry a joint, in chain order.", "type": {"kind": "list", "element": {"kind": "Float64"
-}, "capacity": 8}, "unit": "rad"}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]
-}, {"name": "robots::JointState",
-"doc": "The state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list is\nempty where its quantity is not known, and as long as `name` otherwise.",
-"fields": [{"name": "name", "type": {"kind": "list", "element": {"kind": "text", "capacity": 15},
-"capacity": 8}}, {"name": "position", "type": {"kind": "list", "element": {"kind": "Float64"},
-"capacity": 8}, "unit": "rad"}, {"name": "velocity", "type": {"kind": "list", "element": {
-"kind": "Float64"}, "capacity": 8}, "unit": "rad/s"}, {"name": "effort", "type": {"kind": "list",
-"element": {"kind": "Float64"}, "capacity": 8}, "unit": "N.m"}, {"name": "stamp", "type": {
-"kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "False: do not use.", "type": {
-"kind": "Bool"}, "default": false}]}, {"name": "robots::OperatingState",
-"doc": "CRTK's operating_state.", "fields": [{"name": "state", "type": {"kind": "enum",
-"name": "robots::ArmState"}, "default": "Undefined"}, {"name": "sub_state", "wire": "subState",
-"doc": "What the arm is doing within its state, for people: \"holding\", \"servo_cp\".", "type": {
-"kind": "text", "capacity": 15}}, {"name": "is_homed", "wire": "isHomed", "type": {"kind": "Bool"},
-"default": false}, {"name": "is_busy", "wire": "isBusy",
-"doc": "A move is under way; servo commands do not set it.", "type": {"kind": "Bool"},
-"default": false}, {"name": "stamp", "doc": "When the arm entered this state.", "type": {
-"kind": "time", "clock": "steady"}}]}, {"name": "robots::JointSolution",
-"doc": "A joint vector that an arm computed, without heap so that a control loop may return it.",
-"fields": [{"name": "position", "doc": "The first `joints` entries count.", "type": {
-"kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad"}, {"name": "joints",
-"type": {"kind": "UInt32"}, "default": 0}, {"name": "found",
-"doc": "False: no joint vector within limits reaches the pose; `position` is the nearest one found.",
-"type": {"kind": "Bool"}, "default": false}]}], "wire": [{"id": "@0xd2a6fc6237d6fd07",
-"kind": "interface", "name": "Arm", "members": [{"at": 0, "name": "subscribe", "parameters": [{
-"at": 0, "name": "events", "is": "@0xdcbc184d8af1d03c"}, {"at": 1, "name": "eventMask",
-"is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "enable",
-"is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
-"at": 2, "name": "disable", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "home", "is": "kind \"void\"", "parameters": [
-{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 4, "name": "hold",
-"is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
-"at": 5, "name": "servoCp", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal",
-"is": "@0xe84bc0a4b9a0c529"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
-"at": 6, "name": "servoJp", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal",
-"is": "@0x8943f2eac122865a"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
-"at": 7, "name": "moveJp", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal",
-"is": "@0x8943f2eac122865a"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
-"at": 8, "name": "measuredJs", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xac24dfe518a4963f"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 9, "name": "setpointJs",
-"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "@0xac24dfe518a4963f"}, {"at": 1, "name": "stamp",
-"is": "Int64"}]}, {"at": 10, "name": "measuredCp", "is": "kind \"read\"", "parameters": [{"at": 0,
-"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "@0xe84bc0a4b9a0c529"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 11,
-"name": "setpointCp", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 12, "name": "operatingState",
-"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "@0x8109968bd491318f"}, {"at": 1, "name": "stamp",
-"is": "Int64"}]}, {"at": 13, "name": "forwardKinematics", "is": "kind \"qualifiedRead\"",
-"parameters": [{"at": 0, "name": "q", "is": "@0x8943f2eac122865a"}, {"at": 1, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"
-}]}, {"at": 14, "name": "inverseKinematics", "is": "kind \"qualifiedRead\"", "parameters": [{
-"at": 0, "name": "goal", "is": "@0xe84bc0a4b9a0c529"}, {"at": 1, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0x871d0a082eb81ee3"
-}]}]}, {"id": "@0xdcbc184d8af1d03c", "kind": "interface", "name": "ArmEvents", "members": [{
-"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0x8c45d754ae03e800"}]}, {
-"at": 1, "name": "operatingState", "parameters": [{"at": 0, "name": "value",
-"is": "@0x8109968bd491318f"}]}, {"at": 2, "name": "goalReached", "parameters": [{"at": 0,
-"name": "value", "is": "Bool"}]}, {"at": 3, "name": "warning", "parameters": [{"at": 0,
-"name": "value", "is": "@0xa4117f14f97ed1bb"}]}]}, {"id": "@0x8c45d754ae03e800", "kind": "struct",
-"name": "ArmStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
-"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "measuredJs", "is": "@0xac24dfe518a4963f"},
-{"at": 3, "name": "setpointJs", "is": "@0xac24dfe518a4963f"}, {"at": 4, "name": "measuredCp",
-"is": "@0xe84bc0a4b9a0c529"}, {"at": 5, "name": "setpointCp", "is": "@0xe84bc0a4b9a0c529"}, {
-"at": 6, "name": "operatingState", "is": "@0x8109968bd491318f"}, {"at": 7, "name": "tooLarge",
-"is": "UInt64"}]}, {"id": "@0xac24dfe518a4963f", "kind": "struct", "name": "JointState",
-"members": [{"at": 0, "name": "name", "is": "List(Text)"}, {"at": 1, "name": "position",
-"is": "List(Float64) unit \"rad\""}, {"at": 2, "name": "velocity",
-"is": "List(Float64) unit \"rad/s\""}, {"at": 3, "name": "effort",
-"is": "List(Float64) unit \"N.m\""}, {"at": 4, "name": "stamp", "is": "Int64 clock \"steady\""}, {
-"at": 5, "name": "valid", "is": "Bool"}]}, {"id": "@0xe84bc0a4b9a0c529", "kind": "struct",
-"name": "PoseStamped", "members": [{"at": 0, "name": "pose",
-"is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 1, "name": "stamp",
-"is": "Int64 clock \"steady\""}, {"at": 2, "name": "valid", "is": "Bool"}]}, {
-"id": "@0x8109968bd491318f", "kind": "struct", "name": "OperatingState", "members": [{"at": 0,
-"name": "state", "is": "@0xc9ed1800ca1df7eb"}, {"at": 1, "name": "subState", "is": "Text"}, {
-"at": 2, "name": "isHomed", "is": "Bool"}, {"at": 3, "name": "isBusy", "is": "Bool"}, {"at": 4,
-"name": "stamp", "is": "Int64 clock \"steady\""}]}, {"id": "@0xc9ed1800ca1df7eb", "kind": "enum",
-"name": "ArmState", "members": [{"at": 0, "name": "undefined"}, {"at": 1, "name": "disabled"}, {
-"at": 2, "name": "enabled"}, {"at": 3, "name": "paused"}, {"at": 4, "name": "fault"}]}, {
-"id": "@0xa4117f14f97ed1bb", "kind": "enum", "name": "ArmWarning", "members": [{"at": 0,
-"name": "notEnabled"}, {"at": 1, "name": "outOfReach"}, {"at": 2, "name": "malformed"}, {"at": 3,
-"name": "clientGone"}, {"at": 4, "name": "wrongState"}, {"at": 5, "name": "followingError"}, {
-"at": 6, "name": "atLimit"}, {"at": 7, "name": "stepTooFar"}]}, {"id": "@0x8943f2eac122865a",
-"kind": "struct", "name": "JointGoal", "members": [{"at": 0, "name": "position",
-"is": "List(Float64) unit \"rad\""}, {"at": 1, "name": "stamp", "is": "Int64 clock \"steady\""}]}, {
-"id": "@0x871d0a082eb81ee3", "kind": "struct", "name": "JointSolution", "members": [{"at": 0,
-"name": "position", "is": "List(Float64) unit \"rad\" shape \"8\""}, {"at": 1, "name": "joints",
-"is": "UInt32"}, {"at": 2, "name": "found", "is": "Bool"}]}]})json";
-
 }  // namespace
 
 bool store(const PoseStamped& goal, ArmServoCpArguments& slot) { return store(goal, slot.goal); }
@@ -451,44 +169,12 @@ bool acceptsArmMoveJp(const ArmMoveJpArguments& slot, FieldPath* path) {
   return isValid(slot.goal, path) || refusedAt(path, "goal");
 }
 
-bool acceptsArmMeasuredJsResult(const JointStateSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsArmSetpointJsResult(const JointStateSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsArmMeasuredCpResult(const PoseStampedSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsArmSetpointCpResult(const PoseStampedSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsArmOperatingStateResult(const OperatingStateSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
 bool acceptsArmForwardKinematics(const ArmForwardKinematicsArguments& slot, FieldPath* path) {
   return isValid(slot.q, path) || refusedAt(path, "q");
 }
 
-bool acceptsArmForwardKinematicsResult(const PoseStampedSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
 bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot, FieldPath* path) {
   return isValid(slot.goal, path) || refusedAt(path, "goal");
-}
-
-bool acceptsArmInverseKinematicsResult(const JointSolutionSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsArmOperatingStateEvent(const OperatingStateSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
 }
 
 bool acceptsArmWarningEvent(const std::uint8_t& slot, FieldPath*) {
@@ -949,6 +635,273 @@ const suture::rpc::Binding& armBinding() {
   static const ArmBinding kBinding;
   return kBinding;
 }
+
+constexpr CommandInfo kArmCommands[] = {
+    {.name = "enable", .kind = CommandKind::Void, .depth = 16},
+    {.name = "disable", .kind = CommandKind::Void, .depth = 16},
+    {.name = "home", .kind = CommandKind::Void, .depth = 16},
+    {.name = "hold", .kind = CommandKind::Void, .depth = 16},
+    {.name = "servo_cp",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<ArmServoCpArguments>,
+     .depth = 16,
+     .latest = true,
+     .ttl = Duration(20'000'000),
+     .accepts = checkSlot<ArmServoCpArguments, acceptsArmServoCp>,
+     .shiftArguments = shiftSlot<ArmServoCpArguments>},
+    {.name = "servo_jp",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<ArmServoJpArguments>,
+     .depth = 16,
+     .latest = true,
+     .ttl = Duration(20'000'000),
+     .accepts = checkSlot<ArmServoJpArguments, acceptsArmServoJp>,
+     .shiftArguments = shiftSlot<ArmServoJpArguments>},
+    {.name = "move_jp",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<ArmMoveJpArguments>,
+     .depth = 16,
+     .accepts = checkSlot<ArmMoveJpArguments, acceptsArmMoveJp>,
+     .shiftArguments = shiftSlot<ArmMoveJpArguments>},
+    {.name = "measured_js",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<JointStateSlot>,
+     .depth = 16,
+     .column = 0,
+     .acceptsResult = checkSlot<JointStateSlot, isValid>,
+     .shiftResult = shiftSlot<JointStateSlot>},
+    {.name = "setpoint_js",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<JointStateSlot>,
+     .depth = 16,
+     .column = 1,
+     .acceptsResult = checkSlot<JointStateSlot, isValid>,
+     .shiftResult = shiftSlot<JointStateSlot>},
+    {.name = "measured_cp",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<PoseStampedSlot>,
+     .depth = 16,
+     .column = 2,
+     .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
+    {.name = "setpoint_cp",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<PoseStampedSlot>,
+     .depth = 16,
+     .column = 3,
+     .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
+    {.name = "operating_state",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<OperatingStateSlot>,
+     .depth = 16,
+     .column = 4,
+     .acceptsResult = checkSlot<OperatingStateSlot, isValid>,
+     .shiftResult = shiftSlot<OperatingStateSlot>},
+    {.name = "forward_kinematics",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = slotSize<ArmForwardKinematicsArguments>,
+     .resultSize = slotSize<PoseStampedSlot>,
+     .depth = 16,
+     .accepts = checkSlot<ArmForwardKinematicsArguments, acceptsArmForwardKinematics>,
+     .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
+     .shiftArguments = shiftSlot<ArmForwardKinematicsArguments>,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
+    {.name = "inverse_kinematics",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = slotSize<ArmInverseKinematicsArguments>,
+     .resultSize = slotSize<JointSolutionSlot>,
+     .depth = 16,
+     .accepts = checkSlot<ArmInverseKinematicsArguments, acceptsArmInverseKinematics>,
+     .acceptsResult = checkSlot<JointSolutionSlot, isValid>,
+     .shiftArguments = shiftSlot<ArmInverseKinematicsArguments>},
+};
+
+constexpr EventInfo kArmEvents[] = {
+    {.name = "operating_state",
+     .payloadSize = slotSize<OperatingStateSlot>,
+     .depth = 16,
+     .latched = true,
+     .accepts = checkSlot<OperatingStateSlot, isValid>,
+     .shiftPayload = shiftSlot<OperatingStateSlot>},
+    {.name = "goal_reached", .payloadSize = slotSize<std::uint8_t>, .depth = 16},
+    {.name = "warning",
+     .payloadSize = slotSize<std::uint8_t>,
+     .depth = 16,
+     .accepts = checkSlot<std::uint8_t, acceptsArmWarningEvent>},
+};
+
+// The self-description, as in arm/arm.suture.json.
+constexpr char kArmDescription[] = R"json(
+{"name": "robots::Arm",
+"doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. Poses are of the tool tip in the arm's base frame. An arm starts, and restarts, disabled\nand not homed; until it is enabled it ignores motion commands.",
+"hash": "e9f7172c4630239080c455b9e909eaec", "commands": [{"name": "enable", "kind": "void",
+"ordinal": 1, "doc": "Powers the arm; it holds its position.", "queue": 16}, {"name": "disable",
+"kind": "void", "ordinal": 2, "doc": "Stops at once and ignores motion until enabled again.",
+"queue": 16}, {"name": "home", "kind": "void", "ordinal": 3,
+"doc": "Moves to the home position; needs an enabled arm. Ends with goal_reached.", "queue": 16}, {
+"name": "hold", "kind": "void", "ordinal": 4,
+"doc": "Drops what is under way; the set-point stays where it is.", "queue": 16}, {
+"name": "servo_cp", "kind": "write", "ordinal": 5, "wire": "servoCp",
+"doc": "Streams Cartesian goals, newest wins. Beyond a joint limit the arm slides along that, at the\nnearest that the limits leave; a goal out of reach, or too far for one step, leaves the\nset-point. All three it says in `warning`. setpoint_cp keeps the goal's stamp.",
+"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
+"queue": 16, "latest": true, "ttl": 0.02}, {"name": "servo_jp", "kind": "write", "ordinal": 6,
+"wire": "servoJp",
+"doc": "Streams joint goals, newest wins. A joint whose goal lies beyond its limit stays at that.",
+"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
+"queue": 16, "latest": true, "ttl": 0.02}, {"name": "move_jp", "kind": "write", "ordinal": 7,
+"wire": "moveJp",
+"doc": "Plans and executes a smooth motion from the set-point. Ends with goal_reached.",
+"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
+"queue": 16}, {"name": "measured_js", "kind": "read", "ordinal": 8, "wire": "measuredJs",
+"doc": "Where the joints are. Stamp: the arm's cycle.", "result": {"type": {"kind": "struct",
+"name": "robots::JointState"}}, "queue": 16}, {"name": "setpoint_js", "kind": "read", "ordinal": 9,
+"wire": "setpointJs", "doc": "Where the joints shall be.", "result": {"type": {"kind": "struct",
+"name": "robots::JointState"}}, "queue": 16}, {"name": "measured_cp", "kind": "read", "ordinal": 10,
+"wire": "measuredCp", "doc": "Where the tool tip is. Stamp: the arm's cycle.", "result": {"type": {
+"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "setpoint_cp",
+"kind": "read", "ordinal": 11, "wire": "setpointCp",
+"doc": "Where the tool tip shall be. Stamp: that of the servo_cp goal it came from, else the arm's\ncycle.",
+"result": {"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
+"name": "operating_state", "kind": "read", "ordinal": 12, "wire": "operatingState", "result": {
+"type": {"kind": "struct", "name": "robots::OperatingState"}}, "queue": 16}, {
+"name": "forward_kinematics", "kind": "qualified read", "ordinal": 13, "wire": "forwardKinematics",
+"doc": "The tool tip for a joint vector; not valid if it has the wrong length.", "parameters": [{
+"name": "q", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "result": {"type": {
+"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "inverse_kinematics",
+"kind": "qualified read", "ordinal": 14, "wire": "inverseKinematics",
+"doc": "A joint vector for a tool tip, searched from the present set-point.", "parameters": [{
+"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}], "result": {"type": {
+"kind": "struct", "name": "robots::JointSolution"}}, "queue": 16}], "events": [{
+"name": "operating_state", "kind": "write", "ordinal": 1, "wire": "operatingState",
+"doc": "Each change of the operating state, and the last one to whoever connects.", "payload": {
+"type": {"kind": "struct", "name": "robots::OperatingState"}}, "queue": 16, "latched": true}, {
+"name": "goal_reached", "kind": "write", "ordinal": 2, "wire": "goalReached",
+"doc": "A move ended: true at its goal, false when something else replaced it.", "payload": {
+"type": {"kind": "Bool"}}, "queue": 16}, {"name": "warning", "kind": "write", "ordinal": 3,
+"doc": "What the arm refuses, once per reason until it obeys again; a state command each time. And\nwhat has befallen it.",
+"payload": {"type": {"kind": "enum", "name": "robots::ArmWarning"}}, "queue": 16}], "enums": [{
+"name": "robots::ArmState", "doc": "The states of CRTK.", "underlying": "UInt8", "enumerators": [{
+"name": "Undefined", "value": 0, "wire": "undefined"}, {"name": "Disabled", "value": 1,
+"wire": "disabled"}, {"name": "Enabled", "value": 2, "wire": "enabled"}, {"name": "Paused",
+"value": 3, "wire": "paused"}, {"name": "Fault", "value": 4, "wire": "fault"}]}, {
+"name": "robots::ArmWarning", "doc": "Why an arm does not do what it is asked.",
+"underlying": "UInt8", "enumerators": [{"name": "NotEnabled", "value": 0, "wire": "notEnabled",
+"doc": "motion commands need an enabled arm"}, {"name": "OutOfReach", "value": 1,
+"wire": "outOfReach", "doc": "no joint vector reaches the goal; for a move, none within limits"}, {
+"name": "Malformed", "value": 2, "wire": "malformed",
+"doc": "the goal has the wrong length, is not finite or not a pose"}, {"name": "ClientGone",
+"value": 3, "wire": "clientGone",
+"doc": "the client whose stream it followed is gone; the arm holds"}, {"name": "WrongState",
+"value": 4, "wire": "wrongState",
+"doc": "the operating state does not admit the command: operating_states.h"}, {
+"name": "FollowingError", "value": 5, "wire": "followingError",
+"doc": "a joint trailed its set-point by more than its bound; the arm is in FAULT"}, {
+"name": "AtLimit", "value": 6, "wire": "atLimit",
+"doc": "a servo goal lies beyond a joint limit: the arm slides along it; once until\ngoals lie within again"
+}, {"name": "StepTooFar", "value": 7, "wire": "stepTooFar",
+"doc": "a servo goal lies farther from the set-point than the rates allow"}]}], "structs": [{
+"name": "robots::PoseStamped",
+"doc": "A pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.", "fields": [{
+"name": "pose", "doc": "Tool tip in the base frame.", "type": {"kind": "isometry",
+"scalar": "Float64"}, "unit": "m"}, {"name": "stamp",
+"doc": "When the pose was true; of a set-point, the stamp of the data it was made from.", "type": {
+"kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "False: do not use.", "type": {
+"kind": "Bool"}, "default": false}]}, {"name": "robots::JointGoal",
+"doc": "Where joints shall go: CRTK's servo_jp and move_jp.", "fields": [{"name": "position",
+"doc": "One entry a joint, in chain order.", "type": {"kind": "list", "element": {"kind": "Float64"
+}, "capacity": 8}, "unit": "rad"}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]
+}, {"name": "robots::JointState",
+"doc": "The state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list is\nempty where its quantity is not known, and as long as `name` otherwise.",
+"fields": [{"name": "name", "type": {"kind": "list", "element": {"kind": "text", "capacity": 15},
+"capacity": 8}}, {"name": "position", "type": {"kind": "list", "element": {"kind": "Float64"},
+"capacity": 8}, "unit": "rad"}, {"name": "velocity", "type": {"kind": "list", "element": {
+"kind": "Float64"}, "capacity": 8}, "unit": "rad/s"}, {"name": "effort", "type": {"kind": "list",
+"element": {"kind": "Float64"}, "capacity": 8}, "unit": "N.m"}, {"name": "stamp", "type": {
+"kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "False: do not use.", "type": {
+"kind": "Bool"}, "default": false}]}, {"name": "robots::OperatingState",
+"doc": "CRTK's operating_state.", "fields": [{"name": "state", "type": {"kind": "enum",
+"name": "robots::ArmState"}, "default": "Undefined"}, {"name": "sub_state", "wire": "subState",
+"doc": "What the arm is doing within its state, for people: \"holding\", \"servo_cp\".", "type": {
+"kind": "text", "capacity": 15}}, {"name": "is_homed", "wire": "isHomed", "type": {"kind": "Bool"},
+"default": false}, {"name": "is_busy", "wire": "isBusy",
+"doc": "A move is under way; servo commands do not set it.", "type": {"kind": "Bool"},
+"default": false}, {"name": "stamp", "doc": "When the arm entered this state.", "type": {
+"kind": "time", "clock": "steady"}}]}, {"name": "robots::JointSolution",
+"doc": "A joint vector that an arm computed, without heap so that a control loop may return it.",
+"fields": [{"name": "position", "doc": "The first `joints` entries count.", "type": {
+"kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad"}, {"name": "joints",
+"type": {"kind": "UInt32"}, "default": 0}, {"name": "found",
+"doc": "False: no joint vector within limits reaches the pose; `position` is the nearest one found.",
+"type": {"kind": "Bool"}, "default": false}]}], "wire": [{"id": "@0xd2a6fc6237d6fd07",
+"kind": "interface", "name": "Arm", "members": [{"at": 0, "name": "subscribe", "parameters": [{
+"at": 0, "name": "events", "is": "@0xdcbc184d8af1d03c"}, {"at": 1, "name": "eventMask",
+"is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "enable",
+"is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 2, "name": "disable", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "home", "is": "kind \"void\"", "parameters": [
+{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 4, "name": "hold",
+"is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 5, "name": "servoCp", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal",
+"is": "@0xe84bc0a4b9a0c529"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 6, "name": "servoJp", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal",
+"is": "@0x8943f2eac122865a"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 7, "name": "moveJp", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal",
+"is": "@0x8943f2eac122865a"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 8, "name": "measuredJs", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xac24dfe518a4963f"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 9, "name": "setpointJs",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xac24dfe518a4963f"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 10, "name": "measuredCp", "is": "kind \"read\"", "parameters": [{"at": 0,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0xe84bc0a4b9a0c529"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 11,
+"name": "setpointCp", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 12, "name": "operatingState",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0x8109968bd491318f"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 13, "name": "forwardKinematics", "is": "kind \"qualifiedRead\"",
+"parameters": [{"at": 0, "name": "q", "is": "@0x8943f2eac122865a"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"
+}]}, {"at": 14, "name": "inverseKinematics", "is": "kind \"qualifiedRead\"", "parameters": [{
+"at": 0, "name": "goal", "is": "@0xe84bc0a4b9a0c529"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0x871d0a082eb81ee3"
+}]}]}, {"id": "@0xdcbc184d8af1d03c", "kind": "interface", "name": "ArmEvents", "members": [{
+"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0x8c45d754ae03e800"}]}, {
+"at": 1, "name": "operatingState", "parameters": [{"at": 0, "name": "value",
+"is": "@0x8109968bd491318f"}]}, {"at": 2, "name": "goalReached", "parameters": [{"at": 0,
+"name": "value", "is": "Bool"}]}, {"at": 3, "name": "warning", "parameters": [{"at": 0,
+"name": "value", "is": "@0xa4117f14f97ed1bb"}]}]}, {"id": "@0x8c45d754ae03e800", "kind": "struct",
+"name": "ArmStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "measuredJs", "is": "@0xac24dfe518a4963f"},
+{"at": 3, "name": "setpointJs", "is": "@0xac24dfe518a4963f"}, {"at": 4, "name": "measuredCp",
+"is": "@0xe84bc0a4b9a0c529"}, {"at": 5, "name": "setpointCp", "is": "@0xe84bc0a4b9a0c529"}, {
+"at": 6, "name": "operatingState", "is": "@0x8109968bd491318f"}, {"at": 7, "name": "tooLarge",
+"is": "UInt64"}]}, {"id": "@0xac24dfe518a4963f", "kind": "struct", "name": "JointState",
+"members": [{"at": 0, "name": "name", "is": "List(Text)"}, {"at": 1, "name": "position",
+"is": "List(Float64) unit \"rad\""}, {"at": 2, "name": "velocity",
+"is": "List(Float64) unit \"rad/s\""}, {"at": 3, "name": "effort",
+"is": "List(Float64) unit \"N.m\""}, {"at": 4, "name": "stamp", "is": "Int64 clock \"steady\""}, {
+"at": 5, "name": "valid", "is": "Bool"}]}, {"id": "@0xe84bc0a4b9a0c529", "kind": "struct",
+"name": "PoseStamped", "members": [{"at": 0, "name": "pose",
+"is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 1, "name": "stamp",
+"is": "Int64 clock \"steady\""}, {"at": 2, "name": "valid", "is": "Bool"}]}, {
+"id": "@0x8109968bd491318f", "kind": "struct", "name": "OperatingState", "members": [{"at": 0,
+"name": "state", "is": "@0xc9ed1800ca1df7eb"}, {"at": 1, "name": "subState", "is": "Text"}, {
+"at": 2, "name": "isHomed", "is": "Bool"}, {"at": 3, "name": "isBusy", "is": "Bool"}, {"at": 4,
+"name": "stamp", "is": "Int64 clock \"steady\""}]}, {"id": "@0xc9ed1800ca1df7eb", "kind": "enum",
+"name": "ArmState", "members": [{"at": 0, "name": "undefined"}, {"at": 1, "name": "disabled"}, {
+"at": 2, "name": "enabled"}, {"at": 3, "name": "paused"}, {"at": 4, "name": "fault"}]}, {
+"id": "@0xa4117f14f97ed1bb", "kind": "enum", "name": "ArmWarning", "members": [{"at": 0,
+"name": "notEnabled"}, {"at": 1, "name": "outOfReach"}, {"at": 2, "name": "malformed"}, {"at": 3,
+"name": "clientGone"}, {"at": 4, "name": "wrongState"}, {"at": 5, "name": "followingError"}, {
+"at": 6, "name": "atLimit"}, {"at": 7, "name": "stepTooFar"}]}, {"id": "@0x8943f2eac122865a",
+"kind": "struct", "name": "JointGoal", "members": [{"at": 0, "name": "position",
+"is": "List(Float64) unit \"rad\""}, {"at": 1, "name": "stamp", "is": "Int64 clock \"steady\""}]}, {
+"id": "@0x871d0a082eb81ee3", "kind": "struct", "name": "JointSolution", "members": [{"at": 0,
+"name": "position", "is": "List(Float64) unit \"rad\" shape \"8\""}, {"at": 1, "name": "joints",
+"is": "UInt32"}, {"at": 2, "name": "found", "is": "Bool"}]}]})json";
 
 }  // namespace
 }  // namespace robots

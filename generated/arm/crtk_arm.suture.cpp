@@ -119,963 +119,6 @@ using suture::slotIn;
 using suture::slotSize;
 using suture::store;
 
-namespace {
-
-bool acceptsCrtkArmConfigurationJsResult(const JointConfigurationSlot& slot, FieldPath* path);
-bool acceptsCrtkArmOperatingStateResult(const OperatingStateSlot& slot, FieldPath* path);
-bool acceptsCrtkArmPeriodStatisticsResult(const IntervalStatisticsSlot& slot, FieldPath* path);
-bool acceptsCrtkArmMeasuredJsResult(const JointStateSlot& slot, FieldPath* path);
-bool acceptsCrtkArmSetpointJsResult(const JointStateSlot& slot, FieldPath* path);
-bool acceptsCrtkArmGoalJsResult(const JointStateSlot& slot, FieldPath* path);
-bool acceptsCrtkArmMeasuredCpResult(const PoseStampedSlot& slot, FieldPath* path);
-bool acceptsCrtkArmSetpointCpResult(const PoseStampedSlot& slot, FieldPath* path);
-bool acceptsCrtkArmGoalCpResult(const PoseStampedSlot& slot, FieldPath* path);
-bool acceptsCrtkArmLocalMeasuredCpResult(const PoseStampedSlot& slot, FieldPath* path);
-bool acceptsCrtkArmLocalSetpointCpResult(const PoseStampedSlot& slot, FieldPath* path);
-bool acceptsCrtkArmMeasuredCvResult(const TwistSlot& slot, FieldPath* path);
-bool acceptsCrtkArmSetpointCvResult(const TwistSlot& slot, FieldPath* path);
-bool acceptsCrtkArmBodyMeasuredCfResult(const WrenchSlot& slot, FieldPath* path);
-bool acceptsCrtkArmSpatialMeasuredCfResult(const WrenchSlot& slot, FieldPath* path);
-bool acceptsCrtkArmMeasuredCsResult(const CartesianStateSlot& slot, FieldPath* path);
-bool acceptsCrtkArmBodyJacobianResult(const JacobianSlot& slot, FieldPath* path);
-bool acceptsCrtkArmSpatialJacobianResult(const JacobianSlot& slot, FieldPath* path);
-bool acceptsCrtkArmBaseFrameResult(const PoseStampedSlot& slot, FieldPath* path);
-bool acceptsCrtkArmSetBaseFrame(const CrtkArmSetBaseFrameArguments& slot, FieldPath* path);
-bool acceptsCrtkArmServoJp(const CrtkArmServoJpArguments& slot, FieldPath* path);
-bool acceptsCrtkArmServoJr(const CrtkArmServoJrArguments& slot, FieldPath* path);
-bool acceptsCrtkArmServoJv(const CrtkArmServoJvArguments& slot, FieldPath* path);
-bool acceptsCrtkArmServoJf(const CrtkArmServoJfArguments& slot, FieldPath* path);
-bool acceptsCrtkArmServoCp(const CrtkArmServoCpArguments& slot, FieldPath* path);
-bool acceptsCrtkArmServoCr(const CrtkArmServoCrArguments& slot, FieldPath* path);
-bool acceptsCrtkArmServoCv(const CrtkArmServoCvArguments& slot, FieldPath* path);
-bool acceptsCrtkArmBodyServoCf(const CrtkArmBodyServoCfArguments& slot, FieldPath* path);
-bool acceptsCrtkArmSpatialServoCf(const CrtkArmSpatialServoCfArguments& slot, FieldPath* path);
-bool acceptsCrtkArmMoveJp(const CrtkArmMoveJpArguments& slot, FieldPath* path);
-bool acceptsCrtkArmMoveJr(const CrtkArmMoveJrArguments& slot, FieldPath* path);
-bool acceptsCrtkArmMoveCp(const CrtkArmMoveCpArguments& slot, FieldPath* path);
-bool acceptsCrtkArmMoveCr(const CrtkArmMoveCrArguments& slot, FieldPath* path);
-bool acceptsCrtkArmTrajectoryJSetRatio(const CrtkArmTrajectoryJSetRatioArguments& slot,
-                                       FieldPath* path);
-bool acceptsCrtkArmTrajectoryJSetRatioV(const CrtkArmTrajectoryJSetRatioVArguments& slot,
-                                        FieldPath* path);
-bool acceptsCrtkArmTrajectoryJSetRatioA(const CrtkArmTrajectoryJSetRatioAArguments& slot,
-                                        FieldPath* path);
-bool acceptsCrtkArmTrajectoryJRatioResult(const double& slot, FieldPath* path);
-bool acceptsCrtkArmTrajectoryJRatioVResult(const double& slot, FieldPath* path);
-bool acceptsCrtkArmTrajectoryJRatioAResult(const double& slot, FieldPath* path);
-bool acceptsCrtkArmForwardKinematics(const CrtkArmForwardKinematicsArguments& slot,
-                                     FieldPath* path);
-bool acceptsCrtkArmForwardKinematicsResult(const PoseStampedSlot& slot, FieldPath* path);
-bool acceptsCrtkArmInverseKinematics(const CrtkArmInverseKinematicsArguments& slot,
-                                     FieldPath* path);
-bool acceptsCrtkArmInverseKinematicsResult(const JointSolutionSlot& slot, FieldPath* path);
-bool acceptsCrtkArmQueryCp(const CrtkArmQueryCpArguments& slot, FieldPath* path);
-bool acceptsCrtkArmQueryCpResult(const PoseStampedSlot& slot, FieldPath* path);
-bool acceptsCrtkArmLocalQueryCp(const CrtkArmLocalQueryCpArguments& slot, FieldPath* path);
-bool acceptsCrtkArmLocalQueryCpResult(const PoseStampedSlot& slot, FieldPath* path);
-bool acceptsCrtkArmOperatingStateEvent(const OperatingStateSlot& slot, FieldPath* path);
-bool acceptsCrtkArmDesiredStateEvent(const std::uint8_t& slot, FieldPath* path);
-bool acceptsCrtkArmTrajectoryJRatioEvent(const double& slot, FieldPath* path);
-bool acceptsCrtkArmTrajectoryJRatioVEvent(const double& slot, FieldPath* path);
-bool acceptsCrtkArmTrajectoryJRatioAEvent(const double& slot, FieldPath* path);
-
-constexpr CommandInfo kCrtkArmCommands[] = {
-    {.name = "configuration_js",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<JointConfigurationSlot>,
-     .depth = 16,
-     .column = 0,
-     .acceptsResult = checkSlot<JointConfigurationSlot, acceptsCrtkArmConfigurationJsResult>},
-    {.name = "operating_state",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<OperatingStateSlot>,
-     .depth = 16,
-     .column = 1,
-     .acceptsResult = checkSlot<OperatingStateSlot, acceptsCrtkArmOperatingStateResult>,
-     .shiftResult = shiftSlot<OperatingStateSlot>},
-    {.name = "period_statistics",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<IntervalStatisticsSlot>,
-     .depth = 16,
-     .column = 2,
-     .acceptsResult = checkSlot<IntervalStatisticsSlot, acceptsCrtkArmPeriodStatisticsResult>,
-     .shiftResult = shiftSlot<IntervalStatisticsSlot>},
-    {.name = "enable", .kind = CommandKind::Void, .depth = 16},
-    {.name = "disable", .kind = CommandKind::Void, .depth = 16},
-    {.name = "pause", .kind = CommandKind::Void, .depth = 16},
-    {.name = "resume", .kind = CommandKind::Void, .depth = 16},
-    {.name = "home", .kind = CommandKind::Void, .depth = 16},
-    {.name = "unhome", .kind = CommandKind::Void, .depth = 16},
-    {.name = "state_command",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<CrtkArmStateCommandArguments>,
-     .depth = 16},
-    {.name = "measured_js",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<JointStateSlot>,
-     .depth = 16,
-     .column = 3,
-     .acceptsResult = checkSlot<JointStateSlot, acceptsCrtkArmMeasuredJsResult>,
-     .shiftResult = shiftSlot<JointStateSlot>},
-    {.name = "setpoint_js",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<JointStateSlot>,
-     .depth = 16,
-     .column = 4,
-     .acceptsResult = checkSlot<JointStateSlot, acceptsCrtkArmSetpointJsResult>,
-     .shiftResult = shiftSlot<JointStateSlot>},
-    {.name = "goal_js",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<JointStateSlot>,
-     .depth = 16,
-     .column = 5,
-     .acceptsResult = checkSlot<JointStateSlot, acceptsCrtkArmGoalJsResult>,
-     .shiftResult = shiftSlot<JointStateSlot>},
-    {.name = "measured_cp",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<PoseStampedSlot>,
-     .depth = 16,
-     .column = 6,
-     .acceptsResult = checkSlot<PoseStampedSlot, acceptsCrtkArmMeasuredCpResult>,
-     .shiftResult = shiftSlot<PoseStampedSlot>},
-    {.name = "setpoint_cp",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<PoseStampedSlot>,
-     .depth = 16,
-     .column = 7,
-     .acceptsResult = checkSlot<PoseStampedSlot, acceptsCrtkArmSetpointCpResult>,
-     .shiftResult = shiftSlot<PoseStampedSlot>},
-    {.name = "goal_cp",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<PoseStampedSlot>,
-     .depth = 16,
-     .column = 8,
-     .acceptsResult = checkSlot<PoseStampedSlot, acceptsCrtkArmGoalCpResult>,
-     .shiftResult = shiftSlot<PoseStampedSlot>},
-    {.name = "local_measured_cp",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<PoseStampedSlot>,
-     .depth = 16,
-     .column = 9,
-     .acceptsResult = checkSlot<PoseStampedSlot, acceptsCrtkArmLocalMeasuredCpResult>,
-     .shiftResult = shiftSlot<PoseStampedSlot>},
-    {.name = "local_setpoint_cp",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<PoseStampedSlot>,
-     .depth = 16,
-     .column = 10,
-     .acceptsResult = checkSlot<PoseStampedSlot, acceptsCrtkArmLocalSetpointCpResult>,
-     .shiftResult = shiftSlot<PoseStampedSlot>},
-    {.name = "measured_cv",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<TwistSlot>,
-     .depth = 16,
-     .column = 11,
-     .acceptsResult = checkSlot<TwistSlot, acceptsCrtkArmMeasuredCvResult>,
-     .shiftResult = shiftSlot<TwistSlot>},
-    {.name = "setpoint_cv",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<TwistSlot>,
-     .depth = 16,
-     .column = 12,
-     .acceptsResult = checkSlot<TwistSlot, acceptsCrtkArmSetpointCvResult>,
-     .shiftResult = shiftSlot<TwistSlot>},
-    {.name = "body_measured_cf",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<WrenchSlot>,
-     .depth = 16,
-     .column = 13,
-     .acceptsResult = checkSlot<WrenchSlot, acceptsCrtkArmBodyMeasuredCfResult>,
-     .shiftResult = shiftSlot<WrenchSlot>},
-    {.name = "spatial_measured_cf",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<WrenchSlot>,
-     .depth = 16,
-     .column = 14,
-     .acceptsResult = checkSlot<WrenchSlot, acceptsCrtkArmSpatialMeasuredCfResult>,
-     .shiftResult = shiftSlot<WrenchSlot>},
-    {.name = "measured_cs",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<CartesianStateSlot>,
-     .depth = 16,
-     .column = 15,
-     .acceptsResult = checkSlot<CartesianStateSlot, acceptsCrtkArmMeasuredCsResult>,
-     .shiftResult = shiftSlot<CartesianStateSlot>},
-    {.name = "body_jacobian",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<JacobianSlot>,
-     .depth = 16,
-     .column = 16,
-     .acceptsResult = checkSlot<JacobianSlot, acceptsCrtkArmBodyJacobianResult>,
-     .shiftResult = shiftSlot<JacobianSlot>},
-    {.name = "spatial_jacobian",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<JacobianSlot>,
-     .depth = 16,
-     .column = 17,
-     .acceptsResult = checkSlot<JacobianSlot, acceptsCrtkArmSpatialJacobianResult>,
-     .shiftResult = shiftSlot<JacobianSlot>},
-    {.name = "base_frame",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<PoseStampedSlot>,
-     .depth = 16,
-     .column = 18,
-     .acceptsResult = checkSlot<PoseStampedSlot, acceptsCrtkArmBaseFrameResult>,
-     .shiftResult = shiftSlot<PoseStampedSlot>},
-    {.name = "set_base_frame",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<CrtkArmSetBaseFrameArguments>,
-     .depth = 16,
-     .accepts = checkSlot<CrtkArmSetBaseFrameArguments, acceptsCrtkArmSetBaseFrame>,
-     .shiftArguments = shiftSlot<CrtkArmSetBaseFrameArguments>},
-    {.name = "hold", .kind = CommandKind::Void, .depth = 16},
-    {.name = "free", .kind = CommandKind::Void, .depth = 16},
-    {.name = "use_gravity_compensation",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<CrtkArmUseGravityCompensationArguments>,
-     .depth = 16},
-    {.name = "servo_jp",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<CrtkArmServoJpArguments>,
-     .depth = 16,
-     .latest = true,
-     .ttl = Duration(20'000'000),
-     .accepts = checkSlot<CrtkArmServoJpArguments, acceptsCrtkArmServoJp>,
-     .shiftArguments = shiftSlot<CrtkArmServoJpArguments>},
-    {.name = "servo_jr",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<CrtkArmServoJrArguments>,
-     .depth = 16,
-     .ttl = Duration(20'000'000),
-     .accepts = checkSlot<CrtkArmServoJrArguments, acceptsCrtkArmServoJr>,
-     .shiftArguments = shiftSlot<CrtkArmServoJrArguments>},
-    {.name = "servo_jv",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<CrtkArmServoJvArguments>,
-     .depth = 16,
-     .latest = true,
-     .ttl = Duration(20'000'000),
-     .accepts = checkSlot<CrtkArmServoJvArguments, acceptsCrtkArmServoJv>,
-     .shiftArguments = shiftSlot<CrtkArmServoJvArguments>},
-    {.name = "servo_jf",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<CrtkArmServoJfArguments>,
-     .depth = 16,
-     .latest = true,
-     .ttl = Duration(20'000'000),
-     .accepts = checkSlot<CrtkArmServoJfArguments, acceptsCrtkArmServoJf>,
-     .shiftArguments = shiftSlot<CrtkArmServoJfArguments>},
-    {.name = "servo_cp",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<CrtkArmServoCpArguments>,
-     .depth = 16,
-     .latest = true,
-     .ttl = Duration(20'000'000),
-     .accepts = checkSlot<CrtkArmServoCpArguments, acceptsCrtkArmServoCp>,
-     .shiftArguments = shiftSlot<CrtkArmServoCpArguments>},
-    {.name = "servo_cr",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<CrtkArmServoCrArguments>,
-     .depth = 16,
-     .ttl = Duration(20'000'000),
-     .accepts = checkSlot<CrtkArmServoCrArguments, acceptsCrtkArmServoCr>,
-     .shiftArguments = shiftSlot<CrtkArmServoCrArguments>},
-    {.name = "servo_cv",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<CrtkArmServoCvArguments>,
-     .depth = 16,
-     .latest = true,
-     .ttl = Duration(20'000'000),
-     .accepts = checkSlot<CrtkArmServoCvArguments, acceptsCrtkArmServoCv>,
-     .shiftArguments = shiftSlot<CrtkArmServoCvArguments>},
-    {.name = "body_servo_cf",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<CrtkArmBodyServoCfArguments>,
-     .depth = 16,
-     .latest = true,
-     .ttl = Duration(20'000'000),
-     .accepts = checkSlot<CrtkArmBodyServoCfArguments, acceptsCrtkArmBodyServoCf>,
-     .shiftArguments = shiftSlot<CrtkArmBodyServoCfArguments>},
-    {.name = "spatial_servo_cf",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<CrtkArmSpatialServoCfArguments>,
-     .depth = 16,
-     .latest = true,
-     .ttl = Duration(20'000'000),
-     .accepts = checkSlot<CrtkArmSpatialServoCfArguments, acceptsCrtkArmSpatialServoCf>,
-     .shiftArguments = shiftSlot<CrtkArmSpatialServoCfArguments>},
-    {.name = "move_jp",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<CrtkArmMoveJpArguments>,
-     .depth = 16,
-     .accepts = checkSlot<CrtkArmMoveJpArguments, acceptsCrtkArmMoveJp>,
-     .shiftArguments = shiftSlot<CrtkArmMoveJpArguments>},
-    {.name = "move_jr",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<CrtkArmMoveJrArguments>,
-     .depth = 16,
-     .accepts = checkSlot<CrtkArmMoveJrArguments, acceptsCrtkArmMoveJr>,
-     .shiftArguments = shiftSlot<CrtkArmMoveJrArguments>},
-    {.name = "move_cp",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<CrtkArmMoveCpArguments>,
-     .depth = 16,
-     .accepts = checkSlot<CrtkArmMoveCpArguments, acceptsCrtkArmMoveCp>,
-     .shiftArguments = shiftSlot<CrtkArmMoveCpArguments>},
-    {.name = "move_cr",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<CrtkArmMoveCrArguments>,
-     .depth = 16,
-     .accepts = checkSlot<CrtkArmMoveCrArguments, acceptsCrtkArmMoveCr>,
-     .shiftArguments = shiftSlot<CrtkArmMoveCrArguments>},
-    {.name = "trajectory_j_set_ratio",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<CrtkArmTrajectoryJSetRatioArguments>,
-     .depth = 16,
-     .accepts = checkSlot<CrtkArmTrajectoryJSetRatioArguments, acceptsCrtkArmTrajectoryJSetRatio>},
-    {.name = "trajectory_j_set_ratio_v",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<CrtkArmTrajectoryJSetRatioVArguments>,
-     .depth = 16,
-     .accepts = checkSlot<CrtkArmTrajectoryJSetRatioVArguments, acceptsCrtkArmTrajectoryJSetRatioV>},
-    {.name = "trajectory_j_set_ratio_a",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<CrtkArmTrajectoryJSetRatioAArguments>,
-     .depth = 16,
-     .accepts = checkSlot<CrtkArmTrajectoryJSetRatioAArguments, acceptsCrtkArmTrajectoryJSetRatioA>},
-    {.name = "trajectory_j_ratio",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<double>,
-     .depth = 16,
-     .column = 19,
-     .acceptsResult = checkSlot<double, acceptsCrtkArmTrajectoryJRatioResult>},
-    {.name = "trajectory_j_ratio_v",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<double>,
-     .depth = 16,
-     .column = 20,
-     .acceptsResult = checkSlot<double, acceptsCrtkArmTrajectoryJRatioVResult>},
-    {.name = "trajectory_j_ratio_a",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<double>,
-     .depth = 16,
-     .column = 21,
-     .acceptsResult = checkSlot<double, acceptsCrtkArmTrajectoryJRatioAResult>},
-    {.name = "forward_kinematics",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<CrtkArmForwardKinematicsArguments>,
-     .resultSize = slotSize<PoseStampedSlot>,
-     .depth = 16,
-     .accepts = checkSlot<CrtkArmForwardKinematicsArguments, acceptsCrtkArmForwardKinematics>,
-     .acceptsResult = checkSlot<PoseStampedSlot, acceptsCrtkArmForwardKinematicsResult>,
-     .shiftArguments = shiftSlot<CrtkArmForwardKinematicsArguments>,
-     .shiftResult = shiftSlot<PoseStampedSlot>},
-    {.name = "inverse_kinematics",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<CrtkArmInverseKinematicsArguments>,
-     .resultSize = slotSize<JointSolutionSlot>,
-     .depth = 16,
-     .accepts = checkSlot<CrtkArmInverseKinematicsArguments, acceptsCrtkArmInverseKinematics>,
-     .acceptsResult = checkSlot<JointSolutionSlot, acceptsCrtkArmInverseKinematicsResult>,
-     .shiftArguments = shiftSlot<CrtkArmInverseKinematicsArguments>},
-    {.name = "query_cp",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<CrtkArmQueryCpArguments>,
-     .resultSize = slotSize<PoseStampedSlot>,
-     .depth = 16,
-     .accepts = checkSlot<CrtkArmQueryCpArguments, acceptsCrtkArmQueryCp>,
-     .acceptsResult = checkSlot<PoseStampedSlot, acceptsCrtkArmQueryCpResult>,
-     .shiftArguments = shiftSlot<CrtkArmQueryCpArguments>,
-     .shiftResult = shiftSlot<PoseStampedSlot>},
-    {.name = "local_query_cp",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<CrtkArmLocalQueryCpArguments>,
-     .resultSize = slotSize<PoseStampedSlot>,
-     .depth = 16,
-     .accepts = checkSlot<CrtkArmLocalQueryCpArguments, acceptsCrtkArmLocalQueryCp>,
-     .acceptsResult = checkSlot<PoseStampedSlot, acceptsCrtkArmLocalQueryCpResult>,
-     .shiftArguments = shiftSlot<CrtkArmLocalQueryCpArguments>,
-     .shiftResult = shiftSlot<PoseStampedSlot>},
-};
-
-constexpr EventInfo kCrtkArmEvents[] = {
-    {.name = "operating_state",
-     .payloadSize = slotSize<OperatingStateSlot>,
-     .depth = 16,
-     .latched = true,
-     .accepts = checkSlot<OperatingStateSlot, acceptsCrtkArmOperatingStateEvent>,
-     .shiftPayload = shiftSlot<OperatingStateSlot>},
-    {.name = "desired_state",
-     .payloadSize = slotSize<std::uint8_t>,
-     .depth = 16,
-     .latched = true,
-     .accepts = checkSlot<std::uint8_t, acceptsCrtkArmDesiredStateEvent>},
-    {.name = "goal_reached", .payloadSize = slotSize<std::uint8_t>, .depth = 16},
-    {.name = "gravity_compensation",
-     .payloadSize = slotSize<std::uint8_t>,
-     .depth = 16,
-     .latched = true},
-    {.name = "trajectory_j_ratio",
-     .payloadSize = slotSize<double>,
-     .depth = 16,
-     .latched = true,
-     .accepts = checkSlot<double, acceptsCrtkArmTrajectoryJRatioEvent>},
-    {.name = "trajectory_j_ratio_v",
-     .payloadSize = slotSize<double>,
-     .depth = 16,
-     .latched = true,
-     .accepts = checkSlot<double, acceptsCrtkArmTrajectoryJRatioVEvent>},
-    {.name = "trajectory_j_ratio_a",
-     .payloadSize = slotSize<double>,
-     .depth = 16,
-     .latched = true,
-     .accepts = checkSlot<double, acceptsCrtkArmTrajectoryJRatioAEvent>},
-};
-
-// The self-description, as in arm/crtk_arm.suture.json.
-constexpr char kCrtkArmDescription[] = R"json(
-{"name": "robots::CrtkArm",
-"doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. `local_` poses are of the tool tip in the arm's base frame, all others in the reference\nframe, in which base_frame() is the arm's base. A servo command replaces the one before it, of\nwhichever space; a stream of velocities or efforts that falls silent for 0.1 s ends as hold().\nRelative goals are relative to the set-point. Status, warning and error are the standard\nmessages; what an arm refuses it tells in `warning`.",
-"hash": "21912ede6b14b2cffbb40ac3131efbec", "base": "suture::Messages", "crtk": true, "commands": [
-{"name": "configuration_js", "kind": "read", "ordinal": 1, "wire": "configurationJs",
-"doc": "What the joints are and may do.", "result": {"type": {"kind": "struct",
-"name": "robots::JointConfiguration"}}, "queue": 16}, {"name": "operating_state", "kind": "read",
-"ordinal": 2, "wire": "operatingState", "result": {"type": {"kind": "struct",
-"name": "robots::OperatingState"}}, "queue": 16}, {"name": "period_statistics", "kind": "read",
-"ordinal": 3, "wire": "periodStatistics",
-"doc": "How regularly the arm's task ran in the last second.", "result": {"type": {
-"kind": "struct", "name": "robots::IntervalStatistics"}}, "queue": 16}, {"name": "enable",
-"kind": "void", "ordinal": 4, "doc": "Powers the arm; it holds its position.", "queue": 16}, {
-"name": "disable", "kind": "void", "ordinal": 5,
-"doc": "Stops at once and ignores motion until enabled again.", "queue": 16}, {"name": "pause",
-"kind": "void", "ordinal": 6,
-"doc": "Stops where the joints are and ignores motion until resume().", "queue": 16}, {
-"name": "resume", "kind": "void", "ordinal": 7, "queue": 16}, {"name": "home", "kind": "void",
-"ordinal": 8, "doc": "Moves to the home position; needs an enabled arm. Ends with goal_reached.",
-"queue": 16}, {"name": "unhome", "kind": "void", "ordinal": 9, "doc": "Forgets that it is homed.",
-"queue": 16}, {"name": "state_command", "kind": "write", "ordinal": 10, "wire": "stateCommand",
-"doc": "One of the six above, by name; anything else is an `error`.", "parameters": [{
-"name": "name", "type": {"kind": "text", "capacity": 15}}], "queue": 16}, {"name": "measured_js",
-"kind": "read", "ordinal": 11, "wire": "measuredJs", "result": {"type": {"kind": "struct",
-"name": "robots::JointState"}}, "queue": 16}, {"name": "setpoint_js", "kind": "read", "ordinal": 12,
-"wire": "setpointJs", "result": {"type": {"kind": "struct", "name": "robots::JointState"}},
-"queue": 16}, {"name": "goal_js", "kind": "read", "ordinal": 13, "wire": "goalJs",
-"doc": "Where the move under way ends; without one, the set-point.", "result": {"type": {
-"kind": "struct", "name": "robots::JointState"}}, "queue": 16}, {"name": "measured_cp",
-"kind": "read", "ordinal": 14, "wire": "measuredCp", "result": {"type": {"kind": "struct",
-"name": "robots::PoseStamped"}}, "queue": 16}, {"name": "setpoint_cp", "kind": "read",
-"ordinal": 15, "wire": "setpointCp", "result": {"type": {"kind": "struct",
-"name": "robots::PoseStamped"}}, "queue": 16}, {"name": "goal_cp", "kind": "read", "ordinal": 16,
-"wire": "goalCp", "doc": "Where the move under way ends; without one, the set-point.", "result": {
-"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
-"name": "local_measured_cp", "kind": "read", "ordinal": 17, "wire": "localMeasuredCp", "result": {
-"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
-"name": "local_setpoint_cp", "kind": "read", "ordinal": 18, "wire": "localSetpointCp", "result": {
-"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "measured_cv",
-"kind": "read", "ordinal": 19, "wire": "measuredCv",
-"doc": "Of the tip, in the directions of the reference frame.", "result": {"type": {
-"kind": "struct", "name": "robots::Twist"}}, "queue": 16}, {"name": "setpoint_cv", "kind": "read",
-"ordinal": 20, "wire": "setpointCv", "result": {"type": {"kind": "struct", "name": "robots::Twist"}
-}, "queue": 16}, {"name": "body_measured_cf", "kind": "read", "ordinal": 21,
-"wire": "bodyMeasuredCf", "doc": "Force on the tip in its own directions.", "result": {"type": {
-"kind": "struct", "name": "robots::Wrench"}}, "queue": 16}, {"name": "spatial_measured_cf",
-"kind": "read", "ordinal": 22, "wire": "spatialMeasuredCf",
-"doc": "Force on the tip in the directions of the arm's base frame.", "result": {"type": {
-"kind": "struct", "name": "robots::Wrench"}}, "queue": 16}, {"name": "measured_cs", "kind": "read",
-"ordinal": 23, "wire": "measuredCs",
-"doc": "Pose, velocity and force of one cycle, in the reference frame.", "result": {"type": {
-"kind": "struct", "name": "robots::CartesianState"}}, "queue": 16}, {"name": "body_jacobian",
-"kind": "read", "ordinal": 24, "wire": "bodyJacobian",
-"doc": "From joint velocities to those of the tip, in its own directions.", "result": {"type": {
-"kind": "struct", "name": "robots::Jacobian"}}, "queue": 16}, {"name": "spatial_jacobian",
-"kind": "read", "ordinal": 25, "wire": "spatialJacobian",
-"doc": "The same in the directions of the arm's base frame.", "result": {"type": {"kind": "struct",
-"name": "robots::Jacobian"}}, "queue": 16}, {"name": "base_frame", "kind": "read", "ordinal": 26,
-"wire": "baseFrame", "result": {"type": {"kind": "struct", "name": "robots::PoseStamped"}},
-"queue": 16}, {"name": "set_base_frame", "kind": "write", "ordinal": 27, "wire": "setBaseFrame",
-"parameters": [{"name": "frame", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
-"queue": 16}, {"name": "hold", "kind": "void", "ordinal": 28,
-"doc": "Drops what is under way; the set-point stays where it is.", "queue": 16}, {"name": "free",
-"kind": "void", "ordinal": 29,
-"doc": "Lets go: the set-point follows the joints until another command.", "queue": 16}, {
-"name": "use_gravity_compensation", "kind": "write", "ordinal": 30,
-"wire": "useGravityCompensation", "parameters": [{"name": "use", "type": {"kind": "Bool"}}],
-"queue": 16}, {"name": "servo_jp", "kind": "write", "ordinal": 31, "wire": "servoJp",
-"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
-"queue": 16, "latest": true, "ttl": 0.02}, {"name": "servo_jr", "kind": "write", "ordinal": 32,
-"wire": "servoJr", "parameters": [{"name": "step", "type": {"kind": "struct",
-"name": "robots::JointGoal"}}], "queue": 16, "ttl": 0.02}, {"name": "servo_jv", "kind": "write",
-"ordinal": 33, "wire": "servoJv", "parameters": [{"name": "goal", "type": {"kind": "struct",
-"name": "robots::JointVelocityGoal"}}], "queue": 16, "latest": true, "ttl": 0.02}, {
-"name": "servo_jf", "kind": "write", "ordinal": 34, "wire": "servoJf", "parameters": [{
-"name": "goal", "type": {"kind": "struct", "name": "robots::JointEffortGoal"}}], "queue": 16,
-"latest": true, "ttl": 0.02}, {"name": "servo_cp", "kind": "write", "ordinal": 35,
-"wire": "servoCp", "parameters": [{"name": "goal", "type": {"kind": "struct",
-"name": "robots::PoseStamped"}}], "queue": 16, "latest": true, "ttl": 0.02}, {"name": "servo_cr",
-"kind": "write", "ordinal": 36, "wire": "servoCr",
-"doc": "The step's translation in the reference frame; its rotation turns the tip about itself.",
-"parameters": [{"name": "step", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
-"queue": 16, "ttl": 0.02}, {"name": "servo_cv", "kind": "write", "ordinal": 37, "wire": "servoCv",
-"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::TwistGoal"}}],
-"queue": 16, "latest": true, "ttl": 0.02}, {"name": "body_servo_cf", "kind": "write", "ordinal": 38,
-"wire": "bodyServoCf", "doc": "In the tip's own directions.", "parameters": [{"name": "goal",
-"type": {"kind": "struct", "name": "robots::WrenchGoal"}}], "queue": 16, "latest": true, "ttl": 0.02
-}, {"name": "spatial_servo_cf", "kind": "write", "ordinal": 39, "wire": "spatialServoCf",
-"doc": "In the directions of the arm's base frame.", "parameters": [{"name": "goal", "type": {
-"kind": "struct", "name": "robots::WrenchGoal"}}], "queue": 16, "latest": true, "ttl": 0.02}, {
-"name": "move_jp", "kind": "write", "ordinal": 40, "wire": "moveJp",
-"doc": "Moves plan and execute a smooth motion from the set-point. Each ends with goal_reached.",
-"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
-"queue": 16}, {"name": "move_jr", "kind": "write", "ordinal": 41, "wire": "moveJr", "parameters": [
-{"name": "step", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "queue": 16}, {
-"name": "move_cp", "kind": "write", "ordinal": 42, "wire": "moveCp", "parameters": [{
-"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}], "queue": 16}, {
-"name": "move_cr", "kind": "write", "ordinal": 43, "wire": "moveCr", "parameters": [{
-"name": "step", "type": {"kind": "struct", "name": "robots::PoseStamped"}}], "queue": 16}, {
-"name": "trajectory_j_set_ratio", "kind": "write", "ordinal": 44, "wire": "trajectoryJSetRatio",
-"doc": "How fast moves are, of what the joints can do: velocity and acceleration together.",
-"parameters": [{"name": "ratio", "type": {"kind": "Float64"}, "range": [0.01, 1.0]}], "queue": 16},
-{"name": "trajectory_j_set_ratio_v", "kind": "write", "ordinal": 45, "wire": "trajectoryJSetRatioV",
-"parameters": [{"name": "ratio", "type": {"kind": "Float64"}, "range": [0.01, 1.0]}], "queue": 16},
-{"name": "trajectory_j_set_ratio_a", "kind": "write", "ordinal": 46, "wire": "trajectoryJSetRatioA",
-"parameters": [{"name": "ratio", "type": {"kind": "Float64"}, "range": [0.01, 1.0]}], "queue": 16},
-{"name": "trajectory_j_ratio", "kind": "read", "ordinal": 47, "wire": "trajectoryJRatio",
-"doc": "The smaller of the two below.", "result": {"type": {"kind": "Float64"}}, "queue": 16}, {
-"name": "trajectory_j_ratio_v", "kind": "read", "ordinal": 48, "wire": "trajectoryJRatioV",
-"result": {"type": {"kind": "Float64"}}, "queue": 16}, {"name": "trajectory_j_ratio_a",
-"kind": "read", "ordinal": 49, "wire": "trajectoryJRatioA", "result": {"type": {"kind": "Float64"}
-}, "queue": 16}, {"name": "forward_kinematics", "kind": "qualified read", "ordinal": 50,
-"wire": "forwardKinematics",
-"doc": "The tool tip for a joint vector; not valid if it has the wrong length.", "parameters": [{
-"name": "q", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "result": {"type": {
-"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "inverse_kinematics",
-"kind": "qualified read", "ordinal": 51, "wire": "inverseKinematics",
-"doc": "A joint vector for a tool tip, searched from the present set-point.", "parameters": [{
-"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}], "result": {"type": {
-"kind": "struct", "name": "robots::JointSolution"}}, "queue": 16}, {"name": "query_cp",
-"kind": "qualified read", "ordinal": 52, "wire": "queryCp",
-"doc": "The pose of the link behind as many joints as the vector has, at most all: none, the base.",
-"parameters": [{"name": "q", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "result": {
-"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
-"name": "local_query_cp", "kind": "qualified read", "ordinal": 53, "wire": "localQueryCp",
-"doc": "The same in the arm's base frame.", "parameters": [{"name": "q", "type": {"kind": "struct",
-"name": "robots::JointGoal"}}], "result": {"type": {"kind": "struct", "name": "robots::PoseStamped"
-}}, "queue": 16}], "events": [{"name": "status", "kind": "write", "ordinal": 1,
-"doc": "All is well; something has been done.", "payload": {"type": {"kind": "struct",
-"name": "suture::Message"}}, "queue": 16, "latched": true, "from": "suture::Messages"}, {
-"name": "warning", "kind": "write", "ordinal": 2,
-"doc": "Something was refused, or is not as it should be; the component goes on.", "payload": {
-"type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
-"from": "suture::Messages"}, {"name": "error", "kind": "write", "ordinal": 3,
-"doc": "Something failed, and somebody should see to it.", "payload": {"type": {"kind": "struct",
-"name": "suture::Message"}}, "queue": 16, "latched": true, "from": "suture::Messages"}, {
-"name": "operating_state", "kind": "write", "ordinal": 4, "wire": "operatingState",
-"doc": "Each change of the operating state, and the last one to whoever connects.", "payload": {
-"type": {"kind": "struct", "name": "robots::OperatingState"}}, "queue": 16, "latched": true}, {
-"name": "desired_state", "kind": "write", "ordinal": 5, "wire": "desiredState",
-"doc": "The state that a command asked for.", "payload": {"type": {"kind": "enum",
-"name": "robots::ArmState"}}, "queue": 16, "latched": true}, {"name": "goal_reached",
-"kind": "write", "ordinal": 6, "wire": "goalReached",
-"doc": "A move ended: true at its goal, false when something else replaced it.", "payload": {
-"type": {"kind": "Bool"}}, "queue": 16}, {"name": "gravity_compensation", "kind": "write",
-"ordinal": 7, "wire": "gravityCompensation", "payload": {"type": {"kind": "Bool"}}, "queue": 16,
-"latched": true}, {"name": "trajectory_j_ratio", "kind": "write", "ordinal": 8,
-"wire": "trajectoryJRatio", "payload": {"type": {"kind": "Float64"}}, "queue": 16, "latched": true
-}, {"name": "trajectory_j_ratio_v", "kind": "write", "ordinal": 9, "wire": "trajectoryJRatioV",
-"payload": {"type": {"kind": "Float64"}}, "queue": 16, "latched": true}, {
-"name": "trajectory_j_ratio_a", "kind": "write", "ordinal": 10, "wire": "trajectoryJRatioA",
-"payload": {"type": {"kind": "Float64"}}, "queue": 16, "latched": true}], "enums": [{
-"name": "robots::JointType", "underlying": "UInt8", "enumerators": [{"name": "Undefined",
-"value": 0, "wire": "undefined"}, {"name": "Prismatic", "value": 1, "wire": "prismatic"}, {
-"name": "Revolute", "value": 2, "wire": "revolute"}, {"name": "Universal", "value": 3,
-"wire": "universal"}, {"name": "BallSocket", "value": 4, "wire": "ballSocket"}, {
-"name": "Inactive", "value": 5, "wire": "inactive"}]}, {"name": "robots::ArmState",
-"doc": "The states of CRTK.", "underlying": "UInt8", "enumerators": [{"name": "Undefined",
-"value": 0, "wire": "undefined"}, {"name": "Disabled", "value": 1, "wire": "disabled"}, {
-"name": "Enabled", "value": 2, "wire": "enabled"}, {"name": "Paused", "value": 3, "wire": "paused"
-}, {"name": "Fault", "value": 4, "wire": "fault"}]}], "structs": [{
-"name": "robots::JointConfiguration",
-"doc": "What the joints are and may do: CRTK's configuration_js. prmConfigurationJoint.",
-"fields": [{"name": "name", "type": {"kind": "list", "element": {"kind": "text", "capacity": 15},
-"capacity": 8}}, {"name": "type", "type": {"kind": "list", "element": {"kind": "enum",
-"name": "robots::JointType"}, "capacity": 8}}, {"name": "position_min", "wire": "positionMin",
-"type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad"}, {
-"name": "position_max", "wire": "positionMax", "type": {"kind": "list", "element": {
-"kind": "Float64"}, "capacity": 8}, "unit": "rad"}, {"name": "velocity_min", "wire": "velocityMin",
-"type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad/s"}, {
-"name": "velocity_max", "wire": "velocityMax", "type": {"kind": "list", "element": {
-"kind": "Float64"}, "capacity": 8}, "unit": "rad/s"}, {"name": "acceleration_min",
-"wire": "accelerationMin", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
-"unit": "rad/s2"}, {"name": "acceleration_max", "wire": "accelerationMax", "type": {"kind": "list",
-"element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad/s2"}, {"name": "effort_min",
-"wire": "effortMin", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
-"unit": "N.m"}, {"name": "effort_max", "wire": "effortMax", "type": {"kind": "list", "element": {
-"kind": "Float64"}, "capacity": 8}, "unit": "N.m"}, {"name": "valid", "type": {"kind": "Bool"},
-"default": false}]}, {"name": "robots::OperatingState", "doc": "CRTK's operating_state.",
-"fields": [{"name": "state", "type": {"kind": "enum", "name": "robots::ArmState"},
-"default": "Undefined"}, {"name": "sub_state", "wire": "subState",
-"doc": "What the arm is doing within its state, for people: \"holding\", \"servo_cp\".", "type": {
-"kind": "text", "capacity": 15}}, {"name": "is_homed", "wire": "isHomed", "type": {"kind": "Bool"},
-"default": false}, {"name": "is_busy", "wire": "isBusy",
-"doc": "A move is under way; servo commands do not set it.", "type": {"kind": "Bool"},
-"default": false}, {"name": "stamp", "doc": "When the arm entered this state.", "type": {
-"kind": "time", "clock": "steady"}}]}, {"name": "robots::IntervalStatistics",
-"doc": "How regularly a task ran, over its last window.", "fields": [{"name": "period_average",
-"wire": "periodAverage", "type": {"kind": "Float64"}, "unit": "s", "default": 0.0}, {
-"name": "period_deviation", "wire": "periodDeviation", "type": {"kind": "Float64"}, "unit": "s",
-"default": 0.0}, {"name": "period_min", "wire": "periodMin", "type": {"kind": "Float64"},
-"unit": "s", "default": 0.0}, {"name": "period_max", "wire": "periodMax", "type": {
-"kind": "Float64"}, "unit": "s", "default": 0.0}, {"name": "samples", "type": {"kind": "UInt32"},
-"default": 0}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {"name": "valid",
-"type": {"kind": "Bool"}, "default": false}]}, {"name": "robots::JointState",
-"doc": "The state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list is\nempty where its quantity is not known, and as long as `name` otherwise.",
-"fields": [{"name": "name", "type": {"kind": "list", "element": {"kind": "text", "capacity": 15},
-"capacity": 8}}, {"name": "position", "type": {"kind": "list", "element": {"kind": "Float64"},
-"capacity": 8}, "unit": "rad"}, {"name": "velocity", "type": {"kind": "list", "element": {
-"kind": "Float64"}, "capacity": 8}, "unit": "rad/s"}, {"name": "effort", "type": {"kind": "list",
-"element": {"kind": "Float64"}, "capacity": 8}, "unit": "N.m"}, {"name": "stamp", "type": {
-"kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "False: do not use.", "type": {
-"kind": "Bool"}, "default": false}]}, {"name": "robots::PoseStamped",
-"doc": "A pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.", "fields": [{
-"name": "pose", "doc": "Tool tip in the base frame.", "type": {"kind": "isometry",
-"scalar": "Float64"}, "unit": "m"}, {"name": "stamp",
-"doc": "When the pose was true; of a set-point, the stamp of the data it was made from.", "type": {
-"kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "False: do not use.", "type": {
-"kind": "Bool"}, "default": false}]}, {"name": "robots::Twist",
-"doc": "A velocity: CRTK's measured_cv. The cisst libraries' prmVelocityCartesianGet.", "fields": [
-{"name": "linear", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
-"unit": "m/s"}, {"name": "angular", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
-"columns": 1}, "unit": "rad/s"}, {"name": "moving_frame", "wire": "movingFrame", "type": {
-"kind": "text", "capacity": 15}}, {"name": "reference_frame", "wire": "referenceFrame", "type": {
-"kind": "text", "capacity": 15}}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {
-"name": "valid", "doc": "False: do not use.", "type": {"kind": "Bool"}, "default": false}]}, {
-"name": "robots::Wrench",
-"doc": "Force and torque at the tool tip: CRTK's measured_cf. prmForceCartesianGet.", "fields": [{
-"name": "force", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
-"unit": "N"}, {"name": "torque", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
-"columns": 1}, "unit": "N.m"}, {"name": "mask", "doc": "Which components are known.", "type": {
-"kind": "array", "element": {"kind": "Bool"}, "length": 6}}, {"name": "moving_frame",
-"wire": "movingFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "reference_frame",
-"wire": "referenceFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "stamp", "type": {
-"kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "False: do not use.", "type": {
-"kind": "Bool"}, "default": false}]}, {"name": "robots::CartesianState",
-"doc": "Pose, velocity and force of one instant: CRTK's measured_cs. prmStateCartesian.",
-"fields": [{"name": "moving_frame", "wire": "movingFrame", "type": {"kind": "text", "capacity": 15}
-}, {"name": "reference_frame", "wire": "referenceFrame", "type": {"kind": "text", "capacity": 15}},
-{"name": "position", "type": {"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {
-"name": "position_is_valid", "wire": "positionIsValid", "type": {"kind": "Bool"}, "default": false
-}, {"name": "linear_velocity", "wire": "linearVelocity", "type": {"kind": "matrix",
-"scalar": "Float64", "rows": 3, "columns": 1}, "unit": "m/s"}, {"name": "angular_velocity",
-"wire": "angularVelocity", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1
-}, "unit": "rad/s"}, {"name": "velocity_is_valid", "wire": "velocityIsValid", "type": {
-"kind": "Bool"}, "default": false}, {"name": "force", "type": {"kind": "matrix",
-"scalar": "Float64", "rows": 3, "columns": 1}, "unit": "N"}, {"name": "torque", "type": {
-"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "N.m"}, {
-"name": "force_is_valid", "wire": "forceIsValid", "type": {"kind": "Bool"}, "default": false}, {
-"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]}, {"name": "robots::Jacobian",
-"doc": "6 x joints, column-major: linear rows first, in m/s and rad/s per unit of joint velocity.",
-"fields": [{"name": "joints", "type": {"kind": "UInt32"}, "default": 0}, {"name": "coefficients",
-"type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 48}}, {"name": "stamp",
-"type": {"kind": "time", "clock": "steady"}}, {"name": "valid", "type": {"kind": "Bool"},
-"default": false}]}, {"name": "robots::JointGoal",
-"doc": "Where joints shall go: CRTK's servo_jp and move_jp.", "fields": [{"name": "position",
-"doc": "One entry a joint, in chain order.", "type": {"kind": "list", "element": {"kind": "Float64"
-}, "capacity": 8}, "unit": "rad"}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]
-}, {"name": "robots::JointVelocityGoal", "doc": "CRTK's servo_jv: prmVelocityJointSet.", "fields": [
-{"name": "goal", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
-"unit": "rad/s"}, {"name": "acceleration", "doc": "Optional.", "type": {"kind": "list", "element": {
-"kind": "Float64"}, "capacity": 8}, "unit": "rad/s2"}, {"name": "deceleration", "doc": "Optional.",
-"type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad/s2"}, {
-"name": "guard", "doc": "Optional: the positions not to pass.", "type": {"kind": "list",
-"element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad"}, {"name": "mask",
-"doc": "Optional: which joints count; empty: all.", "type": {"kind": "list", "element": {
-"kind": "Bool"}, "capacity": 8}}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]},
-{"name": "robots::JointEffortGoal", "doc": "CRTK's servo_jf: prmForceTorqueJointSet.", "fields": [{
-"name": "effort", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
-"unit": "N.m"}, {"name": "mask", "doc": "Optional: which joints count; empty: all.", "type": {
-"kind": "list", "element": {"kind": "Bool"}, "capacity": 8}}, {"name": "stamp", "type": {
-"kind": "time", "clock": "steady"}}]}, {"name": "robots::TwistGoal",
-"doc": "A velocity to follow: CRTK's servo_cv. prmVelocityCartesianSet.", "fields": [{
-"name": "linear", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
-"unit": "m/s"}, {"name": "angular", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
-"columns": 1}, "unit": "rad/s"}, {"name": "linear_acceleration", "wire": "linearAcceleration",
-"type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "m/s2"}, {
-"name": "angular_acceleration", "wire": "angularAcceleration", "type": {"kind": "matrix",
-"scalar": "Float64", "rows": 3, "columns": 1}, "unit": "rad/s2"}, {"name": "mask",
-"doc": "Which of x, y, z and the rotations about them count.", "type": {"kind": "array",
-"element": {"kind": "Bool"}, "length": 6}}, {"name": "stamp", "type": {"kind": "time",
-"clock": "steady"}}]}, {"name": "robots::WrenchGoal",
-"doc": "Force and torque to apply: CRTK's servo_cf. prmForceCartesianSet.", "fields": [{
-"name": "force", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
-"unit": "N"}, {"name": "torque", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
-"columns": 1}, "unit": "N.m"}, {"name": "mask", "doc": "Which components count.", "type": {
-"kind": "array", "element": {"kind": "Bool"}, "length": 6}}, {"name": "stamp", "type": {
-"kind": "time", "clock": "steady"}}]}, {"name": "robots::JointSolution",
-"doc": "A joint vector that an arm computed, without heap so that a control loop may return it.",
-"fields": [{"name": "position", "doc": "The first `joints` entries count.", "type": {
-"kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad"}, {"name": "joints",
-"type": {"kind": "UInt32"}, "default": 0}, {"name": "found",
-"doc": "False: no joint vector within limits reaches the pose; `position` is the nearest one found.",
-"type": {"kind": "Bool"}, "default": false}]}, {"name": "suture::Message", "fields": [{
-"name": "text",
-"doc": "UTF-8, for people. Those who send cut what is longer, and end it in \"...\" then.",
-"type": {"kind": "text", "capacity": 255}}, {"name": "code",
-"doc": "What it is about, by numbers that its sender documents; 0: nothing in particular.",
-"type": {"kind": "UInt32"}, "default": 0}, {"name": "counter",
-"doc": "Counts the messages of its sender, of all three kinds together, from 1: a gap says that the\nlistener has missed some, a number seen before that the last one has been told again.",
-"type": {"kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time",
-"clock": "steady"}}]}], "wire": [{"id": "@0xe327df5d82aa8eea", "kind": "interface",
-"name": "CrtkArm", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
-"name": "events", "is": "@0xeed86c20664eeafb"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
-"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "configurationJs",
-"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "@0xf723b5ed0dc2d63c"}, {"at": 1, "name": "stamp",
-"is": "Int64"}]}, {"at": 2, "name": "operatingState", "is": "kind \"read\"", "parameters": [{
-"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "@0x8109968bd491318f"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 3,
-"name": "periodStatistics", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xff815195ac6343a7"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 4, "name": "enable", "is": "kind \"void\"",
-"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 5,
-"name": "disable", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 6, "name": "pause", "is": "kind \"void\"", "parameters": [
-{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 7, "name": "resume",
-"is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
-"at": 8, "name": "home", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 9, "name": "unhome", "is": "kind \"void\"",
-"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 10,
-"name": "stateCommand", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "name",
-"is": "Text"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 11,
-"name": "measuredJs", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xac24dfe518a4963f"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 12, "name": "setpointJs",
-"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "@0xac24dfe518a4963f"}, {"at": 1, "name": "stamp",
-"is": "Int64"}]}, {"at": 13, "name": "goalJs", "is": "kind \"read\"", "parameters": [{"at": 0,
-"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "@0xac24dfe518a4963f"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 14,
-"name": "measuredCp", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 15, "name": "setpointCp",
-"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"}, {"at": 1, "name": "stamp",
-"is": "Int64"}]}, {"at": 16, "name": "goalCp", "is": "kind \"read\"", "parameters": [{"at": 0,
-"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "@0xe84bc0a4b9a0c529"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 17,
-"name": "localMeasuredCp", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 18, "name": "localSetpointCp",
-"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"}, {"at": 1, "name": "stamp",
-"is": "Int64"}]}, {"at": 19, "name": "measuredCv", "is": "kind \"read\"", "parameters": [{"at": 0,
-"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "@0xaa62fba3aef11562"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 20,
-"name": "setpointCv", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xaa62fba3aef11562"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 21, "name": "bodyMeasuredCf",
-"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "@0xdefffdcf07aeb2d1"}, {"at": 1, "name": "stamp",
-"is": "Int64"}]}, {"at": 22, "name": "spatialMeasuredCf", "is": "kind \"read\"", "parameters": [{
-"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "@0xdefffdcf07aeb2d1"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 23,
-"name": "measuredCs", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xe8c20fc8c27161a7"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 24, "name": "bodyJacobian",
-"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "@0x9172ad0b0a6919ab"}, {"at": 1, "name": "stamp",
-"is": "Int64"}]}, {"at": 25, "name": "spatialJacobian", "is": "kind \"read\"", "parameters": [{
-"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "@0x9172ad0b0a6919ab"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 26,
-"name": "baseFrame", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 27, "name": "setBaseFrame",
-"is": "kind \"write\"", "parameters": [{"at": 0, "name": "frame", "is": "@0xe84bc0a4b9a0c529"}, {
-"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 28, "name": "hold",
-"is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
-"at": 29, "name": "free", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 30, "name": "useGravityCompensation",
-"is": "kind \"write\"", "parameters": [{"at": 0, "name": "use", "is": "Bool"}, {"at": 1,
-"name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 31, "name": "servoJp",
-"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0x8943f2eac122865a"}, {
-"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 32, "name": "servoJr",
-"is": "kind \"write\"", "parameters": [{"at": 0, "name": "step", "is": "@0x8943f2eac122865a"}, {
-"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 33, "name": "servoJv",
-"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0xf166e3d075579061"}, {
-"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 34, "name": "servoJf",
-"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0xd704fc0995280ce6"}, {
-"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 35, "name": "servoCp",
-"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0xe84bc0a4b9a0c529"}, {
-"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 36, "name": "servoCr",
-"is": "kind \"write\"", "parameters": [{"at": 0, "name": "step", "is": "@0xe84bc0a4b9a0c529"}, {
-"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 37, "name": "servoCv",
-"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0xb9f9a4ea2665be7e"}, {
-"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 38, "name": "bodyServoCf",
-"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0x913714b88c44b8c4"}, {
-"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 39, "name": "spatialServoCf",
-"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0x913714b88c44b8c4"}, {
-"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 40, "name": "moveJp",
-"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0x8943f2eac122865a"}, {
-"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 41, "name": "moveJr",
-"is": "kind \"write\"", "parameters": [{"at": 0, "name": "step", "is": "@0x8943f2eac122865a"}, {
-"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 42, "name": "moveCp",
-"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0xe84bc0a4b9a0c529"}, {
-"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 43, "name": "moveCr",
-"is": "kind \"write\"", "parameters": [{"at": 0, "name": "step", "is": "@0xe84bc0a4b9a0c529"}, {
-"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 44,
-"name": "trajectoryJSetRatio", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "ratio",
-"is": "Float64"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 45,
-"name": "trajectoryJSetRatioV", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "ratio",
-"is": "Float64"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 46,
-"name": "trajectoryJSetRatioA", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "ratio",
-"is": "Float64"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 47,
-"name": "trajectoryJRatio", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "Float64"}, {
-"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 48, "name": "trajectoryJRatioV",
-"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "Float64"}, {"at": 1, "name": "stamp", "is": "Int64"}]
-}, {"at": 49, "name": "trajectoryJRatioA", "is": "kind \"read\"", "parameters": [{"at": 0,
-"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "Float64"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 50,
-"name": "forwardKinematics", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "q",
-"is": "@0x8943f2eac122865a"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"}]}, {"at": 51,
-"name": "inverseKinematics", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0,
-"name": "goal", "is": "@0xe84bc0a4b9a0c529"}, {"at": 1, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0x871d0a082eb81ee3"
-}]}, {"at": 52, "name": "queryCp", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0,
-"name": "q", "is": "@0x8943f2eac122865a"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"
-}], "results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"}]}, {"at": 53,
-"name": "localQueryCp", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "q",
-"is": "@0x8943f2eac122865a"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"}]}]}, {
-"id": "@0xb16d80f0d2b50980", "kind": "interface", "name": "Messages", "members": [{"at": 0,
-"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xa02813b154cdd1d8"}, {
-"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}]}, {
-"id": "@0xa02813b154cdd1d8", "kind": "interface", "name": "MessagesEvents", "members": [{"at": 0,
-"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0x814f9864e019fa96"}]}, {"at": 1,
-"name": "status", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {
-"at": 2, "name": "warning", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]
-}, {"at": 3, "name": "error", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"
-}]}]}, {"id": "@0x814f9864e019fa96", "kind": "struct", "name": "MessagesStateRow", "members": [{
-"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}]}, {"id": "@0xbd6bc34f74980c5d", "kind": "struct",
-"name": "Message", "members": [{"at": 0, "name": "text", "is": "Text"}, {"at": 1, "name": "code",
-"is": "UInt32"}, {"at": 2, "name": "counter", "is": "UInt32"}, {"at": 3, "name": "stamp",
-"is": "Int64 clock \"steady\""}]}, {"id": "@0xeed86c20664eeafb", "kind": "interface",
-"name": "CrtkArmEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
-"name": "row", "is": "@0xaf91381bef91dec1"}]}, {"at": 1, "name": "status", "parameters": [{"at": 0,
-"name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 2, "name": "warning", "parameters": [{
-"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 3, "name": "error", "parameters": [
-{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 4, "name": "operatingState",
-"parameters": [{"at": 0, "name": "value", "is": "@0x8109968bd491318f"}]}, {"at": 5,
-"name": "desiredState", "parameters": [{"at": 0, "name": "value", "is": "@0xc9ed1800ca1df7eb"}]}, {
-"at": 6, "name": "goalReached", "parameters": [{"at": 0, "name": "value", "is": "Bool"}]}, {
-"at": 7, "name": "gravityCompensation", "parameters": [{"at": 0, "name": "value", "is": "Bool"}]}, {
-"at": 8, "name": "trajectoryJRatio", "parameters": [{"at": 0, "name": "value", "is": "Float64"}]}, {
-"at": 9, "name": "trajectoryJRatioV", "parameters": [{"at": 0, "name": "value", "is": "Float64"}]},
-{"at": 10, "name": "trajectoryJRatioA", "parameters": [{"at": 0, "name": "value", "is": "Float64"}]
-}]}, {"id": "@0xaf91381bef91dec1", "kind": "struct", "name": "CrtkArmStateRow", "members": [{
-"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "configurationJs",
-"is": "@0xf723b5ed0dc2d63c"}, {"at": 4, "name": "operatingState", "is": "@0x8109968bd491318f"}, {
-"at": 5, "name": "periodStatistics", "is": "@0xff815195ac6343a7"}, {"at": 6, "name": "measuredJs",
-"is": "@0xac24dfe518a4963f"}, {"at": 7, "name": "setpointJs", "is": "@0xac24dfe518a4963f"}, {
-"at": 8, "name": "goalJs", "is": "@0xac24dfe518a4963f"}, {"at": 9, "name": "measuredCp",
-"is": "@0xe84bc0a4b9a0c529"}, {"at": 10, "name": "setpointCp", "is": "@0xe84bc0a4b9a0c529"}, {
-"at": 11, "name": "goalCp", "is": "@0xe84bc0a4b9a0c529"}, {"at": 12, "name": "localMeasuredCp",
-"is": "@0xe84bc0a4b9a0c529"}, {"at": 13, "name": "localSetpointCp", "is": "@0xe84bc0a4b9a0c529"}, {
-"at": 14, "name": "measuredCv", "is": "@0xaa62fba3aef11562"}, {"at": 15, "name": "setpointCv",
-"is": "@0xaa62fba3aef11562"}, {"at": 16, "name": "bodyMeasuredCf", "is": "@0xdefffdcf07aeb2d1"}, {
-"at": 17, "name": "spatialMeasuredCf", "is": "@0xdefffdcf07aeb2d1"}, {"at": 18,
-"name": "measuredCs", "is": "@0xe8c20fc8c27161a7"}, {"at": 19, "name": "bodyJacobian",
-"is": "@0x9172ad0b0a6919ab"}, {"at": 20, "name": "spatialJacobian", "is": "@0x9172ad0b0a6919ab"}, {
-"at": 21, "name": "baseFrame", "is": "@0xe84bc0a4b9a0c529"}, {"at": 22, "name": "trajectoryJRatio",
-"is": "Float64"}, {"at": 23, "name": "trajectoryJRatioV", "is": "Float64"}, {"at": 24,
-"name": "trajectoryJRatioA", "is": "Float64"}]}, {"id": "@0xf723b5ed0dc2d63c", "kind": "struct",
-"name": "JointConfiguration", "members": [{"at": 0, "name": "name", "is": "List(Text)"}, {"at": 1,
-"name": "type", "is": "List(@0x9f3bef15df1181c0)"}, {"at": 2, "name": "positionMin",
-"is": "List(Float64) unit \"rad\""}, {"at": 3, "name": "positionMax",
-"is": "List(Float64) unit \"rad\""}, {"at": 4, "name": "velocityMin",
-"is": "List(Float64) unit \"rad/s\""}, {"at": 5, "name": "velocityMax",
-"is": "List(Float64) unit \"rad/s\""}, {"at": 6, "name": "accelerationMin",
-"is": "List(Float64) unit \"rad/s2\""}, {"at": 7, "name": "accelerationMax",
-"is": "List(Float64) unit \"rad/s2\""}, {"at": 8, "name": "effortMin",
-"is": "List(Float64) unit \"N.m\""}, {"at": 9, "name": "effortMax",
-"is": "List(Float64) unit \"N.m\""}, {"at": 10, "name": "valid", "is": "Bool"}]}, {
-"id": "@0x9f3bef15df1181c0", "kind": "enum", "name": "JointType", "members": [{"at": 0,
-"name": "undefined"}, {"at": 1, "name": "prismatic"}, {"at": 2, "name": "revolute"}, {"at": 3,
-"name": "universal"}, {"at": 4, "name": "ballSocket"}, {"at": 5, "name": "inactive"}]}, {
-"id": "@0x8109968bd491318f", "kind": "struct", "name": "OperatingState", "members": [{"at": 0,
-"name": "state", "is": "@0xc9ed1800ca1df7eb"}, {"at": 1, "name": "subState", "is": "Text"}, {
-"at": 2, "name": "isHomed", "is": "Bool"}, {"at": 3, "name": "isBusy", "is": "Bool"}, {"at": 4,
-"name": "stamp", "is": "Int64 clock \"steady\""}]}, {"id": "@0xc9ed1800ca1df7eb", "kind": "enum",
-"name": "ArmState", "members": [{"at": 0, "name": "undefined"}, {"at": 1, "name": "disabled"}, {
-"at": 2, "name": "enabled"}, {"at": 3, "name": "paused"}, {"at": 4, "name": "fault"}]}, {
-"id": "@0xff815195ac6343a7", "kind": "struct", "name": "IntervalStatistics", "members": [{"at": 0,
-"name": "periodAverage", "is": "Float64 unit \"s\""}, {"at": 1, "name": "periodDeviation",
-"is": "Float64 unit \"s\""}, {"at": 2, "name": "periodMin", "is": "Float64 unit \"s\""}, {"at": 3,
-"name": "periodMax", "is": "Float64 unit \"s\""}, {"at": 4, "name": "samples", "is": "UInt32"}, {
-"at": 5, "name": "stamp", "is": "Int64 clock \"steady\""}, {"at": 6, "name": "valid", "is": "Bool"}
-]}, {"id": "@0xac24dfe518a4963f", "kind": "struct", "name": "JointState", "members": [{"at": 0,
-"name": "name", "is": "List(Text)"}, {"at": 1, "name": "position",
-"is": "List(Float64) unit \"rad\""}, {"at": 2, "name": "velocity",
-"is": "List(Float64) unit \"rad/s\""}, {"at": 3, "name": "effort",
-"is": "List(Float64) unit \"N.m\""}, {"at": 4, "name": "stamp", "is": "Int64 clock \"steady\""}, {
-"at": 5, "name": "valid", "is": "Bool"}]}, {"id": "@0xe84bc0a4b9a0c529", "kind": "struct",
-"name": "PoseStamped", "members": [{"at": 0, "name": "pose",
-"is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 1, "name": "stamp",
-"is": "Int64 clock \"steady\""}, {"at": 2, "name": "valid", "is": "Bool"}]}, {
-"id": "@0xaa62fba3aef11562", "kind": "struct", "name": "Twist", "members": [{"at": 0,
-"name": "linear", "is": "/suture/types.capnp:Vec3 unit \"m/s\""}, {"at": 1, "name": "angular",
-"is": "/suture/types.capnp:Vec3 unit \"rad/s\""}, {"at": 2, "name": "movingFrame", "is": "Text"}, {
-"at": 3, "name": "referenceFrame", "is": "Text"}, {"at": 4, "name": "stamp",
-"is": "Int64 clock \"steady\""}, {"at": 5, "name": "valid", "is": "Bool"}]}, {
-"id": "@0xdefffdcf07aeb2d1", "kind": "struct", "name": "Wrench", "members": [{"at": 0,
-"name": "force", "is": "/suture/types.capnp:Vec3 unit \"N\""}, {"at": 1, "name": "torque",
-"is": "/suture/types.capnp:Vec3 unit \"N.m\""}, {"at": 2, "name": "mask",
-"is": "List(Bool) shape \"6\""}, {"at": 3, "name": "movingFrame", "is": "Text"}, {"at": 4,
-"name": "referenceFrame", "is": "Text"}, {"at": 5, "name": "stamp", "is": "Int64 clock \"steady\""
-}, {"at": 6, "name": "valid", "is": "Bool"}]}, {"id": "@0xe8c20fc8c27161a7", "kind": "struct",
-"name": "CartesianState", "members": [{"at": 0, "name": "movingFrame", "is": "Text"}, {"at": 1,
-"name": "referenceFrame", "is": "Text"}, {"at": 2, "name": "position",
-"is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 3, "name": "positionIsValid", "is": "Bool"}, {
-"at": 4, "name": "linearVelocity", "is": "/suture/types.capnp:Vec3 unit \"m/s\""}, {"at": 5,
-"name": "angularVelocity", "is": "/suture/types.capnp:Vec3 unit \"rad/s\""}, {"at": 6,
-"name": "velocityIsValid", "is": "Bool"}, {"at": 7, "name": "force",
-"is": "/suture/types.capnp:Vec3 unit \"N\""}, {"at": 8, "name": "torque",
-"is": "/suture/types.capnp:Vec3 unit \"N.m\""}, {"at": 9, "name": "forceIsValid", "is": "Bool"}, {
-"at": 10, "name": "stamp", "is": "Int64 clock \"steady\""}]}, {"id": "@0x9172ad0b0a6919ab",
-"kind": "struct", "name": "Jacobian", "members": [{"at": 0, "name": "joints", "is": "UInt32"}, {
-"at": 1, "name": "coefficients", "is": "List(Float64)"}, {"at": 2, "name": "stamp",
-"is": "Int64 clock \"steady\""}, {"at": 3, "name": "valid", "is": "Bool"}]}, {
-"id": "@0x8943f2eac122865a", "kind": "struct", "name": "JointGoal", "members": [{"at": 0,
-"name": "position", "is": "List(Float64) unit \"rad\""}, {"at": 1, "name": "stamp",
-"is": "Int64 clock \"steady\""}]}, {"id": "@0xf166e3d075579061", "kind": "struct",
-"name": "JointVelocityGoal", "members": [{"at": 0, "name": "goal",
-"is": "List(Float64) unit \"rad/s\""}, {"at": 1, "name": "acceleration",
-"is": "List(Float64) unit \"rad/s2\""}, {"at": 2, "name": "deceleration",
-"is": "List(Float64) unit \"rad/s2\""}, {"at": 3, "name": "guard",
-"is": "List(Float64) unit \"rad\""}, {"at": 4, "name": "mask", "is": "List(Bool)"}, {"at": 5,
-"name": "stamp", "is": "Int64 clock \"steady\""}]}, {"id": "@0xd704fc0995280ce6", "kind": "struct",
-"name": "JointEffortGoal", "members": [{"at": 0, "name": "effort",
-"is": "List(Float64) unit \"N.m\""}, {"at": 1, "name": "mask", "is": "List(Bool)"}, {"at": 2,
-"name": "stamp", "is": "Int64 clock \"steady\""}]}, {"id": "@0xb9f9a4ea2665be7e", "kind": "struct",
-"name": "TwistGoal", "members": [{"at": 0, "name": "linear",
-"is": "/suture/types.capnp:Vec3 unit \"m/s\""}, {"at": 1, "name": "angular",
-"is": "/suture/types.capnp:Vec3 unit \"rad/s\""}, {"at": 2, "name": "linearAcceleration",
-"is": "/suture/types.capnp:Vec3 unit \"m/s2\""}, {"at": 3, "name": "angularAcceleration",
-"is": "/suture/types.capnp:Vec3 unit \"rad/s2\""}, {"at": 4, "name": "mask",
-"is": "List(Bool) shape \"6\""}, {"at": 5, "name": "stamp", "is": "Int64 clock \"steady\""}]}, {
-"id": "@0x913714b88c44b8c4", "kind": "struct", "name": "WrenchGoal", "members": [{"at": 0,
-"name": "force", "is": "/suture/types.capnp:Vec3 unit \"N\""}, {"at": 1, "name": "torque",
-"is": "/suture/types.capnp:Vec3 unit \"N.m\""}, {"at": 2, "name": "mask",
-"is": "List(Bool) shape \"6\""}, {"at": 3, "name": "stamp", "is": "Int64 clock \"steady\""}]}, {
-"id": "@0x871d0a082eb81ee3", "kind": "struct", "name": "JointSolution", "members": [{"at": 0,
-"name": "position", "is": "List(Float64) unit \"rad\" shape \"8\""}, {"at": 1, "name": "joints",
-"is": "UInt32"}, {"at": 2, "name": "found", "is": "Bool"}]}]})json";
-
-}  // namespace
-
 bool store(const std::string& name, CrtkArmStateCommandArguments& slot) {
   return store(name, slot.name);
 }
@@ -1196,82 +239,6 @@ void shiftStamps(CrtkArmLocalQueryCpArguments& slot, Duration shift) { shiftStam
 
 namespace {
 
-bool acceptsCrtkArmConfigurationJsResult(const JointConfigurationSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsCrtkArmOperatingStateResult(const OperatingStateSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsCrtkArmPeriodStatisticsResult(const IntervalStatisticsSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsCrtkArmMeasuredJsResult(const JointStateSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsCrtkArmSetpointJsResult(const JointStateSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsCrtkArmGoalJsResult(const JointStateSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsCrtkArmMeasuredCpResult(const PoseStampedSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsCrtkArmSetpointCpResult(const PoseStampedSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsCrtkArmGoalCpResult(const PoseStampedSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsCrtkArmLocalMeasuredCpResult(const PoseStampedSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsCrtkArmLocalSetpointCpResult(const PoseStampedSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsCrtkArmMeasuredCvResult(const TwistSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsCrtkArmSetpointCvResult(const TwistSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsCrtkArmBodyMeasuredCfResult(const WrenchSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsCrtkArmSpatialMeasuredCfResult(const WrenchSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsCrtkArmMeasuredCsResult(const CartesianStateSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsCrtkArmBodyJacobianResult(const JacobianSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsCrtkArmSpatialJacobianResult(const JacobianSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsCrtkArmBaseFrameResult(const PoseStampedSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
 bool acceptsCrtkArmSetBaseFrame(const CrtkArmSetBaseFrameArguments& slot, FieldPath* path) {
   return isValid(slot.frame, path) || refusedAt(path, "frame");
 }
@@ -1352,37 +319,17 @@ bool acceptsCrtkArmForwardKinematics(const CrtkArmForwardKinematicsArguments& sl
   return isValid(slot.q, path) || refusedAt(path, "q");
 }
 
-bool acceptsCrtkArmForwardKinematicsResult(const PoseStampedSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
 bool acceptsCrtkArmInverseKinematics(const CrtkArmInverseKinematicsArguments& slot,
                                      FieldPath* path) {
   return isValid(slot.goal, path) || refusedAt(path, "goal");
-}
-
-bool acceptsCrtkArmInverseKinematicsResult(const JointSolutionSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
 }
 
 bool acceptsCrtkArmQueryCp(const CrtkArmQueryCpArguments& slot, FieldPath* path) {
   return isValid(slot.q, path) || refusedAt(path, "q");
 }
 
-bool acceptsCrtkArmQueryCpResult(const PoseStampedSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
 bool acceptsCrtkArmLocalQueryCp(const CrtkArmLocalQueryCpArguments& slot, FieldPath* path) {
   return isValid(slot.q, path) || refusedAt(path, "q");
-}
-
-bool acceptsCrtkArmLocalQueryCpResult(const PoseStampedSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsCrtkArmOperatingStateEvent(const OperatingStateSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
 }
 
 bool acceptsCrtkArmDesiredStateEvent(const std::uint8_t& slot, FieldPath*) {
@@ -2861,6 +1808,901 @@ const suture::rpc::Binding& crtkArmBinding() {
   static const CrtkArmBinding kBinding;
   return kBinding;
 }
+
+constexpr CommandInfo kCrtkArmCommands[] = {
+    {.name = "configuration_js",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<JointConfigurationSlot>,
+     .depth = 16,
+     .column = 0,
+     .acceptsResult = checkSlot<JointConfigurationSlot, isValid>},
+    {.name = "operating_state",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<OperatingStateSlot>,
+     .depth = 16,
+     .column = 1,
+     .acceptsResult = checkSlot<OperatingStateSlot, isValid>,
+     .shiftResult = shiftSlot<OperatingStateSlot>},
+    {.name = "period_statistics",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<IntervalStatisticsSlot>,
+     .depth = 16,
+     .column = 2,
+     .acceptsResult = checkSlot<IntervalStatisticsSlot, isValid>,
+     .shiftResult = shiftSlot<IntervalStatisticsSlot>},
+    {.name = "enable", .kind = CommandKind::Void, .depth = 16},
+    {.name = "disable", .kind = CommandKind::Void, .depth = 16},
+    {.name = "pause", .kind = CommandKind::Void, .depth = 16},
+    {.name = "resume", .kind = CommandKind::Void, .depth = 16},
+    {.name = "home", .kind = CommandKind::Void, .depth = 16},
+    {.name = "unhome", .kind = CommandKind::Void, .depth = 16},
+    {.name = "state_command",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<CrtkArmStateCommandArguments>,
+     .depth = 16},
+    {.name = "measured_js",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<JointStateSlot>,
+     .depth = 16,
+     .column = 3,
+     .acceptsResult = checkSlot<JointStateSlot, isValid>,
+     .shiftResult = shiftSlot<JointStateSlot>},
+    {.name = "setpoint_js",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<JointStateSlot>,
+     .depth = 16,
+     .column = 4,
+     .acceptsResult = checkSlot<JointStateSlot, isValid>,
+     .shiftResult = shiftSlot<JointStateSlot>},
+    {.name = "goal_js",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<JointStateSlot>,
+     .depth = 16,
+     .column = 5,
+     .acceptsResult = checkSlot<JointStateSlot, isValid>,
+     .shiftResult = shiftSlot<JointStateSlot>},
+    {.name = "measured_cp",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<PoseStampedSlot>,
+     .depth = 16,
+     .column = 6,
+     .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
+    {.name = "setpoint_cp",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<PoseStampedSlot>,
+     .depth = 16,
+     .column = 7,
+     .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
+    {.name = "goal_cp",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<PoseStampedSlot>,
+     .depth = 16,
+     .column = 8,
+     .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
+    {.name = "local_measured_cp",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<PoseStampedSlot>,
+     .depth = 16,
+     .column = 9,
+     .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
+    {.name = "local_setpoint_cp",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<PoseStampedSlot>,
+     .depth = 16,
+     .column = 10,
+     .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
+    {.name = "measured_cv",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<TwistSlot>,
+     .depth = 16,
+     .column = 11,
+     .acceptsResult = checkSlot<TwistSlot, isValid>,
+     .shiftResult = shiftSlot<TwistSlot>},
+    {.name = "setpoint_cv",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<TwistSlot>,
+     .depth = 16,
+     .column = 12,
+     .acceptsResult = checkSlot<TwistSlot, isValid>,
+     .shiftResult = shiftSlot<TwistSlot>},
+    {.name = "body_measured_cf",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<WrenchSlot>,
+     .depth = 16,
+     .column = 13,
+     .acceptsResult = checkSlot<WrenchSlot, isValid>,
+     .shiftResult = shiftSlot<WrenchSlot>},
+    {.name = "spatial_measured_cf",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<WrenchSlot>,
+     .depth = 16,
+     .column = 14,
+     .acceptsResult = checkSlot<WrenchSlot, isValid>,
+     .shiftResult = shiftSlot<WrenchSlot>},
+    {.name = "measured_cs",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<CartesianStateSlot>,
+     .depth = 16,
+     .column = 15,
+     .acceptsResult = checkSlot<CartesianStateSlot, isValid>,
+     .shiftResult = shiftSlot<CartesianStateSlot>},
+    {.name = "body_jacobian",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<JacobianSlot>,
+     .depth = 16,
+     .column = 16,
+     .acceptsResult = checkSlot<JacobianSlot, isValid>,
+     .shiftResult = shiftSlot<JacobianSlot>},
+    {.name = "spatial_jacobian",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<JacobianSlot>,
+     .depth = 16,
+     .column = 17,
+     .acceptsResult = checkSlot<JacobianSlot, isValid>,
+     .shiftResult = shiftSlot<JacobianSlot>},
+    {.name = "base_frame",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<PoseStampedSlot>,
+     .depth = 16,
+     .column = 18,
+     .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
+    {.name = "set_base_frame",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<CrtkArmSetBaseFrameArguments>,
+     .depth = 16,
+     .accepts = checkSlot<CrtkArmSetBaseFrameArguments, acceptsCrtkArmSetBaseFrame>,
+     .shiftArguments = shiftSlot<CrtkArmSetBaseFrameArguments>},
+    {.name = "hold", .kind = CommandKind::Void, .depth = 16},
+    {.name = "free", .kind = CommandKind::Void, .depth = 16},
+    {.name = "use_gravity_compensation",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<CrtkArmUseGravityCompensationArguments>,
+     .depth = 16},
+    {.name = "servo_jp",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<CrtkArmServoJpArguments>,
+     .depth = 16,
+     .latest = true,
+     .ttl = Duration(20'000'000),
+     .accepts = checkSlot<CrtkArmServoJpArguments, acceptsCrtkArmServoJp>,
+     .shiftArguments = shiftSlot<CrtkArmServoJpArguments>},
+    {.name = "servo_jr",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<CrtkArmServoJrArguments>,
+     .depth = 16,
+     .ttl = Duration(20'000'000),
+     .accepts = checkSlot<CrtkArmServoJrArguments, acceptsCrtkArmServoJr>,
+     .shiftArguments = shiftSlot<CrtkArmServoJrArguments>},
+    {.name = "servo_jv",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<CrtkArmServoJvArguments>,
+     .depth = 16,
+     .latest = true,
+     .ttl = Duration(20'000'000),
+     .accepts = checkSlot<CrtkArmServoJvArguments, acceptsCrtkArmServoJv>,
+     .shiftArguments = shiftSlot<CrtkArmServoJvArguments>},
+    {.name = "servo_jf",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<CrtkArmServoJfArguments>,
+     .depth = 16,
+     .latest = true,
+     .ttl = Duration(20'000'000),
+     .accepts = checkSlot<CrtkArmServoJfArguments, acceptsCrtkArmServoJf>,
+     .shiftArguments = shiftSlot<CrtkArmServoJfArguments>},
+    {.name = "servo_cp",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<CrtkArmServoCpArguments>,
+     .depth = 16,
+     .latest = true,
+     .ttl = Duration(20'000'000),
+     .accepts = checkSlot<CrtkArmServoCpArguments, acceptsCrtkArmServoCp>,
+     .shiftArguments = shiftSlot<CrtkArmServoCpArguments>},
+    {.name = "servo_cr",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<CrtkArmServoCrArguments>,
+     .depth = 16,
+     .ttl = Duration(20'000'000),
+     .accepts = checkSlot<CrtkArmServoCrArguments, acceptsCrtkArmServoCr>,
+     .shiftArguments = shiftSlot<CrtkArmServoCrArguments>},
+    {.name = "servo_cv",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<CrtkArmServoCvArguments>,
+     .depth = 16,
+     .latest = true,
+     .ttl = Duration(20'000'000),
+     .accepts = checkSlot<CrtkArmServoCvArguments, acceptsCrtkArmServoCv>,
+     .shiftArguments = shiftSlot<CrtkArmServoCvArguments>},
+    {.name = "body_servo_cf",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<CrtkArmBodyServoCfArguments>,
+     .depth = 16,
+     .latest = true,
+     .ttl = Duration(20'000'000),
+     .accepts = checkSlot<CrtkArmBodyServoCfArguments, acceptsCrtkArmBodyServoCf>,
+     .shiftArguments = shiftSlot<CrtkArmBodyServoCfArguments>},
+    {.name = "spatial_servo_cf",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<CrtkArmSpatialServoCfArguments>,
+     .depth = 16,
+     .latest = true,
+     .ttl = Duration(20'000'000),
+     .accepts = checkSlot<CrtkArmSpatialServoCfArguments, acceptsCrtkArmSpatialServoCf>,
+     .shiftArguments = shiftSlot<CrtkArmSpatialServoCfArguments>},
+    {.name = "move_jp",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<CrtkArmMoveJpArguments>,
+     .depth = 16,
+     .accepts = checkSlot<CrtkArmMoveJpArguments, acceptsCrtkArmMoveJp>,
+     .shiftArguments = shiftSlot<CrtkArmMoveJpArguments>},
+    {.name = "move_jr",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<CrtkArmMoveJrArguments>,
+     .depth = 16,
+     .accepts = checkSlot<CrtkArmMoveJrArguments, acceptsCrtkArmMoveJr>,
+     .shiftArguments = shiftSlot<CrtkArmMoveJrArguments>},
+    {.name = "move_cp",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<CrtkArmMoveCpArguments>,
+     .depth = 16,
+     .accepts = checkSlot<CrtkArmMoveCpArguments, acceptsCrtkArmMoveCp>,
+     .shiftArguments = shiftSlot<CrtkArmMoveCpArguments>},
+    {.name = "move_cr",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<CrtkArmMoveCrArguments>,
+     .depth = 16,
+     .accepts = checkSlot<CrtkArmMoveCrArguments, acceptsCrtkArmMoveCr>,
+     .shiftArguments = shiftSlot<CrtkArmMoveCrArguments>},
+    {.name = "trajectory_j_set_ratio",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<CrtkArmTrajectoryJSetRatioArguments>,
+     .depth = 16,
+     .accepts = checkSlot<CrtkArmTrajectoryJSetRatioArguments, acceptsCrtkArmTrajectoryJSetRatio>},
+    {.name = "trajectory_j_set_ratio_v",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<CrtkArmTrajectoryJSetRatioVArguments>,
+     .depth = 16,
+     .accepts = checkSlot<CrtkArmTrajectoryJSetRatioVArguments, acceptsCrtkArmTrajectoryJSetRatioV>},
+    {.name = "trajectory_j_set_ratio_a",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<CrtkArmTrajectoryJSetRatioAArguments>,
+     .depth = 16,
+     .accepts = checkSlot<CrtkArmTrajectoryJSetRatioAArguments, acceptsCrtkArmTrajectoryJSetRatioA>},
+    {.name = "trajectory_j_ratio",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<double>,
+     .depth = 16,
+     .column = 19,
+     .acceptsResult = checkSlot<double, acceptsCrtkArmTrajectoryJRatioResult>},
+    {.name = "trajectory_j_ratio_v",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<double>,
+     .depth = 16,
+     .column = 20,
+     .acceptsResult = checkSlot<double, acceptsCrtkArmTrajectoryJRatioVResult>},
+    {.name = "trajectory_j_ratio_a",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<double>,
+     .depth = 16,
+     .column = 21,
+     .acceptsResult = checkSlot<double, acceptsCrtkArmTrajectoryJRatioAResult>},
+    {.name = "forward_kinematics",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = slotSize<CrtkArmForwardKinematicsArguments>,
+     .resultSize = slotSize<PoseStampedSlot>,
+     .depth = 16,
+     .accepts = checkSlot<CrtkArmForwardKinematicsArguments, acceptsCrtkArmForwardKinematics>,
+     .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
+     .shiftArguments = shiftSlot<CrtkArmForwardKinematicsArguments>,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
+    {.name = "inverse_kinematics",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = slotSize<CrtkArmInverseKinematicsArguments>,
+     .resultSize = slotSize<JointSolutionSlot>,
+     .depth = 16,
+     .accepts = checkSlot<CrtkArmInverseKinematicsArguments, acceptsCrtkArmInverseKinematics>,
+     .acceptsResult = checkSlot<JointSolutionSlot, isValid>,
+     .shiftArguments = shiftSlot<CrtkArmInverseKinematicsArguments>},
+    {.name = "query_cp",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = slotSize<CrtkArmQueryCpArguments>,
+     .resultSize = slotSize<PoseStampedSlot>,
+     .depth = 16,
+     .accepts = checkSlot<CrtkArmQueryCpArguments, acceptsCrtkArmQueryCp>,
+     .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
+     .shiftArguments = shiftSlot<CrtkArmQueryCpArguments>,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
+    {.name = "local_query_cp",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = slotSize<CrtkArmLocalQueryCpArguments>,
+     .resultSize = slotSize<PoseStampedSlot>,
+     .depth = 16,
+     .accepts = checkSlot<CrtkArmLocalQueryCpArguments, acceptsCrtkArmLocalQueryCp>,
+     .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
+     .shiftArguments = shiftSlot<CrtkArmLocalQueryCpArguments>,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
+};
+
+constexpr EventInfo kCrtkArmEvents[] = {
+    {.name = "operating_state",
+     .payloadSize = slotSize<OperatingStateSlot>,
+     .depth = 16,
+     .latched = true,
+     .accepts = checkSlot<OperatingStateSlot, isValid>,
+     .shiftPayload = shiftSlot<OperatingStateSlot>},
+    {.name = "desired_state",
+     .payloadSize = slotSize<std::uint8_t>,
+     .depth = 16,
+     .latched = true,
+     .accepts = checkSlot<std::uint8_t, acceptsCrtkArmDesiredStateEvent>},
+    {.name = "goal_reached", .payloadSize = slotSize<std::uint8_t>, .depth = 16},
+    {.name = "gravity_compensation",
+     .payloadSize = slotSize<std::uint8_t>,
+     .depth = 16,
+     .latched = true},
+    {.name = "trajectory_j_ratio",
+     .payloadSize = slotSize<double>,
+     .depth = 16,
+     .latched = true,
+     .accepts = checkSlot<double, acceptsCrtkArmTrajectoryJRatioEvent>},
+    {.name = "trajectory_j_ratio_v",
+     .payloadSize = slotSize<double>,
+     .depth = 16,
+     .latched = true,
+     .accepts = checkSlot<double, acceptsCrtkArmTrajectoryJRatioVEvent>},
+    {.name = "trajectory_j_ratio_a",
+     .payloadSize = slotSize<double>,
+     .depth = 16,
+     .latched = true,
+     .accepts = checkSlot<double, acceptsCrtkArmTrajectoryJRatioAEvent>},
+};
+
+// The self-description, as in arm/crtk_arm.suture.json.
+constexpr char kCrtkArmDescription[] = R"json(
+{"name": "robots::CrtkArm",
+"doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. `local_` poses are of the tool tip in the arm's base frame, all others in the reference\nframe, in which base_frame() is the arm's base. A servo command replaces the one before it, of\nwhichever space; a stream of velocities or efforts that falls silent for 0.1 s ends as hold().\nRelative goals are relative to the set-point. Status, warning and error are the standard\nmessages; what an arm refuses it tells in `warning`.",
+"hash": "21912ede6b14b2cffbb40ac3131efbec", "base": "suture::Messages", "crtk": true, "commands": [
+{"name": "configuration_js", "kind": "read", "ordinal": 1, "wire": "configurationJs",
+"doc": "What the joints are and may do.", "result": {"type": {"kind": "struct",
+"name": "robots::JointConfiguration"}}, "queue": 16}, {"name": "operating_state", "kind": "read",
+"ordinal": 2, "wire": "operatingState", "result": {"type": {"kind": "struct",
+"name": "robots::OperatingState"}}, "queue": 16}, {"name": "period_statistics", "kind": "read",
+"ordinal": 3, "wire": "periodStatistics",
+"doc": "How regularly the arm's task ran in the last second.", "result": {"type": {
+"kind": "struct", "name": "robots::IntervalStatistics"}}, "queue": 16}, {"name": "enable",
+"kind": "void", "ordinal": 4, "doc": "Powers the arm; it holds its position.", "queue": 16}, {
+"name": "disable", "kind": "void", "ordinal": 5,
+"doc": "Stops at once and ignores motion until enabled again.", "queue": 16}, {"name": "pause",
+"kind": "void", "ordinal": 6,
+"doc": "Stops where the joints are and ignores motion until resume().", "queue": 16}, {
+"name": "resume", "kind": "void", "ordinal": 7, "queue": 16}, {"name": "home", "kind": "void",
+"ordinal": 8, "doc": "Moves to the home position; needs an enabled arm. Ends with goal_reached.",
+"queue": 16}, {"name": "unhome", "kind": "void", "ordinal": 9, "doc": "Forgets that it is homed.",
+"queue": 16}, {"name": "state_command", "kind": "write", "ordinal": 10, "wire": "stateCommand",
+"doc": "One of the six above, by name; anything else is an `error`.", "parameters": [{
+"name": "name", "type": {"kind": "text", "capacity": 15}}], "queue": 16}, {"name": "measured_js",
+"kind": "read", "ordinal": 11, "wire": "measuredJs", "result": {"type": {"kind": "struct",
+"name": "robots::JointState"}}, "queue": 16}, {"name": "setpoint_js", "kind": "read", "ordinal": 12,
+"wire": "setpointJs", "result": {"type": {"kind": "struct", "name": "robots::JointState"}},
+"queue": 16}, {"name": "goal_js", "kind": "read", "ordinal": 13, "wire": "goalJs",
+"doc": "Where the move under way ends; without one, the set-point.", "result": {"type": {
+"kind": "struct", "name": "robots::JointState"}}, "queue": 16}, {"name": "measured_cp",
+"kind": "read", "ordinal": 14, "wire": "measuredCp", "result": {"type": {"kind": "struct",
+"name": "robots::PoseStamped"}}, "queue": 16}, {"name": "setpoint_cp", "kind": "read",
+"ordinal": 15, "wire": "setpointCp", "result": {"type": {"kind": "struct",
+"name": "robots::PoseStamped"}}, "queue": 16}, {"name": "goal_cp", "kind": "read", "ordinal": 16,
+"wire": "goalCp", "doc": "Where the move under way ends; without one, the set-point.", "result": {
+"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
+"name": "local_measured_cp", "kind": "read", "ordinal": 17, "wire": "localMeasuredCp", "result": {
+"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
+"name": "local_setpoint_cp", "kind": "read", "ordinal": 18, "wire": "localSetpointCp", "result": {
+"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "measured_cv",
+"kind": "read", "ordinal": 19, "wire": "measuredCv",
+"doc": "Of the tip, in the directions of the reference frame.", "result": {"type": {
+"kind": "struct", "name": "robots::Twist"}}, "queue": 16}, {"name": "setpoint_cv", "kind": "read",
+"ordinal": 20, "wire": "setpointCv", "result": {"type": {"kind": "struct", "name": "robots::Twist"}
+}, "queue": 16}, {"name": "body_measured_cf", "kind": "read", "ordinal": 21,
+"wire": "bodyMeasuredCf", "doc": "Force on the tip in its own directions.", "result": {"type": {
+"kind": "struct", "name": "robots::Wrench"}}, "queue": 16}, {"name": "spatial_measured_cf",
+"kind": "read", "ordinal": 22, "wire": "spatialMeasuredCf",
+"doc": "Force on the tip in the directions of the arm's base frame.", "result": {"type": {
+"kind": "struct", "name": "robots::Wrench"}}, "queue": 16}, {"name": "measured_cs", "kind": "read",
+"ordinal": 23, "wire": "measuredCs",
+"doc": "Pose, velocity and force of one cycle, in the reference frame.", "result": {"type": {
+"kind": "struct", "name": "robots::CartesianState"}}, "queue": 16}, {"name": "body_jacobian",
+"kind": "read", "ordinal": 24, "wire": "bodyJacobian",
+"doc": "From joint velocities to those of the tip, in its own directions.", "result": {"type": {
+"kind": "struct", "name": "robots::Jacobian"}}, "queue": 16}, {"name": "spatial_jacobian",
+"kind": "read", "ordinal": 25, "wire": "spatialJacobian",
+"doc": "The same in the directions of the arm's base frame.", "result": {"type": {"kind": "struct",
+"name": "robots::Jacobian"}}, "queue": 16}, {"name": "base_frame", "kind": "read", "ordinal": 26,
+"wire": "baseFrame", "result": {"type": {"kind": "struct", "name": "robots::PoseStamped"}},
+"queue": 16}, {"name": "set_base_frame", "kind": "write", "ordinal": 27, "wire": "setBaseFrame",
+"parameters": [{"name": "frame", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
+"queue": 16}, {"name": "hold", "kind": "void", "ordinal": 28,
+"doc": "Drops what is under way; the set-point stays where it is.", "queue": 16}, {"name": "free",
+"kind": "void", "ordinal": 29,
+"doc": "Lets go: the set-point follows the joints until another command.", "queue": 16}, {
+"name": "use_gravity_compensation", "kind": "write", "ordinal": 30,
+"wire": "useGravityCompensation", "parameters": [{"name": "use", "type": {"kind": "Bool"}}],
+"queue": 16}, {"name": "servo_jp", "kind": "write", "ordinal": 31, "wire": "servoJp",
+"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
+"queue": 16, "latest": true, "ttl": 0.02}, {"name": "servo_jr", "kind": "write", "ordinal": 32,
+"wire": "servoJr", "parameters": [{"name": "step", "type": {"kind": "struct",
+"name": "robots::JointGoal"}}], "queue": 16, "ttl": 0.02}, {"name": "servo_jv", "kind": "write",
+"ordinal": 33, "wire": "servoJv", "parameters": [{"name": "goal", "type": {"kind": "struct",
+"name": "robots::JointVelocityGoal"}}], "queue": 16, "latest": true, "ttl": 0.02}, {
+"name": "servo_jf", "kind": "write", "ordinal": 34, "wire": "servoJf", "parameters": [{
+"name": "goal", "type": {"kind": "struct", "name": "robots::JointEffortGoal"}}], "queue": 16,
+"latest": true, "ttl": 0.02}, {"name": "servo_cp", "kind": "write", "ordinal": 35,
+"wire": "servoCp", "parameters": [{"name": "goal", "type": {"kind": "struct",
+"name": "robots::PoseStamped"}}], "queue": 16, "latest": true, "ttl": 0.02}, {"name": "servo_cr",
+"kind": "write", "ordinal": 36, "wire": "servoCr",
+"doc": "The step's translation in the reference frame; its rotation turns the tip about itself.",
+"parameters": [{"name": "step", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
+"queue": 16, "ttl": 0.02}, {"name": "servo_cv", "kind": "write", "ordinal": 37, "wire": "servoCv",
+"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::TwistGoal"}}],
+"queue": 16, "latest": true, "ttl": 0.02}, {"name": "body_servo_cf", "kind": "write", "ordinal": 38,
+"wire": "bodyServoCf", "doc": "In the tip's own directions.", "parameters": [{"name": "goal",
+"type": {"kind": "struct", "name": "robots::WrenchGoal"}}], "queue": 16, "latest": true, "ttl": 0.02
+}, {"name": "spatial_servo_cf", "kind": "write", "ordinal": 39, "wire": "spatialServoCf",
+"doc": "In the directions of the arm's base frame.", "parameters": [{"name": "goal", "type": {
+"kind": "struct", "name": "robots::WrenchGoal"}}], "queue": 16, "latest": true, "ttl": 0.02}, {
+"name": "move_jp", "kind": "write", "ordinal": 40, "wire": "moveJp",
+"doc": "Moves plan and execute a smooth motion from the set-point. Each ends with goal_reached.",
+"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
+"queue": 16}, {"name": "move_jr", "kind": "write", "ordinal": 41, "wire": "moveJr", "parameters": [
+{"name": "step", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "queue": 16}, {
+"name": "move_cp", "kind": "write", "ordinal": 42, "wire": "moveCp", "parameters": [{
+"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}], "queue": 16}, {
+"name": "move_cr", "kind": "write", "ordinal": 43, "wire": "moveCr", "parameters": [{
+"name": "step", "type": {"kind": "struct", "name": "robots::PoseStamped"}}], "queue": 16}, {
+"name": "trajectory_j_set_ratio", "kind": "write", "ordinal": 44, "wire": "trajectoryJSetRatio",
+"doc": "How fast moves are, of what the joints can do: velocity and acceleration together.",
+"parameters": [{"name": "ratio", "type": {"kind": "Float64"}, "range": [0.01, 1.0]}], "queue": 16},
+{"name": "trajectory_j_set_ratio_v", "kind": "write", "ordinal": 45, "wire": "trajectoryJSetRatioV",
+"parameters": [{"name": "ratio", "type": {"kind": "Float64"}, "range": [0.01, 1.0]}], "queue": 16},
+{"name": "trajectory_j_set_ratio_a", "kind": "write", "ordinal": 46, "wire": "trajectoryJSetRatioA",
+"parameters": [{"name": "ratio", "type": {"kind": "Float64"}, "range": [0.01, 1.0]}], "queue": 16},
+{"name": "trajectory_j_ratio", "kind": "read", "ordinal": 47, "wire": "trajectoryJRatio",
+"doc": "The smaller of the two below.", "result": {"type": {"kind": "Float64"}}, "queue": 16}, {
+"name": "trajectory_j_ratio_v", "kind": "read", "ordinal": 48, "wire": "trajectoryJRatioV",
+"result": {"type": {"kind": "Float64"}}, "queue": 16}, {"name": "trajectory_j_ratio_a",
+"kind": "read", "ordinal": 49, "wire": "trajectoryJRatioA", "result": {"type": {"kind": "Float64"}
+}, "queue": 16}, {"name": "forward_kinematics", "kind": "qualified read", "ordinal": 50,
+"wire": "forwardKinematics",
+"doc": "The tool tip for a joint vector; not valid if it has the wrong length.", "parameters": [{
+"name": "q", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "result": {"type": {
+"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "inverse_kinematics",
+"kind": "qualified read", "ordinal": 51, "wire": "inverseKinematics",
+"doc": "A joint vector for a tool tip, searched from the present set-point.", "parameters": [{
+"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}], "result": {"type": {
+"kind": "struct", "name": "robots::JointSolution"}}, "queue": 16}, {"name": "query_cp",
+"kind": "qualified read", "ordinal": 52, "wire": "queryCp",
+"doc": "The pose of the link behind as many joints as the vector has, at most all: none, the base.",
+"parameters": [{"name": "q", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "result": {
+"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
+"name": "local_query_cp", "kind": "qualified read", "ordinal": 53, "wire": "localQueryCp",
+"doc": "The same in the arm's base frame.", "parameters": [{"name": "q", "type": {"kind": "struct",
+"name": "robots::JointGoal"}}], "result": {"type": {"kind": "struct", "name": "robots::PoseStamped"
+}}, "queue": 16}], "events": [{"name": "status", "kind": "write", "ordinal": 1,
+"doc": "All is well; something has been done.", "payload": {"type": {"kind": "struct",
+"name": "suture::Message"}}, "queue": 16, "latched": true, "from": "suture::Messages"}, {
+"name": "warning", "kind": "write", "ordinal": 2,
+"doc": "Something was refused, or is not as it should be; the component goes on.", "payload": {
+"type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
+"from": "suture::Messages"}, {"name": "error", "kind": "write", "ordinal": 3,
+"doc": "Something failed, and somebody should see to it.", "payload": {"type": {"kind": "struct",
+"name": "suture::Message"}}, "queue": 16, "latched": true, "from": "suture::Messages"}, {
+"name": "operating_state", "kind": "write", "ordinal": 4, "wire": "operatingState",
+"doc": "Each change of the operating state, and the last one to whoever connects.", "payload": {
+"type": {"kind": "struct", "name": "robots::OperatingState"}}, "queue": 16, "latched": true}, {
+"name": "desired_state", "kind": "write", "ordinal": 5, "wire": "desiredState",
+"doc": "The state that a command asked for.", "payload": {"type": {"kind": "enum",
+"name": "robots::ArmState"}}, "queue": 16, "latched": true}, {"name": "goal_reached",
+"kind": "write", "ordinal": 6, "wire": "goalReached",
+"doc": "A move ended: true at its goal, false when something else replaced it.", "payload": {
+"type": {"kind": "Bool"}}, "queue": 16}, {"name": "gravity_compensation", "kind": "write",
+"ordinal": 7, "wire": "gravityCompensation", "payload": {"type": {"kind": "Bool"}}, "queue": 16,
+"latched": true}, {"name": "trajectory_j_ratio", "kind": "write", "ordinal": 8,
+"wire": "trajectoryJRatio", "payload": {"type": {"kind": "Float64"}}, "queue": 16, "latched": true
+}, {"name": "trajectory_j_ratio_v", "kind": "write", "ordinal": 9, "wire": "trajectoryJRatioV",
+"payload": {"type": {"kind": "Float64"}}, "queue": 16, "latched": true}, {
+"name": "trajectory_j_ratio_a", "kind": "write", "ordinal": 10, "wire": "trajectoryJRatioA",
+"payload": {"type": {"kind": "Float64"}}, "queue": 16, "latched": true}], "enums": [{
+"name": "robots::JointType", "underlying": "UInt8", "enumerators": [{"name": "Undefined",
+"value": 0, "wire": "undefined"}, {"name": "Prismatic", "value": 1, "wire": "prismatic"}, {
+"name": "Revolute", "value": 2, "wire": "revolute"}, {"name": "Universal", "value": 3,
+"wire": "universal"}, {"name": "BallSocket", "value": 4, "wire": "ballSocket"}, {
+"name": "Inactive", "value": 5, "wire": "inactive"}]}, {"name": "robots::ArmState",
+"doc": "The states of CRTK.", "underlying": "UInt8", "enumerators": [{"name": "Undefined",
+"value": 0, "wire": "undefined"}, {"name": "Disabled", "value": 1, "wire": "disabled"}, {
+"name": "Enabled", "value": 2, "wire": "enabled"}, {"name": "Paused", "value": 3, "wire": "paused"
+}, {"name": "Fault", "value": 4, "wire": "fault"}]}], "structs": [{
+"name": "robots::JointConfiguration",
+"doc": "What the joints are and may do: CRTK's configuration_js. prmConfigurationJoint.",
+"fields": [{"name": "name", "type": {"kind": "list", "element": {"kind": "text", "capacity": 15},
+"capacity": 8}}, {"name": "type", "type": {"kind": "list", "element": {"kind": "enum",
+"name": "robots::JointType"}, "capacity": 8}}, {"name": "position_min", "wire": "positionMin",
+"type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad"}, {
+"name": "position_max", "wire": "positionMax", "type": {"kind": "list", "element": {
+"kind": "Float64"}, "capacity": 8}, "unit": "rad"}, {"name": "velocity_min", "wire": "velocityMin",
+"type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad/s"}, {
+"name": "velocity_max", "wire": "velocityMax", "type": {"kind": "list", "element": {
+"kind": "Float64"}, "capacity": 8}, "unit": "rad/s"}, {"name": "acceleration_min",
+"wire": "accelerationMin", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
+"unit": "rad/s2"}, {"name": "acceleration_max", "wire": "accelerationMax", "type": {"kind": "list",
+"element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad/s2"}, {"name": "effort_min",
+"wire": "effortMin", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
+"unit": "N.m"}, {"name": "effort_max", "wire": "effortMax", "type": {"kind": "list", "element": {
+"kind": "Float64"}, "capacity": 8}, "unit": "N.m"}, {"name": "valid", "type": {"kind": "Bool"},
+"default": false}]}, {"name": "robots::OperatingState", "doc": "CRTK's operating_state.",
+"fields": [{"name": "state", "type": {"kind": "enum", "name": "robots::ArmState"},
+"default": "Undefined"}, {"name": "sub_state", "wire": "subState",
+"doc": "What the arm is doing within its state, for people: \"holding\", \"servo_cp\".", "type": {
+"kind": "text", "capacity": 15}}, {"name": "is_homed", "wire": "isHomed", "type": {"kind": "Bool"},
+"default": false}, {"name": "is_busy", "wire": "isBusy",
+"doc": "A move is under way; servo commands do not set it.", "type": {"kind": "Bool"},
+"default": false}, {"name": "stamp", "doc": "When the arm entered this state.", "type": {
+"kind": "time", "clock": "steady"}}]}, {"name": "robots::IntervalStatistics",
+"doc": "How regularly a task ran, over its last window.", "fields": [{"name": "period_average",
+"wire": "periodAverage", "type": {"kind": "Float64"}, "unit": "s", "default": 0.0}, {
+"name": "period_deviation", "wire": "periodDeviation", "type": {"kind": "Float64"}, "unit": "s",
+"default": 0.0}, {"name": "period_min", "wire": "periodMin", "type": {"kind": "Float64"},
+"unit": "s", "default": 0.0}, {"name": "period_max", "wire": "periodMax", "type": {
+"kind": "Float64"}, "unit": "s", "default": 0.0}, {"name": "samples", "type": {"kind": "UInt32"},
+"default": 0}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {"name": "valid",
+"type": {"kind": "Bool"}, "default": false}]}, {"name": "robots::JointState",
+"doc": "The state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list is\nempty where its quantity is not known, and as long as `name` otherwise.",
+"fields": [{"name": "name", "type": {"kind": "list", "element": {"kind": "text", "capacity": 15},
+"capacity": 8}}, {"name": "position", "type": {"kind": "list", "element": {"kind": "Float64"},
+"capacity": 8}, "unit": "rad"}, {"name": "velocity", "type": {"kind": "list", "element": {
+"kind": "Float64"}, "capacity": 8}, "unit": "rad/s"}, {"name": "effort", "type": {"kind": "list",
+"element": {"kind": "Float64"}, "capacity": 8}, "unit": "N.m"}, {"name": "stamp", "type": {
+"kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "False: do not use.", "type": {
+"kind": "Bool"}, "default": false}]}, {"name": "robots::PoseStamped",
+"doc": "A pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.", "fields": [{
+"name": "pose", "doc": "Tool tip in the base frame.", "type": {"kind": "isometry",
+"scalar": "Float64"}, "unit": "m"}, {"name": "stamp",
+"doc": "When the pose was true; of a set-point, the stamp of the data it was made from.", "type": {
+"kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "False: do not use.", "type": {
+"kind": "Bool"}, "default": false}]}, {"name": "robots::Twist",
+"doc": "A velocity: CRTK's measured_cv. The cisst libraries' prmVelocityCartesianGet.", "fields": [
+{"name": "linear", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
+"unit": "m/s"}, {"name": "angular", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
+"columns": 1}, "unit": "rad/s"}, {"name": "moving_frame", "wire": "movingFrame", "type": {
+"kind": "text", "capacity": 15}}, {"name": "reference_frame", "wire": "referenceFrame", "type": {
+"kind": "text", "capacity": 15}}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {
+"name": "valid", "doc": "False: do not use.", "type": {"kind": "Bool"}, "default": false}]}, {
+"name": "robots::Wrench",
+"doc": "Force and torque at the tool tip: CRTK's measured_cf. prmForceCartesianGet.", "fields": [{
+"name": "force", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
+"unit": "N"}, {"name": "torque", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
+"columns": 1}, "unit": "N.m"}, {"name": "mask", "doc": "Which components are known.", "type": {
+"kind": "array", "element": {"kind": "Bool"}, "length": 6}}, {"name": "moving_frame",
+"wire": "movingFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "reference_frame",
+"wire": "referenceFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "stamp", "type": {
+"kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "False: do not use.", "type": {
+"kind": "Bool"}, "default": false}]}, {"name": "robots::CartesianState",
+"doc": "Pose, velocity and force of one instant: CRTK's measured_cs. prmStateCartesian.",
+"fields": [{"name": "moving_frame", "wire": "movingFrame", "type": {"kind": "text", "capacity": 15}
+}, {"name": "reference_frame", "wire": "referenceFrame", "type": {"kind": "text", "capacity": 15}},
+{"name": "position", "type": {"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {
+"name": "position_is_valid", "wire": "positionIsValid", "type": {"kind": "Bool"}, "default": false
+}, {"name": "linear_velocity", "wire": "linearVelocity", "type": {"kind": "matrix",
+"scalar": "Float64", "rows": 3, "columns": 1}, "unit": "m/s"}, {"name": "angular_velocity",
+"wire": "angularVelocity", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1
+}, "unit": "rad/s"}, {"name": "velocity_is_valid", "wire": "velocityIsValid", "type": {
+"kind": "Bool"}, "default": false}, {"name": "force", "type": {"kind": "matrix",
+"scalar": "Float64", "rows": 3, "columns": 1}, "unit": "N"}, {"name": "torque", "type": {
+"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "N.m"}, {
+"name": "force_is_valid", "wire": "forceIsValid", "type": {"kind": "Bool"}, "default": false}, {
+"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]}, {"name": "robots::Jacobian",
+"doc": "6 x joints, column-major: linear rows first, in m/s and rad/s per unit of joint velocity.",
+"fields": [{"name": "joints", "type": {"kind": "UInt32"}, "default": 0}, {"name": "coefficients",
+"type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 48}}, {"name": "stamp",
+"type": {"kind": "time", "clock": "steady"}}, {"name": "valid", "type": {"kind": "Bool"},
+"default": false}]}, {"name": "robots::JointGoal",
+"doc": "Where joints shall go: CRTK's servo_jp and move_jp.", "fields": [{"name": "position",
+"doc": "One entry a joint, in chain order.", "type": {"kind": "list", "element": {"kind": "Float64"
+}, "capacity": 8}, "unit": "rad"}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]
+}, {"name": "robots::JointVelocityGoal", "doc": "CRTK's servo_jv: prmVelocityJointSet.", "fields": [
+{"name": "goal", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
+"unit": "rad/s"}, {"name": "acceleration", "doc": "Optional.", "type": {"kind": "list", "element": {
+"kind": "Float64"}, "capacity": 8}, "unit": "rad/s2"}, {"name": "deceleration", "doc": "Optional.",
+"type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad/s2"}, {
+"name": "guard", "doc": "Optional: the positions not to pass.", "type": {"kind": "list",
+"element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad"}, {"name": "mask",
+"doc": "Optional: which joints count; empty: all.", "type": {"kind": "list", "element": {
+"kind": "Bool"}, "capacity": 8}}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]},
+{"name": "robots::JointEffortGoal", "doc": "CRTK's servo_jf: prmForceTorqueJointSet.", "fields": [{
+"name": "effort", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
+"unit": "N.m"}, {"name": "mask", "doc": "Optional: which joints count; empty: all.", "type": {
+"kind": "list", "element": {"kind": "Bool"}, "capacity": 8}}, {"name": "stamp", "type": {
+"kind": "time", "clock": "steady"}}]}, {"name": "robots::TwistGoal",
+"doc": "A velocity to follow: CRTK's servo_cv. prmVelocityCartesianSet.", "fields": [{
+"name": "linear", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
+"unit": "m/s"}, {"name": "angular", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
+"columns": 1}, "unit": "rad/s"}, {"name": "linear_acceleration", "wire": "linearAcceleration",
+"type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "m/s2"}, {
+"name": "angular_acceleration", "wire": "angularAcceleration", "type": {"kind": "matrix",
+"scalar": "Float64", "rows": 3, "columns": 1}, "unit": "rad/s2"}, {"name": "mask",
+"doc": "Which of x, y, z and the rotations about them count.", "type": {"kind": "array",
+"element": {"kind": "Bool"}, "length": 6}}, {"name": "stamp", "type": {"kind": "time",
+"clock": "steady"}}]}, {"name": "robots::WrenchGoal",
+"doc": "Force and torque to apply: CRTK's servo_cf. prmForceCartesianSet.", "fields": [{
+"name": "force", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
+"unit": "N"}, {"name": "torque", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
+"columns": 1}, "unit": "N.m"}, {"name": "mask", "doc": "Which components count.", "type": {
+"kind": "array", "element": {"kind": "Bool"}, "length": 6}}, {"name": "stamp", "type": {
+"kind": "time", "clock": "steady"}}]}, {"name": "robots::JointSolution",
+"doc": "A joint vector that an arm computed, without heap so that a control loop may return it.",
+"fields": [{"name": "position", "doc": "The first `joints` entries count.", "type": {
+"kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad"}, {"name": "joints",
+"type": {"kind": "UInt32"}, "default": 0}, {"name": "found",
+"doc": "False: no joint vector within limits reaches the pose; `position` is the nearest one found.",
+"type": {"kind": "Bool"}, "default": false}]}, {"name": "suture::Message", "fields": [{
+"name": "text",
+"doc": "UTF-8, for people. Those who send cut what is longer, and end it in \"...\" then.",
+"type": {"kind": "text", "capacity": 255}}, {"name": "code",
+"doc": "What it is about, by numbers that its sender documents; 0: nothing in particular.",
+"type": {"kind": "UInt32"}, "default": 0}, {"name": "counter",
+"doc": "Counts the messages of its sender, of all three kinds together, from 1: a gap says that the\nlistener has missed some, a number seen before that the last one has been told again.",
+"type": {"kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time",
+"clock": "steady"}}]}], "wire": [{"id": "@0xe327df5d82aa8eea", "kind": "interface",
+"name": "CrtkArm", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
+"name": "events", "is": "@0xeed86c20664eeafb"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
+"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "configurationJs",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xf723b5ed0dc2d63c"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 2, "name": "operatingState", "is": "kind \"read\"", "parameters": [{
+"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0x8109968bd491318f"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 3,
+"name": "periodStatistics", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xff815195ac6343a7"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 4, "name": "enable", "is": "kind \"void\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 5,
+"name": "disable", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 6, "name": "pause", "is": "kind \"void\"", "parameters": [
+{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 7, "name": "resume",
+"is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 8, "name": "home", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 9, "name": "unhome", "is": "kind \"void\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 10,
+"name": "stateCommand", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "name",
+"is": "Text"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 11,
+"name": "measuredJs", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xac24dfe518a4963f"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 12, "name": "setpointJs",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xac24dfe518a4963f"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 13, "name": "goalJs", "is": "kind \"read\"", "parameters": [{"at": 0,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0xac24dfe518a4963f"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 14,
+"name": "measuredCp", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 15, "name": "setpointCp",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 16, "name": "goalCp", "is": "kind \"read\"", "parameters": [{"at": 0,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0xe84bc0a4b9a0c529"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 17,
+"name": "localMeasuredCp", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 18, "name": "localSetpointCp",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 19, "name": "measuredCv", "is": "kind \"read\"", "parameters": [{"at": 0,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0xaa62fba3aef11562"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 20,
+"name": "setpointCv", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xaa62fba3aef11562"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 21, "name": "bodyMeasuredCf",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xdefffdcf07aeb2d1"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 22, "name": "spatialMeasuredCf", "is": "kind \"read\"", "parameters": [{
+"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0xdefffdcf07aeb2d1"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 23,
+"name": "measuredCs", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xe8c20fc8c27161a7"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 24, "name": "bodyJacobian",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0x9172ad0b0a6919ab"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 25, "name": "spatialJacobian", "is": "kind \"read\"", "parameters": [{
+"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0x9172ad0b0a6919ab"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 26,
+"name": "baseFrame", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 27, "name": "setBaseFrame",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "frame", "is": "@0xe84bc0a4b9a0c529"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 28, "name": "hold",
+"is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 29, "name": "free", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 30, "name": "useGravityCompensation",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "use", "is": "Bool"}, {"at": 1,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 31, "name": "servoJp",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0x8943f2eac122865a"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 32, "name": "servoJr",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "step", "is": "@0x8943f2eac122865a"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 33, "name": "servoJv",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0xf166e3d075579061"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 34, "name": "servoJf",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0xd704fc0995280ce6"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 35, "name": "servoCp",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0xe84bc0a4b9a0c529"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 36, "name": "servoCr",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "step", "is": "@0xe84bc0a4b9a0c529"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 37, "name": "servoCv",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0xb9f9a4ea2665be7e"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 38, "name": "bodyServoCf",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0x913714b88c44b8c4"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 39, "name": "spatialServoCf",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0x913714b88c44b8c4"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 40, "name": "moveJp",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0x8943f2eac122865a"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 41, "name": "moveJr",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "step", "is": "@0x8943f2eac122865a"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 42, "name": "moveCp",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0xe84bc0a4b9a0c529"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 43, "name": "moveCr",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "step", "is": "@0xe84bc0a4b9a0c529"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 44,
+"name": "trajectoryJSetRatio", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "ratio",
+"is": "Float64"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 45,
+"name": "trajectoryJSetRatioV", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "ratio",
+"is": "Float64"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 46,
+"name": "trajectoryJSetRatioA", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "ratio",
+"is": "Float64"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 47,
+"name": "trajectoryJRatio", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "Float64"}, {
+"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 48, "name": "trajectoryJRatioV",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "Float64"}, {"at": 1, "name": "stamp", "is": "Int64"}]
+}, {"at": 49, "name": "trajectoryJRatioA", "is": "kind \"read\"", "parameters": [{"at": 0,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "Float64"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 50,
+"name": "forwardKinematics", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "q",
+"is": "@0x8943f2eac122865a"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"}]}, {"at": 51,
+"name": "inverseKinematics", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0,
+"name": "goal", "is": "@0xe84bc0a4b9a0c529"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0x871d0a082eb81ee3"
+}]}, {"at": 52, "name": "queryCp", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0,
+"name": "q", "is": "@0x8943f2eac122865a"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"
+}], "results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"}]}, {"at": 53,
+"name": "localQueryCp", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "q",
+"is": "@0x8943f2eac122865a"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"}]}]}, {
+"id": "@0xb16d80f0d2b50980", "kind": "interface", "name": "Messages", "members": [{"at": 0,
+"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xa02813b154cdd1d8"}, {
+"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}]}, {
+"id": "@0xa02813b154cdd1d8", "kind": "interface", "name": "MessagesEvents", "members": [{"at": 0,
+"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0x814f9864e019fa96"}]}, {"at": 1,
+"name": "status", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {
+"at": 2, "name": "warning", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]
+}, {"at": 3, "name": "error", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"
+}]}]}, {"id": "@0x814f9864e019fa96", "kind": "struct", "name": "MessagesStateRow", "members": [{
+"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}]}, {"id": "@0xbd6bc34f74980c5d", "kind": "struct",
+"name": "Message", "members": [{"at": 0, "name": "text", "is": "Text"}, {"at": 1, "name": "code",
+"is": "UInt32"}, {"at": 2, "name": "counter", "is": "UInt32"}, {"at": 3, "name": "stamp",
+"is": "Int64 clock \"steady\""}]}, {"id": "@0xeed86c20664eeafb", "kind": "interface",
+"name": "CrtkArmEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
+"name": "row", "is": "@0xaf91381bef91dec1"}]}, {"at": 1, "name": "status", "parameters": [{"at": 0,
+"name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 2, "name": "warning", "parameters": [{
+"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 3, "name": "error", "parameters": [
+{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 4, "name": "operatingState",
+"parameters": [{"at": 0, "name": "value", "is": "@0x8109968bd491318f"}]}, {"at": 5,
+"name": "desiredState", "parameters": [{"at": 0, "name": "value", "is": "@0xc9ed1800ca1df7eb"}]}, {
+"at": 6, "name": "goalReached", "parameters": [{"at": 0, "name": "value", "is": "Bool"}]}, {
+"at": 7, "name": "gravityCompensation", "parameters": [{"at": 0, "name": "value", "is": "Bool"}]}, {
+"at": 8, "name": "trajectoryJRatio", "parameters": [{"at": 0, "name": "value", "is": "Float64"}]}, {
+"at": 9, "name": "trajectoryJRatioV", "parameters": [{"at": 0, "name": "value", "is": "Float64"}]},
+{"at": 10, "name": "trajectoryJRatioA", "parameters": [{"at": 0, "name": "value", "is": "Float64"}]
+}]}, {"id": "@0xaf91381bef91dec1", "kind": "struct", "name": "CrtkArmStateRow", "members": [{
+"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "configurationJs",
+"is": "@0xf723b5ed0dc2d63c"}, {"at": 4, "name": "operatingState", "is": "@0x8109968bd491318f"}, {
+"at": 5, "name": "periodStatistics", "is": "@0xff815195ac6343a7"}, {"at": 6, "name": "measuredJs",
+"is": "@0xac24dfe518a4963f"}, {"at": 7, "name": "setpointJs", "is": "@0xac24dfe518a4963f"}, {
+"at": 8, "name": "goalJs", "is": "@0xac24dfe518a4963f"}, {"at": 9, "name": "measuredCp",
+"is": "@0xe84bc0a4b9a0c529"}, {"at": 10, "name": "setpointCp", "is": "@0xe84bc0a4b9a0c529"}, {
+"at": 11, "name": "goalCp", "is": "@0xe84bc0a4b9a0c529"}, {"at": 12, "name": "localMeasuredCp",
+"is": "@0xe84bc0a4b9a0c529"}, {"at": 13, "name": "localSetpointCp", "is": "@0xe84bc0a4b9a0c529"}, {
+"at": 14, "name": "measuredCv", "is": "@0xaa62fba3aef11562"}, {"at": 15, "name": "setpointCv",
+"is": "@0xaa62fba3aef11562"}, {"at": 16, "name": "bodyMeasuredCf", "is": "@0xdefffdcf07aeb2d1"}, {
+"at": 17, "name": "spatialMeasuredCf", "is": "@0xdefffdcf07aeb2d1"}, {"at": 18,
+"name": "measuredCs", "is": "@0xe8c20fc8c27161a7"}, {"at": 19, "name": "bodyJacobian",
+"is": "@0x9172ad0b0a6919ab"}, {"at": 20, "name": "spatialJacobian", "is": "@0x9172ad0b0a6919ab"}, {
+"at": 21, "name": "baseFrame", "is": "@0xe84bc0a4b9a0c529"}, {"at": 22, "name": "trajectoryJRatio",
+"is": "Float64"}, {"at": 23, "name": "trajectoryJRatioV", "is": "Float64"}, {"at": 24,
+"name": "trajectoryJRatioA", "is": "Float64"}]}, {"id": "@0xf723b5ed0dc2d63c", "kind": "struct",
+"name": "JointConfiguration", "members": [{"at": 0, "name": "name", "is": "List(Text)"}, {"at": 1,
+"name": "type", "is": "List(@0x9f3bef15df1181c0)"}, {"at": 2, "name": "positionMin",
+"is": "List(Float64) unit \"rad\""}, {"at": 3, "name": "positionMax",
+"is": "List(Float64) unit \"rad\""}, {"at": 4, "name": "velocityMin",
+"is": "List(Float64) unit \"rad/s\""}, {"at": 5, "name": "velocityMax",
+"is": "List(Float64) unit \"rad/s\""}, {"at": 6, "name": "accelerationMin",
+"is": "List(Float64) unit \"rad/s2\""}, {"at": 7, "name": "accelerationMax",
+"is": "List(Float64) unit \"rad/s2\""}, {"at": 8, "name": "effortMin",
+"is": "List(Float64) unit \"N.m\""}, {"at": 9, "name": "effortMax",
+"is": "List(Float64) unit \"N.m\""}, {"at": 10, "name": "valid", "is": "Bool"}]}, {
+"id": "@0x9f3bef15df1181c0", "kind": "enum", "name": "JointType", "members": [{"at": 0,
+"name": "undefined"}, {"at": 1, "name": "prismatic"}, {"at": 2, "name": "revolute"}, {"at": 3,
+"name": "universal"}, {"at": 4, "name": "ballSocket"}, {"at": 5, "name": "inactive"}]}, {
+"id": "@0x8109968bd491318f", "kind": "struct", "name": "OperatingState", "members": [{"at": 0,
+"name": "state", "is": "@0xc9ed1800ca1df7eb"}, {"at": 1, "name": "subState", "is": "Text"}, {
+"at": 2, "name": "isHomed", "is": "Bool"}, {"at": 3, "name": "isBusy", "is": "Bool"}, {"at": 4,
+"name": "stamp", "is": "Int64 clock \"steady\""}]}, {"id": "@0xc9ed1800ca1df7eb", "kind": "enum",
+"name": "ArmState", "members": [{"at": 0, "name": "undefined"}, {"at": 1, "name": "disabled"}, {
+"at": 2, "name": "enabled"}, {"at": 3, "name": "paused"}, {"at": 4, "name": "fault"}]}, {
+"id": "@0xff815195ac6343a7", "kind": "struct", "name": "IntervalStatistics", "members": [{"at": 0,
+"name": "periodAverage", "is": "Float64 unit \"s\""}, {"at": 1, "name": "periodDeviation",
+"is": "Float64 unit \"s\""}, {"at": 2, "name": "periodMin", "is": "Float64 unit \"s\""}, {"at": 3,
+"name": "periodMax", "is": "Float64 unit \"s\""}, {"at": 4, "name": "samples", "is": "UInt32"}, {
+"at": 5, "name": "stamp", "is": "Int64 clock \"steady\""}, {"at": 6, "name": "valid", "is": "Bool"}
+]}, {"id": "@0xac24dfe518a4963f", "kind": "struct", "name": "JointState", "members": [{"at": 0,
+"name": "name", "is": "List(Text)"}, {"at": 1, "name": "position",
+"is": "List(Float64) unit \"rad\""}, {"at": 2, "name": "velocity",
+"is": "List(Float64) unit \"rad/s\""}, {"at": 3, "name": "effort",
+"is": "List(Float64) unit \"N.m\""}, {"at": 4, "name": "stamp", "is": "Int64 clock \"steady\""}, {
+"at": 5, "name": "valid", "is": "Bool"}]}, {"id": "@0xe84bc0a4b9a0c529", "kind": "struct",
+"name": "PoseStamped", "members": [{"at": 0, "name": "pose",
+"is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 1, "name": "stamp",
+"is": "Int64 clock \"steady\""}, {"at": 2, "name": "valid", "is": "Bool"}]}, {
+"id": "@0xaa62fba3aef11562", "kind": "struct", "name": "Twist", "members": [{"at": 0,
+"name": "linear", "is": "/suture/types.capnp:Vec3 unit \"m/s\""}, {"at": 1, "name": "angular",
+"is": "/suture/types.capnp:Vec3 unit \"rad/s\""}, {"at": 2, "name": "movingFrame", "is": "Text"}, {
+"at": 3, "name": "referenceFrame", "is": "Text"}, {"at": 4, "name": "stamp",
+"is": "Int64 clock \"steady\""}, {"at": 5, "name": "valid", "is": "Bool"}]}, {
+"id": "@0xdefffdcf07aeb2d1", "kind": "struct", "name": "Wrench", "members": [{"at": 0,
+"name": "force", "is": "/suture/types.capnp:Vec3 unit \"N\""}, {"at": 1, "name": "torque",
+"is": "/suture/types.capnp:Vec3 unit \"N.m\""}, {"at": 2, "name": "mask",
+"is": "List(Bool) shape \"6\""}, {"at": 3, "name": "movingFrame", "is": "Text"}, {"at": 4,
+"name": "referenceFrame", "is": "Text"}, {"at": 5, "name": "stamp", "is": "Int64 clock \"steady\""
+}, {"at": 6, "name": "valid", "is": "Bool"}]}, {"id": "@0xe8c20fc8c27161a7", "kind": "struct",
+"name": "CartesianState", "members": [{"at": 0, "name": "movingFrame", "is": "Text"}, {"at": 1,
+"name": "referenceFrame", "is": "Text"}, {"at": 2, "name": "position",
+"is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 3, "name": "positionIsValid", "is": "Bool"}, {
+"at": 4, "name": "linearVelocity", "is": "/suture/types.capnp:Vec3 unit \"m/s\""}, {"at": 5,
+"name": "angularVelocity", "is": "/suture/types.capnp:Vec3 unit \"rad/s\""}, {"at": 6,
+"name": "velocityIsValid", "is": "Bool"}, {"at": 7, "name": "force",
+"is": "/suture/types.capnp:Vec3 unit \"N\""}, {"at": 8, "name": "torque",
+"is": "/suture/types.capnp:Vec3 unit \"N.m\""}, {"at": 9, "name": "forceIsValid", "is": "Bool"}, {
+"at": 10, "name": "stamp", "is": "Int64 clock \"steady\""}]}, {"id": "@0x9172ad0b0a6919ab",
+"kind": "struct", "name": "Jacobian", "members": [{"at": 0, "name": "joints", "is": "UInt32"}, {
+"at": 1, "name": "coefficients", "is": "List(Float64)"}, {"at": 2, "name": "stamp",
+"is": "Int64 clock \"steady\""}, {"at": 3, "name": "valid", "is": "Bool"}]}, {
+"id": "@0x8943f2eac122865a", "kind": "struct", "name": "JointGoal", "members": [{"at": 0,
+"name": "position", "is": "List(Float64) unit \"rad\""}, {"at": 1, "name": "stamp",
+"is": "Int64 clock \"steady\""}]}, {"id": "@0xf166e3d075579061", "kind": "struct",
+"name": "JointVelocityGoal", "members": [{"at": 0, "name": "goal",
+"is": "List(Float64) unit \"rad/s\""}, {"at": 1, "name": "acceleration",
+"is": "List(Float64) unit \"rad/s2\""}, {"at": 2, "name": "deceleration",
+"is": "List(Float64) unit \"rad/s2\""}, {"at": 3, "name": "guard",
+"is": "List(Float64) unit \"rad\""}, {"at": 4, "name": "mask", "is": "List(Bool)"}, {"at": 5,
+"name": "stamp", "is": "Int64 clock \"steady\""}]}, {"id": "@0xd704fc0995280ce6", "kind": "struct",
+"name": "JointEffortGoal", "members": [{"at": 0, "name": "effort",
+"is": "List(Float64) unit \"N.m\""}, {"at": 1, "name": "mask", "is": "List(Bool)"}, {"at": 2,
+"name": "stamp", "is": "Int64 clock \"steady\""}]}, {"id": "@0xb9f9a4ea2665be7e", "kind": "struct",
+"name": "TwistGoal", "members": [{"at": 0, "name": "linear",
+"is": "/suture/types.capnp:Vec3 unit \"m/s\""}, {"at": 1, "name": "angular",
+"is": "/suture/types.capnp:Vec3 unit \"rad/s\""}, {"at": 2, "name": "linearAcceleration",
+"is": "/suture/types.capnp:Vec3 unit \"m/s2\""}, {"at": 3, "name": "angularAcceleration",
+"is": "/suture/types.capnp:Vec3 unit \"rad/s2\""}, {"at": 4, "name": "mask",
+"is": "List(Bool) shape \"6\""}, {"at": 5, "name": "stamp", "is": "Int64 clock \"steady\""}]}, {
+"id": "@0x913714b88c44b8c4", "kind": "struct", "name": "WrenchGoal", "members": [{"at": 0,
+"name": "force", "is": "/suture/types.capnp:Vec3 unit \"N\""}, {"at": 1, "name": "torque",
+"is": "/suture/types.capnp:Vec3 unit \"N.m\""}, {"at": 2, "name": "mask",
+"is": "List(Bool) shape \"6\""}, {"at": 3, "name": "stamp", "is": "Int64 clock \"steady\""}]}, {
+"id": "@0x871d0a082eb81ee3", "kind": "struct", "name": "JointSolution", "members": [{"at": 0,
+"name": "position", "is": "List(Float64) unit \"rad\" shape \"8\""}, {"at": 1, "name": "joints",
+"is": "UInt32"}, {"at": 2, "name": "found", "is": "Bool"}]}]})json";
 
 }  // namespace
 }  // namespace robots

@@ -32,6 +32,7 @@ static_assert(std::is_same_v<decltype(MtmParameters::period), std::chrono::nanos
 static_assert(std::is_same_v<decltype(MtmParameters::time_constant), double>);
 static_assert(std::is_same_v<decltype(MtmParameters::angular_rate), double>);
 static_assert(std::is_same_v<decltype(MtmParameters::following_error), double>);
+static_assert(std::is_same_v<decltype(MtmParameters::servo_horizon), double>);
 
 }  // namespace
 
@@ -42,6 +43,7 @@ bool store(const MtmParameters& value, MtmParametersSlot& slot) {
   fits &= store(value.time_constant, slot.time_constant);
   fits &= store(value.angular_rate, slot.angular_rate);
   fits &= store(value.following_error, slot.following_error);
+  fits &= store(value.servo_horizon, slot.servo_horizon);
   return fits;
 }
 
@@ -51,6 +53,7 @@ void load(const MtmParametersSlot& slot, MtmParameters& value) {
   load(slot.time_constant, value.time_constant);
   load(slot.angular_rate, value.angular_rate);
   load(slot.following_error, value.following_error);
+  load(slot.servo_horizon, value.servo_horizon);
 }
 
 // --- between slots and Cap'n Proto
@@ -86,6 +89,7 @@ void toWire(const MtmParametersSlot& slot, wire::MtmParameters::Builder out) {
   out.setTimeConstant(slot.time_constant);
   out.setAngularRate(slot.angular_rate);
   out.setFollowingError(slot.following_error);
+  out.setServoHorizon(slot.servo_horizon);
 }
 
 Errc fromWire(wire::MtmParameters::Reader in, MtmParametersSlot& slot, Duration) {
@@ -93,6 +97,7 @@ Errc fromWire(wire::MtmParameters::Reader in, MtmParametersSlot& slot, Duration)
   slot.time_constant = in.getTimeConstant();
   slot.angular_rate = in.getAngularRate();
   slot.following_error = in.getFollowingError();
+  slot.servo_horizon = in.getServoHorizon();
   return fromWire(in.getSide(), slot.side);
 }
 
@@ -100,7 +105,8 @@ bool isValid(const MtmParametersSlot& slot, FieldPath* path) {
   if (!isKnownMtmSide(slot.side)) return refusedAt(path, "side");
   if (!inRange(slot.time_constant, 0.0001, 10)) return refusedAt(path, "time_constant");
   if (!inRange(slot.angular_rate, 0.01, 20)) return refusedAt(path, "angular_rate");
-  return inRange(slot.following_error, 0.001, 10) || refusedAt(path, "following_error");
+  if (!inRange(slot.following_error, 0.001, 10)) return refusedAt(path, "following_error");
+  return inRange(slot.servo_horizon, 0.001, 10) || refusedAt(path, "servo_horizon");
 }
 
 }  // namespace robots
@@ -120,6 +126,7 @@ void fromJson(const suture::JsonReader& in, MtmParameters& value) {
   reader.field("time_constant", value.time_constant, 0.0001, 10);
   reader.field("angular_rate", value.angular_rate, 0.01, 20);
   reader.field("following_error", value.following_error, 0.001, 10);
+  reader.field("servo_horizon", value.servo_horizon, 0.001, 10);
   reader.finish();
 }
 

@@ -30,6 +30,7 @@ static_assert(std::is_same_v<decltype(PsmParameters::angular_rate), double>);
 static_assert(std::is_same_v<decltype(PsmParameters::following_error), double>);
 static_assert(std::is_same_v<decltype(PsmParameters::insertion_rate), double>);
 static_assert(std::is_same_v<decltype(PsmParameters::insertion_following_error), double>);
+static_assert(std::is_same_v<decltype(PsmParameters::servo_horizon), double>);
 
 }  // namespace
 
@@ -41,6 +42,7 @@ bool store(const PsmParameters& value, PsmParametersSlot& slot) {
   fits &= store(value.following_error, slot.following_error);
   fits &= store(value.insertion_rate, slot.insertion_rate);
   fits &= store(value.insertion_following_error, slot.insertion_following_error);
+  fits &= store(value.servo_horizon, slot.servo_horizon);
   return fits;
 }
 
@@ -51,6 +53,7 @@ void load(const PsmParametersSlot& slot, PsmParameters& value) {
   load(slot.following_error, value.following_error);
   load(slot.insertion_rate, value.insertion_rate);
   load(slot.insertion_following_error, value.insertion_following_error);
+  load(slot.servo_horizon, value.servo_horizon);
 }
 
 // --- between slots and Cap'n Proto
@@ -62,6 +65,7 @@ void toWire(const PsmParametersSlot& slot, wire::PsmParameters::Builder out) {
   out.setFollowingError(slot.following_error);
   out.setInsertionRate(slot.insertion_rate);
   out.setInsertionFollowingError(slot.insertion_following_error);
+  out.setServoHorizon(slot.servo_horizon);
 }
 
 Errc fromWire(wire::PsmParameters::Reader in, PsmParametersSlot& slot, Duration) {
@@ -71,6 +75,7 @@ Errc fromWire(wire::PsmParameters::Reader in, PsmParametersSlot& slot, Duration)
   slot.following_error = in.getFollowingError();
   slot.insertion_rate = in.getInsertionRate();
   slot.insertion_following_error = in.getInsertionFollowingError();
+  slot.servo_horizon = in.getServoHorizon();
   return Errc{};
 }
 
@@ -79,8 +84,10 @@ bool isValid(const PsmParametersSlot& slot, FieldPath* path) {
   if (!inRange(slot.angular_rate, 0.01, 20)) return refusedAt(path, "angular_rate");
   if (!inRange(slot.following_error, 0.001, 10)) return refusedAt(path, "following_error");
   if (!inRange(slot.insertion_rate, 0.001, 2)) return refusedAt(path, "insertion_rate");
-  return inRange(slot.insertion_following_error, 0.0001, 1) ||
-      refusedAt(path, "insertion_following_error");
+  if (!inRange(slot.insertion_following_error, 0.0001, 1)) {
+    return refusedAt(path, "insertion_following_error");
+  }
+  return inRange(slot.servo_horizon, 0.001, 10) || refusedAt(path, "servo_horizon");
 }
 
 }  // namespace robots
@@ -95,6 +102,7 @@ void fromJson(const suture::JsonReader& in, PsmParameters& value) {
   reader.field("following_error", value.following_error, 0.001, 10);
   reader.field("insertion_rate", value.insertion_rate, 0.001, 2);
   reader.field("insertion_following_error", value.insertion_following_error, 0.0001, 1);
+  reader.field("servo_horizon", value.servo_horizon, 0.001, 10);
   reader.finish();
 }
 

@@ -39,90 +39,6 @@ using suture::slotIn;
 using suture::slotSize;
 using suture::store;
 
-namespace {
-
-bool acceptsLoopServerPut(const LoopServerPutArguments& slot, FieldPath* path);
-bool acceptsLoopServerBounce(const LoopServerBounceArguments& slot, FieldPath* path);
-bool acceptsLoopServerValueResult(const robots::PosePrmSlot& slot, FieldPath* path);
-bool acceptsLoopServerEchoEvent(const robots::PosePrmSlot& slot, FieldPath* path);
-
-constexpr CommandInfo kLoopServerCommands[] = {
-    {.name = "put",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<LoopServerPutArguments>,
-     .depth = 16,
-     .accepts = checkSlot<LoopServerPutArguments, acceptsLoopServerPut>,
-     .shiftArguments = shiftSlot<LoopServerPutArguments>},
-    {.name = "bounce",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<LoopServerBounceArguments>,
-     .depth = 16,
-     .accepts = checkSlot<LoopServerBounceArguments, acceptsLoopServerBounce>,
-     .shiftArguments = shiftSlot<LoopServerBounceArguments>},
-    {.name = "value",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<robots::PosePrmSlot>,
-     .depth = 16,
-     .column = 0,
-     .acceptsResult = checkSlot<robots::PosePrmSlot, acceptsLoopServerValueResult>,
-     .shiftResult = shiftSlot<robots::PosePrmSlot>},
-};
-
-constexpr EventInfo kLoopServerEvents[] = {
-    {.name = "echo",
-     .payloadSize = slotSize<robots::PosePrmSlot>,
-     .depth = 16,
-     .accepts = checkSlot<robots::PosePrmSlot, acceptsLoopServerEchoEvent>,
-     .shiftPayload = shiftSlot<robots::PosePrmSlot>},
-};
-
-// The self-description, as in bench/loop.suture.json.
-constexpr char kLoopServerDescription[] = R"json(
-{"name": "bench::LoopServer", "doc": "What the server of a loop offers.",
-"hash": "39cfa04c06187358856f788402400ce7", "commands": [{"name": "put", "kind": "write",
-"ordinal": 1,
-"doc": "Server, client, server: takes back what value() answered and measures how long it was away.",
-"parameters": [{"name": "value", "type": {"kind": "struct", "name": "robots::PosePrm"}}],
-"queue": 16}, {"name": "bounce", "kind": "write", "ordinal": 2,
-"doc": "Client, server, client: sends the value back as the event echo.", "parameters": [{
-"name": "value", "type": {"kind": "struct", "name": "robots::PosePrm"}}], "queue": 16}, {
-"name": "value", "kind": "read", "ordinal": 3, "doc": "A pose, stamped when it is evaluated.",
-"result": {"type": {"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}], "events": [{
-"name": "echo", "kind": "write", "ordinal": 1, "doc": "The value that bounce() took.", "payload": {
-"type": {"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}], "enums": [], "structs": [{
-"name": "robots::PosePrm",
-"doc": "The fields of the cisst libraries' prmPositionCartesianGet, the type of the paper's\nmeasurements.",
-"fields": [{"name": "timestamp", "type": {"kind": "time", "clock": "steady"}}, {
-"name": "automatic_timestamp", "wire": "automaticTimestamp",
-"doc": "Whether the provider stamps the data itself.", "type": {"kind": "Bool"}, "default": true}, {
-"name": "valid", "type": {"kind": "Bool"}, "default": false}, {"name": "moving_frame",
-"wire": "movingFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "reference_frame",
-"wire": "referenceFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "position",
-"doc": "The moving frame in the reference frame.", "type": {"kind": "isometry", "scalar": "Float64"
-}, "unit": "m"}]}], "wire": [{"id": "@0xf31a590efb54d189", "kind": "interface",
-"name": "LoopServer", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
-"name": "events", "is": "@0xa1763febd61d7208"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
-"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "put", "is": "kind \"write\"",
-"parameters": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"}, {"at": 1, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "bounce", "is": "kind \"write\"",
-"parameters": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"}, {"at": 1, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "value", "is": "kind \"read\"", "parameters": [
-{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "@0xedd17c97b8723561"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
-"id": "@0xa1763febd61d7208", "kind": "interface", "name": "LoopServerEvents", "members": [{"at": 0,
-"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xcf8261ed0f1fe7b7"}]}, {"at": 1,
-"name": "echo", "parameters": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"}]}]}, {
-"id": "@0xcf8261ed0f1fe7b7", "kind": "struct", "name": "LoopServerStateRow", "members": [{"at": 0,
-"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "value", "is": "@0xedd17c97b8723561"}, {"at": 3, "name": "tooLarge", "is": "UInt64"}]}, {
-"id": "@0xedd17c97b8723561", "kind": "struct", "name": "PosePrm", "members": [{"at": 0,
-"name": "timestamp", "is": "Int64 clock \"steady\""}, {"at": 1, "name": "automaticTimestamp",
-"is": "Bool = true"}, {"at": 2, "name": "valid", "is": "Bool"}, {"at": 3, "name": "movingFrame",
-"is": "Text"}, {"at": 4, "name": "referenceFrame", "is": "Text"}, {"at": 5, "name": "position",
-"is": "/suture/types.capnp:Pose unit \"m\""}]}]})json";
-
-}  // namespace
-
 bool store(const robots::PosePrm& value, LoopServerPutArguments& slot) {
   return store(value, slot.value);
 }
@@ -145,14 +61,6 @@ bool acceptsLoopServerPut(const LoopServerPutArguments& slot, FieldPath* path) {
 
 bool acceptsLoopServerBounce(const LoopServerBounceArguments& slot, FieldPath* path) {
   return isValid(slot.value, path) || refusedAt(path, "value");
-}
-
-bool acceptsLoopServerValueResult(const robots::PosePrmSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsLoopServerEchoEvent(const robots::PosePrmSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
 }
 
 // --- LoopServer over Cap'n Proto RPC: the provider's side
@@ -344,6 +252,81 @@ const suture::rpc::Binding& loopServerBinding() {
   static const LoopServerBinding kBinding;
   return kBinding;
 }
+
+constexpr CommandInfo kLoopServerCommands[] = {
+    {.name = "put",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<LoopServerPutArguments>,
+     .depth = 16,
+     .accepts = checkSlot<LoopServerPutArguments, acceptsLoopServerPut>,
+     .shiftArguments = shiftSlot<LoopServerPutArguments>},
+    {.name = "bounce",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<LoopServerBounceArguments>,
+     .depth = 16,
+     .accepts = checkSlot<LoopServerBounceArguments, acceptsLoopServerBounce>,
+     .shiftArguments = shiftSlot<LoopServerBounceArguments>},
+    {.name = "value",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<robots::PosePrmSlot>,
+     .depth = 16,
+     .column = 0,
+     .acceptsResult = checkSlot<robots::PosePrmSlot, robots::isValid>,
+     .shiftResult = shiftSlot<robots::PosePrmSlot>},
+};
+
+constexpr EventInfo kLoopServerEvents[] = {
+    {.name = "echo",
+     .payloadSize = slotSize<robots::PosePrmSlot>,
+     .depth = 16,
+     .accepts = checkSlot<robots::PosePrmSlot, robots::isValid>,
+     .shiftPayload = shiftSlot<robots::PosePrmSlot>},
+};
+
+// The self-description, as in bench/loop.suture.json.
+constexpr char kLoopServerDescription[] = R"json(
+{"name": "bench::LoopServer", "doc": "What the server of a loop offers.",
+"hash": "39cfa04c06187358856f788402400ce7", "commands": [{"name": "put", "kind": "write",
+"ordinal": 1,
+"doc": "Server, client, server: takes back what value() answered and measures how long it was away.",
+"parameters": [{"name": "value", "type": {"kind": "struct", "name": "robots::PosePrm"}}],
+"queue": 16}, {"name": "bounce", "kind": "write", "ordinal": 2,
+"doc": "Client, server, client: sends the value back as the event echo.", "parameters": [{
+"name": "value", "type": {"kind": "struct", "name": "robots::PosePrm"}}], "queue": 16}, {
+"name": "value", "kind": "read", "ordinal": 3, "doc": "A pose, stamped when it is evaluated.",
+"result": {"type": {"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}], "events": [{
+"name": "echo", "kind": "write", "ordinal": 1, "doc": "The value that bounce() took.", "payload": {
+"type": {"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}], "enums": [], "structs": [{
+"name": "robots::PosePrm",
+"doc": "The fields of the cisst libraries' prmPositionCartesianGet, the type of the paper's\nmeasurements.",
+"fields": [{"name": "timestamp", "type": {"kind": "time", "clock": "steady"}}, {
+"name": "automatic_timestamp", "wire": "automaticTimestamp",
+"doc": "Whether the provider stamps the data itself.", "type": {"kind": "Bool"}, "default": true}, {
+"name": "valid", "type": {"kind": "Bool"}, "default": false}, {"name": "moving_frame",
+"wire": "movingFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "reference_frame",
+"wire": "referenceFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "position",
+"doc": "The moving frame in the reference frame.", "type": {"kind": "isometry", "scalar": "Float64"
+}, "unit": "m"}]}], "wire": [{"id": "@0xf31a590efb54d189", "kind": "interface",
+"name": "LoopServer", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
+"name": "events", "is": "@0xa1763febd61d7208"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
+"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "put", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "bounce", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "value", "is": "kind \"read\"", "parameters": [
+{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0xedd17c97b8723561"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xa1763febd61d7208", "kind": "interface", "name": "LoopServerEvents", "members": [{"at": 0,
+"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xcf8261ed0f1fe7b7"}]}, {"at": 1,
+"name": "echo", "parameters": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"}]}]}, {
+"id": "@0xcf8261ed0f1fe7b7", "kind": "struct", "name": "LoopServerStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "value", "is": "@0xedd17c97b8723561"}, {"at": 3, "name": "tooLarge", "is": "UInt64"}]}, {
+"id": "@0xedd17c97b8723561", "kind": "struct", "name": "PosePrm", "members": [{"at": 0,
+"name": "timestamp", "is": "Int64 clock \"steady\""}, {"at": 1, "name": "automaticTimestamp",
+"is": "Bool = true"}, {"at": 2, "name": "valid", "is": "Bool"}, {"at": 3, "name": "movingFrame",
+"is": "Text"}, {"at": 4, "name": "referenceFrame", "is": "Text"}, {"at": 5, "name": "position",
+"is": "/suture/types.capnp:Pose unit \"m\""}]}]})json";
 
 }  // namespace
 }  // namespace bench

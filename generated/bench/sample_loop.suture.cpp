@@ -39,84 +39,6 @@ using suture::slotIn;
 using suture::slotSize;
 using suture::store;
 
-namespace {
-
-bool acceptsSampleServerPut(const SampleServerPutArguments& slot, FieldPath* path);
-bool acceptsSampleServerBounce(const SampleServerBounceArguments& slot, FieldPath* path);
-bool acceptsSampleServerValueResult(const robots::PoseSampleSlot& slot, FieldPath* path);
-bool acceptsSampleServerEchoEvent(const robots::PoseSampleSlot& slot, FieldPath* path);
-
-constexpr CommandInfo kSampleServerCommands[] = {
-    {.name = "put",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<SampleServerPutArguments>,
-     .depth = 4096,
-     .accepts = checkSlot<SampleServerPutArguments, acceptsSampleServerPut>,
-     .shiftArguments = shiftSlot<SampleServerPutArguments>},
-    {.name = "bounce",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<SampleServerBounceArguments>,
-     .depth = 16,
-     .accepts = checkSlot<SampleServerBounceArguments, acceptsSampleServerBounce>,
-     .shiftArguments = shiftSlot<SampleServerBounceArguments>},
-    {.name = "value",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<robots::PoseSampleSlot>,
-     .depth = 16,
-     .column = 0,
-     .acceptsResult = checkSlot<robots::PoseSampleSlot, acceptsSampleServerValueResult>,
-     .shiftResult = shiftSlot<robots::PoseSampleSlot>},
-};
-
-constexpr EventInfo kSampleServerEvents[] = {
-    {.name = "echo",
-     .payloadSize = slotSize<robots::PoseSampleSlot>,
-     .depth = 16,
-     .accepts = checkSlot<robots::PoseSampleSlot, acceptsSampleServerEchoEvent>,
-     .shiftPayload = shiftSlot<robots::PoseSampleSlot>},
-};
-
-// The self-description, as in bench/sample_loop.suture.json.
-constexpr char kSampleServerDescription[] = R"json(
-{"name": "bench::SampleServer", "hash": "fc81c3d6983bed150e4b6eeb178f075c", "commands": [{
-"name": "put", "kind": "write", "ordinal": 1, "doc": "Counted by the provider.", "parameters": [{
-"name": "value", "type": {"kind": "struct", "name": "robots::PoseSample"}}], "queue": 4096}, {
-"name": "bounce", "kind": "write", "ordinal": 2,
-"doc": "Client, server, client: sends the value back as the event echo.", "parameters": [{
-"name": "value", "type": {"kind": "struct", "name": "robots::PoseSample"}}], "queue": 16}, {
-"name": "value", "kind": "read", "ordinal": 3, "result": {"type": {"kind": "struct",
-"name": "robots::PoseSample"}}, "queue": 16}], "events": [{"name": "echo", "kind": "write",
-"ordinal": 1, "doc": "The value that bounce() took.", "payload": {"type": {"kind": "struct",
-"name": "robots::PoseSample"}}, "queue": 16}], "enums": [], "structs": [{
-"name": "robots::PoseSample", "doc": "The pose of the latency figures: 120 bytes and no strings.",
-"fields": [{"name": "rotation", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
-"columns": 3}}, {"name": "position", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
-"columns": 1}, "unit": "m"}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {
-"name": "sequence", "type": {"kind": "UInt64"}, "default": 0}, {"name": "flags", "type": {
-"kind": "UInt64"}, "default": 0}]}], "wire": [{"id": "@0xa9d747a8e40c3d30", "kind": "interface",
-"name": "SampleServer", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
-"name": "events", "is": "@0xc71bdb510deae77a"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
-"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "put", "is": "kind \"write\"",
-"parameters": [{"at": 0, "name": "value", "is": "@0x9dcf31510b46998d"}, {"at": 1, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "bounce", "is": "kind \"write\"",
-"parameters": [{"at": 0, "name": "value", "is": "@0x9dcf31510b46998d"}, {"at": 1, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "value", "is": "kind \"read\"", "parameters": [
-{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "@0x9dcf31510b46998d"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
-"id": "@0xc71bdb510deae77a", "kind": "interface", "name": "SampleServerEvents", "members": [{
-"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xb757a2bfdbcd1cf8"}]}, {
-"at": 1, "name": "echo", "parameters": [{"at": 0, "name": "value", "is": "@0x9dcf31510b46998d"}]}]
-}, {"id": "@0xb757a2bfdbcd1cf8", "kind": "struct", "name": "SampleServerStateRow", "members": [{
-"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "value", "is": "@0x9dcf31510b46998d"}]}, {
-"id": "@0x9dcf31510b46998d", "kind": "struct", "name": "PoseSample", "members": [{"at": 0,
-"name": "rotation", "is": "/suture/types.capnp:Mat3"}, {"at": 1, "name": "position",
-"is": "/suture/types.capnp:Vec3 unit \"m\""}, {"at": 2, "name": "stamp",
-"is": "Int64 clock \"steady\""}, {"at": 3, "name": "sequence", "is": "UInt64"}, {"at": 4,
-"name": "flags", "is": "UInt64"}]}]})json";
-
-}  // namespace
-
 bool store(const robots::PoseSample& value, SampleServerPutArguments& slot) {
   return store(value, slot.value);
 }
@@ -139,14 +61,6 @@ bool acceptsSampleServerPut(const SampleServerPutArguments& slot, FieldPath* pat
 
 bool acceptsSampleServerBounce(const SampleServerBounceArguments& slot, FieldPath* path) {
   return isValid(slot.value, path) || refusedAt(path, "value");
-}
-
-bool acceptsSampleServerValueResult(const robots::PoseSampleSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsSampleServerEchoEvent(const robots::PoseSampleSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
 }
 
 // --- SampleServer over Cap'n Proto RPC: the provider's side
@@ -338,6 +252,75 @@ const suture::rpc::Binding& sampleServerBinding() {
   static const SampleServerBinding kBinding;
   return kBinding;
 }
+
+constexpr CommandInfo kSampleServerCommands[] = {
+    {.name = "put",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<SampleServerPutArguments>,
+     .depth = 4096,
+     .accepts = checkSlot<SampleServerPutArguments, acceptsSampleServerPut>,
+     .shiftArguments = shiftSlot<SampleServerPutArguments>},
+    {.name = "bounce",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<SampleServerBounceArguments>,
+     .depth = 16,
+     .accepts = checkSlot<SampleServerBounceArguments, acceptsSampleServerBounce>,
+     .shiftArguments = shiftSlot<SampleServerBounceArguments>},
+    {.name = "value",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<robots::PoseSampleSlot>,
+     .depth = 16,
+     .column = 0,
+     .acceptsResult = checkSlot<robots::PoseSampleSlot, robots::isValid>,
+     .shiftResult = shiftSlot<robots::PoseSampleSlot>},
+};
+
+constexpr EventInfo kSampleServerEvents[] = {
+    {.name = "echo",
+     .payloadSize = slotSize<robots::PoseSampleSlot>,
+     .depth = 16,
+     .accepts = checkSlot<robots::PoseSampleSlot, robots::isValid>,
+     .shiftPayload = shiftSlot<robots::PoseSampleSlot>},
+};
+
+// The self-description, as in bench/sample_loop.suture.json.
+constexpr char kSampleServerDescription[] = R"json(
+{"name": "bench::SampleServer", "hash": "fc81c3d6983bed150e4b6eeb178f075c", "commands": [{
+"name": "put", "kind": "write", "ordinal": 1, "doc": "Counted by the provider.", "parameters": [{
+"name": "value", "type": {"kind": "struct", "name": "robots::PoseSample"}}], "queue": 4096}, {
+"name": "bounce", "kind": "write", "ordinal": 2,
+"doc": "Client, server, client: sends the value back as the event echo.", "parameters": [{
+"name": "value", "type": {"kind": "struct", "name": "robots::PoseSample"}}], "queue": 16}, {
+"name": "value", "kind": "read", "ordinal": 3, "result": {"type": {"kind": "struct",
+"name": "robots::PoseSample"}}, "queue": 16}], "events": [{"name": "echo", "kind": "write",
+"ordinal": 1, "doc": "The value that bounce() took.", "payload": {"type": {"kind": "struct",
+"name": "robots::PoseSample"}}, "queue": 16}], "enums": [], "structs": [{
+"name": "robots::PoseSample", "doc": "The pose of the latency figures: 120 bytes and no strings.",
+"fields": [{"name": "rotation", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
+"columns": 3}}, {"name": "position", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
+"columns": 1}, "unit": "m"}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {
+"name": "sequence", "type": {"kind": "UInt64"}, "default": 0}, {"name": "flags", "type": {
+"kind": "UInt64"}, "default": 0}]}], "wire": [{"id": "@0xa9d747a8e40c3d30", "kind": "interface",
+"name": "SampleServer", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
+"name": "events", "is": "@0xc71bdb510deae77a"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
+"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "put", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "value", "is": "@0x9dcf31510b46998d"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "bounce", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "value", "is": "@0x9dcf31510b46998d"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "value", "is": "kind \"read\"", "parameters": [
+{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0x9dcf31510b46998d"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xc71bdb510deae77a", "kind": "interface", "name": "SampleServerEvents", "members": [{
+"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xb757a2bfdbcd1cf8"}]}, {
+"at": 1, "name": "echo", "parameters": [{"at": 0, "name": "value", "is": "@0x9dcf31510b46998d"}]}]
+}, {"id": "@0xb757a2bfdbcd1cf8", "kind": "struct", "name": "SampleServerStateRow", "members": [{
+"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "value", "is": "@0x9dcf31510b46998d"}]}, {
+"id": "@0x9dcf31510b46998d", "kind": "struct", "name": "PoseSample", "members": [{"at": 0,
+"name": "rotation", "is": "/suture/types.capnp:Mat3"}, {"at": 1, "name": "position",
+"is": "/suture/types.capnp:Vec3 unit \"m\""}, {"at": 2, "name": "stamp",
+"is": "Int64 clock \"steady\""}, {"at": 3, "name": "sequence", "is": "UInt64"}, {"at": 4,
+"name": "flags", "is": "UInt64"}]}]})json";
 
 }  // namespace
 }  // namespace bench

@@ -49,101 +49,6 @@ static_assert(std::is_same_v<decltype(FollowAnchors::slave_setpoint), Eigen::Iso
 static_assert(std::is_same_v<decltype(FollowAnchors::scale), double>);
 static_assert(std::is_same_v<decltype(FollowAnchors::entry), std::uint64_t>);
 
-bool acceptsTeleoperationTeleopStateResult(const std::uint8_t& slot, FieldPath* path);
-bool acceptsTeleoperationAnchorsResult(const FollowAnchorsSlot& slot, FieldPath* path);
-bool acceptsTeleoperationTeleopStateEvent(const std::uint8_t& slot, FieldPath* path);
-bool acceptsTeleoperationFollowedEvent(const FollowAnchorsSlot& slot, FieldPath* path);
-
-constexpr CommandInfo kTeleoperationCommands[] = {
-    {.name = "enable", .kind = CommandKind::Void, .depth = 16},
-    {.name = "disable", .kind = CommandKind::Void, .depth = 16},
-    {.name = "teleop_state",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<std::uint8_t>,
-     .depth = 16,
-     .column = 0,
-     .acceptsResult = checkSlot<std::uint8_t, acceptsTeleoperationTeleopStateResult>},
-    {.name = "anchors",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<FollowAnchorsSlot>,
-     .depth = 16,
-     .column = 1,
-     .acceptsResult = checkSlot<FollowAnchorsSlot, acceptsTeleoperationAnchorsResult>,
-     .shiftResult = shiftSlot<FollowAnchorsSlot>},
-};
-
-constexpr EventInfo kTeleoperationEvents[] = {
-    {.name = "teleop_state",
-     .payloadSize = slotSize<std::uint8_t>,
-     .depth = 16,
-     .latched = true,
-     .accepts = checkSlot<std::uint8_t, acceptsTeleoperationTeleopStateEvent>},
-    {.name = "followed",
-     .payloadSize = slotSize<FollowAnchorsSlot>,
-     .depth = 16,
-     .latched = true,
-     .accepts = checkSlot<FollowAnchorsSlot, acceptsTeleoperationFollowedEvent>,
-     .shiftPayload = shiftSlot<FollowAnchorsSlot>},
-};
-
-// The self-description, as in teleop/teleoperation.suture.json.
-constexpr char kTeleoperationDescription[] = R"json(
-{"name": "robots::Teleoperation", "hash": "393a877d8e6228f4888818f28ef2cb8a", "commands": [{
-"name": "enable", "kind": "void", "ordinal": 1,
-"doc": "Enables and homes arms that are not, then follows.", "queue": 16}, {"name": "disable",
-"kind": "void", "ordinal": 2, "doc": "Stops following; the slave holds.", "queue": 16}, {
-"name": "teleop_state", "kind": "read", "ordinal": 3, "wire": "teleopState", "result": {"type": {
-"kind": "enum", "name": "robots::TeleopState"}}, "queue": 16}, {"name": "anchors", "kind": "read",
-"ordinal": 4, "doc": "Of the present or last time of following.", "result": {"type": {
-"kind": "struct", "name": "robots::FollowAnchors"}}, "queue": 16}], "events": [{
-"name": "teleop_state", "kind": "write", "ordinal": 1, "wire": "teleopState", "payload": {"type": {
-"kind": "enum", "name": "robots::TeleopState"}}, "queue": 16, "latched": true}, {
-"name": "followed", "kind": "write", "ordinal": 2, "doc": "Following begins.", "payload": {
-"type": {"kind": "struct", "name": "robots::FollowAnchors"}}, "queue": 16, "latched": true}],
-"enums": [{"name": "robots::TeleopState", "underlying": "UInt8", "enumerators": [{
-"name": "Disabled", "value": 0, "wire": "disabled", "doc": "until enable()"}, {"name": "Preparing",
-"value": 1, "wire": "preparing",
-"doc": "waits for both arms: connected, enabled, homed, and fresh data of both"}, {
-"name": "Following", "value": 2, "wire": "following"}]}], "structs": [{
-"name": "robots::FollowAnchors",
-"doc": "Where following began: with it and the master's poses, anyone can compute what the slave should\ndo.",
-"fields": [{"name": "master_stamp", "wire": "masterStamp",
-"doc": "Stamp of the first master pose that was followed.", "type": {"kind": "time",
-"clock": "steady"}}, {"name": "master",
-"doc": "The master's measured pose at that stamp, in the master's base frame.", "type": {
-"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "slave_setpoint",
-"wire": "slaveSetpoint", "doc": "The slave's set-point at entry, in the slave's base frame.",
-"type": {"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "scale",
-"doc": "Slave metres a master metre.", "type": {"kind": "Float64"}, "default": 0.0}, {
-"name": "entry", "doc": "How many times following began, this one included; 0: never.", "type": {
-"kind": "UInt64"}, "default": 0}]}], "wire": [{"id": "@0x9c2044876661808e", "kind": "interface",
-"name": "Teleoperation", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
-"name": "events", "is": "@0xe8de6e374cc63239"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
-"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "enable", "is": "kind \"void\"",
-"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2,
-"name": "disable", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "teleopState", "is": "kind \"read\"",
-"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "@0x82c72c556eb58a10"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
-"at": 4, "name": "anchors", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0x8cdd0eb841f978ce"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xe8de6e374cc63239", "kind": "interface",
-"name": "TeleoperationEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
-"name": "row", "is": "@0xbc0e291de17cadad"}]}, {"at": 1, "name": "teleopState", "parameters": [{
-"at": 0, "name": "value", "is": "@0x82c72c556eb58a10"}]}, {"at": 2, "name": "followed",
-"parameters": [{"at": 0, "name": "value", "is": "@0x8cdd0eb841f978ce"}]}]}, {
-"id": "@0xbc0e291de17cadad", "kind": "struct", "name": "TeleoperationStateRow", "members": [{
-"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "teleopState", "is": "@0x82c72c556eb58a10"}, {"at": 3, "name": "anchors",
-"is": "@0x8cdd0eb841f978ce"}, {"at": 4, "name": "tooLarge", "is": "UInt64"}]}, {
-"id": "@0x82c72c556eb58a10", "kind": "enum", "name": "TeleopState", "members": [{"at": 0,
-"name": "disabled"}, {"at": 1, "name": "preparing"}, {"at": 2, "name": "following"}]}, {
-"id": "@0x8cdd0eb841f978ce", "kind": "struct", "name": "FollowAnchors", "members": [{"at": 0,
-"name": "masterStamp", "is": "Int64 clock \"steady\""}, {"at": 1, "name": "master",
-"is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 2, "name": "slaveSetpoint",
-"is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 3, "name": "scale", "is": "Float64"}, {
-"at": 4, "name": "entry", "is": "UInt64"}]}]})json";
-
 }  // namespace
 
 bool store(const FollowAnchors& value, FollowAnchorsSlot& slot) {
@@ -233,16 +138,8 @@ bool acceptsTeleoperationTeleopStateResult(const std::uint8_t& slot, FieldPath*)
   return isKnownTeleopState(slot);
 }
 
-bool acceptsTeleoperationAnchorsResult(const FollowAnchorsSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
 bool acceptsTeleoperationTeleopStateEvent(const std::uint8_t& slot, FieldPath*) {
   return isKnownTeleopState(slot);
-}
-
-bool acceptsTeleoperationFollowedEvent(const FollowAnchorsSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
 }
 
 // --- Teleoperation over Cap'n Proto RPC: the provider's side
@@ -468,6 +365,96 @@ const suture::rpc::Binding& teleoperationBinding() {
   static const TeleoperationBinding kBinding;
   return kBinding;
 }
+
+constexpr CommandInfo kTeleoperationCommands[] = {
+    {.name = "enable", .kind = CommandKind::Void, .depth = 16},
+    {.name = "disable", .kind = CommandKind::Void, .depth = 16},
+    {.name = "teleop_state",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<std::uint8_t>,
+     .depth = 16,
+     .column = 0,
+     .acceptsResult = checkSlot<std::uint8_t, acceptsTeleoperationTeleopStateResult>},
+    {.name = "anchors",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<FollowAnchorsSlot>,
+     .depth = 16,
+     .column = 1,
+     .acceptsResult = checkSlot<FollowAnchorsSlot, isValid>,
+     .shiftResult = shiftSlot<FollowAnchorsSlot>},
+};
+
+constexpr EventInfo kTeleoperationEvents[] = {
+    {.name = "teleop_state",
+     .payloadSize = slotSize<std::uint8_t>,
+     .depth = 16,
+     .latched = true,
+     .accepts = checkSlot<std::uint8_t, acceptsTeleoperationTeleopStateEvent>},
+    {.name = "followed",
+     .payloadSize = slotSize<FollowAnchorsSlot>,
+     .depth = 16,
+     .latched = true,
+     .accepts = checkSlot<FollowAnchorsSlot, isValid>,
+     .shiftPayload = shiftSlot<FollowAnchorsSlot>},
+};
+
+// The self-description, as in teleop/teleoperation.suture.json.
+constexpr char kTeleoperationDescription[] = R"json(
+{"name": "robots::Teleoperation", "hash": "393a877d8e6228f4888818f28ef2cb8a", "commands": [{
+"name": "enable", "kind": "void", "ordinal": 1,
+"doc": "Enables and homes arms that are not, then follows.", "queue": 16}, {"name": "disable",
+"kind": "void", "ordinal": 2, "doc": "Stops following; the slave holds.", "queue": 16}, {
+"name": "teleop_state", "kind": "read", "ordinal": 3, "wire": "teleopState", "result": {"type": {
+"kind": "enum", "name": "robots::TeleopState"}}, "queue": 16}, {"name": "anchors", "kind": "read",
+"ordinal": 4, "doc": "Of the present or last time of following.", "result": {"type": {
+"kind": "struct", "name": "robots::FollowAnchors"}}, "queue": 16}], "events": [{
+"name": "teleop_state", "kind": "write", "ordinal": 1, "wire": "teleopState", "payload": {"type": {
+"kind": "enum", "name": "robots::TeleopState"}}, "queue": 16, "latched": true}, {
+"name": "followed", "kind": "write", "ordinal": 2, "doc": "Following begins.", "payload": {
+"type": {"kind": "struct", "name": "robots::FollowAnchors"}}, "queue": 16, "latched": true}],
+"enums": [{"name": "robots::TeleopState", "underlying": "UInt8", "enumerators": [{
+"name": "Disabled", "value": 0, "wire": "disabled", "doc": "until enable()"}, {"name": "Preparing",
+"value": 1, "wire": "preparing",
+"doc": "waits for both arms: connected, enabled, homed, and fresh data of both"}, {
+"name": "Following", "value": 2, "wire": "following"}]}], "structs": [{
+"name": "robots::FollowAnchors",
+"doc": "Where following began: with it and the master's poses, anyone can compute what the slave should\ndo.",
+"fields": [{"name": "master_stamp", "wire": "masterStamp",
+"doc": "Stamp of the first master pose that was followed.", "type": {"kind": "time",
+"clock": "steady"}}, {"name": "master",
+"doc": "The master's measured pose at that stamp, in the master's base frame.", "type": {
+"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "slave_setpoint",
+"wire": "slaveSetpoint", "doc": "The slave's set-point at entry, in the slave's base frame.",
+"type": {"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "scale",
+"doc": "Slave metres a master metre.", "type": {"kind": "Float64"}, "default": 0.0}, {
+"name": "entry", "doc": "How many times following began, this one included; 0: never.", "type": {
+"kind": "UInt64"}, "default": 0}]}], "wire": [{"id": "@0x9c2044876661808e", "kind": "interface",
+"name": "Teleoperation", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
+"name": "events", "is": "@0xe8de6e374cc63239"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
+"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "enable", "is": "kind \"void\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2,
+"name": "disable", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "teleopState", "is": "kind \"read\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "@0x82c72c556eb58a10"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 4, "name": "anchors", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0x8cdd0eb841f978ce"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xe8de6e374cc63239", "kind": "interface",
+"name": "TeleoperationEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
+"name": "row", "is": "@0xbc0e291de17cadad"}]}, {"at": 1, "name": "teleopState", "parameters": [{
+"at": 0, "name": "value", "is": "@0x82c72c556eb58a10"}]}, {"at": 2, "name": "followed",
+"parameters": [{"at": 0, "name": "value", "is": "@0x8cdd0eb841f978ce"}]}]}, {
+"id": "@0xbc0e291de17cadad", "kind": "struct", "name": "TeleoperationStateRow", "members": [{
+"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "teleopState", "is": "@0x82c72c556eb58a10"}, {"at": 3, "name": "anchors",
+"is": "@0x8cdd0eb841f978ce"}, {"at": 4, "name": "tooLarge", "is": "UInt64"}]}, {
+"id": "@0x82c72c556eb58a10", "kind": "enum", "name": "TeleopState", "members": [{"at": 0,
+"name": "disabled"}, {"at": 1, "name": "preparing"}, {"at": 2, "name": "following"}]}, {
+"id": "@0x8cdd0eb841f978ce", "kind": "struct", "name": "FollowAnchors", "members": [{"at": 0,
+"name": "masterStamp", "is": "Int64 clock \"steady\""}, {"at": 1, "name": "master",
+"is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 2, "name": "slaveSetpoint",
+"is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 3, "name": "scale", "is": "Float64"}, {
+"at": 4, "name": "entry", "is": "UInt64"}]}]})json";
 
 }  // namespace
 }  // namespace robots

@@ -48,107 +48,6 @@ using suture::slotIn;
 using suture::slotSize;
 using suture::store;
 
-namespace {
-
-bool acceptsArmLikeServoCp(const ArmLikeServoCpArguments& slot, FieldPath* path);
-bool acceptsArmLikeServoJp(const ArmLikeServoJpArguments& slot, FieldPath* path);
-bool acceptsArmLikeSetMode(const ArmLikeSetModeArguments& slot, FieldPath* path);
-bool acceptsArmLikeMeasuredCpResult(const PoseStampedSlot& slot, FieldPath* path);
-bool acceptsArmLikeMeasuredJsResult(const JointStateSlot& slot, FieldPath* path);
-bool acceptsArmLikeDistance(const ArmLikeDistanceArguments& slot, FieldPath* path);
-bool acceptsArmLikeDistanceResult(const double& slot, FieldPath* path);
-bool acceptsArmLikeMove(const ArmLikeMoveArguments& slot, FieldPath* path);
-bool acceptsArmLikeLimit(const ArmLikeLimitArguments& slot, FieldPath* path);
-bool acceptsArmLikeModeEvent(const std::uint8_t& slot, FieldPath* path);
-bool acceptsArmLikeArrivedEvent(const PoseStampedSlot& slot, FieldPath* path);
-bool acceptsArmLikeMovedEvent(const ArmLikeMovedPayload& slot, FieldPath* path);
-
-constexpr CommandInfo kArmLikeCommands[] = {
-    {.name = "servo_cp",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmLikeServoCpArguments>,
-     .depth = 16,
-     .latest = true,
-     .ttl = Duration(500'000'000),
-     .accepts = checkSlot<ArmLikeServoCpArguments, acceptsArmLikeServoCp>,
-     .shiftArguments = shiftSlot<ArmLikeServoCpArguments>},
-    {.name = "servo_jp",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmLikeServoJpArguments>,
-     .depth = 16,
-     .latest = true,
-     .accepts = checkSlot<ArmLikeServoJpArguments, acceptsArmLikeServoJp>},
-    {.name = "hold", .kind = CommandKind::Void, .depth = 4},
-    {.name = "set_mode",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmLikeSetModeArguments>,
-     .depth = 16,
-     .accepts = checkSlot<ArmLikeSetModeArguments, acceptsArmLikeSetMode>},
-    {.name = "measured_cp",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<PoseStampedSlot>,
-     .depth = 16,
-     .column = 0,
-     .acceptsResult = checkSlot<PoseStampedSlot, acceptsArmLikeMeasuredCpResult>,
-     .shiftResult = shiftSlot<PoseStampedSlot>},
-    {.name = "measured_js",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<JointStateSlot>,
-     .depth = 16,
-     .column = 1,
-     .acceptsResult = checkSlot<JointStateSlot, acceptsArmLikeMeasuredJsResult>},
-    {.name = "distance",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<ArmLikeDistanceArguments>,
-     .resultSize = slotSize<double>,
-     .depth = 16,
-     .accepts = checkSlot<ArmLikeDistanceArguments, acceptsArmLikeDistance>,
-     .acceptsResult = checkSlot<double, acceptsArmLikeDistanceResult>,
-     .shiftArguments = shiftSlot<ArmLikeDistanceArguments>},
-    {.name = "move",
-     .kind = CommandKind::WriteReturn,
-     .argumentsSize = slotSize<ArmLikeMoveArguments>,
-     .resultSize = slotSize<std::uint8_t>,
-     .depth = 16,
-     .deadline = Duration(200'000'000),
-     .accepts = checkSlot<ArmLikeMoveArguments, acceptsArmLikeMove>,
-     .shiftArguments = shiftSlot<ArmLikeMoveArguments>},
-    {.name = "reset",
-     .kind = CommandKind::VoidReturn,
-     .resultSize = slotSize<std::uint32_t>,
-     .depth = 16},
-    {.name = "limit",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmLikeLimitArguments>,
-     .depth = 2,
-     .accepts = checkSlot<ArmLikeLimitArguments, acceptsArmLikeLimit>},
-    {.name = "park", .kind = CommandKind::Void, .depth = 16},
-};
-
-constexpr EventInfo kArmLikeEvents[] = {
-    {.name = "mode",
-     .payloadSize = slotSize<std::uint8_t>,
-     .depth = 16,
-     .latched = true,
-     .accepts = checkSlot<std::uint8_t, acceptsArmLikeModeEvent>},
-    {.name = "arrived",
-     .payloadSize = slotSize<PoseStampedSlot>,
-     .depth = 4,
-     .accepts = checkSlot<PoseStampedSlot, acceptsArmLikeArrivedEvent>,
-     .shiftPayload = shiftSlot<PoseStampedSlot>},
-    {.name = "stopped", .depth = 16},
-    {.name = "moved",
-     .payloadSize = slotSize<ArmLikeMovedPayload>,
-     .depth = 16,
-     .accepts = checkSlot<ArmLikeMovedPayload, acceptsArmLikeMovedEvent>,
-     .shiftPayload = shiftSlot<ArmLikeMovedPayload>},
-};
-
-// The self-description, as in reference/arm_like.suture.json.
-constexpr char kArmLikeDescription[] = R"json({"name": "reference::ArmLike"})json";
-
-}  // namespace
-
 bool store(const PoseStamped& goal, ArmLikeServoCpArguments& slot) {
   return store(goal, slot.goal);
 }
@@ -199,14 +98,6 @@ bool acceptsArmLikeSetMode(const ArmLikeSetModeArguments& slot, FieldPath* path)
   return isKnownMode(slot.mode) || refusedAt(path, "mode");
 }
 
-bool acceptsArmLikeMeasuredCpResult(const PoseStampedSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsArmLikeMeasuredJsResult(const JointStateSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
 bool acceptsArmLikeDistance(const ArmLikeDistanceArguments& slot, FieldPath* path) {
   return isValid(slot.to, path) || refusedAt(path, "to");
 }
@@ -224,10 +115,6 @@ bool acceptsArmLikeLimit(const ArmLikeLimitArguments& slot, FieldPath* path) {
 }
 
 bool acceptsArmLikeModeEvent(const std::uint8_t& slot, FieldPath*) { return isKnownMode(slot); }
-
-bool acceptsArmLikeArrivedEvent(const PoseStampedSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
 
 bool acceptsArmLikeMovedEvent(const ArmLikeMovedPayload& slot, FieldPath* path) {
   if (!isValid(slot.value, path)) return refusedAt(path, "value");
@@ -623,6 +510,90 @@ const suture::rpc::Binding& armLikeBinding() {
   static const ArmLikeBinding kBinding;
   return kBinding;
 }
+
+constexpr CommandInfo kArmLikeCommands[] = {
+    {.name = "servo_cp",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<ArmLikeServoCpArguments>,
+     .depth = 16,
+     .latest = true,
+     .ttl = Duration(500'000'000),
+     .accepts = checkSlot<ArmLikeServoCpArguments, acceptsArmLikeServoCp>,
+     .shiftArguments = shiftSlot<ArmLikeServoCpArguments>},
+    {.name = "servo_jp",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<ArmLikeServoJpArguments>,
+     .depth = 16,
+     .latest = true,
+     .accepts = checkSlot<ArmLikeServoJpArguments, acceptsArmLikeServoJp>},
+    {.name = "hold", .kind = CommandKind::Void, .depth = 4},
+    {.name = "set_mode",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<ArmLikeSetModeArguments>,
+     .depth = 16,
+     .accepts = checkSlot<ArmLikeSetModeArguments, acceptsArmLikeSetMode>},
+    {.name = "measured_cp",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<PoseStampedSlot>,
+     .depth = 16,
+     .column = 0,
+     .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
+    {.name = "measured_js",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<JointStateSlot>,
+     .depth = 16,
+     .column = 1,
+     .acceptsResult = checkSlot<JointStateSlot, isValid>},
+    {.name = "distance",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = slotSize<ArmLikeDistanceArguments>,
+     .resultSize = slotSize<double>,
+     .depth = 16,
+     .accepts = checkSlot<ArmLikeDistanceArguments, acceptsArmLikeDistance>,
+     .acceptsResult = checkSlot<double, acceptsArmLikeDistanceResult>,
+     .shiftArguments = shiftSlot<ArmLikeDistanceArguments>},
+    {.name = "move",
+     .kind = CommandKind::WriteReturn,
+     .argumentsSize = slotSize<ArmLikeMoveArguments>,
+     .resultSize = slotSize<std::uint8_t>,
+     .depth = 16,
+     .deadline = Duration(200'000'000),
+     .accepts = checkSlot<ArmLikeMoveArguments, acceptsArmLikeMove>,
+     .shiftArguments = shiftSlot<ArmLikeMoveArguments>},
+    {.name = "reset",
+     .kind = CommandKind::VoidReturn,
+     .resultSize = slotSize<std::uint32_t>,
+     .depth = 16},
+    {.name = "limit",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<ArmLikeLimitArguments>,
+     .depth = 2,
+     .accepts = checkSlot<ArmLikeLimitArguments, acceptsArmLikeLimit>},
+    {.name = "park", .kind = CommandKind::Void, .depth = 16},
+};
+
+constexpr EventInfo kArmLikeEvents[] = {
+    {.name = "mode",
+     .payloadSize = slotSize<std::uint8_t>,
+     .depth = 16,
+     .latched = true,
+     .accepts = checkSlot<std::uint8_t, acceptsArmLikeModeEvent>},
+    {.name = "arrived",
+     .payloadSize = slotSize<PoseStampedSlot>,
+     .depth = 4,
+     .accepts = checkSlot<PoseStampedSlot, isValid>,
+     .shiftPayload = shiftSlot<PoseStampedSlot>},
+    {.name = "stopped", .depth = 16},
+    {.name = "moved",
+     .payloadSize = slotSize<ArmLikeMovedPayload>,
+     .depth = 16,
+     .accepts = checkSlot<ArmLikeMovedPayload, acceptsArmLikeMovedEvent>,
+     .shiftPayload = shiftSlot<ArmLikeMovedPayload>},
+};
+
+// The self-description, as in reference/arm_like.suture.json.
+constexpr char kArmLikeDescription[] = R"json({"name": "reference::ArmLike"})json";
 
 }  // namespace
 }  // namespace reference

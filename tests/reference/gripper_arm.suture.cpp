@@ -43,50 +43,6 @@ using suture::slotIn;
 using suture::slotSize;
 using suture::store;
 
-namespace {
-
-bool acceptsGripperArmClose(const GripperArmCloseArguments& slot, FieldPath* path);
-bool acceptsGripperArmCloseResult(const double& slot, FieldPath* path);
-bool acceptsGripperArmOpeningResult(const double& slot, FieldPath* path);
-bool acceptsGripperArmFits(const GripperArmFitsArguments& slot, FieldPath* path);
-bool acceptsGripperArmGrippedEvent(const double& slot, FieldPath* path);
-
-constexpr CommandInfo kGripperArmCommands[] = {
-    {.name = "close",
-     .kind = CommandKind::WriteReturn,
-     .argumentsSize = slotSize<GripperArmCloseArguments>,
-     .resultSize = slotSize<double>,
-     .depth = 16,
-     .accepts = checkSlot<GripperArmCloseArguments, acceptsGripperArmClose>,
-     .acceptsResult = checkSlot<double, acceptsGripperArmCloseResult>},
-    {.name = "opening",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<double>,
-     .depth = 16,
-     .column = 2,
-     .acceptsResult = checkSlot<double, acceptsGripperArmOpeningResult>},
-    {.name = "release", .kind = CommandKind::Void, .depth = 16, .inCallersThread = true},
-    {.name = "fits",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<GripperArmFitsArguments>,
-     .resultSize = slotSize<std::uint8_t>,
-     .depth = 16,
-     .inCallersThread = true,
-     .accepts = checkSlot<GripperArmFitsArguments, acceptsGripperArmFits>},
-};
-
-constexpr EventInfo kGripperArmEvents[] = {
-    {.name = "gripped",
-     .payloadSize = slotSize<double>,
-     .depth = 16,
-     .accepts = checkSlot<double, acceptsGripperArmGrippedEvent>},
-};
-
-// The self-description, as in reference/gripper_arm.suture.json.
-constexpr char kGripperArmDescription[] = R"json({"name": "reference::GripperArm"})json";
-
-}  // namespace
-
 bool store(const double& width, GripperArmCloseArguments& slot) { return store(width, slot.width); }
 
 bool store(const double& width, GripperArmFitsArguments& slot) { return store(width, slot.width); }
@@ -409,6 +365,40 @@ const suture::rpc::Binding& gripperArmBinding() {
   static const GripperArmBinding kBinding;
   return kBinding;
 }
+
+constexpr CommandInfo kGripperArmCommands[] = {
+    {.name = "close",
+     .kind = CommandKind::WriteReturn,
+     .argumentsSize = slotSize<GripperArmCloseArguments>,
+     .resultSize = slotSize<double>,
+     .depth = 16,
+     .accepts = checkSlot<GripperArmCloseArguments, acceptsGripperArmClose>,
+     .acceptsResult = checkSlot<double, acceptsGripperArmCloseResult>},
+    {.name = "opening",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<double>,
+     .depth = 16,
+     .column = 2,
+     .acceptsResult = checkSlot<double, acceptsGripperArmOpeningResult>},
+    {.name = "release", .kind = CommandKind::Void, .depth = 16, .inCallersThread = true},
+    {.name = "fits",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = slotSize<GripperArmFitsArguments>,
+     .resultSize = slotSize<std::uint8_t>,
+     .depth = 16,
+     .inCallersThread = true,
+     .accepts = checkSlot<GripperArmFitsArguments, acceptsGripperArmFits>},
+};
+
+constexpr EventInfo kGripperArmEvents[] = {
+    {.name = "gripped",
+     .payloadSize = slotSize<double>,
+     .depth = 16,
+     .accepts = checkSlot<double, acceptsGripperArmGrippedEvent>},
+};
+
+// The self-description, as in reference/gripper_arm.suture.json.
+constexpr char kGripperArmDescription[] = R"json({"name": "reference::GripperArm"})json";
 
 }  // namespace
 }  // namespace reference

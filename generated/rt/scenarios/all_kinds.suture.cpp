@@ -39,315 +39,6 @@ using suture::slotIn;
 using suture::slotSize;
 using suture::store;
 
-namespace {
-
-bool acceptsAllKindsSetScalar(const AllKindsSetScalarArguments& slot, FieldPath* path);
-bool acceptsAllKindsSetVector(const AllKindsSetVectorArguments& slot, FieldPath* path);
-bool acceptsAllKindsSetRecord(const AllKindsSetRecordArguments& slot, FieldPath* path);
-bool acceptsAllKindsScalarResult(const double& slot, FieldPath* path);
-bool acceptsAllKindsVectorResult(const std::array<double, 3>& slot, FieldPath* path);
-bool acceptsAllKindsRecordResult(const robots::PosePrmSlot& slot, FieldPath* path);
-bool acceptsAllKindsTwiceScalar(const AllKindsTwiceScalarArguments& slot, FieldPath* path);
-bool acceptsAllKindsTwiceScalarResult(const double& slot, FieldPath* path);
-bool acceptsAllKindsTwiceVector(const AllKindsTwiceVectorArguments& slot, FieldPath* path);
-bool acceptsAllKindsTwiceVectorResult(const std::array<double, 3>& slot, FieldPath* path);
-bool acceptsAllKindsTwiceRecord(const AllKindsTwiceRecordArguments& slot, FieldPath* path);
-bool acceptsAllKindsTwiceRecordResult(const robots::PosePrmSlot& slot, FieldPath* path);
-bool acceptsAllKindsTakeScalarResult(const double& slot, FieldPath* path);
-bool acceptsAllKindsTakeVectorResult(const std::array<double, 3>& slot, FieldPath* path);
-bool acceptsAllKindsTakeRecordResult(const robots::PosePrmSlot& slot, FieldPath* path);
-bool acceptsAllKindsSwapScalar(const AllKindsSwapScalarArguments& slot, FieldPath* path);
-bool acceptsAllKindsSwapScalarResult(const double& slot, FieldPath* path);
-bool acceptsAllKindsSwapVector(const AllKindsSwapVectorArguments& slot, FieldPath* path);
-bool acceptsAllKindsSwapVectorResult(const std::array<double, 3>& slot, FieldPath* path);
-bool acceptsAllKindsSwapRecord(const AllKindsSwapRecordArguments& slot, FieldPath* path);
-bool acceptsAllKindsSwapRecordResult(const robots::PosePrmSlot& slot, FieldPath* path);
-bool acceptsAllKindsScalarSetEvent(const double& slot, FieldPath* path);
-bool acceptsAllKindsVectorSetEvent(const std::array<double, 3>& slot, FieldPath* path);
-bool acceptsAllKindsRecordSetEvent(const robots::PosePrmSlot& slot, FieldPath* path);
-
-constexpr CommandInfo kAllKindsCommands[] = {
-    {.name = "clear", .kind = CommandKind::Void, .depth = 16},
-    {.name = "set_scalar",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<AllKindsSetScalarArguments>,
-     .depth = 16,
-     .accepts = checkSlot<AllKindsSetScalarArguments, acceptsAllKindsSetScalar>},
-    {.name = "set_vector",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<AllKindsSetVectorArguments>,
-     .depth = 16,
-     .accepts = checkSlot<AllKindsSetVectorArguments, acceptsAllKindsSetVector>},
-    {.name = "set_record",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<AllKindsSetRecordArguments>,
-     .depth = 16,
-     .accepts = checkSlot<AllKindsSetRecordArguments, acceptsAllKindsSetRecord>,
-     .shiftArguments = shiftSlot<AllKindsSetRecordArguments>},
-    {.name = "set_text",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<AllKindsSetTextArguments>,
-     .depth = 16},
-    {.name = "scalar",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<double>,
-     .depth = 16,
-     .column = 0,
-     .acceptsResult = checkSlot<double, acceptsAllKindsScalarResult>},
-    {.name = "vector",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<std::array<double, 3>>,
-     .depth = 16,
-     .column = 1,
-     .acceptsResult = checkSlot<std::array<double, 3>, acceptsAllKindsVectorResult>},
-    {.name = "record",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<robots::PosePrmSlot>,
-     .depth = 16,
-     .column = 2,
-     .acceptsResult = checkSlot<robots::PosePrmSlot, acceptsAllKindsRecordResult>,
-     .shiftResult = shiftSlot<robots::PosePrmSlot>},
-    {.name = "text",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<suture::BoundedText<31>>,
-     .depth = 16,
-     .column = 3},
-    {.name = "twice_scalar",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<AllKindsTwiceScalarArguments>,
-     .resultSize = slotSize<double>,
-     .depth = 16,
-     .accepts = checkSlot<AllKindsTwiceScalarArguments, acceptsAllKindsTwiceScalar>,
-     .acceptsResult = checkSlot<double, acceptsAllKindsTwiceScalarResult>},
-    {.name = "twice_vector",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<AllKindsTwiceVectorArguments>,
-     .resultSize = slotSize<std::array<double, 3>>,
-     .depth = 16,
-     .accepts = checkSlot<AllKindsTwiceVectorArguments, acceptsAllKindsTwiceVector>,
-     .acceptsResult = checkSlot<std::array<double, 3>, acceptsAllKindsTwiceVectorResult>},
-    {.name = "twice_record",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<AllKindsTwiceRecordArguments>,
-     .resultSize = slotSize<robots::PosePrmSlot>,
-     .depth = 16,
-     .accepts = checkSlot<AllKindsTwiceRecordArguments, acceptsAllKindsTwiceRecord>,
-     .acceptsResult = checkSlot<robots::PosePrmSlot, acceptsAllKindsTwiceRecordResult>,
-     .shiftArguments = shiftSlot<AllKindsTwiceRecordArguments>,
-     .shiftResult = shiftSlot<robots::PosePrmSlot>},
-    {.name = "twice_text",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<AllKindsTwiceTextArguments>,
-     .resultSize = slotSize<suture::BoundedText<31>>,
-     .depth = 16},
-    {.name = "take_scalar",
-     .kind = CommandKind::VoidReturn,
-     .resultSize = slotSize<double>,
-     .depth = 16,
-     .acceptsResult = checkSlot<double, acceptsAllKindsTakeScalarResult>},
-    {.name = "take_vector",
-     .kind = CommandKind::VoidReturn,
-     .resultSize = slotSize<std::array<double, 3>>,
-     .depth = 16,
-     .acceptsResult = checkSlot<std::array<double, 3>, acceptsAllKindsTakeVectorResult>},
-    {.name = "take_record",
-     .kind = CommandKind::VoidReturn,
-     .resultSize = slotSize<robots::PosePrmSlot>,
-     .depth = 16,
-     .acceptsResult = checkSlot<robots::PosePrmSlot, acceptsAllKindsTakeRecordResult>,
-     .shiftResult = shiftSlot<robots::PosePrmSlot>},
-    {.name = "take_text",
-     .kind = CommandKind::VoidReturn,
-     .resultSize = slotSize<suture::BoundedText<31>>,
-     .depth = 16},
-    {.name = "swap_scalar",
-     .kind = CommandKind::WriteReturn,
-     .argumentsSize = slotSize<AllKindsSwapScalarArguments>,
-     .resultSize = slotSize<double>,
-     .depth = 16,
-     .accepts = checkSlot<AllKindsSwapScalarArguments, acceptsAllKindsSwapScalar>,
-     .acceptsResult = checkSlot<double, acceptsAllKindsSwapScalarResult>},
-    {.name = "swap_vector",
-     .kind = CommandKind::WriteReturn,
-     .argumentsSize = slotSize<AllKindsSwapVectorArguments>,
-     .resultSize = slotSize<std::array<double, 3>>,
-     .depth = 16,
-     .accepts = checkSlot<AllKindsSwapVectorArguments, acceptsAllKindsSwapVector>,
-     .acceptsResult = checkSlot<std::array<double, 3>, acceptsAllKindsSwapVectorResult>},
-    {.name = "swap_record",
-     .kind = CommandKind::WriteReturn,
-     .argumentsSize = slotSize<AllKindsSwapRecordArguments>,
-     .resultSize = slotSize<robots::PosePrmSlot>,
-     .depth = 16,
-     .accepts = checkSlot<AllKindsSwapRecordArguments, acceptsAllKindsSwapRecord>,
-     .acceptsResult = checkSlot<robots::PosePrmSlot, acceptsAllKindsSwapRecordResult>,
-     .shiftArguments = shiftSlot<AllKindsSwapRecordArguments>,
-     .shiftResult = shiftSlot<robots::PosePrmSlot>},
-    {.name = "swap_text",
-     .kind = CommandKind::WriteReturn,
-     .argumentsSize = slotSize<AllKindsSwapTextArguments>,
-     .resultSize = slotSize<suture::BoundedText<31>>,
-     .depth = 16},
-};
-
-constexpr EventInfo kAllKindsEvents[] = {
-    {.name = "cleared", .depth = 16},
-    {.name = "scalar_set",
-     .payloadSize = slotSize<double>,
-     .depth = 16,
-     .accepts = checkSlot<double, acceptsAllKindsScalarSetEvent>},
-    {.name = "vector_set",
-     .payloadSize = slotSize<std::array<double, 3>>,
-     .depth = 16,
-     .accepts = checkSlot<std::array<double, 3>, acceptsAllKindsVectorSetEvent>},
-    {.name = "record_set",
-     .payloadSize = slotSize<robots::PosePrmSlot>,
-     .depth = 16,
-     .accepts = checkSlot<robots::PosePrmSlot, acceptsAllKindsRecordSetEvent>,
-     .shiftPayload = shiftSlot<robots::PosePrmSlot>},
-    {.name = "text_set", .payloadSize = slotSize<suture::BoundedText<31>>, .depth = 16},
-};
-
-// The self-description, as in rt/scenarios/all_kinds.suture.json.
-constexpr char kAllKindsDescription[] = R"json(
-{"name": "scenarios::AllKinds", "hash": "6c3eb0727bcc74c29cb02c916019eb6c", "commands": [{
-"name": "clear", "kind": "void", "ordinal": 1, "doc": "Forgets all values. void", "queue": 16}, {
-"name": "set_scalar", "kind": "write", "ordinal": 2, "wire": "setScalar",
-"doc": "Write: keep a value and tell it.", "parameters": [{"name": "value", "type": {
-"kind": "Float64"}}], "queue": 16}, {"name": "set_vector", "kind": "write", "ordinal": 3,
-"wire": "setVector", "parameters": [{"name": "value", "type": {"kind": "matrix",
-"scalar": "Float64", "rows": 3, "columns": 1}}], "queue": 16}, {"name": "set_record",
-"kind": "write", "ordinal": 4, "wire": "setRecord", "parameters": [{"name": "value", "type": {
-"kind": "struct", "name": "robots::PosePrm"}}], "queue": 16}, {"name": "set_text", "kind": "write",
-"ordinal": 5, "wire": "setText", "parameters": [{"name": "value", "type": {"kind": "text",
-"capacity": 31}}], "queue": 16}, {"name": "scalar", "kind": "read", "ordinal": 6,
-"doc": "Read: the value kept.", "result": {"type": {"kind": "Float64"}}, "queue": 16}, {
-"name": "vector", "kind": "read", "ordinal": 7, "result": {"type": {"kind": "matrix",
-"scalar": "Float64", "rows": 3, "columns": 1}}, "queue": 16}, {"name": "record", "kind": "read",
-"ordinal": 8, "result": {"type": {"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}, {
-"name": "text", "kind": "read", "ordinal": 9, "result": {"type": {"kind": "text", "capacity": 31}},
-"queue": 16}, {"name": "twice_scalar", "kind": "qualified read", "ordinal": 10,
-"wire": "twiceScalar", "doc": "Qualified read: twice the value given.", "parameters": [{
-"name": "value", "type": {"kind": "Float64"}}], "result": {"type": {"kind": "Float64"}}, "queue": 16
-}, {"name": "twice_vector", "kind": "qualified read", "ordinal": 11, "wire": "twiceVector",
-"parameters": [{"name": "value", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
-"columns": 1}}], "result": {"type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1
-}}, "queue": 16}, {"name": "twice_record", "kind": "qualified read", "ordinal": 12,
-"wire": "twiceRecord", "parameters": [{"name": "value", "type": {"kind": "struct",
-"name": "robots::PosePrm"}}], "result": {"type": {"kind": "struct", "name": "robots::PosePrm"}},
-"queue": 16}, {"name": "twice_text", "kind": "qualified read", "ordinal": 13, "wire": "twiceText",
-"parameters": [{"name": "value", "type": {"kind": "text", "capacity": 15}}], "result": {"type": {
-"kind": "text", "capacity": 31}}, "queue": 16}, {"name": "take_scalar", "kind": "void with return",
-"ordinal": 14, "wire": "takeScalar", "doc": "Void with return: the value kept, and forgets it.",
-"result": {"type": {"kind": "Float64"}}, "queue": 16}, {"name": "take_vector",
-"kind": "void with return", "ordinal": 15, "wire": "takeVector", "result": {"type": {
-"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}}, "queue": 16}, {
-"name": "take_record", "kind": "void with return", "ordinal": 16, "wire": "takeRecord", "result": {
-"type": {"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}, {"name": "take_text",
-"kind": "void with return", "ordinal": 17, "wire": "takeText", "result": {"type": {"kind": "text",
-"capacity": 31}}, "queue": 16}, {"name": "swap_scalar", "kind": "write with return", "ordinal": 18,
-"wire": "swapScalar", "doc": "Write with return: keep a value, answer the one before.",
-"parameters": [{"name": "value", "type": {"kind": "Float64"}}], "result": {"type": {
-"kind": "Float64"}}, "queue": 16}, {"name": "swap_vector", "kind": "write with return",
-"ordinal": 19, "wire": "swapVector", "parameters": [{"name": "value", "type": {"kind": "matrix",
-"scalar": "Float64", "rows": 3, "columns": 1}}], "result": {"type": {"kind": "matrix",
-"scalar": "Float64", "rows": 3, "columns": 1}}, "queue": 16}, {"name": "swap_record",
-"kind": "write with return", "ordinal": 20, "wire": "swapRecord", "parameters": [{"name": "value",
-"type": {"kind": "struct", "name": "robots::PosePrm"}}], "result": {"type": {"kind": "struct",
-"name": "robots::PosePrm"}}, "queue": 16}, {"name": "swap_text", "kind": "write with return",
-"ordinal": 21, "wire": "swapText", "parameters": [{"name": "value", "type": {"kind": "text",
-"capacity": 31}}], "result": {"type": {"kind": "text", "capacity": 31}}, "queue": 16}], "events": [
-{"name": "cleared", "kind": "void", "ordinal": 1, "doc": "All values are forgotten. void",
-"queue": 16}, {"name": "scalar_set", "kind": "write", "ordinal": 2, "wire": "scalarSet",
-"doc": "Write: a value has been set.", "payload": {"type": {"kind": "Float64"}}, "queue": 16}, {
-"name": "vector_set", "kind": "write", "ordinal": 3, "wire": "vectorSet", "payload": {"type": {
-"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}}, "queue": 16}, {
-"name": "record_set", "kind": "write", "ordinal": 4, "wire": "recordSet", "payload": {"type": {
-"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}, {"name": "text_set", "kind": "write",
-"ordinal": 5, "wire": "textSet", "payload": {"type": {"kind": "text", "capacity": 31}}, "queue": 16
-}], "enums": [], "structs": [{"name": "robots::PosePrm",
-"doc": "The fields of the cisst libraries' prmPositionCartesianGet, the type of the paper's\nmeasurements.",
-"fields": [{"name": "timestamp", "type": {"kind": "time", "clock": "steady"}}, {
-"name": "automatic_timestamp", "wire": "automaticTimestamp",
-"doc": "Whether the provider stamps the data itself.", "type": {"kind": "Bool"}, "default": true}, {
-"name": "valid", "type": {"kind": "Bool"}, "default": false}, {"name": "moving_frame",
-"wire": "movingFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "reference_frame",
-"wire": "referenceFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "position",
-"doc": "The moving frame in the reference frame.", "type": {"kind": "isometry", "scalar": "Float64"
-}, "unit": "m"}]}], "wire": [{"id": "@0xf6dce3f368753cbc", "kind": "interface", "name": "AllKinds",
-"members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events",
-"is": "@0xdccb6d872bbaa8db"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2,
-"name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "clear", "is": "kind \"void\"",
-"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2,
-"name": "setScalar", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "value",
-"is": "Float64"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 3,
-"name": "setVector", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "value",
-"is": "/suture/types.capnp:Vec3"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
-"at": 4, "name": "setRecord", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "value",
-"is": "@0xedd17c97b8723561"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
-"at": 5, "name": "setText", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "value",
-"is": "Text"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 6,
-"name": "scalar", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "Float64"}, {
-"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 7, "name": "vector", "is": "kind \"read\"",
-"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "/suture/types.capnp:Vec3"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
-"at": 8, "name": "record", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 9, "name": "text", "is": "kind \"read\"",
-"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "Text"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 10,
-"name": "twiceScalar", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "value",
-"is": "Float64"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "Float64"}]}, {"at": 11, "name": "twiceVector",
-"is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "value",
-"is": "/suture/types.capnp:Vec3"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "/suture/types.capnp:Vec3"}]}, {"at": 12,
-"name": "twiceRecord", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "value",
-"is": "@0xedd17c97b8723561"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"}]}, {"at": 13,
-"name": "twiceText", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "value",
-"is": "Text"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "Text"}]}, {"at": 14, "name": "takeScalar", "is": "kind \"voidReturn\"",
-"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "Float64"}]}, {"at": 15, "name": "takeVector", "is": "kind \"voidReturn\"",
-"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "/suture/types.capnp:Vec3"}]}, {"at": 16, "name": "takeRecord",
-"is": "kind \"voidReturn\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"
-}], "results": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"}]}, {"at": 17,
-"name": "takeText", "is": "kind \"voidReturn\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "Text"}]}, {
-"at": 18, "name": "swapScalar", "is": "kind \"writeReturn\"", "parameters": [{"at": 0,
-"name": "value", "is": "Float64"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "Float64"}]}, {"at": 19, "name": "swapVector",
-"is": "kind \"writeReturn\"", "parameters": [{"at": 0, "name": "value",
-"is": "/suture/types.capnp:Vec3"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "/suture/types.capnp:Vec3"}]}, {"at": 20,
-"name": "swapRecord", "is": "kind \"writeReturn\"", "parameters": [{"at": 0, "name": "value",
-"is": "@0xedd17c97b8723561"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"}]}, {"at": 21,
-"name": "swapText", "is": "kind \"writeReturn\"", "parameters": [{"at": 0, "name": "value",
-"is": "Text"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "Text"}]}]}, {"id": "@0xdccb6d872bbaa8db", "kind": "interface",
-"name": "AllKindsEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
-"name": "row", "is": "@0xf9cad0ab043d03c9"}]}, {"at": 1, "name": "cleared"}, {"at": 2,
-"name": "scalarSet", "parameters": [{"at": 0, "name": "value", "is": "Float64"}]}, {"at": 3,
-"name": "vectorSet", "parameters": [{"at": 0, "name": "value", "is": "/suture/types.capnp:Vec3"}]},
-{"at": 4, "name": "recordSet", "parameters": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"
-}]}, {"at": 5, "name": "textSet", "parameters": [{"at": 0, "name": "value", "is": "Text"}]}]}, {
-"id": "@0xf9cad0ab043d03c9", "kind": "struct", "name": "AllKindsStateRow", "members": [{"at": 0,
-"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "scalar", "is": "Float64"}, {"at": 4,
-"name": "vector", "is": "/suture/types.capnp:Vec3"}, {"at": 5, "name": "record",
-"is": "@0xedd17c97b8723561"}, {"at": 6, "name": "text", "is": "Text"}]}, {
-"id": "@0xedd17c97b8723561", "kind": "struct", "name": "PosePrm", "members": [{"at": 0,
-"name": "timestamp", "is": "Int64 clock \"steady\""}, {"at": 1, "name": "automaticTimestamp",
-"is": "Bool = true"}, {"at": 2, "name": "valid", "is": "Bool"}, {"at": 3, "name": "movingFrame",
-"is": "Text"}, {"at": 4, "name": "referenceFrame", "is": "Text"}, {"at": 5, "name": "position",
-"is": "/suture/types.capnp:Pose unit \"m\""}]}]})json";
-
-}  // namespace
-
 bool store(const double& value, AllKindsSetScalarArguments& slot) {
   return store(value, slot.value);
 }
@@ -428,10 +119,6 @@ bool acceptsAllKindsVectorResult(const std::array<double, 3>& slot, FieldPath* p
   return isValid(slot, path);
 }
 
-bool acceptsAllKindsRecordResult(const robots::PosePrmSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
 bool acceptsAllKindsTwiceScalar(const AllKindsTwiceScalarArguments& slot, FieldPath* path) {
   return isValid(slot.value) || refusedAt(path, "value");
 }
@@ -450,17 +137,9 @@ bool acceptsAllKindsTwiceRecord(const AllKindsTwiceRecordArguments& slot, FieldP
   return isValid(slot.value, path) || refusedAt(path, "value");
 }
 
-bool acceptsAllKindsTwiceRecordResult(const robots::PosePrmSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
 bool acceptsAllKindsTakeScalarResult(const double& slot, FieldPath*) { return isValid(slot); }
 
 bool acceptsAllKindsTakeVectorResult(const std::array<double, 3>& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsAllKindsTakeRecordResult(const robots::PosePrmSlot& slot, FieldPath* path) {
   return isValid(slot, path);
 }
 
@@ -482,17 +161,9 @@ bool acceptsAllKindsSwapRecord(const AllKindsSwapRecordArguments& slot, FieldPat
   return isValid(slot.value, path) || refusedAt(path, "value");
 }
 
-bool acceptsAllKindsSwapRecordResult(const robots::PosePrmSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
 bool acceptsAllKindsScalarSetEvent(const double& slot, FieldPath*) { return isValid(slot); }
 
 bool acceptsAllKindsVectorSetEvent(const std::array<double, 3>& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsAllKindsRecordSetEvent(const robots::PosePrmSlot& slot, FieldPath* path) {
   return isValid(slot, path);
 }
 
@@ -1157,6 +828,286 @@ const suture::rpc::Binding& allKindsBinding() {
   static const AllKindsBinding kBinding;
   return kBinding;
 }
+
+constexpr CommandInfo kAllKindsCommands[] = {
+    {.name = "clear", .kind = CommandKind::Void, .depth = 16},
+    {.name = "set_scalar",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<AllKindsSetScalarArguments>,
+     .depth = 16,
+     .accepts = checkSlot<AllKindsSetScalarArguments, acceptsAllKindsSetScalar>},
+    {.name = "set_vector",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<AllKindsSetVectorArguments>,
+     .depth = 16,
+     .accepts = checkSlot<AllKindsSetVectorArguments, acceptsAllKindsSetVector>},
+    {.name = "set_record",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<AllKindsSetRecordArguments>,
+     .depth = 16,
+     .accepts = checkSlot<AllKindsSetRecordArguments, acceptsAllKindsSetRecord>,
+     .shiftArguments = shiftSlot<AllKindsSetRecordArguments>},
+    {.name = "set_text",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<AllKindsSetTextArguments>,
+     .depth = 16},
+    {.name = "scalar",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<double>,
+     .depth = 16,
+     .column = 0,
+     .acceptsResult = checkSlot<double, acceptsAllKindsScalarResult>},
+    {.name = "vector",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<std::array<double, 3>>,
+     .depth = 16,
+     .column = 1,
+     .acceptsResult = checkSlot<std::array<double, 3>, acceptsAllKindsVectorResult>},
+    {.name = "record",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<robots::PosePrmSlot>,
+     .depth = 16,
+     .column = 2,
+     .acceptsResult = checkSlot<robots::PosePrmSlot, robots::isValid>,
+     .shiftResult = shiftSlot<robots::PosePrmSlot>},
+    {.name = "text",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<suture::BoundedText<31>>,
+     .depth = 16,
+     .column = 3},
+    {.name = "twice_scalar",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = slotSize<AllKindsTwiceScalarArguments>,
+     .resultSize = slotSize<double>,
+     .depth = 16,
+     .accepts = checkSlot<AllKindsTwiceScalarArguments, acceptsAllKindsTwiceScalar>,
+     .acceptsResult = checkSlot<double, acceptsAllKindsTwiceScalarResult>},
+    {.name = "twice_vector",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = slotSize<AllKindsTwiceVectorArguments>,
+     .resultSize = slotSize<std::array<double, 3>>,
+     .depth = 16,
+     .accepts = checkSlot<AllKindsTwiceVectorArguments, acceptsAllKindsTwiceVector>,
+     .acceptsResult = checkSlot<std::array<double, 3>, acceptsAllKindsTwiceVectorResult>},
+    {.name = "twice_record",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = slotSize<AllKindsTwiceRecordArguments>,
+     .resultSize = slotSize<robots::PosePrmSlot>,
+     .depth = 16,
+     .accepts = checkSlot<AllKindsTwiceRecordArguments, acceptsAllKindsTwiceRecord>,
+     .acceptsResult = checkSlot<robots::PosePrmSlot, robots::isValid>,
+     .shiftArguments = shiftSlot<AllKindsTwiceRecordArguments>,
+     .shiftResult = shiftSlot<robots::PosePrmSlot>},
+    {.name = "twice_text",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = slotSize<AllKindsTwiceTextArguments>,
+     .resultSize = slotSize<suture::BoundedText<31>>,
+     .depth = 16},
+    {.name = "take_scalar",
+     .kind = CommandKind::VoidReturn,
+     .resultSize = slotSize<double>,
+     .depth = 16,
+     .acceptsResult = checkSlot<double, acceptsAllKindsTakeScalarResult>},
+    {.name = "take_vector",
+     .kind = CommandKind::VoidReturn,
+     .resultSize = slotSize<std::array<double, 3>>,
+     .depth = 16,
+     .acceptsResult = checkSlot<std::array<double, 3>, acceptsAllKindsTakeVectorResult>},
+    {.name = "take_record",
+     .kind = CommandKind::VoidReturn,
+     .resultSize = slotSize<robots::PosePrmSlot>,
+     .depth = 16,
+     .acceptsResult = checkSlot<robots::PosePrmSlot, robots::isValid>,
+     .shiftResult = shiftSlot<robots::PosePrmSlot>},
+    {.name = "take_text",
+     .kind = CommandKind::VoidReturn,
+     .resultSize = slotSize<suture::BoundedText<31>>,
+     .depth = 16},
+    {.name = "swap_scalar",
+     .kind = CommandKind::WriteReturn,
+     .argumentsSize = slotSize<AllKindsSwapScalarArguments>,
+     .resultSize = slotSize<double>,
+     .depth = 16,
+     .accepts = checkSlot<AllKindsSwapScalarArguments, acceptsAllKindsSwapScalar>,
+     .acceptsResult = checkSlot<double, acceptsAllKindsSwapScalarResult>},
+    {.name = "swap_vector",
+     .kind = CommandKind::WriteReturn,
+     .argumentsSize = slotSize<AllKindsSwapVectorArguments>,
+     .resultSize = slotSize<std::array<double, 3>>,
+     .depth = 16,
+     .accepts = checkSlot<AllKindsSwapVectorArguments, acceptsAllKindsSwapVector>,
+     .acceptsResult = checkSlot<std::array<double, 3>, acceptsAllKindsSwapVectorResult>},
+    {.name = "swap_record",
+     .kind = CommandKind::WriteReturn,
+     .argumentsSize = slotSize<AllKindsSwapRecordArguments>,
+     .resultSize = slotSize<robots::PosePrmSlot>,
+     .depth = 16,
+     .accepts = checkSlot<AllKindsSwapRecordArguments, acceptsAllKindsSwapRecord>,
+     .acceptsResult = checkSlot<robots::PosePrmSlot, robots::isValid>,
+     .shiftArguments = shiftSlot<AllKindsSwapRecordArguments>,
+     .shiftResult = shiftSlot<robots::PosePrmSlot>},
+    {.name = "swap_text",
+     .kind = CommandKind::WriteReturn,
+     .argumentsSize = slotSize<AllKindsSwapTextArguments>,
+     .resultSize = slotSize<suture::BoundedText<31>>,
+     .depth = 16},
+};
+
+constexpr EventInfo kAllKindsEvents[] = {
+    {.name = "cleared", .depth = 16},
+    {.name = "scalar_set",
+     .payloadSize = slotSize<double>,
+     .depth = 16,
+     .accepts = checkSlot<double, acceptsAllKindsScalarSetEvent>},
+    {.name = "vector_set",
+     .payloadSize = slotSize<std::array<double, 3>>,
+     .depth = 16,
+     .accepts = checkSlot<std::array<double, 3>, acceptsAllKindsVectorSetEvent>},
+    {.name = "record_set",
+     .payloadSize = slotSize<robots::PosePrmSlot>,
+     .depth = 16,
+     .accepts = checkSlot<robots::PosePrmSlot, robots::isValid>,
+     .shiftPayload = shiftSlot<robots::PosePrmSlot>},
+    {.name = "text_set", .payloadSize = slotSize<suture::BoundedText<31>>, .depth = 16},
+};
+
+// The self-description, as in rt/scenarios/all_kinds.suture.json.
+constexpr char kAllKindsDescription[] = R"json(
+{"name": "scenarios::AllKinds", "hash": "6c3eb0727bcc74c29cb02c916019eb6c", "commands": [{
+"name": "clear", "kind": "void", "ordinal": 1, "doc": "Forgets all values. void", "queue": 16}, {
+"name": "set_scalar", "kind": "write", "ordinal": 2, "wire": "setScalar",
+"doc": "Write: keep a value and tell it.", "parameters": [{"name": "value", "type": {
+"kind": "Float64"}}], "queue": 16}, {"name": "set_vector", "kind": "write", "ordinal": 3,
+"wire": "setVector", "parameters": [{"name": "value", "type": {"kind": "matrix",
+"scalar": "Float64", "rows": 3, "columns": 1}}], "queue": 16}, {"name": "set_record",
+"kind": "write", "ordinal": 4, "wire": "setRecord", "parameters": [{"name": "value", "type": {
+"kind": "struct", "name": "robots::PosePrm"}}], "queue": 16}, {"name": "set_text", "kind": "write",
+"ordinal": 5, "wire": "setText", "parameters": [{"name": "value", "type": {"kind": "text",
+"capacity": 31}}], "queue": 16}, {"name": "scalar", "kind": "read", "ordinal": 6,
+"doc": "Read: the value kept.", "result": {"type": {"kind": "Float64"}}, "queue": 16}, {
+"name": "vector", "kind": "read", "ordinal": 7, "result": {"type": {"kind": "matrix",
+"scalar": "Float64", "rows": 3, "columns": 1}}, "queue": 16}, {"name": "record", "kind": "read",
+"ordinal": 8, "result": {"type": {"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}, {
+"name": "text", "kind": "read", "ordinal": 9, "result": {"type": {"kind": "text", "capacity": 31}},
+"queue": 16}, {"name": "twice_scalar", "kind": "qualified read", "ordinal": 10,
+"wire": "twiceScalar", "doc": "Qualified read: twice the value given.", "parameters": [{
+"name": "value", "type": {"kind": "Float64"}}], "result": {"type": {"kind": "Float64"}}, "queue": 16
+}, {"name": "twice_vector", "kind": "qualified read", "ordinal": 11, "wire": "twiceVector",
+"parameters": [{"name": "value", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
+"columns": 1}}], "result": {"type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1
+}}, "queue": 16}, {"name": "twice_record", "kind": "qualified read", "ordinal": 12,
+"wire": "twiceRecord", "parameters": [{"name": "value", "type": {"kind": "struct",
+"name": "robots::PosePrm"}}], "result": {"type": {"kind": "struct", "name": "robots::PosePrm"}},
+"queue": 16}, {"name": "twice_text", "kind": "qualified read", "ordinal": 13, "wire": "twiceText",
+"parameters": [{"name": "value", "type": {"kind": "text", "capacity": 15}}], "result": {"type": {
+"kind": "text", "capacity": 31}}, "queue": 16}, {"name": "take_scalar", "kind": "void with return",
+"ordinal": 14, "wire": "takeScalar", "doc": "Void with return: the value kept, and forgets it.",
+"result": {"type": {"kind": "Float64"}}, "queue": 16}, {"name": "take_vector",
+"kind": "void with return", "ordinal": 15, "wire": "takeVector", "result": {"type": {
+"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}}, "queue": 16}, {
+"name": "take_record", "kind": "void with return", "ordinal": 16, "wire": "takeRecord", "result": {
+"type": {"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}, {"name": "take_text",
+"kind": "void with return", "ordinal": 17, "wire": "takeText", "result": {"type": {"kind": "text",
+"capacity": 31}}, "queue": 16}, {"name": "swap_scalar", "kind": "write with return", "ordinal": 18,
+"wire": "swapScalar", "doc": "Write with return: keep a value, answer the one before.",
+"parameters": [{"name": "value", "type": {"kind": "Float64"}}], "result": {"type": {
+"kind": "Float64"}}, "queue": 16}, {"name": "swap_vector", "kind": "write with return",
+"ordinal": 19, "wire": "swapVector", "parameters": [{"name": "value", "type": {"kind": "matrix",
+"scalar": "Float64", "rows": 3, "columns": 1}}], "result": {"type": {"kind": "matrix",
+"scalar": "Float64", "rows": 3, "columns": 1}}, "queue": 16}, {"name": "swap_record",
+"kind": "write with return", "ordinal": 20, "wire": "swapRecord", "parameters": [{"name": "value",
+"type": {"kind": "struct", "name": "robots::PosePrm"}}], "result": {"type": {"kind": "struct",
+"name": "robots::PosePrm"}}, "queue": 16}, {"name": "swap_text", "kind": "write with return",
+"ordinal": 21, "wire": "swapText", "parameters": [{"name": "value", "type": {"kind": "text",
+"capacity": 31}}], "result": {"type": {"kind": "text", "capacity": 31}}, "queue": 16}], "events": [
+{"name": "cleared", "kind": "void", "ordinal": 1, "doc": "All values are forgotten. void",
+"queue": 16}, {"name": "scalar_set", "kind": "write", "ordinal": 2, "wire": "scalarSet",
+"doc": "Write: a value has been set.", "payload": {"type": {"kind": "Float64"}}, "queue": 16}, {
+"name": "vector_set", "kind": "write", "ordinal": 3, "wire": "vectorSet", "payload": {"type": {
+"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}}, "queue": 16}, {
+"name": "record_set", "kind": "write", "ordinal": 4, "wire": "recordSet", "payload": {"type": {
+"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}, {"name": "text_set", "kind": "write",
+"ordinal": 5, "wire": "textSet", "payload": {"type": {"kind": "text", "capacity": 31}}, "queue": 16
+}], "enums": [], "structs": [{"name": "robots::PosePrm",
+"doc": "The fields of the cisst libraries' prmPositionCartesianGet, the type of the paper's\nmeasurements.",
+"fields": [{"name": "timestamp", "type": {"kind": "time", "clock": "steady"}}, {
+"name": "automatic_timestamp", "wire": "automaticTimestamp",
+"doc": "Whether the provider stamps the data itself.", "type": {"kind": "Bool"}, "default": true}, {
+"name": "valid", "type": {"kind": "Bool"}, "default": false}, {"name": "moving_frame",
+"wire": "movingFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "reference_frame",
+"wire": "referenceFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "position",
+"doc": "The moving frame in the reference frame.", "type": {"kind": "isometry", "scalar": "Float64"
+}, "unit": "m"}]}], "wire": [{"id": "@0xf6dce3f368753cbc", "kind": "interface", "name": "AllKinds",
+"members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events",
+"is": "@0xdccb6d872bbaa8db"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2,
+"name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "clear", "is": "kind \"void\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2,
+"name": "setScalar", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "value",
+"is": "Float64"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 3,
+"name": "setVector", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "value",
+"is": "/suture/types.capnp:Vec3"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 4, "name": "setRecord", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "value",
+"is": "@0xedd17c97b8723561"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 5, "name": "setText", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "value",
+"is": "Text"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 6,
+"name": "scalar", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "Float64"}, {
+"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 7, "name": "vector", "is": "kind \"read\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "/suture/types.capnp:Vec3"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 8, "name": "record", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 9, "name": "text", "is": "kind \"read\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "Text"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 10,
+"name": "twiceScalar", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "value",
+"is": "Float64"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "Float64"}]}, {"at": 11, "name": "twiceVector",
+"is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "value",
+"is": "/suture/types.capnp:Vec3"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "/suture/types.capnp:Vec3"}]}, {"at": 12,
+"name": "twiceRecord", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "value",
+"is": "@0xedd17c97b8723561"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"}]}, {"at": 13,
+"name": "twiceText", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "value",
+"is": "Text"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "Text"}]}, {"at": 14, "name": "takeScalar", "is": "kind \"voidReturn\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "Float64"}]}, {"at": 15, "name": "takeVector", "is": "kind \"voidReturn\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "/suture/types.capnp:Vec3"}]}, {"at": 16, "name": "takeRecord",
+"is": "kind \"voidReturn\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"
+}], "results": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"}]}, {"at": 17,
+"name": "takeText", "is": "kind \"voidReturn\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "Text"}]}, {
+"at": 18, "name": "swapScalar", "is": "kind \"writeReturn\"", "parameters": [{"at": 0,
+"name": "value", "is": "Float64"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "Float64"}]}, {"at": 19, "name": "swapVector",
+"is": "kind \"writeReturn\"", "parameters": [{"at": 0, "name": "value",
+"is": "/suture/types.capnp:Vec3"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "/suture/types.capnp:Vec3"}]}, {"at": 20,
+"name": "swapRecord", "is": "kind \"writeReturn\"", "parameters": [{"at": 0, "name": "value",
+"is": "@0xedd17c97b8723561"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"}]}, {"at": 21,
+"name": "swapText", "is": "kind \"writeReturn\"", "parameters": [{"at": 0, "name": "value",
+"is": "Text"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "Text"}]}]}, {"id": "@0xdccb6d872bbaa8db", "kind": "interface",
+"name": "AllKindsEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
+"name": "row", "is": "@0xf9cad0ab043d03c9"}]}, {"at": 1, "name": "cleared"}, {"at": 2,
+"name": "scalarSet", "parameters": [{"at": 0, "name": "value", "is": "Float64"}]}, {"at": 3,
+"name": "vectorSet", "parameters": [{"at": 0, "name": "value", "is": "/suture/types.capnp:Vec3"}]},
+{"at": 4, "name": "recordSet", "parameters": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"
+}]}, {"at": 5, "name": "textSet", "parameters": [{"at": 0, "name": "value", "is": "Text"}]}]}, {
+"id": "@0xf9cad0ab043d03c9", "kind": "struct", "name": "AllKindsStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "scalar", "is": "Float64"}, {"at": 4,
+"name": "vector", "is": "/suture/types.capnp:Vec3"}, {"at": 5, "name": "record",
+"is": "@0xedd17c97b8723561"}, {"at": 6, "name": "text", "is": "Text"}]}, {
+"id": "@0xedd17c97b8723561", "kind": "struct", "name": "PosePrm", "members": [{"at": 0,
+"name": "timestamp", "is": "Int64 clock \"steady\""}, {"at": 1, "name": "automaticTimestamp",
+"is": "Bool = true"}, {"at": 2, "name": "valid", "is": "Bool"}, {"at": 3, "name": "movingFrame",
+"is": "Text"}, {"at": 4, "name": "referenceFrame", "is": "Text"}, {"at": 5, "name": "position",
+"is": "/suture/types.capnp:Pose unit \"m\""}]}]})json";
 
 }  // namespace
 }  // namespace scenarios

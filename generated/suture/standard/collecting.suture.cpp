@@ -41,96 +41,6 @@ static_assert(std::is_same_v<decltype(CollectedCounts::missed), std::uint64_t>);
 static_assert(std::is_same_v<decltype(CollectingInterval::every), std::uint32_t>);
 static_assert(std::is_same_v<decltype(CollectingInterval::atLeast), std::chrono::nanoseconds>);
 
-bool acceptsCollectingSetInterval(const CollectingSetIntervalArguments& slot, FieldPath* path);
-bool acceptsCollectingIntervalResult(const CollectingIntervalSlot& slot, FieldPath* path);
-bool acceptsCollectingCountsResult(const CollectedCountsSlot& slot, FieldPath* path);
-
-constexpr CommandInfo kCollectingCommands[] = {
-    {.name = "start_collecting", .kind = CommandKind::Void, .depth = 16},
-    {.name = "stop_collecting", .kind = CommandKind::Void, .depth = 16},
-    {.name = "set_interval",
-     .kind = CommandKind::WriteReturn,
-     .argumentsSize = slotSize<CollectingSetIntervalArguments>,
-     .resultSize = slotSize<std::uint8_t>,
-     .depth = 16,
-     .accepts = checkSlot<CollectingSetIntervalArguments, acceptsCollectingSetInterval>},
-    {.name = "interval",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<CollectingIntervalSlot>,
-     .depth = 16,
-     .column = 0,
-     .acceptsResult = checkSlot<CollectingIntervalSlot, acceptsCollectingIntervalResult>},
-    {.name = "collecting",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<std::uint8_t>,
-     .depth = 16,
-     .column = 1},
-    {.name = "counts",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<CollectedCountsSlot>,
-     .depth = 16,
-     .column = 2,
-     .acceptsResult = checkSlot<CollectedCountsSlot, acceptsCollectingCountsResult>},
-};
-
-// The self-description, as in suture/standard/collecting.suture.json.
-constexpr char kCollectingDescription[] = R"json(
-{"name": "suture::Collecting",
-"doc": "The provided interface \"Collecting\" of every collector (record/state_collector.h,\nrecord/event_collector.h). Its commands run in the collector's own thread; the task that is\nobserved has no part in them.",
-"hash": "7d0a0ee41d0e6b9b9423123184f2f5b4", "commands": [{"name": "start_collecting",
-"kind": "void", "ordinal": 1, "wire": "startCollecting",
-"doc": "What is produced from now on is kept; counts begin anew, unless it is collecting already.",
-"queue": 16}, {"name": "stop_collecting", "kind": "void", "ordinal": 2, "wire": "stopCollecting",
-"doc": "What is produced from now on is let go, uncounted.", "queue": 16}, {"name": "set_interval",
-"kind": "write with return", "ordinal": 3, "wire": "setInterval",
-"doc": "From the next row or event on. False: every 0th, or less than no time; nothing changes.",
-"parameters": [{"name": "interval", "type": {"kind": "struct", "name": "suture::CollectingInterval"
-}}], "result": {"type": {"kind": "Bool"}}, "queue": 16}, {"name": "interval", "kind": "read",
-"ordinal": 4, "result": {"type": {"kind": "struct", "name": "suture::CollectingInterval"}},
-"queue": 16}, {"name": "collecting", "kind": "read", "ordinal": 5, "result": {"type": {
-"kind": "Bool"}}, "queue": 16}, {"name": "counts", "kind": "read", "ordinal": 6,
-"doc": "Of the present time of collecting, or of the last one.", "result": {"type": {
-"kind": "struct", "name": "suture::CollectedCounts"}}, "queue": 16}], "events": [], "enums": [],
-"structs": [{"name": "suture::CollectingInterval", "doc": "How much is collected.", "fields": [{
-"name": "every", "doc": "every n-th row or event", "type": {"kind": "UInt32"}, "range": [1.0,
-4294967295.0], "default": 1}, {"name": "atLeast", "doc": "between the stamps of two", "type": {
-"kind": "duration", "period": "1/1000000000"}, "default": 0.0}]}, {
-"name": "suture::CollectedCounts",
-"doc": "What became of the rows or events of a time of collecting. Once the collector has caught up with\nits provider, the three add up to what was produced.",
-"fields": [{"name": "collected", "doc": "handed to the sink", "type": {"kind": "UInt64"},
-"default": 0}, {"name": "passedOver",
-"doc": "left out on purpose: between two that the interval asks for", "type": {"kind": "UInt64"},
-"default": 0}, {"name": "missed",
-"doc": "lost: overwritten or dropped before the collector came to them", "type": {"kind": "UInt64"
-}, "default": 0}]}], "wire": [{"id": "@0xe3eaf7ddf2538295", "kind": "interface",
-"name": "Collecting", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
-"name": "events", "is": "@0xe8cbe73a9ddc44ad"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
-"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "startCollecting",
-"is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
-"at": 2, "name": "stopCollecting", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "setInterval", "is": "kind \"writeReturn\"",
-"parameters": [{"at": 0, "name": "interval", "is": "@0xc55fb930b38c9647"}, {"at": 1, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "Bool"}]}, {"at": 4,
-"name": "interval", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xc55fb930b38c9647"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 5, "name": "collecting",
-"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "Bool"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
-"at": 6, "name": "counts", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0x8130e847fbf0eac6"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xe8cbe73a9ddc44ad", "kind": "interface",
-"name": "CollectingEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
-"name": "row", "is": "@0xdf1d86976a49db70"}]}]}, {"id": "@0xdf1d86976a49db70", "kind": "struct",
-"name": "CollectingStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
-"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
-"name": "interval", "is": "@0xc55fb930b38c9647"}, {"at": 4, "name": "collecting", "is": "Bool"}, {
-"at": 5, "name": "counts", "is": "@0x8130e847fbf0eac6"}]}, {"id": "@0xc55fb930b38c9647",
-"kind": "struct", "name": "CollectingInterval", "members": [{"at": 0, "name": "every",
-"is": "UInt32 = 1"}, {"at": 1, "name": "atLeast", "is": "Int64 period \"1/1000000000\""}]}, {
-"id": "@0x8130e847fbf0eac6", "kind": "struct", "name": "CollectedCounts", "members": [{"at": 0,
-"name": "collected", "is": "UInt64"}, {"at": 1, "name": "passedOver", "is": "UInt64"}, {"at": 2,
-"name": "missed", "is": "UInt64"}]}]})json";
-
 }  // namespace
 
 bool store(const CollectedCounts& value, CollectedCountsSlot& slot) {
@@ -201,14 +111,6 @@ namespace {
 
 bool acceptsCollectingSetInterval(const CollectingSetIntervalArguments& slot, FieldPath* path) {
   return isValid(slot.interval, path) || refusedAt(path, "interval");
-}
-
-bool acceptsCollectingIntervalResult(const CollectingIntervalSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsCollectingCountsResult(const CollectedCountsSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
 }
 
 // --- Collecting over Cap'n Proto RPC: the provider's side
@@ -462,6 +364,92 @@ const suture::rpc::Binding& collectingBinding() {
   static const CollectingBinding kBinding;
   return kBinding;
 }
+
+constexpr CommandInfo kCollectingCommands[] = {
+    {.name = "start_collecting", .kind = CommandKind::Void, .depth = 16},
+    {.name = "stop_collecting", .kind = CommandKind::Void, .depth = 16},
+    {.name = "set_interval",
+     .kind = CommandKind::WriteReturn,
+     .argumentsSize = slotSize<CollectingSetIntervalArguments>,
+     .resultSize = slotSize<std::uint8_t>,
+     .depth = 16,
+     .accepts = checkSlot<CollectingSetIntervalArguments, acceptsCollectingSetInterval>},
+    {.name = "interval",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<CollectingIntervalSlot>,
+     .depth = 16,
+     .column = 0,
+     .acceptsResult = checkSlot<CollectingIntervalSlot, isValid>},
+    {.name = "collecting",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<std::uint8_t>,
+     .depth = 16,
+     .column = 1},
+    {.name = "counts",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<CollectedCountsSlot>,
+     .depth = 16,
+     .column = 2,
+     .acceptsResult = checkSlot<CollectedCountsSlot, isValid>},
+};
+
+// The self-description, as in suture/standard/collecting.suture.json.
+constexpr char kCollectingDescription[] = R"json(
+{"name": "suture::Collecting",
+"doc": "The provided interface \"Collecting\" of every collector (record/state_collector.h,\nrecord/event_collector.h). Its commands run in the collector's own thread; the task that is\nobserved has no part in them.",
+"hash": "7d0a0ee41d0e6b9b9423123184f2f5b4", "commands": [{"name": "start_collecting",
+"kind": "void", "ordinal": 1, "wire": "startCollecting",
+"doc": "What is produced from now on is kept; counts begin anew, unless it is collecting already.",
+"queue": 16}, {"name": "stop_collecting", "kind": "void", "ordinal": 2, "wire": "stopCollecting",
+"doc": "What is produced from now on is let go, uncounted.", "queue": 16}, {"name": "set_interval",
+"kind": "write with return", "ordinal": 3, "wire": "setInterval",
+"doc": "From the next row or event on. False: every 0th, or less than no time; nothing changes.",
+"parameters": [{"name": "interval", "type": {"kind": "struct", "name": "suture::CollectingInterval"
+}}], "result": {"type": {"kind": "Bool"}}, "queue": 16}, {"name": "interval", "kind": "read",
+"ordinal": 4, "result": {"type": {"kind": "struct", "name": "suture::CollectingInterval"}},
+"queue": 16}, {"name": "collecting", "kind": "read", "ordinal": 5, "result": {"type": {
+"kind": "Bool"}}, "queue": 16}, {"name": "counts", "kind": "read", "ordinal": 6,
+"doc": "Of the present time of collecting, or of the last one.", "result": {"type": {
+"kind": "struct", "name": "suture::CollectedCounts"}}, "queue": 16}], "events": [], "enums": [],
+"structs": [{"name": "suture::CollectingInterval", "doc": "How much is collected.", "fields": [{
+"name": "every", "doc": "every n-th row or event", "type": {"kind": "UInt32"}, "range": [1.0,
+4294967295.0], "default": 1}, {"name": "atLeast", "doc": "between the stamps of two", "type": {
+"kind": "duration", "period": "1/1000000000"}, "default": 0.0}]}, {
+"name": "suture::CollectedCounts",
+"doc": "What became of the rows or events of a time of collecting. Once the collector has caught up with\nits provider, the three add up to what was produced.",
+"fields": [{"name": "collected", "doc": "handed to the sink", "type": {"kind": "UInt64"},
+"default": 0}, {"name": "passedOver",
+"doc": "left out on purpose: between two that the interval asks for", "type": {"kind": "UInt64"},
+"default": 0}, {"name": "missed",
+"doc": "lost: overwritten or dropped before the collector came to them", "type": {"kind": "UInt64"
+}, "default": 0}]}], "wire": [{"id": "@0xe3eaf7ddf2538295", "kind": "interface",
+"name": "Collecting", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
+"name": "events", "is": "@0xe8cbe73a9ddc44ad"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
+"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "startCollecting",
+"is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 2, "name": "stopCollecting", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "setInterval", "is": "kind \"writeReturn\"",
+"parameters": [{"at": 0, "name": "interval", "is": "@0xc55fb930b38c9647"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "Bool"}]}, {"at": 4,
+"name": "interval", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xc55fb930b38c9647"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 5, "name": "collecting",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "Bool"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 6, "name": "counts", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0x8130e847fbf0eac6"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xe8cbe73a9ddc44ad", "kind": "interface",
+"name": "CollectingEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
+"name": "row", "is": "@0xdf1d86976a49db70"}]}]}, {"id": "@0xdf1d86976a49db70", "kind": "struct",
+"name": "CollectingStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
+"name": "interval", "is": "@0xc55fb930b38c9647"}, {"at": 4, "name": "collecting", "is": "Bool"}, {
+"at": 5, "name": "counts", "is": "@0x8130e847fbf0eac6"}]}, {"id": "@0xc55fb930b38c9647",
+"kind": "struct", "name": "CollectingInterval", "members": [{"at": 0, "name": "every",
+"is": "UInt32 = 1"}, {"at": 1, "name": "atLeast", "is": "Int64 period \"1/1000000000\""}]}, {
+"id": "@0x8130e847fbf0eac6", "kind": "struct", "name": "CollectedCounts", "members": [{"at": 0,
+"name": "collected", "is": "UInt64"}, {"at": 1, "name": "passedOver", "is": "UInt64"}, {"at": 2,
+"name": "missed", "is": "UInt64"}]}]})json";
 
 }  // namespace
 }  // namespace suture

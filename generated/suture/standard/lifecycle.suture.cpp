@@ -56,113 +56,6 @@ static_assert(std::is_same_v<decltype(StateChange::state), ComponentState>);
 static_assert(std::is_same_v<decltype(StateChange::fault), std::string>);
 static_assert(std::is_same_v<decltype(StateChange::stamp), std::chrono::steady_clock::time_point>);
 
-bool acceptsLifecycleComponentStateResult(const std::uint8_t& slot, FieldPath* path);
-bool acceptsLifecycleResumeConnectionResult(const std::uint8_t& slot, FieldPath* path);
-bool acceptsLifecycleStateChangedEvent(const StateChangeSlot& slot, FieldPath* path);
-
-constexpr CommandInfo kLifecycleCommands[] = {
-    {.name = "suspend",
-     .kind = CommandKind::VoidReturn,
-     .resultSize = slotSize<std::uint8_t>,
-     .depth = 16},
-    {.name = "resume",
-     .kind = CommandKind::VoidReturn,
-     .resultSize = slotSize<std::uint8_t>,
-     .depth = 16},
-    {.name = "component_state",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<std::uint8_t>,
-     .depth = 16,
-     .column = 0,
-     .acceptsResult = checkSlot<std::uint8_t, acceptsLifecycleComponentStateResult>},
-    {.name = "resume_connection",
-     .kind = CommandKind::WriteReturn,
-     .argumentsSize = slotSize<LifecycleResumeConnectionArguments>,
-     .resultSize = slotSize<std::uint8_t>,
-     .depth = 16,
-     .acceptsResult = checkSlot<std::uint8_t, acceptsLifecycleResumeConnectionResult>},
-};
-
-constexpr EventInfo kLifecycleEvents[] = {
-    {.name = "state_changed",
-     .payloadSize = slotSize<StateChangeSlot>,
-     .depth = 16,
-     .latched = true,
-     .accepts = checkSlot<StateChangeSlot, acceptsLifecycleStateChangedEvent>,
-     .shiftPayload = shiftSlot<StateChangeSlot>},
-};
-
-// The self-description, as in suture/standard/lifecycle.suture.json.
-constexpr char kLifecycleDescription[] = R"json(
-{"name": "suture::Lifecycle",
-"doc": "The provided interface \"component\" of every component that a manager has. It is served also\nwhile the component is suspended or faulted.",
-"hash": "72e14ab84ae789d5bf0ab7fb7bb4a807", "commands": [{"name": "suspend",
-"kind": "void with return", "ordinal": 1,
-"doc": "Lets the component do nothing from its next cycle on. False: it is not running.",
-"result": {"type": {"kind": "Bool"}}, "queue": 16}, {"name": "resume", "kind": "void with return",
-"ordinal": 2, "doc": "Lets it go on. False: it is not suspended.", "result": {"type": {
-"kind": "Bool"}}, "queue": 16}, {"name": "component_state", "kind": "read", "ordinal": 3,
-"wire": "componentState", "result": {"type": {"kind": "enum", "name": "suture::ComponentState"}},
-"queue": 16}, {"name": "resume_connection", "kind": "write with return", "ordinal": 4,
-"wire": "resumeConnection",
-"doc": "Lets the commands of a required interface through again, which await their operator after a\nloss or a value that was too old.",
-"parameters": [{"name": "required", "type": {"kind": "text", "capacity": 63}}], "result": {
-"type": {"kind": "enum", "name": "suture::ResumeOutcome"}}, "queue": 16}], "events": [{
-"name": "state_changed", "kind": "write", "ordinal": 1, "wire": "stateChanged",
-"doc": "Once for each transition; whoever subscribes later gets the last.", "payload": {"type": {
-"kind": "struct", "name": "suture::StateChange"}}, "queue": 16, "latched": true}], "enums": [{
-"name": "suture::ComponentState", "underlying": "UInt8", "enumerators": [{"name": "Constructed",
-"value": 0, "wire": "constructed"}, {"name": "Configured", "value": 1, "wire": "configured"}, {
-"name": "Running", "value": 2, "wire": "running"}, {"name": "Suspended", "value": 3,
-"wire": "suspended",
-"doc": "keeps its thread and its connections, and does nothing but wait for resume"}, {
-"name": "Faulted", "value": 4, "wire": "faulted",
-"doc": "a handler or hook threw; the end of this component, not of its process"}, {
-"name": "Stopped", "value": 5, "wire": "stopped"}]}, {"name": "suture::ResumeOutcome",
-"doc": "What has become of a request to let the commands of a connection through again.",
-"underlying": "UInt8", "enumerators": [{"name": "Resumed", "value": 0, "wire": "resumed"}, {
-"name": "Asked", "value": 1, "wire": "asked",
-"doc": "of a device: done when it uses the connection next, unless it is lost then"}, {
-"name": "NoSuchInterface", "value": 2, "wire": "noSuchInterface",
-"doc": "the component requires none of that name"}, {"name": "NotConnected", "value": 3,
-"wire": "notConnected"}, {"name": "NotAwaiting", "value": 4, "wire": "notAwaiting",
-"doc": "it awaits no operator: nothing has to be done"}, {"name": "ProviderLost", "value": 5,
-"wire": "providerLost",
-"doc": "or suspended, or faulted: nobody resumes what is not there, or has just gone"}]}],
-"structs": [{"name": "suture::StateChange", "doc": "A component has come into a state.", "fields": [
-{"name": "state", "type": {"kind": "enum", "name": "suture::ComponentState"},
-"default": "Constructed"}, {"name": "fault",
-"doc": "What was thrown, if the state is Faulted; its end may be cut off.", "type": {
-"kind": "text", "capacity": 255}}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]}
-], "wire": [{"id": "@0xc0c56c9588a77b40", "kind": "interface", "name": "Lifecycle", "members": [{
-"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xa4c750cb89591cca"
-}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]
-}, {"at": 1, "name": "suspend", "is": "kind \"voidReturn\"", "parameters": [{"at": 0,
-"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "Bool"}]}, {"at": 2, "name": "resume", "is": "kind \"voidReturn\"", "parameters": [{"at": 0,
-"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "Bool"}]}, {"at": 3, "name": "componentState", "is": "kind \"read\"", "parameters": [{
-"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "@0x8e5bed957aeeb624"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 4,
-"name": "resumeConnection", "is": "kind \"writeReturn\"", "parameters": [{"at": 0,
-"name": "required", "is": "Text"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "@0xc2c9babc8f01c05f"}]}]}, {
-"id": "@0xa4c750cb89591cca", "kind": "interface", "name": "LifecycleEvents", "members": [{"at": 0,
-"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xf777f0543682aa19"}]}, {"at": 1,
-"name": "stateChanged", "parameters": [{"at": 0, "name": "value", "is": "@0x94110f1e97b939a5"}]}]},
-{"id": "@0xf777f0543682aa19", "kind": "struct", "name": "LifecycleStateRow", "members": [{"at": 0,
-"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "componentState", "is": "@0x8e5bed957aeeb624"
-}]}, {"id": "@0x8e5bed957aeeb624", "kind": "enum", "name": "ComponentState", "members": [{"at": 0,
-"name": "constructed"}, {"at": 1, "name": "configured"}, {"at": 2, "name": "running"}, {"at": 3,
-"name": "suspended"}, {"at": 4, "name": "faulted"}, {"at": 5, "name": "stopped"}]}, {
-"id": "@0x94110f1e97b939a5", "kind": "struct", "name": "StateChange", "members": [{"at": 0,
-"name": "state", "is": "@0x8e5bed957aeeb624"}, {"at": 1, "name": "fault", "is": "Text"}, {"at": 2,
-"name": "stamp", "is": "Int64 clock \"steady\""}]}, {"id": "@0xc2c9babc8f01c05f", "kind": "enum",
-"name": "ResumeOutcome", "members": [{"at": 0, "name": "resumed"}, {"at": 1, "name": "asked"}, {
-"at": 2, "name": "noSuchInterface"}, {"at": 3, "name": "notConnected"}, {"at": 4,
-"name": "notAwaiting"}, {"at": 5, "name": "providerLost"}]}]})json";
-
 }  // namespace
 
 bool store(const StateChange& value, StateChangeSlot& slot) {
@@ -303,10 +196,6 @@ bool acceptsLifecycleComponentStateResult(const std::uint8_t& slot, FieldPath*) 
 
 bool acceptsLifecycleResumeConnectionResult(const std::uint8_t& slot, FieldPath*) {
   return isKnownResumeOutcome(slot);
-}
-
-bool acceptsLifecycleStateChangedEvent(const StateChangeSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
 }
 
 // --- Lifecycle over Cap'n Proto RPC: the provider's side
@@ -530,6 +419,109 @@ const suture::rpc::Binding& lifecycleBinding() {
   static const LifecycleBinding kBinding;
   return kBinding;
 }
+
+constexpr CommandInfo kLifecycleCommands[] = {
+    {.name = "suspend",
+     .kind = CommandKind::VoidReturn,
+     .resultSize = slotSize<std::uint8_t>,
+     .depth = 16},
+    {.name = "resume",
+     .kind = CommandKind::VoidReturn,
+     .resultSize = slotSize<std::uint8_t>,
+     .depth = 16},
+    {.name = "component_state",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<std::uint8_t>,
+     .depth = 16,
+     .column = 0,
+     .acceptsResult = checkSlot<std::uint8_t, acceptsLifecycleComponentStateResult>},
+    {.name = "resume_connection",
+     .kind = CommandKind::WriteReturn,
+     .argumentsSize = slotSize<LifecycleResumeConnectionArguments>,
+     .resultSize = slotSize<std::uint8_t>,
+     .depth = 16,
+     .acceptsResult = checkSlot<std::uint8_t, acceptsLifecycleResumeConnectionResult>},
+};
+
+constexpr EventInfo kLifecycleEvents[] = {
+    {.name = "state_changed",
+     .payloadSize = slotSize<StateChangeSlot>,
+     .depth = 16,
+     .latched = true,
+     .accepts = checkSlot<StateChangeSlot, isValid>,
+     .shiftPayload = shiftSlot<StateChangeSlot>},
+};
+
+// The self-description, as in suture/standard/lifecycle.suture.json.
+constexpr char kLifecycleDescription[] = R"json(
+{"name": "suture::Lifecycle",
+"doc": "The provided interface \"component\" of every component that a manager has. It is served also\nwhile the component is suspended or faulted.",
+"hash": "72e14ab84ae789d5bf0ab7fb7bb4a807", "commands": [{"name": "suspend",
+"kind": "void with return", "ordinal": 1,
+"doc": "Lets the component do nothing from its next cycle on. False: it is not running.",
+"result": {"type": {"kind": "Bool"}}, "queue": 16}, {"name": "resume", "kind": "void with return",
+"ordinal": 2, "doc": "Lets it go on. False: it is not suspended.", "result": {"type": {
+"kind": "Bool"}}, "queue": 16}, {"name": "component_state", "kind": "read", "ordinal": 3,
+"wire": "componentState", "result": {"type": {"kind": "enum", "name": "suture::ComponentState"}},
+"queue": 16}, {"name": "resume_connection", "kind": "write with return", "ordinal": 4,
+"wire": "resumeConnection",
+"doc": "Lets the commands of a required interface through again, which await their operator after a\nloss or a value that was too old.",
+"parameters": [{"name": "required", "type": {"kind": "text", "capacity": 63}}], "result": {
+"type": {"kind": "enum", "name": "suture::ResumeOutcome"}}, "queue": 16}], "events": [{
+"name": "state_changed", "kind": "write", "ordinal": 1, "wire": "stateChanged",
+"doc": "Once for each transition; whoever subscribes later gets the last.", "payload": {"type": {
+"kind": "struct", "name": "suture::StateChange"}}, "queue": 16, "latched": true}], "enums": [{
+"name": "suture::ComponentState", "underlying": "UInt8", "enumerators": [{"name": "Constructed",
+"value": 0, "wire": "constructed"}, {"name": "Configured", "value": 1, "wire": "configured"}, {
+"name": "Running", "value": 2, "wire": "running"}, {"name": "Suspended", "value": 3,
+"wire": "suspended",
+"doc": "keeps its thread and its connections, and does nothing but wait for resume"}, {
+"name": "Faulted", "value": 4, "wire": "faulted",
+"doc": "a handler or hook threw; the end of this component, not of its process"}, {
+"name": "Stopped", "value": 5, "wire": "stopped"}]}, {"name": "suture::ResumeOutcome",
+"doc": "What has become of a request to let the commands of a connection through again.",
+"underlying": "UInt8", "enumerators": [{"name": "Resumed", "value": 0, "wire": "resumed"}, {
+"name": "Asked", "value": 1, "wire": "asked",
+"doc": "of a device: done when it uses the connection next, unless it is lost then"}, {
+"name": "NoSuchInterface", "value": 2, "wire": "noSuchInterface",
+"doc": "the component requires none of that name"}, {"name": "NotConnected", "value": 3,
+"wire": "notConnected"}, {"name": "NotAwaiting", "value": 4, "wire": "notAwaiting",
+"doc": "it awaits no operator: nothing has to be done"}, {"name": "ProviderLost", "value": 5,
+"wire": "providerLost",
+"doc": "or suspended, or faulted: nobody resumes what is not there, or has just gone"}]}],
+"structs": [{"name": "suture::StateChange", "doc": "A component has come into a state.", "fields": [
+{"name": "state", "type": {"kind": "enum", "name": "suture::ComponentState"},
+"default": "Constructed"}, {"name": "fault",
+"doc": "What was thrown, if the state is Faulted; its end may be cut off.", "type": {
+"kind": "text", "capacity": 255}}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]}
+], "wire": [{"id": "@0xc0c56c9588a77b40", "kind": "interface", "name": "Lifecycle", "members": [{
+"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xa4c750cb89591cca"
+}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]
+}, {"at": 1, "name": "suspend", "is": "kind \"voidReturn\"", "parameters": [{"at": 0,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "Bool"}]}, {"at": 2, "name": "resume", "is": "kind \"voidReturn\"", "parameters": [{"at": 0,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "Bool"}]}, {"at": 3, "name": "componentState", "is": "kind \"read\"", "parameters": [{
+"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0x8e5bed957aeeb624"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 4,
+"name": "resumeConnection", "is": "kind \"writeReturn\"", "parameters": [{"at": 0,
+"name": "required", "is": "Text"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xc2c9babc8f01c05f"}]}]}, {
+"id": "@0xa4c750cb89591cca", "kind": "interface", "name": "LifecycleEvents", "members": [{"at": 0,
+"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xf777f0543682aa19"}]}, {"at": 1,
+"name": "stateChanged", "parameters": [{"at": 0, "name": "value", "is": "@0x94110f1e97b939a5"}]}]},
+{"id": "@0xf777f0543682aa19", "kind": "struct", "name": "LifecycleStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "componentState", "is": "@0x8e5bed957aeeb624"
+}]}, {"id": "@0x8e5bed957aeeb624", "kind": "enum", "name": "ComponentState", "members": [{"at": 0,
+"name": "constructed"}, {"at": 1, "name": "configured"}, {"at": 2, "name": "running"}, {"at": 3,
+"name": "suspended"}, {"at": 4, "name": "faulted"}, {"at": 5, "name": "stopped"}]}, {
+"id": "@0x94110f1e97b939a5", "kind": "struct", "name": "StateChange", "members": [{"at": 0,
+"name": "state", "is": "@0x8e5bed957aeeb624"}, {"at": 1, "name": "fault", "is": "Text"}, {"at": 2,
+"name": "stamp", "is": "Int64 clock \"steady\""}]}, {"id": "@0xc2c9babc8f01c05f", "kind": "enum",
+"name": "ResumeOutcome", "members": [{"at": 0, "name": "resumed"}, {"at": 1, "name": "asked"}, {
+"at": 2, "name": "noSuchInterface"}, {"at": 3, "name": "notConnected"}, {"at": 4,
+"name": "notAwaiting"}, {"at": 5, "name": "providerLost"}]}]})json";
 
 }  // namespace
 }  // namespace suture

@@ -38,67 +38,6 @@ static_assert(std::is_same_v<decltype(Message::code), std::uint32_t>);
 static_assert(std::is_same_v<decltype(Message::counter), std::uint32_t>);
 static_assert(std::is_same_v<decltype(Message::stamp), std::chrono::steady_clock::time_point>);
 
-bool acceptsMessagesStatusEvent(const MessageSlot& slot, FieldPath* path);
-bool acceptsMessagesWarningEvent(const MessageSlot& slot, FieldPath* path);
-bool acceptsMessagesErrorEvent(const MessageSlot& slot, FieldPath* path);
-
-constexpr EventInfo kMessagesEvents[] = {
-    {.name = "status",
-     .payloadSize = slotSize<MessageSlot>,
-     .depth = 16,
-     .latched = true,
-     .accepts = checkSlot<MessageSlot, acceptsMessagesStatusEvent>,
-     .shiftPayload = shiftSlot<MessageSlot>},
-    {.name = "warning",
-     .payloadSize = slotSize<MessageSlot>,
-     .depth = 16,
-     .latched = true,
-     .accepts = checkSlot<MessageSlot, acceptsMessagesWarningEvent>,
-     .shiftPayload = shiftSlot<MessageSlot>},
-    {.name = "error",
-     .payloadSize = slotSize<MessageSlot>,
-     .depth = 16,
-     .latched = true,
-     .accepts = checkSlot<MessageSlot, acceptsMessagesErrorEvent>,
-     .shiftPayload = shiftSlot<MessageSlot>},
-};
-
-// The self-description, as in suture/standard/messages.suture.json.
-constexpr char kMessagesDescription[] = R"json(
-{"name": "suture::Messages",
-"doc": "Any component may provide it (message_port.h), and any contract may derive from it (then\nmessage_sender.h sends); whoever listens to messages can connect to both. Each listener keeps\nup to 16 of a kind that it has not handled; more are dropped and counted. Who comes late gets\nthe last of each kind.",
-"hash": "a854c1edb8d67562447b42945d96160c", "commands": [], "events": [{"name": "status",
-"kind": "write", "ordinal": 1, "doc": "All is well; something has been done.", "payload": {
-"type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true}, {
-"name": "warning", "kind": "write", "ordinal": 2,
-"doc": "Something was refused, or is not as it should be; the component goes on.", "payload": {
-"type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true}, {
-"name": "error", "kind": "write", "ordinal": 3,
-"doc": "Something failed, and somebody should see to it.", "payload": {"type": {"kind": "struct",
-"name": "suture::Message"}}, "queue": 16, "latched": true}], "enums": [], "structs": [{
-"name": "suture::Message", "fields": [{"name": "text",
-"doc": "UTF-8, for people. Those who send cut what is longer, and end it in \"...\" then.",
-"type": {"kind": "text", "capacity": 255}}, {"name": "code",
-"doc": "What it is about, by numbers that its sender documents; 0: nothing in particular.",
-"type": {"kind": "UInt32"}, "default": 0}, {"name": "counter",
-"doc": "Counts the messages of its sender, of all three kinds together, from 1: a gap says that the\nlistener has missed some, a number seen before that the last one has been told again.",
-"type": {"kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time",
-"clock": "steady"}}]}], "wire": [{"id": "@0xb16d80f0d2b50980", "kind": "interface",
-"name": "Messages", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
-"name": "events", "is": "@0xa02813b154cdd1d8"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
-"at": 2, "name": "stateMask", "is": "UInt64"}]}]}, {"id": "@0xa02813b154cdd1d8",
-"kind": "interface", "name": "MessagesEvents", "members": [{"at": 0, "name": "state",
-"parameters": [{"at": 0, "name": "row", "is": "@0x814f9864e019fa96"}]}, {"at": 1, "name": "status",
-"parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 2,
-"name": "warning", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {
-"at": 3, "name": "error", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}]
-}, {"id": "@0x814f9864e019fa96", "kind": "struct", "name": "MessagesStateRow", "members": [{
-"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}]}, {"id": "@0xbd6bc34f74980c5d", "kind": "struct",
-"name": "Message", "members": [{"at": 0, "name": "text", "is": "Text"}, {"at": 1, "name": "code",
-"is": "UInt32"}, {"at": 2, "name": "counter", "is": "UInt32"}, {"at": 3, "name": "stamp",
-"is": "Int64 clock \"steady\""}]}]})json";
-
 }  // namespace
 
 bool store(const Message& value, MessageSlot& slot) {
@@ -144,18 +83,6 @@ bool isValid(const MessageSlot&, FieldPath*) {
 }
 
 namespace {
-
-bool acceptsMessagesStatusEvent(const MessageSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsMessagesWarningEvent(const MessageSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsMessagesErrorEvent(const MessageSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
 
 // --- Messages over Cap'n Proto RPC: the provider's side
 
@@ -303,6 +230,63 @@ const suture::rpc::Binding& messagesBinding() {
   static const MessagesBinding kBinding;
   return kBinding;
 }
+
+constexpr EventInfo kMessagesEvents[] = {
+    {.name = "status",
+     .payloadSize = slotSize<MessageSlot>,
+     .depth = 16,
+     .latched = true,
+     .accepts = checkSlot<MessageSlot, isValid>,
+     .shiftPayload = shiftSlot<MessageSlot>},
+    {.name = "warning",
+     .payloadSize = slotSize<MessageSlot>,
+     .depth = 16,
+     .latched = true,
+     .accepts = checkSlot<MessageSlot, isValid>,
+     .shiftPayload = shiftSlot<MessageSlot>},
+    {.name = "error",
+     .payloadSize = slotSize<MessageSlot>,
+     .depth = 16,
+     .latched = true,
+     .accepts = checkSlot<MessageSlot, isValid>,
+     .shiftPayload = shiftSlot<MessageSlot>},
+};
+
+// The self-description, as in suture/standard/messages.suture.json.
+constexpr char kMessagesDescription[] = R"json(
+{"name": "suture::Messages",
+"doc": "Any component may provide it (message_port.h), and any contract may derive from it (then\nmessage_sender.h sends); whoever listens to messages can connect to both. Each listener keeps\nup to 16 of a kind that it has not handled; more are dropped and counted. Who comes late gets\nthe last of each kind.",
+"hash": "a854c1edb8d67562447b42945d96160c", "commands": [], "events": [{"name": "status",
+"kind": "write", "ordinal": 1, "doc": "All is well; something has been done.", "payload": {
+"type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true}, {
+"name": "warning", "kind": "write", "ordinal": 2,
+"doc": "Something was refused, or is not as it should be; the component goes on.", "payload": {
+"type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true}, {
+"name": "error", "kind": "write", "ordinal": 3,
+"doc": "Something failed, and somebody should see to it.", "payload": {"type": {"kind": "struct",
+"name": "suture::Message"}}, "queue": 16, "latched": true}], "enums": [], "structs": [{
+"name": "suture::Message", "fields": [{"name": "text",
+"doc": "UTF-8, for people. Those who send cut what is longer, and end it in \"...\" then.",
+"type": {"kind": "text", "capacity": 255}}, {"name": "code",
+"doc": "What it is about, by numbers that its sender documents; 0: nothing in particular.",
+"type": {"kind": "UInt32"}, "default": 0}, {"name": "counter",
+"doc": "Counts the messages of its sender, of all three kinds together, from 1: a gap says that the\nlistener has missed some, a number seen before that the last one has been told again.",
+"type": {"kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time",
+"clock": "steady"}}]}], "wire": [{"id": "@0xb16d80f0d2b50980", "kind": "interface",
+"name": "Messages", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
+"name": "events", "is": "@0xa02813b154cdd1d8"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
+"at": 2, "name": "stateMask", "is": "UInt64"}]}]}, {"id": "@0xa02813b154cdd1d8",
+"kind": "interface", "name": "MessagesEvents", "members": [{"at": 0, "name": "state",
+"parameters": [{"at": 0, "name": "row", "is": "@0x814f9864e019fa96"}]}, {"at": 1, "name": "status",
+"parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 2,
+"name": "warning", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {
+"at": 3, "name": "error", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}]
+}, {"id": "@0x814f9864e019fa96", "kind": "struct", "name": "MessagesStateRow", "members": [{
+"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}]}, {"id": "@0xbd6bc34f74980c5d", "kind": "struct",
+"name": "Message", "members": [{"at": 0, "name": "text", "is": "Text"}, {"at": 1, "name": "code",
+"is": "UInt32"}, {"at": 2, "name": "counter", "is": "UInt32"}, {"at": 3, "name": "stamp",
+"is": "Int64 clock \"steady\""}]}]})json";
 
 }  // namespace
 }  // namespace suture

@@ -48,83 +48,6 @@ static_assert(std::is_same_v<decltype(TaskWindow::skipped), std::uint64_t>);
 static_assert(std::is_same_v<decltype(TaskWindow::period), DurationSummary>);
 static_assert(std::is_same_v<decltype(TaskWindow::compute), DurationSummary>);
 
-bool acceptsTaskTimingWindowResult(const TaskWindowSlot& slot, FieldPath* path);
-
-constexpr CommandInfo kTaskTimingCommands[] = {
-    {.name = "window",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<TaskWindowSlot>,
-     .depth = 16,
-     .column = 0,
-     .acceptsResult = checkSlot<TaskWindowSlot, acceptsTaskTimingWindowResult>,
-     .shiftResult = shiftSlot<TaskWindowSlot>},
-    {.name = "cycles",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<std::uint64_t>,
-     .depth = 16,
-     .column = 1},
-    {.name = "skipped",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<std::uint64_t>,
-     .depth = 16,
-     .column = 2},
-};
-
-// The self-description, as in suture/standard/task_timing.suture.json.
-constexpr char kTaskTimingDescription[] = R"json(
-{"name": "suture::TaskTiming",
-"doc": "Every task may offer it: `suture::TimingPort timing_{*this};`.",
-"hash": "3f559c6b9501397597b26b0df425de6a", "commands": [{"name": "window", "kind": "read",
-"ordinal": 1,
-"doc": "The last whole window, of 1 s unless the task says otherwise; `end` is unset before the first.",
-"result": {"type": {"kind": "struct", "name": "suture::TaskWindow"}}, "queue": 16}, {
-"name": "cycles", "kind": "read", "ordinal": 2, "doc": "Cycles since the task exists.", "result": {
-"type": {"kind": "UInt64"}}, "queue": 16}, {"name": "skipped", "kind": "read", "ordinal": 3,
-"doc": "Periods or callbacks that passed without a cycle, since the task exists.", "result": {
-"type": {"kind": "UInt64"}}, "queue": 16}], "events": [], "enums": [], "structs": [{
-"name": "suture::DurationSummary", "fields": [{"name": "mean", "type": {"kind": "duration",
-"period": "1/1000000000"}}, {"name": "deviation", "type": {"kind": "duration",
-"period": "1/1000000000"}}, {"name": "min", "type": {"kind": "duration", "period": "1/1000000000"}
-}, {"name": "max", "type": {"kind": "duration", "period": "1/1000000000"}}, {"name": "p99",
-"type": {"kind": "duration", "period": "1/1000000000"}}]}, {"name": "suture::TaskWindow",
-"fields": [{"name": "begin", "doc": "of the first cycle, and of the first of the next window",
-"type": {"kind": "time", "clock": "steady"}}, {"name": "end",
-"doc": "of the first cycle, and of the first of the next window", "type": {"kind": "time",
-"clock": "steady"}}, {"name": "cycles", "doc": "that began within", "type": {"kind": "UInt64"},
-"default": 0}, {"name": "skipped", "doc": "periods or callbacks that passed without a cycle",
-"type": {"kind": "UInt64"}, "default": 0}, {"name": "period",
-"doc": "from the beginning of a cycle to that of the next", "type": {"kind": "struct",
-"name": "suture::DurationSummary"}}, {"name": "compute",
-"doc": "length of a cycle, without those of guests", "type": {"kind": "struct",
-"name": "suture::DurationSummary"}}]}], "wire": [{"id": "@0xcfdd32a232e225bc", "kind": "interface",
-"name": "TaskTiming", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
-"name": "events", "is": "@0xc26eec352b9e05fc"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
-"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "window", "is": "kind \"read\"",
-"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "@0xaf9c44d28d818274"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
-"at": 2, "name": "cycles", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "UInt64"}, {"at": 1,
-"name": "stamp", "is": "Int64"}]}, {"at": 3, "name": "skipped", "is": "kind \"read\"",
-"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "UInt64"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
-"id": "@0xc26eec352b9e05fc", "kind": "interface", "name": "TaskTimingEvents", "members": [{"at": 0,
-"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xeb8d659f884108a8"}]}]}, {
-"id": "@0xeb8d659f884108a8", "kind": "struct", "name": "TaskTimingStateRow", "members": [{"at": 0,
-"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "window", "is": "@0xaf9c44d28d818274"}, {
-"at": 4, "name": "cycles", "is": "UInt64"}, {"at": 5, "name": "skipped", "is": "UInt64"}]}, {
-"id": "@0xaf9c44d28d818274", "kind": "struct", "name": "TaskWindow", "members": [{"at": 0,
-"name": "begin", "is": "Int64 clock \"steady\""}, {"at": 1, "name": "end",
-"is": "Int64 clock \"steady\""}, {"at": 2, "name": "cycles", "is": "UInt64"}, {"at": 3,
-"name": "skipped", "is": "UInt64"}, {"at": 4, "name": "period", "is": "@0x855eca590f7906fe"}, {
-"at": 5, "name": "compute", "is": "@0x855eca590f7906fe"}]}, {"id": "@0x855eca590f7906fe",
-"kind": "struct", "name": "DurationSummary", "members": [{"at": 0, "name": "mean",
-"is": "Int64 period \"1/1000000000\""}, {"at": 1, "name": "deviation",
-"is": "Int64 period \"1/1000000000\""}, {"at": 2, "name": "min",
-"is": "Int64 period \"1/1000000000\""}, {"at": 3, "name": "max",
-"is": "Int64 period \"1/1000000000\""}, {"at": 4, "name": "p99",
-"is": "Int64 period \"1/1000000000\""}]}]})json";
-
 }  // namespace
 
 bool store(const DurationSummary& value, DurationSummarySlot& slot) {
@@ -219,10 +142,6 @@ bool isValid(const TaskWindowSlot& slot, FieldPath* path) {
 }
 
 namespace {
-
-bool acceptsTaskTimingWindowResult(const TaskWindowSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
 
 // --- TaskTiming over Cap'n Proto RPC: the provider's side
 
@@ -422,6 +341,81 @@ const suture::rpc::Binding& taskTimingBinding() {
   static const TaskTimingBinding kBinding;
   return kBinding;
 }
+
+constexpr CommandInfo kTaskTimingCommands[] = {
+    {.name = "window",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<TaskWindowSlot>,
+     .depth = 16,
+     .column = 0,
+     .acceptsResult = checkSlot<TaskWindowSlot, isValid>,
+     .shiftResult = shiftSlot<TaskWindowSlot>},
+    {.name = "cycles",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<std::uint64_t>,
+     .depth = 16,
+     .column = 1},
+    {.name = "skipped",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<std::uint64_t>,
+     .depth = 16,
+     .column = 2},
+};
+
+// The self-description, as in suture/standard/task_timing.suture.json.
+constexpr char kTaskTimingDescription[] = R"json(
+{"name": "suture::TaskTiming",
+"doc": "Every task may offer it: `suture::TimingPort timing_{*this};`.",
+"hash": "3f559c6b9501397597b26b0df425de6a", "commands": [{"name": "window", "kind": "read",
+"ordinal": 1,
+"doc": "The last whole window, of 1 s unless the task says otherwise; `end` is unset before the first.",
+"result": {"type": {"kind": "struct", "name": "suture::TaskWindow"}}, "queue": 16}, {
+"name": "cycles", "kind": "read", "ordinal": 2, "doc": "Cycles since the task exists.", "result": {
+"type": {"kind": "UInt64"}}, "queue": 16}, {"name": "skipped", "kind": "read", "ordinal": 3,
+"doc": "Periods or callbacks that passed without a cycle, since the task exists.", "result": {
+"type": {"kind": "UInt64"}}, "queue": 16}], "events": [], "enums": [], "structs": [{
+"name": "suture::DurationSummary", "fields": [{"name": "mean", "type": {"kind": "duration",
+"period": "1/1000000000"}}, {"name": "deviation", "type": {"kind": "duration",
+"period": "1/1000000000"}}, {"name": "min", "type": {"kind": "duration", "period": "1/1000000000"}
+}, {"name": "max", "type": {"kind": "duration", "period": "1/1000000000"}}, {"name": "p99",
+"type": {"kind": "duration", "period": "1/1000000000"}}]}, {"name": "suture::TaskWindow",
+"fields": [{"name": "begin", "doc": "of the first cycle, and of the first of the next window",
+"type": {"kind": "time", "clock": "steady"}}, {"name": "end",
+"doc": "of the first cycle, and of the first of the next window", "type": {"kind": "time",
+"clock": "steady"}}, {"name": "cycles", "doc": "that began within", "type": {"kind": "UInt64"},
+"default": 0}, {"name": "skipped", "doc": "periods or callbacks that passed without a cycle",
+"type": {"kind": "UInt64"}, "default": 0}, {"name": "period",
+"doc": "from the beginning of a cycle to that of the next", "type": {"kind": "struct",
+"name": "suture::DurationSummary"}}, {"name": "compute",
+"doc": "length of a cycle, without those of guests", "type": {"kind": "struct",
+"name": "suture::DurationSummary"}}]}], "wire": [{"id": "@0xcfdd32a232e225bc", "kind": "interface",
+"name": "TaskTiming", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
+"name": "events", "is": "@0xc26eec352b9e05fc"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
+"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "window", "is": "kind \"read\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "@0xaf9c44d28d818274"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 2, "name": "cycles", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "UInt64"}, {"at": 1,
+"name": "stamp", "is": "Int64"}]}, {"at": 3, "name": "skipped", "is": "kind \"read\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "UInt64"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xc26eec352b9e05fc", "kind": "interface", "name": "TaskTimingEvents", "members": [{"at": 0,
+"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xeb8d659f884108a8"}]}]}, {
+"id": "@0xeb8d659f884108a8", "kind": "struct", "name": "TaskTimingStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "window", "is": "@0xaf9c44d28d818274"}, {
+"at": 4, "name": "cycles", "is": "UInt64"}, {"at": 5, "name": "skipped", "is": "UInt64"}]}, {
+"id": "@0xaf9c44d28d818274", "kind": "struct", "name": "TaskWindow", "members": [{"at": 0,
+"name": "begin", "is": "Int64 clock \"steady\""}, {"at": 1, "name": "end",
+"is": "Int64 clock \"steady\""}, {"at": 2, "name": "cycles", "is": "UInt64"}, {"at": 3,
+"name": "skipped", "is": "UInt64"}, {"at": 4, "name": "period", "is": "@0x855eca590f7906fe"}, {
+"at": 5, "name": "compute", "is": "@0x855eca590f7906fe"}]}, {"id": "@0x855eca590f7906fe",
+"kind": "struct", "name": "DurationSummary", "members": [{"at": 0, "name": "mean",
+"is": "Int64 period \"1/1000000000\""}, {"at": 1, "name": "deviation",
+"is": "Int64 period \"1/1000000000\""}, {"at": 2, "name": "min",
+"is": "Int64 period \"1/1000000000\""}, {"at": 3, "name": "max",
+"is": "Int64 period \"1/1000000000\""}, {"at": 4, "name": "p99",
+"is": "Int64 period \"1/1000000000\""}]}]})json";
 
 }  // namespace
 }  // namespace suture

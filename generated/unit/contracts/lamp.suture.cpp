@@ -32,74 +32,6 @@ using suture::slotIn;
 using suture::slotSize;
 using suture::store;
 
-namespace {
-
-constexpr CommandInfo kLampCommands[] = {
-    {.name = "light",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<LampLightArguments>,
-     .depth = 16},
-    {.name = "lit",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<std::uint8_t>,
-     .depth = 16,
-     .column = 0},
-};
-
-// The self-description, as in unit/contracts/lamp.suture.json.
-constexpr char kLampDescription[] = R"json(
-{"name": "contracts::Lamp", "hash": "01b08049b7531e674d0093087c2ac2b3", "base": "suture::Messages",
-"commands": [{"name": "light", "kind": "write", "ordinal": 1, "parameters": [{"name": "on",
-"type": {"kind": "Bool"}}], "queue": 16}, {"name": "lit", "kind": "read", "ordinal": 2, "result": {
-"type": {"kind": "Bool"}}, "queue": 16}], "events": [{"name": "status", "kind": "write",
-"ordinal": 1, "doc": "All is well; something has been done.", "payload": {"type": {
-"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
-"from": "suture::Messages"}, {"name": "warning", "kind": "write", "ordinal": 2,
-"doc": "Something was refused, or is not as it should be; the component goes on.", "payload": {
-"type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
-"from": "suture::Messages"}, {"name": "error", "kind": "write", "ordinal": 3,
-"doc": "Something failed, and somebody should see to it.", "payload": {"type": {"kind": "struct",
-"name": "suture::Message"}}, "queue": 16, "latched": true, "from": "suture::Messages"}],
-"enums": [], "structs": [{"name": "suture::Message", "fields": [{"name": "text",
-"doc": "UTF-8, for people. Those who send cut what is longer, and end it in \"...\" then.",
-"type": {"kind": "text", "capacity": 255}}, {"name": "code",
-"doc": "What it is about, by numbers that its sender documents; 0: nothing in particular.",
-"type": {"kind": "UInt32"}, "default": 0}, {"name": "counter",
-"doc": "Counts the messages of its sender, of all three kinds together, from 1: a gap says that the\nlistener has missed some, a number seen before that the last one has been told again.",
-"type": {"kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time",
-"clock": "steady"}}]}], "wire": [{"id": "@0xd4cb2344bc7abacc", "kind": "interface", "name": "Lamp",
-"members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events",
-"is": "@0xd29be22d5548c1be"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2,
-"name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "light", "is": "kind \"write\"",
-"parameters": [{"at": 0, "name": "on", "is": "Bool"}, {"at": 1, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "lit", "is": "kind \"read\"", "parameters": [{
-"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "Bool"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xb16d80f0d2b50980",
-"kind": "interface", "name": "Messages", "members": [{"at": 0, "name": "subscribe", "parameters": [
-{"at": 0, "name": "events", "is": "@0xa02813b154cdd1d8"}, {"at": 1, "name": "eventMask",
-"is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}]}, {"id": "@0xa02813b154cdd1d8",
-"kind": "interface", "name": "MessagesEvents", "members": [{"at": 0, "name": "state",
-"parameters": [{"at": 0, "name": "row", "is": "@0x814f9864e019fa96"}]}, {"at": 1, "name": "status",
-"parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 2,
-"name": "warning", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {
-"at": 3, "name": "error", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}]
-}, {"id": "@0x814f9864e019fa96", "kind": "struct", "name": "MessagesStateRow", "members": [{
-"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}]}, {"id": "@0xbd6bc34f74980c5d", "kind": "struct",
-"name": "Message", "members": [{"at": 0, "name": "text", "is": "Text"}, {"at": 1, "name": "code",
-"is": "UInt32"}, {"at": 2, "name": "counter", "is": "UInt32"}, {"at": 3, "name": "stamp",
-"is": "Int64 clock \"steady\""}]}, {"id": "@0xd29be22d5548c1be", "kind": "interface",
-"name": "LampEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row",
-"is": "@0xc60e3f090bda1270"}]}, {"at": 1, "name": "status", "parameters": [{"at": 0,
-"name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 2, "name": "warning", "parameters": [{
-"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 3, "name": "error", "parameters": [
-{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}]}, {"id": "@0xc60e3f090bda1270",
-"kind": "struct", "name": "LampStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {
-"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {
-"at": 3, "name": "lit", "is": "Bool"}]}]})json";
-
-}  // namespace
-
 bool store(const bool& on, LampLightArguments& slot) { return store(on, slot.on); }
 
 namespace {
@@ -315,6 +247,70 @@ const suture::rpc::Binding& lampBinding() {
   static const LampBinding kBinding;
   return kBinding;
 }
+
+constexpr CommandInfo kLampCommands[] = {
+    {.name = "light",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<LampLightArguments>,
+     .depth = 16},
+    {.name = "lit",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<std::uint8_t>,
+     .depth = 16,
+     .column = 0},
+};
+
+// The self-description, as in unit/contracts/lamp.suture.json.
+constexpr char kLampDescription[] = R"json(
+{"name": "contracts::Lamp", "hash": "01b08049b7531e674d0093087c2ac2b3", "base": "suture::Messages",
+"commands": [{"name": "light", "kind": "write", "ordinal": 1, "parameters": [{"name": "on",
+"type": {"kind": "Bool"}}], "queue": 16}, {"name": "lit", "kind": "read", "ordinal": 2, "result": {
+"type": {"kind": "Bool"}}, "queue": 16}], "events": [{"name": "status", "kind": "write",
+"ordinal": 1, "doc": "All is well; something has been done.", "payload": {"type": {
+"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
+"from": "suture::Messages"}, {"name": "warning", "kind": "write", "ordinal": 2,
+"doc": "Something was refused, or is not as it should be; the component goes on.", "payload": {
+"type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
+"from": "suture::Messages"}, {"name": "error", "kind": "write", "ordinal": 3,
+"doc": "Something failed, and somebody should see to it.", "payload": {"type": {"kind": "struct",
+"name": "suture::Message"}}, "queue": 16, "latched": true, "from": "suture::Messages"}],
+"enums": [], "structs": [{"name": "suture::Message", "fields": [{"name": "text",
+"doc": "UTF-8, for people. Those who send cut what is longer, and end it in \"...\" then.",
+"type": {"kind": "text", "capacity": 255}}, {"name": "code",
+"doc": "What it is about, by numbers that its sender documents; 0: nothing in particular.",
+"type": {"kind": "UInt32"}, "default": 0}, {"name": "counter",
+"doc": "Counts the messages of its sender, of all three kinds together, from 1: a gap says that the\nlistener has missed some, a number seen before that the last one has been told again.",
+"type": {"kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time",
+"clock": "steady"}}]}], "wire": [{"id": "@0xd4cb2344bc7abacc", "kind": "interface", "name": "Lamp",
+"members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events",
+"is": "@0xd29be22d5548c1be"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2,
+"name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "light", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "on", "is": "Bool"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "lit", "is": "kind \"read\"", "parameters": [{
+"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "Bool"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xb16d80f0d2b50980",
+"kind": "interface", "name": "Messages", "members": [{"at": 0, "name": "subscribe", "parameters": [
+{"at": 0, "name": "events", "is": "@0xa02813b154cdd1d8"}, {"at": 1, "name": "eventMask",
+"is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}]}, {"id": "@0xa02813b154cdd1d8",
+"kind": "interface", "name": "MessagesEvents", "members": [{"at": 0, "name": "state",
+"parameters": [{"at": 0, "name": "row", "is": "@0x814f9864e019fa96"}]}, {"at": 1, "name": "status",
+"parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 2,
+"name": "warning", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {
+"at": 3, "name": "error", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}]
+}, {"id": "@0x814f9864e019fa96", "kind": "struct", "name": "MessagesStateRow", "members": [{
+"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}]}, {"id": "@0xbd6bc34f74980c5d", "kind": "struct",
+"name": "Message", "members": [{"at": 0, "name": "text", "is": "Text"}, {"at": 1, "name": "code",
+"is": "UInt32"}, {"at": 2, "name": "counter", "is": "UInt32"}, {"at": 3, "name": "stamp",
+"is": "Int64 clock \"steady\""}]}, {"id": "@0xd29be22d5548c1be", "kind": "interface",
+"name": "LampEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row",
+"is": "@0xc60e3f090bda1270"}]}, {"at": 1, "name": "status", "parameters": [{"at": 0,
+"name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 2, "name": "warning", "parameters": [{
+"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 3, "name": "error", "parameters": [
+{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}]}, {"id": "@0xc60e3f090bda1270",
+"kind": "struct", "name": "LampStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {
+"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {
+"at": 3, "name": "lit", "is": "Bool"}]}]})json";
 
 }  // namespace
 }  // namespace contracts

@@ -77,223 +77,6 @@ static_assert(std::is_same_v<decltype(Everything::attitude), Eigen::Quaterniond>
 static_assert(std::is_same_v<decltype(Everything::period), std::chrono::milliseconds>);
 static_assert(std::is_same_v<decltype(Everything::when), std::chrono::steady_clock::time_point>);
 
-bool acceptsArmServoCp(const ArmServoCpArguments& slot, FieldPath* path);
-bool acceptsArmSetSpeed(const ArmSetSpeedArguments& slot, FieldPath* path);
-bool acceptsArmMeasuredCpResult(const PoseStampedSlot& slot, FieldPath* path);
-bool acceptsArmModeResult(const std::int8_t& slot, FieldPath* path);
-bool acceptsArmEverythingResult(const EverythingSlot& slot, FieldPath* path);
-bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot, FieldPath* path);
-bool acceptsArmInverseKinematicsResult(const EverythingSlot& slot, FieldPath* path);
-bool acceptsArmGrasp(const ArmGraspArguments& slot, FieldPath* path);
-bool acceptsArmLoadResult(const double& slot, FieldPath* path);
-bool acceptsArmModeChangedEvent(const std::int8_t& slot, FieldPath* path);
-bool acceptsArmArrivedEvent(const PoseStampedSlot& slot, FieldPath* path);
-bool acceptsArmMovedEvent(const ArmMovedPayload& slot, FieldPath* path);
-
-constexpr CommandInfo kArmCommands[] = {
-    {.name = "enable", .kind = CommandKind::Void, .depth = 4},
-    {.name = "servo_cp",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmServoCpArguments>,
-     .depth = 16,
-     .latest = true,
-     .ttl = Duration(20'000'000),
-     .accepts = checkSlot<ArmServoCpArguments, acceptsArmServoCp>,
-     .shiftArguments = shiftSlot<ArmServoCpArguments>},
-    {.name = "set_speed",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmSetSpeedArguments>,
-     .depth = 16,
-     .accepts = checkSlot<ArmSetSpeedArguments, acceptsArmSetSpeed>},
-    {.name = "measured_cp",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<PoseStampedSlot>,
-     .depth = 16,
-     .column = 0,
-     .acceptsResult = checkSlot<PoseStampedSlot, acceptsArmMeasuredCpResult>,
-     .shiftResult = shiftSlot<PoseStampedSlot>},
-    {.name = "mode",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<std::int8_t>,
-     .depth = 16,
-     .column = 1,
-     .acceptsResult = checkSlot<std::int8_t, acceptsArmModeResult>},
-    {.name = "everything",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<EverythingSlot>,
-     .depth = 16,
-     .column = 2,
-     .acceptsResult = checkSlot<EverythingSlot, acceptsArmEverythingResult>,
-     .shiftResult = shiftSlot<EverythingSlot>},
-    {.name = "inverse_kinematics",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<ArmInverseKinematicsArguments>,
-     .resultSize = slotSize<EverythingSlot>,
-     .depth = 16,
-     .accepts = checkSlot<ArmInverseKinematicsArguments, acceptsArmInverseKinematics>,
-     .acceptsResult = checkSlot<EverythingSlot, acceptsArmInverseKinematicsResult>,
-     .shiftArguments = shiftSlot<ArmInverseKinematicsArguments>,
-     .shiftResult = shiftSlot<EverythingSlot>},
-    {.name = "grasp",
-     .kind = CommandKind::WriteReturn,
-     .argumentsSize = slotSize<ArmGraspArguments>,
-     .resultSize = slotSize<std::uint8_t>,
-     .depth = 2,
-     .deadline = Duration(50'000'000),
-     .accepts = checkSlot<ArmGraspArguments, acceptsArmGrasp>},
-    {.name = "next_token",
-     .kind = CommandKind::VoidReturn,
-     .resultSize = slotSize<std::uint32_t>,
-     .depth = 16},
-    {.name = "park", .kind = CommandKind::Void, .depth = 16, .inCallersThread = true},
-    {.name = "load",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<double>,
-     .depth = 16,
-     .column = 3,
-     .acceptsResult = checkSlot<double, acceptsArmLoadResult>},
-};
-
-constexpr EventInfo kArmEvents[] = {
-    {.name = "mode_changed",
-     .payloadSize = slotSize<std::int8_t>,
-     .depth = 8,
-     .latched = true,
-     .accepts = checkSlot<std::int8_t, acceptsArmModeChangedEvent>},
-    {.name = "stopped", .depth = 16},
-    {.name = "arrived",
-     .payloadSize = slotSize<PoseStampedSlot>,
-     .depth = 16,
-     .accepts = checkSlot<PoseStampedSlot, acceptsArmArrivedEvent>,
-     .shiftPayload = shiftSlot<PoseStampedSlot>},
-    {.name = "moved",
-     .payloadSize = slotSize<ArmMovedPayload>,
-     .depth = 16,
-     .latched = true,
-     .accepts = checkSlot<ArmMovedPayload, acceptsArmMovedEvent>,
-     .shiftPayload = shiftSlot<ArmMovedPayload>},
-};
-
-// The self-description, as in robots/arm.suture.json.
-constexpr char kArmDescription[] = R"json(
-{"name": "robots::Arm", "doc": "A robot arm.", "hash": "098f1414549f8719cb5e7383aff6c956",
-"core": "105905a88a26f5954c1b7ccca0ff990d", "commands": [{"name": "enable", "kind": "void",
-"ordinal": 1, "queue": 4}, {"name": "servo_cp", "kind": "write", "ordinal": 2, "wire": "servoCp",
-"doc": "Follow the goal.", "parameters": [{"name": "goal", "type": {"kind": "struct",
-"name": "robots::PoseStamped"}}], "queue": 16, "latest": true, "ttl": 0.02}, {"name": "set_speed",
-"kind": "write", "ordinal": 3, "wire": "setSpeed", "parameters": [{"name": "speed", "type": {
-"kind": "Float64"}, "unit": "m/s"}], "queue": 16}, {"name": "measured_cp", "kind": "read",
-"ordinal": 4, "wire": "measuredCp", "result": {"type": {"kind": "struct",
-"name": "robots::PoseStamped"}}, "queue": 16}, {"name": "mode", "kind": "read", "ordinal": 5,
-"result": {"type": {"kind": "enum", "name": "robots::Mode"}}, "queue": 16}, {"name": "everything",
-"kind": "read", "ordinal": 6, "result": {"type": {"kind": "struct", "name": "robots::Everything"}},
-"queue": 16}, {"name": "inverse_kinematics", "kind": "qualified read", "ordinal": 7,
-"wire": "inverseKinematics", "parameters": [{"name": "x", "type": {"kind": "struct",
-"name": "robots::PoseStamped"}}, {"name": "tolerance", "type": {"kind": "Float64"}, "range": [0.0,
-1.0]}], "result": {"type": {"kind": "struct", "name": "robots::Everything"}}, "queue": 16}, {
-"name": "grasp", "kind": "write with return", "ordinal": 8,
-"doc": "Closes the gripper; answers whether it holds something.", "parameters": [{"name": "width",
-"type": {"kind": "Float64"}}, {"name": "mode", "type": {"kind": "enum", "name": "robots::Mode"}}],
-"result": {"type": {"kind": "Bool"}}, "queue": 2, "deadline": 0.05}, {"name": "next_token",
-"kind": "void with return", "ordinal": 9, "wire": "nextToken", "result": {"type": {"kind": "UInt32"
-}}, "queue": 16, "since": 1}, {"name": "park", "kind": "void", "ordinal": 10, "queue": 16,
-"optional": true, "direct": true, "deprecated": "use enable"}, {"name": "load", "kind": "read",
-"ordinal": 11, "result": {"type": {"kind": "Float64"}}, "queue": 16, "optional": true}], "events": [
-{"name": "mode_changed", "kind": "write", "ordinal": 1, "wire": "modeChanged", "payload": {
-"type": {"kind": "enum", "name": "robots::Mode"}}, "queue": 8, "latched": true}, {
-"name": "stopped", "kind": "void", "ordinal": 2, "queue": 16}, {"name": "arrived", "kind": "write",
-"ordinal": 3, "payload": {"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16},
-{"name": "moved", "kind": "write", "ordinal": 4, "doc": "Where, how fast and why.", "payload": [{
-"name": "value", "type": {"kind": "struct", "name": "robots::PoseStamped"}}, {"name": "value2",
-"type": {"kind": "Float64"}}, {"name": "value3", "type": {"kind": "enum", "name": "robots::Mode"}}
-], "queue": 16, "latched": true}], "enums": [{"name": "robots::Mode", "doc": "What the arm does.",
-"underlying": "Int8", "enumerators": [{"name": "Disabled", "value": -1, "wire": "disabled"}, {
-"name": "HoldStill", "value": 4, "wire": "holdStill", "doc": "Brakes off, set-point frozen."}, {
-"name": "Servo", "value": 2, "wire": "servo"}]}], "structs": [{"name": "robots::PoseStamped",
-"doc": "A pose with its time.", "fields": [{"name": "pose", "type": {"kind": "isometry",
-"scalar": "Float64"}}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {
-"name": "valid", "type": {"kind": "Bool"}, "default": false}]}, {"name": "robots::Everything",
-"doc": "Every kind of member.\n\nTwo paragraphs.", "fields": [{"name": "on", "type": {
-"kind": "Bool"}, "default": false}, {"name": "tiny", "type": {"kind": "Int8"}, "default": 0}, {
-"name": "count", "type": {"kind": "UInt64"}, "default": 0}, {"name": "speed",
-"doc": "Along the path.", "type": {"kind": "Float64"}, "unit": "m/s", "range": [-0.5, 2.0],
-"default": 0.25}, {"name": "ratio", "type": {"kind": "Float32"}, "default": 0.0}, {"name": "mode",
-"type": {"kind": "enum", "name": "robots::Mode"}, "default": "Servo"}, {"name": "label", "type": {
-"kind": "text", "capacity": 16}}, {"name": "bytes", "type": {"kind": "list", "element": {
-"kind": "UInt8"}, "capacity": 32}}, {"name": "flags", "type": {"kind": "list", "element": {
-"kind": "Bool"}, "capacity": 4}}, {"name": "names", "type": {"kind": "list", "element": {
-"kind": "text", "capacity": 8}, "capacity": 3}}, {"name": "pairs", "type": {"kind": "list",
-"element": {"kind": "array", "element": {"kind": "Float64"}, "length": 2}, "capacity": 5}}, {
-"name": "modes", "type": {"kind": "array", "element": {"kind": "enum", "name": "robots::Mode"},
-"length": 2}}, {"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}, {
-"name": "track", "type": {"kind": "list", "element": {"kind": "struct",
-"name": "robots::PoseStamped"}, "capacity": 2}}, {"name": "point", "type": {"kind": "matrix",
-"scalar": "Float64", "rows": 3, "columns": 1}, "unit": "m"}, {"name": "plane", "type": {
-"kind": "matrix", "scalar": "Float32", "rows": 3, "columns": 1}}, {"name": "inertia", "type": {
-"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 3}}, {"name": "jacobian", "type": {
-"kind": "matrix", "scalar": "Float64", "rows": 6, "columns": 7}}, {"name": "attitude", "type": {
-"kind": "quaternion", "scalar": "Float64"}}, {"name": "period", "type": {"kind": "duration",
-"period": "1/1000"}, "default": 0.0}, {"name": "when", "type": {"kind": "time", "clock": "steady"}}
-]}], "wire": [{"id": "@0x974e120931408f6d", "kind": "interface", "name": "Arm", "members": [{
-"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xa6aa5daf71e0a4ba"
-}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]
-}, {"at": 1, "name": "enable", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "servoCp", "is": "kind \"write\"",
-"parameters": [{"at": 0, "name": "goal", "is": "@0xe61654a89cf5f1dd"}, {"at": 1, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "setSpeed", "is": "kind \"write\"",
-"parameters": [{"at": 0, "name": "speed", "is": "Float64 unit \"m/s\""}, {"at": 1, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 4, "name": "measuredCp", "is": "kind \"read\"",
-"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "@0xe61654a89cf5f1dd"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
-"at": 5, "name": "mode", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xab8c3dd92b2643d4"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 6, "name": "everything",
-"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "@0xe827b555e2bdb416"}, {"at": 1, "name": "stamp",
-"is": "Int64"}]}, {"at": 7, "name": "inverseKinematics", "is": "kind \"qualifiedRead\"",
-"parameters": [{"at": 0, "name": "x", "is": "@0xe61654a89cf5f1dd"}, {"at": 1, "name": "tolerance",
-"is": "Float64"}, {"at": 2, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "@0xe827b555e2bdb416"}]}, {"at": 8, "name": "grasp",
-"is": "kind \"writeReturn\"", "parameters": [{"at": 0, "name": "width", "is": "Float64"}, {"at": 1,
-"name": "mode", "is": "@0xab8c3dd92b2643d4"}, {"at": 2, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "Bool"}]}, {"at": 9,
-"name": "nextToken", "is": "kind \"voidReturn\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "UInt32"}]}, {
-"at": 10, "name": "park", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 11, "name": "load", "is": "kind \"read\"", "parameters": [
-{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "Float64"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xa6aa5daf71e0a4ba",
-"kind": "interface", "name": "ArmEvents", "members": [{"at": 0, "name": "state", "parameters": [{
-"at": 0, "name": "row", "is": "@0xd633b378dcab35c1"}]}, {"at": 1, "name": "modeChanged",
-"parameters": [{"at": 0, "name": "value", "is": "@0xab8c3dd92b2643d4"}]}, {"at": 2,
-"name": "stopped"}, {"at": 3, "name": "arrived", "parameters": [{"at": 0, "name": "value",
-"is": "@0xe61654a89cf5f1dd"}]}, {"at": 4, "name": "moved", "parameters": [{"at": 0, "name": "value",
-"is": "@0xe61654a89cf5f1dd"}, {"at": 1, "name": "value2", "is": "Float64"}, {"at": 2,
-"name": "value3", "is": "@0xab8c3dd92b2643d4"}]}]}, {"id": "@0xd633b378dcab35c1", "kind": "struct",
-"name": "ArmStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
-"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
-"name": "measuredCp", "is": "@0xe61654a89cf5f1dd"}, {"at": 4, "name": "mode",
-"is": "@0xab8c3dd92b2643d4"}, {"at": 5, "name": "everything", "is": "@0xe827b555e2bdb416"}, {
-"at": 6, "name": "load", "is": "Float64"}]}, {"id": "@0xe61654a89cf5f1dd", "kind": "struct",
-"name": "PoseStamped", "members": [{"at": 0, "name": "pose", "is": "/suture/types.capnp:Pose"}, {
-"at": 1, "name": "stamp", "is": "Int64 clock \"steady\""}, {"at": 2, "name": "valid", "is": "Bool"}
-]}, {"id": "@0xab8c3dd92b2643d4", "kind": "enum", "name": "Mode", "members": [{"at": 0,
-"name": "disabled"}, {"at": 1, "name": "holdStill"}, {"at": 2, "name": "servo"}]}, {
-"id": "@0xe827b555e2bdb416", "kind": "struct", "name": "Everything", "members": [{"at": 0,
-"name": "on", "is": "Bool"}, {"at": 1, "name": "tiny", "is": "Int8"}, {"at": 2, "name": "count",
-"is": "UInt64"}, {"at": 3, "name": "speed", "is": "Float64 unit \"m/s\" = 0.25"}, {"at": 4,
-"name": "ratio", "is": "Float32"}, {"at": 5, "name": "mode", "is": "@0xab8c3dd92b2643d4 = servo"}, {
-"at": 6, "name": "label", "is": "Text"}, {"at": 7, "name": "bytes", "is": "Data"}, {"at": 8,
-"name": "flags", "is": "List(Bool)"}, {"at": 9, "name": "names", "is": "List(Text)"}, {"at": 10,
-"name": "pairs", "is": "List(List(Float64)) shape \"*,2\""}, {"at": 11, "name": "modes",
-"is": "List(@0xab8c3dd92b2643d4) shape \"2\""}, {"at": 12, "name": "goal",
-"is": "@0xe61654a89cf5f1dd"}, {"at": 13, "name": "track", "is": "List(@0xe61654a89cf5f1dd)"}, {
-"at": 14, "name": "point", "is": "/suture/types.capnp:Vec3 unit \"m\""}, {"at": 15, "name": "plane",
-"is": "List(Float32) shape \"3x1\""}, {"at": 16, "name": "inertia", "is": "/suture/types.capnp:Mat3"
-}, {"at": 17, "name": "jacobian", "is": "List(Float64) shape \"6x7\""}, {"at": 18,
-"name": "attitude", "is": "/suture/types.capnp:Quat"}, {"at": 19, "name": "period",
-"is": "Int64 period \"1/1000\""}, {"at": 20, "name": "when", "is": "Int64 clock \"steady\""}]}]})json";
-
 }  // namespace
 
 bool store(const Everything& value, EverythingSlot& slot) {
@@ -529,23 +312,11 @@ bool acceptsArmSetSpeed(const ArmSetSpeedArguments& slot, FieldPath* path) {
   return isValid(slot.speed) || refusedAt(path, "speed");
 }
 
-bool acceptsArmMeasuredCpResult(const PoseStampedSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
 bool acceptsArmModeResult(const std::int8_t& slot, FieldPath*) { return isKnownMode(slot); }
-
-bool acceptsArmEverythingResult(const EverythingSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
 
 bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot, FieldPath* path) {
   if (!isValid(slot.x, path)) return refusedAt(path, "x");
   return inRange(slot.tolerance, 0, 1) || refusedAt(path, "tolerance");
-}
-
-bool acceptsArmInverseKinematicsResult(const EverythingSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
 }
 
 bool acceptsArmGrasp(const ArmGraspArguments& slot, FieldPath* path) {
@@ -555,10 +326,6 @@ bool acceptsArmGrasp(const ArmGraspArguments& slot, FieldPath* path) {
 
 bool acceptsArmLoadResult(const double& slot, FieldPath*) { return isValid(slot); }
 bool acceptsArmModeChangedEvent(const std::int8_t& slot, FieldPath*) { return isKnownMode(slot); }
-
-bool acceptsArmArrivedEvent(const PoseStampedSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
 
 bool acceptsArmMovedEvent(const ArmMovedPayload& slot, FieldPath* path) {
   if (!isValid(slot.value, path)) return refusedAt(path, "value");
@@ -982,6 +749,210 @@ const suture::rpc::Binding& armBinding() {
   static const ArmBinding kBinding;
   return kBinding;
 }
+
+constexpr CommandInfo kArmCommands[] = {
+    {.name = "enable", .kind = CommandKind::Void, .depth = 4},
+    {.name = "servo_cp",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<ArmServoCpArguments>,
+     .depth = 16,
+     .latest = true,
+     .ttl = Duration(20'000'000),
+     .accepts = checkSlot<ArmServoCpArguments, acceptsArmServoCp>,
+     .shiftArguments = shiftSlot<ArmServoCpArguments>},
+    {.name = "set_speed",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<ArmSetSpeedArguments>,
+     .depth = 16,
+     .accepts = checkSlot<ArmSetSpeedArguments, acceptsArmSetSpeed>},
+    {.name = "measured_cp",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<PoseStampedSlot>,
+     .depth = 16,
+     .column = 0,
+     .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
+     .shiftResult = shiftSlot<PoseStampedSlot>},
+    {.name = "mode",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<std::int8_t>,
+     .depth = 16,
+     .column = 1,
+     .acceptsResult = checkSlot<std::int8_t, acceptsArmModeResult>},
+    {.name = "everything",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<EverythingSlot>,
+     .depth = 16,
+     .column = 2,
+     .acceptsResult = checkSlot<EverythingSlot, isValid>,
+     .shiftResult = shiftSlot<EverythingSlot>},
+    {.name = "inverse_kinematics",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = slotSize<ArmInverseKinematicsArguments>,
+     .resultSize = slotSize<EverythingSlot>,
+     .depth = 16,
+     .accepts = checkSlot<ArmInverseKinematicsArguments, acceptsArmInverseKinematics>,
+     .acceptsResult = checkSlot<EverythingSlot, isValid>,
+     .shiftArguments = shiftSlot<ArmInverseKinematicsArguments>,
+     .shiftResult = shiftSlot<EverythingSlot>},
+    {.name = "grasp",
+     .kind = CommandKind::WriteReturn,
+     .argumentsSize = slotSize<ArmGraspArguments>,
+     .resultSize = slotSize<std::uint8_t>,
+     .depth = 2,
+     .deadline = Duration(50'000'000),
+     .accepts = checkSlot<ArmGraspArguments, acceptsArmGrasp>},
+    {.name = "next_token",
+     .kind = CommandKind::VoidReturn,
+     .resultSize = slotSize<std::uint32_t>,
+     .depth = 16},
+    {.name = "park", .kind = CommandKind::Void, .depth = 16, .inCallersThread = true},
+    {.name = "load",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<double>,
+     .depth = 16,
+     .column = 3,
+     .acceptsResult = checkSlot<double, acceptsArmLoadResult>},
+};
+
+constexpr EventInfo kArmEvents[] = {
+    {.name = "mode_changed",
+     .payloadSize = slotSize<std::int8_t>,
+     .depth = 8,
+     .latched = true,
+     .accepts = checkSlot<std::int8_t, acceptsArmModeChangedEvent>},
+    {.name = "stopped", .depth = 16},
+    {.name = "arrived",
+     .payloadSize = slotSize<PoseStampedSlot>,
+     .depth = 16,
+     .accepts = checkSlot<PoseStampedSlot, isValid>,
+     .shiftPayload = shiftSlot<PoseStampedSlot>},
+    {.name = "moved",
+     .payloadSize = slotSize<ArmMovedPayload>,
+     .depth = 16,
+     .latched = true,
+     .accepts = checkSlot<ArmMovedPayload, acceptsArmMovedEvent>,
+     .shiftPayload = shiftSlot<ArmMovedPayload>},
+};
+
+// The self-description, as in robots/arm.suture.json.
+constexpr char kArmDescription[] = R"json(
+{"name": "robots::Arm", "doc": "A robot arm.", "hash": "098f1414549f8719cb5e7383aff6c956",
+"core": "105905a88a26f5954c1b7ccca0ff990d", "commands": [{"name": "enable", "kind": "void",
+"ordinal": 1, "queue": 4}, {"name": "servo_cp", "kind": "write", "ordinal": 2, "wire": "servoCp",
+"doc": "Follow the goal.", "parameters": [{"name": "goal", "type": {"kind": "struct",
+"name": "robots::PoseStamped"}}], "queue": 16, "latest": true, "ttl": 0.02}, {"name": "set_speed",
+"kind": "write", "ordinal": 3, "wire": "setSpeed", "parameters": [{"name": "speed", "type": {
+"kind": "Float64"}, "unit": "m/s"}], "queue": 16}, {"name": "measured_cp", "kind": "read",
+"ordinal": 4, "wire": "measuredCp", "result": {"type": {"kind": "struct",
+"name": "robots::PoseStamped"}}, "queue": 16}, {"name": "mode", "kind": "read", "ordinal": 5,
+"result": {"type": {"kind": "enum", "name": "robots::Mode"}}, "queue": 16}, {"name": "everything",
+"kind": "read", "ordinal": 6, "result": {"type": {"kind": "struct", "name": "robots::Everything"}},
+"queue": 16}, {"name": "inverse_kinematics", "kind": "qualified read", "ordinal": 7,
+"wire": "inverseKinematics", "parameters": [{"name": "x", "type": {"kind": "struct",
+"name": "robots::PoseStamped"}}, {"name": "tolerance", "type": {"kind": "Float64"}, "range": [0.0,
+1.0]}], "result": {"type": {"kind": "struct", "name": "robots::Everything"}}, "queue": 16}, {
+"name": "grasp", "kind": "write with return", "ordinal": 8,
+"doc": "Closes the gripper; answers whether it holds something.", "parameters": [{"name": "width",
+"type": {"kind": "Float64"}}, {"name": "mode", "type": {"kind": "enum", "name": "robots::Mode"}}],
+"result": {"type": {"kind": "Bool"}}, "queue": 2, "deadline": 0.05}, {"name": "next_token",
+"kind": "void with return", "ordinal": 9, "wire": "nextToken", "result": {"type": {"kind": "UInt32"
+}}, "queue": 16, "since": 1}, {"name": "park", "kind": "void", "ordinal": 10, "queue": 16,
+"optional": true, "direct": true, "deprecated": "use enable"}, {"name": "load", "kind": "read",
+"ordinal": 11, "result": {"type": {"kind": "Float64"}}, "queue": 16, "optional": true}], "events": [
+{"name": "mode_changed", "kind": "write", "ordinal": 1, "wire": "modeChanged", "payload": {
+"type": {"kind": "enum", "name": "robots::Mode"}}, "queue": 8, "latched": true}, {
+"name": "stopped", "kind": "void", "ordinal": 2, "queue": 16}, {"name": "arrived", "kind": "write",
+"ordinal": 3, "payload": {"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16},
+{"name": "moved", "kind": "write", "ordinal": 4, "doc": "Where, how fast and why.", "payload": [{
+"name": "value", "type": {"kind": "struct", "name": "robots::PoseStamped"}}, {"name": "value2",
+"type": {"kind": "Float64"}}, {"name": "value3", "type": {"kind": "enum", "name": "robots::Mode"}}
+], "queue": 16, "latched": true}], "enums": [{"name": "robots::Mode", "doc": "What the arm does.",
+"underlying": "Int8", "enumerators": [{"name": "Disabled", "value": -1, "wire": "disabled"}, {
+"name": "HoldStill", "value": 4, "wire": "holdStill", "doc": "Brakes off, set-point frozen."}, {
+"name": "Servo", "value": 2, "wire": "servo"}]}], "structs": [{"name": "robots::PoseStamped",
+"doc": "A pose with its time.", "fields": [{"name": "pose", "type": {"kind": "isometry",
+"scalar": "Float64"}}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {
+"name": "valid", "type": {"kind": "Bool"}, "default": false}]}, {"name": "robots::Everything",
+"doc": "Every kind of member.\n\nTwo paragraphs.", "fields": [{"name": "on", "type": {
+"kind": "Bool"}, "default": false}, {"name": "tiny", "type": {"kind": "Int8"}, "default": 0}, {
+"name": "count", "type": {"kind": "UInt64"}, "default": 0}, {"name": "speed",
+"doc": "Along the path.", "type": {"kind": "Float64"}, "unit": "m/s", "range": [-0.5, 2.0],
+"default": 0.25}, {"name": "ratio", "type": {"kind": "Float32"}, "default": 0.0}, {"name": "mode",
+"type": {"kind": "enum", "name": "robots::Mode"}, "default": "Servo"}, {"name": "label", "type": {
+"kind": "text", "capacity": 16}}, {"name": "bytes", "type": {"kind": "list", "element": {
+"kind": "UInt8"}, "capacity": 32}}, {"name": "flags", "type": {"kind": "list", "element": {
+"kind": "Bool"}, "capacity": 4}}, {"name": "names", "type": {"kind": "list", "element": {
+"kind": "text", "capacity": 8}, "capacity": 3}}, {"name": "pairs", "type": {"kind": "list",
+"element": {"kind": "array", "element": {"kind": "Float64"}, "length": 2}, "capacity": 5}}, {
+"name": "modes", "type": {"kind": "array", "element": {"kind": "enum", "name": "robots::Mode"},
+"length": 2}}, {"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}, {
+"name": "track", "type": {"kind": "list", "element": {"kind": "struct",
+"name": "robots::PoseStamped"}, "capacity": 2}}, {"name": "point", "type": {"kind": "matrix",
+"scalar": "Float64", "rows": 3, "columns": 1}, "unit": "m"}, {"name": "plane", "type": {
+"kind": "matrix", "scalar": "Float32", "rows": 3, "columns": 1}}, {"name": "inertia", "type": {
+"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 3}}, {"name": "jacobian", "type": {
+"kind": "matrix", "scalar": "Float64", "rows": 6, "columns": 7}}, {"name": "attitude", "type": {
+"kind": "quaternion", "scalar": "Float64"}}, {"name": "period", "type": {"kind": "duration",
+"period": "1/1000"}, "default": 0.0}, {"name": "when", "type": {"kind": "time", "clock": "steady"}}
+]}], "wire": [{"id": "@0x974e120931408f6d", "kind": "interface", "name": "Arm", "members": [{
+"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xa6aa5daf71e0a4ba"
+}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]
+}, {"at": 1, "name": "enable", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "servoCp", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "goal", "is": "@0xe61654a89cf5f1dd"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "setSpeed", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "speed", "is": "Float64 unit \"m/s\""}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 4, "name": "measuredCp", "is": "kind \"read\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "@0xe61654a89cf5f1dd"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 5, "name": "mode", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xab8c3dd92b2643d4"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 6, "name": "everything",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xe827b555e2bdb416"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 7, "name": "inverseKinematics", "is": "kind \"qualifiedRead\"",
+"parameters": [{"at": 0, "name": "x", "is": "@0xe61654a89cf5f1dd"}, {"at": 1, "name": "tolerance",
+"is": "Float64"}, {"at": 2, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "@0xe827b555e2bdb416"}]}, {"at": 8, "name": "grasp",
+"is": "kind \"writeReturn\"", "parameters": [{"at": 0, "name": "width", "is": "Float64"}, {"at": 1,
+"name": "mode", "is": "@0xab8c3dd92b2643d4"}, {"at": 2, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "Bool"}]}, {"at": 9,
+"name": "nextToken", "is": "kind \"voidReturn\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "UInt32"}]}, {
+"at": 10, "name": "park", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 11, "name": "load", "is": "kind \"read\"", "parameters": [
+{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "Float64"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xa6aa5daf71e0a4ba",
+"kind": "interface", "name": "ArmEvents", "members": [{"at": 0, "name": "state", "parameters": [{
+"at": 0, "name": "row", "is": "@0xd633b378dcab35c1"}]}, {"at": 1, "name": "modeChanged",
+"parameters": [{"at": 0, "name": "value", "is": "@0xab8c3dd92b2643d4"}]}, {"at": 2,
+"name": "stopped"}, {"at": 3, "name": "arrived", "parameters": [{"at": 0, "name": "value",
+"is": "@0xe61654a89cf5f1dd"}]}, {"at": 4, "name": "moved", "parameters": [{"at": 0, "name": "value",
+"is": "@0xe61654a89cf5f1dd"}, {"at": 1, "name": "value2", "is": "Float64"}, {"at": 2,
+"name": "value3", "is": "@0xab8c3dd92b2643d4"}]}]}, {"id": "@0xd633b378dcab35c1", "kind": "struct",
+"name": "ArmStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
+"name": "measuredCp", "is": "@0xe61654a89cf5f1dd"}, {"at": 4, "name": "mode",
+"is": "@0xab8c3dd92b2643d4"}, {"at": 5, "name": "everything", "is": "@0xe827b555e2bdb416"}, {
+"at": 6, "name": "load", "is": "Float64"}]}, {"id": "@0xe61654a89cf5f1dd", "kind": "struct",
+"name": "PoseStamped", "members": [{"at": 0, "name": "pose", "is": "/suture/types.capnp:Pose"}, {
+"at": 1, "name": "stamp", "is": "Int64 clock \"steady\""}, {"at": 2, "name": "valid", "is": "Bool"}
+]}, {"id": "@0xab8c3dd92b2643d4", "kind": "enum", "name": "Mode", "members": [{"at": 0,
+"name": "disabled"}, {"at": 1, "name": "holdStill"}, {"at": 2, "name": "servo"}]}, {
+"id": "@0xe827b555e2bdb416", "kind": "struct", "name": "Everything", "members": [{"at": 0,
+"name": "on", "is": "Bool"}, {"at": 1, "name": "tiny", "is": "Int8"}, {"at": 2, "name": "count",
+"is": "UInt64"}, {"at": 3, "name": "speed", "is": "Float64 unit \"m/s\" = 0.25"}, {"at": 4,
+"name": "ratio", "is": "Float32"}, {"at": 5, "name": "mode", "is": "@0xab8c3dd92b2643d4 = servo"}, {
+"at": 6, "name": "label", "is": "Text"}, {"at": 7, "name": "bytes", "is": "Data"}, {"at": 8,
+"name": "flags", "is": "List(Bool)"}, {"at": 9, "name": "names", "is": "List(Text)"}, {"at": 10,
+"name": "pairs", "is": "List(List(Float64)) shape \"*,2\""}, {"at": 11, "name": "modes",
+"is": "List(@0xab8c3dd92b2643d4) shape \"2\""}, {"at": 12, "name": "goal",
+"is": "@0xe61654a89cf5f1dd"}, {"at": 13, "name": "track", "is": "List(@0xe61654a89cf5f1dd)"}, {
+"at": 14, "name": "point", "is": "/suture/types.capnp:Vec3 unit \"m\""}, {"at": 15, "name": "plane",
+"is": "List(Float32) shape \"3x1\""}, {"at": 16, "name": "inertia", "is": "/suture/types.capnp:Mat3"
+}, {"at": 17, "name": "jacobian", "is": "List(Float64) shape \"6x7\""}, {"at": 18,
+"name": "attitude", "is": "/suture/types.capnp:Quat"}, {"at": 19, "name": "period",
+"is": "Int64 period \"1/1000\""}, {"at": 20, "name": "when", "is": "Int64 clock \"steady\""}]}]})json";
 
 }  // namespace
 }  // namespace robots

@@ -46,56 +46,6 @@ static_assert(std::is_same_v<decltype(cv::Matx33d::val), double[9]>);
 static_assert(std::is_same_v<decltype(View::intrinsics), cv::Matx33d>);
 static_assert(std::is_same_v<decltype(View::points), std::vector<cv::Point3d>>);
 
-bool acceptsCameraAim(const CameraAimArguments& slot, FieldPath* path);
-bool acceptsCameraViewResult(const ViewSlot& slot, FieldPath* path);
-
-constexpr CommandInfo kCameraCommands[] = {
-    {.name = "aim",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<CameraAimArguments>,
-     .depth = 16,
-     .accepts = checkSlot<CameraAimArguments, acceptsCameraAim>},
-    {.name = "view",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<ViewSlot>,
-     .depth = 16,
-     .column = 0,
-     .acceptsResult = checkSlot<ViewSlot, acceptsCameraViewResult>},
-};
-
-// The self-description, as in foreign/opencv.suture.json.
-constexpr char kCameraDescription[] = R"json(
-{"name": "foreign::Camera", "doc": "Both sides of it.", "hash": "bcb581c6a70161984896ecf6f6b5db2e",
-"commands": [{"name": "aim", "kind": "write", "ordinal": 1, "parameters": [{"name": "at", "type": {
-"kind": "struct", "name": "cv::Point3d"}}], "queue": 16}, {"name": "view", "kind": "read",
-"ordinal": 2, "result": {"type": {"kind": "struct", "name": "foreign::View"}}, "queue": 16}],
-"events": [], "enums": [], "structs": [{"name": "cv::Point3d", "fields": [{"name": "x", "type": {
-"kind": "Float64"}}, {"name": "y", "type": {"kind": "Float64"}}, {"name": "z", "type": {
-"kind": "Float64"}}]}, {"name": "cv::Matx33d", "fields": [{"name": "val", "type": {"kind": "array",
-"element": {"kind": "Float64"}, "length": 9}}]}, {"name": "foreign::View",
-"doc": "A camera and what it sees.", "fields": [{"name": "intrinsics", "type": {"kind": "struct",
-"name": "cv::Matx33d"}}, {"name": "points", "type": {"kind": "list", "element": {"kind": "struct",
-"name": "cv::Point3d"}, "capacity": 4}}]}], "wire": [{"id": "@0xe5bd0c82c54c1c8c",
-"kind": "interface", "name": "Camera", "members": [{"at": 0, "name": "subscribe", "parameters": [{
-"at": 0, "name": "events", "is": "@0x8cac637286976832"}, {"at": 1, "name": "eventMask",
-"is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "aim",
-"is": "kind \"write\"", "parameters": [{"at": 0, "name": "at", "is": "@0xd72865b36936b2ff"}, {
-"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "view",
-"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "@0xc334e999633b131f"}, {"at": 1, "name": "stamp",
-"is": "Int64"}]}]}, {"id": "@0x8cac637286976832", "kind": "interface", "name": "CameraEvents",
-"members": [{"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row",
-"is": "@0xb20e8f123205e142"}]}]}, {"id": "@0xb20e8f123205e142", "kind": "struct",
-"name": "CameraStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
-"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
-"name": "view", "is": "@0xc334e999633b131f"}]}, {"id": "@0xc334e999633b131f", "kind": "struct",
-"name": "View", "members": [{"at": 0, "name": "intrinsics", "is": "@0xdd860d932d3f8de3"}, {"at": 1,
-"name": "points", "is": "List(@0xd72865b36936b2ff)"}]}, {"id": "@0xdd860d932d3f8de3",
-"kind": "struct", "name": "Matx33d", "members": [{"at": 0, "name": "val",
-"is": "List(Float64) shape \"9\""}]}, {"id": "@0xd72865b36936b2ff", "kind": "struct",
-"name": "Point3d", "members": [{"at": 0, "name": "x", "is": "Float64"}, {"at": 1, "name": "y",
-"is": "Float64"}, {"at": 2, "name": "z", "is": "Float64"}]}]})json";
-
 }  // namespace
 
 bool store(const cv::Point3d& value, cvPoint3dSlot& slot) {
@@ -206,8 +156,6 @@ namespace {
 bool acceptsCameraAim(const CameraAimArguments& slot, FieldPath* path) {
   return isValid(slot.at, path) || refusedAt(path, "at");
 }
-
-bool acceptsCameraViewResult(const ViewSlot& slot, FieldPath* path) { return isValid(slot, path); }
 
 // --- Camera over Cap'n Proto RPC: the provider's side
 
@@ -361,6 +309,53 @@ const suture::rpc::Binding& cameraBinding() {
   static const CameraBinding kBinding;
   return kBinding;
 }
+
+constexpr CommandInfo kCameraCommands[] = {
+    {.name = "aim",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<CameraAimArguments>,
+     .depth = 16,
+     .accepts = checkSlot<CameraAimArguments, acceptsCameraAim>},
+    {.name = "view",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<ViewSlot>,
+     .depth = 16,
+     .column = 0,
+     .acceptsResult = checkSlot<ViewSlot, isValid>},
+};
+
+// The self-description, as in foreign/opencv.suture.json.
+constexpr char kCameraDescription[] = R"json(
+{"name": "foreign::Camera", "doc": "Both sides of it.", "hash": "bcb581c6a70161984896ecf6f6b5db2e",
+"commands": [{"name": "aim", "kind": "write", "ordinal": 1, "parameters": [{"name": "at", "type": {
+"kind": "struct", "name": "cv::Point3d"}}], "queue": 16}, {"name": "view", "kind": "read",
+"ordinal": 2, "result": {"type": {"kind": "struct", "name": "foreign::View"}}, "queue": 16}],
+"events": [], "enums": [], "structs": [{"name": "cv::Point3d", "fields": [{"name": "x", "type": {
+"kind": "Float64"}}, {"name": "y", "type": {"kind": "Float64"}}, {"name": "z", "type": {
+"kind": "Float64"}}]}, {"name": "cv::Matx33d", "fields": [{"name": "val", "type": {"kind": "array",
+"element": {"kind": "Float64"}, "length": 9}}]}, {"name": "foreign::View",
+"doc": "A camera and what it sees.", "fields": [{"name": "intrinsics", "type": {"kind": "struct",
+"name": "cv::Matx33d"}}, {"name": "points", "type": {"kind": "list", "element": {"kind": "struct",
+"name": "cv::Point3d"}, "capacity": 4}}]}], "wire": [{"id": "@0xe5bd0c82c54c1c8c",
+"kind": "interface", "name": "Camera", "members": [{"at": 0, "name": "subscribe", "parameters": [{
+"at": 0, "name": "events", "is": "@0x8cac637286976832"}, {"at": 1, "name": "eventMask",
+"is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "aim",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "at", "is": "@0xd72865b36936b2ff"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "view",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xc334e999633b131f"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}]}, {"id": "@0x8cac637286976832", "kind": "interface", "name": "CameraEvents",
+"members": [{"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row",
+"is": "@0xb20e8f123205e142"}]}]}, {"id": "@0xb20e8f123205e142", "kind": "struct",
+"name": "CameraStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
+"name": "view", "is": "@0xc334e999633b131f"}]}, {"id": "@0xc334e999633b131f", "kind": "struct",
+"name": "View", "members": [{"at": 0, "name": "intrinsics", "is": "@0xdd860d932d3f8de3"}, {"at": 1,
+"name": "points", "is": "List(@0xd72865b36936b2ff)"}]}, {"id": "@0xdd860d932d3f8de3",
+"kind": "struct", "name": "Matx33d", "members": [{"at": 0, "name": "val",
+"is": "List(Float64) shape \"9\""}]}, {"id": "@0xd72865b36936b2ff", "kind": "struct",
+"name": "Point3d", "members": [{"at": 0, "name": "x", "is": "Float64"}, {"at": 1, "name": "y",
+"is": "Float64"}, {"at": 2, "name": "z", "is": "Float64"}]}]})json";
 
 }  // namespace
 }  // namespace foreign

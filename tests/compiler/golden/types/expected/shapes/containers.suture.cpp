@@ -97,240 +97,6 @@ static_assert(std::is_same_v<decltype(Matrices::scaled), Eigen::Affine3d>);
 static_assert(std::is_same_v<decltype(Matrices::wait),
                              std::chrono::duration<double, std::ratio<1, 1000>>>);
 
-bool acceptsStorePut(const StorePutArguments& slot, FieldPath* path);
-bool acceptsStoreChoose(const StoreChooseArguments& slot, FieldPath* path);
-bool acceptsStoreSequencesResult(const SequencesSlot& slot, FieldPath* path);
-bool acceptsStoreChoicesResult(const ChoicesSlot& slot, FieldPath* path);
-bool acceptsStoreMatricesResult(const MatricesSlot& slot, FieldPath* path);
-bool acceptsStoreReadingResult(const suture::SlotTuple<double, std::int16_t>& slot,
-                               FieldPath* path);
-bool acceptsStoreChangedEvent(const suture::SlotVariant<double, PointSlot>& slot, FieldPath* path);
-
-constexpr CommandInfo kStoreCommands[] = {
-    {.name = "put",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<StorePutArguments>,
-     .depth = 16,
-     .accepts = checkSlot<StorePutArguments, acceptsStorePut>},
-    {.name = "choose",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<StoreChooseArguments>,
-     .depth = 16,
-     .accepts = checkSlot<StoreChooseArguments, acceptsStoreChoose>},
-    {.name = "sequences",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<SequencesSlot>,
-     .depth = 16,
-     .column = 0,
-     .acceptsResult = checkSlot<SequencesSlot, acceptsStoreSequencesResult>},
-    {.name = "choices",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<ChoicesSlot>,
-     .depth = 16,
-     .column = 1,
-     .acceptsResult = checkSlot<ChoicesSlot, acceptsStoreChoicesResult>},
-    {.name = "matrices",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<MatricesSlot>,
-     .depth = 16,
-     .column = 2,
-     .acceptsResult = checkSlot<MatricesSlot, acceptsStoreMatricesResult>},
-    {.name = "reading",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<suture::SlotTuple<double, std::int16_t>>,
-     .depth = 16,
-     .column = 3,
-     .acceptsResult = checkSlot<suture::SlotTuple<double, std::int16_t>, acceptsStoreReadingResult>},
-};
-
-constexpr EventInfo kStoreEvents[] = {
-    {.name = "changed",
-     .payloadSize = slotSize<suture::SlotVariant<double, PointSlot>>,
-     .depth = 16,
-     .accepts = checkSlot<suture::SlotVariant<double, PointSlot>, acceptsStoreChangedEvent>},
-};
-
-// The self-description, as in shapes/containers.suture.json.
-constexpr char kStoreDescription[] = R"json(
-{"name": "shapes::Store", "doc": "Composites right in a contract.",
-"hash": "09303ff7be3e944d6c73c2f9f3a63f1b", "commands": [{"name": "put", "kind": "write",
-"ordinal": 1, "parameters": [{"name": "value", "type": {"kind": "struct",
-"name": "shapes::Sequences"}}], "queue": 16}, {"name": "choose", "kind": "write", "ordinal": 2,
-"parameters": [{"name": "gain", "type": {"kind": "optional", "element": {"kind": "Float64"}}}],
-"queue": 16}, {"name": "sequences", "kind": "read", "ordinal": 3, "result": {"type": {
-"kind": "struct", "name": "shapes::Sequences"}}, "queue": 16}, {"name": "choices", "kind": "read",
-"ordinal": 4, "result": {"type": {"kind": "struct", "name": "shapes::Choices"}}, "queue": 16}, {
-"name": "matrices", "kind": "read", "ordinal": 5, "result": {"type": {"kind": "struct",
-"name": "shapes::Matrices"}}, "queue": 16}, {"name": "reading", "kind": "read", "ordinal": 6,
-"result": {"type": {"kind": "tuple", "elements": [{"kind": "Float64"}, {"kind": "enum",
-"name": "shapes::Level"}]}}, "queue": 16}], "events": [{"name": "changed", "kind": "write",
-"ordinal": 1, "payload": {"type": {"kind": "variant", "alternatives": [{"kind": "Float64"}, {
-"kind": "struct", "name": "shapes::Point"}]}}, "queue": 16}], "enums": [{"name": "shapes::Level",
-"doc": "Sparse, negative, and ready for what later versions add.", "underlying": "Int16",
-"enumerators": [{"name": "Unknown", "value": -1, "wire": "unknown", "fallback": true}, {
-"name": "Low", "value": 10, "wire": "low"}, {"name": "High", "value": 300, "wire": "high"}]}],
-"structs": [{"name": "shapes::Point", "doc": "Parts of other types.", "fields": [{"name": "x",
-"type": {"kind": "Float64"}, "unit": "m", "range": [-10.0, 10.0], "default": 0.0}, {"name": "y",
-"type": {"kind": "Float64"}, "default": 0.0}]}, {"name": "shapes::Sequences",
-"doc": "Sequences, sets and maps.", "fields": [{"name": "bytes", "type": {"kind": "list",
-"element": {"kind": "UInt8"}, "capacity": 8}}, {"name": "one", "type": {"kind": "UInt8"}}, {
-"name": "row", "type": {"kind": "array", "element": {"kind": "Float64"}, "length": 3}}, {
-"name": "grid", "type": {"kind": "array", "element": {"kind": "array", "element": {"kind": "Int32"
-}, "length": 3}, "length": 2}}, {"name": "corners", "type": {"kind": "array", "element": {
-"kind": "struct", "name": "shapes::Point"}, "length": 2}}, {"name": "path", "type": {
-"kind": "list", "element": {"kind": "struct", "name": "shapes::Point"}, "capacity": 3}}, {
-"name": "bits", "type": {"kind": "list", "element": {"kind": "Bool"}, "capacity": 4}}, {
-"name": "flags", "type": {"kind": "list", "element": {"kind": "Bool"}, "capacity": 4}}, {
-"name": "numbers", "type": {"kind": "set", "element": {"kind": "Int32"}, "capacity": 4}}, {
-"name": "words", "type": {"kind": "set", "element": {"kind": "text", "capacity": 6}, "capacity": 3}
-}, {"name": "levels", "type": {"kind": "set", "element": {"kind": "enum", "name": "shapes::Level"},
-"capacity": 3}}, {"name": "gains", "type": {"kind": "map", "key": {"kind": "text", "capacity": 6},
-"value": {"kind": "Float64"}, "capacity": 3}}, {"name": "points", "type": {"kind": "map", "key": {
-"kind": "UInt16"}, "value": {"kind": "struct", "name": "shapes::Point"}, "capacity": 3}}, {
-"name": "series", "type": {"kind": "map", "key": {"kind": "text", "capacity": 4}, "value": {
-"kind": "list", "element": {"kind": "Float32"}, "capacity": 3}, "capacity": 2}}, {"name": "shares",
-"type": {"kind": "map", "key": {"kind": "enum", "name": "shapes::Level"}, "value": {
-"kind": "Float64"}, "capacity": 3}, "range": [0.0, 1.0]}]}, {"name": "shapes::Choices",
-"doc": "What holds one thing or another, or some of each.", "fields": [{"name": "gain", "type": {
-"kind": "optional", "element": {"kind": "Float64"}}}, {"name": "share", "type": {
-"kind": "optional", "element": {"kind": "Float64"}}, "range": [0.0, 1.0]}, {"name": "answer",
-"type": {"kind": "optional", "element": {"kind": "Bool"}}}, {"name": "frame", "type": {
-"kind": "optional", "element": {"kind": "text", "capacity": 8}}}, {"name": "target", "type": {
-"kind": "optional", "element": {"kind": "struct", "name": "shapes::Point"}}}, {"name": "polygon",
-"type": {"kind": "optional", "element": {"kind": "list", "element": {"kind": "struct",
-"name": "shapes::Point"}, "capacity": 2}}}, {"name": "twice", "type": {"kind": "optional",
-"element": {"kind": "optional", "element": {"kind": "Int32"}}}}, {"name": "seen", "type": {
-"kind": "list", "element": {"kind": "optional", "element": {"kind": "matrix", "scalar": "Float64",
-"rows": 3, "columns": 1}}, "capacity": 3}}, {"name": "entry", "type": {"kind": "tuple",
-"elements": [{"kind": "Int32"}, {"kind": "Float64"}]}}, {"name": "triple", "type": {
-"kind": "tuple", "elements": [{"kind": "Bool"}, {"kind": "text", "capacity": 4}, {"kind": "struct",
-"name": "shapes::Point"}]}}, {"name": "either", "type": {"kind": "variant", "alternatives": [{
-"kind": "nothing"}, {"kind": "Float64"}, {"kind": "struct", "name": "shapes::Point"}, {
-"kind": "text", "capacity": 4}, {"kind": "Float64"}]}}, {"name": "nested", "type": {
-"kind": "variant", "alternatives": [{"kind": "enum", "name": "shapes::Level"}, {"kind": "optional",
-"element": {"kind": "struct", "name": "shapes::Point"}}]}}, {"name": "owned", "type": {
-"kind": "optional", "element": {"kind": "struct", "name": "shapes::Point"}}}]}, {
-"name": "shapes::Matrices", "doc": "Eigen types of all kinds.", "fields": [{"name": "joints",
-"type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 4}, "unit": "rad"}, {
-"name": "row", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 3}}, {
-"name": "any", "type": {"kind": "any matrix", "scalar": "Float64", "capacity": [2, 3]}}, {
-"name": "counts", "type": {"kind": "any matrix", "scalar": "Int32", "capacity": [2, 2]}}, {
-"name": "columns", "type": {"kind": "list", "element": {"kind": "matrix", "scalar": "Float64",
-"rows": 3, "columns": 1}, "capacity": 4}}, {"name": "limited", "type": {"kind": "list", "element": {
-"kind": "Float32"}, "capacity": 5}}, {"name": "fixed", "type": {"kind": "matrix",
-"scalar": "Float64", "rows": 4, "columns": 5}}, {"name": "cloud", "type": {"kind": "list",
-"element": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "capacity": 3}}, {
-"name": "wrenches", "type": {"kind": "list", "element": {"kind": "matrix", "scalar": "Float32",
-"rows": 6, "columns": 1}, "capacity": 3}}, {"name": "scaled", "type": {"kind": "affine",
-"scalar": "Float64"}}, {"name": "wait", "type": {"kind": "duration", "period": "1/1000",
-"scalar": "Float64"}, "default": 0.0}]}], "wire": [{"id": "@0xbb0be3e4bb1e6be9",
-"kind": "interface", "name": "Store", "members": [{"at": 0, "name": "subscribe", "parameters": [{
-"at": 0, "name": "events", "is": "@0xe1e2cc5c73c90fe5"}, {"at": 1, "name": "eventMask",
-"is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "put",
-"is": "kind \"write\"", "parameters": [{"at": 0, "name": "value", "is": "@0xdd7a64a833e189af"}, {
-"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "choose",
-"is": "kind \"write\"", "parameters": [{"at": 0, "name": "gain", "is": "@0x9a6cebde1c465fb4"}, {
-"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "sequences",
-"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "@0xdd7a64a833e189af"}, {"at": 1, "name": "stamp",
-"is": "Int64"}]}, {"at": 4, "name": "choices", "is": "kind \"read\"", "parameters": [{"at": 0,
-"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "@0xbda4c87a7b3da61e"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 5,
-"name": "matrices", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xd5b880c1c2797353"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 6, "name": "reading", "is": "kind \"read\"",
-"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "@0xfdb609e41c4ccca5"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
-"id": "@0xe1e2cc5c73c90fe5", "kind": "interface", "name": "StoreEvents", "members": [{"at": 0,
-"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xca120faf75e33fa7"}]}, {"at": 1,
-"name": "changed", "parameters": [{"at": 0, "name": "value", "is": "@0x8f220204a5e1de49"}]}]}, {
-"id": "@0xca120faf75e33fa7", "kind": "struct", "name": "StoreStateRow", "members": [{"at": 0,
-"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "sequences", "is": "@0xdd7a64a833e189af"}, {
-"at": 4, "name": "choices", "is": "@0xbda4c87a7b3da61e"}, {"at": 5, "name": "matrices",
-"is": "@0xd5b880c1c2797353"}, {"at": 6, "name": "reading", "is": "@0xfdb609e41c4ccca5"}]}, {
-"id": "@0xdd7a64a833e189af", "kind": "struct", "name": "Sequences", "members": [{"at": 0,
-"name": "bytes", "is": "Data"}, {"at": 1, "name": "one", "is": "UInt8"}, {"at": 2, "name": "row",
-"is": "List(Float64) shape \"3\""}, {"at": 3, "name": "grid",
-"is": "List(List(Int32)) shape \"2,3\""}, {"at": 4, "name": "corners",
-"is": "List(@0xb51a57f43829556b) shape \"2\""}, {"at": 5, "name": "path",
-"is": "List(@0xb51a57f43829556b)"}, {"at": 6, "name": "bits", "is": "List(Bool)"}, {"at": 7,
-"name": "flags", "is": "List(Bool)"}, {"at": 8, "name": "numbers", "is": "List(Int32)"}, {"at": 9,
-"name": "words", "is": "List(Text)"}, {"at": 10, "name": "levels", "is": "List(@0xa46142666f1d7c70)"
-}, {"at": 11, "name": "gains", "is": "List(@0xe48709dcb204eab3)"}, {"at": 12, "name": "points",
-"is": "List(@0x802b99a8ef527e43)"}, {"at": 13, "name": "series", "is": "List(@0xe8944577cbd7d345)"
-}, {"at": 14, "name": "shares", "is": "List(@0xd457ac67cfb958f3)"}]}, {"id": "@0xb51a57f43829556b",
-"kind": "struct", "name": "Point", "members": [{"at": 0, "name": "x", "is": "Float64 unit \"m\""}, {
-"at": 1, "name": "y", "is": "Float64"}]}, {"id": "@0xa46142666f1d7c70", "kind": "enum",
-"name": "Level", "members": [{"at": 0, "name": "unknown"}, {"at": 1, "name": "low"}, {"at": 2,
-"name": "high"}]}, {"id": "@0xe48709dcb204eab3", "kind": "struct",
-"name": "ShapesContainersEntryOfTextToFloat64", "members": [{"at": 0, "name": "key", "is": "Text"},
-{"at": 1, "name": "value", "is": "Float64"}]}, {"id": "@0x802b99a8ef527e43", "kind": "struct",
-"name": "ShapesContainersEntryOfUInt16ToPoint", "members": [{"at": 0, "name": "key", "is": "UInt16"
-}, {"at": 1, "name": "value", "is": "@0xb51a57f43829556b"}]}, {"id": "@0xe8944577cbd7d345",
-"kind": "struct", "name": "ShapesContainersEntryOfTextToListOfFloat32", "members": [{"at": 0,
-"name": "key", "is": "Text"}, {"at": 1, "name": "value", "is": "List(Float32)"}]}, {
-"id": "@0xd457ac67cfb958f3", "kind": "struct", "name": "ShapesContainersEntryOfLevelToFloat64",
-"members": [{"at": 0, "name": "key", "is": "@0xa46142666f1d7c70"}, {"at": 1, "name": "value",
-"is": "Float64"}]}, {"id": "@0xbda4c87a7b3da61e", "kind": "struct", "name": "Choices", "members": [
-{"at": 0, "name": "gain", "is": "@0x9a6cebde1c465fb4"}, {"at": 1, "name": "share",
-"is": "@0x9a6cebde1c465fb4"}, {"at": 2, "name": "answer", "is": "@0x87471a777724acdf"}, {"at": 3,
-"name": "frame", "is": "@0xa13ea2f47ac175b5"}, {"at": 4, "name": "target",
-"is": "@0x93456d793990e99b"}, {"at": 5, "name": "polygon", "is": "@0x87412f55480b65f2"}, {"at": 6,
-"name": "twice", "is": "@0x997d382cf61c2bb6"}, {"at": 7, "name": "seen",
-"is": "List(@0x93f6eb2708268fd2)"}, {"at": 8, "name": "entry", "is": "@0xa8fca31255af753f"}, {
-"at": 9, "name": "triple", "is": "@0xd1cc96f9d5534dc0"}, {"at": 10, "name": "either",
-"is": "@0xaf3aba732f52a3c6"}, {"at": 11, "name": "nested", "is": "@0xb44eaa716e9d1cae"}, {"at": 12,
-"name": "owned", "is": "@0x93456d793990e99b"}]}, {"id": "@0x9a6cebde1c465fb4", "kind": "union",
-"name": "ShapesContainersOptionalFloat64", "members": [{"at": 0, "name": "none", "is": "Void"}, {
-"at": 1, "name": "some", "is": "Float64"}]}, {"id": "@0x87471a777724acdf", "kind": "union",
-"name": "ShapesContainersOptionalBool", "members": [{"at": 0, "name": "none", "is": "Void"}, {
-"at": 1, "name": "some", "is": "Bool"}]}, {"id": "@0xa13ea2f47ac175b5", "kind": "union",
-"name": "ShapesContainersOptionalText", "members": [{"at": 0, "name": "none", "is": "Void"}, {
-"at": 1, "name": "some", "is": "Text"}]}, {"id": "@0x93456d793990e99b", "kind": "union",
-"name": "ShapesContainersOptionalPoint", "members": [{"at": 0, "name": "none", "is": "Void"}, {
-"at": 1, "name": "some", "is": "@0xb51a57f43829556b"}]}, {"id": "@0x87412f55480b65f2",
-"kind": "union", "name": "ShapesContainersOptionalListOfPoint", "members": [{"at": 0,
-"name": "none", "is": "Void"}, {"at": 1, "name": "some", "is": "List(@0xb51a57f43829556b)"}]}, {
-"id": "@0x997d382cf61c2bb6", "kind": "union", "name": "ShapesContainersOptionalOptionalInt32",
-"members": [{"at": 0, "name": "none", "is": "Void"}, {"at": 1, "name": "some",
-"is": "@0x89f4ac8eee93a31a"}]}, {"id": "@0x89f4ac8eee93a31a", "kind": "union",
-"name": "ShapesContainersOptionalInt32", "members": [{"at": 0, "name": "none", "is": "Void"}, {
-"at": 1, "name": "some", "is": "Int32"}]}, {"id": "@0x93f6eb2708268fd2", "kind": "union",
-"name": "ShapesContainersOptionalVec3", "members": [{"at": 0, "name": "none", "is": "Void"}, {
-"at": 1, "name": "some", "is": "/suture/types.capnp:Vec3"}]}, {"id": "@0xa8fca31255af753f",
-"kind": "struct", "name": "ShapesContainersTupleOfInt32AndFloat64", "members": [{"at": 0,
-"name": "item0", "is": "Int32"}, {"at": 1, "name": "item1", "is": "Float64"}]}, {
-"id": "@0xd1cc96f9d5534dc0", "kind": "struct", "name": "ShapesContainersTupleOfBoolAndTextAndPoint",
-"members": [{"at": 0, "name": "item0", "is": "Bool"}, {"at": 1, "name": "item1", "is": "Text"}, {
-"at": 2, "name": "item2", "is": "@0xb51a57f43829556b"}]}, {"id": "@0xaf3aba732f52a3c6",
-"kind": "union", "name": "ShapesContainersEitherOfNothingOrFloat64OrPointOrTextOrFloat64",
-"members": [{"at": 0, "name": "nothing", "is": "Void"}, {"at": 1, "name": "float64", "is": "Float64"
-}, {"at": 2, "name": "point", "is": "@0xb51a57f43829556b"}, {"at": 3, "name": "text", "is": "Text"
-}, {"at": 4, "name": "float64At4", "is": "Float64"}]}, {"id": "@0xb44eaa716e9d1cae",
-"kind": "union", "name": "ShapesContainersEitherOfLevelOrOptionalPoint", "members": [{"at": 0,
-"name": "level", "is": "@0xa46142666f1d7c70"}, {"at": 1, "name": "optionalPoint",
-"is": "@0x93456d793990e99b"}]}, {"id": "@0xd5b880c1c2797353", "kind": "struct", "name": "Matrices",
-"members": [{"at": 0, "name": "joints", "is": "List(Float64) unit \"rad\""}, {"at": 1,
-"name": "row", "is": "List(Float64)"}, {"at": 2, "name": "any", "is": "@0xe30c2c9ae5b373ec"}, {
-"at": 3, "name": "counts", "is": "@0xcf91b55ab5eb9027"}, {"at": 4, "name": "columns",
-"is": "List(Float64) shape \"*,3x1\""}, {"at": 5, "name": "limited", "is": "List(Float32)"}, {
-"at": 6, "name": "fixed", "is": "List(Float64) shape \"4x5\""}, {"at": 7, "name": "cloud",
-"is": "List(Float64) shape \"*,3x1\""}, {"at": 8, "name": "wrenches",
-"is": "List(Float32) shape \"*,6x1\""}, {"at": 9, "name": "scaled",
-"is": "/suture/types.capnp:Pose shape \"affine\""}, {"at": 10, "name": "wait",
-"is": "Float64 period \"1/1000\""}]}, {"id": "@0xe30c2c9ae5b373ec", "kind": "struct",
-"name": "ShapesContainersAnyMatrixOfFloat64", "members": [{"at": 0, "name": "rows", "is": "UInt32"
-}, {"at": 1, "name": "columns", "is": "UInt32"}, {"at": 2, "name": "data", "is": "List(Float64)"}]
-}, {"id": "@0xcf91b55ab5eb9027", "kind": "struct", "name": "ShapesContainersAnyMatrixOfInt32",
-"members": [{"at": 0, "name": "rows", "is": "UInt32"}, {"at": 1, "name": "columns", "is": "UInt32"
-}, {"at": 2, "name": "data", "is": "List(Int32)"}]}, {"id": "@0xfdb609e41c4ccca5", "kind": "struct",
-"name": "ShapesContainersTupleOfFloat64AndLevel", "members": [{"at": 0, "name": "item0",
-"is": "Float64"}, {"at": 1, "name": "item1", "is": "@0xa46142666f1d7c70"}]}, {
-"id": "@0x8f220204a5e1de49", "kind": "union", "name": "ShapesContainersEitherOfFloat64OrPoint",
-"members": [{"at": 0, "name": "float64", "is": "Float64"}, {"at": 1, "name": "point",
-"is": "@0xb51a57f43829556b"}]}]})json";
-
 }  // namespace
 
 bool store(const Point& value, PointSlot& slot) {
@@ -1041,18 +807,6 @@ bool acceptsStoreChoose(const StoreChooseArguments& slot, FieldPath* path) {
   return isValid(slot.gain, path) || refusedAt(path, "gain");
 }
 
-bool acceptsStoreSequencesResult(const SequencesSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsStoreChoicesResult(const ChoicesSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
-bool acceptsStoreMatricesResult(const MatricesSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
 bool acceptsStoreReadingResult(const suture::SlotTuple<double, std::int16_t>& slot,
                                FieldPath* path) {
   return isValid(slot, path);
@@ -1345,6 +1099,231 @@ const suture::rpc::Binding& storeBinding() {
   static const StoreBinding kBinding;
   return kBinding;
 }
+
+constexpr CommandInfo kStoreCommands[] = {
+    {.name = "put",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<StorePutArguments>,
+     .depth = 16,
+     .accepts = checkSlot<StorePutArguments, acceptsStorePut>},
+    {.name = "choose",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<StoreChooseArguments>,
+     .depth = 16,
+     .accepts = checkSlot<StoreChooseArguments, acceptsStoreChoose>},
+    {.name = "sequences",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<SequencesSlot>,
+     .depth = 16,
+     .column = 0,
+     .acceptsResult = checkSlot<SequencesSlot, isValid>},
+    {.name = "choices",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<ChoicesSlot>,
+     .depth = 16,
+     .column = 1,
+     .acceptsResult = checkSlot<ChoicesSlot, isValid>},
+    {.name = "matrices",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<MatricesSlot>,
+     .depth = 16,
+     .column = 2,
+     .acceptsResult = checkSlot<MatricesSlot, isValid>},
+    {.name = "reading",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<suture::SlotTuple<double, std::int16_t>>,
+     .depth = 16,
+     .column = 3,
+     .acceptsResult = checkSlot<suture::SlotTuple<double, std::int16_t>, acceptsStoreReadingResult>},
+};
+
+constexpr EventInfo kStoreEvents[] = {
+    {.name = "changed",
+     .payloadSize = slotSize<suture::SlotVariant<double, PointSlot>>,
+     .depth = 16,
+     .accepts = checkSlot<suture::SlotVariant<double, PointSlot>, acceptsStoreChangedEvent>},
+};
+
+// The self-description, as in shapes/containers.suture.json.
+constexpr char kStoreDescription[] = R"json(
+{"name": "shapes::Store", "doc": "Composites right in a contract.",
+"hash": "09303ff7be3e944d6c73c2f9f3a63f1b", "commands": [{"name": "put", "kind": "write",
+"ordinal": 1, "parameters": [{"name": "value", "type": {"kind": "struct",
+"name": "shapes::Sequences"}}], "queue": 16}, {"name": "choose", "kind": "write", "ordinal": 2,
+"parameters": [{"name": "gain", "type": {"kind": "optional", "element": {"kind": "Float64"}}}],
+"queue": 16}, {"name": "sequences", "kind": "read", "ordinal": 3, "result": {"type": {
+"kind": "struct", "name": "shapes::Sequences"}}, "queue": 16}, {"name": "choices", "kind": "read",
+"ordinal": 4, "result": {"type": {"kind": "struct", "name": "shapes::Choices"}}, "queue": 16}, {
+"name": "matrices", "kind": "read", "ordinal": 5, "result": {"type": {"kind": "struct",
+"name": "shapes::Matrices"}}, "queue": 16}, {"name": "reading", "kind": "read", "ordinal": 6,
+"result": {"type": {"kind": "tuple", "elements": [{"kind": "Float64"}, {"kind": "enum",
+"name": "shapes::Level"}]}}, "queue": 16}], "events": [{"name": "changed", "kind": "write",
+"ordinal": 1, "payload": {"type": {"kind": "variant", "alternatives": [{"kind": "Float64"}, {
+"kind": "struct", "name": "shapes::Point"}]}}, "queue": 16}], "enums": [{"name": "shapes::Level",
+"doc": "Sparse, negative, and ready for what later versions add.", "underlying": "Int16",
+"enumerators": [{"name": "Unknown", "value": -1, "wire": "unknown", "fallback": true}, {
+"name": "Low", "value": 10, "wire": "low"}, {"name": "High", "value": 300, "wire": "high"}]}],
+"structs": [{"name": "shapes::Point", "doc": "Parts of other types.", "fields": [{"name": "x",
+"type": {"kind": "Float64"}, "unit": "m", "range": [-10.0, 10.0], "default": 0.0}, {"name": "y",
+"type": {"kind": "Float64"}, "default": 0.0}]}, {"name": "shapes::Sequences",
+"doc": "Sequences, sets and maps.", "fields": [{"name": "bytes", "type": {"kind": "list",
+"element": {"kind": "UInt8"}, "capacity": 8}}, {"name": "one", "type": {"kind": "UInt8"}}, {
+"name": "row", "type": {"kind": "array", "element": {"kind": "Float64"}, "length": 3}}, {
+"name": "grid", "type": {"kind": "array", "element": {"kind": "array", "element": {"kind": "Int32"
+}, "length": 3}, "length": 2}}, {"name": "corners", "type": {"kind": "array", "element": {
+"kind": "struct", "name": "shapes::Point"}, "length": 2}}, {"name": "path", "type": {
+"kind": "list", "element": {"kind": "struct", "name": "shapes::Point"}, "capacity": 3}}, {
+"name": "bits", "type": {"kind": "list", "element": {"kind": "Bool"}, "capacity": 4}}, {
+"name": "flags", "type": {"kind": "list", "element": {"kind": "Bool"}, "capacity": 4}}, {
+"name": "numbers", "type": {"kind": "set", "element": {"kind": "Int32"}, "capacity": 4}}, {
+"name": "words", "type": {"kind": "set", "element": {"kind": "text", "capacity": 6}, "capacity": 3}
+}, {"name": "levels", "type": {"kind": "set", "element": {"kind": "enum", "name": "shapes::Level"},
+"capacity": 3}}, {"name": "gains", "type": {"kind": "map", "key": {"kind": "text", "capacity": 6},
+"value": {"kind": "Float64"}, "capacity": 3}}, {"name": "points", "type": {"kind": "map", "key": {
+"kind": "UInt16"}, "value": {"kind": "struct", "name": "shapes::Point"}, "capacity": 3}}, {
+"name": "series", "type": {"kind": "map", "key": {"kind": "text", "capacity": 4}, "value": {
+"kind": "list", "element": {"kind": "Float32"}, "capacity": 3}, "capacity": 2}}, {"name": "shares",
+"type": {"kind": "map", "key": {"kind": "enum", "name": "shapes::Level"}, "value": {
+"kind": "Float64"}, "capacity": 3}, "range": [0.0, 1.0]}]}, {"name": "shapes::Choices",
+"doc": "What holds one thing or another, or some of each.", "fields": [{"name": "gain", "type": {
+"kind": "optional", "element": {"kind": "Float64"}}}, {"name": "share", "type": {
+"kind": "optional", "element": {"kind": "Float64"}}, "range": [0.0, 1.0]}, {"name": "answer",
+"type": {"kind": "optional", "element": {"kind": "Bool"}}}, {"name": "frame", "type": {
+"kind": "optional", "element": {"kind": "text", "capacity": 8}}}, {"name": "target", "type": {
+"kind": "optional", "element": {"kind": "struct", "name": "shapes::Point"}}}, {"name": "polygon",
+"type": {"kind": "optional", "element": {"kind": "list", "element": {"kind": "struct",
+"name": "shapes::Point"}, "capacity": 2}}}, {"name": "twice", "type": {"kind": "optional",
+"element": {"kind": "optional", "element": {"kind": "Int32"}}}}, {"name": "seen", "type": {
+"kind": "list", "element": {"kind": "optional", "element": {"kind": "matrix", "scalar": "Float64",
+"rows": 3, "columns": 1}}, "capacity": 3}}, {"name": "entry", "type": {"kind": "tuple",
+"elements": [{"kind": "Int32"}, {"kind": "Float64"}]}}, {"name": "triple", "type": {
+"kind": "tuple", "elements": [{"kind": "Bool"}, {"kind": "text", "capacity": 4}, {"kind": "struct",
+"name": "shapes::Point"}]}}, {"name": "either", "type": {"kind": "variant", "alternatives": [{
+"kind": "nothing"}, {"kind": "Float64"}, {"kind": "struct", "name": "shapes::Point"}, {
+"kind": "text", "capacity": 4}, {"kind": "Float64"}]}}, {"name": "nested", "type": {
+"kind": "variant", "alternatives": [{"kind": "enum", "name": "shapes::Level"}, {"kind": "optional",
+"element": {"kind": "struct", "name": "shapes::Point"}}]}}, {"name": "owned", "type": {
+"kind": "optional", "element": {"kind": "struct", "name": "shapes::Point"}}}]}, {
+"name": "shapes::Matrices", "doc": "Eigen types of all kinds.", "fields": [{"name": "joints",
+"type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 4}, "unit": "rad"}, {
+"name": "row", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 3}}, {
+"name": "any", "type": {"kind": "any matrix", "scalar": "Float64", "capacity": [2, 3]}}, {
+"name": "counts", "type": {"kind": "any matrix", "scalar": "Int32", "capacity": [2, 2]}}, {
+"name": "columns", "type": {"kind": "list", "element": {"kind": "matrix", "scalar": "Float64",
+"rows": 3, "columns": 1}, "capacity": 4}}, {"name": "limited", "type": {"kind": "list", "element": {
+"kind": "Float32"}, "capacity": 5}}, {"name": "fixed", "type": {"kind": "matrix",
+"scalar": "Float64", "rows": 4, "columns": 5}}, {"name": "cloud", "type": {"kind": "list",
+"element": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "capacity": 3}}, {
+"name": "wrenches", "type": {"kind": "list", "element": {"kind": "matrix", "scalar": "Float32",
+"rows": 6, "columns": 1}, "capacity": 3}}, {"name": "scaled", "type": {"kind": "affine",
+"scalar": "Float64"}}, {"name": "wait", "type": {"kind": "duration", "period": "1/1000",
+"scalar": "Float64"}, "default": 0.0}]}], "wire": [{"id": "@0xbb0be3e4bb1e6be9",
+"kind": "interface", "name": "Store", "members": [{"at": 0, "name": "subscribe", "parameters": [{
+"at": 0, "name": "events", "is": "@0xe1e2cc5c73c90fe5"}, {"at": 1, "name": "eventMask",
+"is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "put",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "value", "is": "@0xdd7a64a833e189af"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "choose",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "gain", "is": "@0x9a6cebde1c465fb4"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "sequences",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xdd7a64a833e189af"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 4, "name": "choices", "is": "kind \"read\"", "parameters": [{"at": 0,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0xbda4c87a7b3da61e"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 5,
+"name": "matrices", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xd5b880c1c2797353"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 6, "name": "reading", "is": "kind \"read\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "@0xfdb609e41c4ccca5"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xe1e2cc5c73c90fe5", "kind": "interface", "name": "StoreEvents", "members": [{"at": 0,
+"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xca120faf75e33fa7"}]}, {"at": 1,
+"name": "changed", "parameters": [{"at": 0, "name": "value", "is": "@0x8f220204a5e1de49"}]}]}, {
+"id": "@0xca120faf75e33fa7", "kind": "struct", "name": "StoreStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "sequences", "is": "@0xdd7a64a833e189af"}, {
+"at": 4, "name": "choices", "is": "@0xbda4c87a7b3da61e"}, {"at": 5, "name": "matrices",
+"is": "@0xd5b880c1c2797353"}, {"at": 6, "name": "reading", "is": "@0xfdb609e41c4ccca5"}]}, {
+"id": "@0xdd7a64a833e189af", "kind": "struct", "name": "Sequences", "members": [{"at": 0,
+"name": "bytes", "is": "Data"}, {"at": 1, "name": "one", "is": "UInt8"}, {"at": 2, "name": "row",
+"is": "List(Float64) shape \"3\""}, {"at": 3, "name": "grid",
+"is": "List(List(Int32)) shape \"2,3\""}, {"at": 4, "name": "corners",
+"is": "List(@0xb51a57f43829556b) shape \"2\""}, {"at": 5, "name": "path",
+"is": "List(@0xb51a57f43829556b)"}, {"at": 6, "name": "bits", "is": "List(Bool)"}, {"at": 7,
+"name": "flags", "is": "List(Bool)"}, {"at": 8, "name": "numbers", "is": "List(Int32)"}, {"at": 9,
+"name": "words", "is": "List(Text)"}, {"at": 10, "name": "levels", "is": "List(@0xa46142666f1d7c70)"
+}, {"at": 11, "name": "gains", "is": "List(@0xe48709dcb204eab3)"}, {"at": 12, "name": "points",
+"is": "List(@0x802b99a8ef527e43)"}, {"at": 13, "name": "series", "is": "List(@0xe8944577cbd7d345)"
+}, {"at": 14, "name": "shares", "is": "List(@0xd457ac67cfb958f3)"}]}, {"id": "@0xb51a57f43829556b",
+"kind": "struct", "name": "Point", "members": [{"at": 0, "name": "x", "is": "Float64 unit \"m\""}, {
+"at": 1, "name": "y", "is": "Float64"}]}, {"id": "@0xa46142666f1d7c70", "kind": "enum",
+"name": "Level", "members": [{"at": 0, "name": "unknown"}, {"at": 1, "name": "low"}, {"at": 2,
+"name": "high"}]}, {"id": "@0xe48709dcb204eab3", "kind": "struct",
+"name": "ShapesContainersEntryOfTextToFloat64", "members": [{"at": 0, "name": "key", "is": "Text"},
+{"at": 1, "name": "value", "is": "Float64"}]}, {"id": "@0x802b99a8ef527e43", "kind": "struct",
+"name": "ShapesContainersEntryOfUInt16ToPoint", "members": [{"at": 0, "name": "key", "is": "UInt16"
+}, {"at": 1, "name": "value", "is": "@0xb51a57f43829556b"}]}, {"id": "@0xe8944577cbd7d345",
+"kind": "struct", "name": "ShapesContainersEntryOfTextToListOfFloat32", "members": [{"at": 0,
+"name": "key", "is": "Text"}, {"at": 1, "name": "value", "is": "List(Float32)"}]}, {
+"id": "@0xd457ac67cfb958f3", "kind": "struct", "name": "ShapesContainersEntryOfLevelToFloat64",
+"members": [{"at": 0, "name": "key", "is": "@0xa46142666f1d7c70"}, {"at": 1, "name": "value",
+"is": "Float64"}]}, {"id": "@0xbda4c87a7b3da61e", "kind": "struct", "name": "Choices", "members": [
+{"at": 0, "name": "gain", "is": "@0x9a6cebde1c465fb4"}, {"at": 1, "name": "share",
+"is": "@0x9a6cebde1c465fb4"}, {"at": 2, "name": "answer", "is": "@0x87471a777724acdf"}, {"at": 3,
+"name": "frame", "is": "@0xa13ea2f47ac175b5"}, {"at": 4, "name": "target",
+"is": "@0x93456d793990e99b"}, {"at": 5, "name": "polygon", "is": "@0x87412f55480b65f2"}, {"at": 6,
+"name": "twice", "is": "@0x997d382cf61c2bb6"}, {"at": 7, "name": "seen",
+"is": "List(@0x93f6eb2708268fd2)"}, {"at": 8, "name": "entry", "is": "@0xa8fca31255af753f"}, {
+"at": 9, "name": "triple", "is": "@0xd1cc96f9d5534dc0"}, {"at": 10, "name": "either",
+"is": "@0xaf3aba732f52a3c6"}, {"at": 11, "name": "nested", "is": "@0xb44eaa716e9d1cae"}, {"at": 12,
+"name": "owned", "is": "@0x93456d793990e99b"}]}, {"id": "@0x9a6cebde1c465fb4", "kind": "union",
+"name": "ShapesContainersOptionalFloat64", "members": [{"at": 0, "name": "none", "is": "Void"}, {
+"at": 1, "name": "some", "is": "Float64"}]}, {"id": "@0x87471a777724acdf", "kind": "union",
+"name": "ShapesContainersOptionalBool", "members": [{"at": 0, "name": "none", "is": "Void"}, {
+"at": 1, "name": "some", "is": "Bool"}]}, {"id": "@0xa13ea2f47ac175b5", "kind": "union",
+"name": "ShapesContainersOptionalText", "members": [{"at": 0, "name": "none", "is": "Void"}, {
+"at": 1, "name": "some", "is": "Text"}]}, {"id": "@0x93456d793990e99b", "kind": "union",
+"name": "ShapesContainersOptionalPoint", "members": [{"at": 0, "name": "none", "is": "Void"}, {
+"at": 1, "name": "some", "is": "@0xb51a57f43829556b"}]}, {"id": "@0x87412f55480b65f2",
+"kind": "union", "name": "ShapesContainersOptionalListOfPoint", "members": [{"at": 0,
+"name": "none", "is": "Void"}, {"at": 1, "name": "some", "is": "List(@0xb51a57f43829556b)"}]}, {
+"id": "@0x997d382cf61c2bb6", "kind": "union", "name": "ShapesContainersOptionalOptionalInt32",
+"members": [{"at": 0, "name": "none", "is": "Void"}, {"at": 1, "name": "some",
+"is": "@0x89f4ac8eee93a31a"}]}, {"id": "@0x89f4ac8eee93a31a", "kind": "union",
+"name": "ShapesContainersOptionalInt32", "members": [{"at": 0, "name": "none", "is": "Void"}, {
+"at": 1, "name": "some", "is": "Int32"}]}, {"id": "@0x93f6eb2708268fd2", "kind": "union",
+"name": "ShapesContainersOptionalVec3", "members": [{"at": 0, "name": "none", "is": "Void"}, {
+"at": 1, "name": "some", "is": "/suture/types.capnp:Vec3"}]}, {"id": "@0xa8fca31255af753f",
+"kind": "struct", "name": "ShapesContainersTupleOfInt32AndFloat64", "members": [{"at": 0,
+"name": "item0", "is": "Int32"}, {"at": 1, "name": "item1", "is": "Float64"}]}, {
+"id": "@0xd1cc96f9d5534dc0", "kind": "struct", "name": "ShapesContainersTupleOfBoolAndTextAndPoint",
+"members": [{"at": 0, "name": "item0", "is": "Bool"}, {"at": 1, "name": "item1", "is": "Text"}, {
+"at": 2, "name": "item2", "is": "@0xb51a57f43829556b"}]}, {"id": "@0xaf3aba732f52a3c6",
+"kind": "union", "name": "ShapesContainersEitherOfNothingOrFloat64OrPointOrTextOrFloat64",
+"members": [{"at": 0, "name": "nothing", "is": "Void"}, {"at": 1, "name": "float64", "is": "Float64"
+}, {"at": 2, "name": "point", "is": "@0xb51a57f43829556b"}, {"at": 3, "name": "text", "is": "Text"
+}, {"at": 4, "name": "float64At4", "is": "Float64"}]}, {"id": "@0xb44eaa716e9d1cae",
+"kind": "union", "name": "ShapesContainersEitherOfLevelOrOptionalPoint", "members": [{"at": 0,
+"name": "level", "is": "@0xa46142666f1d7c70"}, {"at": 1, "name": "optionalPoint",
+"is": "@0x93456d793990e99b"}]}, {"id": "@0xd5b880c1c2797353", "kind": "struct", "name": "Matrices",
+"members": [{"at": 0, "name": "joints", "is": "List(Float64) unit \"rad\""}, {"at": 1,
+"name": "row", "is": "List(Float64)"}, {"at": 2, "name": "any", "is": "@0xe30c2c9ae5b373ec"}, {
+"at": 3, "name": "counts", "is": "@0xcf91b55ab5eb9027"}, {"at": 4, "name": "columns",
+"is": "List(Float64) shape \"*,3x1\""}, {"at": 5, "name": "limited", "is": "List(Float32)"}, {
+"at": 6, "name": "fixed", "is": "List(Float64) shape \"4x5\""}, {"at": 7, "name": "cloud",
+"is": "List(Float64) shape \"*,3x1\""}, {"at": 8, "name": "wrenches",
+"is": "List(Float32) shape \"*,6x1\""}, {"at": 9, "name": "scaled",
+"is": "/suture/types.capnp:Pose shape \"affine\""}, {"at": 10, "name": "wait",
+"is": "Float64 period \"1/1000\""}]}, {"id": "@0xe30c2c9ae5b373ec", "kind": "struct",
+"name": "ShapesContainersAnyMatrixOfFloat64", "members": [{"at": 0, "name": "rows", "is": "UInt32"
+}, {"at": 1, "name": "columns", "is": "UInt32"}, {"at": 2, "name": "data", "is": "List(Float64)"}]
+}, {"id": "@0xcf91b55ab5eb9027", "kind": "struct", "name": "ShapesContainersAnyMatrixOfInt32",
+"members": [{"at": 0, "name": "rows", "is": "UInt32"}, {"at": 1, "name": "columns", "is": "UInt32"
+}, {"at": 2, "name": "data", "is": "List(Int32)"}]}, {"id": "@0xfdb609e41c4ccca5", "kind": "struct",
+"name": "ShapesContainersTupleOfFloat64AndLevel", "members": [{"at": 0, "name": "item0",
+"is": "Float64"}, {"at": 1, "name": "item1", "is": "@0xa46142666f1d7c70"}]}, {
+"id": "@0x8f220204a5e1de49", "kind": "union", "name": "ShapesContainersEitherOfFloat64OrPoint",
+"members": [{"at": 0, "name": "float64", "is": "Float64"}, {"at": 1, "name": "point",
+"is": "@0xb51a57f43829556b"}]}]})json";
 
 }  // namespace
 }  // namespace shapes

@@ -62,151 +62,6 @@ static_assert(std::is_same_v<decltype(Moments::entry),
 static_assert(std::is_same_v<decltype(Moments::either),
                              std::variant<std::int64_t, std::chrono::steady_clock::time_point, shapes::Moment>>);
 
-bool acceptsJournalMomentsResult(const MomentsSlot& slot, FieldPath* path);
-bool acceptsJournalFindResult(const suture::SlotOptional<MomentSlot>& slot, FieldPath* path);
-bool acceptsJournalChangedEvent(const JournalChangedPayload& slot, FieldPath* path);
-
-void shiftJournalLatestResult(std::int64_t& slot, Duration shift) { slot = shifted(slot, shift); }
-
-void shiftJournalFindResult(suture::SlotOptional<MomentSlot>& slot, Duration shift) {
-  if (slot.present != 0) {
-    shiftStamps(slot.value, shift);
-  }
-}
-
-constexpr CommandInfo kJournalCommands[] = {
-    {.name = "put",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<JournalPutArguments>,
-     .depth = 16,
-     .shiftArguments = shiftSlot<JournalPutArguments>},
-    {.name = "count",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<JournalCountArguments>,
-     .depth = 16},
-    {.name = "latest",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<std::int64_t>,
-     .depth = 16,
-     .column = 0,
-     .shiftResult = shiftSlot<std::int64_t, shiftJournalLatestResult>},
-    {.name = "moments",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<MomentsSlot>,
-     .depth = 16,
-     .column = 1,
-     .acceptsResult = checkSlot<MomentsSlot, acceptsJournalMomentsResult>,
-     .shiftResult = shiftSlot<MomentsSlot>},
-    {.name = "find",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<JournalFindArguments>,
-     .resultSize = slotSize<suture::SlotOptional<MomentSlot>>,
-     .depth = 16,
-     .acceptsResult = checkSlot<suture::SlotOptional<MomentSlot>, acceptsJournalFindResult>,
-     .shiftResult = shiftSlot<suture::SlotOptional<MomentSlot>, shiftJournalFindResult>},
-};
-
-void shiftJournalAddedPayload(std::int64_t& slot, Duration shift) { slot = shifted(slot, shift); }
-
-constexpr EventInfo kJournalEvents[] = {
-    {.name = "added",
-     .payloadSize = slotSize<std::int64_t>,
-     .depth = 16,
-     .shiftPayload = shiftSlot<std::int64_t, shiftJournalAddedPayload>},
-    {.name = "changed",
-     .payloadSize = slotSize<JournalChangedPayload>,
-     .depth = 16,
-     .accepts = checkSlot<JournalChangedPayload, acceptsJournalChangedEvent>,
-     .shiftPayload = shiftSlot<JournalChangedPayload>},
-    {.name = "counted", .payloadSize = slotSize<std::int64_t>, .depth = 16},
-};
-
-// The self-description, as in shapes/moments.suture.json.
-constexpr char kJournalDescription[] = R"json(
-{"name": "shapes::Journal",
-"doc": "Right in a contract: the arguments, the results and the payloads.",
-"hash": "616300cf11e2f3ab86da08935e74abc7", "commands": [{"name": "put", "kind": "write",
-"ordinal": 1, "parameters": [{"name": "from", "type": {"kind": "time", "clock": "steady"}}, {
-"name": "number", "type": {"kind": "Int64"}}], "queue": 16}, {"name": "count", "kind": "write",
-"ordinal": 2, "parameters": [{"name": "number", "type": {"kind": "Int64"}}], "queue": 16}, {
-"name": "latest", "kind": "read", "ordinal": 3, "result": {"type": {"kind": "time",
-"clock": "steady"}}, "queue": 16}, {"name": "moments", "kind": "read", "ordinal": 4, "result": {
-"type": {"kind": "struct", "name": "shapes::Moments"}}, "queue": 16}, {"name": "find",
-"kind": "qualified read", "ordinal": 5, "parameters": [{"name": "number", "type": {"kind": "Int64"}
-}], "result": {"type": {"kind": "optional", "element": {"kind": "struct", "name": "shapes::Moment"}
-}}, "queue": 16}], "events": [{"name": "added", "kind": "write", "ordinal": 1, "payload": {
-"type": {"kind": "time", "clock": "steady"}}, "queue": 16}, {"name": "changed", "kind": "write",
-"ordinal": 2, "payload": [{"name": "value", "type": {"kind": "struct", "name": "shapes::Moment"}}, {
-"name": "value2", "type": {"kind": "Int64"}}], "queue": 16}, {"name": "counted", "kind": "write",
-"ordinal": 3, "payload": {"type": {"kind": "Int64"}}, "queue": 16}], "enums": [], "structs": [{
-"name": "shapes::Moment", "doc": "Of both clocks: only one is shifted.", "fields": [{
-"name": "steady", "type": {"kind": "time", "clock": "steady"}}, {"name": "system", "type": {
-"kind": "time", "clock": "system"}}, {"name": "number", "type": {"kind": "Int64"}, "default": 0}]},
-{"name": "shapes::Moments", "doc": "One in each container.", "fields": [{"name": "pair", "type": {
-"kind": "array", "element": {"kind": "time", "clock": "steady"}, "length": 2}}, {"name": "list",
-"type": {"kind": "list", "element": {"kind": "time", "clock": "steady"}, "capacity": 3}}, {
-"name": "moments", "type": {"kind": "list", "element": {"kind": "struct", "name": "shapes::Moment"
-}, "capacity": 2}}, {"name": "nested", "type": {"kind": "list", "element": {"kind": "list",
-"element": {"kind": "time", "clock": "steady"}, "capacity": 2}, "capacity": 2}}, {
-"name": "byNumber", "type": {"kind": "map", "key": {"kind": "Int32"}, "value": {"kind": "time",
-"clock": "steady"}, "capacity": 2}}, {"name": "perhaps", "type": {"kind": "optional", "element": {
-"kind": "time", "clock": "steady"}}}, {"name": "moment", "type": {"kind": "optional", "element": {
-"kind": "struct", "name": "shapes::Moment"}}}, {"name": "entry", "type": {"kind": "tuple",
-"elements": [{"kind": "Int64"}, {"kind": "time", "clock": "steady"}, {"kind": "struct",
-"name": "shapes::Moment"}]}}, {"name": "either", "type": {"kind": "variant", "alternatives": [{
-"kind": "Int64"}, {"kind": "time", "clock": "steady"}, {"kind": "struct", "name": "shapes::Moment"}
-]}}]}], "wire": [{"id": "@0xc3053cb224b0c85f", "kind": "interface", "name": "Journal", "members": [
-{"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events",
-"is": "@0xf44a38be83c21076"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2,
-"name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "put", "is": "kind \"write\"",
-"parameters": [{"at": 0, "name": "from", "is": "Int64 clock \"steady\""}, {"at": 1,
-"name": "number", "is": "Int64"}, {"at": 2, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
-"at": 2, "name": "count", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "number",
-"is": "Int64"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 3,
-"name": "latest", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "Int64 clock \"steady\""}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 4,
-"name": "moments", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xea2eb3c4e250494c"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 5, "name": "find",
-"is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "number", "is": "Int64"}, {
-"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "@0x808a81b58e533e44"}]}]}, {"id": "@0xf44a38be83c21076", "kind": "interface",
-"name": "JournalEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
-"name": "row", "is": "@0xb5363f8a2843600b"}]}, {"at": 1, "name": "added", "parameters": [{"at": 0,
-"name": "value", "is": "Int64 clock \"steady\""}]}, {"at": 2, "name": "changed", "parameters": [{
-"at": 0, "name": "value", "is": "@0xde2753d08ad0e07b"}, {"at": 1, "name": "value2", "is": "Int64"}]
-}, {"at": 3, "name": "counted", "parameters": [{"at": 0, "name": "value", "is": "Int64"}]}]}, {
-"id": "@0xb5363f8a2843600b", "kind": "struct", "name": "JournalStateRow", "members": [{"at": 0,
-"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "latest", "is": "Int64 clock \"steady\""}, {
-"at": 4, "name": "moments", "is": "@0xea2eb3c4e250494c"}]}, {"id": "@0xea2eb3c4e250494c",
-"kind": "struct", "name": "Moments", "members": [{"at": 0, "name": "pair",
-"is": "List(Int64) clock \"steady\" shape \"2\""}, {"at": 1, "name": "list",
-"is": "List(Int64) clock \"steady\""}, {"at": 2, "name": "moments",
-"is": "List(@0xde2753d08ad0e07b)"}, {"at": 3, "name": "nested",
-"is": "List(List(Int64)) clock \"steady\""}, {"at": 4, "name": "byNumber",
-"is": "List(@0xef7b71232d559ed6)"}, {"at": 5, "name": "perhaps", "is": "@0x86ffd776cef10d3b"}, {
-"at": 6, "name": "moment", "is": "@0x808a81b58e533e44"}, {"at": 7, "name": "entry",
-"is": "@0xff5b5cd02a32aa90"}, {"at": 8, "name": "either", "is": "@0xed7215ce608528ed"}]}, {
-"id": "@0xde2753d08ad0e07b", "kind": "struct", "name": "Moment", "members": [{"at": 0,
-"name": "steady", "is": "Int64 clock \"steady\""}, {"at": 1, "name": "system",
-"is": "Int64 clock \"system\""}, {"at": 2, "name": "number", "is": "Int64"}]}, {
-"id": "@0xef7b71232d559ed6", "kind": "struct", "name": "ShapesMomentsEntryOfInt32ToSteadyTime",
-"members": [{"at": 0, "name": "key", "is": "Int32"}, {"at": 1, "name": "value",
-"is": "Int64 clock \"steady\""}]}, {"id": "@0x86ffd776cef10d3b", "kind": "union",
-"name": "ShapesMomentsOptionalSteadyTime", "members": [{"at": 0, "name": "none", "is": "Void"}, {
-"at": 1, "name": "some", "is": "Int64 clock \"steady\""}]}, {"id": "@0x808a81b58e533e44",
-"kind": "union", "name": "ShapesMomentsOptionalMoment", "members": [{"at": 0, "name": "none",
-"is": "Void"}, {"at": 1, "name": "some", "is": "@0xde2753d08ad0e07b"}]}, {
-"id": "@0xff5b5cd02a32aa90", "kind": "struct",
-"name": "ShapesMomentsTupleOfInt64AndSteadyTimeAndMoment", "members": [{"at": 0, "name": "item0",
-"is": "Int64"}, {"at": 1, "name": "item1", "is": "Int64 clock \"steady\""}, {"at": 2,
-"name": "item2", "is": "@0xde2753d08ad0e07b"}]}, {"id": "@0xed7215ce608528ed", "kind": "union",
-"name": "ShapesMomentsEitherOfInt64OrSteadyTimeOrMoment", "members": [{"at": 0, "name": "int64",
-"is": "Int64"}, {"at": 1, "name": "steadyTime", "is": "Int64 clock \"steady\""}, {"at": 2,
-"name": "moment", "is": "@0xde2753d08ad0e07b"}]}]})json";
-
 }  // namespace
 
 bool store(const Moment& value, MomentSlot& slot) {
@@ -480,10 +335,6 @@ bool isValid(const MomentsSlot& slot, FieldPath* path) {
 }
 
 namespace {
-
-bool acceptsJournalMomentsResult(const MomentsSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
 
 bool acceptsJournalFindResult(const suture::SlotOptional<MomentSlot>& slot, FieldPath* path) {
   return isValid(slot, path);
@@ -769,6 +620,147 @@ const suture::rpc::Binding& journalBinding() {
   static const JournalBinding kBinding;
   return kBinding;
 }
+
+void shiftJournalLatestResult(std::int64_t& slot, Duration shift) { slot = shifted(slot, shift); }
+
+void shiftJournalFindResult(suture::SlotOptional<MomentSlot>& slot, Duration shift) {
+  if (slot.present != 0) {
+    shiftStamps(slot.value, shift);
+  }
+}
+
+constexpr CommandInfo kJournalCommands[] = {
+    {.name = "put",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<JournalPutArguments>,
+     .depth = 16,
+     .shiftArguments = shiftSlot<JournalPutArguments>},
+    {.name = "count",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<JournalCountArguments>,
+     .depth = 16},
+    {.name = "latest",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<std::int64_t>,
+     .depth = 16,
+     .column = 0,
+     .shiftResult = shiftSlot<std::int64_t, shiftJournalLatestResult>},
+    {.name = "moments",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<MomentsSlot>,
+     .depth = 16,
+     .column = 1,
+     .acceptsResult = checkSlot<MomentsSlot, isValid>,
+     .shiftResult = shiftSlot<MomentsSlot>},
+    {.name = "find",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = slotSize<JournalFindArguments>,
+     .resultSize = slotSize<suture::SlotOptional<MomentSlot>>,
+     .depth = 16,
+     .acceptsResult = checkSlot<suture::SlotOptional<MomentSlot>, acceptsJournalFindResult>,
+     .shiftResult = shiftSlot<suture::SlotOptional<MomentSlot>, shiftJournalFindResult>},
+};
+
+void shiftJournalAddedPayload(std::int64_t& slot, Duration shift) { slot = shifted(slot, shift); }
+
+constexpr EventInfo kJournalEvents[] = {
+    {.name = "added",
+     .payloadSize = slotSize<std::int64_t>,
+     .depth = 16,
+     .shiftPayload = shiftSlot<std::int64_t, shiftJournalAddedPayload>},
+    {.name = "changed",
+     .payloadSize = slotSize<JournalChangedPayload>,
+     .depth = 16,
+     .accepts = checkSlot<JournalChangedPayload, acceptsJournalChangedEvent>,
+     .shiftPayload = shiftSlot<JournalChangedPayload>},
+    {.name = "counted", .payloadSize = slotSize<std::int64_t>, .depth = 16},
+};
+
+// The self-description, as in shapes/moments.suture.json.
+constexpr char kJournalDescription[] = R"json(
+{"name": "shapes::Journal",
+"doc": "Right in a contract: the arguments, the results and the payloads.",
+"hash": "616300cf11e2f3ab86da08935e74abc7", "commands": [{"name": "put", "kind": "write",
+"ordinal": 1, "parameters": [{"name": "from", "type": {"kind": "time", "clock": "steady"}}, {
+"name": "number", "type": {"kind": "Int64"}}], "queue": 16}, {"name": "count", "kind": "write",
+"ordinal": 2, "parameters": [{"name": "number", "type": {"kind": "Int64"}}], "queue": 16}, {
+"name": "latest", "kind": "read", "ordinal": 3, "result": {"type": {"kind": "time",
+"clock": "steady"}}, "queue": 16}, {"name": "moments", "kind": "read", "ordinal": 4, "result": {
+"type": {"kind": "struct", "name": "shapes::Moments"}}, "queue": 16}, {"name": "find",
+"kind": "qualified read", "ordinal": 5, "parameters": [{"name": "number", "type": {"kind": "Int64"}
+}], "result": {"type": {"kind": "optional", "element": {"kind": "struct", "name": "shapes::Moment"}
+}}, "queue": 16}], "events": [{"name": "added", "kind": "write", "ordinal": 1, "payload": {
+"type": {"kind": "time", "clock": "steady"}}, "queue": 16}, {"name": "changed", "kind": "write",
+"ordinal": 2, "payload": [{"name": "value", "type": {"kind": "struct", "name": "shapes::Moment"}}, {
+"name": "value2", "type": {"kind": "Int64"}}], "queue": 16}, {"name": "counted", "kind": "write",
+"ordinal": 3, "payload": {"type": {"kind": "Int64"}}, "queue": 16}], "enums": [], "structs": [{
+"name": "shapes::Moment", "doc": "Of both clocks: only one is shifted.", "fields": [{
+"name": "steady", "type": {"kind": "time", "clock": "steady"}}, {"name": "system", "type": {
+"kind": "time", "clock": "system"}}, {"name": "number", "type": {"kind": "Int64"}, "default": 0}]},
+{"name": "shapes::Moments", "doc": "One in each container.", "fields": [{"name": "pair", "type": {
+"kind": "array", "element": {"kind": "time", "clock": "steady"}, "length": 2}}, {"name": "list",
+"type": {"kind": "list", "element": {"kind": "time", "clock": "steady"}, "capacity": 3}}, {
+"name": "moments", "type": {"kind": "list", "element": {"kind": "struct", "name": "shapes::Moment"
+}, "capacity": 2}}, {"name": "nested", "type": {"kind": "list", "element": {"kind": "list",
+"element": {"kind": "time", "clock": "steady"}, "capacity": 2}, "capacity": 2}}, {
+"name": "byNumber", "type": {"kind": "map", "key": {"kind": "Int32"}, "value": {"kind": "time",
+"clock": "steady"}, "capacity": 2}}, {"name": "perhaps", "type": {"kind": "optional", "element": {
+"kind": "time", "clock": "steady"}}}, {"name": "moment", "type": {"kind": "optional", "element": {
+"kind": "struct", "name": "shapes::Moment"}}}, {"name": "entry", "type": {"kind": "tuple",
+"elements": [{"kind": "Int64"}, {"kind": "time", "clock": "steady"}, {"kind": "struct",
+"name": "shapes::Moment"}]}}, {"name": "either", "type": {"kind": "variant", "alternatives": [{
+"kind": "Int64"}, {"kind": "time", "clock": "steady"}, {"kind": "struct", "name": "shapes::Moment"}
+]}}]}], "wire": [{"id": "@0xc3053cb224b0c85f", "kind": "interface", "name": "Journal", "members": [
+{"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events",
+"is": "@0xf44a38be83c21076"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2,
+"name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "put", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "from", "is": "Int64 clock \"steady\""}, {"at": 1,
+"name": "number", "is": "Int64"}, {"at": 2, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 2, "name": "count", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "number",
+"is": "Int64"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 3,
+"name": "latest", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "Int64 clock \"steady\""}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 4,
+"name": "moments", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xea2eb3c4e250494c"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 5, "name": "find",
+"is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "number", "is": "Int64"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0x808a81b58e533e44"}]}]}, {"id": "@0xf44a38be83c21076", "kind": "interface",
+"name": "JournalEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
+"name": "row", "is": "@0xb5363f8a2843600b"}]}, {"at": 1, "name": "added", "parameters": [{"at": 0,
+"name": "value", "is": "Int64 clock \"steady\""}]}, {"at": 2, "name": "changed", "parameters": [{
+"at": 0, "name": "value", "is": "@0xde2753d08ad0e07b"}, {"at": 1, "name": "value2", "is": "Int64"}]
+}, {"at": 3, "name": "counted", "parameters": [{"at": 0, "name": "value", "is": "Int64"}]}]}, {
+"id": "@0xb5363f8a2843600b", "kind": "struct", "name": "JournalStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "latest", "is": "Int64 clock \"steady\""}, {
+"at": 4, "name": "moments", "is": "@0xea2eb3c4e250494c"}]}, {"id": "@0xea2eb3c4e250494c",
+"kind": "struct", "name": "Moments", "members": [{"at": 0, "name": "pair",
+"is": "List(Int64) clock \"steady\" shape \"2\""}, {"at": 1, "name": "list",
+"is": "List(Int64) clock \"steady\""}, {"at": 2, "name": "moments",
+"is": "List(@0xde2753d08ad0e07b)"}, {"at": 3, "name": "nested",
+"is": "List(List(Int64)) clock \"steady\""}, {"at": 4, "name": "byNumber",
+"is": "List(@0xef7b71232d559ed6)"}, {"at": 5, "name": "perhaps", "is": "@0x86ffd776cef10d3b"}, {
+"at": 6, "name": "moment", "is": "@0x808a81b58e533e44"}, {"at": 7, "name": "entry",
+"is": "@0xff5b5cd02a32aa90"}, {"at": 8, "name": "either", "is": "@0xed7215ce608528ed"}]}, {
+"id": "@0xde2753d08ad0e07b", "kind": "struct", "name": "Moment", "members": [{"at": 0,
+"name": "steady", "is": "Int64 clock \"steady\""}, {"at": 1, "name": "system",
+"is": "Int64 clock \"system\""}, {"at": 2, "name": "number", "is": "Int64"}]}, {
+"id": "@0xef7b71232d559ed6", "kind": "struct", "name": "ShapesMomentsEntryOfInt32ToSteadyTime",
+"members": [{"at": 0, "name": "key", "is": "Int32"}, {"at": 1, "name": "value",
+"is": "Int64 clock \"steady\""}]}, {"id": "@0x86ffd776cef10d3b", "kind": "union",
+"name": "ShapesMomentsOptionalSteadyTime", "members": [{"at": 0, "name": "none", "is": "Void"}, {
+"at": 1, "name": "some", "is": "Int64 clock \"steady\""}]}, {"id": "@0x808a81b58e533e44",
+"kind": "union", "name": "ShapesMomentsOptionalMoment", "members": [{"at": 0, "name": "none",
+"is": "Void"}, {"at": 1, "name": "some", "is": "@0xde2753d08ad0e07b"}]}, {
+"id": "@0xff5b5cd02a32aa90", "kind": "struct",
+"name": "ShapesMomentsTupleOfInt64AndSteadyTimeAndMoment", "members": [{"at": 0, "name": "item0",
+"is": "Int64"}, {"at": 1, "name": "item1", "is": "Int64 clock \"steady\""}, {"at": 2,
+"name": "item2", "is": "@0xde2753d08ad0e07b"}]}, {"id": "@0xed7215ce608528ed", "kind": "union",
+"name": "ShapesMomentsEitherOfInt64OrSteadyTimeOrMoment", "members": [{"at": 0, "name": "int64",
+"is": "Int64"}, {"at": 1, "name": "steadyTime", "is": "Int64 clock \"steady\""}, {"at": 2,
+"name": "moment", "is": "@0xde2753d08ad0e07b"}]}]})json";
 
 }  // namespace
 }  // namespace shapes

@@ -76,184 +76,6 @@ static_assert(std::is_same_v<decltype(Open::cloud), std::vector<Eigen::Vector3d>
 static_assert(std::is_same_v<decltype(Open::image), Eigen::MatrixXd>);
 static_assert(std::is_same_v<decltype(Open::root), Root>);
 
-bool acceptsArchivePut(const ArchivePutArguments& slot, FieldPath* path);
-bool acceptsArchiveNewestResult(const OpenSlot& slot, FieldPath* path);
-bool acceptsArchiveReplace(const ArchiveReplaceArguments& slot, FieldPath* path);
-bool acceptsArchiveReplaceResult(const OpenSlot& slot, FieldPath* path);
-bool acceptsArchiveGrownEvent(const ArchiveGrownPayload& slot, FieldPath* path);
-bool acceptsArchiveChangedEvent(const OpenSlot& slot, FieldPath* path);
-
-constexpr CommandInfo kArchiveCommands[] = {
-    {.name = "put",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArchivePutArguments>,
-     .depth = 16,
-     .sharedArguments = true,
-     .accepts = checkSlot<ArchivePutArguments, acceptsArchivePut>},
-    {.name = "remark",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArchiveRemarkArguments>,
-     .depth = 16,
-     .latest = true,
-     .sharedArguments = true},
-    {.name = "newest",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<OpenSlot>,
-     .depth = 16,
-     .column = 0,
-     .sharedResult = true,
-     .acceptsResult = checkSlot<OpenSlot, acceptsArchiveNewestResult>},
-    {.name = "find",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<ArchiveFindArguments>,
-     .resultSize = slotSize<suture::OpenList<suture::OpenText>>,
-     .depth = 16,
-     .sharedArguments = true,
-     .sharedResult = true},
-    {.name = "replace",
-     .kind = CommandKind::WriteReturn,
-     .argumentsSize = slotSize<ArchiveReplaceArguments>,
-     .resultSize = slotSize<OpenSlot>,
-     .depth = 16,
-     .sharedArguments = true,
-     .sharedResult = true,
-     .accepts = checkSlot<ArchiveReplaceArguments, acceptsArchiveReplace>,
-     .acceptsResult = checkSlot<OpenSlot, acceptsArchiveReplaceResult>},
-};
-
-constexpr EventInfo kArchiveEvents[] = {
-    {.name = "renamed",
-     .payloadSize = slotSize<suture::OpenText>,
-     .depth = 16,
-     .latched = true,
-     .sharedPayload = true},
-    {.name = "grown",
-     .payloadSize = slotSize<ArchiveGrownPayload>,
-     .depth = 16,
-     .sharedPayload = true,
-     .accepts = checkSlot<ArchiveGrownPayload, acceptsArchiveGrownEvent>},
-    {.name = "changed",
-     .payloadSize = slotSize<OpenSlot>,
-     .depth = 16,
-     .latest = true,
-     .sharedPayload = true,
-     .accepts = checkSlot<OpenSlot, acceptsArchiveChangedEvent>},
-};
-
-// The self-description, as in shapes/open.suture.json.
-constexpr char kArchiveDescription[] = R"json(
-{"name": "shapes::Archive", "doc": "What a device may offer.",
-"hash": "17b8a5413fbf942b85ef9b6f9f932fdd", "commands": [{"name": "put", "kind": "write",
-"ordinal": 1, "doc": "Keeps `value` under `key`.", "parameters": [{"name": "key", "type": {
-"kind": "text"}}, {"name": "value", "type": {"kind": "struct", "name": "shapes::Open"}}],
-"queue": 16}, {"name": "remark", "kind": "write", "ordinal": 2, "parameters": [{"name": "text",
-"type": {"kind": "text"}}], "queue": 16, "latest": true}, {"name": "newest", "kind": "read",
-"ordinal": 3, "result": {"type": {"kind": "struct", "name": "shapes::Open"}}, "queue": 16}, {
-"name": "find", "kind": "qualified read", "ordinal": 4, "parameters": [{"name": "pattern", "type": {
-"kind": "text"}}], "result": {"type": {"kind": "list", "element": {"kind": "text"}}}, "queue": 16},
-{"name": "replace", "kind": "write with return", "ordinal": 5, "parameters": [{"name": "value",
-"type": {"kind": "struct", "name": "shapes::Open"}}], "result": {"type": {"kind": "struct",
-"name": "shapes::Open"}}, "queue": 16}], "events": [{"name": "renamed", "kind": "write",
-"ordinal": 1, "payload": {"type": {"kind": "text"}}, "queue": 16, "latched": true}, {
-"name": "grown", "kind": "write", "ordinal": 2, "payload": [{"name": "value", "type": {
-"kind": "text"}}, {"name": "value2", "type": {"kind": "struct", "name": "shapes::Root"}}],
-"queue": 16}, {"name": "changed", "kind": "write", "ordinal": 3, "payload": {"type": {
-"kind": "struct", "name": "shapes::Open"}}, "queue": 16, "latest": true}], "enums": [], "structs": [
-{"name": "shapes::Point", "doc": "Parts of other types.", "fields": [{"name": "x", "type": {
-"kind": "Float64"}, "unit": "m", "range": [-10.0, 10.0], "default": 0.0}, {"name": "y", "type": {
-"kind": "Float64"}, "default": 0.0}]}, {"name": "shapes::Branch", "fields": [{"name": "length",
-"type": {"kind": "Float64"}, "unit": "m", "range": [0.0, 10.0], "default": 0.0}, {"name": "roots",
-"type": {"kind": "map", "key": {"kind": "text"}, "value": {"kind": "struct", "name": "shapes::Root"
-}}}]}, {"name": "shapes::Root", "doc": "Holds itself, and another that holds it.", "fields": [{
-"name": "value", "type": {"kind": "Int32"}, "default": 0}, {"name": "children", "type": {
-"kind": "list", "element": {"kind": "struct", "name": "shapes::Root"}}}, {"name": "shadow",
-"type": {"kind": "optional", "element": {"kind": "struct", "name": "shapes::Root"}}}, {
-"name": "branches", "type": {"kind": "list", "element": {"kind": "struct", "name": "shapes::Branch"
-}}}]}, {"name": "shapes::Open", "doc": "Each level that may lack its bound, all of it or a part.",
-"fields": [{"name": "name", "type": {"kind": "text"}}, {"name": "samples", "type": {"kind": "list",
-"element": {"kind": "Float64"}}}, {"name": "bytes", "type": {"kind": "list", "element": {
-"kind": "UInt8"}}}, {"name": "block", "type": {"kind": "list", "element": {"kind": "Float32"},
-"bulk": true}}, {"name": "flags", "type": {"kind": "list", "element": {"kind": "Bool"}}}, {
-"name": "path", "type": {"kind": "list", "element": {"kind": "struct", "name": "shapes::Point"}}}, {
-"name": "pair", "type": {"kind": "array", "element": {"kind": "text"}, "length": 2}}, {
-"name": "words", "type": {"kind": "list", "element": {"kind": "text"}, "capacity": 2}}, {
-"name": "shorts", "type": {"kind": "list", "element": {"kind": "text", "capacity": 3}}}, {
-"name": "keys", "type": {"kind": "set", "element": {"kind": "text"}}}, {"name": "series", "type": {
-"kind": "map", "key": {"kind": "text"}, "value": {"kind": "list", "element": {"kind": "struct",
-"name": "shapes::Point"}}}}, {"name": "note", "type": {"kind": "optional", "element": {
-"kind": "text"}}}, {"name": "either", "type": {"kind": "variant", "alternatives": [{
-"kind": "nothing"}, {"kind": "text"}, {"kind": "struct", "name": "shapes::Point"}]}}, {
-"name": "entry", "type": {"kind": "tuple", "elements": [{"kind": "Int32"}, {"kind": "text"}]}}, {
-"name": "joints", "type": {"kind": "list", "element": {"kind": "Float64"}}}, {"name": "any",
-"type": {"kind": "any matrix", "scalar": "Float64"}, "range": [-1.0, 1.0]}, {"name": "wide",
-"type": {"kind": "any matrix", "scalar": "Float64", "capacity": [2, null]}}, {"name": "cloud",
-"type": {"kind": "list", "element": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1
-}}}, {"name": "image", "type": {"kind": "any matrix", "scalar": "Float64", "bulk": true}}, {
-"name": "root", "type": {"kind": "struct", "name": "shapes::Root"}}]}], "wire": [{
-"id": "@0x82933d261358e2a1", "kind": "interface", "name": "Archive", "members": [{"at": 0,
-"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xbd8392db1e3ed150"}, {
-"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {
-"at": 1, "name": "put", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "key", "is": "Text"
-}, {"at": 1, "name": "value", "is": "@0xc2c5885ffab9947b"}, {"at": 2, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "remark", "is": "kind \"write\"",
-"parameters": [{"at": 0, "name": "text", "is": "Text"}, {"at": 1, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "newest", "is": "kind \"read\"",
-"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "@0xc2c5885ffab9947b"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
-"at": 4, "name": "find", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "pattern",
-"is": "Text"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "List(Text)"}]}, {"at": 5, "name": "replace", "is": "kind \"writeReturn\"",
-"parameters": [{"at": 0, "name": "value", "is": "@0xc2c5885ffab9947b"}, {"at": 1, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xc2c5885ffab9947b"
-}]}]}, {"id": "@0xbd8392db1e3ed150", "kind": "interface", "name": "ArchiveEvents", "members": [{
-"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xb725b4164d7d1953"}]}, {
-"at": 1, "name": "renamed", "parameters": [{"at": 0, "name": "value", "is": "Text"}]}, {"at": 2,
-"name": "grown", "parameters": [{"at": 0, "name": "value", "is": "Text"}, {"at": 1,
-"name": "value2", "is": "@0xb6460a48efc46784"}]}, {"at": 3, "name": "changed", "parameters": [{
-"at": 0, "name": "value", "is": "@0xc2c5885ffab9947b"}]}]}, {"id": "@0xb725b4164d7d1953",
-"kind": "struct", "name": "ArchiveStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"},
-{"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {
-"at": 3, "name": "newest", "is": "@0xc2c5885ffab9947b"}]}, {"id": "@0xc2c5885ffab9947b",
-"kind": "struct", "name": "Open", "members": [{"at": 0, "name": "name", "is": "Text"}, {"at": 1,
-"name": "samples", "is": "List(Float64)"}, {"at": 2, "name": "bytes", "is": "Data"}, {"at": 3,
-"name": "block", "is": "Data bulk \"Float32\""}, {"at": 4, "name": "flags", "is": "List(Bool)"}, {
-"at": 5, "name": "path", "is": "List(@0xb51a57f43829556b)"}, {"at": 6, "name": "pair",
-"is": "List(Text) shape \"2\""}, {"at": 7, "name": "words", "is": "List(Text)"}, {"at": 8,
-"name": "shorts", "is": "List(Text)"}, {"at": 9, "name": "keys", "is": "List(Text)"}, {"at": 10,
-"name": "series", "is": "List(@0xa8c3533e6eb12f51)"}, {"at": 11, "name": "note",
-"is": "@0xf3c25d3461f00058"}, {"at": 12, "name": "either", "is": "@0xbb3bebe320b04d4f"}, {"at": 13,
-"name": "entry", "is": "@0x869c92dc4e541a10"}, {"at": 14, "name": "joints", "is": "List(Float64)"},
-{"at": 15, "name": "any", "is": "@0xcf0d7516d71f233a"}, {"at": 16, "name": "wide",
-"is": "@0xcf0d7516d71f233a"}, {"at": 17, "name": "cloud", "is": "List(Float64) shape \"*,3x1\""}, {
-"at": 18, "name": "image", "is": "@0x891c2f0f0cffc982"}, {"at": 19, "name": "root",
-"is": "@0xb6460a48efc46784"}]}, {"id": "@0xb51a57f43829556b", "kind": "struct", "name": "Point",
-"members": [{"at": 0, "name": "x", "is": "Float64 unit \"m\""}, {"at": 1, "name": "y",
-"is": "Float64"}]}, {"id": "@0xa8c3533e6eb12f51", "kind": "struct",
-"name": "ShapesOpenEntryOfTextToListOfPoint", "members": [{"at": 0, "name": "key", "is": "Text"}, {
-"at": 1, "name": "value", "is": "List(@0xb51a57f43829556b)"}]}, {"id": "@0xf3c25d3461f00058",
-"kind": "union", "name": "ShapesOpenOptionalText", "members": [{"at": 0, "name": "none",
-"is": "Void"}, {"at": 1, "name": "some", "is": "Text"}]}, {"id": "@0xbb3bebe320b04d4f",
-"kind": "union", "name": "ShapesOpenEitherOfNothingOrTextOrPoint", "members": [{"at": 0,
-"name": "nothing", "is": "Void"}, {"at": 1, "name": "text", "is": "Text"}, {"at": 2,
-"name": "point", "is": "@0xb51a57f43829556b"}]}, {"id": "@0x869c92dc4e541a10", "kind": "struct",
-"name": "ShapesOpenTupleOfInt32AndText", "members": [{"at": 0, "name": "item0", "is": "Int32"}, {
-"at": 1, "name": "item1", "is": "Text"}]}, {"id": "@0xcf0d7516d71f233a", "kind": "struct",
-"name": "ShapesOpenAnyMatrixOfFloat64", "members": [{"at": 0, "name": "rows", "is": "UInt32"}, {
-"at": 1, "name": "columns", "is": "UInt32"}, {"at": 2, "name": "data", "is": "List(Float64)"}]}, {
-"id": "@0x891c2f0f0cffc982", "kind": "struct", "name": "ShapesOpenBulkMatrixOfFloat64", "members": [
-{"at": 0, "name": "rows", "is": "UInt32"}, {"at": 1, "name": "columns", "is": "UInt32"}, {"at": 2,
-"name": "data", "is": "Data bulk \"Float64\""}]}, {"id": "@0xb6460a48efc46784", "kind": "struct",
-"name": "Root", "members": [{"at": 0, "name": "value", "is": "Int32"}, {"at": 1, "name": "children",
-"is": "List(@0xb6460a48efc46784)"}, {"at": 2, "name": "shadow", "is": "@0x91179475335c1f6c"}, {
-"at": 3, "name": "branches", "is": "List(@0xd99efb214b19eb29)"}]}, {"id": "@0x91179475335c1f6c",
-"kind": "union", "name": "ShapesOpenOptionalRoot", "members": [{"at": 0, "name": "none",
-"is": "Void"}, {"at": 1, "name": "some", "is": "@0xb6460a48efc46784"}]}, {
-"id": "@0xd99efb214b19eb29", "kind": "struct", "name": "Branch", "members": [{"at": 0,
-"name": "length", "is": "Float64 unit \"m\""}, {"at": 1, "name": "roots",
-"is": "List(@0xbc7d41300052e004)"}]}, {"id": "@0xbc7d41300052e004", "kind": "struct",
-"name": "ShapesOpenEntryOfTextToRoot", "members": [{"at": 0, "name": "key", "is": "Text"}, {
-"at": 1, "name": "value", "is": "@0xb6460a48efc46784"}]}]})json";
-
 }  // namespace
 
 bool store(const Branch& value, BranchSlot& slot) {
@@ -622,24 +444,12 @@ bool acceptsArchivePut(const ArchivePutArguments& slot, FieldPath* path) {
   return isValid(slot.value, path) || refusedAt(path, "value");
 }
 
-bool acceptsArchiveNewestResult(const OpenSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
 bool acceptsArchiveReplace(const ArchiveReplaceArguments& slot, FieldPath* path) {
   return isValid(slot.value, path) || refusedAt(path, "value");
 }
 
-bool acceptsArchiveReplaceResult(const OpenSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
-}
-
 bool acceptsArchiveGrownEvent(const ArchiveGrownPayload& slot, FieldPath* path) {
   return isValid(slot.value2, path) || refusedAt(path, "value2");
-}
-
-bool acceptsArchiveChangedEvent(const OpenSlot& slot, FieldPath* path) {
-  return isValid(slot, path);
 }
 
 // --- Archive over Cap'n Proto RPC: the provider's side
@@ -915,6 +725,177 @@ const suture::rpc::Binding& archiveBinding() {
   static const ArchiveBinding kBinding;
   return kBinding;
 }
+
+constexpr CommandInfo kArchiveCommands[] = {
+    {.name = "put",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<ArchivePutArguments>,
+     .depth = 16,
+     .sharedArguments = true,
+     .accepts = checkSlot<ArchivePutArguments, acceptsArchivePut>},
+    {.name = "remark",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<ArchiveRemarkArguments>,
+     .depth = 16,
+     .latest = true,
+     .sharedArguments = true},
+    {.name = "newest",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<OpenSlot>,
+     .depth = 16,
+     .column = 0,
+     .sharedResult = true,
+     .acceptsResult = checkSlot<OpenSlot, isValid>},
+    {.name = "find",
+     .kind = CommandKind::QualifiedRead,
+     .argumentsSize = slotSize<ArchiveFindArguments>,
+     .resultSize = slotSize<suture::OpenList<suture::OpenText>>,
+     .depth = 16,
+     .sharedArguments = true,
+     .sharedResult = true},
+    {.name = "replace",
+     .kind = CommandKind::WriteReturn,
+     .argumentsSize = slotSize<ArchiveReplaceArguments>,
+     .resultSize = slotSize<OpenSlot>,
+     .depth = 16,
+     .sharedArguments = true,
+     .sharedResult = true,
+     .accepts = checkSlot<ArchiveReplaceArguments, acceptsArchiveReplace>,
+     .acceptsResult = checkSlot<OpenSlot, isValid>},
+};
+
+constexpr EventInfo kArchiveEvents[] = {
+    {.name = "renamed",
+     .payloadSize = slotSize<suture::OpenText>,
+     .depth = 16,
+     .latched = true,
+     .sharedPayload = true},
+    {.name = "grown",
+     .payloadSize = slotSize<ArchiveGrownPayload>,
+     .depth = 16,
+     .sharedPayload = true,
+     .accepts = checkSlot<ArchiveGrownPayload, acceptsArchiveGrownEvent>},
+    {.name = "changed",
+     .payloadSize = slotSize<OpenSlot>,
+     .depth = 16,
+     .latest = true,
+     .sharedPayload = true,
+     .accepts = checkSlot<OpenSlot, isValid>},
+};
+
+// The self-description, as in shapes/open.suture.json.
+constexpr char kArchiveDescription[] = R"json(
+{"name": "shapes::Archive", "doc": "What a device may offer.",
+"hash": "17b8a5413fbf942b85ef9b6f9f932fdd", "commands": [{"name": "put", "kind": "write",
+"ordinal": 1, "doc": "Keeps `value` under `key`.", "parameters": [{"name": "key", "type": {
+"kind": "text"}}, {"name": "value", "type": {"kind": "struct", "name": "shapes::Open"}}],
+"queue": 16}, {"name": "remark", "kind": "write", "ordinal": 2, "parameters": [{"name": "text",
+"type": {"kind": "text"}}], "queue": 16, "latest": true}, {"name": "newest", "kind": "read",
+"ordinal": 3, "result": {"type": {"kind": "struct", "name": "shapes::Open"}}, "queue": 16}, {
+"name": "find", "kind": "qualified read", "ordinal": 4, "parameters": [{"name": "pattern", "type": {
+"kind": "text"}}], "result": {"type": {"kind": "list", "element": {"kind": "text"}}}, "queue": 16},
+{"name": "replace", "kind": "write with return", "ordinal": 5, "parameters": [{"name": "value",
+"type": {"kind": "struct", "name": "shapes::Open"}}], "result": {"type": {"kind": "struct",
+"name": "shapes::Open"}}, "queue": 16}], "events": [{"name": "renamed", "kind": "write",
+"ordinal": 1, "payload": {"type": {"kind": "text"}}, "queue": 16, "latched": true}, {
+"name": "grown", "kind": "write", "ordinal": 2, "payload": [{"name": "value", "type": {
+"kind": "text"}}, {"name": "value2", "type": {"kind": "struct", "name": "shapes::Root"}}],
+"queue": 16}, {"name": "changed", "kind": "write", "ordinal": 3, "payload": {"type": {
+"kind": "struct", "name": "shapes::Open"}}, "queue": 16, "latest": true}], "enums": [], "structs": [
+{"name": "shapes::Point", "doc": "Parts of other types.", "fields": [{"name": "x", "type": {
+"kind": "Float64"}, "unit": "m", "range": [-10.0, 10.0], "default": 0.0}, {"name": "y", "type": {
+"kind": "Float64"}, "default": 0.0}]}, {"name": "shapes::Branch", "fields": [{"name": "length",
+"type": {"kind": "Float64"}, "unit": "m", "range": [0.0, 10.0], "default": 0.0}, {"name": "roots",
+"type": {"kind": "map", "key": {"kind": "text"}, "value": {"kind": "struct", "name": "shapes::Root"
+}}}]}, {"name": "shapes::Root", "doc": "Holds itself, and another that holds it.", "fields": [{
+"name": "value", "type": {"kind": "Int32"}, "default": 0}, {"name": "children", "type": {
+"kind": "list", "element": {"kind": "struct", "name": "shapes::Root"}}}, {"name": "shadow",
+"type": {"kind": "optional", "element": {"kind": "struct", "name": "shapes::Root"}}}, {
+"name": "branches", "type": {"kind": "list", "element": {"kind": "struct", "name": "shapes::Branch"
+}}}]}, {"name": "shapes::Open", "doc": "Each level that may lack its bound, all of it or a part.",
+"fields": [{"name": "name", "type": {"kind": "text"}}, {"name": "samples", "type": {"kind": "list",
+"element": {"kind": "Float64"}}}, {"name": "bytes", "type": {"kind": "list", "element": {
+"kind": "UInt8"}}}, {"name": "block", "type": {"kind": "list", "element": {"kind": "Float32"},
+"bulk": true}}, {"name": "flags", "type": {"kind": "list", "element": {"kind": "Bool"}}}, {
+"name": "path", "type": {"kind": "list", "element": {"kind": "struct", "name": "shapes::Point"}}}, {
+"name": "pair", "type": {"kind": "array", "element": {"kind": "text"}, "length": 2}}, {
+"name": "words", "type": {"kind": "list", "element": {"kind": "text"}, "capacity": 2}}, {
+"name": "shorts", "type": {"kind": "list", "element": {"kind": "text", "capacity": 3}}}, {
+"name": "keys", "type": {"kind": "set", "element": {"kind": "text"}}}, {"name": "series", "type": {
+"kind": "map", "key": {"kind": "text"}, "value": {"kind": "list", "element": {"kind": "struct",
+"name": "shapes::Point"}}}}, {"name": "note", "type": {"kind": "optional", "element": {
+"kind": "text"}}}, {"name": "either", "type": {"kind": "variant", "alternatives": [{
+"kind": "nothing"}, {"kind": "text"}, {"kind": "struct", "name": "shapes::Point"}]}}, {
+"name": "entry", "type": {"kind": "tuple", "elements": [{"kind": "Int32"}, {"kind": "text"}]}}, {
+"name": "joints", "type": {"kind": "list", "element": {"kind": "Float64"}}}, {"name": "any",
+"type": {"kind": "any matrix", "scalar": "Float64"}, "range": [-1.0, 1.0]}, {"name": "wide",
+"type": {"kind": "any matrix", "scalar": "Float64", "capacity": [2, null]}}, {"name": "cloud",
+"type": {"kind": "list", "element": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1
+}}}, {"name": "image", "type": {"kind": "any matrix", "scalar": "Float64", "bulk": true}}, {
+"name": "root", "type": {"kind": "struct", "name": "shapes::Root"}}]}], "wire": [{
+"id": "@0x82933d261358e2a1", "kind": "interface", "name": "Archive", "members": [{"at": 0,
+"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xbd8392db1e3ed150"}, {
+"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {
+"at": 1, "name": "put", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "key", "is": "Text"
+}, {"at": 1, "name": "value", "is": "@0xc2c5885ffab9947b"}, {"at": 2, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "remark", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "text", "is": "Text"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "newest", "is": "kind \"read\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "@0xc2c5885ffab9947b"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 4, "name": "find", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "pattern",
+"is": "Text"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "List(Text)"}]}, {"at": 5, "name": "replace", "is": "kind \"writeReturn\"",
+"parameters": [{"at": 0, "name": "value", "is": "@0xc2c5885ffab9947b"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xc2c5885ffab9947b"
+}]}]}, {"id": "@0xbd8392db1e3ed150", "kind": "interface", "name": "ArchiveEvents", "members": [{
+"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xb725b4164d7d1953"}]}, {
+"at": 1, "name": "renamed", "parameters": [{"at": 0, "name": "value", "is": "Text"}]}, {"at": 2,
+"name": "grown", "parameters": [{"at": 0, "name": "value", "is": "Text"}, {"at": 1,
+"name": "value2", "is": "@0xb6460a48efc46784"}]}, {"at": 3, "name": "changed", "parameters": [{
+"at": 0, "name": "value", "is": "@0xc2c5885ffab9947b"}]}]}, {"id": "@0xb725b4164d7d1953",
+"kind": "struct", "name": "ArchiveStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"},
+{"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {
+"at": 3, "name": "newest", "is": "@0xc2c5885ffab9947b"}]}, {"id": "@0xc2c5885ffab9947b",
+"kind": "struct", "name": "Open", "members": [{"at": 0, "name": "name", "is": "Text"}, {"at": 1,
+"name": "samples", "is": "List(Float64)"}, {"at": 2, "name": "bytes", "is": "Data"}, {"at": 3,
+"name": "block", "is": "Data bulk \"Float32\""}, {"at": 4, "name": "flags", "is": "List(Bool)"}, {
+"at": 5, "name": "path", "is": "List(@0xb51a57f43829556b)"}, {"at": 6, "name": "pair",
+"is": "List(Text) shape \"2\""}, {"at": 7, "name": "words", "is": "List(Text)"}, {"at": 8,
+"name": "shorts", "is": "List(Text)"}, {"at": 9, "name": "keys", "is": "List(Text)"}, {"at": 10,
+"name": "series", "is": "List(@0xa8c3533e6eb12f51)"}, {"at": 11, "name": "note",
+"is": "@0xf3c25d3461f00058"}, {"at": 12, "name": "either", "is": "@0xbb3bebe320b04d4f"}, {"at": 13,
+"name": "entry", "is": "@0x869c92dc4e541a10"}, {"at": 14, "name": "joints", "is": "List(Float64)"},
+{"at": 15, "name": "any", "is": "@0xcf0d7516d71f233a"}, {"at": 16, "name": "wide",
+"is": "@0xcf0d7516d71f233a"}, {"at": 17, "name": "cloud", "is": "List(Float64) shape \"*,3x1\""}, {
+"at": 18, "name": "image", "is": "@0x891c2f0f0cffc982"}, {"at": 19, "name": "root",
+"is": "@0xb6460a48efc46784"}]}, {"id": "@0xb51a57f43829556b", "kind": "struct", "name": "Point",
+"members": [{"at": 0, "name": "x", "is": "Float64 unit \"m\""}, {"at": 1, "name": "y",
+"is": "Float64"}]}, {"id": "@0xa8c3533e6eb12f51", "kind": "struct",
+"name": "ShapesOpenEntryOfTextToListOfPoint", "members": [{"at": 0, "name": "key", "is": "Text"}, {
+"at": 1, "name": "value", "is": "List(@0xb51a57f43829556b)"}]}, {"id": "@0xf3c25d3461f00058",
+"kind": "union", "name": "ShapesOpenOptionalText", "members": [{"at": 0, "name": "none",
+"is": "Void"}, {"at": 1, "name": "some", "is": "Text"}]}, {"id": "@0xbb3bebe320b04d4f",
+"kind": "union", "name": "ShapesOpenEitherOfNothingOrTextOrPoint", "members": [{"at": 0,
+"name": "nothing", "is": "Void"}, {"at": 1, "name": "text", "is": "Text"}, {"at": 2,
+"name": "point", "is": "@0xb51a57f43829556b"}]}, {"id": "@0x869c92dc4e541a10", "kind": "struct",
+"name": "ShapesOpenTupleOfInt32AndText", "members": [{"at": 0, "name": "item0", "is": "Int32"}, {
+"at": 1, "name": "item1", "is": "Text"}]}, {"id": "@0xcf0d7516d71f233a", "kind": "struct",
+"name": "ShapesOpenAnyMatrixOfFloat64", "members": [{"at": 0, "name": "rows", "is": "UInt32"}, {
+"at": 1, "name": "columns", "is": "UInt32"}, {"at": 2, "name": "data", "is": "List(Float64)"}]}, {
+"id": "@0x891c2f0f0cffc982", "kind": "struct", "name": "ShapesOpenBulkMatrixOfFloat64", "members": [
+{"at": 0, "name": "rows", "is": "UInt32"}, {"at": 1, "name": "columns", "is": "UInt32"}, {"at": 2,
+"name": "data", "is": "Data bulk \"Float64\""}]}, {"id": "@0xb6460a48efc46784", "kind": "struct",
+"name": "Root", "members": [{"at": 0, "name": "value", "is": "Int32"}, {"at": 1, "name": "children",
+"is": "List(@0xb6460a48efc46784)"}, {"at": 2, "name": "shadow", "is": "@0x91179475335c1f6c"}, {
+"at": 3, "name": "branches", "is": "List(@0xd99efb214b19eb29)"}]}, {"id": "@0x91179475335c1f6c",
+"kind": "union", "name": "ShapesOpenOptionalRoot", "members": [{"at": 0, "name": "none",
+"is": "Void"}, {"at": 1, "name": "some", "is": "@0xb6460a48efc46784"}]}, {
+"id": "@0xd99efb214b19eb29", "kind": "struct", "name": "Branch", "members": [{"at": 0,
+"name": "length", "is": "Float64 unit \"m\""}, {"at": 1, "name": "roots",
+"is": "List(@0xbc7d41300052e004)"}]}, {"id": "@0xbc7d41300052e004", "kind": "struct",
+"name": "ShapesOpenEntryOfTextToRoot", "members": [{"at": 0, "name": "key", "is": "Text"}, {
+"at": 1, "name": "value", "is": "@0xb6460a48efc46784"}]}]})json";
 
 }  // namespace
 }  // namespace shapes
