@@ -76,6 +76,21 @@ class WireNames {
     return result;
   }
 
+  /// A removed node keeps its name in the schema, which no header of the namespace may give again.
+  Diagnostics clashesWithRemoved(const model::Header& header, const Lock& merged) const {
+    Diagnostics result;
+    for (const Node& node : merged.nodes) {
+      const auto taken = owners_.find(header.cxxNamespace + "::" + node.name);
+      if (!node.removed() || taken == owners_.end()) continue;
+      result.push_back({taken->second.source,
+                        "wire-name-clash",
+                        taken->second.title + " has the wire name of a removed " + node.name,
+                        "give it another: name(\"...\")",
+                        {}});
+    }
+    return result;
+  }
+
  private:
   void add(const model::Header& header, const model::Lookup& lookup) {
     for (WantedNode& node : wanted(header, lookup)) {
@@ -110,23 +125,6 @@ Diagnostics clashesWithOwn(const std::vector<WantedNode>& wanted) {
                                        [](const Member& one) { return one.name == "sent"; });
       if (sents > 1) report(member, "sent");
     }
-  }
-  return result;
-}
-
-/// A removed node keeps its name in the schema.
-Diagnostics clashesWithRemoved(const std::vector<WantedNode>& wanted, const Lock& merged) {
-  Diagnostics result;
-  for (const Node& node : merged.nodes) {
-    const auto taken = std::find_if(wanted.begin(), wanted.end(), [&](const WantedNode& one) {
-      return node.removed() && one.node.name == node.name;
-    });
-    if (taken == wanted.end()) continue;
-    result.push_back({taken->source,
-                      "wire-name-clash",
-                      taken->title + " has the wire name of a removed " + node.name,
-                      "give it another: name(\"...\")",
-                      {}});
   }
   return result;
 }
@@ -191,6 +189,21 @@ Locks withNewIds(Locks locks, const Options& options, std::vector<std::string>& 
   return locks;
 }
 
+/// A type that moved to another header is another one there: the removed one keeps its id.
+void giveFreeIds(std::map<std::string, Lock>& merged, const Locks& old) {
+  std::set<std::uint64_t> taken;
+  for (const auto& [path, lock] : old.files) {
+    for (const Node& node : lock.nodes) taken.insert(node.id);
+  }
+  for (auto& [path, lock] : merged) {
+    const auto before = old.files.find(path);
+    const std::size_t kept = before == old.files.end() ? 0 : before->second.nodes.size();
+    for (std::size_t i = kept; i < lock.nodes.size(); ++i) {
+      while (!taken.insert(lock.nodes[i].id).second) ++lock.nodes[i].id;
+    }
+  }
+}
+
 Diagnostics duplicateIds(const Locks& locks, const Options& options) {
   Diagnostics result;
   std::map<std::uint64_t, std::pair<const Lock*, const Node*>> ids;
@@ -230,7 +243,7 @@ Diagnostics check(const model::Model& model, const Locks& locks, const Options& 
   forEachOwn(model, lookup, locks, options, [&](const Judged& judged, Merge merge) {
     append(all, names.clashes(judged.header, judged.wanted));
     append(all, clashesWithOwn(judged.wanted));
-    append(all, clashesWithRemoved(judged.wanted, merge.lock));
+    append(all, names.clashesWithRemoved(judged.header, merge.lock));
     if (judged.old.text.empty()) {
       all.push_back(missing(judged, options));
       return;
@@ -256,13 +269,14 @@ Update update(const model::Model& model, const Locks& committed, const Options& 
   forEachOwn(model, lookup, locks, options, [&](const Judged& judged, Merge merge) {
     append(result.diagnostics, names.clashes(judged.header, judged.wanted));
     append(result.diagnostics, clashesWithOwn(judged.wanted));
-    append(result.diagnostics, clashesWithRemoved(judged.wanted, merge.lock));
+    append(result.diagnostics, names.clashesWithRemoved(judged.header, merge.lock));
     if (!options.acceptBreaks) append(result.diagnostics, std::move(merge.breaks));
     const std::string path = judged.old.path;
     for (const std::string& node : merge.broken) broken.insert(path + ":" + node);
     own.insert(path);
     merged[path] = std::move(merge.lock);
   });
+  giveFreeIds(merged, locks);
   raiseMajors(merged, own, broken);
   for (const std::string& path : own) {
     const auto old = committed.files.find(path);

@@ -74,33 +74,46 @@ class Comparison {
       broken(title + ": major " + std::to_string(majorOf(*now)) + " instead of " +
              std::to_string(majorOf(old)) + "; peers of the two refuse each other");
     }
+    const std::string version = valueOf(now->annotations, "version");
+    const std::string before = valueOf(old.annotations, "version");
+    if (version != before) {
+      broken(title + ": version " + version + " instead of " + before +
+             "; peers of the two refuse each other");
+    }
+    if (now->extends.size() != old.extends.size()) {
+      broken(title + " has another base; its commands and events are numbered anew");
+    }
     compareMembers(old, *now, title);
   }
 
   void compareMembers(const Node& old, const Node& now, const std::string& title) {
+    const bool chosen = old.kind == Node::Kind::Enum || old.isUnion;
     for (std::size_t i = 0; i < old.members.size(); ++i) {
       const std::string subject = "'" + old.members[i].name + "' of " + title;
-      if (i < now.members.size()) {
-        compare(old.members[i], now.members[i], subject);
-      } else {
+      if (i >= now.members.size()) {
         broken(subject + " is gone without a trace");
+      } else if (now.members[i].removed() && !old.members[i].removed()) {
+        found_.push_back(removal(old.members[i], subject, chosen));
+      } else {
+        compare(old.members[i], now.members[i], subject);
       }
     }
     for (std::size_t i = old.members.size(); i < now.members.size(); ++i) {
-      const bool chosen = old.kind == Node::Kind::Enum || old.isUnion;
       found_.push_back({chosen ? Effect::Refusals : Effect::None,
                         "'" + now.members[i].name + "' of " + title + " is new" +
                             (chosen ? "; peers of before refuse a message that has it" : "")});
     }
   }
 
+  /// `chosen`: it is one of several of which a message has one.
+  static Difference removal(const Member& old, const std::string& subject, bool chosen) {
+    const std::string text = subject + " was removed; ";
+    if (old.isMethod) return {Effect::Break, text + "who calls it is told so"};
+    if (chosen) return {Effect::Refusals, text + "peers of now refuse a message that has it"};
+    return {Effect::None, text + "its place is kept"};
+  }
+
   void compare(const Member& old, const Member& now, const std::string& subject) {
-    if (now.removed() && !old.removed()) {
-      return found_.push_back(
-          {old.isMethod ? Effect::Break : Effect::None,
-           subject + " was removed; " +
-               (old.isMethod ? "who calls it is told so" : "its place is kept")});
-    }
     if (now.name != old.name) harmless(subject + " is called '" + now.name + "' now");
     compareMeaning(old, now, subject);
     if (now.defaultValue != old.defaultValue) {
@@ -126,8 +139,8 @@ class Comparison {
       const std::string before = valueOf(old.annotations, name);
       const std::string after = valueOf(now.annotations, name);
       if (before == after) continue;
-      found_.push_back({effectOf(name), subject + ": " + name + " " + shown(after, "none") +
-                                            " instead of " + shown(before, "none") +
+      found_.push_back({effectOf(name), subject + ": " + name + " " + shown(after, "given") +
+                                            " instead of " + shown(before, "given") +
                                             consequenceOf(name)});
     }
   }
@@ -147,10 +160,9 @@ class Comparison {
                     const std::string& what, const std::string& subject) {
     for (std::size_t i = 0; i < old.size(); ++i) {
       const std::string one = what + " '" + old[i].name + "' of " + subject;
-      if (i >= now.size()) {
+      if (i >= now.size() || now[i].name != old[i].name) {
         broken(one + " is gone");
       } else {
-        if (now[i].name != old[i].name) harmless(one + " is called '" + now[i].name + "' now");
         compareMeaning(old[i], now[i], one);
       }
     }

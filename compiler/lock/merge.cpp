@@ -123,14 +123,22 @@ class Merger {
     merge_.pending.push_back(std::move(one));
   }
 
+  void broken(const model::Source& source, std::string message, const std::string& help,
+              model::Note note) {
+    merge_.broken.insert(node_);
+    merge_.breaks.push_back(
+        {source, "lock-break", std::move(message), help + kAcceptAdvice, {std::move(note)}});
+  }
+
   void broken(const WantedMember& wanted, const Member& locked, const std::string& message,
               const std::string& help) {
-    merge_.broken.insert(node_);
-    merge_.breaks.push_back({wanted.source,
-                             "lock-break",
-                             wanted.title + ": " + message,
-                             help + kAcceptAdvice,
-                             {lockNote(locked.line, describe(locked))}});
+    broken(wanted.source, wanted.title + ": " + message, help,
+           lockNote(locked.line, describe(locked)));
+  }
+
+  void broken(const WantedNode& wanted, const Node& locked, const std::string& message,
+              const std::string& help) {
+    broken(wanted.source, wanted.title + message, help, lockNote(locked.line, locked.name));
   }
 
   Node created(const WantedNode& wanted) {
@@ -151,9 +159,15 @@ class Merger {
   /// What the header no longer declares stays, so that its id and ordinals are never given again.
   Node buried(Node node, const model::Header& header) {
     if (node.removed()) return node;
-    pending({0, header.path, 0}, "lock-removed",
-            node.name + " is no longer declared in " + header.path,
-            {lockNote(node.line, node.name)});
+    const model::Source source{0, header.path, 0};
+    const std::string message = node.name + " is no longer declared in " + header.path;
+    if (node.kind == Node::Kind::Interface) {
+      node_ = node.name;
+      broken(source, message, "old peers use it: put it back, or say was() on what replaces it",
+             lockNote(node.line, node.name));
+    } else {
+      pending(source, "lock-removed", message, {lockNote(node.line, node.name)});
+    }
     node.annotations["removed"] = quoted(node.name);
     return node;
   }
@@ -165,14 +179,10 @@ class Merger {
     const auto major = locked.annotations.find("major");
     if (major != locked.annotations.end()) node.annotations.insert(*major);
     if (node.kind != locked.kind) {
-      merge_.broken.insert(node_);
-      merge_.breaks.push_back({wanted.source,
-                               "lock-break",
-                               wanted.title + " was something else before",
-                               std::string("give the new thing a name of its own") + kAcceptAdvice,
-                               {lockNote(locked.line, locked.name)}});
+      broken(wanted, locked, " was something else before", "give the new thing a name of its own");
     }
     compareBases(wanted, locked);
+    compareVersions(wanted, locked);
     if (node.name != locked.name) {
       pending(wanted.source, "lock-renamed",
               wanted.title + " has a new wire name, '" + node.name + "'",
@@ -197,21 +207,27 @@ class Merger {
     return node;
   }
 
-  /// A contract may get a base, and then has more to offer; it never loses one.
+  /// The commands of a base are numbered before the contract's own.
   void compareBases(const WantedNode& wanted, const Node& locked) {
     for (const std::string& base : locked.extends) {
       const auto& now = wanted.node.extends;
       if (std::find(now.begin(), now.end(), base) != now.end()) continue;
-      merge_.breaks.push_back({wanted.source,
-                               "lock-break",
-                               wanted.title + " no longer derives from " + base,
-                               "put the base back: its commands are part of the contract",
-                               {lockNote(locked.line, locked.name)}});
+      broken(wanted, locked, " no longer derives from " + base,
+             "put the base back: its commands are part of the contract");
     }
     if (wanted.node.extends.size() > locked.extends.size()) {
-      pending(wanted.source, "lock-new",
-              "the base of " + wanted.title + " is not in the lock " + where(locked.line));
+      broken(wanted, locked, " has a base that it did not have: its commands are numbered anew",
+             "declare the commands of the base in the contract itself");
     }
+  }
+
+  /// Peers of two versions refuse each other.
+  void compareVersions(const WantedNode& wanted, const Node& locked) {
+    const std::string now = valueOf(wanted.node.annotations, "version");
+    const std::string before = valueOf(locked.annotations, "version");
+    if (now == before) return;
+    broken(wanted, locked, ": version " + now + " instead of " + before,
+           "peers of two versions refuse each other: keep the version while old peers are in use");
   }
 
   /// The member of the header that `locked` is: by its wire name, else by was().
@@ -240,13 +256,18 @@ class Merger {
   Member placeholder(const WantedNode& wanted, Member member) {
     if (member.removed()) return member;
     const std::string name = member.name;
-    merge_.pending.push_back(
-        {wanted.source,
-         "lock-removed",
-         wanted.title + " no longer has '" + name + "'",
-         "say was(\"" + name +
-             "\") on what replaces it, or keep its place by running: " + options_.command,
-         {lockNote(member.line, describe(member))}});
+    const std::string message = wanted.title + " no longer has '" + name + "'";
+    const std::string help = "say was(\"" + name + "\") on what replaces it, or ";
+    const model::Note note = lockNote(member.line, describe(member));
+    if (member.isMethod) {
+      broken(wanted.source, message, help + "keep it and say deprecated(): old peers use it", note);
+    } else {
+      merge_.pending.push_back({wanted.source,
+                                "lock-removed",
+                                message,
+                                help + "keep its place by running: " + options_.command,
+                                {note}});
+    }
     member.annotations["removed"] = quoted(name);
     member.name = "removed" + std::to_string(member.ordinal);
     return member;
@@ -260,8 +281,10 @@ class Merger {
           wanted.title + " was '" + locked.name + "' so far; the lock has to learn its new name",
           {lockNote(locked.line, describe(locked))});
     }
-    member.defaultValue = locked.defaultValue;  // frozen: capnp stores values relative to it
+    const std::size_t breaks = merge_.breaks.size();
     compare(wanted, locked, member, locked);
+    // Frozen while it means the same: capnp stores values relative to it.
+    if (merge_.breaks.size() == breaks) member.defaultValue = locked.defaultValue;
     if (member.isMethod) mergeSignature(wanted, locked, member);
     return member;
   }
@@ -284,19 +307,21 @@ class Merger {
                  " changes what the bytes mean: put it back, or "
                  "add the new form under another name");
     }
-    compareRange(wanted, locked, what, now, before);
+    compareLimits(wanted, locked, what, now, before);
   }
 
   /// The bytes mean the same, but one of two peers refuses what the other may send.
-  void compareRange(const WantedMember& wanted, const Member& locked, const std::string& what,
-                    const Member& now, const Member& before) {
-    const std::string newRange = valueOf(now.annotations, "range");
-    const std::string oldRange = valueOf(before.annotations, "range");
-    if (newRange == oldRange) return;
-    pending(wanted.source, "lock-range",
-            wanted.title + ": " + what + "range " + newRange + " instead of " + oldRange +
-                "; a receiver refuses what lies outside its own",
-            {lockNote(locked.line, describe(locked))});
+  void compareLimits(const WantedMember& wanted, const Member& locked, const std::string& what,
+                     const Member& now, const Member& before) {
+    for (const char* const name : {"range", "capacity"}) {
+      const std::string newLimit = valueOf(now.annotations, name);
+      const std::string oldLimit = valueOf(before.annotations, name);
+      if (newLimit == oldLimit) continue;
+      pending(wanted.source, "lock-range",
+              wanted.title + ": " + what + name + " " + newLimit + " instead of " + oldLimit +
+                  "; a receiver refuses what lies outside its own",
+              {lockNote(locked.line, describe(locked))});
+    }
   }
 
   void mergeSignature(const WantedMember& wanted, const Member& locked, Member& member) {

@@ -53,6 +53,16 @@ TEST_F(BreakTest, AnAcceptedBreakRaisesTheMajorOfWhatItReaches) {
   EXPECT_EQ(majorOf(accept(once), "robots::Arm"), 3u);
 }
 
+TEST_F(BreakTest, AnotherTypeHasItsOwnDefault) {
+  speed().defaultJson = "0.75";
+  const Locks old = accept({});
+  speed().type = sample::text(4);
+  speed().defaultJson = "\"fast\"";
+  EXPECT_TRUE(check(model_, accept(old)).empty()) << "capnp refuses a number as a text's default";
+  const std::string& text = accept(old).files.at("robots/arm.capnp").text;
+  EXPECT_EQ(text.find(":Text = 0.75"), std::string::npos);
+}
+
 TEST_F(BreakTest, AMajorStaysAndNothingElseRaisesIt) {
   speed().unit = "mm/s";
   const Locks once = accept(before_);

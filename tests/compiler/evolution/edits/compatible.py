@@ -1,0 +1,201 @@
+"""Edits after which old and new peers work together. What a range or a capacity refuses is among the calls."""
+
+from edit import FINE, NOTHING, REFUSES, Call, Command, Edit, Event, Side
+
+OUTSIDE = "value outside its declared limits"
+LONGER = "larger than the declared capacity"
+
+POLICY = "a queue, `latest()`, `latched()`, `ttl()`, `deadline()`"
+
+
+def record(body, **more):
+    return Side(types="struct SUTURE_TYPE() {T} {\n%s\n};\n" % body, **more)
+
+
+def commands(*listed):
+    return Side(commands=listed)
+
+
+FIELDS = [
+    Edit("field added", "a field or a base",
+         record("  std::int32_t a = 1;", sends={"a": "5"}, sees={"a": "6"}),
+         record('  double b = 2.5;\n  std::int32_t a = 1;\n  SUTURE_FIELD(capacity(4)) std::string c = "c";',
+                sends={"a": "6", "b": "7.5", "c": '"d"'}, sees={"a": "5", "b": "2.5", "c": "'c'"}),
+         build="lock-new"),
+    Edit("field removed", "a field removed",
+         record("  std::int32_t a = 1;\n  double b = 2.5;", sends={"a": "5", "b": "7.5"}, sees={"a": "6", "b": "2.5"}),
+         record("  std::int32_t a = 1;", sends={"a": "6"}, sees={"a": "5"}),
+         build="lock-removed"),
+    Edit("field renamed with was", "a name, by `was()`",
+         record("  double a = 1;", sends={"a": "5"}, sees={"a": "6"}),
+         record('  SUTURE_FIELD(was("a")) double b = 1;', sends={"b": "6"}, sees={"b": "5"}),
+         build="lock-renamed"),
+    # A plain build asks, --update-lock does not.
+    Edit("field renamed without was", "a name, without `was()`",
+         record("  std::int32_t a = 1;", sends={"a": "5"}, sees={"a": "1"}),
+         record("  std::int32_t b = 2;", sends={"b": "6"}, sees={"b": "2"}),
+         build="lock-new lock-removed"),
+    Edit("fields reordered", "the order of declarations",
+         record("  double a = 1;\n  double b = 2;", sends={"a": "5", "b": "6"}, sees={"a": "7", "b": "8"}),
+         record("  double b = 2;\n  double a = 1;", sends={"a": "7", "b": "8"}, sees={"a": "5", "b": "6"}),
+         diff=NOTHING),
+    # The one whose default changed later still takes what the lock had first, from peers that do not send it.
+    Edit("default changed", "a default",
+         record("  double a = 1;", sends={"a": "5"}, sees={"a": "6"}),
+         record("  double a = 2;\n  double b = 9;", sends={"a": "6"}, sees={"a": "5", "b": "3"}),
+         between=record("  double a = 1;\n  double b = 3;")),
+    Edit("default of both changed", "a default",
+         record("  double a = 1;", sees={"a": "2"}), record("  double a = 2;", sees={"a": "1"}), diff=NOTHING),
+    Edit("field documented", "a comment",
+         record("  double a = 1;", sees={"a": "1"}), record("  double a = 1;  ///< A number.", sees={"a": "1"}), diff=NOTHING),
+    Edit("field deprecated", "`deprecated()`",
+         record("  double a = 1;", sees={"a": "1"}),
+         record('  SUTURE_FIELD(deprecated("use b")) double a = 1;', sees={"a": "1"}), build="lock-stale"),
+    Edit("base of a struct added", "a field or a base",
+         record("  double a = 1;", sends={"a": "5"}, sees={"a": "6"}),
+         Side(types="struct SUTURE_TYPE() {T}Base {\n  std::int32_t id = 7;\n};\n"
+                    "struct SUTURE_TYPE() {T} : {T}Base {\n  double a = 1;\n};\n",
+              sends={"a": "6", "id": "8"}, sees={"a": "5", "id": "7"}),
+         build="lock-new"),
+    Edit("struct renamed with was", "a name, by `was()`",
+         Side(types="struct SUTURE_TYPE() {T}Inner {\n  double a = 1;\n};\n"
+                    "struct SUTURE_TYPE() {T} {\n  {T}Inner inner;\n};\n", sends={"inner.a": "5"}, sees={"inner.a": "6"}),
+         Side(types='struct SUTURE_TYPE(was("{T}Inner")) {T}Part {\n  double a = 1;\n};\n'
+                    "struct SUTURE_TYPE() {T} {\n  {T}Part inner;\n};\n", sends={"inner.a": "6"}, sees={"inner.a": "5"}),
+         build="lock-renamed"),
+]
+
+
+def mode(enumerators, **more):
+    return Side(types="enum class SUTURE_TYPE() {T}Mode { %s };\n" % enumerators +
+                "struct SUTURE_TYPE() {T} {\n  {T}Mode mode = {T}Mode::Off;\n};\n",
+                sends={"mode": "{T}Mode::On"}, sees={"mode": "1"}, **more)
+
+
+def chooses(name, *calls):
+    return (Command("void %s({T}Mode mode)" % name, calls=calls),)
+
+
+ENUMERATORS = [
+    Edit("enumerator added", "an enumerator, an alternative of a variant",
+         mode("Off, On", commands=chooses("choose")),
+         mode("Off, On, Fast", commands=chooses("choose", Call("{T}Mode::On", heard="mode=1"),
+                                                Call("{T}Mode::Fast", OUTSIDE, heard=None))),
+         build="lock-new", diff=REFUSES),
+    # The lock says nothing of a fallback, so diff speaks of refusals here too.
+    Edit("enumerator added to an enum with fallback", "an enumerator, an alternative of a variant",
+         mode("Off SUTURE_FIELD(fallback()), On", commands=chooses("choose_known")),
+         mode("Off SUTURE_FIELD(fallback()), On, Fast",
+              commands=chooses("choose_known", Call("{T}Mode::Fast", heard="mode=0"))),
+         build="lock-new", diff=REFUSES),
+    Edit("enumerator removed", "an enumerator removed",
+         mode("Off, On, Fast", commands=chooses("choose_gone", Call("{T}Mode::On", heard="mode=1"),
+                                                Call("{T}Mode::Fast", OUTSIDE, heard=None))),
+         mode("Off, On", commands=chooses("choose_gone")),
+         build="lock-removed", diff=REFUSES),
+    Edit("enumerator renamed with was", "a name, by `was()`",
+         mode("Off, On"),
+         Side(types="enum class SUTURE_TYPE() {T}Mode { Off, Up SUTURE_FIELD(was(\"On\")) };\n"
+                    "struct SUTURE_TYPE() {T} {\n  {T}Mode mode = {T}Mode::Off;\n};\n",
+              sends={"mode": "{T}Mode::Up"}, sees={"mode": "1"}),
+         build="lock-renamed"),
+    Edit("value of an enumerator changed", "the value of an enumerator",
+         Side(types=mode("Off, On").types, sends={"mode": "{T}Mode::On"}, sees={"mode": "1"}),
+         Side(types=mode("Off, On = 9").types, sends={"mode": "{T}Mode::On"}, sees={"mode": "9"}),
+         build="lock-stale"),
+    Edit("alternative of a variant added", "an enumerator, an alternative of a variant",
+         record("  std::variant<double, bool> a;", sends={"a": "true"}, sees={"a": "1:1"},
+                commands=(Command("void pick(const {T}& value)"),)),
+         record("  std::variant<std::int32_t, double, bool> a;", sends={"a": "true"}, sees={"a": "2:1"},
+                commands=(Command("void pick(const {T}& value)", calls=(Call("{T}{{7}}", OUTSIDE, heard=None),)),)),
+         build="lock-new lock-renamed", diff=REFUSES),
+]
+
+
+def ranged(name, range_, *calls):
+    return record("  SUTURE_FIELD(%s) double a = 1;" % range_, sends={"a": "2"}, sees={"a": "2"},
+                  commands=(Command("void %s(const {T}& value)" % name, calls=calls),))
+
+
+def bounded(name, capacity, *calls):
+    return record('  SUTURE_FIELD(capacity(%s)) std::string a = "a";' % capacity, sends={"a": '"b"'}, sees={"a": "'b'"},
+                  commands=(Command("void %s(const {T}& value)" % name, calls=calls),))
+
+
+LIMITS = [
+    Edit("range narrowed", "a capacity, a range",
+         ranged("narrow", "range(0, 10)", Call("{T}{4}", heard="value={4}"), Call("{T}{8}", OUTSIDE, heard=None)),
+         ranged("narrow", "range(0, 5)", Call("{T}{4}", heard="value={4}")), build="lock-range", diff=REFUSES),
+    Edit("range widened", "a capacity, a range",
+         ranged("widen", "range(0, 5)", Call("{T}{4}", heard="value={4}")),
+         ranged("widen", "range(0, 10)", Call("{T}{4}", heard="value={4}"), Call("{T}{8}", OUTSIDE, heard=None)),
+         build="lock-range", diff=REFUSES),
+    Edit("capacity lowered", "a capacity, a range",
+         bounded("shorten", "4", Call('{T}{"four"}', LONGER, heard=None)),
+         bounded("shorten", "2", Call('{T}{"2x"}', heard="value={'2x'}")), build="lock-range", diff=REFUSES),
+    Edit("capacity raised", "a capacity, a range",
+         bounded("lengthen", "2", Call('{T}{"2x"}', heard="value={'2x'}")),
+         bounded("lengthen", "4", Call('{T}{"four"}', LONGER, heard=None)), build="lock-range", diff=REFUSES),
+]
+
+
+def one(signature, says="", heard="a=3", **more):
+    return commands(Command(signature, says, (Call("3", heard=heard),), **more))
+
+
+COMMANDS = [
+    Edit("command added", "a command, behind the others", Side(),
+         commands(Command("void added(std::int32_t a)",
+                          calls=(Call("3", "the provider does not have this command", heard=None),))),
+         build="lock-new"),
+    Edit("command that tells since when", "a command, behind the others", Side(),
+         commands(Command("void later(std::int32_t a)", "since(2)",
+                          (Call("3", "the provider does not have this command", heard=None),))),
+         build="lock-new"),
+    Edit("command renamed with was", "a name, by `was()`",
+         one("void before(std::int32_t a)"), one("void behind(std::int32_t a)", 'was("before")'), build="lock-renamed"),
+    Edit("commands reordered", "the order of declarations",
+         commands(Command("void first(std::int32_t a)", calls=(Call("1", heard="a=1"),)),
+                  Command("void second(std::int32_t a)", calls=(Call("2", heard="a=2"),))),
+         commands(Command("void second(std::int32_t a)", calls=(Call("4", heard="a=4"),)),
+                  Command("void first(std::int32_t a)", calls=(Call("3", heard="a=3"),))),
+         diff=NOTHING),
+    Edit("parameter added", "a parameter",
+         commands(Command("void grow(std::int32_t a)", calls=(Call("3", heard="a=3 b=0"),))),
+         commands(Command("void grow(std::int32_t a, double b)", calls=(Call("3, 4.5", heard="a=3"),))), build="lock-new"),
+    Edit("command documented", "a comment",
+         one("void documented(std::int32_t a)"), one("void documented(std::int32_t a)", above="  /// Says a number.\n"),
+         diff=NOTHING),
+    Edit("command deprecated", "`deprecated()`",
+         one("void deprecated_one(std::int32_t a)"), one("void deprecated_one(std::int32_t a)", 'deprecated("use b")'),
+         build="lock-stale"),
+    Edit("queue made longer", POLICY, one("void deep(std::int32_t a)", "queue(2)"),
+         one("void deep(std::int32_t a)", "queue(9)"), build="lock-stale"),
+    Edit("command made latest", POLICY, one("void newest(std::int32_t a)"),
+         one("void newest(std::int32_t a)", "latest()"), build="lock-stale"),
+    Edit("command no longer latest", POLICY, one("void all_of_them(std::int32_t a)", "latest()"),
+         one("void all_of_them(std::int32_t a)"), build="lock-stale"),
+    Edit("ttl changed", POLICY, one("void timely(std::int32_t a)", "ttl(5s)"),
+         one("void timely(std::int32_t a)", "ttl(9s)"), build="lock-stale"),
+    Edit("deadline changed", POLICY, one("void awaited(std::int32_t a)", "deadline(5s)"),
+         one("void awaited(std::int32_t a)", "deadline(9s)"), build="lock-stale"),
+]
+
+EVENTS = [
+    Edit("event added", "an event, behind the others", Side(), Side(events=(Event("added_event", "double", emits="7"),)),
+         build="lock-new"),
+    Edit("event renamed with was", "a name, by `was()`",
+         Side(events=(Event("before_event", "double", emits="7", heard="8"),)),
+         Side(events=(Event("behind_event", "double", 'was("before_event")', emits="8", heard="7"),)), build="lock-renamed"),
+    Edit("event made latched", POLICY,
+         Side(events=(Event("kept_event", "double", emits="7", heard="8"),)),
+         Side(events=(Event("kept_event", "double", "latched()", emits="8", heard="7"),)), build="lock-stale"),
+    Edit("queue of an event changed", POLICY,
+         Side(events=(Event("deep_event", "double", "queue(2)", emits="7", heard="8"),)),
+         Side(events=(Event("deep_event", "double", "queue(9)", emits="8", heard="7"),)), build="lock-stale"),
+    Edit("event made latest", POLICY,
+         Side(events=(Event("newest_event", "double", emits="7", heard="8"),)),
+         Side(events=(Event("newest_event", "double", "latest()", emits="8", heard="7"),)), build="lock-stale"),
+]
+
+COMPATIBLE = FIELDS + ENUMERATORS + LIMITS + COMMANDS + EVENTS
