@@ -21,7 +21,7 @@ const Named* find(const std::vector<Named>& all, const std::string& name) {
   return nullptr;
 }
 
-/// Whether one was() after the other leads from `first` back to it.
+/// True if one was() after the other leads from `first` back to it.
 bool isExchanged(const Named& first, const std::vector<Named>& all) {
   const Named* one = &first;
   for (std::size_t steps = 0; one != nullptr && one->was && steps < all.size(); ++steps) {

@@ -134,7 +134,7 @@ std::string conditionOf(const WireValue& value, const Context& context) {
   return condition(value.type, value.slot, value.range, context, 0);
 }
 
-/// What a check returns that refuses the value.
+/// The expression that a check returns when it refuses the value.
 std::string refusalOf(const WireValue& value) {
   return value.member.empty() ? "false" : "refusedAt(path, \"" + value.member + "\")";
 }

@@ -9,7 +9,7 @@
 namespace robots {
 namespace {
 
-// What an arm does when it has just entered each of the states, in their order.
+// The arm says these of what it does when it has just entered each of the states, in their order.
 constexpr std::array<const char*, 5> kActivities{"", "", "holding", "paused", "following error"};
 
 template <int N>

@@ -88,7 +88,7 @@ class SimulatedArm : public Arm {
  private:
   friend class CrtkFace<N>;  // the rest of the same arm
 
-  /// Whose command is being executed; null: nobody's who could be gone.
+  /// The client whose command is being executed; null if it cannot be gone before the arm is.
   virtual const suture::ConnectedClient* asking() const { return nullptr; }
 
   /// Does what after() says, or refuses.
