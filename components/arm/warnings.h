@@ -1,5 +1,5 @@
 #pragma once
-// What an arm warns of, and when.
+// An arm keeps its warnings here until it tells them at the end of a cycle.
 
 #include <cstdint>
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view kCut = "...";
 
-/// What stands between a part and what is within it.
+/// The text that joins a part to the part within it.
 std::string_view jointBefore(std::string_view inner) {
   return inner.empty() || inner.starts_with('[') ? "" : ".";
 }
