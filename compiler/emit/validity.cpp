@@ -26,12 +26,15 @@ bool usesPath(const std::string& condition) {
   return condition.find(", path") != std::string::npos;
 }
 
+std::string lambda(const std::string& parameter, const std::string& result) {
+  const std::string capture = usesPath(result) ? "[path]" : "[]";
+  return capture + "(" + parameter + ") {" + lambdaBody("return " + result + ";") + "}";
+}
+
 /// `path` is null where C++ does not count the elements of such a type by one number in brackets.
 std::string allOf(const std::string& slot, const std::string& path, const std::string& parameter,
                   const std::string& each) {
-  const std::string capture = usesPath(each) ? "[path]" : "[]";
-  return "allOf(" + slot + ", " + path + ", " + kBreak + capture + "(" + parameter + ") {" +
-         lambdaBody("return " + each + ";") + "})";
+  return "allOf(" + slot + ", " + path + ", " + kBreak + lambda(parameter, each) + ")";
 }
 
 /// Of an Eigen type.
@@ -62,6 +65,12 @@ bool isChecked(const Type& type) {
   return std::any_of(type.element.begin(), type.element.end(), isChecked);
 }
 
+/// The slot of an enum is a number, and only the enum's own check knows which of them it declares.
+bool holdsEnum(const Type& type) {
+  return type.shape == Shape::Enum ||
+         std::any_of(type.element.begin(), type.element.end(), holdsEnum);
+}
+
 /// Of what one overload of the runtime's isValid() judges as a whole.
 std::string wholeCondition(const Type& type, const std::string& slot) {
   return isChecked(type) ? "isValid(" + slot + ", path)" : "";
@@ -72,12 +81,34 @@ std::string condition(const Type& type, const std::string& slot, const Range& ra
 
 std::string mapCondition(const Type& type, const std::string& slot, const Range& range,
                          const Context& context, unsigned depth) {
-  if (!range) return wholeCondition(type, slot);
+  if (!range && !holdsEnum(type)) return wholeCondition(type, slot);
   const std::string item = "element" + depthSuffix(depth);
-  const std::string each =
+  const std::string key = condition(type.element.front(), item + ".key", {}, context, depth + 1);
+  const std::string value =
       condition(type.element.back(), item + ".value", range, context, depth + 1);
   const std::string itemType = elementSlot(type, context, context.header.cxxNamespace);
-  return allOf(slot, "path", "const " + itemType + "& " + item, each);
+  return allOf(slot, "path", "const " + itemType + "& " + item,
+               key + (key.empty() || value.empty() ? "" : " && ") + value);
+}
+
+/// What can be called with the slot of such a type.
+std::string checkOf(const Type& type, const Context& context, unsigned depth) {
+  if (type.shape == Shape::Enum) return enumCheck(type.name, context);
+  if (!holdsEnum(type)) return "Valid{path}";
+  const std::string item = "element" + depthSuffix(depth);
+  const std::string itemType = slotType(type, context, context.header.cxxNamespace);
+  return lambda("const " + itemType + "& " + item, condition(type, item, {}, context, depth));
+}
+
+/// Of a tuple, or of a variant: one check for each thing that is or may be in it.
+std::string eachCondition(const char* function, const Type& type, const std::string& slot,
+                          const Context& context, unsigned depth) {
+  if (!holdsEnum(type)) return wholeCondition(type, slot);
+  std::string checks;
+  for (const Type& element : type.element) {
+    checks += std::string(", ") + kBreak + checkOf(element, context, depth + 1);
+  }
+  return function + ("(" + slot) + ", path" + checks + ")";
 }
 
 /// Of a number of seconds, as the slot holds it: its count, or nanoseconds.
@@ -118,11 +149,11 @@ std::string condition(const Type& type, const std::string& slot, const Range& ra
     case Shape::Quaternion:
     case Shape::Isometry:
     case Shape::Affine: return coefficientsCondition(type, slot, range, depth);
-    case Shape::Tuple:
-    case Shape::Variant: return wholeCondition(type, slot);
+    case Shape::Tuple: return eachCondition("allItems", type, slot, context, depth);
+    case Shape::Variant: return eachCondition("theOneOf", type, slot, context, depth);
     case Shape::Map: return mapCondition(type, slot, range, context, depth);
     case Shape::Optional:
-      if (!range && type.element.front().shape != Shape::Enum) return wholeCondition(type, slot);
+      if (!range && !holdsEnum(type)) return wholeCondition(type, slot);
       [[fallthrough]];
     case Shape::List:
     case Shape::Array: return sequenceCondition(type, slot, range, context, depth);

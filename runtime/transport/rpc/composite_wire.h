@@ -127,26 +127,45 @@ template <class S>
 bool isValid(const OpenOptional<S>& slot, FieldPath* path) {
   return allOf(slot, path, [path](const S& value) { return isValid(value, path); });
 }
-template <class Tuple, std::size_t... I>
-bool areItemsValid(const Tuple& slot, FieldPath* path, std::index_sequence<I...>) {
-  const auto isItemValid = [path](const auto& one, std::size_t index) {
-    if (isValid(one, path)) return true;
-    if (path != nullptr) path->enterElement(index);
-    return false;
+/// isValid(), to be passed on.
+struct Valid {
+  template <class Slot>
+  bool operator()(const Slot& slot) const {
+    return isValid(slot, path);
+  }
+  FieldPath* path;
+};
+
+template <class Tuple, std::size_t... I, class... Check>
+bool allItemsAt(const Tuple& slot, FieldPath* path, std::index_sequence<I...>,
+                const Check&... check) {
+  const auto told = [path](bool isValid, std::size_t index) {
+    if (!isValid && path != nullptr) path->enterElement(index);
+    return isValid;
   };
-  return (isItemValid(item<I>(slot), I) && ...);
+  return (told(check(item<I>(slot)), I) && ...);
+}
+/// Of each member of a tuple, by a check of its own.
+template <class... S, class... Check>
+bool allItems(const SlotTuple<S...>& slot, FieldPath* path, const Check&... check) {
+  return allItemsAt(slot, path, std::index_sequence_for<S...>(), check...);
 }
 template <class... S>
 bool isValid(const SlotTuple<S...>& slot, FieldPath* path) {
-  return areItemsValid(slot, path, std::index_sequence_for<S...>());
+  return allItems(slot, path, [path](const S& one) { return isValid(one, path); }...);
 }
-template <class Slot, std::size_t... I>
-bool isAlternativeValid(const Slot& slot, FieldPath* path, std::index_sequence<I...>) {
-  return ((slot.index == I && isValid(alternative<I>(slot), path)) || ...);
+template <class Slot, std::size_t... I, class... Check>
+bool theOneAt(const Slot& slot, std::index_sequence<I...>, const Check&... check) {
+  return ((slot.index == I && check(alternative<I>(slot))) || ...);
+}
+/// Of the alternative that a variant holds, by the check for it.
+template <class... S, class... Check>
+bool theOneOf(const SlotVariant<S...>& slot, FieldPath*, const Check&... check) {
+  return theOneAt(slot, std::index_sequence_for<S...>(), check...);
 }
 template <class... S>
 bool isValid(const SlotVariant<S...>& slot, FieldPath* path) {
-  return isAlternativeValid(slot, path, std::index_sequence_for<S...>());
+  return theOneOf(slot, path, [path](const S& one) { return isValid(one, path); }...);
 }
 template <Number S, std::uint32_t R, std::uint32_t C>
 bool isValid(const BoundedMatrix<S, R, C>& slot, FieldPath*) {

@@ -35,6 +35,7 @@ Choices full() {
   value.either = point(5);
   value.nested = std::optional<Point>(point(6));
   value.owned = std::make_unique<Point>(point(7));
+  value.rated = {0.5, Level::High};
   return value;
 }
 
@@ -61,6 +62,7 @@ TEST(Choices, FullOnesArrive) {
   EXPECT_EQ(std::get<1>(received.nested).value().x, 6);
   ASSERT_TRUE(received.owned);
   EXPECT_EQ(received.owned->x, 7);
+  EXPECT_EQ(received.rated, full().rated);
 }
 
 TEST(Choices, EmptyOnesArriveAndReplaceWhatWasThere) {
@@ -155,6 +157,23 @@ TEST(Choices, WhatIsWrongInsideIsTold) {
   EXPECT_EQ(refused([](Choices& value) { value.nested = std::optional<Point>(point(kNaN)); }),
             "nested.x");
   EXPECT_EQ(refused([](Choices& value) { value.owned->x = kNaN; }), "owned.x");
+}
+
+// A slot holds its number, so that only a check can tell.
+TEST(Choices, AnEnumeratorThatIsNotDeclaredIsRefusedInsideToo) {
+  Choices value = full();
+  value.nested = Level::High;
+  EXPECT_EQ(Trip::refusedUnsent(value), "");
+  value.nested = static_cast<Level>(77);
+  EXPECT_EQ(Trip::refusedUnsent(value), "nested");
+  value.nested = std::optional<Point>(point(kNaN));
+  EXPECT_EQ(Trip::refusedUnsent(value), "nested.x") << "what is beside it is judged as before";
+
+  value = full();
+  value.rated.second = static_cast<Level>(77);
+  EXPECT_EQ(Trip::refusedUnsent(value), "rated[1]");
+  value.rated = {kNaN, Level::Low};
+  EXPECT_EQ(Trip::refusedUnsent(value), "rated[0]");
 }
 
 TEST(Choices, AnIndexOutOfRangeIsNotValid) {

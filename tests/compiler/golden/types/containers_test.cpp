@@ -166,6 +166,9 @@ TEST(Containers, WhatIsWrongInsideIsToldByItsPlaceOrItsKey) {
             "series[\"x\"][1]");
   EXPECT_EQ(refused([](Sequences& value) { value.shares[Level::Low] = 1.5; }), "shares[10]");
   EXPECT_EQ(refused([](Sequences& value) { value.shares[Level::Low] = kNaN; }), "shares[10]");
+  Sequences unknown = full();
+  unknown.shares[static_cast<Level>(77)] = 0.5;
+  EXPECT_EQ(Trip::refusedUnsent(unknown), "shares[77]") << "a key that its enum does not declare";
 }
 
 TEST(Containers, TheFirstOfSeveralIsTold) {

@@ -66,6 +66,16 @@ struct RoundTrip {
     return std::string(path.text());
   }
 
+  /// The same where it is sent: before its message is written.
+  static std::string refusedUnsent(const Value& value) {
+    auto one = std::make_unique<Slot>();
+    EXPECT_TRUE(store(value, *one));
+    suture::FieldPath path;
+    const bool valid = isValid(*one, &path);
+    EXPECT_EQ(valid, path.empty());
+    return std::string(path.text());
+  }
+
   bool fits(const Value& value) const {
     auto one = std::make_unique<Slot>();
     return store(value, *one);

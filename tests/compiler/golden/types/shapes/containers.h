@@ -70,6 +70,7 @@ struct SUTURE_TYPE() Choices {
   SUTURE_FIELD(capacity(4)) std::variant<std::monostate, double, Point, std::string, double> either;
   std::variant<Level, std::optional<Point>> nested;
   std::unique_ptr<Point> owned;
+  std::pair<double, Level> rated;
 };
 
 /// Eigen types of all kinds.

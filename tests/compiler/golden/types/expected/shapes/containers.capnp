@@ -190,6 +190,7 @@ struct Choices @0xbda4c87a7b3da61e $Meta.cxx("shapes::Choices") {
   either @10 :ShapesContainersEitherOfNothingOrFloat64OrPointOrTextOrFloat64 $Meta.capacity([4]);
   nested @11 :ShapesContainersEitherOfLevelOrOptionalPoint;
   owned @12 :ShapesContainersOptionalPoint;
+  rated @13 :ShapesContainersTupleOfFloat64AndLevel;
 }
 
 struct Matrices @0xd5b880c1c2797353 $Meta.cxx("shapes::Matrices") {

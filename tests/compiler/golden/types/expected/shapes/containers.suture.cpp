@@ -24,6 +24,8 @@ using suture::newSlot;
 using suture::refusedAt;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
+using suture::rpc::Valid;
+using suture::rpc::allItems;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
 using suture::rpc::fromDefault;
@@ -32,6 +34,7 @@ using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
+using suture::rpc::theOneOf;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
 using suture::slotIn;
@@ -81,6 +84,7 @@ static_assert(std::is_same_v<decltype(Choices::either),
 static_assert(std::is_same_v<decltype(Choices::nested),
                              std::variant<shapes::Level, std::optional<shapes::Point>>>);
 static_assert(std::is_same_v<decltype(Choices::owned), std::unique_ptr<shapes::Point>>);
+static_assert(std::is_same_v<decltype(Choices::rated), std::pair<double, shapes::Level>>);
 static_assert(std::is_same_v<decltype(Matrices::joints), Eigen::VectorXd>);
 static_assert(std::is_same_v<decltype(Matrices::row), Eigen::RowVectorXd>);
 static_assert(std::is_same_v<decltype(Matrices::any), Eigen::MatrixXd>);
@@ -169,6 +173,7 @@ bool store(const Choices& value, ChoicesSlot& slot) {
   fits &= store(value.either, slot.either);
   fits &= store(value.nested, slot.nested);
   fits &= store(value.owned, slot.owned);
+  fits &= store(value.rated, slot.rated);
   return fits;
 }
 
@@ -186,6 +191,7 @@ void load(const ChoicesSlot& slot, Choices& value) {
   load(slot.either, value.either);
   load(slot.nested, value.nested);
   load(slot.owned, value.owned);
+  load(slot.rated, value.rated);
 }
 
 void reserve(const ChoicesSlot*, Choices& value) {
@@ -435,7 +441,7 @@ bool isValid(const SequencesSlot& slot, FieldPath* path) {
   if (!isValid(slot.points, path)) return refusedAt(path, "points");
   if (!isValid(slot.series, path)) return refusedAt(path, "series");
   if (!allOf(slot.shares, path, [](const suture::SlotEntry<std::int16_t, double>& element) {
-    return inRange(element.value, 0, 1);
+    return isKnownLevel(element.key) && inRange(element.value, 0, 1);
   })) {
     return refusedAt(path, "shares");
   }
@@ -650,6 +656,18 @@ Errc fromWire(wire::ShapesContainersEitherOfLevelOrOptionalPoint::Reader in,
   return Errc::Invalid;
 }
 
+void toWire(const suture::SlotTuple<double, std::int16_t>& slot,
+            wire::ShapesContainersTupleOfFloat64AndLevel::Builder out) {
+  out.setItem0(suture::item<0>(slot));
+  out.setItem1(wireLevel(suture::item<1>(slot)));
+}
+
+Errc fromWire(wire::ShapesContainersTupleOfFloat64AndLevel::Reader in,
+              suture::SlotTuple<double, std::int16_t>& slot, Duration) {
+  suture::item<0>(slot) = in.getItem0();
+  return fromWire(in.getItem1(), suture::item<1>(slot));
+}
+
 void toWire(const ChoicesSlot& slot, wire::Choices::Builder out) {
   toWire(slot.gain, out.initGain());
   toWire(slot.share, out.initShare());
@@ -667,6 +685,7 @@ void toWire(const ChoicesSlot& slot, wire::Choices::Builder out) {
   toWire(slot.either, out.initEither());
   toWire(slot.nested, out.initNested());
   toWire(slot.owned, out.initOwned());
+  toWire(slot.rated, out.initRated());
 }
 
 Errc fromWire(wire::Choices::Reader in, ChoicesSlot& slot, Duration shift) {
@@ -686,6 +705,7 @@ Errc fromWire(wire::Choices::Reader in, ChoicesSlot& slot, Duration shift) {
       fromWire(in.getEither(), slot.either, shift),
       fromWire(in.getNested(), slot.nested, shift),
       fromWire(in.getOwned(), slot.owned, shift),
+      fromWire(in.getRated(), slot.rated, shift),
   });
 }
 
@@ -704,8 +724,9 @@ bool isValid(const ChoicesSlot& slot, FieldPath* path) {
   if (!isValid(slot.entry, path)) return refusedAt(path, "entry");
   if (!isValid(slot.triple, path)) return refusedAt(path, "triple");
   if (!isValid(slot.either, path)) return refusedAt(path, "either");
-  if (!isValid(slot.nested, path)) return refusedAt(path, "nested");
-  return isValid(slot.owned, path) || refusedAt(path, "owned");
+  if (!theOneOf(slot.nested, path, isKnownLevel, Valid{path})) return refusedAt(path, "nested");
+  if (!isValid(slot.owned, path)) return refusedAt(path, "owned");
+  return allItems(slot.rated, path, Valid{path}, isKnownLevel) || refusedAt(path, "rated");
 }
 
 void toWire(const MatricesSlot& slot, wire::Matrices::Builder out) {
@@ -765,18 +786,6 @@ bool isValid(const MatricesSlot& slot, FieldPath* path) {
   return isValid(slot.wait) || refusedAt(path, "wait");
 }
 
-void toWire(const suture::SlotTuple<double, std::int16_t>& slot,
-            wire::ShapesContainersTupleOfFloat64AndLevel::Builder out) {
-  out.setItem0(suture::item<0>(slot));
-  out.setItem1(wireLevel(suture::item<1>(slot)));
-}
-
-Errc fromWire(wire::ShapesContainersTupleOfFloat64AndLevel::Reader in,
-              suture::SlotTuple<double, std::int16_t>& slot, Duration) {
-  suture::item<0>(slot) = in.getItem0();
-  return fromWire(in.getItem1(), suture::item<1>(slot));
-}
-
 void toWire(const suture::SlotVariant<double, PointSlot>& slot,
             wire::ShapesContainersEitherOfFloat64OrPoint::Builder out) {
   if (slot.index == 0) return out.setFloat64(suture::alternative<0>(slot));
@@ -809,7 +818,7 @@ bool acceptsStoreChoose(const StoreChooseArguments& slot, FieldPath* path) {
 
 bool acceptsStoreReadingResult(const suture::SlotTuple<double, std::int16_t>& slot,
                                FieldPath* path) {
-  return isValid(slot, path);
+  return allItems(slot, path, Valid{path}, isKnownLevel);
 }
 
 bool acceptsStoreChangedEvent(const suture::SlotVariant<double, PointSlot>& slot, FieldPath* path) {
@@ -1147,7 +1156,7 @@ constexpr EventInfo kStoreEvents[] = {
 // The self-description, as in shapes/containers.suture.json.
 constexpr char kStoreDescription[] = R"json(
 {"name": "shapes::Store", "doc": "Composites right in a contract.",
-"hash": "09303ff7be3e944d6c73c2f9f3a63f1b", "commands": [{"name": "put", "kind": "write",
+"hash": "12f79678e78dcc3f88f4e408f39ab4bb", "commands": [{"name": "put", "kind": "write",
 "ordinal": 1, "parameters": [{"name": "value", "type": {"kind": "struct",
 "name": "shapes::Sequences"}}], "queue": 16}, {"name": "choose", "kind": "write", "ordinal": 2,
 "parameters": [{"name": "gain", "type": {"kind": "optional", "element": {"kind": "Float64"}}}],
@@ -1203,13 +1212,14 @@ constexpr char kStoreDescription[] = R"json(
 "kind": "text", "capacity": 4}, {"kind": "Float64"}]}}, {"name": "nested", "type": {
 "kind": "variant", "alternatives": [{"kind": "enum", "name": "shapes::Level"}, {"kind": "optional",
 "element": {"kind": "struct", "name": "shapes::Point"}}]}}, {"name": "owned", "type": {
-"kind": "optional", "element": {"kind": "struct", "name": "shapes::Point"}}}]}, {
-"name": "shapes::Matrices", "doc": "Eigen types of all kinds.", "fields": [{"name": "joints",
-"type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 4}, "unit": "rad"}, {
-"name": "row", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 3}}, {
-"name": "any", "type": {"kind": "any matrix", "scalar": "Float64", "capacity": [2, 3]}}, {
-"name": "counts", "type": {"kind": "any matrix", "scalar": "Int32", "capacity": [2, 2]}}, {
-"name": "columns", "type": {"kind": "list", "element": {"kind": "matrix", "scalar": "Float64",
+"kind": "optional", "element": {"kind": "struct", "name": "shapes::Point"}}}, {"name": "rated",
+"type": {"kind": "tuple", "elements": [{"kind": "Float64"}, {"kind": "enum", "name": "shapes::Level"
+}]}}]}, {"name": "shapes::Matrices", "doc": "Eigen types of all kinds.", "fields": [{
+"name": "joints", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 4},
+"unit": "rad"}, {"name": "row", "type": {"kind": "list", "element": {"kind": "Float64"},
+"capacity": 3}}, {"name": "any", "type": {"kind": "any matrix", "scalar": "Float64", "capacity": [
+2, 3]}}, {"name": "counts", "type": {"kind": "any matrix", "scalar": "Int32", "capacity": [2, 2]}},
+{"name": "columns", "type": {"kind": "list", "element": {"kind": "matrix", "scalar": "Float64",
 "rows": 3, "columns": 1}, "capacity": 4}}, {"name": "limited", "type": {"kind": "list", "element": {
 "kind": "Float32"}, "capacity": 5}}, {"name": "fixed", "type": {"kind": "matrix",
 "scalar": "Float64", "rows": 4, "columns": 5}}, {"name": "cloud", "type": {"kind": "list",
@@ -1275,7 +1285,8 @@ constexpr char kStoreDescription[] = R"json(
 "is": "List(@0x93f6eb2708268fd2)"}, {"at": 8, "name": "entry", "is": "@0xa8fca31255af753f"}, {
 "at": 9, "name": "triple", "is": "@0xd1cc96f9d5534dc0"}, {"at": 10, "name": "either",
 "is": "@0xaf3aba732f52a3c6"}, {"at": 11, "name": "nested", "is": "@0xb44eaa716e9d1cae"}, {"at": 12,
-"name": "owned", "is": "@0x93456d793990e99b"}]}, {"id": "@0x9a6cebde1c465fb4", "kind": "union",
+"name": "owned", "is": "@0x93456d793990e99b"}, {"at": 13, "name": "rated",
+"is": "@0xfdb609e41c4ccca5"}]}, {"id": "@0x9a6cebde1c465fb4", "kind": "union",
 "name": "ShapesContainersOptionalFloat64", "members": [{"at": 0, "name": "none", "is": "Void"}, {
 "at": 1, "name": "some", "is": "Float64"}]}, {"id": "@0x87471a777724acdf", "kind": "union",
 "name": "ShapesContainersOptionalBool", "members": [{"at": 0, "name": "none", "is": "Void"}, {
@@ -1304,10 +1315,13 @@ constexpr char kStoreDescription[] = R"json(
 }, {"at": 4, "name": "float64At4", "is": "Float64"}]}, {"id": "@0xb44eaa716e9d1cae",
 "kind": "union", "name": "ShapesContainersEitherOfLevelOrOptionalPoint", "members": [{"at": 0,
 "name": "level", "is": "@0xa46142666f1d7c70"}, {"at": 1, "name": "optionalPoint",
-"is": "@0x93456d793990e99b"}]}, {"id": "@0xd5b880c1c2797353", "kind": "struct", "name": "Matrices",
-"members": [{"at": 0, "name": "joints", "is": "List(Float64) unit \"rad\""}, {"at": 1,
-"name": "row", "is": "List(Float64)"}, {"at": 2, "name": "any", "is": "@0xe30c2c9ae5b373ec"}, {
-"at": 3, "name": "counts", "is": "@0xcf91b55ab5eb9027"}, {"at": 4, "name": "columns",
+"is": "@0x93456d793990e99b"}]}, {"id": "@0xfdb609e41c4ccca5", "kind": "struct",
+"name": "ShapesContainersTupleOfFloat64AndLevel", "members": [{"at": 0, "name": "item0",
+"is": "Float64"}, {"at": 1, "name": "item1", "is": "@0xa46142666f1d7c70"}]}, {
+"id": "@0xd5b880c1c2797353", "kind": "struct", "name": "Matrices", "members": [{"at": 0,
+"name": "joints", "is": "List(Float64) unit \"rad\""}, {"at": 1, "name": "row",
+"is": "List(Float64)"}, {"at": 2, "name": "any", "is": "@0xe30c2c9ae5b373ec"}, {"at": 3,
+"name": "counts", "is": "@0xcf91b55ab5eb9027"}, {"at": 4, "name": "columns",
 "is": "List(Float64) shape \"*,3x1\""}, {"at": 5, "name": "limited", "is": "List(Float32)"}, {
 "at": 6, "name": "fixed", "is": "List(Float64) shape \"4x5\""}, {"at": 7, "name": "cloud",
 "is": "List(Float64) shape \"*,3x1\""}, {"at": 8, "name": "wrenches",
@@ -1318,12 +1332,9 @@ constexpr char kStoreDescription[] = R"json(
 }, {"at": 1, "name": "columns", "is": "UInt32"}, {"at": 2, "name": "data", "is": "List(Float64)"}]
 }, {"id": "@0xcf91b55ab5eb9027", "kind": "struct", "name": "ShapesContainersAnyMatrixOfInt32",
 "members": [{"at": 0, "name": "rows", "is": "UInt32"}, {"at": 1, "name": "columns", "is": "UInt32"
-}, {"at": 2, "name": "data", "is": "List(Int32)"}]}, {"id": "@0xfdb609e41c4ccca5", "kind": "struct",
-"name": "ShapesContainersTupleOfFloat64AndLevel", "members": [{"at": 0, "name": "item0",
-"is": "Float64"}, {"at": 1, "name": "item1", "is": "@0xa46142666f1d7c70"}]}, {
-"id": "@0x8f220204a5e1de49", "kind": "union", "name": "ShapesContainersEitherOfFloat64OrPoint",
-"members": [{"at": 0, "name": "float64", "is": "Float64"}, {"at": 1, "name": "point",
-"is": "@0xb51a57f43829556b"}]}]})json";
+}, {"at": 2, "name": "data", "is": "List(Int32)"}]}, {"id": "@0x8f220204a5e1de49", "kind": "union",
+"name": "ShapesContainersEitherOfFloat64OrPoint", "members": [{"at": 0, "name": "float64",
+"is": "Float64"}, {"at": 1, "name": "point", "is": "@0xb51a57f43829556b"}]}]})json";
 
 }  // namespace
 }  // namespace shapes
@@ -1334,7 +1345,7 @@ template <>
 const InterfaceInfo& interfaceInfo<shapes::Store>() {
   static constexpr InterfaceInfo kInfo{
       .name = "shapes::Store",
-      .hash = "09303ff7be3e944d6c73c2f9f3a63f1b",
+      .hash = "12f79678e78dcc3f88f4e408f39ab4bb",
       .description = shapes::kStoreDescription,
       .commands = shapes::kStoreCommands,
       .events = shapes::kStoreEvents,

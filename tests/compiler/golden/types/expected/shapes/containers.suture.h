@@ -58,6 +58,7 @@ struct ChoicesSlot {
   suture::SlotVariant<suture::SlotNothing, double, PointSlot, suture::BoundedText<4>, double> either;
   suture::SlotVariant<std::int16_t, suture::SlotOptional<PointSlot>> nested;
   suture::SlotOptional<PointSlot> owned;
+  suture::SlotTuple<double, std::int16_t> rated;
 };
 
 bool store(const Choices& value, ChoicesSlot& slot);
