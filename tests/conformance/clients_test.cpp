@@ -8,7 +8,7 @@ namespace {
 using Lines = std::vector<std::string>;
 
 /// The provider has a thread in which it is told: it is no device that its client calls directly.
-class WireClients : public Conformance {
+class Clients : public Conformance {
  protected:
   std::string named(const char* news) const {
     return std::string(GetParam().sharesManager() ? "alone" : "client") + ":Console/Arm" + news;
@@ -18,7 +18,7 @@ class WireClients : public Conformance {
   }
 };
 
-TEST_P(WireClients, AConnectionIsToldOfAndItsEndAndTheNextOne) {
+TEST_P(Clients, AConnectionIsToldOfAndItsEndAndTheNextOne) {
   const Lines first{named(" connected")};
   EXPECT_TRUE(eventuallyTold(first));
   disconnectArm();
@@ -30,7 +30,7 @@ TEST_P(WireClients, AConnectionIsToldOfAndItsEndAndTheNextOne) {
       << "each once";
 }
 
-class WireClientProcesses : public WireClients {};
+class WireClientProcesses : public Clients {};
 
 TEST_P(WireClientProcesses, TheEndOfTheClientsProcessIsToldOfOnce) {
   EXPECT_TRUE(eventuallyTold({named(" connected")}));
@@ -39,7 +39,7 @@ TEST_P(WireClientProcesses, TheEndOfTheClientsProcessIsToldOfOnce) {
   EXPECT_TRUE(eventuallyTold(gone));
 }
 
-INSTANTIATE_TEST_SUITE_P(Lanes, WireClients, testing::ValuesIn(wireRows(isQueued)), nameOf);
+INSTANTIATE_TEST_SUITE_P(Lanes, Clients, testing::ValuesIn(laneRows(isQueued)), nameOf);
 INSTANTIATE_TEST_SUITE_P(Lanes, WireClientProcesses, testing::ValuesIn(wireRows([](const Row& row) {
                            return !row.sharesManager();
                          })),

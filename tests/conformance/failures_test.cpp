@@ -107,12 +107,14 @@ TEST_P(EndingsOfTasks, ACallThatWaitsWhenTheProviderEndsIsNotExecuted) {
   });
 }
 
-TEST_P(Failures, AnUnconnectedInterfaceSaysSo) {
+// It has no lane.
+TEST(Unconnected, AnInterfaceSaysSo) {
   DeviceClient lonely;
   lonely.with([](Arm& remote) {
     EXPECT_EQ(remote.hold().error(), Errc::NotConnected);
     EXPECT_EQ(remote.measured_cp().error(), Errc::NotConnected);
     EXPECT_EQ(remote.distance.start(poseAt(1)).within(1s).error(), Errc::NotConnected);
+    EXPECT_EQ(remote.on().stopped.next().within(1s).error(), Errc::NotConnected);
   });
 }
 

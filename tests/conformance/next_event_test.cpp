@@ -157,13 +157,6 @@ TEST_P(NextEvents, AnotherThreadIsTurnedAway) {
   });
 }
 
-TEST_P(NextEvents, AnUnconnectedInterfaceSaysSo) {
-  DeviceClient lonely;
-  lonely.with([](Arm& remote) {
-    EXPECT_EQ(remote.on().stopped.next().within(1s).error(), Errc::NotConnected);
-  });
-}
-
 INSTANTIATE_TEST_SUITE_P(Lanes, NextEvents, testing::ValuesIn(laneRows()), nameOf);
 INSTANTIATE_TEST_SUITE_P(Lanes, LastEvents, testing::ValuesIn(wireRows(&Row::providerCanEnd)),
                          nameOf);

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <cstdlib>
-#include <set>
+#include <map>
 #include <string_view>
 
 namespace conformance {
@@ -48,22 +48,27 @@ std::array<Pair, 6> pairsOf(const Row& row) {
           pair(4, row.where, row.provider),  pair(5, row.transport, row.provider)};
 }
 
-/// Takes again and again the first of those rows that bring the most pairs that are still missing.
+/// Takes again and again, of the rows that have the rarest pair that is still missing, the first of
+/// those that bring the most pairs that are.
 std::vector<Row> covering(const std::vector<Row>& possible) {
-  std::set<Pair> missing;
+  std::map<Pair, std::vector<const Row*>> missing;
   for (const Row& row : possible) {
-    for (const Pair pair : pairsOf(row)) missing.insert(pair);
+    for (const Pair pair : pairsOf(row)) missing[pair].push_back(&row);
   }
-  const auto news = [&missing](const Row& row) {
-    const auto pairs = pairsOf(row);
+  const auto news = [&missing](const Row* row) {
+    const auto pairs = pairsOf(*row);
     return std::count_if(pairs.begin(), pairs.end(),
                          [&](Pair pair) { return missing.contains(pair); });
   };
   std::vector<Row> chosen;
   while (!missing.empty()) {
-    chosen.push_back(*std::max_element(
-        possible.begin(), possible.end(),
-        [&](const Row& one, const Row& other) { return news(one) < news(other); }));
+    const std::vector<const Row*>& candidates =
+        std::min_element(missing.begin(), missing.end(), [](const auto& one, const auto& other) {
+          return one.second.size() < other.second.size();
+        })->second;
+    chosen.push_back(**std::max_element(
+        candidates.begin(), candidates.end(),
+        [&](const Row* one, const Row* other) { return news(one) < news(other); }));
     for (const Pair pair : pairsOf(chosen.back())) missing.erase(pair);
   }
   return chosen;
