@@ -71,8 +71,8 @@ class SUTURE_INTERFACE() Arm {
   suture::EventOf<OperatingState> operating_state_event;
   /// A move ended: true at its goal, false when something else replaced it.
   SUTURE_EVENT() suture::EventOf<bool> goal_reached;
-  /// What the arm refuses, once per reason until it obeys again; a state command each time. And
-  /// what has befallen it.
+  /// The arm refused a command, or something has befallen it. Each reason is told once until the
+  /// arm obeys again; a refused state command is told each time.
   SUTURE_EVENT(name("warning")) suture::EventOf<ArmWarning> warning_event;
 };
 

@@ -779,7 +779,7 @@ constexpr char kArmDescription[] = R"json(
 "name": "goal_reached", "kind": "write", "ordinal": 2, "wire": "goalReached",
 "doc": "A move ended: true at its goal, false when something else replaced it.", "payload": {
 "type": {"kind": "Bool"}}, "queue": 16}, {"name": "warning", "kind": "write", "ordinal": 3,
-"doc": "What the arm refuses, once per reason until it obeys again; a state command each time. And\nwhat has befallen it.",
+"doc": "The arm refused a command, or something has befallen it. Each reason is told once until the\narm obeys again; a refused state command is told each time.",
 "payload": {"type": {"kind": "enum", "name": "robots::ArmWarning"}}, "queue": 16}], "enums": [{
 "name": "robots::ArmState", "doc": "The states of CRTK.", "underlying": "UInt8", "enumerators": [{
 "name": "Undefined", "value": 0, "wire": "undefined"}, {"name": "Disabled", "value": 1,

@@ -148,8 +148,8 @@ class Required<robots::Arm> : public RequiredBase {
     Subscription<robots::OperatingStateSlot, robots::OperatingState> operating_state;
     /// A move ended: true at its goal, false when something else replaced it.
     Subscription<std::uint8_t, bool> goal_reached;
-    /// What the arm refuses, once per reason until it obeys again; a state command each time. And
-    /// what has befallen it.
+    /// The arm refused a command, or something has befallen it. Each reason is told once until the
+    /// arm obeys again; a refused state command is told each time.
     Subscription<std::uint8_t, robots::ArmWarning> warning;
   };
   Events& on() { return events_; }
@@ -184,8 +184,8 @@ class Provided<robots::Arm> : public ProvidedBase {
     Emitter<robots::OperatingStateSlot, robots::OperatingState> operating_state;
     /// A move ended: true at its goal, false when something else replaced it.
     Emitter<std::uint8_t, bool> goal_reached;
-    /// What the arm refuses, once per reason until it obeys again; a state command each time. And
-    /// what has befallen it.
+    /// The arm refused a command, or something has befallen it. Each reason is told once until the
+    /// arm obeys again; a refused state command is told each time.
     Emitter<std::uint8_t, robots::ArmWarning> warning;
   };
   Events& emit() { return events_; }

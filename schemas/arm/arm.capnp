@@ -92,8 +92,8 @@ interface ArmEvents @0xdcbc184d8af1d03c $Meta.eventsOf("robots::Arm") {
   goalReached @2 (value :Bool) -> () $Meta.cxx("goal_reached") $Meta.queue(16);
   # A move ended: true at its goal, false when something else replaced it.
   warning @3 (value :ArmWarning) -> () $Meta.queue(16);
-  # What the arm refuses, once per reason until it obeys again; a state command each time. And
-  # what has befallen it.
+  # The arm refused a command, or something has befallen it. Each reason is told once until the
+  # arm obeys again; a refused state command is told each time.
 }
 
 struct ArmStateRow @0x8c45d754ae03e800 $Meta.stateOf("robots::Arm") {

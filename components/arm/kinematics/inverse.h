@@ -20,9 +20,8 @@ struct InverseSolution {
   double orientation_error = 0;  ///< rad
   int iterations = 0;
   bool found = false;  ///< both errors are within tolerance
-  /// Not found, and only because of the joint limits: without them the goal would be reached. Then
-  /// `q` is the nearest within them. Neither found nor limited: no joint vector reaches the goal,
-  /// or none that the search finds.
+  /// Only the joint limits keep the arm from the goal, and `q` is the nearest that is within them.
+  /// If the goal is neither found nor limited, no joint vector that the search finds reaches it.
   bool limited = false;
 };
 
