@@ -4,12 +4,12 @@
 #include "loadable/parts.suture.h"
 
 /// What a deployment finds when it names this library.
-extern "C" const suture::ComponentLibrary& suture_components() {
+extern "C" const suture::ComponentLibrary* suture_components() {
   static const suture::ComponentClass kClasses[] = {
       suture::componentClass<loadable::Platter>(),
       suture::componentClass<loadable::Hand>(),
       suture::componentClass<loadable::Spindle>(),
   };
   static const suture::ComponentLibrary kLibrary{.version = suture::kVersion, .classes = kClasses};
-  return kLibrary;
+  return &kLibrary;
 }

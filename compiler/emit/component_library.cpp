@@ -39,11 +39,11 @@ model::Artefact emitComponentLibrary(const model::Model& model, const std::strin
   }
   if (any) code.blank();
   code.line("/// What a deployment finds when it names this library.");
-  code.open("extern \"C\" const suture::ComponentLibrary& suture_components() {");
+  code.open("extern \"C\" const suture::ComponentLibrary* suture_components() {");
   if (any) emitClasses(code, model);
   code.line("static const suture::ComponentLibrary kLibrary{.version = suture::kVersion, ",
             kBreakText, ".classes = ", any ? "kClasses" : "{}", "};");
-  code.line("return kLibrary;").close("}");
+  code.line("return &kLibrary;").close("}");
   return {path, code.finished()};
 }
 

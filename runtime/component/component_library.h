@@ -1,7 +1,7 @@
 #pragma once
 // What a shared library of components offers to deployments. suturec writes its one entry point for
 // a target that is LOADABLE:
-//   extern "C" const suture::ComponentLibrary& suture_components();
+//   extern "C" const suture::ComponentLibrary* suture_components();
 
 #include <suture/base/time.h>
 #include <suture/component/component_class.h>
@@ -25,6 +25,6 @@ struct ComponentLibrary {
   std::atomic<VirtualTime*>* virtualTime = &detail::virtualTime;
 };
 
-using ComponentsEntry = const ComponentLibrary& (*)();
+using ComponentsEntry = const ComponentLibrary* (*)();
 
 }  // namespace suture

@@ -25,7 +25,7 @@ SharedLibrary::SharedLibrary(const std::filesystem::path& file) {
     throw SetupError(asked, "it has no function " + std::string(kComponentsEntry) + "()",
                      "Build it with suture_generate(TARGET ... LOADABLE HEADERS ...)");
   }
-  const ComponentLibrary& library = entry();
+  const ComponentLibrary& library = *entry();
   if (library.version != std::string_view(kVersion)) {
     throw SetupError(asked,
                      "it was built with Suture " + std::string(library.version) +

@@ -174,13 +174,13 @@ TEST_F(EmitTest, TheEntryPointListsTheComponentsOfAllOwnHeaders) {
 #include "robots/other_arm.suture.h"
 
 /// What a deployment finds when it names this library.
-extern "C" const suture::ComponentLibrary& suture_components() {
+extern "C" const suture::ComponentLibrary* suture_components() {
   static const suture::ComponentClass kClasses[] = {
       suture::componentClass<robots::SimulatedArm>(),
       suture::componentClass<robots::OtherArm>(),
   };
   static const suture::ComponentLibrary kLibrary{.version = suture::kVersion, .classes = kClasses};
-  return kLibrary;
+  return &kLibrary;
 }
 )");
 }
