@@ -162,37 +162,14 @@ bool mentions(std::string_view text, std::string_view word) {
 /// Those names of the runtime that `body` says.
 void emitUsings(Code& code, std::string_view body) {
   bool any = false;
-  for (const char* const name : {"CommandInfo",
-                                 "CommandKind",
-                                 "Duration",
-                                 "Errc",
-                                 "EventInfo",
-                                 "FieldPath",
-                                 "checkSlot",
-                                 "elementsIn",
-                                 "load",
-                                 "newSlot",
-                                 "refusedAt",
-                                 "rpc::ProxyPort",
-                                 "rpc::ServantPort",
-                                 "rpc::Valid",
-                                 "rpc::allItems",
-                                 "rpc::allOf",
-                                 "rpc::firstError",
-                                 "rpc::fromDefault",
-                                 "rpc::fromWire",
-                                 "rpc::fromWireList",
-                                 "rpc::inRange",
-                                 "rpc::isValid",
-                                 "rpc::numberOf",
-                                 "rpc::shifted",
-                                 "rpc::theOneOf",
-                                 "rpc::toWire",
-                                 "rpc::toWireList",
-                                 "shiftSlot",
-                                 "slotIn",
-                                 "slotSize",
-                                 "store"}) {
+  for (const char* const name :
+       {"CommandInfo",  "CommandKind",     "Duration",         "Errc",          "EventInfo",
+        "FieldPath",    "checkSlot",       "elementsIn",       "load",          "newSlot",
+        "refusedAt",    "rpc::ProxyPort",  "rpc::ServantPort", "rpc::Valid",    "rpc::allItems",
+        "rpc::allOf",   "rpc::firstError", "rpc::fromDefault", "rpc::fromWire", "rpc::fromWireList",
+        "rpc::inRange", "rpc::isValid",    "rpc::numberOf",    "rpc::shifted",  "rpc::theOneOf",
+        "rpc::toWire",  "rpc::toWireList", "shiftSlot",        "slotIn",        "slotSize",
+        "store"}) {
     const std::string_view full = name;
     if (!mentions(body, full.substr(full.rfind(':') + 1))) continue;
     any = true;

@@ -23,8 +23,8 @@ EventCollector::EventCollector(const InterfaceInfo& contract, const EventCollect
       source_(std::make_unique<Source>(*this, contract)),
       from_{"", contract} {
   for (const std::uint16_t event : eventsOf(contract, options.events)) {
-    source_->handle(event,
-                    [this, event](const std::byte* slot, Time stamp) { take(event, stamp, slot); });
+    source_->handle(
+        event, [this, event](const std::byte* slot, Time stamp) { collect(event, stamp, slot); });
   }
 }
 
@@ -73,7 +73,7 @@ void EventCollector::follow() {
   if (wanted) noticeDropped();
 }
 
-void EventCollector::take(std::uint16_t event, Time stamp, const std::byte* slot) {
+void EventCollector::collect(std::uint16_t event, Time stamp, const std::byte* slot) {
   follow();
   if (!collection_.active() || !collection_.keep(stamp)) return;
   sink_.event(from_, event, stamp, slot);

@@ -49,7 +49,7 @@ class EventCollector final : public EventTask {
   void run() override;
   void onStop() override;
   void follow();
-  void take(std::uint16_t event, Time stamp, const std::byte* slot);
+  void collect(std::uint16_t event, Time stamp, const std::byte* slot);
   void noticeDropped();
 
   std::shared_ptr<Sink> ownSink_;  // or null

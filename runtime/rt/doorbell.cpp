@@ -1,4 +1,5 @@
 #include <linux/futex.h>
+#include <suture/base/sanitizers.h>
 #include <suture/rt/doorbell.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -7,7 +8,7 @@
 #include <algorithm>
 #include <ctime>
 
-#ifdef __SANITIZE_THREAD__
+#ifdef SUTURE_THREAD_SANITIZER
 #include <sanitizer/tsan_interface.h>
 #endif
 
@@ -27,7 +28,7 @@ std::uint64_t placeOf(const MemoryBlock& memory) {
   return status.st_ino;
 }
 
-#ifdef __SANITIZE_THREAD__
+#ifdef SUTURE_THREAD_SANITIZER
 // ThreadSanitizer knows memory by its address, of which a word that is mapped twice has two; this
 // is one place for both.
 void* addressOf(const std::shared_ptr<MemoryBlock>& memory) {

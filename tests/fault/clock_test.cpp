@@ -2,6 +2,7 @@
 // itself, while the client commands its provider.
 
 #include <gtest/gtest.h>
+#include <suture/base/sanitizers.h>
 
 #include <array>
 #include <fstream>
@@ -68,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(Lanes, ClockSteps, testing::Values("auto", "frame", "rp
                          [](const auto& test) { return std::string(test.param); });
 
 TEST_P(ClockSteps, AreNothingToAConnection) {
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(SUTURE_ADDRESS_SANITIZER)
   GTEST_SKIP() << "ASan has to be the first library of a process, and hangs behind libfaketime";
 #endif
   System system;

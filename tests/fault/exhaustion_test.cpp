@@ -1,6 +1,7 @@
 // A provider that has no descriptor left for one more caller.
 
 #include <gtest/gtest.h>
+#include <suture/base/sanitizers.h>
 #include <suture/transport/rpc/address.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
@@ -52,7 +53,7 @@ class Crowd {
 };
 
 TEST(Exhaustion, OfDescriptorsHurtsNobodyWhoIsConnectedAndPasses) {
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(SUTURE_ADDRESS_SANITIZER)
   GTEST_SKIP() << "UBSan itself takes a descriptor to look at an object, and blames the object "
                   "when there is none";
 #endif

@@ -1,5 +1,6 @@
 #include "support/allocations.h"
 
+#include <suture/base/sanitizers.h>
 #include <sys/prctl.h>
 
 #include <atomic>
@@ -24,7 +25,7 @@ std::atomic<std::uint64_t> countOfNamed{0};
 
 }  // namespace
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(SUTURE_ADDRESS_SANITIZER) || defined(SUTURE_THREAD_SANITIZER)
 constexpr bool kCounts = false;
 #else
 constexpr bool kCounts = true;

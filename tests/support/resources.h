@@ -1,6 +1,7 @@
 #pragma once
 // What this process holds of the machine.
 
+#include <suture/base/sanitizers.h>
 #include <unistd.h>
 
 #include <cstddef>
@@ -33,7 +34,7 @@ inline std::size_t residentBytes() {
 }
 
 /// False under a sanitizer, which keeps what has been freed.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(SUTURE_ADDRESS_SANITIZER) || defined(SUTURE_THREAD_SANITIZER)
 constexpr bool kGivesMemoryBack = false;
 #else
 constexpr bool kGivesMemoryBack = true;

@@ -1,15 +1,16 @@
+#include <suture/base/sanitizers.h>
 #include <suture/transport/frame/frame_socket.h>
 
 #include <cerrno>
 
-#ifdef __SANITIZE_THREAD__
+#ifdef SUTURE_THREAD_SANITIZER
 #include <sanitizer/tsan_interface.h>
 #endif
 
 namespace suture::frame {
 namespace {
 
-#ifdef __SANITIZE_THREAD__
+#ifdef SUTURE_THREAD_SANITIZER
 // ThreadSanitizer loses sight of a socket that is handed over: where both ends are in one process,
 // it has to be told that what was done before a send was done before its receipt.
 void* placeOf(std::uint32_t epoch) {

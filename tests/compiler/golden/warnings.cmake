@@ -5,7 +5,9 @@ get_target_property(suture_test_eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIE
 set(suture_test_warnings_script ${CMAKE_CURRENT_LIST_DIR}/warnings_test.py)
 
 function(suture_test_warnings name root)
-  foreach(compiler IN ITEMS ${CMAKE_CXX_COMPILER} ${SUTURE_CLANGXX})
+  set(compilers ${CMAKE_CXX_COMPILER} ${SUTURE_CLANGXX})
+  list(REMOVE_DUPLICATES compilers)  # the sanitizers' presets build with clang
+  foreach(compiler IN LISTS compilers)
     get_filename_component(short ${compiler} NAME)
     add_test(NAME golden.warnings.${name}.${short}
       COMMAND ${Python3_EXECUTABLE} ${suture_test_warnings_script} ${compiler} ${root} ${ARGN}

@@ -10,6 +10,7 @@
 #include <suture/cli/from_json.h>
 #include <suture/cli/to_json.h>
 
+#include <algorithm>
 #include <random>
 
 #include "robots/arm.capnp.h"
@@ -58,7 +59,8 @@ TEST(HostileSchema, IsRefusedOrDoesNoHarm) {
   std::mt19937 random(kSeed);
   unsigned refused = 0, used = 0;
   for (unsigned round = 0; round < kRounds; ++round) {
-    auto words = kj::heapArray<capnp::word>(original.asPtr());
+    auto words = kj::heapArray<capnp::word>(original.size());
+    std::copy_n(original.asBytes().begin(), original.asBytes().size(), words.asBytes().begin());
     spoil(words.asBytes().slice(16, words.asBytes().size()), random);
     try {
       capnp::FlatArrayMessageReader message(words);

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -42,11 +43,23 @@ class Diary {
   std::vector<std::thread::id> threads_;
 };
 
-/// Provides an arm, counts its cycles and keeps a diary; the hook `throwing` throws.
+/// A task that counts its cycles.
 template <class Kind>
-struct Living final : Kind {
+struct Cycling : Kind {
+  using Kind::Kind;
+  void run() override { ++cycles; }
+  std::atomic<int> cycles{0};
+};
+
+template <class Kind>
+using WithCycles = std::conditional_t<std::is_base_of_v<Task, Kind>, Cycling<Kind>, Kind>;
+
+/// Provides an arm and keeps a diary; the hook `throwing` throws.
+template <class Kind>
+struct Living final : WithCycles<Kind> {
   template <class... Arguments>
-  explicit Living(Arguments&&... arguments) : Kind(std::forward<Arguments>(arguments)...) {}
+  explicit Living(Arguments&&... arguments)
+      : WithCycles<Kind>(std::forward<Arguments>(arguments)...) {}
   ~Living() override { this->stop(); }
 
   void onConfigure() override { hook("configure"); }
@@ -54,7 +67,6 @@ struct Living final : Kind {
   void onSuspend() override { hook("suspend"); }
   void onResume() override { hook("resume"); }
   void onStop() override { hook("stop"); }
-  void run() { ++cycles; }
 
   void hook(const std::string& name) {
     diary.note(name);
@@ -63,7 +75,6 @@ struct Living final : Kind {
 
   std::string throwing;
   Diary diary;
-  std::atomic<int> cycles{0};
   reference::SimulatedArm simulated{{}};
   Provided<reference::ArmLike> arm{*this, "Arm", simulated};
 };

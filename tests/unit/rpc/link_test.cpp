@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <suture/base/sanitizers.h>
 #include <suture/transport/rpc/dialer.h>
 #include <suture/transport/rpc/failure.h>
 #include <suture/transport/rpc/link_server.h>
@@ -232,7 +233,7 @@ class NoMoreDescriptors {
 };
 
 TEST_P(LinkTest, WhoCannotBeAcceptedWaitsAndTheProcessSaysWhy) {
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(SUTURE_ADDRESS_SANITIZER)
   GTEST_SKIP() << "UBSan itself takes a descriptor to look at an object";
 #endif
   serve();
