@@ -79,8 +79,8 @@ void RequiredBase::collectReplies() {
 
 // Before it looks: what comes later is rung for.
 void RequiredBase::noteTaking() {
-  if (!channel_->untaken.load(std::memory_order_relaxed)) return;
-  channel_->untaken.exchange(false, std::memory_order_acq_rel);
+  if (!channel_->untaken.isUp(std::memory_order_relaxed)) return;
+  channel_->untaken.take(std::memory_order_acq_rel);
 }
 
 void RequiredBase::collect(ReplyRecord& reply, std::size_t size) {

@@ -121,7 +121,7 @@ void Channel::noteStatus(ChannelStatus news) const {
 }
 
 Errc Channel::begin(bool looksAtClock) {
-  if (foreign && words_->cut.load(std::memory_order_seq_cst)) return Errc::Lost;
+  if (foreign && words_->cut.isUp(std::memory_order_seq_cst)) return Errc::Lost;
   if (looksAtClock && lease.lapsed()) tell(ChannelStatus::Lapsed);
   const ChannelStatus present = status.load(std::memory_order_acquire);
   return isOver(present) ? errorOf(present) : Errc{};

@@ -17,6 +17,7 @@
 #include <suture/rt/event_queue.h>
 #include <suture/rt/histogram.h>
 #include <suture/rt/mailbox.h>
+#include <suture/rt/shared_flag.h>
 #include <suture/rt/spsc_ring.h>
 #include <suture/rt/state_table.h>
 
@@ -125,8 +126,7 @@ class Channel {
   struct Words {
     std::atomic<EventSet> subscribed{0}, joining{0};
     std::array<std::atomic<std::uint32_t>, kMaxCalls> claims{};  // 0 is no call's number
-    std::atomic<bool> wantsRows{false}, untaken{false};
-    std::atomic<bool> cut{false};
+    rt::SharedFlag wantsRows, untaken, cut;
   };
   const std::shared_ptr<Words> words_;
 
@@ -141,7 +141,7 @@ class Channel {
   std::atomic<std::uint32_t> faults{0};
   /// Set by a client endpoint that must be rung whenever a row has been published: the far side of
   /// a lane.
-  std::atomic<bool>& wantsRows;
+  rt::SharedFlag& wantsRows;
 
   /// client: age of the values read, when they were read: of each row when it is first read, and
   /// of every 16th read of a row that has been read before
@@ -198,7 +198,7 @@ class Channel {
   Lease lease;
   /// Client endpoint, any thread, before the client is told that the connection is over: where both
   /// share memory, the provider begins nothing more of it.
-  void cut() { words_->cut.store(true, std::memory_order_seq_cst); }
+  void cut() { words_->cut.raise(); }
   /// Provider endpoint, just before it executes a command: an error if the connection is over.
   /// `looksAtClock`: also if its lease has ended, which ends it.
   Errc begin(bool looksAtClock);
@@ -216,9 +216,9 @@ class Channel {
   template <class Produce>
   void reply(std::uint32_t call, ResultForm form, const Produce& produce, Time stamp = now());
 
-  /// A reply or an event has been put in since the client end last looked. Who sets it to false
+  /// A reply or an event has been put in since the client end last looked. Who takes it
   /// looks into both before it sleeps.
-  std::atomic<bool>& untaken;
+  rt::SharedFlag& untaken;
 
   /// Client endpoint: the oldest answer, or nullptr; and lets go of it, unless its result has been
   /// moved elsewhere and is null now.

@@ -48,7 +48,7 @@ void Component::ringLater(rt::Doorbell& bell) {
 }
 
 void Component::ringForArrival(Channel& channel) {
-  channel.untaken.store(true, std::memory_order_release);
+  channel.untaken.raise(std::memory_order_release);
   rt::Doorbell& bell = *channel.ends.client;
   if (!ownsThread()) {
     bell.ring(rt::RungFor::Arrival);

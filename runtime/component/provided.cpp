@@ -35,7 +35,7 @@ class ProvidedBase::Turn {
     if (owner_.ownsThread()) owner_.caller_ = nullptr;
     release();
     if (call_ != 0 && !answered) channel_.replyError(call_, error);
-    if (channel_.wantsRows.load(std::memory_order_relaxed)) {  // what has been taken, too
+    if (channel_.wantsRows.isUp(std::memory_order_relaxed)) {  // what has been taken, too
       owner_.ringLater(*channel_.ends.client);
     } else if (call_ != 0) {
       owner_.ringForArrival(channel_);
@@ -315,7 +315,7 @@ void ProvidedBase::advance() {
   }
   state_->publish(now(), columns);
   channels_.forEach([this](ChannelList::Node& node) {
-    if (node.channel->wantsRows.load(std::memory_order_relaxed)) {
+    if (node.channel->wantsRows.isUp(std::memory_order_relaxed)) {
       owner_.ringLater(*node.channel->ends.client);
     }
   });

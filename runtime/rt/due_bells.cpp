@@ -9,7 +9,7 @@ std::size_t DueBells::firstSlot(const Doorbell& bell) {
   return reinterpret_cast<std::uintptr_t>(&bell) * kGoldenRatio >> (64 - kSlotBits);
 }
 
-void DueBells::add(Doorbell& bell, RungFor what, std::atomic<bool>* untaken) {
+void DueBells::add(Doorbell& bell, RungFor what, SharedFlag* untaken) {
   std::size_t slot = firstSlot(bell);
   while (slots_[slot] < count_ && due_[slots_[slot]].slot == slot) {
     Due& due = due_[slots_[slot]];
@@ -31,8 +31,7 @@ void DueBells::add(Doorbell& bell, RungFor what, std::atomic<bool>* untaken) {
 void DueBells::ringAll() {
   for (std::size_t i = 0; i < count_; ++i) {
     const Due& due = due_[i];
-    const bool wanted =
-        due.untaken == nullptr || due.untaken->exchange(false, std::memory_order_acq_rel);
+    const bool wanted = due.untaken == nullptr || due.untaken->take(std::memory_order_acq_rel);
     if (wanted) due.bell->ring(due.what);
   }
   count_ = 0;

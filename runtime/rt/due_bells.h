@@ -2,6 +2,7 @@
 // The doorbells that a thread is going to ring.
 
 #include <suture/rt/doorbell.h>
+#include <suture/rt/shared_flag.h>
 
 #include <array>
 #include <atomic>
@@ -17,9 +18,9 @@ class DueBells {
   static constexpr std::size_t kCapacity = 256;
 
   /// If kCapacity others are due, rings at once.
-  /// `untaken`: nobody is rung if that is false by then, for the sleeper has come upon it himself;
+  /// `untaken`: nobody is rung if that is down by then, for the sleeper has come upon it himself;
   /// null, or two different ones for a bell: it is rung in any case.
-  void add(Doorbell& bell, RungFor what = RungFor::Work, std::atomic<bool>* untaken = nullptr);
+  void add(Doorbell& bell, RungFor what = RungFor::Work, SharedFlag* untaken = nullptr);
   void ringAll();
 
  private:
@@ -31,7 +32,7 @@ class DueBells {
     Doorbell* bell;
     std::uint32_t slot;
     RungFor what;
-    std::atomic<bool>* untaken;
+    SharedFlag* untaken;
   };
 
   static std::size_t firstSlot(const Doorbell& bell);

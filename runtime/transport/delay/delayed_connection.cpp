@@ -68,7 +68,7 @@ DelayedConnection::DelayedConnection(std::shared_ptr<Channel> near, std::shared_
     slots_.emplace_back(wordBytes(near_->state->columnSize(i)) / 8);
     slotPointers_.push_back(reinterpret_cast<std::byte*>(slots_.back().data()));
   }
-  far_->wantsRows = true;
+  far_->wantsRows.raise();
   near_->takeJoining();  // as the far channel, it was made with what is subscribed to
 }
 
@@ -335,7 +335,7 @@ void DelayedConnection::deliverRows(Time now) {
     rows_.pop();
     any = true;
   }
-  if (any && near_->wantsRows.load(std::memory_order_relaxed)) near_->ends.client->ring();
+  if (any && near_->wantsRows.isUp(std::memory_order_relaxed)) near_->ends.client->ring();
 }
 
 // Behind the answers that came before it.

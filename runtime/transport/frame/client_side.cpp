@@ -89,7 +89,7 @@ bool ClientSide::takeRow(const Header& header, std::span<std::byte> payload) {
   if (!payload.empty()) return false;
   columns.keep(columns_);
   mirror.publish(here(header.stamp), columns);
-  news_ = news_ || channel_->wantsRows.load(std::memory_order_relaxed);
+  news_ = news_ || channel_->wantsRows.isUp(std::memory_order_relaxed);
   return true;
 }
 

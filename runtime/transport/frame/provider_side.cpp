@@ -17,7 +17,7 @@ ProviderSide::ProviderSide(std::shared_ptr<Channel> channel, std::uint32_t numbe
       slots_[static_cast<unsigned>(one.column)].resize(wordBytes(one.resultSize) / 8);
   }
   // Also tells when commands have been taken, for a provider that publishes no rows.
-  channel_->wantsRows = true;
+  channel_->wantsRows.raise();
 }
 
 // ---- from the client

@@ -38,7 +38,7 @@ Time ProxyPort::here(std::int64_t stamp) const {
 void ProxyPort::publish(std::int64_t stamp, const rt::RowColumns& columns) {
   if (isClosed()) return;
   channel_->state->publish(here(stamp), columns);
-  if (channel_->wantsRows.load(std::memory_order_relaxed)) channel_->ends.client->ring();
+  if (channel_->wantsRows.isUp(std::memory_order_relaxed)) channel_->ends.client->ring();
 }
 
 void ProxyPort::push(std::uint16_t event, const std::byte* slot) {

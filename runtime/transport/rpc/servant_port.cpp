@@ -35,7 +35,7 @@ ServantPort::ServantPort(ControlThread& control, std::shared_ptr<Channel> channe
     rowPointers_.push_back(nullptr);
   }
   // Also tells when commands have been taken, for a provider that publishes no rows.
-  channel_->wantsRows = true;
+  channel_->wantsRows.raise();
   control_.add(*this);
 }
 

@@ -73,14 +73,15 @@ TEST(DueBells, OneThatIsAddedForTwoThingsIsRungForBoth) {
 }
 
 TEST(DueBells, WhatHasBeenTakenIsNotRungFor) {
-  std::atomic<bool> untaken{true}, other{false};
+  SharedFlag untaken, other;
+  untaken.raise();
   Sleeper sleeper;
   DueBells due;
   due.add(sleeper.bell, RungFor::Arrival, &untaken);
   due.add(sleeper.bell, RungFor::Arrival, &untaken);
   due.ringAll();
   EXPECT_EQ(sleeper.rings(), 1u);
-  EXPECT_FALSE(untaken) << "what comes later is rung for again";
+  EXPECT_FALSE(untaken.isUp(std::memory_order_relaxed)) << "what comes later is rung for again";
 
   due.add(sleeper.bell, RungFor::Arrival, &untaken);
   due.ringAll();

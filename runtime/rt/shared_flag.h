@@ -1,0 +1,23 @@
+#pragma once
+// A flag in memory that another process may write, whatever it writes there.
+
+#include <atomic>
+#include <cstdint>
+
+namespace suture::rt {
+
+/// Any thread of any process that maps it; wait-free. Unlike a std::atomic<bool>, which only 0 and
+/// 1 may stand in, it is up with any other byte.
+class SharedFlag {
+ public:
+  bool isUp(std::memory_order order) const { return byte_.load(order) != 0; }
+  void raise(std::memory_order order = std::memory_order_seq_cst) { byte_.store(1, order); }
+  /// Lowers it. Was it up?
+  bool take(std::memory_order order) { return byte_.exchange(0, order) != 0; }
+
+ private:
+  std::atomic<std::uint8_t> byte_{0};
+  static_assert(std::atomic<std::uint8_t>::is_always_lock_free);
+};
+
+}  // namespace suture::rt
