@@ -20,8 +20,8 @@ enum class SUTURE_TYPE() ArmWarning : std::uint8_t {
   ClientGone,      ///< the client whose stream it followed is gone; the arm holds
   WrongState,      ///< the operating state does not admit the command: operating_states.h
   FollowingError,  ///< a joint trailed its set-point by more than its bound; the arm is in FAULT
-  AtLimit,         ///< a servo goal lies beyond a joint limit: the arm slides along it; once until
-                   ///< goals lie within again
+  AtLimit,         ///< what it follows leads beyond a joint limit: the arm slides along it; once
+                   ///< until it leads within again
   StepTooFar,      ///< a servo goal lies farther from the set-point than the rates allow
 };
 

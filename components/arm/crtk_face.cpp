@@ -244,7 +244,9 @@ void CrtkFace<N>::advance(suture::Time now) {
   if (stream_.hasFallenSilent(now)) return arm_.hold();
   const auto next = stream_.next(arm_.model_.chain, arm_.setpoint_, arm_.dynamics_.measured(), dt);
   if (!next) return arm_.warn(ArmWarning::OutOfReach);
-  arm_.setpoint_ = *next;
+  arm_.setpoint_ = next->q;
+  if (next->limited && !streamSlides_) arm_.warnings_.tell(ArmWarning::AtLimit);
+  streamSlides_ = next->limited;
 }
 
 // --- reads and events
@@ -304,7 +306,7 @@ std::string_view CrtkFace<N>::textOf(ArmWarning reason) const {
     case ArmWarning::OutOfReach: return "no joint vector reaches the goal";
     case ArmWarning::Malformed: return "the goal has the wrong length or is not finite or no pose";
     case ArmWarning::ClientGone: return "the client whose stream the arm followed is gone";
-    case ArmWarning::AtLimit: return "the goal lies beyond a joint limit; the arm slides along it";
+    case ArmWarning::AtLimit: return "the goal leads beyond a joint limit; the arm slides along it";
     case ArmWarning::StepTooFar:
       return "the goal lies farther from the set-point than the rates allow in one step";
     case ArmWarning::WrongState: return arm_.refusal_;

@@ -146,7 +146,8 @@ class CrtkFace final : public CrtkArm {
   double ratioV_ = 1, ratioA_ = 1;
   bool gravityCompensation_ = false;
 
-  Stream stream_;  // another activity of the arm ends it
+  Stream stream_;              // another activity of the arm ends it
+  bool streamSlides_ = false;  // along a joint limit
   suture::Time lastCycle_{};
 
   JointGoal moveGoal_;  // keeps its memory

@@ -46,16 +46,17 @@ void MotionStream<N>::end() {
 }
 
 template <int N>
-std::optional<typename MotionStream<N>::Joints> MotionStream<N>::next(
+std::optional<typename MotionStream<N>::Step> MotionStream<N>::next(
     const kinematics::Chain<N>& chain, const Joints& setpoint, const Joints& measured, double dt) {
   switch (kind_) {
-    case Kind::None: return setpoint;
-    case Kind::Free: return measured;
-    case Kind::JointRate: return chain.clamp(nextByRate(setpoint, dt));
+    case Kind::None: return Step{setpoint};
+    case Kind::Free: return Step{measured};
+    case Kind::JointRate: break;
     case Kind::BodyTwist:
-    case Kind::SpatialTwist: break;
+    case Kind::SpatialTwist: return nextByTwist(chain, setpoint, dt);
   }
-  return nextByTwist(chain, setpoint, dt);
+  const Joints next = nextByRate(setpoint, dt);
+  return Step{chain.clamp(next), !chain.within(next)};
 }
 
 template <int N>
@@ -71,7 +72,7 @@ typename MotionStream<N>::Joints MotionStream<N>::nextByRate(const Joints& setpo
 }
 
 template <int N>
-std::optional<typename MotionStream<N>::Joints> MotionStream<N>::nextByTwist(
+std::optional<typename MotionStream<N>::Step> MotionStream<N>::nextByTwist(
     const kinematics::Chain<N>& chain, const Joints& setpoint, double dt) {
   Eigen::Isometry3d pose = chain.forward(setpoint);
   const SpatialVector along = rotated(axes_, twist_.advance(dt));
@@ -82,8 +83,8 @@ std::optional<typename MotionStream<N>::Joints> MotionStream<N>::nextByTwist(
     pose.linear() = Eigen::AngleAxisd(angle.norm(), angle.normalized()) * pose.linear();
   }
   const auto solution = kinematics::inverse(chain, pose, setpoint);
-  if (!solution.found) return std::nullopt;
-  return solution.q;
+  if (!solution.found && !solution.limited) return std::nullopt;
+  return Step{solution.q, solution.limited};
 }
 
 template <int N>

@@ -48,10 +48,14 @@ class MotionStream {
   /// Counts a cycle; true: the stream has been silent for too long. free() needs no repeating.
   bool hasFallenSilent(suture::Time now) { return watch_.hasFallenSilent(now); }
 
-  /// The set-point `dt` seconds after `setpoint`, within the limits of the joints; none if no joint
-  /// vector reaches it.
-  std::optional<Joints> next(const kinematics::Chain<N>& chain, const Joints& setpoint,
-                             const Joints& measured, double dt);
+  /// A set-point within the limits of the joints.
+  struct Step {
+    Joints q;
+    bool limited = false;  ///< it would lie beyond them, and slides along them
+  };
+  /// The set-point `dt` seconds after `setpoint`; none if no joint vector reaches it.
+  std::optional<Step> next(const kinematics::Chain<N>& chain, const Joints& setpoint,
+                           const Joints& measured, double dt);
 
   /// The twist that is followed now along the base's axes; the Jacobian and the tip's rotation are
   /// those in the base.
@@ -64,8 +68,8 @@ class MotionStream {
  private:
   void begin(Kind kind, std::string_view activity);
   Joints nextByRate(const Joints& setpoint, double dt);
-  std::optional<Joints> nextByTwist(const kinematics::Chain<N>& chain, const Joints& setpoint,
-                                    double dt);
+  std::optional<Step> nextByTwist(const kinematics::Chain<N>& chain, const Joints& setpoint,
+                                  double dt);
 
   Kind kind_ = Kind::None;
   std::string_view activity_;

@@ -798,7 +798,7 @@ constexpr char kArmDescription[] = R"json(
 "name": "FollowingError", "value": 5, "wire": "followingError",
 "doc": "a joint trailed its set-point by more than its bound; the arm is in FAULT"}, {
 "name": "AtLimit", "value": 6, "wire": "atLimit",
-"doc": "a servo goal lies beyond a joint limit: the arm slides along it; once until\ngoals lie within again"
+"doc": "what it follows leads beyond a joint limit: the arm slides along it; once\nuntil it leads within again"
 }, {"name": "StepTooFar", "value": 7, "wire": "stepTooFar",
 "doc": "a servo goal lies farther from the set-point than the rates allow"}]}], "structs": [{
 "name": "robots::PoseStamped",

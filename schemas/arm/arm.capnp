@@ -26,8 +26,8 @@ enum ArmWarning @0xa4117f14f97ed1bb $Meta.cxx("robots::ArmWarning") $Meta.underl
   followingError @5 $Meta.cxx("FollowingError") $Meta.value(5);
   # a joint trailed its set-point by more than its bound; the arm is in FAULT
   atLimit @6 $Meta.cxx("AtLimit") $Meta.value(6);
-  # a servo goal lies beyond a joint limit: the arm slides along it; once until
-  # goals lie within again
+  # what it follows leads beyond a joint limit: the arm slides along it; once
+  # until it leads within again
   stepTooFar @7 $Meta.cxx("StepTooFar") $Meta.value(7);
   # a servo goal lies farther from the set-point than the rates allow
 }

@@ -49,6 +49,32 @@ class LimitsTest : public CrtkFaceTest {
     cycles(1);
     EXPECT_EQ(heard_.warnings.size(), 2u) << "what begins anew is news";
   }
+  /// `follow` streams a rate of each joint.
+  template <class Follow>
+  void expectStreamSlides(const Follow& follow) {
+    Joints rate = Joints::Zero();
+    rate[0] = 0.5;
+    rate[kInsertion] = 1;
+    const double before = setpoint(0);
+    for (int i = 0; i < 20; ++i) {
+      follow(rate);
+      cycles(1);
+    }
+    EXPECT_EQ(setpoint(kInsertion), deepest());
+    EXPECT_NEAR(setpoint(0), before + 0.01, 1e-3) << "along the limit it follows";
+    ASSERT_EQ(heard_.warnings.size(), 1u) << "it says so, once";
+    EXPECT_NE(heard_.warnings[0].find("slides"), std::string::npos) << heard_.warnings[0];
+    rate[kInsertion] = -1;
+    follow(rate);
+    cycles(1);
+    EXPECT_LT(setpoint(kInsertion), deepest());
+    rate[kInsertion] = 1;
+    for (int i = 0; i < 5; ++i) {
+      follow(rate);
+      cycles(1);
+    }
+    EXPECT_EQ(heard_.warnings.size(), 2u) << "what begins anew is news";
+  }
   template <class Servo>
   void expectRefused(const char* what, const Servo& servo) {
     crtk_.hold();
@@ -73,6 +99,25 @@ TEST_F(LimitsTest, AJointGoalBeyondALimitSlidesAlongIt) {
 
 TEST_F(LimitsTest, APoseBeyondALimitSlidesAlongIt) {
   expectSlides([&](const Joints& q) { crtk_.servo_cp(toPose(q)); });
+}
+
+TEST_F(LimitsTest, AVelocityThatLeadsBeyondALimitSlidesAlongIt) {
+  expectStreamSlides([&](const Joints& rate) {
+    JointVelocityGoal goal;
+    goal.goal.assign(rate.data(), rate.data() + rate.size());
+    crtk_.servo_jv(goal);
+  });
+}
+
+TEST_F(LimitsTest, ATwistThatLeadsBeyondALimitSlidesAlongIt) {
+  expectStreamSlides([&](const Joints& rate) {
+    const Joints q = Joints::Map(positions().data());
+    const kinematics::SpatialVector twist = chain_.jacobian(q) * rate;
+    TwistGoal goal;
+    goal.linear = twist.head<3>();
+    goal.angular = twist.tail<3>();
+    crtk_.servo_cv(goal);
+  });
 }
 
 TEST_F(LimitsTest, SlidingEndsWithWhateverTheArmDoesInstead) {
