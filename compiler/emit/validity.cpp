@@ -97,7 +97,7 @@ std::string checkOf(const Type& type, const Context& context, unsigned depth) {
   if (!holdsEnum(type)) return "Valid{path}";
   const std::string item = "element" + depthSuffix(depth);
   const std::string itemType = slotType(type, context, context.header.cxxNamespace);
-  return lambda("const " + itemType + "& " + item, condition(type, item, {}, context, depth));
+  return lambda("const " + itemType + "& " + item, condition(type, item, {}, context, depth + 1));
 }
 
 /// Of a tuple, or of a variant: one check for each thing that is or may be in it.
