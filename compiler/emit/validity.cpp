@@ -91,7 +91,7 @@ std::string mapCondition(const Type& type, const std::string& slot, const Range&
                key + (key.empty() || value.empty() ? "" : " && ") + value);
 }
 
-/// What can be called with the slot of such a type.
+/// This gives what can be called with a slot of the type, and says whether it may be acted on.
 std::string checkOf(const Type& type, const Context& context, unsigned depth) {
   if (type.shape == Shape::Enum) return enumCheck(type.name, context);
   if (!holdsEnum(type)) return "Valid{path}";
@@ -100,7 +100,7 @@ std::string checkOf(const Type& type, const Context& context, unsigned depth) {
   return lambda("const " + itemType + "& " + item, condition(type, item, {}, context, depth + 1));
 }
 
-/// Of a tuple, or of a variant: one check for each thing that is or may be in it.
+/// A tuple or a variant is given one check for each thing that is, or may be, in it.
 std::string eachCondition(const char* function, const Type& type, const std::string& slot,
                           const Context& context, unsigned depth) {
   if (!holdsEnum(type)) return wholeCondition(type, slot);

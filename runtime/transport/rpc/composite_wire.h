@@ -127,7 +127,7 @@ template <class S>
 bool isValid(const OpenOptional<S>& slot, FieldPath* path) {
   return allOf(slot, path, [path](const S& value) { return isValid(value, path); });
 }
-/// isValid(), to be passed on.
+/// This is isValid() where a check is passed on.
 struct Valid {
   template <class Slot>
   bool operator()(const Slot& slot) const {
@@ -145,7 +145,7 @@ bool allItemsAt(const Tuple& slot, FieldPath* path, std::index_sequence<I...>,
   };
   return (told(check(item<I>(slot)), I) && ...);
 }
-/// Of each member of a tuple, by a check of its own.
+/// Each member of a tuple is judged by a check of its own.
 template <class... S, class... Check>
 bool allItems(const SlotTuple<S...>& slot, FieldPath* path, const Check&... check) {
   return allItemsAt(slot, path, std::index_sequence_for<S...>(), check...);
@@ -158,7 +158,7 @@ template <class Slot, std::size_t... I, class... Check>
 bool theOneAt(const Slot& slot, std::index_sequence<I...>, const Check&... check) {
   return ((slot.index == I && check(alternative<I>(slot))) || ...);
 }
-/// Of the alternative that a variant holds, by the check for it.
+/// The alternative that a variant holds is judged by the check for it.
 template <class... S, class... Check>
 bool theOneOf(const SlotVariant<S...>& slot, FieldPath*, const Check&... check) {
   return theOneAt(slot, std::index_sequence_for<S...>(), check...);
