@@ -1,18 +1,20 @@
 #pragma once
-// Says which sanitizers the including file is compiled with: GCC 12 and clang tell it differently.
+// Says which sanitizers the including file is compiled with. GCC 12 says it with macros and clang
+// with features; libraries define `__has_feature` under GCC too, so that its presence tells
+// nothing.
 
-#ifdef __has_feature
+#ifdef __clang__
 #if __has_feature(thread_sanitizer)
 #define SUTURE_THREAD_SANITIZER
 #endif
 #if __has_feature(address_sanitizer)
 #define SUTURE_ADDRESS_SANITIZER
 #endif
-#else
+#endif
+
 #ifdef __SANITIZE_THREAD__
 #define SUTURE_THREAD_SANITIZER
 #endif
 #ifdef __SANITIZE_ADDRESS__
 #define SUTURE_ADDRESS_SANITIZER
-#endif
 #endif
