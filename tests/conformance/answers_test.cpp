@@ -4,12 +4,14 @@
 #include <limits>
 
 #include "conformance/setup.h"
+#include "support/patience.h"
 
 namespace conformance {
 namespace {
 
 using namespace std::chrono_literals;
 using suture::Errc;
+using suture::kPatience;
 
 class Answers : public Conformance {};
 class WireAnswers : public Conformance {};
@@ -21,18 +23,18 @@ class JudgedArguments : public Conformance {};
 TEST_P(Answers, SeveralArgumentsArriveInTheirPlaces) {
   client->with([](Arm& remote) {
     EXPECT_TRUE(remote.limit(12, Mode::Enabled));
-    EXPECT_TRUE(remote.limit.start(7, Mode::Disabled).within(5s));
+    EXPECT_TRUE(remote.limit.start(7, Mode::Disabled).within(kPatience));
   });
   EXPECT_TRUE(eventuallyTaken({"limit 12 enabled", "limit 7 disabled"}));
 }
 
 TEST_P(WireAnswers, AWriteWithReturnIsExecutedAndAnswers) {
   client->with([&](Arm& remote) {
-    const auto fast = remote.move.start(poseAt(3), 0.75, "a hurry").within(5s);
+    const auto fast = remote.move.start(poseAt(3), 0.75, "a hurry").within(kPatience);
     ASSERT_TRUE(fast) << suture::toString(fast.error());
     EXPECT_TRUE(*fast);
     EXPECT_EQ(arm->taken(), (std::vector<std::string>{"servo_cp 3", "move 75% a hurry"}));
-    const auto slow = remote.move.start(poseAt(4), 0.25, "").within(5s);
+    const auto slow = remote.move.start(poseAt(4), 0.25, "").within(kPatience);
     ASSERT_TRUE(slow);
     EXPECT_FALSE(*slow);
   });
@@ -41,12 +43,12 @@ TEST_P(WireAnswers, AWriteWithReturnIsExecutedAndAnswers) {
 
 TEST_P(Answers, AVoidWithReturnAnswers) {
   client->with([&](Arm& remote) {
-    EXPECT_TRUE(remote.hold.start().within(5s));
-    EXPECT_TRUE(remote.hold.start().within(5s));
-    const auto forgotten = remote.reset.start().within(5s);
+    EXPECT_TRUE(remote.hold.start().within(kPatience));
+    EXPECT_TRUE(remote.hold.start().within(kPatience));
+    const auto forgotten = remote.reset.start().within(kPatience);
     ASSERT_TRUE(forgotten);
     EXPECT_EQ(*forgotten, 2u);
-    EXPECT_EQ(*remote.reset.start().within(5s), 0u);
+    EXPECT_EQ(*remote.reset.start().within(kPatience), 0u);
   });
 }
 
@@ -56,7 +58,7 @@ TEST_P(Answers, TheyKeepTheOrderOfTheOtherCommands) {
     EXPECT_TRUE(remote.servo_cp(poseAt(1)));
     auto moved = remote.move.start(poseAt(2), 1, "now");
     EXPECT_TRUE(remote.limit(3, Mode::Enabled));
-    EXPECT_TRUE(moved.within(5s));
+    EXPECT_TRUE(moved.within(kPatience));
   });
   EXPECT_TRUE(
       eventuallyTaken({"hold", "servo_cp 1", "servo_cp 2", "move 100% now", "limit 3 enabled"}));
@@ -84,7 +86,7 @@ TEST_P(QueuedAnswers, WithoutALimitTheDeadlineOfTheContractHolds) {
 
 TEST_P(QueuedAnswers, WhatDoesNotFitIsRefused) {
   client->with([](Arm& remote) {
-    const auto text = remote.move.start(poseAt(1), 1, "a reason of 16 c").within(5s);
+    const auto text = remote.move.start(poseAt(1), 1, "a reason of 16 c").within(kPatience);
     ASSERT_FALSE(text);
     EXPECT_EQ(text.error(), Errc::TooLarge);
   });
@@ -115,14 +117,14 @@ TEST_P(JudgedArguments, WhatNoProviderMayActOnIsRefusedWhereItIsSent) {
 
 TEST_P(Answers, AThrowIsAnAnswerToo) {
   client->with([](Arm& remote) {
-    const auto thrown = remote.move.start(poseAt(1), 1, "throw").within(5s);
+    const auto thrown = remote.move.start(poseAt(1), 1, "throw").within(kPatience);
     ASSERT_FALSE(thrown);
     EXPECT_EQ(thrown.error(), Errc::Faulted);
   });
 }
 
 TEST_P(Answers, AnOptionalCommandThatIsThereWorks) {
-  client->with([](Arm& remote) { EXPECT_TRUE(remote.park.start().within(5s)); });
+  client->with([](Arm& remote) { EXPECT_TRUE(remote.park.start().within(kPatience)); });
 }
 
 INSTANTIATE_TEST_SUITE_P(Lanes, Answers, testing::ValuesIn(laneRows()), nameOf);

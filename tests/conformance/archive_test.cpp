@@ -12,6 +12,7 @@
 #include <suture/transport/rpc/control_thread.h>
 
 #include "support/eventually.h"
+#include "support/patience.h"
 #include "support/temporary_directory.h"
 
 namespace conformance {
@@ -20,6 +21,7 @@ namespace {
 using namespace std::chrono_literals;
 using suture::Errc;
 using suture::eventually;
+using suture::kPatience;
 
 class Archives : public testing::TestWithParam<bool> {
  protected:
@@ -50,10 +52,10 @@ class Archives : public testing::TestWithParam<bool> {
     providerManager_->stop();
   }
 
-  /// Handles events until `condition` holds; false if it does not within 10 s.
+  /// Handles events until `condition` holds; false if it does not within kPatience.
   template <class Condition>
   bool await(const Condition& condition) {
-    const auto deadline = suture::now() + 10s;
+    const auto deadline = suture::now() + kPatience;
     reader.processEvents();
     while (!condition() && suture::now() < deadline) reader.waitForEvents(suture::now() + 10ms);
     return condition();
@@ -78,7 +80,7 @@ class Archives : public testing::TestWithParam<bool> {
 };
 
 TEST_P(Archives, WritesArriveWhole) {
-  EXPECT_TRUE(reader.archive.put.start("first", sized(100'000)).within(5s));
+  EXPECT_TRUE(reader.archive.put.start("first", sized(100'000)).within(kPatience));
   EXPECT_EQ(device.newest().samples.size(), 100'000u);
   EXPECT_EQ(device.newest().series.at("line").size(), 10'000u);
   EXPECT_EQ(device.newest().name, "first");
@@ -101,24 +103,24 @@ TEST_P(Archives, OfNewestWinsTheLastArrives) {
 
 TEST_P(Archives, ReadsFollowTheProvider) {
   for (const std::size_t size : {10u, 1000u, 3u}) {
-    EXPECT_TRUE(reader.archive.put.start("read", sized(size)).within(5s));
+    EXPECT_TRUE(reader.archive.put.start("read", sized(size)).within(kPatience));
     EXPECT_TRUE(eventually([&] {
       const auto newest = reader.archive.newest();
       return newest && newest->samples.size() == size;
     }));
     auto call = reader.archive.newest.fresh();
-    const auto& fresh = call.within(5s);
+    const auto& fresh = call.within(kPatience);
     ASSERT_TRUE(fresh) << suture::toString(fresh.error());
     EXPECT_EQ(fresh->samples.size(), size);
   }
 }
 
 TEST_P(Archives, QuestionsAndAnswers) {
-  const auto found = reader.archive.find.start("key").within(5s);
+  const auto found = reader.archive.find.start("key").within(kPatience);
   ASSERT_TRUE(found);
   EXPECT_EQ(*found, (std::vector<std::string>{"key 1", "key 2"}));
   auto call = reader.archive.replace.start(sized(5000));
-  const auto& replaced = call.within(5s);
+  const auto& replaced = call.within(kPatience);
   ASSERT_TRUE(replaced);
   EXPECT_EQ(replaced->name, " replaced");
   EXPECT_EQ(replaced->samples.size(), 5000u);
@@ -134,21 +136,21 @@ TEST_P(Archives, AnAnswerThatNobodyWaitsForIsFreed) {
     EXPECT_TRUE(!remote || eventually([&] { return device.gate.hasVisitor(); }));
   }
   device.gate.open();
-  EXPECT_TRUE(reader.archive.replace.start(sized(10)).within(5s));
+  EXPECT_TRUE(reader.archive.replace.start(sized(10)).within(kPatience));
   if (remote) device.gate.close();
   {
     auto late = reader.archive.replace.start(slow);
     EXPECT_EQ(late.within(1ms).has_value(), !remote);
   }
   device.gate.open();
-  EXPECT_TRUE(reader.archive.replace.start(sized(10)).within(5s));
+  EXPECT_TRUE(reader.archive.replace.start(sized(10)).within(kPatience));
 }
 
 TEST_P(Archives, AThrowFreesWhatWasUnderWay) {
   shapes::Open bad = sized(10);
   bad.name = "throw";
   auto call = reader.archive.replace.start(bad);
-  const auto& answer = call.within(5s);
+  const auto& answer = call.within(kPatience);
   ASSERT_FALSE(answer);
   EXPECT_EQ(answer.error(), Errc::Faulted);
 }
@@ -186,7 +188,7 @@ class RemoteArchives : public Archives {};
 TEST_P(RemoteArchives, WhatExceedsAMessageIsRefusedAlone) {
   shapes::Open huge;
   huge.name = std::string(17u << 20, 'x');
-  const auto refused = reader.archive.put.start(huge.name, {}).within(20s);
+  const auto refused = reader.archive.put.start(huge.name, {}).within(kPatience);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error(), Errc::TooLarge);
   device.put(huge.name, {});
@@ -197,7 +199,7 @@ TEST_P(RemoteArchives, WhatExceedsAMessageIsRefusedAlone) {
   EXPECT_TRUE(device.emit().changed(huge));
   EXPECT_TRUE(device.emit().grown("after", {}));
   EXPECT_TRUE(await([&] { return !reader.grown.empty(); }));
-  EXPECT_TRUE(reader.archive.put.start("small", sized(3)).within(5s));
+  EXPECT_TRUE(reader.archive.put.start("small", sized(3)).within(kPatience));
   EXPECT_TRUE(eventually([&] {
     const auto newest = reader.archive.newest();
     return newest && newest->samples.size() == 3;

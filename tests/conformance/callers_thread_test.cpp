@@ -1,11 +1,13 @@
 // Commands that run in the caller's thread, where it shares a process with the provider.
 #include "conformance/setup.h"
+#include "support/patience.h"
 
 namespace conformance {
 namespace {
 
 using namespace std::chrono_literals;
 using suture::Errc;
+using suture::kPatience;
 
 class CallersThread : public Conformance {
  protected:
@@ -23,7 +25,7 @@ class CallersThreadAndATask : public CallersThread {};
 
 TEST_P(CallersThread, ADirectCommandRunsThere) {
   client->withGripper([&](Gripper& remote) {
-    ASSERT_TRUE(remote.release.start().within(5s));
+    ASSERT_TRUE(remote.release.start().within(kPatience));
     expectRanWhereItBelongs();
     ASSERT_TRUE(remote.release());
   });
@@ -32,11 +34,11 @@ TEST_P(CallersThread, ADirectCommandRunsThere) {
 
 TEST_P(CallersThread, AConcurrentReadIsAnsweredThere) {
   client->withGripper([&](Gripper& remote) {
-    const auto narrow = remote.fits.start(0.05).within(5s);
+    const auto narrow = remote.fits.start(0.05).within(kPatience);
     ASSERT_TRUE(narrow) << suture::toString(narrow.error());
     EXPECT_TRUE(*narrow);
     expectRanWhereItBelongs();
-    EXPECT_FALSE(*remote.fits.start(0.2).within(5s));
+    EXPECT_FALSE(*remote.fits.start(0.2).within(kPatience));
   });
 }
 
@@ -53,7 +55,7 @@ TEST_P(CallersThreadAndATask, NeitherWaitsForABusyProvider) {
 
 TEST_P(CallersThread, AThrowFaultsTheProviderAlone) {
   client->withGripper([](Gripper& remote) {
-    const auto thrown = remote.fits.start(-1).within(5s);
+    const auto thrown = remote.fits.start(-1).within(kPatience);
     ASSERT_FALSE(thrown);
     EXPECT_EQ(thrown.error(), Errc::Faulted);
   });

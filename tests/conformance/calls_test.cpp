@@ -2,12 +2,14 @@
 #include <optional>
 
 #include "conformance/setup.h"
+#include "support/patience.h"
 
 namespace conformance {
 namespace {
 
 using namespace std::chrono_literals;
 using suture::Errc;
+using suture::kPatience;
 using suture::Result;
 
 class Calls : public Conformance {};
@@ -28,7 +30,8 @@ TEST_P(QueuedCalls, ACancelledOneIsNeverExecutedAndAnyOtherIs) {
     EXPECT_TRUE(cancelled || !GetParam().isDirect());
   });
   arm->gate().open();
-  client->with([](Arm& remote) { EXPECT_TRUE(remote.limit.start(1, Mode::Enabled).within(5s)); });
+  client->with(
+      [](Arm& remote) { EXPECT_TRUE(remote.limit.start(1, Mode::Enabled).within(kPatience)); });
   std::vector<std::string> expected = {"disable", "servo_cp 1", "move 100% ", "limit 1 enabled"};
   if (cancelled) expected.erase(expected.begin() + 1, expected.begin() + 3);
   EXPECT_EQ(arm->taken(), expected);
@@ -44,7 +47,7 @@ TEST_P(QueuedCalls, OneThatIsBeingExecutedCannotBeCancelled) {
     EXPECT_FALSE(call->cancel());
     EXPECT_FALSE(call->poll());
     arm->gate().open();
-    EXPECT_TRUE(call->within(5s));
+    EXPECT_TRUE(call->within(kPatience));
     EXPECT_FALSE(call->cancel());
     call.reset();
   });
@@ -54,8 +57,8 @@ TEST_P(QueuedCalls, CancelledOnesGiveTheirPlacesBack) {
   for (int i = 0; i < 40; ++i) {  // more than can be under way
     client->with([](Arm& remote) {
       auto call = remote.hold.start();
-      EXPECT_TRUE(call.cancel() || call.within(5s));
-      EXPECT_TRUE(remote.limit.start(1, Mode::Enabled).within(5s));
+      EXPECT_TRUE(call.cancel() || call.within(kPatience));
+      EXPECT_TRUE(remote.limit.start(1, Mode::Enabled).within(kPatience));
     });
   }
 }

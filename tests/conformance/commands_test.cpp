@@ -3,12 +3,14 @@
 #include <suture/component/read_together.h>
 
 #include "conformance/setup.h"
+#include "support/patience.h"
 
 namespace conformance {
 namespace {
 
 using namespace std::chrono_literals;
 using suture::Errc;
+using suture::kPatience;
 
 class Commands : public Conformance {};
 class WireCommands : public Conformance {};
@@ -29,9 +31,9 @@ TEST_P(WireCommands, AWriteCommandBringsItsArgument) {
 
 TEST_P(Commands, ABlockingWriteReturnsAfterItsExecution) {
   client->with([&](Arm& remote) {
-    EXPECT_TRUE(remote.servo_cp.start(poseAt(3)).within(5s));
+    EXPECT_TRUE(remote.servo_cp.start(poseAt(3)).within(kPatience));
     EXPECT_EQ(arm->taken(), std::vector<std::string>{"servo_cp 3"});
-    EXPECT_TRUE(remote.hold.start().within(5s));
+    EXPECT_TRUE(remote.hold.start().within(kPatience));
   });
 }
 
@@ -40,8 +42,8 @@ TEST_P(WireCommands, StringsAndListsArriveWhole) {
   goal.name = {"yaw", "", "a name of 15 ch"};
   goal.position = {0.1, -0.0, 1e300};
   client->with([&](Arm& remote) {
-    EXPECT_TRUE(remote.servo_jp.start(goal).within(5s));
-    const auto back = remote.measured_js.fresh().within(5s);
+    EXPECT_TRUE(remote.servo_jp.start(goal).within(kPatience));
+    const auto back = remote.measured_js.fresh().within(kPatience);
     ASSERT_TRUE(back);
     EXPECT_EQ(back->name, goal.name);
     EXPECT_EQ(back->position, goal.position);
@@ -60,7 +62,7 @@ TEST_P(QueuedCommands, WhatExceedsItsCapacityIsRefusedToTheCaller) {
 
 TEST_P(Commands, AReadIsNotYetThereAndThenIs) {
   client->with([&](Arm& remote) {
-    EXPECT_TRUE(remote.servo_cp.start(poseAt(5)).within(5s));
+    EXPECT_TRUE(remote.servo_cp.start(poseAt(5)).within(kPatience));
     const auto first =
         remote.measured_cp();  // asking wakes a sleeping provider, which may be quick
     EXPECT_TRUE(first || first.error() == Errc::NotYet);
@@ -81,7 +83,8 @@ TEST_P(Commands, AReadIsNotYetThereAndThenIs) {
 
 TEST_P(WireCommands, AReadFollowsTheProvider) {
   for (int x = 1; x <= 20; ++x) {
-    client->with([&](Arm& remote) { EXPECT_TRUE(remote.servo_cp.start(poseAt(x)).within(5s)); });
+    client->with(
+        [&](Arm& remote) { EXPECT_TRUE(remote.servo_cp.start(poseAt(x)).within(kPatience)); });
     EXPECT_TRUE(suture::eventually([&] {
       double seen = 0;
       client->with([&](Arm& remote) {
@@ -96,8 +99,8 @@ TEST_P(WireCommands, AReadFollowsTheProvider) {
 TEST_P(Commands, AFreshReadIsEvaluatedForTheCall) {
   client->with([](Arm& remote) {
     for (int x = 1; x <= 20; ++x) {
-      EXPECT_TRUE(remote.servo_cp.start(poseAt(x)).within(5s));
-      const auto pose = remote.measured_cp.fresh().within(5s);
+      EXPECT_TRUE(remote.servo_cp.start(poseAt(x)).within(kPatience));
+      const auto pose = remote.measured_cp.fresh().within(kPatience);
       ASSERT_TRUE(pose) << suture::toString(pose.error());
       EXPECT_EQ(pose->pose.translation().x(), x);
     }
@@ -108,7 +111,7 @@ TEST_P(Commands, AFreshReadIsEvaluatedForTheCall) {
 TEST_P(QueuedWireCommands, AFreshReadIsStampedWhereItIsEvaluated) {
   client->with([this](Arm& remote) {
     const suture::Time asked = suture::now();
-    const auto pose = remote.measured_cp.fresh().within(5s);
+    const auto pose = remote.measured_cp.fresh().within(kPatience);
     ASSERT_TRUE(pose);
     EXPECT_GE(pose.stamp(), asked);
     EXPECT_LE(pose.stamp(), arm->at([](ArmComponent& one) { return one.evaluated(); }));
@@ -133,7 +136,7 @@ TEST_P(QueuedCommands, AReadWithoutAValueSaysWhy) {
   arm->at([](ArmComponent& one) { one.garble(true); });
   EXPECT_TRUE(becomes(Errc{}, Errc::Invalid));
   client->with([](Arm& remote) {
-    const auto fresh = remote.measured_cp.fresh().within(5s);
+    const auto fresh = remote.measured_cp.fresh().within(kPatience);
     EXPECT_EQ(fresh ? Errc{} : fresh.error(), Errc::Invalid);
     const auto row = suture::readTogether(remote.measured_js, remote.measured_cp);
     EXPECT_EQ(row ? Errc{} : row.error(), Errc::Invalid);
@@ -147,15 +150,15 @@ TEST_P(QueuedCommands, AReadWithoutAValueSaysWhy) {
 
 TEST_P(Commands, AQualifiedReadAnswersItsQuestion) {
   client->with([](Arm& remote) {
-    EXPECT_TRUE(remote.servo_cp.start(poseAt(1)).within(5s));
-    const auto distance = remote.distance.start(poseAt(4)).within(5s);
+    EXPECT_TRUE(remote.servo_cp.start(poseAt(1)).within(kPatience));
+    const auto distance = remote.distance.start(poseAt(4)).within(kPatience);
     ASSERT_TRUE(distance);
     EXPECT_EQ(*distance, 3.0);
   });
   // An answer that is no number reaches nobody.
   arm->at([](ArmComponent& one) { one.garble(true); });
   client->with([](Arm& remote) {
-    const auto distance = remote.distance.start(poseAt(4)).within(5s);
+    const auto distance = remote.distance.start(poseAt(4)).within(kPatience);
     EXPECT_EQ(distance ? Errc{} : distance.error(), Errc::Invalid);
   });
 }
@@ -164,8 +167,8 @@ TEST_P(Commands, SeveralCallsMayBeUnderWay) {
   client->with([](Arm& remote) {
     auto near = remote.distance.start(poseAt(1));
     auto far = remote.distance.start(poseAt(9));
-    EXPECT_EQ(*far.within(5s), 9.0);
-    EXPECT_EQ(*near.within(5s), 1.0);
+    EXPECT_EQ(*far.within(kPatience), 9.0);
+    EXPECT_EQ(*near.within(kPatience), 1.0);
   });
 }
 

@@ -1,11 +1,13 @@
 // Handlers that run in the thread of whoever emits, where both ends share a process.
 #include "conformance/setup.h"
+#include "support/patience.h"
 
 namespace conformance {
 namespace {
 
 using namespace std::chrono_literals;
 using suture::Errc;
+using suture::kPatience;
 
 class DirectEvents : public Conformance {
  protected:
@@ -49,14 +51,14 @@ TEST_P(LentHandlers, TheyWaitForNobodyButTheEmitter) {
   client->with([&](Arm& remote) {
     EXPECT_TRUE(remote.on().arrived.direct(
         [&](const PoseStamped& pose) { handled = static_cast<int>(pose.pose.translation().x()); }));
-    EXPECT_TRUE(remote.hold.start().within(5s));
+    EXPECT_TRUE(remote.hold.start().within(kPatience));
     arm->emitSoon([&](Ports ports) {
       EXPECT_TRUE(ports.arm.emit().arrived(poseAt(7)));
       EXPECT_EQ(handled, 7) << "emit() returned before its handler";
     });
     // Each answer is a cycle of the provider's, in which it may emit.
     for (int i = 0; i < 100 && arm->emitted() == 0; ++i) {
-      EXPECT_TRUE(remote.hold.start().within(5s));
+      EXPECT_TRUE(remote.hold.start().within(kPatience));
     }
     EXPECT_EQ(arm->emitted(), 1) << "the client does not look";
   });
@@ -90,7 +92,7 @@ TEST_P(DirectEvents, NoneRunsAfterReset) {
 TEST_P(DirectEvents, AQueuedHandlerTakesItsPlace) {
   client->with([&](Arm& remote) {
     EXPECT_TRUE(remote.on().stopped.direct([&] { handled += 100; }));
-    EXPECT_TRUE(remote.hold.start().within(5s));
+    EXPECT_TRUE(remote.hold.start().within(kPatience));
     EXPECT_TRUE(remote.on().stopped([&] {
       handledIn = gettid();
       ++handled;
@@ -107,7 +109,7 @@ TEST_P(DirectEvents, AQueuedHandlerTakesItsPlace) {
 TEST_P(DirectEvents, ALatchedValueIsReplayed) {
   client->with([&](Arm& remote) {
     EXPECT_TRUE(remote.on().mode.reset());
-    EXPECT_TRUE(remote.hold.start().within(5s));
+    EXPECT_TRUE(remote.hold.start().within(kPatience));
   });
   arm->emitSoon([](Ports ports) { EXPECT_TRUE(ports.arm.emit().mode(Mode::Enabled)); });
   ASSERT_TRUE(await([&] { return arm->emitted() == 1; }));

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "conformance/setup.h"
+#include "support/patience.h"
 #include "support/test_thread.h"
 
 namespace conformance {
@@ -9,6 +10,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using suture::Errc;
+using suture::kPatience;
 
 class Failures : public Conformance {};
 /// The provider has a life of its own: it can end while the client lives.
@@ -19,7 +21,7 @@ class EndingsOfTasks : public Conformance {};
 TEST_P(Failures, AHandlerThatThrowsParksItsComponentOnly) {
   arm->at([](ArmComponent& one) { one.throwOnEnable = true; });
   client->with([](Arm& remote) {
-    const auto answer = remote.set_mode.start(Mode::Enabled).within(5s);
+    const auto answer = remote.set_mode.start(Mode::Enabled).within(kPatience);
     ASSERT_FALSE(answer);
     EXPECT_EQ(answer.error(), Errc::Faulted);
   });
@@ -40,7 +42,7 @@ TEST_P(Failures, ASuspendedProviderSaysSoUntilItIsResumed) {
   const auto answer = [&] {
     Errc error{};
     client->with([&](Arm& remote) {
-      const auto held = remote.hold.start().within(5s);
+      const auto held = remote.hold.start().within(kPatience);
       error = held ? Errc{} : held.error();
     });
     return error;
@@ -99,7 +101,7 @@ TEST_P(EndingsOfTasks, ACallThatWaitsWhenTheProviderEndsIsNotExecuted) {
   arm->gate().opensAt(suture::now() + 20ms);  // stopProvider() returns after the handler
   stopProvider();
   client->with([&](Arm&) {
-    const auto& answer = behind->within(5s);
+    const auto& answer = behind->within(kPatience);
     ASSERT_FALSE(answer.has_value());
     // Of what the provider has not heard, or has no lane left to tell, nobody can say more.
     EXPECT_TRUE(answer.error() == Errc::Lost || answer.error() == Errc::OutcomeUnknown);

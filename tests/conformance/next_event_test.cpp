@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "conformance/setup.h"
+#include "support/patience.h"
 #include "support/test_thread.h"
 
 namespace conformance {
@@ -11,6 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using suture::Errc;
+using suture::kPatience;
 
 class NextEvents : public Conformance {
  protected:
@@ -31,7 +33,7 @@ TEST_P(NextEvents, WithoutPayload) {
     auto stopped = remote.on().stopped.next();
     EXPECT_FALSE(stopped.poll());
     emitStop();
-    EXPECT_TRUE(stopped.within(5s));
+    EXPECT_TRUE(stopped.within(kPatience));
     EXPECT_TRUE(*stopped.poll());
   });
 }
@@ -42,7 +44,7 @@ TEST_P(NextEvents, WithOneValueAndWithSeveral) {
     auto moved = remote.on().moved.next();
     emitArrival(4);
     arm->emitSoon([](Ports ports) { EXPECT_TRUE(ports.arm.emit().moved(poseAt(5), 0.25)); });
-    const auto both = moved.within(5s);
+    const auto both = moved.within(kPatience);
     ASSERT_TRUE(both);
     EXPECT_EQ(placeOf(std::get<0>(*both)), 5);
     EXPECT_EQ(std::get<1>(*both), 0.25);
@@ -58,7 +60,7 @@ TEST_P(NextEvents, WhatWaitsInTheQueueIsNotCountedButHandled) {
     suture::pass(1us);  // or the first would be as new as the wait for the next
     auto arrived = remote.on().arrived.next();
     emitArrival(2);
-    const auto place = arrived.within(5s);
+    const auto place = arrived.within(kPatience);
     ASSERT_TRUE(place);
     EXPECT_EQ(placeOf(*place), 2);
   });
@@ -72,9 +74,9 @@ TEST_P(NextEvents, NeedsNoHandler) {
     EXPECT_TRUE(remote.on().arrived.reset());
     for (int round = 1; round <= 5; ++round) {
       auto arrived = remote.on().arrived.next();
-      EXPECT_TRUE(remote.hold.start().within(5s)) << "by then the provider knows";
+      EXPECT_TRUE(remote.hold.start().within(kPatience)) << "by then the provider knows";
       emitArrival(round);
-      const auto place = arrived.within(5s);
+      const auto place = arrived.within(kPatience);
       ASSERT_TRUE(place);
       EXPECT_EQ(placeOf(*place), round);
     }
@@ -89,14 +91,14 @@ TEST_P(NextEvents, TheReplayOfALatchedOneIsNotCounted) {
       EXPECT_TRUE(ports.arm.emit().mode(Mode::Disabled));
       ports.arm.emit().stopped();
     });
-    ASSERT_TRUE(stopped.within(5s));
+    ASSERT_TRUE(stopped.within(kPatience));
     suture::pass(1us);  // or the replay would be as new as the wait for the next
     auto changed = remote.on().mode.next();
     ASSERT_TRUE(awaitInPlace(remote, [&] { return channel()->events.pending(); })) << "the replay";
     EXPECT_EQ(remote.on().mode.next().within(1ms).error(), Errc::Timeout);
     EXPECT_FALSE(changed.poll());
     arm->emitSoon([](Ports ports) { EXPECT_TRUE(ports.arm.emit().mode(Mode::Enabled)); });
-    const auto mode = changed.within(5s);
+    const auto mode = changed.within(kPatience);
     ASSERT_TRUE(mode);
     EXPECT_EQ(*mode, Mode::Enabled);
   });
@@ -130,20 +132,21 @@ TEST_P(LastEvents, TheWaitEndsWithTheProvider) {
   client->with([&](Arm& remote) {
     auto stopped = remote.on().stopped.next();
     suture::TestThread ender([&] { stopProvider(); });
-    EXPECT_EQ(stopped.within(10s).error(), Errc::Lost);
+    EXPECT_EQ(stopped.within(kPatience).error(), Errc::Lost);
     ender.join();
-    EXPECT_EQ(remote.on().stopped.next().within(10s).error(), Errc::Lost);
+    EXPECT_EQ(remote.on().stopped.next().within(kPatience).error(), Errc::Lost);
   });
 }
 
 TEST_P(NextEvents, NobodyWaitsInAHandler) {
   std::vector<Errc> errors;
   client->with([&](Arm& remote) {
-    EXPECT_TRUE(remote.on().stopped(
-        [&errors, &remote] { errors.push_back(remote.on().arrived.next().within(5s).error()); }));
+    EXPECT_TRUE(remote.on().stopped([&errors, &remote] {
+      errors.push_back(remote.on().arrived.next().within(kPatience).error());
+    }));
     auto stopped = remote.on().stopped.next();
     emitStop();
-    EXPECT_TRUE(stopped.within(5s));
+    EXPECT_TRUE(stopped.within(kPatience));
     EXPECT_EQ(errors, std::vector<Errc>{Errc::CannotWait});
   });
 }

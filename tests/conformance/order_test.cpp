@@ -1,11 +1,13 @@
 // The order of commands, with the provider stalled and with the producer racing the drain.
 #include "conformance/setup.h"
+#include "support/patience.h"
 
 namespace conformance {
 namespace {
 
 using namespace std::chrono_literals;
 using suture::Errc;
+using suture::kPatience;
 
 class Order : public Conformance {
  protected:
@@ -94,7 +96,8 @@ TEST_P(Order, ACallEndsAtItsDeadlineAndSaysSo) {
     EXPECT_EQ(answer.error(), Errc::Timeout);
     EXPECT_LT(suture::now() - begin, 20ms + 2s);
   });
-  client->with([](Arm& remote) { EXPECT_TRUE(remote.distance.start(poseAt(1)).within(5s)); });
+  client->with(
+      [](Arm& remote) { EXPECT_TRUE(remote.distance.start(poseAt(1)).within(kPatience)); });
 }
 
 // The producer races the drain: after every burst the provider ends in the last command sent.
@@ -103,13 +106,13 @@ TEST_P(WireOrder, EndsInTheLastCommandSentHoweverTheyRace) {
     const bool endsInHold = burst % 2 == 0;
     client->with([&](Arm& remote) {
       EXPECT_TRUE(remote.servo_cp(poseAt(1000 + burst)));
-      EXPECT_TRUE(remote.servo_jp.start(JointState{{}, {1}}).within(5s));
+      EXPECT_TRUE(remote.servo_jp.start(JointState{{}, {1}}).within(kPatience));
       EXPECT_TRUE(remote.hold());
       if (!endsInHold) {
         EXPECT_TRUE(remote.servo_cp(poseAt(-burst)));
-        EXPECT_TRUE(remote.servo_jp.start(JointState{{}, {1, 2, 3}}).within(5s));
+        EXPECT_TRUE(remote.servo_jp.start(JointState{{}, {1, 2, 3}}).within(kPatience));
       } else {
-        EXPECT_TRUE(remote.hold.start().within(5s));
+        EXPECT_TRUE(remote.hold.start().within(kPatience));
       }
     });
     const std::string last = endsInHold ? "hold" : "servo_jp 3";

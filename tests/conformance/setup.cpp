@@ -7,6 +7,8 @@
 #include <suture/transport/tls/key_maker.h>
 #include <unistd.h>
 
+#include "support/patience.h"
+
 namespace conformance {
 namespace {
 
@@ -146,7 +148,7 @@ void Conformance::disconnectArm() {
 }
 
 void Conformance::settle() {
-  client->with([](Arm& remote) { EXPECT_TRUE(remote.hold.start().within(5s)); });
+  client->with([](Arm& remote) { EXPECT_TRUE(remote.hold.start().within(suture::kPatience)); });
 }
 
 void Conformance::stall() {

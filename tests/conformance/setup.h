@@ -15,6 +15,7 @@
 #include "conformance/provider.h"
 #include "conformance/rows.h"
 #include "support/eventually.h"
+#include "support/patience.h"
 #include "support/stepped.h"
 #include "support/temporary_directory.h"
 
@@ -80,11 +81,11 @@ class Conformance : public testing::TestWithParam<Row> {
 std::string nameOf(const testing::TestParamInfo<Row>& info);
 
 /// In the client's own thread, inside of Client::with(): waits for what rings the client, and
-/// neither handles an event nor begins a cycle meanwhile. False after ten seconds.
+/// neither handles an event nor begins a cycle meanwhile. False after kPatience.
 template <class Condition>
 bool awaitInPlace(suture::RequiredBase& remote, const Condition& condition) {
   bool held = false;
-  suture::sleepUntil(remote.owner(), suture::now() + std::chrono::seconds(10),
+  suture::sleepUntil(remote.owner(), suture::now() + suture::kPatience,
                      [&] { return held = condition(); });
   return held;
 }

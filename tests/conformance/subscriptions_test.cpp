@@ -2,6 +2,7 @@
 #include <suture/component/channel.h>
 
 #include "conformance/setup.h"
+#include "support/patience.h"
 #include "support/test_thread.h"
 
 namespace conformance {
@@ -9,6 +10,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using suture::Errc;
+using suture::kPatience;
 
 class Subscriptions : public Conformance {
  protected:
@@ -80,7 +82,7 @@ TEST_P(SubscriptionsToTasks, AnEventOfALaterCommandIsNotMissed) {
     });
     client->with([&](Arm& remote) {
       listenTo(remote, arrivals);
-      EXPECT_TRUE(remote.set_mode.start(Mode::Enabled).within(5s));
+      EXPECT_TRUE(remote.set_mode.start(Mode::Enabled).within(kPatience));
     });
     emitArrival(round);
     ASSERT_TRUE(afterStop(round));

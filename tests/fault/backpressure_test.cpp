@@ -17,6 +17,7 @@
 #include "fault/history_arm.h"
 #include "fault/system.h"
 #include "support/contains.h"
+#include "support/patience.h"
 #include "support/resources.h"
 
 namespace suture {
@@ -76,8 +77,8 @@ bool hears(const Subscriber& subscriber, std::uint64_t more) {
 class StoppedTask : public testing::TestWithParam<Lane> {
  protected:
   void connect(const std::string& required, const std::string& provided) {
-    here_.connect(required, (GetParam() == Lane::Auto ? "" : "here:") + provided, GetParam(), 10s,
-                  {}, {.silence = 60s});
+    here_.connect(required, (GetParam() == Lane::Auto ? "" : "here:") + provided, GetParam(),
+                  kPatience, {}, {.silence = 60s});
   }
   /// As the subscriber's own end tells, wherever on the lane they were dropped.
   std::uint64_t droppedFor(const std::string& client) const {
@@ -142,7 +143,7 @@ struct Caller final : Device {
       EXPECT_TRUE(stopped.servo_cp(PoseStamped{}));  // the newest wins
       (void)stopped.hold();
       if (i % 2000 != 0) continue;
-      EXPECT_TRUE(live.reset.start().within(5s)) << i;
+      EXPECT_TRUE(live.reset.start().within(kPatience)) << i;
     }
     EXPECT_EQ(stopped.hold().error(), Errc::Full);
     std::printf("1 fault: a provider stood still for %d commands\n", kCommands);
@@ -263,8 +264,8 @@ TEST_P(StoppedProcess, AsAProviderDelaysNobody) {
   here.add("Caller", caller);
   here.start();
   const ConnectionContract patient{.silence = 60s};
-  here.connect("Caller/Stopped", "stopped:PSM/Arm", GetParam(), 10s, {}, patient);
-  here.connect("Caller/Live", "live:PSM/Arm", GetParam(), 10s, {}, patient);
+  here.connect("Caller/Stopped", "stopped:PSM/Arm", GetParam(), kPatience, {}, patient);
+  here.connect("Caller/Live", "live:PSM/Arm", GetParam(), kPatience, {}, patient);
   ASSERT_TRUE(caller.isAnswered());
   stopped->signal(SIGSTOP);
   ASSERT_TRUE(caller.isFull());

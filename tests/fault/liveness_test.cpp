@@ -15,6 +15,7 @@
 #include "support/child.h"
 #include "support/contains.h"
 #include "support/eventually.h"
+#include "support/patience.h"
 #include "support/refusal.h"
 #include "support/temporary_directory.h"
 
@@ -39,7 +40,7 @@ class Liveness : public testing::TestWithParam<const char*> {
   }
   void connect(const std::string& required, const std::string& provided,
                Duration silence = kSilence) {
-    here_.connect(required, provided, Lane::Auto, 10s, {}, {.silence = silence});
+    here_.connect(required, provided, Lane::Auto, kPatience, {}, {.silence = silence});
   }
   std::string whyLost(const std::string& from, const std::string& to) const {
     const auto why = here_.whyLost();

@@ -14,6 +14,7 @@
 #include "fault/history_arm.h"
 #include "fault/history_caller.h"
 #include "fault/system.h"
+#include "support/patience.h"
 
 namespace suture {
 namespace {
@@ -80,7 +81,7 @@ class Messages : public testing::TestWithParam<std::tuple<LaneUnderFault, Fault>
     startProvider();
     clients_->start();
     clients_->connect("Client/Arm", lane() == LaneUnderFault::Local ? "PSM/Arm" : "robot:PSM/Arm",
-                      kAsked[static_cast<int>(lane())], 10s, {.faults = plan_});
+                      kAsked[static_cast<int>(lane())], kPatience, {.faults = plan_});
   }
   ~Messages() override {
     clients_->stop();

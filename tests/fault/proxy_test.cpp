@@ -9,6 +9,7 @@
 
 #include "fault/byte_proxy.h"
 #include "fault/system.h"
+#include "support/patience.h"
 
 namespace suture {
 namespace {
@@ -24,10 +25,10 @@ class Forwarder {
   /// Its proxy listens at `here`.
   Forwarder(const std::string& manager, const std::string& name, const std::string& behind,
             const rpc::Address& here, unsigned seed) {
-    control_.run(20s, [&, name, behind, here, address = rpc::Address::parse(manager)] {
+    control_.run(kPatience, [&, name, behind, here, address = rpc::Address::parse(manager)] {
       link_ = std::make_unique<ManagerLink>(control_, std::vector{address}, "forwarder");
-      return link_->open(10s)
-          .then([this, behind] { return link_->resolve(behind, 10s); })
+      return link_->open(kPatience)
+          .then([this, behind] { return link_->resolve(behind, kPatience); })
           .then([this, name, here, seed](ProcessRecord found) {
             const auto target = rpc::Address::parse(found.addresses.at(0));
             proxy = std::make_unique<ByteProxy>(here, target, seed);
@@ -38,7 +39,7 @@ class Forwarder {
     });
   }
   ~Forwarder() {
-    control_.run(10s, [this] { link_.reset(); });
+    control_.run(kPatience, [this] { link_.reset(); });
   }
   Forwarder(const Forwarder&) = delete;
   Forwarder& operator=(const Forwarder&) = delete;

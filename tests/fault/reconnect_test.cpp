@@ -11,6 +11,7 @@
 #include "fault/operator.h"
 #include "support/child.h"
 #include "support/eventually.h"
+#include "support/patience.h"
 #include "support/resources.h"
 #include "support/temporary_directory.h"
 
@@ -65,7 +66,7 @@ TEST_P(Restarts, OfAPeerOverAndOverCostNothing) {
   Manager here("here", names.address());
   here.add("Operator", client);
   here.start();
-  here.connect("Operator/Arm", "there:PSM1/Arm", Lane::Auto, 10s, {}, {.silence = 5s});
+  here.connect("Operator/Arm", "there:PSM1/Arm", Lane::Auto, kPatience, {}, {.silence = 5s});
   ASSERT_TRUE(hearsAgain(client));
 
   const int all = rounds(), warm = std::max(all / 5, 1);
@@ -163,7 +164,7 @@ TEST_P(Restarts, AnAnswerOfAnOlderEpochGoesToNobody) {
   Manager here("here", names.address());
   here.add("Operator", client);
   here.start();
-  here.connect("Operator/Arm", "there:PSM1/Arm", Lane::Auto, 10s, {}, {.silence = 500ms});
+  here.connect("Operator/Arm", "there:PSM1/Arm", Lane::Auto, kPatience, {}, {.silence = 500ms});
   std::vector<std::uint32_t> answers;
   for (int round = 0; round < 3; ++round) {
     client.resets = 0;

@@ -20,6 +20,7 @@
 #include "integration/network/console.h"
 #include "reference/arm_like.capnp.h"
 #include "reference/connect_request.h"
+#include "support/patience.h"
 #include "support/process_address.h"
 #include "support/resources.h"
 
@@ -123,15 +124,15 @@ kj::Promise<void> session(wire::Peer::Client peer) {
 Bytes recordedSession(const std::string& manager, const rpc::Address& robot) {
   Recorder recorder(robot);
   rpc::ControlThread control;
-  control.run(10s, [&control, &recorder, manager] {
+  control.run(kPatience, [&control, &recorder, manager] {
     auto link = kj::heap<ManagerLink>(control, std::vector{rpc::Address::parse(manager)}, "test");
     auto& held = *link;
-    return held.open(5s)
+    return held.open(kPatience)
         .then([&held, &recorder] {
           ProcessRecord record;
           record.name = "robot";
           record.addresses = {recorder.address.text()};
-          return held.reach(record, 5s);
+          return held.reach(record, kPatience);
         })
         .then([&control](rpc::ByteStream bytes) {
           auto stream = kj::heap<rpc::MessageStream>(control.port(), kj::mv(bytes));
@@ -199,10 +200,10 @@ TEST(Sessions, ThatWereChangedHurtNobody) {
     std::mt19937 random(seed + i);
     ASSERT_TRUE(survives(address, changed(valid, random))) << "SUTURE_SEED=" << seed + i;
     if (i % 500 == 0) {
-      ASSERT_TRUE(console.arm.hold.start().within(5s)) << "SUTURE_SEED=" << seed + i;
+      ASSERT_TRUE(console.arm.hold.start().within(kPatience)) << "SUTURE_SEED=" << seed + i;
     }
   }
-  EXPECT_TRUE(console.arm.hold.start().within(5s));
+  EXPECT_TRUE(console.arm.hold.start().within(kPatience));
   EXPECT_TRUE(eventually([&] { return openDescriptors() <= descriptors + 3; }));
   std::printf("%u sessions of %zu bytes changed and sent, from seed %u\n", count, valid.size(),
               seed);

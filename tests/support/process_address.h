@@ -8,17 +8,18 @@
 #include <string>
 #include <vector>
 
+#include "support/patience.h"
+
 namespace suture {
 
 inline std::string addressOf(const std::string& manager, const std::string& process,
                              const rpc::Trust& trust = {}) {
-  using std::chrono_literals::operator""s;
   rpc::ControlThread control;
-  return control.run(20s, [&control, manager = rpc::Address::parse(manager), process, trust] {
+  return control.run(kPatience, [&control, manager = rpc::Address::parse(manager), process, trust] {
     auto link = kj::heap<ManagerLink>(control, std::vector{manager}, "test", trust);
     auto& held = *link;
-    return held.open(5s)
-        .then([&held, process] { return held.resolve(process, 5s); })
+    return held.open(kPatience)
+        .then([&held, process] { return held.resolve(process, kPatience); })
         .then([](ProcessRecord record) { return record.addresses.at(0); })
         .attach(kj::mv(link));
   });

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <string>
 
+#include "support/patience.h"
 #include "tests/compiler/evolution/either_end.h"
 #include "versioned.h"
 
@@ -54,7 +55,7 @@ struct Client final : suture::Device {
 
 void printRow(Client& client) {
   Record record;
-  const suture::Time deadline = suture::now() + 10s;
+  const suture::Time deadline = suture::now() + suture::kPatience;
   while (!client.kinds.last(record) && suture::now() < deadline) {
     client.waitForEvents(suture::now() + 1ms);
   }
@@ -70,9 +71,9 @@ void talk(Client& client) {
   if (!subscribed) std::cout << "on put: " << toString(subscribed.error()) << "\n";
   Record record;
   record.x = 2.5;
-  const auto put = startPut(client.kinds, record).within(10s);
+  const auto put = startPut(client.kinds, record).within(suture::kPatience);
   std::cout << "put: " << (put ? "done" : toString(put.error())) << "\n";
-  const suture::Time deadline = suture::now() + 10s;
+  const suture::Time deadline = suture::now() + suture::kPatience;
   while (!told && client.waitForEvents(deadline)) {
     if (!client.processEvents()) break;
   }

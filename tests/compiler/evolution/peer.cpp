@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "feeder.h"
+#include "support/patience.h"
 #include "tests/compiler/evolution/either_end.h"
 
 namespace evolution {
@@ -26,7 +27,7 @@ void serve(const std::string& address) {
 }
 
 std::string modeOf(Client& client) {
-  const suture::Time deadline = suture::now() + 5s;
+  const suture::Time deadline = suture::now() + suture::kPatience;
   for (;;) {
     const auto mode = client.feed.mode();
     if (mode) return *mode == Mode::On ? "On" : "another";
@@ -37,9 +38,9 @@ std::string modeOf(Client& client) {
 
 void talk(Client& client) {
   auto moved = client.feed.on().moved.next();
-  const auto put = startPut(client.feed).within(5s);
+  const auto put = startPut(client.feed).within(suture::kPatience);
   std::cout << "put: " << (put ? "done" : toString(put.error())) << "\n";
-  if (const auto& sample = moved.within(5s)) {
+  if (const auto& sample = moved.within(suture::kPatience)) {
     std::cout << "moved label='" << sample->label << "'";
     print(*sample, std::cout);
     std::cout << "\n";

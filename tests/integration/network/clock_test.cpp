@@ -13,6 +13,7 @@
 #include "integration/network/console.h"
 #include "support/child.h"
 #include "support/eventually.h"
+#include "support/patience.h"
 #include "support/temporary_directory.h"
 
 namespace suture {
@@ -62,7 +63,7 @@ TEST_P(ClockTest, AgesAreRightWithinTheErrorThatIsShown) {
 
   // Its ttl is 500 ms; and its stamp comes back as it went.
   const auto pose = poseAt(2);
-  ASSERT_TRUE(console.arm.servo_cp.start(pose).within(5s));
+  ASSERT_TRUE(console.arm.servo_cp.start(pose).within(kPatience));
   ASSERT_TRUE(eventually([&] {
     const auto read = console.arm.measured_cp();
     return read && read->pose.translation().x() == 2;

@@ -15,6 +15,7 @@
 #include "integration/network/console.h"
 #include "support/child.h"
 #include "support/eventually.h"
+#include "support/patience.h"
 #include "support/process_address.h"
 #include "support/refusal.h"
 #include "support/temporary_directory.h"
@@ -106,7 +107,7 @@ TEST_P(NetworkTest, AKilledPeerIsLostAndItsSuccessorFound) {
   ASSERT_EQ(manager.channels().size(), 1u);
   EXPECT_EQ(manager.channels()[0]->status, ChannelStatus::Connected) << "reports tell of the new";
   EXPECT_TRUE(reaches(console, 2));
-  EXPECT_TRUE(console.arm.set_mode.start(Mode::Enabled).within(5s));
+  EXPECT_TRUE(console.arm.set_mode.start(Mode::Enabled).within(kPatience));
   EXPECT_TRUE(eventually([&] {
     console.processEvents();
     return console.modes == std::vector<Mode>{Mode::Enabled};

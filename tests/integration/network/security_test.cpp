@@ -20,6 +20,7 @@
 #include "integration/network/arm.h"
 #include "integration/network/console.h"
 #include "support/eventually.h"
+#include "support/patience.h"
 #include "support/refusal.h"
 #include "support/temporary_directory.h"
 
@@ -32,8 +33,6 @@ using reference::Mode;
 
 class SecurityTest : public testing::Test {
  protected:
-  static constexpr Duration kPatience = 10s;
-
   SecurityTest()
       : keys_(makeKeys()), names_(control_, "tls://127.0.0.1:0", securityOf(tls::kManagerName)) {}
 
@@ -52,9 +51,9 @@ class SecurityTest : public testing::Test {
     return control.run(kPatience, [&control, manager, ask, trust = securityOf(holder).trust()] {
       auto link = kj::heap<ManagerLink>(control, std::vector{manager}, "test", trust);
       auto& held = *link;
-      return held.open(5s)
-          .then([&held] { return held.resolve("robot", 5s); })
-          .then([&held](const ProcessRecord& robot) { return held.reach(robot, 5s); })
+      return held.open(kPatience)
+          .then([&held] { return held.resolve("robot", kPatience); })
+          .then([&held](const ProcessRecord& robot) { return held.reach(robot, kPatience); })
           .then([&control, ask](rpc::ByteStream bytes) {
             // A robot on a busy machine may take any time for its first answer.
             const rpc::StreamLimits patient{.firstMilliseconds = 0};
@@ -169,7 +168,7 @@ TEST_F(SecurityTest, ARegisteredAddressLeadsNobodyOutOfTls) {
   const auto manager = rpc::Address::parse(names_.address());
   control.run(kPatience, [&, trust = securityOf("robot").trust()] {
     link = std::make_unique<ManagerLink>(control, std::vector{manager}, "robot", trust);
-    return link->open(5s).then([&link] {
+    return link->open(kPatience).then([&link] {
       return link->enrol({.name = "robot",
                           .addresses = {"tcp://127.0.0.1:9"},
                           .pid = 1,
@@ -206,20 +205,22 @@ TEST_F(SecurityTest, AReadOnlyRoleReadsAndHearsAndCommandsNothing) {
     const auto pose = onlooker.arm.measured_cp();
     return pose && pose->pose.translation().x() == 3;
   }));
-  const auto distance = onlooker.arm.distance.start(poseAt(5)).within(5s);  // a qualified read
+  const auto distance =
+      onlooker.arm.distance.start(poseAt(5)).within(kPatience);  // a qualified read
   ASSERT_TRUE(distance);
   EXPECT_DOUBLE_EQ(*distance, 2);
-  ASSERT_TRUE(surgeon.arm.set_mode.start(Mode::Enabled).within(5s));
+  ASSERT_TRUE(surgeon.arm.set_mode.start(Mode::Enabled).within(kPatience));
   EXPECT_TRUE(eventually([&] {  // events
     onlooker.processEvents();
     return onlooker.modes == std::vector<Mode>{Mode::Enabled};
   }));
 
-  const auto mode = onlooker.arm.set_mode.start(Mode::Disabled).within(5s);
+  const auto mode = onlooker.arm.set_mode.start(Mode::Disabled).within(kPatience);
   EXPECT_EQ(mode.error(), Errc::NotPermitted);
-  EXPECT_EQ(onlooker.arm.servo_cp.start(poseAt(9)).within(5s).error(), Errc::NotPermitted);
-  EXPECT_EQ(onlooker.arm.move.start(poseAt(9), 1, "").within(5s).error(), Errc::NotPermitted);
-  EXPECT_EQ(onlooker.arm.reset.start().within(5s).error(), Errc::NotPermitted);
+  EXPECT_EQ(onlooker.arm.servo_cp.start(poseAt(9)).within(kPatience).error(), Errc::NotPermitted);
+  EXPECT_EQ(onlooker.arm.move.start(poseAt(9), 1, "").within(kPatience).error(),
+            Errc::NotPermitted);
+  EXPECT_EQ(onlooker.arm.reset.start().within(kPatience).error(), Errc::NotPermitted);
   const auto refused = [&] { return observe(viewer, {}).connections.at(0).refused; };
   const auto before = refused();
   ASSERT_TRUE(onlooker.arm.hold());  // nobody waits for the answer of this one

@@ -12,6 +12,7 @@
 
 #include "arm/crtk_arm.suture.h"
 #include "integration/teleoperation/workstation.h"
+#include "support/patience.h"
 
 namespace robots::test {
 namespace {
@@ -46,7 +47,7 @@ class Crtk : public testing::TestWithParam<bool> {
     here_.stop();
   }
   bool heard(const std::function<bool()>& enough) {
-    const suture::Time deadline = suture::now() + 20s;
+    const suture::Time deadline = suture::now() + suture::kPatience;
     while (!enough() && suture::now() < deadline) operator_.waitForEvents(deadline);
     return enough();
   }
@@ -72,7 +73,7 @@ TEST_P(Crtk, ItsMessagesAreTheStandardOnes) {
   client.add("Listener", listener);
   client.connect("Listener/From", GetParam() ? "PSM/Crtk" : "here:PSM/Crtk");
   ASSERT_TRUE(operator_.arm.servo_jp(JointGoal{}));
-  const suture::Time deadline = suture::now() + 20s;
+  const suture::Time deadline = suture::now() + suture::kPatience;
   while (listener.warning.counter == 0 && suture::now() < deadline) {
     listener.waitForEvents(deadline);
   }
@@ -82,24 +83,24 @@ TEST_P(Crtk, ItsMessagesAreTheStandardOnes) {
 
 TEST_P(Crtk, AnOperatorHomesMovesAndAsks) {
   auto& arm = operator_.arm;
-  ASSERT_TRUE(arm.state_command.start("enable").within(10s));
-  ASSERT_TRUE(arm.state_command.start("home").within(10s));
+  ASSERT_TRUE(arm.state_command.start("enable").within(suture::kPatience));
+  ASSERT_TRUE(arm.state_command.start("home").within(suture::kPatience));
   ASSERT_TRUE(heard([&] { return operator_.goals == std::vector<bool>{true}; }));
   EXPECT_TRUE(ask(arm.operating_state).is_homed);
 
-  EXPECT_TRUE(arm.trajectory_j_set_ratio.start(0.5).within(10s));
+  EXPECT_TRUE(arm.trajectory_j_set_ratio.start(0.5).within(suture::kPatience));
   EXPECT_TRUE(heard([&] { return operator_.ratio == 0.5; }));
   const PoseStamped before = ask(arm.setpoint_cp);
   PoseStamped step;
   step.pose.translation().z() = 0.005;
   step.valid = true;
-  EXPECT_TRUE(arm.move_cr.start(step).within(10s));
+  EXPECT_TRUE(arm.move_cr.start(step).within(suture::kPatience));
   ASSERT_TRUE(heard([&] { return operator_.goals.size() == 2; }));
   const PoseStamped after = ask(arm.setpoint_cp);
   EXPECT_NEAR(after.pose.translation().z() - before.pose.translation().z(), 0.005, 1e-6);
 
   const JointGoal q{ask(arm.setpoint_js).position, {}};
-  const auto tip = arm.forward_kinematics.start(q).within(10s);
+  const auto tip = arm.forward_kinematics.start(q).within(suture::kPatience);
   ASSERT_TRUE(tip);
   EXPECT_LT((tip->pose.translation() - after.pose.translation()).norm(), 1e-9);
   EXPECT_EQ(ask(arm.configuration_js).name.size(), 6u);
@@ -108,9 +109,9 @@ TEST_P(Crtk, AnOperatorHomesMovesAndAsks) {
 }
 
 TEST_P(Crtk, WhatTheArmRefusesIsTold) {
-  ASSERT_TRUE(operator_.arm.state_command.start("resume").within(10s));
+  ASSERT_TRUE(operator_.arm.state_command.start("resume").within(suture::kPatience));
   EXPECT_TRUE(heard([&] { return operator_.errors.size() == 1; }));
-  const auto ratio = operator_.arm.trajectory_j_set_ratio.start(2).within(10s);
+  const auto ratio = operator_.arm.trajectory_j_set_ratio.start(2).within(suture::kPatience);
   if (GetParam()) return;  // a process does not judge its own arguments
   ASSERT_FALSE(ratio);
   EXPECT_EQ(ratio.error(), suture::Errc::Invalid);

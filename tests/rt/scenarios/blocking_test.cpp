@@ -2,6 +2,7 @@
 #include <chrono>
 
 #include "rt/scenarios/setup.h"
+#include "support/patience.h"
 
 namespace scenarios {
 namespace {
@@ -13,13 +14,13 @@ class Blocking : public Scenario {};
 TEST_P(Blocking, VoidAndWriteHaveBeenExecutedWhenTheyAreAnswered) {
   client->with([](Used& used) {
     forEachPrototype(used, [](auto prototype) {
-      ASSERT_TRUE(prototype.set.start(prototype.value).within(10s));
-      const auto kept = prototype.read.fresh().within(10s);
+      ASSERT_TRUE(prototype.set.start(prototype.value).within(suture::kPatience));
+      const auto kept = prototype.read.fresh().within(suture::kPatience);
       ASSERT_TRUE(kept);
       EXPECT_TRUE(same(*kept, prototype.value));
     });
-    ASSERT_TRUE(used.clear.start().within(10s));
-    const auto text = used.text.fresh().within(10s);
+    ASSERT_TRUE(used.clear.start().within(suture::kPatience));
+    const auto text = used.text.fresh().within(suture::kPatience);
     ASSERT_TRUE(text);
     EXPECT_EQ(*text, "");
   });
@@ -28,7 +29,7 @@ TEST_P(Blocking, VoidAndWriteHaveBeenExecutedWhenTheyAreAnswered) {
 TEST_P(Blocking, AQualifiedReadAnswersItsQuestion) {
   client->with([](Used& used) {
     forEachPrototype(used, [](auto prototype) {
-      const auto twice = prototype.twice.start(prototype.value).within(10s);
+      const auto twice = prototype.twice.start(prototype.value).within(suture::kPatience);
       ASSERT_TRUE(twice);
       EXPECT_TRUE(same(*twice, doubled(prototype.value)));
     });
@@ -38,13 +39,13 @@ TEST_P(Blocking, AQualifiedReadAnswersItsQuestion) {
 TEST_P(Blocking, VoidAndWriteWithReturnAnswerWhatWasKept) {
   client->with([](Used& used) {
     forEachPrototype(used, [](auto prototype) {
-      const auto before = prototype.swap.start(prototype.value).within(10s);
+      const auto before = prototype.swap.start(prototype.value).within(suture::kPatience);
       ASSERT_TRUE(before);
       EXPECT_FALSE(same(*before, prototype.value));
-      const auto taken = prototype.take.start().within(10s);
+      const auto taken = prototype.take.start().within(suture::kPatience);
       ASSERT_TRUE(taken);
       EXPECT_TRUE(same(*taken, prototype.value));
-      const auto nothing = prototype.take.start().within(10s);
+      const auto nothing = prototype.take.start().within(suture::kPatience);
       ASSERT_TRUE(nothing);
       EXPECT_TRUE(same(*nothing, *before));
     });

@@ -17,6 +17,7 @@
 #include "arm_client.h"
 #include "living.h"
 #include "support/eventually.h"
+#include "support/patience.h"
 
 namespace suture {
 namespace {
@@ -38,18 +39,18 @@ TEST(Suspended, ATaskRunsNothingAndItsClientsAreTold) {
   ArmClient client;
   const auto channel = connectLocally(client.arm, task.arm, "test");
   task.start();
-  EXPECT_TRUE(client.arm.hold.start().within(5s));
+  EXPECT_TRUE(client.arm.hold.start().within(kPatience));
   task.request(Transition::Suspend);
   EXPECT_TRUE(reaches(task, State::Suspended));
   EXPECT_TRUE(eventually([&] { return client.arm.unusable() == Errc::Suspended; }));
   EXPECT_EQ(client.arm.hold().error(), Errc::Suspended);
-  EXPECT_EQ(client.arm.hold.start().within(5s).error(), Errc::Suspended);
+  EXPECT_EQ(client.arm.hold.start().within(kPatience).error(), Errc::Suspended);
   EXPECT_EQ(client.arm.measured_cp().error(), Errc::Suspended);
   EXPECT_EQ(cyclesDuring(task, 20ms), 0);
 
   task.request(Transition::Resume);
   EXPECT_TRUE(eventually([&] { return client.arm.connected(); }));
-  EXPECT_TRUE(client.arm.hold.start().within(5s));
+  EXPECT_TRUE(client.arm.hold.start().within(kPatience));
   EXPECT_EQ(channel->status, ChannelStatus::Connected);
 }
 
@@ -70,7 +71,7 @@ TEST(Suspended, WhatWasSentBeforeOrMeanwhileIsAnsweredAndNeverExecuted) {
   auto call = client.arm.hold.start();
   EXPECT_TRUE(client.arm.hold());
   EXPECT_FALSE(task.trigger());
-  EXPECT_EQ(call.within(5s).error(), Errc::Suspended);
+  EXPECT_EQ(call.within(kPatience).error(), Errc::Suspended);
   EXPECT_EQ(channel->commands.counters.refused, 2u);
   EXPECT_TRUE(client.arm.hold());
   task.request(Transition::Resume);
@@ -115,7 +116,7 @@ TEST(Suspended, ALateClientIsToldAtOnceAndWelcomeAfterwards) {
   EXPECT_EQ(client.arm.hold().error(), Errc::Suspended);
   task.request(Transition::Resume);
   EXPECT_TRUE(eventually([&] { return client.arm.connected(); }));
-  EXPECT_TRUE(client.arm.hold.start().within(5s));
+  EXPECT_TRUE(client.arm.hold.start().within(kPatience));
 }
 
 /// Uses an arm, and counts the events that reach it.
@@ -173,7 +174,7 @@ void expectItSleeps(Living<Kind>& task) {
   EXPECT_TRUE(reaches(task, State::Suspended));
   // What keeps arriving must not keep it busy either.
   channel->status = ChannelStatus::Connected;
-  EXPECT_EQ(client.arm.hold.start().within(5s).error(), Errc::Suspended);
+  EXPECT_EQ(client.arm.hold.start().within(kPatience).error(), Errc::Suspended);
   const Duration before = processorTime();
   pass(200ms);
   EXPECT_LT(processorTime() - before, 100ms) << "a suspended task spins";
@@ -182,7 +183,7 @@ void expectItSleeps(Living<Kind>& task) {
   EXPECT_TRUE(reaches(task, State::Running));
   const int cycles = task.cycles;
   channel->status = ChannelStatus::Connected;
-  EXPECT_TRUE(client.arm.hold.start().within(5s));
+  EXPECT_TRUE(client.arm.hold.start().within(kPatience));
   EXPECT_TRUE(eventually([&] { return task.cycles > cycles; }));
 }
 
@@ -225,14 +226,14 @@ TEST(Suspended, AHostGoesOnForItsGuests) {
   host.start();
   host.request(Transition::Suspend);
   EXPECT_TRUE(reaches(host, State::Suspended));
-  EXPECT_TRUE(ofGuest.arm.hold.start().within(5s));
+  EXPECT_TRUE(ofGuest.arm.hold.start().within(kPatience));
   EXPECT_EQ(ofHost.arm.hold().error(), Errc::Suspended);
   guest.request(Transition::Suspend);
   EXPECT_TRUE(reaches(guest, State::Suspended));
   host.request(Transition::Resume);
   EXPECT_TRUE(eventually([&] { return ofHost.arm.connected(); }));
   EXPECT_EQ(host.state(), State::Running);
-  EXPECT_TRUE(ofHost.arm.hold.start().within(5s));
+  EXPECT_TRUE(ofHost.arm.hold.start().within(kPatience));
   EXPECT_EQ(ofGuest.arm.hold().error(), Errc::Suspended);
   host.stop();
   EXPECT_EQ(guest.state(), State::Stopped);

@@ -18,6 +18,7 @@
 #include "reference/arm_like.suture.h"
 #include "reference/simulated_arm.h"
 #include "support/eventually.h"
+#include "support/patience.h"
 #include "support/refusal.h"
 #include "support/test_thread.h"
 #include "unit/component/arm_client.h"
@@ -53,7 +54,7 @@ TEST(ContinuousTask, RunsWithoutWaitingForAnything) {
   connectLocally(client.arm, task.arm, "test");
   task.start();
   EXPECT_TRUE(eventually([&] { return cycles > 1000; }));
-  EXPECT_TRUE(client.arm.hold.start().within(5s));
+  EXPECT_TRUE(client.arm.hold.start().within(kPatience));
   task.stop();
   const int atTheEnd = cycles;
   pass(5ms);
@@ -70,7 +71,7 @@ TEST(CallbackTask, RunsInTheThreadThatCallsIt) {
   auto call = client.arm.hold.start();
   EXPECT_FALSE(call.poll());
   EXPECT_TRUE(task.trigger());
-  EXPECT_TRUE(call.within(5s));
+  EXPECT_TRUE(call.within(kPatience));
   EXPECT_EQ(ranIn, std::this_thread::get_id());
 
   std::thread::id other;
@@ -149,8 +150,8 @@ TEST(GuestTask, ACommandForItWakesTheHost) {
   connectLocally(deep.arm, inner.arm, "test");
   host.start();
   for (int i = 0; i < 20; ++i) {
-    ASSERT_TRUE(client.arm.hold.start().within(5s));
-    ASSERT_TRUE(deep.arm.measured_cp.fresh().within(5s));
+    ASSERT_TRUE(client.arm.hold.start().within(kPatience));
+    ASSERT_TRUE(deep.arm.measured_cp.fresh().within(kPatience));
   }
 }
 
@@ -166,7 +167,7 @@ TEST(GuestTask, WhatThrowsIsParkedAlone) {
   EXPECT_EQ(guest.state(), ComponentState::Faulted);
   EXPECT_EQ(guest.fault(), "the guest's fault");
   EXPECT_EQ(ofGuest.arm.hold().error(), Errc::Faulted);
-  EXPECT_TRUE(ofHost.arm.hold.start().within(5s));
+  EXPECT_TRUE(ofHost.arm.hold.start().within(kPatience));
   EXPECT_EQ(host.state(), ComponentState::Running);
 }
 
@@ -179,7 +180,7 @@ TEST(GuestTask, OutlivesAHostThatThrows) {
   connectLocally(ofGuest.arm, guest.arm, "test");
   host.start();
   EXPECT_TRUE(eventually([&] { return host.state() == ComponentState::Faulted; }));
-  EXPECT_TRUE(ofGuest.arm.hold.start().within(5s));
+  EXPECT_TRUE(ofGuest.arm.hold.start().within(kPatience));
   // What waits for the parked host must not keep its thread busy.
   const std::uint64_t before = guest.statistics().cycles;
   pass(50ms);

@@ -12,6 +12,7 @@
 #include "reference/arm_like.suture.h"
 #include "reference/simulated_arm.h"
 #include "support/eventually.h"
+#include "support/patience.h"
 #include "unit/component/arm_client.h"
 
 namespace suture {
@@ -91,9 +92,9 @@ TEST(EventTask, SleepsUntilACommandArrives) {
   ArmClient client;
   connectLocally(client.arm, arm.arm, "test");
   arm.start();
-  EXPECT_TRUE(client.arm.hold.start().within(5s));
+  EXPECT_TRUE(client.arm.hold.start().within(kPatience));
   const int before = arm.cycles;
-  EXPECT_TRUE(client.arm.hold.start().within(5s));
+  EXPECT_TRUE(client.arm.hold.start().within(kPatience));
   // That of the first command, whose answer arrives before it counts itself; one for its answer's
   // own ring; one for the second command.
   EXPECT_LE(arm.cycles - before, 3);
@@ -138,7 +139,7 @@ TEST(EventTask, LooksAgainAtAnAnswerThatCameWithAnother) {
     void work() override {
       if (!other) {
         other.emplace(arm.hold.start());
-        EXPECT_TRUE(arm.hold.start().within(5s));
+        EXPECT_TRUE(arm.hold.start().within(kPatience));
       } else {
         answered = other->poll() != nullptr;
       }
@@ -156,7 +157,7 @@ TEST(EventTask, LooksAgainAtAnEventThatCameBeforeAnother) {
         auto stopped = arm.on().stopped.next();
         EXPECT_TRUE(arm.set_mode(Mode::Enabled));
         EXPECT_TRUE(arm.hold());
-        EXPECT_TRUE(stopped.within(5s));
+        EXPECT_TRUE(stopped.within(kPatience));
       } else {
         answered = mode->poll() != nullptr;
       }
@@ -210,7 +211,7 @@ void expectRest(const Ask& ask) {
 }
 
 TEST(EventTask, IsNotWokenAgainByTheAnswerThatItHasWaitedFor) {
-  expectRest([](Required<ArmLike>& arm) { return arm.hold.start().within(5s).has_value(); });
+  expectRest([](Required<ArmLike>& arm) { return arm.hold.start().within(kPatience).has_value(); });
 }
 
 TEST(EventTask, IsNotWokenAgainByTheAnswerThatItHasPolledFor) {
@@ -248,7 +249,7 @@ TEST(Provided, AReadThatExceedsItsCapacitySaysSo) {
   arm.start();
   JointState joints;
   EXPECT_TRUE(eventually([&] { return client.arm.measured_js(joints).error() == Errc::TooLarge; }));
-  EXPECT_EQ(client.arm.measured_js.fresh().within(5s).error(), Errc::TooLarge);
+  EXPECT_EQ(client.arm.measured_js.fresh().within(kPatience).error(), Errc::TooLarge);
 }
 
 struct Listener final : Device {
@@ -266,15 +267,15 @@ TEST(Events, ALateJoinerGetsTheLatchedValueAndNoOther) {
   Listener early, late;
   connectLocally(early.arm, arm.arm, "early");
   arm.start();
-  EXPECT_TRUE(early.arm.set_mode.start(Mode::Enabled).within(5s));
-  EXPECT_TRUE(early.arm.hold.start().within(5s));
-  EXPECT_TRUE(early.waitForEvents(now() + 5s));
+  EXPECT_TRUE(early.arm.set_mode.start(Mode::Enabled).within(kPatience));
+  EXPECT_TRUE(early.arm.hold.start().within(kPatience));
+  EXPECT_TRUE(early.waitForEvents(now() + kPatience));
   EXPECT_EQ(early.modes, std::vector<Mode>{Mode::Enabled});
   EXPECT_EQ(early.stops, 1);
 
   connectLocally(late.arm, arm.arm, "late");
   EXPECT_FALSE(late.arm.connected() && !late.modes.empty());
-  EXPECT_TRUE(late.waitForEvents(now() + 5s));
+  EXPECT_TRUE(late.waitForEvents(now() + kPatience));
   EXPECT_EQ(late.modes, std::vector<Mode>{Mode::Enabled});
   EXPECT_EQ(late.stops, 0);
 }
@@ -287,8 +288,8 @@ TEST(Events, ASlowSubscriberLosesItsOwnAndDelaysNobody) {
   arm.start();
   constexpr int kEvents = 200;
   for (int i = 1; i <= kEvents; ++i) {
-    ASSERT_TRUE(quick.arm.hold.start().within(5s));
-    while (quick.stops < i) ASSERT_TRUE(quick.waitForEvents(now() + 5s));
+    ASSERT_TRUE(quick.arm.hold.start().within(kPatience));
+    while (quick.stops < i) ASSERT_TRUE(quick.waitForEvents(now() + kPatience));
   }
   slow.arm.connected();
   slow.processEvents();
@@ -302,10 +303,10 @@ TEST(Events, OfATaskAreEmittedInItsOwnThreadOnly) {
   connectLocally(listener.arm, arm.arm, "test");
   EXPECT_TRUE(arm.arm.emit().mode(Mode::Disabled));  // before it has a thread
   arm.start();
-  EXPECT_TRUE(listener.arm.hold.start().within(5s));
+  EXPECT_TRUE(listener.arm.hold.start().within(kPatience));
   EXPECT_EQ(arm.arm.emit().stopped().error(), Errc::WrongThread);
   EXPECT_EQ(arm.arm.emit().mode(Mode::Enabled).error(), Errc::WrongThread);
-  EXPECT_TRUE(listener.arm.hold.start().within(5s));
+  EXPECT_TRUE(listener.arm.hold.start().within(kPatience));
   EXPECT_TRUE(eventually([&] {
     listener.processEvents();
     return listener.stops == 2;
@@ -353,9 +354,9 @@ TEST(Provided, TwoOfOneContractKeepApart) {
   pair.start();
   PoseStamped goal;
   goal.pose.translation().x() = 5;
-  EXPECT_TRUE(left.arm.servo_cp.start(goal).within(5s));
-  EXPECT_EQ(left.arm.measured_cp.fresh().within(5s)->pose.translation().x(), 5);
-  EXPECT_EQ(right.arm.measured_cp.fresh().within(5s)->pose.translation().x(), 0);
+  EXPECT_TRUE(left.arm.servo_cp.start(goal).within(kPatience));
+  EXPECT_EQ(left.arm.measured_cp.fresh().within(kPatience)->pose.translation().x(), 5);
+  EXPECT_EQ(right.arm.measured_cp.fresh().within(kPatience)->pose.translation().x(), 0);
 }
 
 TEST(Calls, WhatTheProviderLacksIsNotImplemented) {
@@ -363,11 +364,11 @@ TEST(Calls, WhatTheProviderLacksIsNotImplemented) {
   ArmClient client;
   const auto channel = connectLocally(client.arm, arm.arm, "test");
   arm.start();
-  EXPECT_TRUE(client.arm.park.start().within(5s));
+  EXPECT_TRUE(client.arm.park.start().within(kPatience));
   --channel->offered;  // as it is when an older provider has been connected
   EXPECT_EQ(client.arm.park().error(), Errc::NotImplemented);
-  EXPECT_EQ(client.arm.park.start().within(5s).error(), Errc::NotImplemented);
-  EXPECT_TRUE(client.arm.limit.start(1, Mode::Enabled).within(5s));
+  EXPECT_EQ(client.arm.park.start().within(kPatience).error(), Errc::NotImplemented);
+  EXPECT_TRUE(client.arm.limit.start(1, Mode::Enabled).within(kPatience));
 }
 
 TEST(Calls, TooManyUnderWayAreRefused) {

@@ -12,6 +12,7 @@
 
 #include "reference/arm_like.suture.h"
 #include "support/eventually.h"
+#include "support/patience.h"
 
 namespace suture {
 namespace {
@@ -103,7 +104,7 @@ TEST_F(Delayed, ACommandDoesNotArriveBeforeItsTime) {
 
 TEST_F(Delayed, AnAnswerDoesNotArriveBeforeItsTime) {
   connect("A", {.answers = 50ms});
-  const auto answer = a.arm.hold.start().within(5s);
+  const auto answer = a.arm.hold.start().within(kPatience);
   const Time heard = now();
   EXPECT_TRUE(answer);
   EXPECT_GE(heard - arm.heldAt.load(), 50ms);
@@ -114,7 +115,7 @@ TEST_F(Delayed, BothWaysAddUp) {
   const Time sent = now();
   PoseStamped pose;
   pose.pose.translation().x() = 7;
-  const auto distance = a.arm.distance.start(pose).within(5s);
+  const auto distance = a.arm.distance.start(pose).within(kPatience);
   EXPECT_GE(now() - sent, 50ms);
   ASSERT_TRUE(distance);
   EXPECT_EQ(*distance, 7);
@@ -123,7 +124,7 @@ TEST_F(Delayed, BothWaysAddUp) {
 TEST_F(Delayed, AnEventDoesNotArriveBeforeItsTime) {
   connect("A", {.answers = 50ms});
   EXPECT_TRUE(a.arm.set_mode(Mode::Enabled));
-  const Time deadline = now() + 10s;
+  const Time deadline = now() + kPatience;
   while (a.heardAt == Time{} && now() < deadline) a.waitForEvents(deadline);
   ASSERT_NE(a.heardAt, Time{});
   EXPECT_GE(a.heardAt - arm.emittedAt.load(), 50ms);
@@ -155,7 +156,7 @@ TEST_F(Delayed, ATtlSeesTheDelay) {
 TEST_F(Delayed, OrderHolds) {
   connect("A", {.commands = 3ms, .answers = 3ms});
   std::vector<double> sent;
-  const Time deadline = now() + 20s;
+  const Time deadline = now() + kPatience;
   while (sent.size() < 500 && now() < deadline) {
     const auto number = static_cast<double>(sent.size());
     if (a.arm.limit(number, Mode::Enabled)) {
@@ -182,7 +183,7 @@ TEST_F(Delayed, AnotherConnectionDoesNotNotice) {
   connect("A", {.commands = 60s, .answers = 60s});
   connect("B", {.commands = 1ms, .answers = 1ms});
   auto slow = a.arm.hold.start();
-  EXPECT_TRUE(b.arm.hold.start().within(10s));
+  EXPECT_TRUE(b.arm.hold.start().within(kPatience));
   EXPECT_TRUE(eventually([&] { return b.arm.measured_cp().hasValue(); }));
   EXPECT_FALSE(slow.poll());
   EXPECT_EQ(a.arm.measured_cp().error(), Errc::NotYet);
@@ -194,13 +195,13 @@ TEST_F(Delayed, ALossIsToldBehindTheAnswersBeforeIt) {
   EXPECT_TRUE(eventually([&] { return arm.holds == 1; }));
   arm.stop();
   EXPECT_TRUE(a.arm.connected());  // it cannot know yet
-  EXPECT_TRUE(call.within(5s));
+  EXPECT_TRUE(call.within(kPatience));
   EXPECT_TRUE(eventually([&] { return a.arm.unusable() == Errc::Lost; }));
 }
 
 TEST_F(Delayed, BothEndsOfAConnectionAreReported) {
   connect("A", {.commands = 1ms, .answers = 1ms});
-  EXPECT_TRUE(a.arm.hold.start().within(5s));
+  EXPECT_TRUE(a.arm.hold.start().within(kPatience));
   const Report report = observe(manager, now());
   ASSERT_EQ(report.connections.size(), 2u);
   EXPECT_EQ(report.connections[0].end, ConnectionEnd::Client);

@@ -14,6 +14,7 @@
 
 #include "reference/simulated_arm.suture.h"
 #include "support/eventually.h"
+#include "support/patience.h"
 #include "support/temporary_directory.h"
 
 namespace {
@@ -26,6 +27,7 @@ using suture::DocumentError;
 using suture::Host;
 using suture::JsonDocument;
 using suture::JsonReader;
+using suture::kPatience;
 
 /// Sends its arm forward each cycle.
 class Client final : public suture::PeriodicTask {
@@ -127,9 +129,9 @@ std::vector<std::string> problemsOf(const Deployment& deployment) {
   return {};
 }
 
-/// Waits until the host has troubles, or ten seconds.
+/// Waits until the host has troubles, or for kPatience at most.
 std::vector<std::string> troublesOf(const Host& host) {
-  const auto deadline = suture::now() + 10s;
+  const auto deadline = suture::now() + kPatience;
   while (host.troubles().empty() && suture::now() < deadline) std::this_thread::yield();
   std::vector<std::string> texts;
   for (const suture::Trouble& trouble : host.troubles()) {
@@ -138,7 +140,7 @@ std::vector<std::string> troublesOf(const Host& host) {
   return texts;
 }
 
-/// Waits until the host has news, or ten seconds.
+/// Waits until the host has news, or for kPatience at most.
 std::vector<std::string> newsOf(Host& host) {
   std::vector<std::string> news;
   suture::eventually([&] { return !(news = host.news()).empty(); });
@@ -155,7 +157,7 @@ TEST(Host, RunsAndConnectsWhatTheFileSays) {
   const auto channels = host.manager().channels();
   ASSERT_EQ(channels.size(), 1u);
   EXPECT_EQ(channels[0]->name, "all:Client/Arm -> all:PSM/Arm");
-  const auto deadline = suture::now() + 10s;
+  const auto deadline = suture::now() + kPatience;
   while (channels[0]->commands.counters.executed == 0 && suture::now() < deadline) {
     std::this_thread::yield();
   }
@@ -173,7 +175,7 @@ TEST(Host, DelaysTheConnectionsOfWhichTheFileSaysSo) {
   const auto channels = host.manager().channels();
   ASSERT_EQ(channels.size(), 2u);
   EXPECT_EQ(channels[0]->lane, "local+delay");
-  const auto deadline = suture::now() + 10s;
+  const auto deadline = suture::now() + kPatience;
   while (channels[1]->commandAge.count() == 0 && suture::now() < deadline) {
     std::this_thread::yield();
   }

@@ -13,6 +13,7 @@
 
 #include "reference/connect_request.h"
 #include "reference/remote_arm.h"
+#include "support/patience.h"
 #include "unit/rpc/socket_pair.h"
 
 namespace suture {
@@ -125,13 +126,13 @@ class Caller {
   /// Connects as a client would, up to the second connection. The offer is good as long as this.
   /// `client`: whose connections share a socket.
   Offer connect(const std::string& client = "") {
-    return control_.run(5s, [this, client] {
+    return control_.run(kPatience, [this, client] {
       link_ = kj::heap<ManagerLink>(control_, std::vector{manager_}, "test");
-      return link_->open(5s)
-          .then([this] { return link_->resolve("robot", 5s); })
+      return link_->open(kPatience)
+          .then([this] { return link_->resolve("robot", kPatience); })
           .then([this](ProcessRecord robot) {
             offer_.provider = rpc::Address::parse(robot.addresses.at(0));
-            return link_->reach(robot, 5s);
+            return link_->reach(robot, kPatience);
           })
           .then([this, client](rpc::ByteStream bytes) {
             auto stream = kj::heap<rpc::MessageStream>(control_.port(), kj::mv(bytes));
@@ -141,7 +142,7 @@ class Caller {
     });
   }
   ~Caller() {
-    control_.run(5s, [this] {
+    control_.run(kPatience, [this] {
       connections_.clear();
       peers_.clear();
       link_ = nullptr;

@@ -17,6 +17,7 @@
 #include "reference/connect_request.h"
 #include "reference/still_arm.h"
 #include "support/eventually.h"
+#include "support/patience.h"
 #include "support/temporary_directory.h"
 
 namespace suture {
@@ -49,15 +50,15 @@ class Notices final : public wire::Notices::Server {
 class Caller {
  public:
   Caller(const std::string& provider, std::string bootId) : bootId_(std::move(bootId)) {
-    control_.run(10s, [this, address = rpc::Address::parse(provider)] {
-      return rpc::dial(control_.port(), address, 5s).then([this](kj::AutoCloseFd socket) {
+    control_.run(kPatience, [this, address = rpc::Address::parse(provider)] {
+      return rpc::dial(control_.port(), address, kPatience).then([this](kj::AutoCloseFd socket) {
         link_ = kj::heap<rpc::Link>(kj::heap<rpc::MessageStream>(control_.port(), kj::mv(socket)),
                                     capnp::rpc::twoparty::Side::CLIENT);
       });
     });
   }
   ~Caller() {
-    control_.run(10s, [this] {
+    control_.run(kPatience, [this] {
       held_ = nullptr;
       link_ = nullptr;
     });
@@ -67,7 +68,7 @@ class Caller {
 
   /// Connects "left:Teleop/Slave" to PSM/Arm: the refusal, or "".
   std::string connect(std::int64_t epoch) {
-    return control_.run(10s, [this, epoch] {
+    return control_.run(kPatience, [this, epoch] {
       auto peer = link_->bootstrap<wire::Peer>();
       auto hello = peer.helloRequest();
       hello.setVersion(wire::PROTOCOL_VERSION);
@@ -89,7 +90,7 @@ class Caller {
 
   /// Says hello in `version` of the protocol: the refusal, or "".
   std::string hello(std::uint16_t version) {
-    return control_.run(10s, [this, version] {
+    return control_.run(kPatience, [this, version] {
       auto hello = link_->bootstrap<wire::Peer>().helloRequest();
       hello.setVersion(version);
       hello.setProcess("left");
@@ -114,11 +115,11 @@ class Epochs : public testing::Test {
     there_.add("PSM", arm_);
     there_.start();
     rpc::ControlThread control;
-    provider_ = control.run(20s, [&control, address = rpc::Address::parse(names_.address())] {
+    provider_ = control.run(kPatience, [&control, address = rpc::Address::parse(names_.address())] {
       auto link = kj::heap<ManagerLink>(control, std::vector{address}, "test");
       auto& held = *link;
-      return held.open(5s)
-          .then([&held] { return held.resolve("there", 5s); })
+      return held.open(kPatience)
+          .then([&held] { return held.resolve("there", kPatience); })
           .then([](ProcessRecord record) { return record.addresses.at(0); })
           .attach(kj::mv(link));
     });

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "support/eventually.h"
+#include "support/patience.h"
 #include "support/refusal.h"
 #include "support/temporary_directory.h"
 #include "support/test_thread.h"
@@ -26,35 +27,35 @@ using namespace std::chrono_literals;
 class Peer {
  public:
   Peer(const std::string& name, const std::string& manager)
-      : link_(control_.run(5s,
+      : link_(control_.run(kPatience,
                            [this, name, manager] {
                              return std::make_unique<ManagerLink>(
                                  control_, rpc::parseAddresses(manager), name);
                            })),
         name_(name) {}
   ~Peer() {
-    control_.run(5s, [this] { link_.reset(); });
+    control_.run(kPatience, [this] { link_.reset(); });
   }
 
   void open(Duration patience = 5s) {
-    control_.run(20s, [this, patience] { return link_->open(patience); });
+    control_.run(kPatience, [this, patience] { return link_->open(patience); });
   }
   void enrol() {
     ProcessRecord self;
     self.name = name_;
     self.addresses = {"unix:/tmp/" + name_};
     self.pid = 1;
-    control_.run(5s, [this, self] { return link_->enrol(self); });
+    control_.run(kPatience, [this, self] { return link_->enrol(self); });
   }
   void update(const std::vector<ComponentRecord>& components) {
-    control_.run(5s, [this, components] { link_->update(components); });
+    control_.run(kPatience, [this, components] { link_->update(components); });
   }
   ProcessRecord resolve(const std::string& name, Duration wait = 0s) {
     return control_.run(wait + 10s, [this, name, wait] { return link_->resolve(name, wait); });
   }
   /// Why a name is not there, while `waiting` others are waited for.
   std::string resolveBehind(std::size_t waiting) {
-    return control_.run(30s, [this, waiting] {
+    return control_.run(kPatience, [this, waiting] {
       kj::Vector<kj::Promise<ProcessRecord>> others;
       for (std::size_t i = 0; i < waiting; ++i) others.add(link_->resolve("nobody", 60s));
       return link_->resolve("nobody", 60s)
@@ -64,7 +65,7 @@ class Peer {
     });
   }
   std::vector<ProcessRecord> list() {
-    return control_.run(5s, [this] { return link_->list(); });
+    return control_.run(kPatience, [this] { return link_->list(); });
   }
   bool knows(const std::string& name) {
     for (const auto& process : list()) {
@@ -154,7 +155,7 @@ TEST_P(GlobalManagerTest, ResolvingWaitsForAProcessToAppear) {
     pass(20ms);
     right = enrolled("right");
   });
-  EXPECT_EQ(left->resolve("right", 10s).name, "right");
+  EXPECT_EQ(left->resolve("right", kPatience).name, "right");
   late.join();
 }
 
@@ -174,7 +175,7 @@ TEST_P(GlobalManagerTest, SoManyMayWaitAndNoMore) {
     pass(50ms);
     late = enrolled("late");
   });
-  EXPECT_EQ(refusal([&] { peer->resolve("late", 10s); }), "");
+  EXPECT_EQ(refusal([&] { peer->resolve("late", kPatience); }), "");
   other.join();
 }
 
@@ -194,8 +195,8 @@ TEST_P(GlobalManagerTest, AManagerThatComesBackRelearnsItsProcesses) {
 
 TEST_P(GlobalManagerTest, AnotherVersionIsRefusedInWords) {
   rpc::ControlThread other;
-  const std::string answer = other.run(5s, [&other, address = address_] {
-    return rpc::dial(other.port(), rpc::Address::parse(address), 5s)
+  const std::string answer = other.run(kPatience, [&other, address = address_] {
+    return rpc::dial(other.port(), rpc::Address::parse(address), kPatience)
         .then([&other](kj::AutoCloseFd socket) {
           auto link =
               kj::heap<rpc::Link>(kj::heap<rpc::MessageStream>(other.port(), kj::mv(socket)),
@@ -240,7 +241,7 @@ TEST(ManagerLink, WaitsForAManagerToStart) {
     manager = std::make_unique<GlobalManager>(control, address);
   });
   Peer left("left", address);
-  left.open(10s);
+  left.open(kPatience);
   late.join();
   left.enrol();
   EXPECT_TRUE(left.knows("left"));

@@ -10,6 +10,7 @@
 
 #include "reference/still_arm.h"
 #include "support/eventually.h"
+#include "support/patience.h"
 #include "support/refusal.h"
 #include "support/temporary_directory.h"
 #include "support/test_thread.h"
@@ -89,16 +90,16 @@ TEST_P(Handles, OffersWhatARequiredInterfaceDoes) {
     handle.on().mode([&](const Mode& mode) { modes.push_back(mode); });
     EXPECT_TRUE(handle.hold());
     EXPECT_TRUE(eventually([&] { return psm.holds == 1; })) << "the provider was rung at once";
-    EXPECT_EQ(handle.reset.start().within(5s).value(), 1u);
+    EXPECT_EQ(handle.reset.start().within(kPatience).value(), 1u);
     EXPECT_TRUE(eventually([&] { return handle.measured_cp().hasValue(); }));
     EXPECT_TRUE(handle.set_mode(Mode::Enabled));
-    while (modes.empty() && handle.waitForEvents(now() + 5s)) continue;
+    while (modes.empty() && handle.waitForEvents(now() + kPatience)) continue;
     EXPECT_EQ(modes, std::vector<Mode>{Mode::Enabled});
     EXPECT_TRUE(handle.on().mode.reset());
     pass(1us);  // or the last event would be as new as the wait for the next
     auto changed = handle.on().mode.next();
     EXPECT_TRUE(handle.set_mode(Mode::Disabled));
-    EXPECT_EQ(changed.within(5s).value(), Mode::Disabled);
+    EXPECT_EQ(changed.within(kPatience).value(), Mode::Disabled);
   }).join();
   EXPECT_EQ(manager->channels().size(), 1u);
   EXPECT_NO_THROW(manager->awaitStart(0ms)) << "it is no component of the user's";
@@ -124,7 +125,7 @@ TEST_P(Handles, AnyNumberOfThemInAnyNumberOfThreads) {
   std::vector<std::unique_ptr<TestThread>> threads;
   for (const auto& handle : handles) {
     threads.push_back(std::make_unique<TestThread>([&arm = *handle] {
-      for (int i = 0; i < 50; ++i) EXPECT_TRUE(arm.hold.start().within(5s));
+      for (int i = 0; i < 50; ++i) EXPECT_TRUE(arm.hold.start().within(kPatience));
     }));
   }
   threads.clear();
@@ -149,14 +150,14 @@ TEST_P(Handles, ComeAndGoWhileTheProviderSendsThemEvents) {
     int stops = 0;
     Handle<ArmLike> handle(*manager, "Gui/Arm", arm("Busy"));
     handle.on().stopped([&] { ++stops; });
-    while (stops < 5) ASSERT_TRUE(handle.waitForEvents(now() + 5s));
+    while (stops < 5) ASSERT_TRUE(handle.waitForEvents(now() + kPatience));
   }
   EXPECT_TRUE(eventually([&] { return manager->channels().empty(); }));
 }
 
 TEST_P(Handles, MayOutliveTheManager) {
   Handle<ArmLike> handle(*manager, "Gui/Arm", arm());
-  EXPECT_TRUE(handle.reset.start().within(5s));
+  EXPECT_TRUE(handle.reset.start().within(kPatience));
   handle.on().stopped([] {});
   manager.reset();
   EXPECT_EQ(handle.hold().error(), Errc::Lost);

@@ -17,6 +17,7 @@
 #include "reference/arm_like.capnp.h"
 #include "reference/arm_like.suture.h"
 #include "support/eventually.h"
+#include "support/patience.h"
 
 namespace suture {
 namespace {
@@ -48,7 +49,7 @@ void fillIn(wire::Pose::Builder pose) {
 /// Why what `send` sends is refused; "" if it is taken, for which an answer may have to wait.
 template <class Send>
 std::string answerTo(rpc::ControlThread& control, const Send& send) {
-  return control.run(10s, [&control, &send] {
+  return control.run(kPatience, [&control, &send] {
     auto refused = send().then([] { return std::string(); },
                                [](kj::Exception&& failure) { return rpc::describe(failure); });
     return refused.exclusiveJoin(
@@ -59,7 +60,7 @@ std::string answerTo(rpc::ControlThread& control, const Send& send) {
 class InvalidEvents : public testing::Test {
  protected:
   InvalidEvents() {
-    control_.run(10s, [this] {
+    control_.run(kPatience, [this] {
       const InterfaceInfo& contract = channel_->info;
       port_ =
           kj::refcounted<rpc::ProxyPort>(control_, channel_, std::make_shared<rpc::LinkCounters>());
@@ -69,7 +70,7 @@ class InvalidEvents : public testing::Test {
     channel_->ends.provider->ring();
   }
   ~InvalidEvents() noexcept override {
-    control_.run(10s, [this] {
+    control_.run(kPatience, [this] {
       subscriber_ = nullptr;
       port_ = nullptr;
       return kj::Promise<void>(kj::READY_NOW);
@@ -77,7 +78,7 @@ class InvalidEvents : public testing::Test {
   }
 
   bool isSubscribed() {
-    return control_.run(10s, [this] { return kj::Promise<bool>(subscriber_ != nullptr); });
+    return control_.run(kPatience, [this] { return kj::Promise<bool>(subscriber_ != nullptr); });
   }
   /// Emits moved().
   std::string refusalOf(double speed) {
@@ -111,7 +112,7 @@ TEST_F(InvalidEvents, ReachNoHandler) {
 class InvalidCommands : public testing::Test {
  protected:
   InvalidCommands() {
-    control_.run(10s, [this] {
+    control_.run(kPatience, [this] {
       auto port = kj::refcounted<rpc::ServantPort>(control_, channel_,
                                                    std::make_shared<rpc::LinkCounters>());
       capnp::Capability::Client servant(channel_->info.binding().makeServant(kj::mv(port)));
@@ -120,7 +121,7 @@ class InvalidCommands : public testing::Test {
     });
   }
   ~InvalidCommands() noexcept override {
-    control_.run(10s, [this] {
+    control_.run(kPatience, [this] {
       arm_ = nullptr;
       return kj::Promise<void>(kj::READY_NOW);
     });

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "support/eventually.h"
+#include "support/patience.h"
 #include "support/refusal.h"
 #include "support/test_thread.h"
 #include "unit/manager/two_processes.h"
@@ -224,17 +225,17 @@ void watchesAndLeads(Watcher& watcher, Worker& worker) {
     const auto state = watcher.component.component_state();
     return state && *state == State::Running;
   }));
-  EXPECT_FALSE(*watcher.component.resume.start().within(5s));
-  EXPECT_TRUE(*watcher.component.suspend.start().within(5s));
+  EXPECT_FALSE(*watcher.component.resume.start().within(kPatience));
+  EXPECT_TRUE(*watcher.component.suspend.start().within(kPatience));
   EXPECT_TRUE(watcher.hears({"running", "suspended"}));
-  EXPECT_EQ(*watcher.component.component_state.fresh().within(5s), State::Suspended);
-  EXPECT_FALSE(*watcher.component.suspend.start().within(5s));
-  EXPECT_TRUE(*watcher.component.resume.start().within(5s));
+  EXPECT_EQ(*watcher.component.component_state.fresh().within(kPatience), State::Suspended);
+  EXPECT_FALSE(*watcher.component.suspend.start().within(kPatience));
+  EXPECT_TRUE(*watcher.component.resume.start().within(kPatience));
   EXPECT_TRUE(watcher.hears({"running", "suspended", "running"}));
   worker.broken = true;
   EXPECT_TRUE(watcher.hears({"running", "suspended", "running", "faulted"}));
   EXPECT_EQ(watcher.changes.back().fault, "the encoder says nonsense");
-  EXPECT_EQ(*watcher.component.component_state.fresh().within(5s), State::Faulted);
+  EXPECT_EQ(*watcher.component.component_state.fresh().within(kPatience), State::Faulted);
 }
 
 TEST(LifecycleInterface, TellsAndLeadsWithinAProcess) {
@@ -298,8 +299,8 @@ TEST(LifecycleInterface, ADeviceHasOneToo) {
   manager.start();
   manager.connect("Watcher/Watched", "Idle/component");
   EXPECT_TRUE(watcher.hears({"running"}));
-  EXPECT_TRUE(*watcher.component.suspend.start().within(5s));
-  EXPECT_TRUE(*watcher.component.resume.start().within(5s));
+  EXPECT_TRUE(*watcher.component.suspend.start().within(kPatience));
+  EXPECT_TRUE(*watcher.component.resume.start().within(kPatience));
   EXPECT_TRUE(watcher.hears({"running", "suspended", "running"}));
 }
 

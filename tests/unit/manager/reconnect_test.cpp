@@ -18,6 +18,7 @@
 
 #include "reference/still_arm.h"
 #include "support/eventually.h"
+#include "support/patience.h"
 #include "support/refusal.h"
 #include "support/temporary_directory.h"
 #include "unit/manager/two_processes.h"
@@ -195,7 +196,8 @@ TEST(Reconnect, OverRpcShowsTheNewChannelAndKeepsNoOldOne) {
   processes.start();
   Census census;
   for (int i = 0; i < 100; ++i) {
-    here.connect("Teleop/Slave", "there:PSM/Arm", Lane::Auto, 10s, {}, {.onLoss = Fallback::Fault});
+    here.connect("Teleop/Slave", "there:PSM/Arm", Lane::Auto, kPatience, {},
+                 {.onLoss = Fallback::Fault});
     const auto channels = here.channels();
     ASSERT_EQ(channels.size(), 1u);
     EXPECT_EQ(channels.front()->status, ChannelStatus::Connected);
@@ -264,7 +266,7 @@ TEST(Reconnect, AStaleReadAwaitsTheOperator) {
 /// Speaks to the life of a client, from the same process or another.
 struct Operator final : Device {
   std::optional<ResumeOutcome> resume(const std::string& required) {
-    const auto answer = life.resume_connection.start(required).within(5s);
+    const auto answer = life.resume_connection.start(required).within(kPatience);
     return answer ? std::optional(*answer) : std::nullopt;
   }
   Required<Lifecycle> life{*this, "Life"};

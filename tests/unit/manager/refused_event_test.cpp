@@ -15,6 +15,7 @@
 #include "reference/arm_like.capnp.h"
 #include "reference/still_arm.h"
 #include "support/eventually.h"
+#include "support/patience.h"
 #include "support/temporary_directory.h"
 
 namespace suture {
@@ -57,11 +58,11 @@ class RefusedEvents : public testing::Test {
   RefusedEvents() {
     there_.add("PSM", arm_);
     there_.start();
-    client_.run(20s, [this, names = rpc::Address::parse(names_.address())] {
+    client_.run(kPatience, [this, names = rpc::Address::parse(names_.address())] {
       auto manager = kj::heap<ManagerLink>(client_, std::vector{names}, "test");
       auto& held = *manager;
-      return held.open(5s)
-          .then([&held] { return held.resolve("there", 5s); })
+      return held.open(kPatience)
+          .then([&held] { return held.resolve("there", kPatience); })
           .then([this](ProcessRecord process) {
             return rpc::dial(client_.port(), rpc::Address::parse(process.addresses.at(0)), 5s);
           })
@@ -70,7 +71,7 @@ class RefusedEvents : public testing::Test {
     });
   }
   ~RefusedEvents() noexcept override {
-    client_.run(10s, [this] { link_ = nullptr; });
+    client_.run(kPatience, [this] { link_ = nullptr; });
   }
 
   kj::Promise<void> subscribe(kj::AutoCloseFd socket) {

@@ -17,6 +17,7 @@
 
 #include "reference/still_arm.h"
 #include "support/eventually.h"
+#include "support/patience.h"
 #include "support/temporary_directory.h"
 
 namespace suture {
@@ -109,7 +110,7 @@ TEST_P(Stop, EndsAfterTheCommandThatRuns) {
   EXPECT_EQ(arm_.holds, 0);
   EXPECT_EQ(arm_.runs, 0);
   EXPECT_EQ(channel->commands.counters.executed, 1u);
-  const Errc error = answered.within(5s).error();
+  const Errc error = answered.within(kPatience).error();
   EXPECT_TRUE(error == Errc::Lost || error == Errc::OutcomeUnknown) << toString(error);
 }
 
@@ -128,7 +129,7 @@ TEST(StopLocal, TurnsAwayWhatWaits) {
   ASSERT_TRUE(client.slave.hold());
   const std::shared_ptr<Channel> channel = manager.channels().at(0);
   stopIn(arm.handler, arm);
-  EXPECT_EQ(answered.within(5s).error(), Errc::Lost);
+  EXPECT_EQ(answered.within(kPatience).error(), Errc::Lost);
   EXPECT_EQ(channel->commands.counters.refused, 2u);
   EXPECT_FALSE(channel->commands.pending());
 }

@@ -9,6 +9,7 @@
 
 #include "reference/simulated_arm.suture.h"
 #include "support/pass.h"
+#include "support/patience.h"
 
 namespace {
 
@@ -39,7 +40,7 @@ TEST(Observe, CountsWhatALocalConnectionDoes) {
   manager.start();
 
   suture::Report report;
-  const auto deadline = suture::now() + 10s;
+  const auto deadline = suture::now() + suture::kPatience;
   do {
     suture::pass(std::chrono::microseconds(100));
     report = suture::observe(manager, began);
@@ -105,7 +106,7 @@ TEST(Observe, TellsHowAContractIsKeptAndWhatDevicesAre) {
                   {.maxAge = 1ns, .resume = suture::Resume::Operator});
   manager.start();
   const auto present = [&] { return suture::observe(manager, suture::now()); };
-  const auto deadline = suture::now() + 10s;
+  const auto deadline = suture::now() + suture::kPatience;
   const auto contract = [&] { return present().connections.at(0).contract; };
   ASSERT_TRUE(contract());
   while (contract()->staleReads < 3 && suture::now() < deadline)

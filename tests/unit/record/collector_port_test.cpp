@@ -14,6 +14,7 @@
 
 #include "reference/simulated_arm.suture.h"
 #include "support/eventually.h"
+#include "support/patience.h"
 #include "unit/record/counting_sink.h"
 
 namespace suture {
@@ -77,10 +78,10 @@ TEST_P(Collectors, OfStateAreSwitchedPacedAndAsked) {
   EXPECT_TRUE(*log.collecting());
   EXPECT_EQ(log.counts()->passedOver, 0u);
 
-  EXPECT_TRUE(*log.set_interval.start({.every = 4}).within(5s));
+  EXPECT_TRUE(*log.set_interval.start({.every = 4}).within(kPatience));
   EXPECT_TRUE(counted([](const CollectedCounts& counts) { return counts.passedOver >= 30; }));
   EXPECT_TRUE(eventually([&] { return log.interval() && log.interval()->every == 4; }));
-  EXPECT_FALSE(*log.set_interval.start({.atLeast = -1ms}).within(5s));
+  EXPECT_FALSE(*log.set_interval.start({.atLeast = -1ms}).within(kPatience));
   EXPECT_TRUE(eventually([&] { return log.interval()->every == 4; }));
 
   ASSERT_TRUE(log.stop_collecting());
@@ -109,7 +110,7 @@ TEST_P(Collectors, OfEventsAreSwitchedAndAsked) {
     return watcher.heard.size() >= 2 && watcher.heard.back() == ComponentState::Running;
   }));
   // Its cycle under way may have looked for events before that, but not the one after.
-  ASSERT_TRUE(*log.set_interval.start({}).within(5s));
+  ASSERT_TRUE(*log.set_interval.start({}).within(kPatience));
   ASSERT_TRUE(log.start_collecting());
   EXPECT_TRUE(eventually([&] { return log.collecting() && *log.collecting(); }));
   manager.suspend("PSM");

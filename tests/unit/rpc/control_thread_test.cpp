@@ -3,6 +3,8 @@
 
 #include <thread>
 
+#include "support/patience.h"
+
 namespace suture::rpc {
 namespace {
 
@@ -25,15 +27,15 @@ TEST(ControlThread, StartsAndEndsWithoutWork) {
 
 TEST(ControlThread, RunReturnsAValue) {
   ControlThread control;
-  EXPECT_EQ(control.run(5s, [] { return 42; }), 42);
-  control.run(5s, [] {});
-  EXPECT_TRUE(control.run(5s, [&control] { return control.isCurrent(); }));
+  EXPECT_EQ(control.run(kPatience, [] { return 42; }), 42);
+  control.run(kPatience, [] {});
+  EXPECT_TRUE(control.run(kPatience, [&control] { return control.isCurrent(); }));
   EXPECT_FALSE(control.isCurrent());
 }
 
 TEST(ControlThread, RunWaitsForAPromise) {
   ControlThread control;
-  const auto text = control.run(5s, [&control] {
+  const auto text = control.run(kPatience, [&control] {
     return control.timer().afterDelay(1 * kj::MILLISECONDS).then([] {
       return std::string("late");
     });
@@ -44,11 +46,11 @@ TEST(ControlThread, RunWaitsForAPromise) {
 TEST(ControlThread, RunPassesOnWhatWasThrown) {
   ControlThread control;
   const auto thrown =
-      failureOf([&] { control.run(5s, [] { throw std::runtime_error("no such robot"); }); });
+      failureOf([&] { control.run(kPatience, [] { throw std::runtime_error("no such robot"); }); });
   EXPECT_EQ(thrown.kind(), Kind::Failed);
   EXPECT_STREQ(thrown.what(), "no such robot");
   const auto rejected = failureOf(
-      [&] { control.run(5s, []() -> kj::Promise<void> { return disconnected("gone"); }); });
+      [&] { control.run(kPatience, []() -> kj::Promise<void> { return disconnected("gone"); }); });
   EXPECT_STREQ(rejected.what(), "gone");
 }
 
@@ -63,13 +65,14 @@ TEST(ControlThread, RunEndsAtItsDeadlineAndCancels) {
     });
   });
   EXPECT_EQ(failed.kind(), Kind::TimedOut);
-  control.run(5s, [] {});
+  control.run(kPatience, [] {});
   EXPECT_TRUE(*cancelled);
 }
 
 TEST(ControlThread, RunOnTheControlThreadItselfIsRefused) {
   ControlThread control;
-  EXPECT_THROW(control.run(5s, [&control] { control.run(5s, [] {}); }), ControlFailure);
+  EXPECT_THROW(control.run(kPatience, [&control] { control.run(kPatience, [] {}); }),
+               ControlFailure);
 }
 
 TEST(ControlThread, EndingFailsWhatWaits) {
@@ -107,7 +110,7 @@ TEST(ControlThread, PostedWorkRunsInOrderFromManyThreads) {
     });
   }
   for (auto& thread : threads) thread.join();
-  control.run(5s, [] {});
+  control.run(kPatience, [] {});
   EXPECT_TRUE(ordered);
   EXPECT_EQ(last, std::vector<int>(kThreads, kPosts - 1));
 }
@@ -115,7 +118,7 @@ TEST(ControlThread, PostedWorkRunsInOrderFromManyThreads) {
 TEST(ControlThread, WorkThatThrowsDoesNotEndTheThread) {
   ControlThread control;
   control.post([] { throw std::runtime_error("expected in this test"); });
-  EXPECT_EQ(control.run(5s, [] { return 1; }), 1);
+  EXPECT_EQ(control.run(kPatience, [] { return 1; }), 1);
 }
 
 // Counts rings' worth of items, as a lane does.
@@ -130,14 +133,14 @@ struct CountingPump final : Pump {
 TEST(ControlThread, EveryRingIsFollowedByAPump) {
   ControlThread control;
   CountingPump pump;
-  control.run(5s, [&] { control.add(pump); });
+  control.run(kPatience, [&] { control.add(pump); });
   for (int i = 1; i <= 2000; ++i) {
     pump.given = i;
     control.doorbell().ring();
     if (i % 3 == 0) continue;  // several rings before the pump runs
     for (int seen = pump.taken; seen < i; seen = pump.taken) pump.taken.wait(seen);
   }
-  control.run(5s, [&] { control.remove(pump); });
+  control.run(kPatience, [&] { control.remove(pump); });
   EXPECT_EQ(pump.taken, 2000);
 }
 

@@ -20,6 +20,7 @@
 
 #include "echo_server.h"
 #include "socket_pair.h"
+#include "support/patience.h"
 #include "support/temporary_directory.h"
 
 namespace suture::rpc {
@@ -58,7 +59,7 @@ class LinkTest : public testing::TestWithParam<const char*> {
   }
 
   kj::Own<Link> connect() {
-    auto socket = dial(port_, server_->address(), 5s).wait(port_.scope());
+    auto socket = dial(port_, server_->address(), kPatience).wait(port_.scope());
     return kj::heap<Link>(kj::heap<MessageStream>(port_, kj::mv(socket)), Side::CLIENT);
   }
 
@@ -178,7 +179,7 @@ TEST_P(LinkTest, AHostilePeerIsCutOffAndOthersAreServed) {
   serve();
   auto link = connect();
   auto client = link->bootstrap<Echo>();
-  auto hostile = dial(port_, server_->address(), 5s).wait(port_.scope());
+  auto hostile = dial(port_, server_->address(), kPatience).wait(port_.scope());
   sendAll(hostile, std::vector(64, std::byte{0xff}));
   EXPECT_TRUE(closes(port_, hostile));
   EXPECT_EQ(echo(client, 1).wait(port_.scope()), 1u);
@@ -206,7 +207,7 @@ TEST_P(LinkTest, BeyondThoseWhoHearOfTheLimitConnectionsAreClosed) {
   std::vector<kj::Own<Link>> links;
   for (int i = 0; i < 2 + 16; ++i) links.push_back(connect());
   EXPECT_EQ(echo(links[1]->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
-  auto refused = dial(port_, server_->address(), 5s).wait(port_.scope());
+  auto refused = dial(port_, server_->address(), kPatience).wait(port_.scope());
   EXPECT_TRUE(closes(port_, refused));
   EXPECT_EQ(echo(links[1]->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
 }
@@ -282,7 +283,7 @@ TEST_P(LinkTest, UnfinishedMessagesOfAPeerAreBoundedInSum) {
   std::memcpy(begun.data() + 4, &words, sizeof(words));
   int held = 0;
   while (refusals_.summary().count == 0 && held < 7) {
-    greedy.push_back(dial(port_, server_->address(), 5s).wait(port_.scope()));
+    greedy.push_back(dial(port_, server_->address(), kPatience).wait(port_.scope()));
     sendWhole(greedy.back().socket(), begun);
     ++held;
   }

@@ -13,6 +13,7 @@
 #include "echo_server.h"
 #include "socket_pair.h"
 #include "support/contains.h"
+#include "support/patience.h"
 #include "support/refusal.h"
 #include "support/temporary_directory.h"
 
@@ -66,7 +67,7 @@ class SecureLinkTest : public testing::Test {
     return kj::heap<Link>(kj::heap<MessageStream>(port_, kj::mv(bytes)), Side::CLIENT);
   }
   kj::Own<Link> connect(const Trust& trust, const std::string& expected = "server") {
-    return linkOn(reach(port_, server_->address(), trust, expected, 5s).wait(port_.scope()));
+    return linkOn(reach(port_, server_->address(), trust, expected, kPatience).wait(port_.scope()));
   }
   /// What a call over `link` fails with.
   std::string callFault(Link& link) {
@@ -79,13 +80,15 @@ class SecureLinkTest : public testing::Test {
   }
   std::string reachFault(const Address& address, const Trust& trust, const std::string& expected) {
     try {
-      reach(port_, address, trust, expected, 5s).wait(port_.scope());
+      reach(port_, address, trust, expected, kPatience).wait(port_.scope());
     } catch (const kj::Exception& e) {
       return describe(e);
     }
     return "connected";
   }
-  kj::AutoCloseFd dialServer() { return dial(port_, server_->address(), 5s).wait(port_.scope()); }
+  kj::AutoCloseFd dialServer() {
+    return dial(port_, server_->address(), kPatience).wait(port_.scope());
+  }
   std::size_t echoed(Link& link, std::size_t size) {
     return echo(link.bootstrap<Echo>(), size).wait(port_.scope());
   }

@@ -16,6 +16,8 @@
 #include <string>
 #include <vector>
 
+#include "support/patience.h"
+
 namespace suture::rpc {
 
 struct SocketPair {
@@ -45,7 +47,7 @@ inline void sendText(int socket, const std::string& text) {
   sendAll(socket, std::as_bytes(std::span(text)));
 }
 
-/// True if the peer ends the connection within five seconds.
+/// True if the peer ends the connection within kPatience.
 inline bool closes(EventPort& port, int socket) {
   kj::UnixEventPort::FdObserver observer(port, socket, kj::UnixEventPort::FdObserver::OBSERVE_READ);
   std::byte bytes[4096];
@@ -54,7 +56,8 @@ inline bool closes(EventPort& port, int socket) {
     if (count >= 0) continue;
     if (errno != EAGAIN) return true;
     auto readable = observer.whenBecomesReadable().then([] { return true; });
-    auto late = port.getTimer().afterDelay(5 * kj::SECONDS).then([] { return false; });
+    auto late =
+        port.getTimer().afterDelay(kPatience.count() * kj::NANOSECONDS).then([] { return false; });
     if (!readable.exclusiveJoin(kj::mv(late)).wait(port.scope())) return false;
   }
   return true;

@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "support/eventually.h"
+#include "support/patience.h"
 
 namespace suture::rt {
 namespace {
@@ -15,7 +16,7 @@ class AwaitsTwoRings {
  public:
   explicit AwaitsTwoRings(Doorbell& bell)
       : thread_([this, &bell] {
-          const Time deadline = now() + 20s;
+          const Time deadline = now() + kPatience;
           while (rings < 2 && bell.waitUntil(deadline) != RungFor::Nothing) ++rings;
         }) {}
   ~AwaitsTwoRings() { thread_.join(); }

@@ -7,6 +7,8 @@
 
 #include <thread>
 
+#include "support/patience.h"
+
 namespace suture::rt {
 namespace {
 
@@ -15,7 +17,7 @@ using namespace std::chrono_literals;
 TEST(Doorbell, ARingBeforeTheSleepIsNotLost) {
   Doorbell bell;
   bell.ring();
-  EXPECT_EQ(bell.waitUntil(now() + 10s), RungFor::Work);
+  EXPECT_EQ(bell.waitUntil(now() + kPatience), RungFor::Work);
   EXPECT_EQ(bell.waitUntil(now() + 1ms), RungFor::Nothing);
 }
 
@@ -30,7 +32,7 @@ TEST(Doorbell, TellsArrivalsFromWork) {
   ASSERT_TRUE(bell.lieDown());
   bell.ring(RungFor::Arrival);
   bell.ring(RungFor::Work);
-  EXPECT_EQ(bell.waitUntil(now() + 10s), RungFor::Work);
+  EXPECT_EQ(bell.waitUntil(now() + kPatience), RungFor::Work);
   EXPECT_EQ(bell.takeRing(), RungFor::Nothing);
 }
 
@@ -39,7 +41,7 @@ TEST(Doorbell, WakesASleeper) {
   std::thread ringer([&bell] {
     for (int i = 0; i < 1000; ++i) bell.ring();
   });
-  EXPECT_EQ(bell.waitUntil(now() + 10s), RungFor::Work);
+  EXPECT_EQ(bell.waitUntil(now() + kPatience), RungFor::Work);
   ringer.join();
 }
 

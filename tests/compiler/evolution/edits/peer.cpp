@@ -9,6 +9,7 @@
 #include <iostream>
 #include <string>
 
+#include "support/patience.h"
 #include "tests/compiler/evolution/either_end.h"
 #include "versioned.h"
 
@@ -71,7 +72,7 @@ void tellRefusals(suture::Manager& manager) {
 
 void printRow(Client& client) {
   Record record;
-  const suture::Time deadline = suture::now() + 10s;
+  const suture::Time deadline = suture::now() + suture::kPatience;
   while (!client.edits.last(record) && suture::now() < deadline) {
     client.waitForEvents(suture::now() + 1ms);
   }
@@ -84,7 +85,7 @@ void printEvents(Client& client) {
   hear("end", client.edits.on().end([&](bool) { ended = true; }));
   listen(client.edits);
   tell("put", client.edits.put.start(example()));
-  const suture::Time deadline = suture::now() + 10s;
+  const suture::Time deadline = suture::now() + suture::kPatience;
   while (!ended && client.waitForEvents(deadline)) {
     if (!client.processEvents()) break;
   }
@@ -92,7 +93,7 @@ void printEvents(Client& client) {
 
 void printAnswer(Client& client) {
   auto call = client.edits.exchange.start(example());
-  if (const auto& answer = call.within(10s)) {
+  if (const auto& answer = call.within(suture::kPatience)) {
     print("answer", *answer);
   } else {
     std::cout << "exchange: " << toString(answer.error()) << std::endl;
