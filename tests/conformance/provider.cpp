@@ -19,10 +19,13 @@ std::unique_ptr<ArmComponent> makeArm(ProviderKind kind, Gate& gate) {
   return nullptr;
 }
 
-Hosted makeHosted(ProviderKind kind, Gate& gate) {
+// Rows enough for what a scenario asks of the past: on the stepped clock it takes some
+// milliseconds, and in real time it takes as long as it takes.
+constexpr unsigned kRowsSteppedThrough = 256, kRowsInRealTime = 4096;
+
+Hosted makeHosted(ProviderKind kind, Gate& gate, unsigned rows) {
   auto arm = makeArm(kind, gate);
-  // Seconds of the past, however long a scenario takes.
-  for (suture::ProvidedBase* one : arm->component().provided()) one->keepState({.rows = 4096});
+  for (suture::ProvidedBase* one : arm->component().provided()) one->keepState({.rows = rows});
   return {.arm = std::move(arm), .manager = nullptr};
 }
 
@@ -35,13 +38,13 @@ suture::Security securityOf(const std::string& process, const std::string& keys)
 
 Provider::Provider(ProviderKind kind, Where where) {
   if (where == Where::OneProcess) {
-    hosted_ = std::make_unique<Hosted>(makeHosted(kind, gate()));
+    hosted_ = std::make_unique<Hosted>(makeHosted(kind, gate(), kRowsSteppedThrough));
     return;
   }
   if (where == Where::TwoNamespaces) cable_.emplace();
   fork_ = std::make_unique<Fork>([&] {
     if (cable_) suture::Cable::leave();
-    return std::make_shared<Hosted>(makeHosted(kind, gate()));
+    return std::make_shared<Hosted>(makeHosted(kind, gate(), kRowsInRealTime));
   });
   if (!cable_) return;
   run([](Hosted&) {});  // it has left
