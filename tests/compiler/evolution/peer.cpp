@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "feeder.h"
-#include "support/patience.h"
 #include "tests/compiler/evolution/either_end.h"
+#include "tests/support/patience.h"
 
 namespace evolution {
 namespace {

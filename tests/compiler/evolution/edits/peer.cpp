@@ -9,8 +9,8 @@
 #include <iostream>
 #include <string>
 
-#include "support/patience.h"
 #include "tests/compiler/evolution/either_end.h"
+#include "tests/support/patience.h"
 #include "versioned.h"
 
 namespace edits {
