@@ -14,12 +14,13 @@
 #include <random>
 
 #include "robots/arm.capnp.h"
+#include "support/repetitions.h"
 #include "unit/cli/explanation.h"
 
 namespace suture::cli {
 namespace {
 
-constexpr unsigned kRounds = 2000;
+constexpr int kRounds = repetitions(2000);
 constexpr unsigned kSeed = 20'26;
 
 void spoil(kj::ArrayPtr<kj::byte> bytes, std::mt19937& random) {
@@ -57,8 +58,8 @@ TEST(HostileSchema, IsRefusedOrDoesNoHarm) {
   Explained explained;
   const auto original = capnp::messageToFlatArray(explained.message());
   std::mt19937 random(kSeed);
-  unsigned refused = 0, used = 0;
-  for (unsigned round = 0; round < kRounds; ++round) {
+  int refused = 0, used = 0;
+  for (int round = 0; round < kRounds; ++round) {
     auto words = kj::heapArray<capnp::word>(original.size());
     std::copy_n(original.asBytes().begin(), original.asBytes().size(), words.asBytes().begin());
     spoil(words.asBytes().slice(16, words.asBytes().size()), random);

@@ -15,6 +15,7 @@
 #include "reference/arm_like.suture.h"
 #include "support/eventually.h"
 #include "support/pass.h"
+#include "support/repetitions.h"
 #include "support/stepped.h"
 #include "support/test_thread.h"
 #include "unit/rpc/socket_pair.h"
@@ -159,7 +160,7 @@ TEST_F(LinkTest, WhoSubscribesWhileTheLaneLooksIsToldOfAsJoining) {
     return pair.far->takeJoining();
   };
   int missed = 0;
-  for (int round = 0; round < 20'000; ++round) {
+  for (int round = 0; round < repetitions(20'000); ++round) {
     subscribe(0);
     for (std::atomic<int> moment = round % 199; moment > 0; --moment) {
     }
