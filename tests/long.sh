@@ -15,7 +15,7 @@ cmake --build --preset asan-compiler -j "$(nproc)" --target suturec lock_test ch
 build=build/asan-compiler
 for test in lock_test check_test emit_test; do "$build/bin/$test" --gtest_brief=1; done
 eigen=$(pkg-config --variable=prefix eigen3)/include/eigen3
-python3 tests/compiler/errors/errors_test.py "$PWD/$build/bin/suturec" "$eigen" --mutants "$mutants"
+python3 tests/compiler/errors/errors_test.py "$PWD/$build/bin/suturec" "--flags=-isystem;$eigen" --mutants "$mutants"
 
 cmake --preset dev --log-level=WARNING
 cmake --build --preset dev --target fuzzers -- --quiet

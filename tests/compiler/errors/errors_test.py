@@ -1,9 +1,9 @@
 """Runs suturec on each questionable header of cases/ and compares everything that it prints.
 
-  errors_test.py SUTUREC EIGEN            the test
-  errors_test.py SUTUREC EIGEN --part P      one part of it: cases, fixes, usage or mutants
-  errors_test.py SUTUREC EIGEN --mutants N   the same with N mutated headers instead of 200
-  errors_test.py SUTUREC EIGEN --record   writes the .err files anew; read the difference before committing
+  errors_test.py SUTUREC --flags FLAGS               the test; FLAGS, separated by semicolons, are for parsing
+  errors_test.py SUTUREC --flags FLAGS --part P      one part of it: cases, fixes, usage or mutants
+  errors_test.py SUTUREC --flags FLAGS --mutants N   the same with N mutated headers instead of 200
+  errors_test.py SUTUREC --flags FLAGS --record      writes the .err files anew; read the difference before committing
 """
 
 import argparse
@@ -37,18 +37,18 @@ SLUG_FORMS = [
 ]
 
 
-def run(suturec, eigen, header, directory, out, include="../include"):
+def run(suturec, flags, header, directory, out, include="../include"):
     """Exit status and messages. The lock folder of a case has its name."""
     command = [suturec, "--target-name", "cases", "--base-dir", ".", "--out", str(out),
-               "--lock-dir", f"schemas/{header.stem}", header.name, "--", f"-I{include}", "-isystem", eigen]
+               "--lock-dir", f"schemas/{header.stem}", header.name, "--", f"-I{include}", *flags]
     done = subprocess.run(command, cwd=directory, capture_output=True, encoding="utf-8", errors="replace",
                           timeout=TIME_LIMIT)
     return done.returncode, done.stdout + done.stderr
 
 
-def check_case(suturec, eigen, header, record):
+def check_case(suturec, flags, header, record):
     with tempfile.TemporaryDirectory() as out:
-        status, text = run(suturec, eigen, header, CASES, out)
+        status, text = run(suturec, flags, header, CASES, out)
         written = [str(p) for p in pathlib.Path(out).rglob("*")]
     expected = header.with_suffix(".err")
     if record:
@@ -116,14 +116,15 @@ def check_usage(suturec, arguments, words):
     return [] if good else [f"suturec {arguments}: status {done.returncode}, no '{words}' in\n{text}"]
 
 
-def check_fix(suturec, original, record):
+def check_fix(suturec, flags, original, record):
     """--fix until nothing is left to fix gives the .fixed file, which suturec then takes."""
     with tempfile.TemporaryDirectory() as folder:
         header = pathlib.Path(folder) / original.name
         header.write_bytes(original.read_bytes())
 
         def start(*options):
-            command = [suturec, *options, "--base-dir", ".", "--lock-dir", "schemas", header.name, "--", f"-I{HERE}/include"]
+            command = [suturec, *options, "--base-dir", ".", "--lock-dir", "schemas", header.name, "--",
+                       f"-I{HERE}/include", *flags]
             done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=TIME_LIMIT)
             return done.returncode, done.stdout + done.stderr
 
@@ -188,7 +189,7 @@ def mutated(text, random_source):
     return bytes(text)
 
 
-def check_mutation(suturec, eigen, seed):
+def check_mutation(suturec, flags, seed):
     """Whatever the header, suturec ends by itself with 0 or 1."""
     random_source = random.Random(seed)
     original = random_source.choice(sorted(CASES.glob("*.h")))
@@ -196,29 +197,29 @@ def check_mutation(suturec, eigen, seed):
         header = pathlib.Path(folder) / original.name
         header.write_bytes(mutated(original.read_bytes(), random_source))
         try:
-            status, text = run(suturec, eigen, header, folder, pathlib.Path(folder) / "out", HERE / "include")
+            status, text = run(suturec, flags, header, folder, pathlib.Path(folder) / "out", HERE / "include")
         except subprocess.TimeoutExpired:
             return [f"seed {seed} ({original.name}): no end within {TIME_LIMIT} s"]
     return [] if status in (0, 1) else [f"seed {seed} ({original.name}): exit status {status}\n{text}"]
 
 
-def runs(part, suturec, eigen, record, mutants):
+def runs(part, suturec, flags, record, mutants):
     """Each a function and its arguments."""
     if part == "cases":
-        return [(check_case, suturec, eigen, h, record) for h in sorted(CASES.glob("*.h"))] + [(check_slugs,)]
+        return [(check_case, suturec, flags, h, record) for h in sorted(CASES.glob("*.h"))] + [(check_slugs,)]
     if part == "fixes":
-        return [(check_fix, suturec, h, record) for h in sorted(FIXES.glob("*.h"))]
+        return [(check_fix, suturec, flags, h, record) for h in sorted(FIXES.glob("*.h"))]
     if part == "usage":
         pages = sorted(p for p in PAGES.glob("*.md") if p.stem != "README")
         return ([(check_page, suturec, p) for p in pages] + [(check_usage, suturec, *usage) for usage in USAGE]
                 + [(check_diff, suturec, *diff) for diff in DIFFS])
-    return [(check_mutation, suturec, eigen, seed) for seed in range(mutants)]
+    return [(check_mutation, suturec, flags, seed) for seed in range(mutants)]
 
 
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("suturec")
-    parser.add_argument("eigen")
+    parser.add_argument("--flags", required=True, type=lambda flags: flags.split(";"))
     parser.add_argument("--part", action="append", choices=["cases", "fixes", "usage", "mutants"])
     parser.add_argument("--record", action="store_true")
     parser.add_argument("--mutants", type=int, default=200)
@@ -226,7 +227,7 @@ def main():
     parts = ["cases", "fixes"] if options.record else options.part or ["cases", "fixes", "usage", "mutants"]
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         jobs = [pool.submit(*run) for part in parts
-                for run in runs(part, options.suturec, options.eigen, options.record, options.mutants)]
+                for run in runs(part, options.suturec, options.flags, options.record, options.mutants)]
         problems = [p for job in jobs for p in job.result()]
     print("\n".join(problems) or f"{len(jobs)} runs as expected")
     return 1 if problems else 0

@@ -1,14 +1,15 @@
 """The examples on the pages of docs/diagnostics are true: suturec refuses the first of a page with the page's slug and
 no other, and takes the one behind "Instead:" without a finding.
 
-  pages_test.py SUTUREC EIGEN          all pages
-  pages_test.py SUTUREC EIGEN 1/2      every second of them, from the first; 2/2 the others
-  pages_test.py SUTUREC EIGEN SLUG...  those
+  pages_test.py SUTUREC --flags FLAGS          all pages; FLAGS, separated by semicolons, are for parsing
+  pages_test.py SUTUREC --flags FLAGS 1/2      every second of them, from the first; 2/2 the others
+  pages_test.py SUTUREC --flags FLAGS SLUG...  those
 
 A fragment is put where it belongs: commands into a contract, fields into a type, interfaces into a component. What it
 names but does not declare is in examples/example/names.h.
 """
 
+import argparse
 import concurrent.futures
 import pathlib
 import re
@@ -74,8 +75,8 @@ def header_of(text, slug, namespace="demo"):
 
 
 class Folder:
-    def __init__(self, suturec, eigen, folder):
-        self.suturec, self.eigen, self.root = suturec, eigen, pathlib.Path(folder)
+    def __init__(self, suturec, flags, folder):
+        self.suturec, self.flags, self.root = suturec, flags, pathlib.Path(folder)
 
     def run(self, text, *options):
         return self.run_all({"page": text}, *options)
@@ -85,7 +86,7 @@ class Folder:
         for name, text in texts.items():
             (self.root / f"{name}.h").write_text(text, encoding="utf-8")
         command = [self.suturec, "--base-dir", ".", "--lock-dir", "schemas", *options, *(f"{name}.h" for name in texts), "--",
-                   f"-I{HERE}/include", f"-I{HERE}/examples", "-isystem", self.eigen]
+                   f"-I{HERE}/include", f"-I{HERE}/examples", *self.flags]
         done = subprocess.run(command, cwd=self.root, capture_output=True, text=True, timeout=TIME_LIMIT)
         return done.returncode, done.stdout + done.stderr
 
@@ -104,10 +105,10 @@ def check_wrong(folder, slug, text):
     return [f"{slug}.md: the first example gives {sorted(slugs)}, status {status}:\n{header_of(text, slug)}{printed}"]
 
 
-def check_right(suturec, eigen, texts):
+def check_right(suturec, flags, texts):
     """`texts`: headers by the names of their pages."""
     with tempfile.TemporaryDirectory() as folder:
-        status, printed = Folder(suturec, eigen, folder).run_all(texts, "--update-lock")
+        status, printed = Folder(suturec, flags, folder).run_all(texts, "--update-lock")
     if status == 0 and "[suture-" not in printed:
         return []
     refused = {name: text for name, text in texts.items() if f"{name}.h:" in printed} or texts
@@ -136,7 +137,7 @@ def examples_of(page):
     return [b for place, b in blocks if place < at], [b for place, b in blocks if place > at]
 
 
-def check_page(suturec, eigen, page):
+def check_page(suturec, flags, page):
     slug = page.stem
     wrong, _ = examples_of(page)
     if not wrong:
@@ -144,7 +145,7 @@ def check_page(suturec, eigen, page):
     problems = []
     for example in wrong:
         with tempfile.TemporaryDirectory() as folder:
-            problems += check_wrong(Folder(suturec, eigen, folder), slug, example)
+            problems += check_wrong(Folder(suturec, flags, folder), slug, example)
     return problems
 
 
@@ -157,14 +158,18 @@ def choose(pages, wanted):
 
 
 def main():
-    suturec, eigen = sys.argv[1:3]
+    parser = argparse.ArgumentParser()
+    parser.add_argument("suturec")
+    parser.add_argument("--flags", required=True, type=lambda flags: flags.split(";"))
+    parser.add_argument("wanted", nargs="*")
+    options = parser.parse_intermixed_args()
     pages = sorted(page for page in PAGES.glob("*.md") if page.stem != "README")
     known = {page.stem for page in pages}
     problems = [f"WITHOUT_EXAMPLE names {slug}, which has no page" for slug in sorted(WITHOUT_EXAMPLE - known)]
-    chosen = [page for page in choose(pages, sys.argv[3:]) if page.stem not in WITHOUT_EXAMPLE]
+    chosen = [page for page in choose(pages, options.wanted) if page.stem not in WITHOUT_EXAMPLE]
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        jobs = [pool.submit(check_page, suturec, eigen, page) for page in chosen]
-        jobs += [pool.submit(check_right, suturec, eigen, texts) for texts in right_runs(chosen)]
+        jobs = [pool.submit(check_page, options.suturec, options.flags, page) for page in chosen]
+        jobs += [pool.submit(check_right, options.suturec, options.flags, texts) for texts in right_runs(chosen)]
         problems += [problem for job in jobs for problem in job.result()]
     print("\n".join(problems) or f"the examples of {len(chosen)} pages are true")
     return 1 if problems else 0

@@ -174,7 +174,7 @@ def main():
     failures = Failures()
     check_bytes({"v1": arguments.v1, "v2": arguments.v2}, failures)
     check_diff(arguments.suturec, failures)
-    flags = arguments.flags.replace(";", " ").split()
+    flags = arguments.flags.split(";")
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         jobs = [pool.submit(check, arguments.suturec, flags, failures) for check in (check_accepted, check_range)]
         jobs += [pool.submit(check_break, arguments.suturec, flags, *edit, failures) for edit in BREAKS]

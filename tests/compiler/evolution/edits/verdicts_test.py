@@ -143,7 +143,7 @@ def main():
     for name in ("suturec", "capnp", "schemas", "page", "flags"):
         parser.add_argument(f"--{name}", required=True)
     _, rest = parser.parse_known_args(namespace=GIVEN)
-    GIVEN.flags = GIVEN.flags.replace(";", " ").split()
+    GIVEN.flags = GIVEN.flags.split(";")
     unittest.main(argv=[sys.argv[0], *rest])
 
 

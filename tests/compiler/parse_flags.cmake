@@ -1,0 +1,19 @@
+# suture_parse_flags: what the tests give suturec to parse with. The standard headers and Eigen are precompiled: most of what a
+# run of suturec does is to read them, and the tests here run it some hundred times.
+find_program(SUTURE_CLANGXX clang++-19 REQUIRED)
+get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+set(precompiled ${PROJECT_BINARY_DIR}/tests/compiler/standard_headers.pch)
+if(NOT TARGET suture_standard_headers)
+  set(standard_headers ${CMAKE_CURRENT_LIST_DIR}/standard_headers.h)
+  # With the options that suturec itself gives to Clang, without which it refuses the file.
+  add_custom_command(
+    OUTPUT ${precompiled}
+    COMMAND ${SUTURE_CLANGXX} -std=c++20 -DSUTUREC -nocudainc -nocudalib -isystem ${eigen} -MD -MT ${precompiled}
+      -MF ${precompiled}.d -x c++-header ${standard_headers} -o ${precompiled}
+    DEPENDS ${standard_headers}
+    DEPFILE ${precompiled}.d
+    COMMENT "Precompiling the standard headers for suturec's tests"
+    VERBATIM)
+  add_custom_target(suture_standard_headers ALL DEPENDS ${precompiled})
+endif()
+set(suture_parse_flags -include-pch ${precompiled} -isystem ${eigen})
