@@ -64,7 +64,7 @@ def installed_contract(arguments):
     contract = consumer(arguments, "contract", *CONTRACT)
     contract.configure()
     contract.must_build("builds a contract alone")
-    prefix = arguments.scratch / "a contract's prefix"
+    prefix = arguments.scratch / "contract_prefix"
     install(contract.build_folder, prefix)
     shutil.rmtree(contract.root)
     project = consumer(arguments, "client", *PARTS)
@@ -74,6 +74,10 @@ def installed_contract(arguments):
 
 
 def robots(arguments):
+    """From a package in a folder with a space."""
+    spaced = arguments.scratch / "a prefix"
+    shutil.rmtree(spaced, ignore_errors=True)
+    arguments.package = shutil.copytree(arguments.package, spaced, symlinks=True)
     project = consumer(arguments, "robots")
     project.configure()
     project.must_build("update-lock", "update-lock")

@@ -14,5 +14,6 @@ function(suture_test_warnings name root)
         -I${PROJECT_BINARY_DIR}/include -isystem ${PROJECT_BINARY_DIR}/schemas -isystem ${suture_test_eigen})
     # Not in the fast tier: they need what every target of the tree generates.
     set_tests_properties(golden.warnings.${name}.${short} PROPERTIES LABELS warnings)
+    suture_compiling_tests(golden.warnings.${name}.${short})
   endforeach()
 endfunction()

@@ -71,7 +71,7 @@ def project():
     parser.add_argument("--keep", type=pathlib.Path, help="write the project here and leave it")
     options = parser.parse_args()
     print(f"seed {options.seed}", flush=True)
-    folder = options.keep or pathlib.Path(tempfile.mkdtemp(prefix="suture random "))
+    folder = options.keep or pathlib.Path(tempfile.mkdtemp(prefix="random_", dir=options.suture))
     folder.mkdir(parents=True, exist_ok=True)
     try:
         yield options, folder
