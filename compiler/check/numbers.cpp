@@ -35,8 +35,7 @@ class NumberRule {
 
   /// A sender that leaves the field as it is would be refused, and so would every older sender.
   void applyDefault(const model::Field& field) {
-    const bool number = field.type.shape == model::Type::Shape::Scalar;
-    if (!number || !field.range || field.range->first > field.range->second) return;
+    if (!hasKnownNumber(field) || !field.range || field.range->first > field.range->second) return;
     const double value = defaultOf(field);
     if (value >= field.range->first && value <= field.range->second) return;
     addError(findings_, field.source, "default-range",
@@ -46,6 +45,16 @@ class NumberRule {
   }
 
  private:
+  /// Is it a number, or are all of its numbers 0 since nobody says anything else?
+  static bool hasKnownNumber(const model::Field& field) {
+    using Shape = model::Type::Shape;
+    const model::Type& type = field.type;
+    if (type.shape == Shape::Scalar) return true;
+    const bool fixed = type.shape == Shape::Matrix ||
+                       (type.shape == Shape::Array && type.element.front().shape == Shape::Scalar);
+    return fixed && !field.isPreset;
+  }
+
   static double defaultOf(const model::Field& field) {
     const std::string& json = field.defaultJson;
     return std::strtod(json.c_str() + (json.starts_with('"') ? 1 : 0), nullptr);

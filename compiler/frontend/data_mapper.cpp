@@ -71,7 +71,12 @@ void checkDefault(const Candidate& candidate, Default::State state, Mapping& map
     case Default::State::NotANumber:
       mapping.error(candidate.place, "default-nan",
                     subject + " is NaN by default, and no contract lets NaN pass",
-                    "make it a std::optional");
+                    "give it numbers, or make it a std::optional that is empty");
+      return;
+    case Default::State::TooLong:
+      mapping.error(candidate.place, "default-capacity",
+                    subject + " is longer by default than its capacity",
+                    "give it a shorter default or a larger capacity()");
       return;
     case Default::State::Unseen:
       if (candidate.isListed()) return;

@@ -2,12 +2,12 @@
 
 #include <clang/AST/ASTContext.h>
 #include <clang/AST/Expr.h>
-#include <clang/AST/ExprCXX.h>
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "compiler/frontend/default_content.h"
 #include "compiler/frontend/initialiser.h"
 
 namespace suture::compiler::frontend {
@@ -18,25 +18,6 @@ using State = Default::State;
 
 std::string dumped(const nlohmann::json& value) {
   return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
-// The string literal below the conversions and constructions around it; null if there is more than
-// one.
-const clang::StringLiteral* literalIn(const clang::Expr* expression) {
-  expression = expression->IgnoreImplicit()->IgnoreParens();
-  if (const auto* literal = llvm::dyn_cast<clang::StringLiteral>(expression)) return literal;
-  if (const auto* list = llvm::dyn_cast<clang::InitListExpr>(expression)) {
-    return list->getNumInits() == 1 ? literalIn(list->getInit(0)) : nullptr;
-  }
-  if (const auto* cast = llvm::dyn_cast<clang::ExplicitCastExpr>(expression)) {
-    return literalIn(cast->getSubExpr());
-  }
-  const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(expression);
-  if (!construct || construct->getNumArgs() == 0) return nullptr;
-  for (unsigned i = 1; i < construct->getNumArgs(); ++i) {
-    if (!construct->getArg(i)->isDefaultArgument()) return nullptr;
-  }
-  return literalIn(construct->getArg(0));
 }
 
 std::string enumJson(const clang::EnumDecl* declaration, const llvm::APSInt& value) {
@@ -140,6 +121,8 @@ Default seenDefault(const clang::FieldDecl* field, const model::Type& type) {
   }
   if (saysNothing(initialiser) || initialiser->containsErrors()) return {};
   if (isNumber(type)) return numberOf(initialiser, field, type);
+  if (holdsNan(initialiser, field->getASTContext())) return {State::NotANumber};
+  if (type.capacity && lengthOf(initialiser).value_or(0) > *type.capacity) return {State::TooLong};
   const clang::StringLiteral* const literal = literalIn(initialiser);
   const bool text = literal != nullptr && literal->getCharByteWidth() == 1;
   return text ? Default{State::Constant, dumped(literal->getString().str())} : Default{};

@@ -15,7 +15,8 @@ struct Default {
     Nothing,      ///< what its type's own default is, or what only a constructor knows (isPreset)
     Constant,     ///< `json`
     NotConstant,  ///< a number that is known when the program runs
-    NotANumber,   ///< NaN, which no contract lets pass
+    NotANumber,   ///< NaN or something that holds it, which no contract lets pass
+    TooLong,      ///< more bytes or elements than its capacity
     Unseen,       ///< a number that a constructor may set where suturec cannot see it
   };
 

@@ -1,8 +1,11 @@
 #pragma once
 #include <suture/annotate.h>
 
+#include <Eigen/Core>
+#include <array>
 #include <limits>
 #include <optional>
+#include <vector>
 namespace demo {
 struct SUTURE_TYPE() Limits {
   SUTURE_FIELD(range(1, 2)) double low = 0.5;
@@ -10,5 +13,9 @@ struct SUTURE_TYPE() Limits {
   SUTURE_FIELD(range(-1, 2)) double high = std::numeric_limits<double>::infinity();
   SUTURE_FIELD(range(1, 2)) double within = 2;
   SUTURE_FIELD(range(1, 2)) std::optional<double> none;
+  SUTURE_FIELD(range(1, 2)) std::array<double, 2> zeros;
+  SUTURE_FIELD(range(1, 2)) Eigen::Vector3d nowhere;
+  SUTURE_FIELD(range(1, 2)) std::array<double, 2> ones{1, 1};
+  SUTURE_FIELD(range(1, 2), capacity(4)) std::vector<double> none_at_all;
 };
 }  // namespace demo

@@ -1,9 +1,14 @@
 #pragma once
 #include <suture/annotate.h>
 
+#include <Eigen/Core>
+#include <array>
 #include <chrono>
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
+#include <vector>
 namespace demo {
 int later();
 struct SUTURE_TYPE() Fields {
@@ -16,6 +21,17 @@ struct SUTURE_TYPE() Fields {
   double noLimit = std::numeric_limits<double>::infinity();
   std::string name = std::string(later(), 'a');
   int braces{};
+};
+struct SUTURE_TYPE() Many {
+  std::array<double, 2> both{0, NAN};
+  Eigen::Vector3d axis{0, std::numeric_limits<double>::quiet_NaN(), 1};
+  Eigen::Vector2d gone = Eigen::Vector2d::Constant(NAN);
+  SUTURE_FIELD(capacity(4)) std::vector<double> some = {1, -NAN};
+  std::optional<double> perhaps = NAN;
+  SUTURE_FIELD(capacity(4)) std::string word = "words";
+  SUTURE_FIELD(capacity(2)) std::vector<int> three{1, 2, 3};
+  SUTURE_FIELD(capacity(2)) std::vector<int> two{1, 2};
+  SUTURE_FIELD(capacity(5)) std::string all = "words";
 };
 struct SUTURE_TYPE() InBody {
   InBody() { number = changed = 7; }
