@@ -2,6 +2,7 @@
 #include <array>
 #include <cctype>
 #include <map>
+#include <span>
 #include <string_view>
 
 #include "compiler/check/rules.h"
@@ -58,8 +59,7 @@ class Scope {
   std::map<std::string, Entry> taken_;
 };
 
-template <std::size_t N>
-bool contains(const std::array<std::string_view, N>& names, std::string_view name) {
+bool contains(std::span<const std::string_view> names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -103,12 +103,9 @@ void checkEnumerators(const model::Enum& type, model::Diagnostics& findings) {
 }
 
 // What suturec itself writes into every contract.
-constexpr std::array<std::string_view, 1> kMethods{"subscribe"}, kParameters{"sent"},
-    kEventMethods{"state"};
-constexpr std::array<std::string_view, 3> kColumns{"stamp", "evaluated", "tooLarge"};
+constexpr std::array<std::string_view, 1> kMethods{"subscribe"}, kParameters{"sent"};
 
-template <std::size_t N>
-void checkBuiltIn(const std::array<std::string_view, N>& builtIn, const std::string& subject,
+void checkBuiltIn(std::span<const std::string_view> builtIn, const std::string& subject,
                   const std::string& wireName, const model::Source& source,
                   model::Diagnostics& findings) {
   if (!contains(builtIn, wireName)) return;
@@ -124,7 +121,7 @@ void checkNamesOf(const model::Interface& interface, model::Diagnostics& finding
     const std::string subject = "command '" + command.name + "'";
     checkBuiltIn(kMethods, subject, command.wireName, command.source, findings);
     if (command.kind == model::CommandKind::Read) {
-      checkBuiltIn(kColumns, subject, command.wireName, command.source, findings);
+      checkBuiltIn(model::kBuiltInColumns, subject, command.wireName, command.source, findings);
     }
     Scope parameters(false, findings);
     for (const model::Parameter& parameter : command.parameters) {
@@ -135,7 +132,7 @@ void checkNamesOf(const model::Interface& interface, model::Diagnostics& finding
   }
   for (const model::Event& event : interface.events) {
     events.add("event", event.name, event.wireName, event.source);
-    checkBuiltIn(kEventMethods, "event '" + event.name + "'", event.wireName, event.source,
+    checkBuiltIn(model::kBuiltInEvents, "event '" + event.name + "'", event.wireName, event.source,
                  findings);
   }
 }

@@ -13,6 +13,7 @@
 #include "compiler/emit/parts.h"
 #include "compiler/emit/readers.h"
 #include "compiler/emit/remote.h"
+#include "compiler/emit/wire_places.h"
 #include "compiler/lock/contract_hash.h"
 #include "compiler/lock/wire_contract.h"
 #include "compiler/model/naming.h"
@@ -196,6 +197,7 @@ std::string sourceBody(const Context& context) {
     emitConverters(body, context);
     hidden(body, [&](Code& part) {
       for (const model::Interface& one : context.header.interfaces) {
+        emitWirePlaces(part, context, one);
         emitServant(part, context, one);
         emitProxy(part, context, one);
         emitBinding(part, context, one);

@@ -6,6 +6,7 @@
 #include "compiler/emit/parts.h"
 #include "compiler/emit/reached.h"
 #include "compiler/emit/wire_nodes.h"
+#include "compiler/emit/wire_places.h"
 #include "compiler/lock/majors.h"
 #include "compiler/lock/wanted.h"
 #include "compiler/lock/wire_type.h"
@@ -237,6 +238,11 @@ Json eventOf(const model::Event& event) {
   return json;
 }
 
+/// By which number a subscription asks for each, where that is not its place in the list.
+void addNumbers(Json& events, const std::vector<unsigned>& numbers) {
+  for (std::size_t i = 0; i < numbers.size(); ++i) events[i]["number"] = numbers[i];
+}
+
 Json interfaceOf(const model::Interface& interface, const Context& context) {
   Json json{{"name", interface.name}};
   addWireName(json, model::unqualified(interface.name), interface.wireName);
@@ -256,6 +262,7 @@ Json interfaceOf(const model::Interface& interface, const Context& context) {
   }
   json["events"] = Json::array();
   for (const model::Event& event : interface.events) json["events"].push_back(eventOf(event));
+  addNumbers(json["events"], wireEvents(context, interface));
   return json;
 }
 

@@ -7,22 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "compiler/lock/wire_type.h"
+#include "compiler/lock/contract_node.h"
 #include "compiler/model/lookup.h"
 
 namespace suture::compiler::emit {
 namespace {
 
 constexpr unsigned kUnknown = std::numeric_limits<unsigned>::max();
-
-const lock::Node* findNode(const lock::Lock& lock, const char* annotation,
-                           const std::string& interface) {
-  for (const lock::Node& node : lock.nodes) {
-    const auto found = node.annotations.find(annotation);
-    if (found != node.annotations.end() && found->second == lock::quoted(interface)) return &node;
-  }
-  return nullptr;
-}
 
 unsigned ordinalOf(const lock::Node& node, const std::string& name) {
   for (const lock::Member& member : node.members) {
@@ -83,7 +74,7 @@ class Order {
     const model::Header* const header = lookup_.headerOf(interface);
     if (header == nullptr) return nullptr;
     const auto lock = locks_.files.find(lock::lockPath(header->path));
-    return lock == locks_.files.end() ? nullptr : findNode(lock->second, annotation, interface);
+    return lock == locks_.files.end() ? nullptr : lock::nodeOf(lock->second, annotation, interface);
   }
 
   const model::Lookup& lookup_;

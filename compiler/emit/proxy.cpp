@@ -3,6 +3,7 @@
 #include "compiler/emit/contract.h"
 #include "compiler/emit/remote.h"
 #include "compiler/emit/wire_form.h"
+#include "compiler/emit/wire_places.h"
 #include "compiler/lock/composites.h"
 #include "compiler/model/naming.h"
 
@@ -35,8 +36,9 @@ void emitColumn(Code& code, const Context& context, const model::Command& read, 
 void emitState(Code& code, const Context& context, const model::Interface& interface) {
   code.open("kj::Promise<void> state(StateContext context) override {");
   code.line("auto in = context.getParams().getRow();");
-  code.line("auto columns = ", kBreakText,
-            "port_->columnsOf(in.getEvaluated(), in.getTooLarge());");
+  code.line("auto columns = ", kBreakText, "port_->columnsOf(",
+            columnsFromWire(context, interface, "in.getEvaluated()"), ", ", kBreakText,
+            columnsFromWire(context, interface, "in.getTooLarge()"), ");");
   const std::vector<const model::Command*> reads = readsOf(interface);
   for (std::size_t i = 0; i < reads.size(); ++i) emitColumn(code, context, *reads[i], i);
   code.line("port_->publish(in.getStamp(), columns);").line("return kj::READY_NOW;").close("}");
@@ -146,7 +148,8 @@ void emitProxy(Code& code, const Context& context, const model::Interface& inter
             "suture::rt::ColumnSet columns) override {");
   code.line("auto request = provider_.subscribeRequest();");
   code.line("request.setEvents(kj::heap<", prefix, "Receiver>(kj::addRef(port_)));");
-  code.line("request.setEventMask(events);").line("request.setStateMask(columns);");
+  code.line("request.setEventMask(", eventsToWire(context, interface, "events"), ");");
+  code.line("request.setStateMask(", columnsToWire(context, interface, "columns"), ");");
   code.line("return request.send().ignoreResult();").close("}").blank();
   emitSend(code, context, interface);
   code.blank().label("private:");

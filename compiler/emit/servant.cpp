@@ -5,6 +5,7 @@
 #include "compiler/emit/later_parameters.h"
 #include "compiler/emit/remote.h"
 #include "compiler/emit/wire_form.h"
+#include "compiler/emit/wire_places.h"
 #include "compiler/model/naming.h"
 
 namespace suture::compiler::emit {
@@ -54,8 +55,10 @@ void emitSinkRow(Code& code, const Context& context, const model::Interface& int
             reads.empty() ? "" : " columns", ") override {");
   code.line("auto request = subscriber_.stateRequest();").line("auto out = request.initRow();");
   code.line("out.setStamp(suture::toNanoseconds(row.stamp));");
-  code.line("out.setEvaluated(row.valid | row.invalid);");
-  code.line("out.setTooLarge(row.tooLarge | row.invalid);");
+  code.line("out.setEvaluated(", kBreakText,
+            columnsToWire(context, interface, "row.valid | row.invalid"), ");");
+  code.line("out.setTooLarge(", kBreakText,
+            columnsToWire(context, interface, "row.tooLarge | row.invalid"), ");");
   for (std::size_t i = 0; i < reads.size(); ++i) {
     const std::string column = std::to_string(i);
     const model::Type& type = *reads[i]->result;
@@ -221,7 +224,8 @@ void emitServant(Code& code, const Context& context, const model::Interface& int
   code.open("kj::Promise<void> subscribe(SubscribeContext context) override {");
   code.line("auto in = context.getParams();");
   code.line("port_->subscribe(kj::heap<", prefix, "Sink>(in.getEvents()), ", kBreakText,
-            "in.getEventMask(), ", kBreakText, "in.getStateMask());");
+            eventsFromWire(context, interface, "in.getEventMask()"), ", ", kBreakText,
+            columnsFromWire(context, interface, "in.getStateMask()"), ");");
   code.line("return kj::READY_NOW;").close("}").blank();
   const std::vector<const model::Command*> own = ownCommands(interface);
   for (const model::Command* const command : own) emitMethod(code, context, interface, *command);

@@ -3,6 +3,7 @@
 #include "compiler/emit/remote.h"
 #include "compiler/emit/stamps.h"
 #include "compiler/emit/wire_form.h"
+#include "compiler/emit/wire_places.h"
 #include "compiler/model/naming.h"
 
 #include <algorithm>
@@ -205,6 +206,12 @@ void emitInfo(Code& code, const Context& context, const model::Interface& interf
   if (derives) {
     code.line("    .base = &interfaceInfo<", interface.base, ">,");
     code.line("    .toBase = &castToBase<", interface.name, ", ", kBreakText, interface.base, ">,");
+  }
+  if (!wireEvents(context, interface).empty()) {
+    code.line("    .wireEvents = ", tables, "WireEvents,");
+  }
+  if (!wireColumns(context, interface).empty()) {
+    code.line("    .wireColumns = ", tables, "WireColumns,");
   }
   code.line("};").line("return kInfo;").close("}").blank();
 }

@@ -63,6 +63,9 @@ Json wireNodes(const Context& context, const model::Interface& interface) {
   for (const lock::PlacedNode& one : contract.nodes()) {
     Json node{
         {"id", lock::idText(one.node->id)}, {"kind", kindOf(*one.node)}, {"name", one.node->name}};
+    if (const auto cxx = one.node->annotations.find("cxx"); cxx != one.node->annotations.end()) {
+      if (one.node->kind == lock::Node::Kind::Interface) node["cxx"] = lock::unquoted(cxx->second);
+    }
     if (const unsigned major = lock::majorOf(*one.node); major > 1) node["major"] = major;
     const auto version = one.node->annotations.find("version");
     if (version != one.node->annotations.end()) node["version"] = std::stoul(version->second);

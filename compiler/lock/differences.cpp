@@ -81,7 +81,7 @@ class Comparison {
              "; peers of the two refuse each other");
     }
     if (now->extends.size() != old.extends.size()) {
-      broken(title + " has another base; its commands and events are numbered anew");
+      broken(title + " has another base; peers of before know it without");
     }
     compareMembers(old, *now, title);
   }

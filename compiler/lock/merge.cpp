@@ -207,7 +207,7 @@ class Merger {
     return node;
   }
 
-  /// The commands of a base are numbered before the contract's own.
+  /// A base is part of what the two ends know of each other.
   void compareBases(const WantedNode& wanted, const Node& locked) {
     for (const std::string& base : locked.extends) {
       const auto& now = wanted.node.extends;
@@ -216,7 +216,7 @@ class Merger {
              "put the base back: its commands are part of the contract");
     }
     if (wanted.node.extends.size() > locked.extends.size()) {
-      broken(wanted, locked, " has a base that it did not have: its commands are numbered anew",
+      broken(wanted, locked, " has a base that it did not have: peers of before know it without",
              "declare the commands of the base in the contract itself");
     }
   }

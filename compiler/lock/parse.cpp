@@ -10,19 +10,10 @@
 
 #include "compiler/lock/meta_annotations.h"
 #include "compiler/lock/tokens.h"
+#include "compiler/lock/wire_type.h"
 
 namespace suture::compiler::lock {
 namespace {
-
-/// What a string literal says.
-std::string unquoted(std::string_view literal) {
-  std::string text;
-  for (std::size_t i = 1; i + 1 < literal.size(); ++i) {
-    if (literal[i] == '\\' && i + 2 < literal.size()) ++i;
-    text += literal[i];
-  }
-  return text;
-}
 
 constexpr std::string_view kMeta = "Meta.";
 constexpr unsigned kDeepestType = 64;             // as deep as capnp's readers follow

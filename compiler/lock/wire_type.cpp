@@ -198,4 +198,13 @@ std::string quoted(std::string_view text) {
   return result + '"';
 }
 
+std::string unquoted(std::string_view literal) {
+  std::string text;
+  for (std::size_t i = 1; i + 1 < literal.size(); ++i) {
+    if (literal[i] == '\\' && i + 2 < literal.size()) ++i;
+    text += literal[i];
+  }
+  return text;
+}
+
 }  // namespace suture::compiler::lock

@@ -43,5 +43,7 @@ std::map<std::string, std::string> typeAnnotations(const model::Type& type);
 
 /// `text` as a capnp string literal, quotes included.
 std::string quoted(std::string_view text);
+/// The text of such a literal.
+std::string unquoted(std::string_view literal);
 
 }  // namespace suture::compiler::lock

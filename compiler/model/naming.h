@@ -1,10 +1,15 @@
 #pragma once
 // How names change between C++, Cap'n Proto and the C++ that capnp writes.
 
+#include <array>
 #include <string>
 #include <string_view>
 
 namespace suture::compiler::model {
+
+/// What suturec itself puts among the events and the columns of every contract, by wire name.
+inline constexpr std::array<std::string_view, 1> kBuiltInEvents{"state"};
+inline constexpr std::array<std::string_view, 3> kBuiltInColumns{"stamp", "evaluated", "tooLarge"};
 
 /// "servo_cp" -> "servoCp": what capnp demands of fields, methods and enumerators.
 std::string camelCase(std::string_view cxxName);

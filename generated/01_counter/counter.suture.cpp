@@ -226,19 +226,20 @@ constexpr char kCounterDescription[] = R"json(
 "queue": 16}], "events": [{"name": "ten_more", "kind": "write", "ordinal": 1, "wire": "tenMore",
 "doc": "The count has passed a multiple of ten.", "payload": {"type": {"kind": "Int64"}},
 "queue": 16}], "enums": [], "structs": [], "wire": [{"id": "@0xd6d42f0aed709948",
-"kind": "interface", "name": "Counter", "members": [{"at": 0, "name": "subscribe", "parameters": [{
-"at": 0, "name": "events", "is": "@0xab8aa54e33362c79"}, {"at": 1, "name": "eventMask",
-"is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "add",
-"is": "kind \"write\"", "parameters": [{"at": 0, "name": "amount", "is": "Int32"}, {"at": 1,
-"name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "value", "is": "kind \"read\"",
-"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "Int64"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
-"id": "@0xab8aa54e33362c79", "kind": "interface", "name": "CounterEvents", "members": [{"at": 0,
-"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xbfec877b65b98c5c"}]}, {"at": 1,
-"name": "tenMore", "parameters": [{"at": 0, "name": "value", "is": "Int64"}]}]}, {
-"id": "@0xbfec877b65b98c5c", "kind": "struct", "name": "CounterStateRow", "members": [{"at": 0,
-"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "value", "is": "Int64"}, {"at": 3, "name": "tooLarge", "is": "UInt64"}]}]})json";
+"kind": "interface", "name": "Counter", "cxx": "counting::Counter", "members": [{"at": 0,
+"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xab8aa54e33362c79"}, {
+"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {
+"at": 1, "name": "add", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "amount",
+"is": "Int32"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2,
+"name": "value", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "Int64"}, {"at": 1,
+"name": "stamp", "is": "Int64"}]}]}, {"id": "@0xab8aa54e33362c79", "kind": "interface",
+"name": "CounterEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
+"name": "row", "is": "@0xbfec877b65b98c5c"}]}, {"at": 1, "name": "tenMore", "parameters": [{
+"at": 0, "name": "value", "is": "Int64"}]}]}, {"id": "@0xbfec877b65b98c5c", "kind": "struct",
+"name": "CounterStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "value", "is": "Int64"}, {"at": 3,
+"name": "tooLarge", "is": "UInt64"}]}]})json";
 
 }  // namespace
 }  // namespace counting

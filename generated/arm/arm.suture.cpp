@@ -834,38 +834,39 @@ constexpr char kArmDescription[] = R"json(
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "found",
 "doc": "False: no joint vector within limits reaches the pose; `position` is the nearest one found.",
 "type": {"kind": "Bool"}, "default": false}]}], "wire": [{"id": "@0xd2a6fc6237d6fd07",
-"kind": "interface", "name": "Arm", "members": [{"at": 0, "name": "subscribe", "parameters": [{
-"at": 0, "name": "events", "is": "@0xdcbc184d8af1d03c"}, {"at": 1, "name": "eventMask",
-"is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "enable",
-"is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
-"at": 2, "name": "disable", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "home", "is": "kind \"void\"", "parameters": [
-{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 4, "name": "hold",
-"is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
-"at": 5, "name": "servoCp", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal",
-"is": "@0xe84bc0a4b9a0c529"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
-"at": 6, "name": "servoJp", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal",
-"is": "@0x8943f2eac122865a"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
-"at": 7, "name": "moveJp", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal",
-"is": "@0x8943f2eac122865a"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
-"at": 8, "name": "measuredJs", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xac24dfe518a4963f"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 9, "name": "setpointJs",
+"kind": "interface", "name": "Arm", "cxx": "robots::Arm", "members": [{"at": 0, "name": "subscribe",
+"parameters": [{"at": 0, "name": "events", "is": "@0xdcbc184d8af1d03c"}, {"at": 1,
+"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
+"name": "enable", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "disable", "is": "kind \"void\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 3,
+"name": "home", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 4, "name": "hold", "is": "kind \"void\"", "parameters": [
+{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 5, "name": "servoCp",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0xe84bc0a4b9a0c529"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 6, "name": "servoJp",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0x8943f2eac122865a"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 7, "name": "moveJp",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal", "is": "@0x8943f2eac122865a"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 8, "name": "measuredJs",
 "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
 "results": [{"at": 0, "name": "value", "is": "@0xac24dfe518a4963f"}, {"at": 1, "name": "stamp",
-"is": "Int64"}]}, {"at": 10, "name": "measuredCp", "is": "kind \"read\"", "parameters": [{"at": 0,
+"is": "Int64"}]}, {"at": 9, "name": "setpointJs", "is": "kind \"read\"", "parameters": [{"at": 0,
 "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "@0xe84bc0a4b9a0c529"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 11,
-"name": "setpointCp", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "@0xac24dfe518a4963f"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 10,
+"name": "measuredCp", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
 "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 12, "name": "operatingState",
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 11, "name": "setpointCp",
 "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "@0x8109968bd491318f"}, {"at": 1, "name": "stamp",
-"is": "Int64"}]}, {"at": 13, "name": "forwardKinematics", "is": "kind \"qualifiedRead\"",
-"parameters": [{"at": 0, "name": "q", "is": "@0x8943f2eac122865a"}, {"at": 1, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"
-}]}, {"at": 14, "name": "inverseKinematics", "is": "kind \"qualifiedRead\"", "parameters": [{
-"at": 0, "name": "goal", "is": "@0xe84bc0a4b9a0c529"}, {"at": 1, "name": "sent",
+"results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 12, "name": "operatingState", "is": "kind \"read\"", "parameters": [{
+"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0x8109968bd491318f"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 13,
+"name": "forwardKinematics", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "q",
+"is": "@0x8943f2eac122865a"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"}]}, {"at": 14,
+"name": "inverseKinematics", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0,
+"name": "goal", "is": "@0xe84bc0a4b9a0c529"}, {"at": 1, "name": "sent",
 "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0x871d0a082eb81ee3"
 }]}]}, {"id": "@0xdcbc184d8af1d03c", "kind": "interface", "name": "ArmEvents", "members": [{
 "at": 0, "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0x8c45d754ae03e800"}]}, {

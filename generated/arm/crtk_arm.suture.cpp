@@ -2455,23 +2455,24 @@ constexpr char kCrtkArmDescription[] = R"json(
 "doc": "Counts the messages of its sender, of all three kinds together, from 1: a gap says that the\nlistener has missed some, a number seen before that the last one has been told again.",
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time",
 "clock": "steady"}}]}], "wire": [{"id": "@0xe327df5d82aa8eea", "kind": "interface",
-"name": "CrtkArm", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
-"name": "events", "is": "@0xeed86c20664eeafb"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
-"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "configurationJs",
+"name": "CrtkArm", "cxx": "robots::CrtkArm", "members": [{"at": 0, "name": "subscribe",
+"parameters": [{"at": 0, "name": "events", "is": "@0xeed86c20664eeafb"}, {"at": 1,
+"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
+"name": "configurationJs", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xf723b5ed0dc2d63c"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 2, "name": "operatingState",
 "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "@0xf723b5ed0dc2d63c"}, {"at": 1, "name": "stamp",
-"is": "Int64"}]}, {"at": 2, "name": "operatingState", "is": "kind \"read\"", "parameters": [{
+"results": [{"at": 0, "name": "value", "is": "@0x8109968bd491318f"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 3, "name": "periodStatistics", "is": "kind \"read\"", "parameters": [{
 "at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "@0x8109968bd491318f"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 3,
-"name": "periodStatistics", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xff815195ac6343a7"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 4, "name": "enable", "is": "kind \"void\"",
-"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 5,
-"name": "disable", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 6, "name": "pause", "is": "kind \"void\"", "parameters": [
-{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 7, "name": "resume",
-"is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
-"at": 8, "name": "home", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"is": "@0xff815195ac6343a7"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 4,
+"name": "enable", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 5, "name": "disable", "is": "kind \"void\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 6,
+"name": "pause", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 7, "name": "resume", "is": "kind \"void\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 8,
+"name": "home", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
 "is": "/suture/rpc.capnp:Sent"}]}, {"at": 9, "name": "unhome", "is": "kind \"void\"",
 "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 10,
 "name": "stateCommand", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "name",
@@ -2578,52 +2579,53 @@ constexpr char kCrtkArmDescription[] = R"json(
 "name": "localQueryCp", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "q",
 "is": "@0x8943f2eac122865a"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
 "results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"}]}]}, {
-"id": "@0xb16d80f0d2b50980", "kind": "interface", "name": "Messages", "members": [{"at": 0,
-"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xa02813b154cdd1d8"}, {
-"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}]}, {
-"id": "@0xa02813b154cdd1d8", "kind": "interface", "name": "MessagesEvents", "members": [{"at": 0,
-"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0x814f9864e019fa96"}]}, {"at": 1,
+"id": "@0xb16d80f0d2b50980", "kind": "interface", "name": "Messages", "cxx": "suture::Messages",
+"members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events",
+"is": "@0xa02813b154cdd1d8"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2,
+"name": "stateMask", "is": "UInt64"}]}]}, {"id": "@0xa02813b154cdd1d8", "kind": "interface",
+"name": "MessagesEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
+"name": "row", "is": "@0x814f9864e019fa96"}]}, {"at": 1, "name": "status", "parameters": [{"at": 0,
+"name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 2, "name": "warning", "parameters": [{
+"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 3, "name": "error", "parameters": [
+{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}]}, {"id": "@0x814f9864e019fa96",
+"kind": "struct", "name": "MessagesStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"
+}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}]},
+{"id": "@0xbd6bc34f74980c5d", "kind": "struct", "name": "Message", "members": [{"at": 0,
+"name": "text", "is": "Text"}, {"at": 1, "name": "code", "is": "UInt32"}, {"at": 2,
+"name": "counter", "is": "UInt32"}, {"at": 3, "name": "stamp", "is": "Int64 clock \"steady\""}]}, {
+"id": "@0xeed86c20664eeafb", "kind": "interface", "name": "CrtkArmEvents", "members": [{"at": 0,
+"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xaf91381bef91dec1"}]}, {"at": 1,
 "name": "status", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {
 "at": 2, "name": "warning", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]
 }, {"at": 3, "name": "error", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"
-}]}]}, {"id": "@0x814f9864e019fa96", "kind": "struct", "name": "MessagesStateRow", "members": [{
-"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}]}, {"id": "@0xbd6bc34f74980c5d", "kind": "struct",
-"name": "Message", "members": [{"at": 0, "name": "text", "is": "Text"}, {"at": 1, "name": "code",
-"is": "UInt32"}, {"at": 2, "name": "counter", "is": "UInt32"}, {"at": 3, "name": "stamp",
-"is": "Int64 clock \"steady\""}]}, {"id": "@0xeed86c20664eeafb", "kind": "interface",
-"name": "CrtkArmEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
-"name": "row", "is": "@0xaf91381bef91dec1"}]}, {"at": 1, "name": "status", "parameters": [{"at": 0,
-"name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 2, "name": "warning", "parameters": [{
-"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 3, "name": "error", "parameters": [
-{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 4, "name": "operatingState",
-"parameters": [{"at": 0, "name": "value", "is": "@0x8109968bd491318f"}]}, {"at": 5,
-"name": "desiredState", "parameters": [{"at": 0, "name": "value", "is": "@0xc9ed1800ca1df7eb"}]}, {
-"at": 6, "name": "goalReached", "parameters": [{"at": 0, "name": "value", "is": "Bool"}]}, {
-"at": 7, "name": "gravityCompensation", "parameters": [{"at": 0, "name": "value", "is": "Bool"}]}, {
-"at": 8, "name": "trajectoryJRatio", "parameters": [{"at": 0, "name": "value", "is": "Float64"}]}, {
-"at": 9, "name": "trajectoryJRatioV", "parameters": [{"at": 0, "name": "value", "is": "Float64"}]},
-{"at": 10, "name": "trajectoryJRatioA", "parameters": [{"at": 0, "name": "value", "is": "Float64"}]
-}]}, {"id": "@0xaf91381bef91dec1", "kind": "struct", "name": "CrtkArmStateRow", "members": [{
-"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "configurationJs",
-"is": "@0xf723b5ed0dc2d63c"}, {"at": 4, "name": "operatingState", "is": "@0x8109968bd491318f"}, {
-"at": 5, "name": "periodStatistics", "is": "@0xff815195ac6343a7"}, {"at": 6, "name": "measuredJs",
-"is": "@0xac24dfe518a4963f"}, {"at": 7, "name": "setpointJs", "is": "@0xac24dfe518a4963f"}, {
-"at": 8, "name": "goalJs", "is": "@0xac24dfe518a4963f"}, {"at": 9, "name": "measuredCp",
-"is": "@0xe84bc0a4b9a0c529"}, {"at": 10, "name": "setpointCp", "is": "@0xe84bc0a4b9a0c529"}, {
-"at": 11, "name": "goalCp", "is": "@0xe84bc0a4b9a0c529"}, {"at": 12, "name": "localMeasuredCp",
-"is": "@0xe84bc0a4b9a0c529"}, {"at": 13, "name": "localSetpointCp", "is": "@0xe84bc0a4b9a0c529"}, {
-"at": 14, "name": "measuredCv", "is": "@0xaa62fba3aef11562"}, {"at": 15, "name": "setpointCv",
-"is": "@0xaa62fba3aef11562"}, {"at": 16, "name": "bodyMeasuredCf", "is": "@0xdefffdcf07aeb2d1"}, {
-"at": 17, "name": "spatialMeasuredCf", "is": "@0xdefffdcf07aeb2d1"}, {"at": 18,
-"name": "measuredCs", "is": "@0xe8c20fc8c27161a7"}, {"at": 19, "name": "bodyJacobian",
-"is": "@0x9172ad0b0a6919ab"}, {"at": 20, "name": "spatialJacobian", "is": "@0x9172ad0b0a6919ab"}, {
-"at": 21, "name": "baseFrame", "is": "@0xe84bc0a4b9a0c529"}, {"at": 22, "name": "trajectoryJRatio",
-"is": "Float64"}, {"at": 23, "name": "trajectoryJRatioV", "is": "Float64"}, {"at": 24,
-"name": "trajectoryJRatioA", "is": "Float64"}]}, {"id": "@0xf723b5ed0dc2d63c", "kind": "struct",
-"name": "JointConfiguration", "members": [{"at": 0, "name": "name", "is": "List(Text)"}, {"at": 1,
-"name": "type", "is": "List(@0x9f3bef15df1181c0)"}, {"at": 2, "name": "positionMin",
+}]}, {"at": 4, "name": "operatingState", "parameters": [{"at": 0, "name": "value",
+"is": "@0x8109968bd491318f"}]}, {"at": 5, "name": "desiredState", "parameters": [{"at": 0,
+"name": "value", "is": "@0xc9ed1800ca1df7eb"}]}, {"at": 6, "name": "goalReached", "parameters": [{
+"at": 0, "name": "value", "is": "Bool"}]}, {"at": 7, "name": "gravityCompensation", "parameters": [
+{"at": 0, "name": "value", "is": "Bool"}]}, {"at": 8, "name": "trajectoryJRatio", "parameters": [{
+"at": 0, "name": "value", "is": "Float64"}]}, {"at": 9, "name": "trajectoryJRatioV", "parameters": [
+{"at": 0, "name": "value", "is": "Float64"}]}, {"at": 10, "name": "trajectoryJRatioA",
+"parameters": [{"at": 0, "name": "value", "is": "Float64"}]}]}, {"id": "@0xaf91381bef91dec1",
+"kind": "struct", "name": "CrtkArmStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"},
+{"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {
+"at": 3, "name": "configurationJs", "is": "@0xf723b5ed0dc2d63c"}, {"at": 4,
+"name": "operatingState", "is": "@0x8109968bd491318f"}, {"at": 5, "name": "periodStatistics",
+"is": "@0xff815195ac6343a7"}, {"at": 6, "name": "measuredJs", "is": "@0xac24dfe518a4963f"}, {
+"at": 7, "name": "setpointJs", "is": "@0xac24dfe518a4963f"}, {"at": 8, "name": "goalJs",
+"is": "@0xac24dfe518a4963f"}, {"at": 9, "name": "measuredCp", "is": "@0xe84bc0a4b9a0c529"}, {
+"at": 10, "name": "setpointCp", "is": "@0xe84bc0a4b9a0c529"}, {"at": 11, "name": "goalCp",
+"is": "@0xe84bc0a4b9a0c529"}, {"at": 12, "name": "localMeasuredCp", "is": "@0xe84bc0a4b9a0c529"}, {
+"at": 13, "name": "localSetpointCp", "is": "@0xe84bc0a4b9a0c529"}, {"at": 14, "name": "measuredCv",
+"is": "@0xaa62fba3aef11562"}, {"at": 15, "name": "setpointCv", "is": "@0xaa62fba3aef11562"}, {
+"at": 16, "name": "bodyMeasuredCf", "is": "@0xdefffdcf07aeb2d1"}, {"at": 17,
+"name": "spatialMeasuredCf", "is": "@0xdefffdcf07aeb2d1"}, {"at": 18, "name": "measuredCs",
+"is": "@0xe8c20fc8c27161a7"}, {"at": 19, "name": "bodyJacobian", "is": "@0x9172ad0b0a6919ab"}, {
+"at": 20, "name": "spatialJacobian", "is": "@0x9172ad0b0a6919ab"}, {"at": 21, "name": "baseFrame",
+"is": "@0xe84bc0a4b9a0c529"}, {"at": 22, "name": "trajectoryJRatio", "is": "Float64"}, {"at": 23,
+"name": "trajectoryJRatioV", "is": "Float64"}, {"at": 24, "name": "trajectoryJRatioA",
+"is": "Float64"}]}, {"id": "@0xf723b5ed0dc2d63c", "kind": "struct", "name": "JointConfiguration",
+"members": [{"at": 0, "name": "name", "is": "List(Text)"}, {"at": 1, "name": "type",
+"is": "List(@0x9f3bef15df1181c0)"}, {"at": 2, "name": "positionMin",
 "is": "List(Float64) unit \"rad\""}, {"at": 3, "name": "positionMax",
 "is": "List(Float64) unit \"rad\""}, {"at": 4, "name": "velocityMin",
 "is": "List(Float64) unit \"rad/s\""}, {"at": 5, "name": "velocityMax",

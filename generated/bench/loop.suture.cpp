@@ -307,26 +307,26 @@ constexpr char kLoopServerDescription[] = R"json(
 "wire": "referenceFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "position",
 "doc": "The moving frame in the reference frame.", "type": {"kind": "isometry", "scalar": "Float64"
 }, "unit": "m"}]}], "wire": [{"id": "@0xf31a590efb54d189", "kind": "interface",
-"name": "LoopServer", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
-"name": "events", "is": "@0xa1763febd61d7208"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
-"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "put", "is": "kind \"write\"",
-"parameters": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"}, {"at": 1, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "bounce", "is": "kind \"write\"",
-"parameters": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"}, {"at": 1, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "value", "is": "kind \"read\"", "parameters": [
-{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "@0xedd17c97b8723561"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
-"id": "@0xa1763febd61d7208", "kind": "interface", "name": "LoopServerEvents", "members": [{"at": 0,
-"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xcf8261ed0f1fe7b7"}]}, {"at": 1,
-"name": "echo", "parameters": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"}]}]}, {
-"id": "@0xcf8261ed0f1fe7b7", "kind": "struct", "name": "LoopServerStateRow", "members": [{"at": 0,
-"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "value", "is": "@0xedd17c97b8723561"}, {"at": 3, "name": "tooLarge", "is": "UInt64"}]}, {
-"id": "@0xedd17c97b8723561", "kind": "struct", "name": "PosePrm", "members": [{"at": 0,
-"name": "timestamp", "is": "Int64 clock \"steady\""}, {"at": 1, "name": "automaticTimestamp",
-"is": "Bool = true"}, {"at": 2, "name": "valid", "is": "Bool"}, {"at": 3, "name": "movingFrame",
-"is": "Text"}, {"at": 4, "name": "referenceFrame", "is": "Text"}, {"at": 5, "name": "position",
-"is": "/suture/types.capnp:Pose unit \"m\""}]}]})json";
+"name": "LoopServer", "cxx": "bench::LoopServer", "members": [{"at": 0, "name": "subscribe",
+"parameters": [{"at": 0, "name": "events", "is": "@0xa1763febd61d7208"}, {"at": 1,
+"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
+"name": "put", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "value",
+"is": "@0xedd17c97b8723561"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 2, "name": "bounce", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "value",
+"is": "@0xedd17c97b8723561"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 3, "name": "value", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xa1763febd61d7208", "kind": "interface",
+"name": "LoopServerEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
+"name": "row", "is": "@0xcf8261ed0f1fe7b7"}]}, {"at": 1, "name": "echo", "parameters": [{"at": 0,
+"name": "value", "is": "@0xedd17c97b8723561"}]}]}, {"id": "@0xcf8261ed0f1fe7b7", "kind": "struct",
+"name": "LoopServerStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "value", "is": "@0xedd17c97b8723561"}, {
+"at": 3, "name": "tooLarge", "is": "UInt64"}]}, {"id": "@0xedd17c97b8723561", "kind": "struct",
+"name": "PosePrm", "members": [{"at": 0, "name": "timestamp", "is": "Int64 clock \"steady\""}, {
+"at": 1, "name": "automaticTimestamp", "is": "Bool = true"}, {"at": 2, "name": "valid", "is": "Bool"
+}, {"at": 3, "name": "movingFrame", "is": "Text"}, {"at": 4, "name": "referenceFrame", "is": "Text"
+}, {"at": 5, "name": "position", "is": "/suture/types.capnp:Pose unit \"m\""}]}]})json";
 
 }  // namespace
 }  // namespace bench

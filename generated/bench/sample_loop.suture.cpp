@@ -301,26 +301,26 @@ constexpr char kSampleServerDescription[] = R"json(
 "columns": 1}, "unit": "m"}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {
 "name": "sequence", "type": {"kind": "UInt64"}, "default": 0}, {"name": "flags", "type": {
 "kind": "UInt64"}, "default": 0}]}], "wire": [{"id": "@0xa9d747a8e40c3d30", "kind": "interface",
-"name": "SampleServer", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
-"name": "events", "is": "@0xc71bdb510deae77a"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
-"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "put", "is": "kind \"write\"",
-"parameters": [{"at": 0, "name": "value", "is": "@0x9dcf31510b46998d"}, {"at": 1, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "bounce", "is": "kind \"write\"",
-"parameters": [{"at": 0, "name": "value", "is": "@0x9dcf31510b46998d"}, {"at": 1, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "value", "is": "kind \"read\"", "parameters": [
-{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "@0x9dcf31510b46998d"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
-"id": "@0xc71bdb510deae77a", "kind": "interface", "name": "SampleServerEvents", "members": [{
-"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xb757a2bfdbcd1cf8"}]}, {
-"at": 1, "name": "echo", "parameters": [{"at": 0, "name": "value", "is": "@0x9dcf31510b46998d"}]}]
-}, {"id": "@0xb757a2bfdbcd1cf8", "kind": "struct", "name": "SampleServerStateRow", "members": [{
-"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "value", "is": "@0x9dcf31510b46998d"}]}, {
-"id": "@0x9dcf31510b46998d", "kind": "struct", "name": "PoseSample", "members": [{"at": 0,
-"name": "rotation", "is": "/suture/types.capnp:Mat3"}, {"at": 1, "name": "position",
-"is": "/suture/types.capnp:Vec3 unit \"m\""}, {"at": 2, "name": "stamp",
-"is": "Int64 clock \"steady\""}, {"at": 3, "name": "sequence", "is": "UInt64"}, {"at": 4,
-"name": "flags", "is": "UInt64"}]}]})json";
+"name": "SampleServer", "cxx": "bench::SampleServer", "members": [{"at": 0, "name": "subscribe",
+"parameters": [{"at": 0, "name": "events", "is": "@0xc71bdb510deae77a"}, {"at": 1,
+"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
+"name": "put", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "value",
+"is": "@0x9dcf31510b46998d"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 2, "name": "bounce", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "value",
+"is": "@0x9dcf31510b46998d"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 3, "name": "value", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0x9dcf31510b46998d"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xc71bdb510deae77a", "kind": "interface",
+"name": "SampleServerEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
+"name": "row", "is": "@0xb757a2bfdbcd1cf8"}]}, {"at": 1, "name": "echo", "parameters": [{"at": 0,
+"name": "value", "is": "@0x9dcf31510b46998d"}]}]}, {"id": "@0xb757a2bfdbcd1cf8", "kind": "struct",
+"name": "SampleServerStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
+"name": "value", "is": "@0x9dcf31510b46998d"}]}, {"id": "@0x9dcf31510b46998d", "kind": "struct",
+"name": "PoseSample", "members": [{"at": 0, "name": "rotation", "is": "/suture/types.capnp:Mat3"}, {
+"at": 1, "name": "position", "is": "/suture/types.capnp:Vec3 unit \"m\""}, {"at": 2,
+"name": "stamp", "is": "Int64 clock \"steady\""}, {"at": 3, "name": "sequence", "is": "UInt64"}, {
+"at": 4, "name": "flags", "is": "UInt64"}]}]})json";
 
 }  // namespace
 }  // namespace bench

@@ -210,19 +210,19 @@ constexpr char kTurntableDescription[] = R"json(
 "name": "turn", "kind": "write", "ordinal": 1, "parameters": [{"name": "angle", "type": {
 "kind": "Float64"}, "unit": "rad"}], "queue": 16}, {"name": "angle", "kind": "read", "ordinal": 2,
 "result": {"type": {"kind": "Float64"}}, "queue": 16}], "events": [], "enums": [], "structs": [],
-"wire": [{"id": "@0xcb8648112327d0b9", "kind": "interface", "name": "Turntable", "members": [{
-"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xbe9023e02a0b50c9"
-}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]
-}, {"at": 1, "name": "turn", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "angle",
-"is": "Float64 unit \"rad\""}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
-"at": 2, "name": "angle", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "Float64"}, {
-"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xbe9023e02a0b50c9", "kind": "interface",
-"name": "TurntableEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
-"name": "row", "is": "@0xce3772f691497d20"}]}]}, {"id": "@0xce3772f691497d20", "kind": "struct",
-"name": "TurntableStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
-"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
-"name": "angle", "is": "Float64"}]}]})json";
+"wire": [{"id": "@0xcb8648112327d0b9", "kind": "interface", "name": "Turntable",
+"cxx": "loadable::Turntable", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
+"name": "events", "is": "@0xbe9023e02a0b50c9"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
+"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "turn", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "angle", "is": "Float64 unit \"rad\""}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "angle", "is": "kind \"read\"", "parameters": [
+{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "Float64"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xbe9023e02a0b50c9",
+"kind": "interface", "name": "TurntableEvents", "members": [{"at": 0, "name": "state",
+"parameters": [{"at": 0, "name": "row", "is": "@0xce3772f691497d20"}]}]}, {
+"id": "@0xce3772f691497d20", "kind": "struct", "name": "TurntableStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "angle", "is": "Float64"}]}]})json";
 
 }  // namespace
 }  // namespace loadable

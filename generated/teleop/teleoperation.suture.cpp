@@ -429,27 +429,27 @@ constexpr char kTeleoperationDescription[] = R"json(
 "doc": "Slave metres a master metre.", "type": {"kind": "Float64"}, "default": 0.0}, {
 "name": "entry", "doc": "How many times following began, this one included; 0: never.", "type": {
 "kind": "UInt64"}, "default": 0}]}], "wire": [{"id": "@0x9c2044876661808e", "kind": "interface",
-"name": "Teleoperation", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
-"name": "events", "is": "@0xe8de6e374cc63239"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
-"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "enable", "is": "kind \"void\"",
-"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2,
-"name": "disable", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "teleopState", "is": "kind \"read\"",
+"name": "Teleoperation", "cxx": "robots::Teleoperation", "members": [{"at": 0, "name": "subscribe",
+"parameters": [{"at": 0, "name": "events", "is": "@0xe8de6e374cc63239"}, {"at": 1,
+"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
+"name": "enable", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "disable", "is": "kind \"void\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 3,
+"name": "teleopState", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0x82c72c556eb58a10"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 4, "name": "anchors", "is": "kind \"read\"",
 "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "@0x82c72c556eb58a10"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
-"at": 4, "name": "anchors", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0x8cdd0eb841f978ce"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xe8de6e374cc63239", "kind": "interface",
-"name": "TeleoperationEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
-"name": "row", "is": "@0xbc0e291de17cadad"}]}, {"at": 1, "name": "teleopState", "parameters": [{
-"at": 0, "name": "value", "is": "@0x82c72c556eb58a10"}]}, {"at": 2, "name": "followed",
-"parameters": [{"at": 0, "name": "value", "is": "@0x8cdd0eb841f978ce"}]}]}, {
-"id": "@0xbc0e291de17cadad", "kind": "struct", "name": "TeleoperationStateRow", "members": [{
-"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "teleopState", "is": "@0x82c72c556eb58a10"}, {"at": 3, "name": "anchors",
-"is": "@0x8cdd0eb841f978ce"}, {"at": 4, "name": "tooLarge", "is": "UInt64"}]}, {
-"id": "@0x82c72c556eb58a10", "kind": "enum", "name": "TeleopState", "members": [{"at": 0,
-"name": "disabled"}, {"at": 1, "name": "preparing"}, {"at": 2, "name": "following"}]}, {
+"name": "value", "is": "@0x8cdd0eb841f978ce"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xe8de6e374cc63239", "kind": "interface", "name": "TeleoperationEvents", "members": [{
+"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xbc0e291de17cadad"}]}, {
+"at": 1, "name": "teleopState", "parameters": [{"at": 0, "name": "value",
+"is": "@0x82c72c556eb58a10"}]}, {"at": 2, "name": "followed", "parameters": [{"at": 0,
+"name": "value", "is": "@0x8cdd0eb841f978ce"}]}]}, {"id": "@0xbc0e291de17cadad", "kind": "struct",
+"name": "TeleoperationStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "teleopState", "is": "@0x82c72c556eb58a10"
+}, {"at": 3, "name": "anchors", "is": "@0x8cdd0eb841f978ce"}, {"at": 4, "name": "tooLarge",
+"is": "UInt64"}]}, {"id": "@0x82c72c556eb58a10", "kind": "enum", "name": "TeleopState", "members": [
+{"at": 0, "name": "disabled"}, {"at": 1, "name": "preparing"}, {"at": 2, "name": "following"}]}, {
 "id": "@0x8cdd0eb841f978ce", "kind": "struct", "name": "FollowAnchors", "members": [{"at": 0,
 "name": "masterStamp", "is": "Int64 clock \"steady\""}, {"at": 1, "name": "master",
 "is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 2, "name": "slaveSetpoint",

@@ -6,6 +6,7 @@
 #include <suture/manager/records.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace suture::cli {
 namespace {
@@ -71,6 +72,18 @@ std::vector<Member> Contract::membersOf(const char* list, capnp::InterfaceSchema
 }
 
 const Member* Contract::findEvent(const std::string& name) const { return findIn(events_, name); }
+
+// It is the place in the list, unless it says otherwise; a peer may say anything, and have any
+// number of them.
+std::uint64_t Contract::bitOf(const Member& event) const {
+  constexpr std::uint64_t kEnd = std::numeric_limits<std::uint64_t>::digits;
+  const auto said = event.description.find("number");
+  const bool says = said != event.description.end() && said->is_number_unsigned() &&
+                    said->get<std::uint64_t>() < kEnd;
+  const auto place = static_cast<std::uint64_t>(&event - events_.data());
+  const std::uint64_t number = says ? said->get<std::uint64_t>() : place;
+  return number < kEnd ? std::uint64_t{1} << number : 0;
+}
 
 const Member& Contract::command(const std::string& name) const {
   if (const Member* const found = findIn(commands_, name)) return *found;

@@ -39,8 +39,9 @@ class Contract {
   capnp::InterfaceSchema eventsInterface() const { return eventsInterface_; }
 
   const std::vector<Member>& commands() const { return commands_; }
-  /// A subscription names them by their places here.
   const std::vector<Member>& events() const { return events_; }
+  /// What a subscription to it asks for.
+  std::uint64_t bitOf(const Member& event) const;
   /// Null if there is none.
   const Member* findEvent(const std::string& name) const;
   /// Throws SetupError, with what there is.

@@ -79,10 +79,6 @@ void watchEvents(rpc::EventPort& loop, Provider& provider, const Options& option
   wait(loop, 2 * kForever, kj::mv(ended), "");
 }
 
-std::uint64_t bitOf(const Contract& contract, const Member& event) {
-  return std::uint64_t{1} << (&event - contract.events().data());
-}
-
 }  // namespace
 
 int watch(rpc::EventPort& loop, const Options& options) {
@@ -95,7 +91,7 @@ int watch(rpc::EventPort& loop, const Options& options) {
   }
   const Member* const event = options.onlyReads ? nullptr : contract.findEvent(options.member);
   if (event != nullptr) {
-    watchEvents(loop, provider, options, bitOf(contract, *event));
+    watchEvents(loop, provider, options, contract.bitOf(*event));
   } else {
     watchReads(loop, provider, options);
   }

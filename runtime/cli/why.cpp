@@ -32,7 +32,7 @@ struct Compared {
 
 struct Verdict {
   bool connects = false;
-  std::size_t commands = 0;  ///< of the required ones, from the first, those that the provider has
+  std::vector<std::uint16_t> lacking;  ///< the numbers of the required commands that it lacks
   std::vector<std::string> differences;
 };
 
@@ -46,14 +46,15 @@ Verdict judge(const End& required, const End& provided) {
     try {
       const Compared offered(offer);
       return {true,
-              sameProcess ? requireSameContract(needed.info(), offered.info(), "")
-                          : requireCompatibleContract(needed.info(), offered.info(), ""),
+              (sameProcess ? requireSameContract(needed.info(), offered.info(), "")
+                           : requireCompatibleContract(needed.info(), offered.info(), ""))
+                  .lacking,
               {}};
     } catch (const SetupError&) {
       // Perhaps a base of it.
     }
   }
-  return {false, 0, contractDifferences(needed.info(), Compared(offers.front()).info())};
+  return {false, {}, contractDifferences(needed.info(), Compared(offers.front()).info())};
 }
 
 End endOf(rpc::EventPort& loop, const Options& options, const std::string& name) {
@@ -74,8 +75,9 @@ void requireTwoSides(const End& one, const End& other) {
 std::vector<std::string> missingCommands(const End& required, const Verdict& verdict) {
   std::vector<std::string> names;
   const auto& commands = required.found.contract->commands();
-  for (std::size_t i = verdict.commands; i < commands.size(); ++i)
-    names.push_back(commands[i].name);
+  for (const std::uint16_t number : verdict.lacking) {
+    if (number < commands.size()) names.push_back(commands[number].name);
+  }
   return names;
 }
 

@@ -49,7 +49,6 @@ Channel::Channel(const InterfaceInfo& contract, std::string channelName, std::st
       ends(bothEnds),
       state(std::move(table)),
       foreign(memory.foreign()),
-      offered(contract.commands.size()),
       words_(memory.make<Words>()),
       commands(commandLimits(contract), memory),
       replies(replyBytes(contract), memory),

@@ -97,9 +97,9 @@ class Channel {
   /// The other end is another process, and may write anything at any time: what comes from it is a
   /// copy, and nothing in that is believed.
   const bool foreign;
-  /// How many commands of `info`, from the first, the provider has: fewer than all where it lacks
-  /// optional ones. Set before either end is attached.
-  std::size_t offered;
+  /// The commands of `info` that the provider does not have, in their order: optional ones, or
+  /// those that the contract got after the provider was built. Set before either end is attached.
+  std::vector<std::uint16_t> lacking;
   /// Of the connection that this is a channel of; nullptr: it has no contract. Set before the
   /// client is attached.
   std::shared_ptr<ConnectionWatch> watch;

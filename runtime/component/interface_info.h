@@ -3,6 +3,7 @@
 
 #include <suture/base/field_path.h>
 #include <suture/base/time.h>
+#include <suture/component/wire_numbers.h>
 
 #include <algorithm>
 #include <array>
@@ -95,6 +96,7 @@ struct InterfaceInfo {
   /// first of this one's.
   const InterfaceInfo& (*base)() = nullptr;
   void* (*toBase)(void* implementation) = nullptr;  ///< from this contract to its base
+  WireNumbers wireEvents = {}, wireColumns = {};    ///< where they are not their places here
 };
 
 /// Throws SetupError if a task would provide or require such a contract: its thread never

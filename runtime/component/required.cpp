@@ -110,7 +110,8 @@ Errc RequiredBase::unusable() {
 Errc RequiredBase::unusable(std::uint16_t command) {
   const Errc error = unusable();
   if (error != Errc{}) return error;
-  if (command >= channel_->offered) return Errc::NotImplemented;
+  const std::vector<std::uint16_t>& lacking = channel_->lacking;
+  if (std::binary_search(lacking.begin(), lacking.end(), command)) return Errc::NotImplemented;
   return awaitsOperator(command) ? Errc::AwaitingOperator : Errc{};
 }
 

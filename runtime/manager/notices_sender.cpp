@@ -16,7 +16,7 @@ void NoticesSender::told(ChannelStatus status) {
 
 void NoticesSender::replays(std::uint16_t event, Time stamp) {
   auto request = client_.replayedRequest();
-  request.setEvent(event);
+  request.setEvent(events_.empty() ? event : events_[event]);
   request.setStamp(toNanoseconds(stamp));
   send(kj::mv(request));
 }

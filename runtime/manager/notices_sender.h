@@ -10,8 +10,9 @@ namespace suture {
 /// Whether the client hears does not matter here. Belongs to the control thread.
 class NoticesSender final : public rpc::ProviderEnd::Listener {
  public:
-  NoticesSender(rpc::ControlThread& control, wire::Notices::Client client)
-      : control_(control), client_(kj::mv(client)) {}
+  /// `events`: how the client's contract numbers them on the wire.
+  NoticesSender(rpc::ControlThread& control, wire::Notices::Client client, WireNumbers events)
+      : control_(control), client_(kj::mv(client)), events_(events) {}
 
   void told(ChannelStatus status) override;
   void replays(std::uint16_t event, Time stamp) override;
@@ -26,6 +27,7 @@ class NoticesSender final : public rpc::ProviderEnd::Listener {
 
   rpc::ControlThread& control_;
   wire::Notices::Client client_;
+  const WireNumbers events_;
 };
 
 }  // namespace suture

@@ -193,7 +193,8 @@ struct PeerServer::Asked {
   std::string client;  // the required interface, with its process
   Endpoint endpoint;
   std::string name;
-  std::size_t offered;
+  Match match;
+  EventSet events;  // those that the client wants, by their places here
   ConnectContext context;
 };
 
@@ -206,10 +207,11 @@ kj::Promise<void> PeerServer::decide(ProvidedBase& provided, const Endpoint& end
   const std::string contract = stringOf(in.getContract()), hash = stringOf(in.getHash()),
                     description = stringOf(in.getDescription());
   try {
-    const std::size_t offered = requireCompatibleContract(
-        describedInfo(contract, hash, description), provided.info(), name);
+    const Match match = requireCompatibleContract(describedInfo(contract, hash, description),
+                                                  provided.info(), name);
     if (in.getEpoch() == 0 || takesOver(client.toString(), name, context)) {
-      return accept({provided, client.toString(), endpoint, name, offered, context});
+      return accept({provided, client.toString(), endpoint, name, match,
+                     fromWireNumbers(match.contract->wireEvents, in.getEvents()), context});
     }
     return kj::READY_NOW;
   } catch (const SetupError& error) {
@@ -267,12 +269,13 @@ kj::Promise<void> PeerServer::acceptSlower(Asked& asked, const std::string& lane
 wire::ConnectResults::Accepted::Builder PeerServer::accepted(Asked& asked, rpc::ProviderEnd& end) {
   const auto in = asked.context.getParams();
   // What the caller sent may be anything: only an end that this keeps may be the latest.
-  end.setListener(kj::heap<NoticesSender>(host_.control_, in.getNotices()));
+  end.setListener(
+      kj::heap<NoticesSender>(host_.control_, in.getNotices(), asked.match.contract->wireEvents));
   ends_.add(kj::addRef(end));
   leases_.grant(end, in.getSilence());
   if (in.getEpoch() != 0) host_.setLatest(asked.client, {bootId_, in.getEpoch(), &end});
   auto out = asked.context.getResults().initAccepted();
-  out.setOffered(static_cast<std::uint16_t>(asked.offered));
+  out.setLacking(kj::arrayPtr(asked.match.lacking.data(), asked.match.lacking.size()));
   out.setRows(static_cast<std::uint32_t>(asked.provided.state()->capacity()));
   toWire(end.earlier(), out.initEarlier());
   out.setConnection(kj::heap<ConnectionServer>(kj::addRef(end)));
@@ -281,7 +284,7 @@ wire::ConnectResults::Accepted::Builder PeerServer::accepted(Asked& asked, rpc::
 
 kj::Promise<void> PeerServer::serveCalls(Asked& asked, const std::string& laneReason) {
   auto in = asked.context.getParams();
-  auto channel = callsChannel(asked.provided, asked.name, in.getEvents());
+  auto channel = callsChannel(asked.provided, asked.name, asked.events);
   setClock(*channel, in.getClockOffset(), in.getClockError());
   enter(channel);
   auto port = serve(asked.provided, asked.endpoint, std::move(channel));
@@ -295,7 +298,7 @@ kj::Promise<void> PeerServer::serveCalls(Asked& asked, const std::string& laneRe
 void PeerServer::shareMemory(Asked& asked, const InterfaceInfo& contract,
                              std::shared_ptr<MemoryBlock> bell) {
   shm::SharedOffer offer =
-      shm::offerShared(asked.provided, contract, asked.name, asked.context.getParams().getEvents(),
+      shm::offerShared(asked.provided, contract, asked.name, asked.events,
                        host_.serverOf_(asked.provided), std::move(bell), host_.control_.doorbell());
   enter(offer.channel);
   auto out = accepted(asked, *kj::refcounted<StatusPort>(host_.control_, offer.channel));
@@ -312,7 +315,7 @@ void PeerServer::sendFrames(Asked& asked, const InterfaceInfo& contract,
                            .here = &asked.provided,
                            .watcher = &host_.control_.doorbell()};
   auto channel = std::make_shared<Channel>(contract, asked.name, toString(Lane::Frame), ends,
-                                           asked.provided.state(), in.getEvents());
+                                           asked.provided.state(), asked.events);
   channel->clientsBell = bell;
   setClock(*channel, in.getClockOffset(), in.getClockError());
   const auto asks = in.getFrame();

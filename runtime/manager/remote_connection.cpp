@@ -214,7 +214,7 @@ kj::Promise<void> RemoteConnection::ask(Lanes lanes) {
   request.setHash(required_.info().hash);
   request.setDescription(required_.info().description);
   asked_ = required_.subscribed();
-  request.setEvents(asked_);
+  request.setEvents(toWireNumbers(required_.info().wireEvents, asked_));
   request.setClockOffset(-clock_.offset().count());
   toldError_ = clockError();
   request.setClockError(toldError_.count());
@@ -286,7 +286,8 @@ std::shared_ptr<Channel> RemoteConnection::mirroredChannel(Lane lane, rt::Doorbe
 
 void RemoteConnection::beginCalls(wire::ConnectResults::Accepted::Reader accepted) {
   auto channel = mirroredChannel(Lane::Rpc, control_.doorbell(), accepted.getRows());
-  channel->offered = std::min<std::size_t>(accepted.getOffered(), channel->info.commands.size());
+  for (const std::uint16_t command : accepted.getLacking()) channel->lacking.push_back(command);
+  std::sort(channel->lacking.begin(), channel->lacking.end());
   auto port =
       kj::refcounted<rpc::ProxyPort>(control_, channel, KJ_ASSERT_NONNULL(link_)->counters());
   end_ = kj::addRef(*port);

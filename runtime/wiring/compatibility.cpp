@@ -1,7 +1,11 @@
 #include <suture/wiring/compatibility.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
 
 namespace suture {
 namespace {
@@ -31,6 +35,25 @@ const Json* findIn(const Json& list, const IsSame& isSame) {
   return found == list.end() ? nullptr : &*found;
 }
 
+/// How a command is called on the wire: the id of the interface that declares it, and its ordinal.
+using Method = std::pair<std::string, long>;
+
+/// Of each command of a contract, in time that a peer's description of any length cannot stretch.
+std::vector<Method> methodsOf(const Json& contract) {
+  std::map<std::string, std::string> ids;
+  for (const Json& node : listOf(contract, "wire")) {
+    if (ids.empty()) ids.emplace("", textOf(node, "id"));  // the first is the contract itself
+    ids.emplace(textOf(node, "cxx"), textOf(node, "id"));
+  }
+  std::vector<Method> methods;
+  for (const Json& command : listOf(contract, "commands")) {
+    const std::string home = textOf(command, "from");
+    const auto id = ids.find(home);
+    methods.emplace_back(id == ids.end() ? home : id->second, numberOf(command, "ordinal", -1));
+  }
+  return methods;
+}
+
 class Comparison {
  public:
   Comparison(const Json& here, const Json& there) : here_(here), there_(there) {}
@@ -43,8 +66,7 @@ class Comparison {
       broken("contract: " + textOf(here_, "name") + " here, " + textOf(there_, "name") + " there");
     } else {
       compareNodes();
-      found_.commands = compareNumbers("commands");
-      compareNumbers("events");
+      listLacking();
     }
     return std::move(found_);
   }
@@ -101,19 +123,12 @@ class Comparison {
     compareMembers(listOf(member, "results"), listOf(other, "results"), title);
   }
 
-  /// Who has more has it behind the others: else the two ends number them differently.
-  std::size_t compareNumbers(const char* kind) {
-    const Json &ours = listOf(here_, kind), &theirs = listOf(there_, kind);
-    const std::size_t common = std::min(ours.size(), theirs.size());
-    for (std::size_t i = 0; i < common; ++i) {
-      const bool same = numberOf(ours[i], "ordinal", -1) == numberOf(theirs[i], "ordinal", -2) &&
-                        textOf(ours[i], "from") == textOf(theirs[i], "from");
-      if (same) continue;
-      broken(std::string(kind) + ": number " + std::to_string(i + 1) + " is '" +
-             textOf(ours[i], "name") + "' here, '" + textOf(theirs[i], "name") + "' there");
-      return i;
+  void listLacking() {
+    const std::vector<Method> ours = methodsOf(here_), theirs = methodsOf(there_);
+    const std::set<Method> known(theirs.begin(), theirs.end());
+    for (std::size_t i = 0; i < ours.size() && i <= UINT16_MAX; ++i) {
+      if (!known.contains(ours[i])) found_.lacking.push_back(static_cast<std::uint16_t>(i));
     }
-    return common;
   }
 
   const Json &here_, &there_;

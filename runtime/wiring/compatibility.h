@@ -1,7 +1,7 @@
 #pragma once
 // Two ends that were built from the same contract at different times.
 
-#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,8 +12,8 @@ namespace suture {
 struct Compatibility {
   /// False: one of them says nothing of the wire, so nothing is known.
   bool comparable = true;
-  /// Of the commands, from the first: those that both know.
-  std::size_t commands = 0;
+  /// The numbers of the commands here that are not there.
+  std::vector<std::uint16_t> lacking;
   /// What the one would misread of the other, a line each: "'x' of struct Pose: Float64 unit "m"
   /// here, Float32 there". None: they understand each other; what one has alone, the other ignores.
   std::vector<std::string> breaks;

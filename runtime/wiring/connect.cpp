@@ -4,35 +4,35 @@
 #include <suture/wiring/differences.h>
 #include <suture/wiring/optional_commands.h>
 
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace suture {
 
 namespace {
 
-/// `common(one)` of the provided contract or the first of its bases that has any.
-template <class Common>
-std::optional<std::size_t> firstCommon(const InterfaceInfo& provided, const Common& common) {
+using Lacking = std::optional<std::vector<std::uint16_t>>;
+
+/// The provided contract or the first of its bases of which `lackingOf(one)` says anything.
+template <class LackingOf>
+std::optional<Match> firstMatch(const InterfaceInfo& provided, const LackingOf& lackingOf) {
   for (const InterfaceInfo* one = &provided;; one = &one->base()) {
-    if (const std::optional<std::size_t> commands = common(*one)) return commands;
+    if (Lacking lacking = lackingOf(*one)) return Match{one, std::move(*lacking)};
     if (one->base == nullptr) return std::nullopt;
   }
 }
 
-std::optional<std::size_t> sameCommands(const InterfaceInfo& required,
-                                        const InterfaceInfo& provided) {
-  if (std::string_view(required.hash) == provided.hash) return kAllCommands;
-  return commonCommands(required.description, provided.description);
+Lacking lackingOfSame(const InterfaceInfo& required, const InterfaceInfo& provided) {
+  if (std::string_view(required.hash) == provided.hash) return Lacking(std::in_place);
+  return lackingOptional(required.description, provided.description);
 }
 
-std::optional<std::size_t> compatibleCommands(const InterfaceInfo& required,
-                                              const InterfaceInfo& provided) {
-  const Compatibility found = compatibility(required.description, provided.description);
-  return found.breaks.empty() ? std::optional(found.commands) : std::nullopt;
+Lacking lackingOfCompatible(const InterfaceInfo& required, const InterfaceInfo& provided) {
+  Compatibility found = compatibility(required.description, provided.description);
+  return found.breaks.empty() ? Lacking(std::move(found.lacking)) : std::nullopt;
 }
 
 [[noreturn]] void refuse(const InterfaceInfo& required, const InterfaceInfo& provided,
@@ -58,21 +58,21 @@ InterfaceInfo describedInfo(const std::string& name, const std::string& hash,
           .binding = nullptr};
 }
 
-std::size_t requireSameContract(const InterfaceInfo& required, const InterfaceInfo& provided,
-                                const std::string& connection) {
-  const auto common =
-      firstCommon(provided, [&](const InterfaceInfo& one) { return sameCommands(required, one); });
-  if (common) return *common;
+Match requireSameContract(const InterfaceInfo& required, const InterfaceInfo& provided,
+                          const std::string& connection) {
+  auto match =
+      firstMatch(provided, [&](const InterfaceInfo& one) { return lackingOfSame(required, one); });
+  if (match) return std::move(*match);
   refuse(required, provided, connection, differences(required.description, provided.description));
 }
 
-std::size_t requireCompatibleContract(const InterfaceInfo& required, const InterfaceInfo& provided,
-                                      const std::string& connection) {
-  const auto common = firstCommon(provided, [&](const InterfaceInfo& one) {
-    const auto same = sameCommands(required, one);
-    return same ? same : compatibleCommands(required, one);
+Match requireCompatibleContract(const InterfaceInfo& required, const InterfaceInfo& provided,
+                                const std::string& connection) {
+  auto match = firstMatch(provided, [&](const InterfaceInfo& one) {
+    Lacking same = lackingOfSame(required, one);
+    return same ? same : lackingOfCompatible(required, one);
   });
-  if (common) return *common;
+  if (match) return std::move(*match);
   refuse(required, provided, connection, contractDifferences(required, provided));
 }
 
@@ -89,10 +89,10 @@ namespace {
 std::shared_ptr<Channel> makeChannel(const RequiredBase& required, ProvidedBase& provided,
                                      const std::string& connection, Channel::Ends ends,
                                      std::shared_ptr<rt::Doorbell> clientsBell) {
-  const std::size_t offered = requireSameContract(required.info(), provided.info(), connection);
+  Match match = requireSameContract(required.info(), provided.info(), connection);
   auto channel = std::make_shared<Channel>(required.info(), connection, "local", ends,
                                            provided.state(), required.subscribed());
-  channel->offered = std::min(offered, required.info().commands.size());
+  channel->lacking = std::move(match.lacking);
   channel->clientsBell = std::move(clientsBell);
   provided.attach(channel);
   return channel;

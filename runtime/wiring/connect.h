@@ -4,6 +4,7 @@
 #include <suture/component/provided.h>
 #include <suture/component/required.h>
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,16 +16,21 @@ namespace suture {
 InterfaceInfo describedInfo(const std::string& name, const std::string& hash,
                             const std::string& description);
 
+/// What a required contract and a provided one have in common.
+struct Match {
+  const InterfaceInfo* contract;       ///< the provided one, or the base of it that is required
+  std::vector<std::uint16_t> lacking;  ///< the numbers of the required commands that it lacks
+};
+
 /// Throws SetupError, naming every difference, unless the provided contract is the required one, or
-/// derives from it, or differs from it in optional commands alone. Returns how many of the required
-/// commands, from the first, the provider has.
-std::size_t requireSameContract(const InterfaceInfo& required, const InterfaceInfo& provided,
-                                const std::string& connection);
+/// derives from it, or differs from it in optional commands alone.
+Match requireSameContract(const InterfaceInfo& required, const InterfaceInfo& provided,
+                          const std::string& connection);
 
 /// The same for two ends of which each has its own memory: they may also have been built from the
 /// contract at different times, if what both know means the same.
-std::size_t requireCompatibleContract(const InterfaceInfo& required, const InterfaceInfo& provided,
-                                      const std::string& connection);
+Match requireCompatibleContract(const InterfaceInfo& required, const InterfaceInfo& provided,
+                                const std::string& connection);
 
 /// What the two say differently, a line each, for people.
 std::vector<std::string> contractDifferences(const InterfaceInfo& required,

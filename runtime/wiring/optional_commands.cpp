@@ -2,6 +2,7 @@
 #include <suture/wiring/optional_commands.h>
 
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <string>
 
 namespace suture {
@@ -35,7 +36,8 @@ bool allOptional(const Json& commands, std::size_t from) {
 
 }  // namespace
 
-std::optional<std::size_t> commonCommands(std::string_view here, std::string_view there) {
+std::optional<std::vector<std::uint16_t>> lackingOptional(std::string_view here,
+                                                          std::string_view there) {
   const Json ours = Json::parse(here, nullptr, /*allow_exceptions=*/false);
   const Json theirs = Json::parse(there, nullptr, /*allow_exceptions=*/false);
   if (!ours.is_object() || !theirs.is_object()) return std::nullopt;
@@ -47,7 +49,9 @@ std::optional<std::size_t> commonCommands(std::string_view here, std::string_vie
     ++common;
   }
   if (!allOptional(ourCommands, common) || !allOptional(theirCommands, common)) return std::nullopt;
-  return common;
+  std::vector<std::uint16_t> lacking(ourCommands.size() - common);
+  std::iota(lacking.begin(), lacking.end(), static_cast<std::uint16_t>(common));
+  return lacking;
 }
 
 }  // namespace suture

@@ -1,19 +1,16 @@
 #pragma once
 // Two ends whose contracts differ in optional commands.
 
-#include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace suture {
 
-/// More commands than any contract has.
-inline constexpr std::size_t kAllCommands = std::numeric_limits<std::uint16_t>::max();
-
-/// How many commands the two self-descriptions (JSON) have in common, from the first, if they
-/// differ in nothing but optional commands behind those. None if they differ in more.
-std::optional<std::size_t> commonCommands(std::string_view here, std::string_view there);
+/// The numbers of the commands here that are not there, if the two self-descriptions (JSON) differ
+/// in nothing but optional commands behind those that they share. None if they differ in more.
+std::optional<std::vector<std::uint16_t>> lackingOptional(std::string_view here,
+                                                          std::string_view there);
 
 }  // namespace suture

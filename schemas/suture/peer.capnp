@@ -90,7 +90,7 @@ struct ConnectRequest {
   contract @5 :Text;      # its C++ name
   hash @6 :Text;          # of the wire contract; equal hashes are compatible
   description @7 :Text;   # the self-description (JSON), to say what differs when the hashes do
-  events @8 :UInt64;      # bit i: wants event i of the contract
+  events @8 :UInt64;      # bit i: wants event i of the lock's
   clockOffset @9 :Int64;  # caller's clock minus responder's, ns, as the caller measured it
   notices @10 :Notices;   # how the caller learns what befalls the connection
   epoch @11 :Int64;
@@ -148,8 +148,8 @@ struct ConnectResults {
       contract @0 :Capability;
       # The capability of the contract's own interface (its generated schema).
       connection @1 :Connection;
-      offered @3 :UInt16 = 65535;
-      # How many of the caller's commands, from the first, the provider has: it may lack optional ones.
+      lacking @3 :List(UInt16);
+      # The numbers of the caller's commands that the provider does not have: optional ones, or those of a newer contract.
       rows @4 :UInt32 = 64;
       # How many rows of state the provider keeps; so does the caller, of those that arrive.
       memory @5 :SharedChannel;
@@ -173,7 +173,7 @@ interface Notices {
   # The provider's component executes nothing until resumed() says so: its commands are refused.
   resumed @3 () -> ();
   replayed @4 (event :UInt16, stamp :Int64) -> ();
-  # The next such event on this link is the last value of a latched one, for a new subscriber; it was emitted
+  # The next such event, numbered as in ConnectRequest, on this link is the last value of a latched one, for a new subscriber; it was emitted
   # at `stamp` of the provider's steady clock, ns.
   lapsed @5 ();
   # The provider has heard nothing of the client for as long as the client waits, and executes nothing of this

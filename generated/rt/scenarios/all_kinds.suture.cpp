@@ -1038,9 +1038,9 @@ constexpr char kAllKindsDescription[] = R"json(
 "wire": "referenceFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "position",
 "doc": "The moving frame in the reference frame.", "type": {"kind": "isometry", "scalar": "Float64"
 }, "unit": "m"}]}], "wire": [{"id": "@0xf6dce3f368753cbc", "kind": "interface", "name": "AllKinds",
-"members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events",
-"is": "@0xdccb6d872bbaa8db"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2,
-"name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "clear", "is": "kind \"void\"",
+"cxx": "scenarios::AllKinds", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
+"name": "events", "is": "@0xdccb6d872bbaa8db"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
+"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "clear", "is": "kind \"void\"",
 "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2,
 "name": "setScalar", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "value",
 "is": "Float64"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 3,

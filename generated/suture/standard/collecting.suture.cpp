@@ -423,24 +423,25 @@ constexpr char kCollectingDescription[] = R"json(
 "default": 0}, {"name": "missed",
 "doc": "lost: overwritten or dropped before the collector came to them", "type": {"kind": "UInt64"
 }, "default": 0}]}], "wire": [{"id": "@0xe3eaf7ddf2538295", "kind": "interface",
-"name": "Collecting", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
-"name": "events", "is": "@0xe8cbe73a9ddc44ad"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
-"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "startCollecting",
-"is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
-"at": 2, "name": "stopCollecting", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "setInterval", "is": "kind \"writeReturn\"",
-"parameters": [{"at": 0, "name": "interval", "is": "@0xc55fb930b38c9647"}, {"at": 1, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "Bool"}]}, {"at": 4,
-"name": "interval", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xc55fb930b38c9647"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 5, "name": "collecting",
+"name": "Collecting", "cxx": "suture::Collecting", "members": [{"at": 0, "name": "subscribe",
+"parameters": [{"at": 0, "name": "events", "is": "@0xe8cbe73a9ddc44ad"}, {"at": 1,
+"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
+"name": "startCollecting", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "stopCollecting", "is": "kind \"void\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 3,
+"name": "setInterval", "is": "kind \"writeReturn\"", "parameters": [{"at": 0, "name": "interval",
+"is": "@0xc55fb930b38c9647"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "Bool"}]}, {"at": 4, "name": "interval",
 "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "Bool"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
-"at": 6, "name": "counts", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0x8130e847fbf0eac6"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xe8cbe73a9ddc44ad", "kind": "interface",
-"name": "CollectingEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
-"name": "row", "is": "@0xdf1d86976a49db70"}]}]}, {"id": "@0xdf1d86976a49db70", "kind": "struct",
+"results": [{"at": 0, "name": "value", "is": "@0xc55fb930b38c9647"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 5, "name": "collecting", "is": "kind \"read\"", "parameters": [{"at": 0,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "Bool"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 6, "name": "counts",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0x8130e847fbf0eac6"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}]}, {"id": "@0xe8cbe73a9ddc44ad", "kind": "interface", "name": "CollectingEvents",
+"members": [{"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row",
+"is": "@0xdf1d86976a49db70"}]}]}, {"id": "@0xdf1d86976a49db70", "kind": "struct",
 "name": "CollectingStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
 "name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
 "name": "interval", "is": "@0xc55fb930b38c9647"}, {"at": 4, "name": "collecting", "is": "Bool"}, {

@@ -494,34 +494,34 @@ constexpr char kLifecycleDescription[] = R"json(
 "default": "Constructed"}, {"name": "fault",
 "doc": "What was thrown, if the state is Faulted; its end may be cut off.", "type": {
 "kind": "text", "capacity": 255}}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]}
-], "wire": [{"id": "@0xc0c56c9588a77b40", "kind": "interface", "name": "Lifecycle", "members": [{
-"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xa4c750cb89591cca"
-}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]
-}, {"at": 1, "name": "suspend", "is": "kind \"voidReturn\"", "parameters": [{"at": 0,
-"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "Bool"}]}, {"at": 2, "name": "resume", "is": "kind \"voidReturn\"", "parameters": [{"at": 0,
-"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "Bool"}]}, {"at": 3, "name": "componentState", "is": "kind \"read\"", "parameters": [{
-"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "@0x8e5bed957aeeb624"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 4,
-"name": "resumeConnection", "is": "kind \"writeReturn\"", "parameters": [{"at": 0,
-"name": "required", "is": "Text"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "@0xc2c9babc8f01c05f"}]}]}, {
-"id": "@0xa4c750cb89591cca", "kind": "interface", "name": "LifecycleEvents", "members": [{"at": 0,
-"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xf777f0543682aa19"}]}, {"at": 1,
-"name": "stateChanged", "parameters": [{"at": 0, "name": "value", "is": "@0x94110f1e97b939a5"}]}]},
-{"id": "@0xf777f0543682aa19", "kind": "struct", "name": "LifecycleStateRow", "members": [{"at": 0,
-"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "componentState", "is": "@0x8e5bed957aeeb624"
-}]}, {"id": "@0x8e5bed957aeeb624", "kind": "enum", "name": "ComponentState", "members": [{"at": 0,
-"name": "constructed"}, {"at": 1, "name": "configured"}, {"at": 2, "name": "running"}, {"at": 3,
-"name": "suspended"}, {"at": 4, "name": "faulted"}, {"at": 5, "name": "stopped"}]}, {
-"id": "@0x94110f1e97b939a5", "kind": "struct", "name": "StateChange", "members": [{"at": 0,
-"name": "state", "is": "@0x8e5bed957aeeb624"}, {"at": 1, "name": "fault", "is": "Text"}, {"at": 2,
-"name": "stamp", "is": "Int64 clock \"steady\""}]}, {"id": "@0xc2c9babc8f01c05f", "kind": "enum",
-"name": "ResumeOutcome", "members": [{"at": 0, "name": "resumed"}, {"at": 1, "name": "asked"}, {
-"at": 2, "name": "noSuchInterface"}, {"at": 3, "name": "notConnected"}, {"at": 4,
-"name": "notAwaiting"}, {"at": 5, "name": "providerLost"}]}]})json";
+], "wire": [{"id": "@0xc0c56c9588a77b40", "kind": "interface", "name": "Lifecycle",
+"cxx": "suture::Lifecycle", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
+"name": "events", "is": "@0xa4c750cb89591cca"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
+"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "suspend",
+"is": "kind \"voidReturn\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"
+}], "results": [{"at": 0, "name": "value", "is": "Bool"}]}, {"at": 2, "name": "resume",
+"is": "kind \"voidReturn\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"
+}], "results": [{"at": 0, "name": "value", "is": "Bool"}]}, {"at": 3, "name": "componentState",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0x8e5bed957aeeb624"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 4, "name": "resumeConnection", "is": "kind \"writeReturn\"",
+"parameters": [{"at": 0, "name": "required", "is": "Text"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xc2c9babc8f01c05f"
+}]}]}, {"id": "@0xa4c750cb89591cca", "kind": "interface", "name": "LifecycleEvents", "members": [{
+"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xf777f0543682aa19"}]}, {
+"at": 1, "name": "stateChanged", "parameters": [{"at": 0, "name": "value",
+"is": "@0x94110f1e97b939a5"}]}]}, {"id": "@0xf777f0543682aa19", "kind": "struct",
+"name": "LifecycleStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
+"name": "componentState", "is": "@0x8e5bed957aeeb624"}]}, {"id": "@0x8e5bed957aeeb624",
+"kind": "enum", "name": "ComponentState", "members": [{"at": 0, "name": "constructed"}, {"at": 1,
+"name": "configured"}, {"at": 2, "name": "running"}, {"at": 3, "name": "suspended"}, {"at": 4,
+"name": "faulted"}, {"at": 5, "name": "stopped"}]}, {"id": "@0x94110f1e97b939a5", "kind": "struct",
+"name": "StateChange", "members": [{"at": 0, "name": "state", "is": "@0x8e5bed957aeeb624"}, {
+"at": 1, "name": "fault", "is": "Text"}, {"at": 2, "name": "stamp", "is": "Int64 clock \"steady\""}
+]}, {"id": "@0xc2c9babc8f01c05f", "kind": "enum", "name": "ResumeOutcome", "members": [{"at": 0,
+"name": "resumed"}, {"at": 1, "name": "asked"}, {"at": 2, "name": "noSuchInterface"}, {"at": 3,
+"name": "notConnected"}, {"at": 4, "name": "notAwaiting"}, {"at": 5, "name": "providerLost"}]}]})json";
 
 }  // namespace
 }  // namespace suture

@@ -389,29 +389,29 @@ constexpr char kTaskTimingDescription[] = R"json(
 "name": "suture::DurationSummary"}}, {"name": "compute",
 "doc": "length of a cycle, without those of guests", "type": {"kind": "struct",
 "name": "suture::DurationSummary"}}]}], "wire": [{"id": "@0xcfdd32a232e225bc", "kind": "interface",
-"name": "TaskTiming", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
-"name": "events", "is": "@0xc26eec352b9e05fc"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
-"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "window", "is": "kind \"read\"",
+"name": "TaskTiming", "cxx": "suture::TaskTiming", "members": [{"at": 0, "name": "subscribe",
+"parameters": [{"at": 0, "name": "events", "is": "@0xc26eec352b9e05fc"}, {"at": 1,
+"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
+"name": "window", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xaf9c44d28d818274"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 2, "name": "cycles", "is": "kind \"read\"",
 "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "@0xaf9c44d28d818274"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
-"at": 2, "name": "cycles", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"name": "value", "is": "UInt64"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 3,
+"name": "skipped", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
 "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "UInt64"}, {"at": 1,
-"name": "stamp", "is": "Int64"}]}, {"at": 3, "name": "skipped", "is": "kind \"read\"",
-"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "UInt64"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
-"id": "@0xc26eec352b9e05fc", "kind": "interface", "name": "TaskTimingEvents", "members": [{"at": 0,
-"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xeb8d659f884108a8"}]}]}, {
-"id": "@0xeb8d659f884108a8", "kind": "struct", "name": "TaskTimingStateRow", "members": [{"at": 0,
-"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "window", "is": "@0xaf9c44d28d818274"}, {
-"at": 4, "name": "cycles", "is": "UInt64"}, {"at": 5, "name": "skipped", "is": "UInt64"}]}, {
-"id": "@0xaf9c44d28d818274", "kind": "struct", "name": "TaskWindow", "members": [{"at": 0,
-"name": "begin", "is": "Int64 clock \"steady\""}, {"at": 1, "name": "end",
-"is": "Int64 clock \"steady\""}, {"at": 2, "name": "cycles", "is": "UInt64"}, {"at": 3,
-"name": "skipped", "is": "UInt64"}, {"at": 4, "name": "period", "is": "@0x855eca590f7906fe"}, {
-"at": 5, "name": "compute", "is": "@0x855eca590f7906fe"}]}, {"id": "@0x855eca590f7906fe",
-"kind": "struct", "name": "DurationSummary", "members": [{"at": 0, "name": "mean",
-"is": "Int64 period \"1/1000000000\""}, {"at": 1, "name": "deviation",
+"name": "stamp", "is": "Int64"}]}]}, {"id": "@0xc26eec352b9e05fc", "kind": "interface",
+"name": "TaskTimingEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
+"name": "row", "is": "@0xeb8d659f884108a8"}]}]}, {"id": "@0xeb8d659f884108a8", "kind": "struct",
+"name": "TaskTimingStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
+"name": "window", "is": "@0xaf9c44d28d818274"}, {"at": 4, "name": "cycles", "is": "UInt64"}, {
+"at": 5, "name": "skipped", "is": "UInt64"}]}, {"id": "@0xaf9c44d28d818274", "kind": "struct",
+"name": "TaskWindow", "members": [{"at": 0, "name": "begin", "is": "Int64 clock \"steady\""}, {
+"at": 1, "name": "end", "is": "Int64 clock \"steady\""}, {"at": 2, "name": "cycles", "is": "UInt64"
+}, {"at": 3, "name": "skipped", "is": "UInt64"}, {"at": 4, "name": "period",
+"is": "@0x855eca590f7906fe"}, {"at": 5, "name": "compute", "is": "@0x855eca590f7906fe"}]}, {
+"id": "@0x855eca590f7906fe", "kind": "struct", "name": "DurationSummary", "members": [{"at": 0,
+"name": "mean", "is": "Int64 period \"1/1000000000\""}, {"at": 1, "name": "deviation",
 "is": "Int64 period \"1/1000000000\""}, {"at": 2, "name": "min",
 "is": "Int64 period \"1/1000000000\""}, {"at": 3, "name": "max",
 "is": "Int64 period \"1/1000000000\""}, {"at": 4, "name": "p99",

@@ -38,7 +38,7 @@ std::shared_ptr<Channel> DelayThread::interpose(const RequiredBase& required,
                                         ends, std::move(state), far->subscribed());
   near->clientsBell = bell;
   near->providersBell = sharedDoorbell();
-  near->offered = far->offered;
+  near->lacking = far->lacking;
   near->watch = far->watch;
   auto connection = std::make_unique<DelayedConnection>(near, std::move(far), delay);
   {

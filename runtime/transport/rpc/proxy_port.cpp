@@ -2,6 +2,8 @@
 #include <suture/transport/rpc/proxy_port.h>
 
 #include <algorithm>
+#include <bit>
+#include <limits>
 
 namespace suture::rpc {
 ProxyPort::ProxyPort(ControlThread& control, std::shared_ptr<Channel> channel,
@@ -49,7 +51,10 @@ void ProxyPort::push(std::uint16_t event, const std::byte* slot) {
 }
 
 void ProxyPort::noteReplay(std::uint16_t event, std::int64_t stamp) {
-  if (event < replays_.size()) replays_[event] = stamp;
+  if (event >= std::numeric_limits<EventSet>::digits) return;
+  const EventSet here = fromWireNumbers(channel_->info.wireEvents, EventSet{1} << event);
+  const auto place = static_cast<std::size_t>(std::countr_zero(here));
+  if (place < replays_.size()) replays_[place] = stamp;
 }
 
 kj::Promise<void> ProxyPort::acknowledge() {

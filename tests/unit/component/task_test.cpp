@@ -365,7 +365,8 @@ TEST(Calls, WhatTheProviderLacksIsNotImplemented) {
   const auto channel = connectLocally(client.arm, arm.arm, "test");
   arm.start();
   EXPECT_TRUE(client.arm.park.start().within(kPatience));
-  --channel->offered;  // as it is when an older provider has been connected
+  // As it is when an older provider has been connected.
+  channel->lacking = {static_cast<std::uint16_t>(reference::ArmLikeCommand::park)};
   EXPECT_EQ(client.arm.park().error(), Errc::NotImplemented);
   EXPECT_EQ(client.arm.park.start().within(kPatience).error(), Errc::NotImplemented);
   EXPECT_TRUE(client.arm.limit.start(1, Mode::Enabled).within(kPatience));

@@ -61,7 +61,7 @@ class Service {
 TEST(NameService, AnotherProtocolIsRefused) {
   Service service;
   EXPECT_EQ(service.refusalOf(1),
-            "talk to the global manager: it speaks version 2 of the protocol and 'old' speaks "
+            "talk to the global manager: it speaks version 3 of the protocol and 'old' speaks "
             "version 1. Build both from the same release.");
   EXPECT_EQ(service.refusalOf(2), "");
 }

@@ -24,6 +24,11 @@ PATHS = """  SUTURE_COMMAND() virtual void put(const Record& record) = 0;
   SUTURE_EVENT() suture::EventOf<bool> end;
 """
 
+ROOT = """  SUTURE_COMMAND() virtual void root() = 0;
+  SUTURE_COMMAND() virtual double depth() const = 0;
+  SUTURE_EVENT(latched()) suture::EventOf<double> rooted;
+"""
+
 VERSIONED = """#pragma once
 // Written by batch.py.
 
@@ -88,9 +93,13 @@ def edits_header(version):
     chosen = rows(COMPATIBLE, version)
     carried = [edit for edit, side in chosen if side.has_struct]
     record = "struct SUTURE_TYPE() Record {\n" + "".join(f"  {edit.title} {member(edit)};\n" for edit in carried) + "};\n"
-    members = "".join(edit.text(declarations(side)) for edit, side in chosen)
     types = "".join(edit.text(side.types) for edit, side in chosen)
-    return within("edits", types + record + contract("Edits", Side(), PATHS + members))
+    root = contract("Root", Side(), ROOT + members(chosen, inherited=True))
+    return within("edits", types + record + root + contract("Edits", Side(base="Root"), PATHS + members(chosen, inherited=False)))
+
+
+def members(chosen, inherited):
+    return "".join(edit.text(declarations(side)) for edit, side in chosen if edit.inherited == inherited)
 
 
 def member(edit):
@@ -108,6 +117,7 @@ def breaks_headers(version):
 
 
 def handler(edit, command: Command, told):
+    told = told and not command.is_const  # a row asks for it at any time
     printed = "".join(f' << " {name}=" << text({name})' for name in command.parameters) if told else ""
     body = f' std::cout << "heard {command.name}"{printed} << std::endl;' if told else ""
     gives = f" return {command.gives};" if command.gives else ""

@@ -81,9 +81,9 @@ BASE = "class SUTURE_INTERFACE() {T}Base {\n public:\n  virtual ~{T}Base() = def
 CONTRACTS = [
     Edit("version raised", "`version(n)`", Side(), Side(says="version(2)"), "lock-break", "lock-break", diff=BREAKS,
          refusal=("version(2)", "version(1)")),
-    Edit("base of a contract added", "a base of a contract", Side(types=BASE), Side(types=BASE, base="{T}Base"),
+    Edit("base of a contract added", "a base of a contract, added or removed", Side(types=BASE), Side(types=BASE, base="{T}Base"),
          "lock-break", "lock-break", diff=BREAKS, refusal=UNLIKE),
-    Edit("base of a contract removed", "a base of a contract", Side(types=BASE, base="{T}Base"), Side(types=BASE),
+    Edit("base of a contract removed", "a base of a contract, added or removed", Side(types=BASE, base="{T}Base"), Side(types=BASE),
          "lock-break", "lock-break", diff=BREAKS, refusal=UNLIKE),
 ]
 

@@ -144,11 +144,11 @@ def one(signature, says="", heard="a=3", **more):
 
 
 COMMANDS = [
-    Edit("command added", "a command, behind the others", Side(),
+    Edit("command added", "a command, also of a base", Side(),
          commands(Command("void added(std::int32_t a)",
                           calls=(Call("3", "the provider does not have this command", heard=None),))),
          build="lock-new"),
-    Edit("command that tells since when", "a command, behind the others", Side(),
+    Edit("command that tells since when", "a command, also of a base", Side(),
          commands(Command("void later(std::int32_t a)", "since(2)",
                           (Call("3", "the provider does not have this command", heard=None),))),
          build="lock-new"),
@@ -182,7 +182,7 @@ COMMANDS = [
 ]
 
 EVENTS = [
-    Edit("event added", "an event, behind the others", Side(), Side(events=(Event("added_event", "double", emits="7"),)),
+    Edit("event added", "an event, also of a base", Side(), Side(events=(Event("added_event", "double", emits="7"),)),
          build="lock-new"),
     Edit("event renamed with was", "a name, by `was()`",
          Side(events=(Event("before_event", "double", emits="7", heard="8"),)),
@@ -198,4 +198,22 @@ EVENTS = [
          Side(events=(Event("newest_event", "double", "latest()", emits="8", heard="7"),)), build="lock-stale"),
 ]
 
-COMPATIBLE = FIELDS + ENUMERATORS + LIMITS + COMMANDS + EVENTS
+# What a base gets stands before what the heir has, in the heir too, and does not move it on the wire.
+INHERITED = [
+    Edit("command added to a base", "a command, also of a base", Side(),
+         commands(Command("void inherited(std::int32_t a)",
+                          calls=(Call("3", "the provider does not have this command", heard=None),))),
+         build="lock-new", inherited=True),
+    Edit("read added to a base", "a command, also of a base", Side(),
+         commands(Command("double measured() const", gives="7")), build="lock-new", inherited=True),
+    Edit("event added to a base", "an event, also of a base", Side(),
+         Side(events=(Event("inherited_event", "double", "latched()", emits="7"),)), build="lock-new", inherited=True),
+    Edit("commands of a base reordered", "the order of declarations",
+         commands(Command("void left(std::int32_t a)", calls=(Call("1", heard="a=1"),)),
+                  Command("void right(std::int32_t a)", calls=(Call("2", heard="a=2"),))),
+         commands(Command("void right(std::int32_t a)", calls=(Call("4", heard="a=4"),)),
+                  Command("void left(std::int32_t a)", calls=(Call("3", heard="a=3"),))),
+         diff=NOTHING, inherited=True),
+]
+
+COMPATIBLE = FIELDS + ENUMERATORS + LIMITS + COMMANDS + EVENTS + INHERITED

@@ -89,6 +89,7 @@ class Edit:
     accept: str = ""  # --update-lock --accept-break
     diff: str = FINE
     between: Side | None = None  # a version that was locked on the way
+    inherited: bool = False  # its commands and events stand in a contract that the one in use derives from
     refusal: tuple[str, str] = ("", "")  # of what breaks: how a refusal names what is new and what was before
 
     @property

@@ -31,10 +31,13 @@ class Keeper final : public suture::EventTask, public Receiver {
 
   const Record& last() const override { return last_; }
   Record exchange(const Record&) override { return last_; }
+  void root() override {}
+  double depth() const override { return 4; }
   void put(const Record& record) override {
     print("argument", record);
     auto& emit = edits_.emit();
     emitAll(emit);
+    emit.rooted(3);
     emit.told(last_);
     emit.end(true);
   }
@@ -77,6 +80,11 @@ void printRow(Client& client) {
     client.waitForEvents(suture::now() + 1ms);
   }
   print("row", record);
+  double depth = 0;
+  while (!client.edits.depth(depth) && suture::now() < deadline) {
+    client.waitForEvents(suture::now() + 1ms);
+  }
+  std::cout << "row depth " << depth << std::endl;
 }
 
 void printEvents(Client& client) {
@@ -87,6 +95,19 @@ void printEvents(Client& client) {
   tell("put", client.edits.put.start(example()));
   const suture::Time deadline = suture::now() + suture::kPatience;
   while (!ended && client.waitForEvents(deadline)) {
+    if (!client.processEvents()) break;
+  }
+}
+
+/// One that was emitted before anybody asked for it: it is known by another word on the wire.
+void printLatched(Client& client) {
+  bool came = false;
+  hear("rooted", client.edits.on().rooted([&](double value) {
+    std::cout << "latched " << value << std::endl;
+    came = true;
+  }));
+  const suture::Time deadline = suture::now() + suture::kPatience;
+  while (!came && client.waitForEvents(deadline)) {
     if (!client.processEvents()) break;
   }
 }
@@ -108,6 +129,7 @@ void ask(const std::string& address) {
   tellRefusals(manager);
   manager.connect("Client/Edits", "server:Keeper/Edits");
   printEvents(client);
+  printLatched(client);
   printAnswer(client);
   printRow(client);
   call(client.edits);

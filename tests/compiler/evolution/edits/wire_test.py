@@ -77,6 +77,10 @@ class Conversation(unittest.TestCase):
                     got = [line for line in self.asked if line.startswith(f"event {event.name} ")]
                     self.assertEqual(got, [] if event.heard is None else [f"event {event.name} {event.heard}"])
 
+    def test_a_base_that_grew_is_read_and_heard_as_before(self):
+        self.assertEqual([line for line in self.asked if line.startswith(("latched ", "row depth "))],
+                         ["latched 3", "row depth 4"])
+
     def test_what_breaks_does_not_connect(self):
         self.each(BREAKING, self.judge_refusal)
 

@@ -31,6 +31,9 @@ def alone(edit: Edit, side: Side):
     """The types and the contract of one edit. A command that never changes stands in front, so that no contract is empty."""
     put = "  SUTURE_COMMAND() virtual void put(const {T}& value) = 0;\n" if side.has_struct else ""
     anchor = "  SUTURE_COMMAND() virtual void stay() = 0;\n"
+    if edit.inherited:
+        root = contract("{T}Root", Side(), "  SUTURE_COMMAND() virtual void root() = 0;\n" + declarations(side))
+        return edit.text(root + contract("{T}Contract", Side(base="{T}Root"), anchor))
     return edit.text(side.types + contract("{T}Contract", side, anchor + put + declarations(side)))
 
 

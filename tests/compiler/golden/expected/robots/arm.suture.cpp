@@ -894,39 +894,39 @@ constexpr char kArmDescription[] = R"json(
 "kind": "matrix", "scalar": "Float64", "rows": 6, "columns": 7}}, {"name": "attitude", "type": {
 "kind": "quaternion", "scalar": "Float64"}}, {"name": "period", "type": {"kind": "duration",
 "period": "1/1000"}, "default": 0.0}, {"name": "when", "type": {"kind": "time", "clock": "steady"}}
-]}], "wire": [{"id": "@0x974e120931408f6d", "kind": "interface", "name": "Arm", "members": [{
-"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xa6aa5daf71e0a4ba"
-}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]
-}, {"at": 1, "name": "enable", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "servoCp", "is": "kind \"write\"",
-"parameters": [{"at": 0, "name": "goal", "is": "@0xe61654a89cf5f1dd"}, {"at": 1, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "setSpeed", "is": "kind \"write\"",
-"parameters": [{"at": 0, "name": "speed", "is": "Float64 unit \"m/s\""}, {"at": 1, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 4, "name": "measuredCp", "is": "kind \"read\"",
+]}], "wire": [{"id": "@0x974e120931408f6d", "kind": "interface", "name": "Arm",
+"cxx": "robots::Arm", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
+"name": "events", "is": "@0xa6aa5daf71e0a4ba"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
+"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "enable", "is": "kind \"void\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2,
+"name": "servoCp", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal",
+"is": "@0xe61654a89cf5f1dd"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 3, "name": "setSpeed", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "speed",
+"is": "Float64 unit \"m/s\""}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 4, "name": "measuredCp", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xe61654a89cf5f1dd"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 5, "name": "mode", "is": "kind \"read\"",
 "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "@0xe61654a89cf5f1dd"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
-"at": 5, "name": "mode", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xab8c3dd92b2643d4"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 6, "name": "everything",
-"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "@0xe827b555e2bdb416"}, {"at": 1, "name": "stamp",
-"is": "Int64"}]}, {"at": 7, "name": "inverseKinematics", "is": "kind \"qualifiedRead\"",
-"parameters": [{"at": 0, "name": "x", "is": "@0xe61654a89cf5f1dd"}, {"at": 1, "name": "tolerance",
-"is": "Float64"}, {"at": 2, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "@0xe827b555e2bdb416"}]}, {"at": 8, "name": "grasp",
-"is": "kind \"writeReturn\"", "parameters": [{"at": 0, "name": "width", "is": "Float64"}, {"at": 1,
-"name": "mode", "is": "@0xab8c3dd92b2643d4"}, {"at": 2, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "Bool"}]}, {"at": 9,
-"name": "nextToken", "is": "kind \"voidReturn\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "UInt32"}]}, {
-"at": 10, "name": "park", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 11, "name": "load", "is": "kind \"read\"", "parameters": [
-{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "Float64"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xa6aa5daf71e0a4ba",
-"kind": "interface", "name": "ArmEvents", "members": [{"at": 0, "name": "state", "parameters": [{
-"at": 0, "name": "row", "is": "@0xd633b378dcab35c1"}]}, {"at": 1, "name": "modeChanged",
-"parameters": [{"at": 0, "name": "value", "is": "@0xab8c3dd92b2643d4"}]}, {"at": 2,
-"name": "stopped"}, {"at": 3, "name": "arrived", "parameters": [{"at": 0, "name": "value",
+"name": "value", "is": "@0xab8c3dd92b2643d4"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 6, "name": "everything", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xe827b555e2bdb416"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 7, "name": "inverseKinematics",
+"is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "x", "is": "@0xe61654a89cf5f1dd"},
+{"at": 1, "name": "tolerance", "is": "Float64"}, {"at": 2, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xe827b555e2bdb416"
+}]}, {"at": 8, "name": "grasp", "is": "kind \"writeReturn\"", "parameters": [{"at": 0,
+"name": "width", "is": "Float64"}, {"at": 1, "name": "mode", "is": "@0xab8c3dd92b2643d4"}, {
+"at": 2, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "Bool"}]}, {"at": 9, "name": "nextToken", "is": "kind \"voidReturn\"", "parameters": [{
+"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "UInt32"}]}, {"at": 10, "name": "park", "is": "kind \"void\"", "parameters": [{"at": 0,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 11, "name": "load", "is": "kind \"read\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "Float64"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xa6aa5daf71e0a4ba", "kind": "interface", "name": "ArmEvents", "members": [{"at": 0,
+"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xd633b378dcab35c1"}]}, {"at": 1,
+"name": "modeChanged", "parameters": [{"at": 0, "name": "value", "is": "@0xab8c3dd92b2643d4"}]}, {
+"at": 2, "name": "stopped"}, {"at": 3, "name": "arrived", "parameters": [{"at": 0, "name": "value",
 "is": "@0xe61654a89cf5f1dd"}]}, {"at": 4, "name": "moved", "parameters": [{"at": 0, "name": "value",
 "is": "@0xe61654a89cf5f1dd"}, {"at": 1, "name": "value2", "is": "Float64"}, {"at": 2,
 "name": "value3", "is": "@0xab8c3dd92b2643d4"}]}]}, {"id": "@0xd633b378dcab35c1", "kind": "struct",

@@ -337,16 +337,16 @@ constexpr char kCameraDescription[] = R"json(
 "doc": "A camera and what it sees.", "fields": [{"name": "intrinsics", "type": {"kind": "struct",
 "name": "cv::Matx33d"}}, {"name": "points", "type": {"kind": "list", "element": {"kind": "struct",
 "name": "cv::Point3d"}, "capacity": 4}}]}], "wire": [{"id": "@0xe5bd0c82c54c1c8c",
-"kind": "interface", "name": "Camera", "members": [{"at": 0, "name": "subscribe", "parameters": [{
-"at": 0, "name": "events", "is": "@0x8cac637286976832"}, {"at": 1, "name": "eventMask",
-"is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "aim",
-"is": "kind \"write\"", "parameters": [{"at": 0, "name": "at", "is": "@0xd72865b36936b2ff"}, {
-"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "view",
-"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "@0xc334e999633b131f"}, {"at": 1, "name": "stamp",
-"is": "Int64"}]}]}, {"id": "@0x8cac637286976832", "kind": "interface", "name": "CameraEvents",
-"members": [{"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row",
-"is": "@0xb20e8f123205e142"}]}]}, {"id": "@0xb20e8f123205e142", "kind": "struct",
+"kind": "interface", "name": "Camera", "cxx": "foreign::Camera", "members": [{"at": 0,
+"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0x8cac637286976832"}, {
+"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {
+"at": 1, "name": "aim", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "at",
+"is": "@0xd72865b36936b2ff"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 2, "name": "view", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xc334e999633b131f"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0x8cac637286976832", "kind": "interface",
+"name": "CameraEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
+"name": "row", "is": "@0xb20e8f123205e142"}]}]}, {"id": "@0xb20e8f123205e142", "kind": "struct",
 "name": "CameraStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
 "name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
 "name": "view", "is": "@0xc334e999633b131f"}]}, {"id": "@0xc334e999633b131f", "kind": "struct",

@@ -1228,19 +1228,19 @@ constexpr char kStoreDescription[] = R"json(
 "rows": 6, "columns": 1}, "capacity": 3}}, {"name": "scaled", "type": {"kind": "affine",
 "scalar": "Float64"}}, {"name": "wait", "type": {"kind": "duration", "period": "1/1000",
 "scalar": "Float64"}, "default": 0.0}]}], "wire": [{"id": "@0xbb0be3e4bb1e6be9",
-"kind": "interface", "name": "Store", "members": [{"at": 0, "name": "subscribe", "parameters": [{
-"at": 0, "name": "events", "is": "@0xe1e2cc5c73c90fe5"}, {"at": 1, "name": "eventMask",
-"is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "put",
-"is": "kind \"write\"", "parameters": [{"at": 0, "name": "value", "is": "@0xdd7a64a833e189af"}, {
-"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "choose",
-"is": "kind \"write\"", "parameters": [{"at": 0, "name": "gain", "is": "@0x9a6cebde1c465fb4"}, {
-"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "sequences",
-"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "@0xdd7a64a833e189af"}, {"at": 1, "name": "stamp",
-"is": "Int64"}]}, {"at": 4, "name": "choices", "is": "kind \"read\"", "parameters": [{"at": 0,
-"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "@0xbda4c87a7b3da61e"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 5,
-"name": "matrices", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"kind": "interface", "name": "Store", "cxx": "shapes::Store", "members": [{"at": 0,
+"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xe1e2cc5c73c90fe5"}, {
+"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {
+"at": 1, "name": "put", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "value",
+"is": "@0xdd7a64a833e189af"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 2, "name": "choose", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "gain",
+"is": "@0x9a6cebde1c465fb4"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 3, "name": "sequences", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xdd7a64a833e189af"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 4, "name": "choices", "is": "kind \"read\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "@0xbda4c87a7b3da61e"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 5, "name": "matrices", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
 "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xd5b880c1c2797353"
 }, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 6, "name": "reading", "is": "kind \"read\"",
 "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,

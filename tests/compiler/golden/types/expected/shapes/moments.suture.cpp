@@ -710,10 +710,10 @@ constexpr char kJournalDescription[] = R"json(
 "elements": [{"kind": "Int64"}, {"kind": "time", "clock": "steady"}, {"kind": "struct",
 "name": "shapes::Moment"}]}}, {"name": "either", "type": {"kind": "variant", "alternatives": [{
 "kind": "Int64"}, {"kind": "time", "clock": "steady"}, {"kind": "struct", "name": "shapes::Moment"}
-]}}]}], "wire": [{"id": "@0xc3053cb224b0c85f", "kind": "interface", "name": "Journal", "members": [
-{"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events",
-"is": "@0xf44a38be83c21076"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2,
-"name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "put", "is": "kind \"write\"",
+]}}]}], "wire": [{"id": "@0xc3053cb224b0c85f", "kind": "interface", "name": "Journal",
+"cxx": "shapes::Journal", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
+"name": "events", "is": "@0xf44a38be83c21076"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
+"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "put", "is": "kind \"write\"",
 "parameters": [{"at": 0, "name": "from", "is": "Int64 clock \"steady\""}, {"at": 1,
 "name": "number", "is": "Int64"}, {"at": 2, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
 "at": 2, "name": "count", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "number",

@@ -833,20 +833,21 @@ constexpr char kArchiveDescription[] = R"json(
 "type": {"kind": "list", "element": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1
 }}}, {"name": "image", "type": {"kind": "any matrix", "scalar": "Float64", "bulk": true}}, {
 "name": "root", "type": {"kind": "struct", "name": "shapes::Root"}}]}], "wire": [{
-"id": "@0x82933d261358e2a1", "kind": "interface", "name": "Archive", "members": [{"at": 0,
-"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xbd8392db1e3ed150"}, {
-"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {
-"at": 1, "name": "put", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "key", "is": "Text"
-}, {"at": 1, "name": "value", "is": "@0xc2c5885ffab9947b"}, {"at": 2, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "remark", "is": "kind \"write\"",
-"parameters": [{"at": 0, "name": "text", "is": "Text"}, {"at": 1, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "newest", "is": "kind \"read\"",
-"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "@0xc2c5885ffab9947b"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
-"at": 4, "name": "find", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "pattern",
-"is": "Text"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "List(Text)"}]}, {"at": 5, "name": "replace", "is": "kind \"writeReturn\"",
-"parameters": [{"at": 0, "name": "value", "is": "@0xc2c5885ffab9947b"}, {"at": 1, "name": "sent",
+"id": "@0x82933d261358e2a1", "kind": "interface", "name": "Archive", "cxx": "shapes::Archive",
+"members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events",
+"is": "@0xbd8392db1e3ed150"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2,
+"name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "put", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "key", "is": "Text"}, {"at": 1, "name": "value",
+"is": "@0xc2c5885ffab9947b"}, {"at": 2, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 2, "name": "remark", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "text",
+"is": "Text"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 3,
+"name": "newest", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xc2c5885ffab9947b"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 4, "name": "find",
+"is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "pattern", "is": "Text"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "List(Text)"}]}, {"at": 5, "name": "replace", "is": "kind \"writeReturn\"", "parameters": [{
+"at": 0, "name": "value", "is": "@0xc2c5885ffab9947b"}, {"at": 1, "name": "sent",
 "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xc2c5885ffab9947b"
 }]}]}, {"id": "@0xbd8392db1e3ed150", "kind": "interface", "name": "ArchiveEvents", "members": [{
 "at": 0, "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xb725b4164d7d1953"}]}, {

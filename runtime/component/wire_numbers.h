@@ -1,0 +1,30 @@
+#pragma once
+// The numbers by which two processes name events and columns to each other.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace suture {
+
+/// By place in a contract's tables, the number on the wire: the place in the lock, which stays when
+/// a base of the contract gets more. Empty: the two are the same.
+using WireNumbers = std::span<const std::uint8_t>;
+
+/// A set of events or columns, one bit each, as the wire has it.
+inline std::uint64_t toWireNumbers(WireNumbers numbers, std::uint64_t set) {
+  if (numbers.empty()) return set;
+  std::uint64_t wire = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i) wire |= (set >> i & 1) << numbers[i];
+  return wire;
+}
+
+/// A set that has come; what this side does not know is left out.
+inline std::uint64_t fromWireNumbers(WireNumbers numbers, std::uint64_t wire) {
+  if (numbers.empty()) return wire;
+  std::uint64_t set = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i) set |= (wire >> numbers[i] & 1) << i;
+  return set;
+}
+
+}  // namespace suture
