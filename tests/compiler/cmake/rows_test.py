@@ -200,7 +200,9 @@ def main():
     parser.add_argument("--package", type=pathlib.Path, required=True)
     parser.add_argument("--scratch", type=pathlib.Path, required=True)
     arguments = parser.parse_args()
-    root = empty(arguments.scratch / f"{arguments.generator} {arguments.rows[0]}")
+    # Ccache splits a path at its space: what it tells of the headers of one project is served to the next, and must hold there.
+    own = f"{arguments.generator.split()[-1]}-{arguments.rows[0]}"
+    root = empty(arguments.scratch / own / "a project")
     shutil.copytree(HERE / "project", root, dirs_exist_ok=True)
     project = Project(root, arguments.package, arguments.generator)
     failed = []

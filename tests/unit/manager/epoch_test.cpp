@@ -163,9 +163,9 @@ TEST_F(Epochs, OneThatComesTooLateIsRefused) {
 TEST_F(Epochs, OneOfAnotherProtocolIsRefused) {
   Caller caller(provider_, "a");
   EXPECT_EQ(caller.hello(1),
-            "talk to process 'there': it speaks version 3 of the protocol, the caller version 1. "
-            "Build both from the same release.");
-  EXPECT_EQ(caller.hello(2), "");
+            "talk to process 'there': it speaks version " + std::to_string(wire::PROTOCOL_VERSION) +
+                " of the protocol, the caller version 1. Build both from the same release.");
+  EXPECT_EQ(caller.hello(wire::PROTOCOL_VERSION), "");
 }
 
 TEST_F(Epochs, OfDifferentClocksAreNotCompared) {
