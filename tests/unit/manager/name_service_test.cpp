@@ -61,9 +61,10 @@ class Service {
 TEST(NameService, AnotherProtocolIsRefused) {
   Service service;
   EXPECT_EQ(service.refusalOf(1),
-            "talk to the global manager: it speaks version 3 of the protocol and 'old' speaks "
-            "version 1. Build both from the same release.");
-  EXPECT_EQ(service.refusalOf(2), "");
+            "talk to the global manager: it speaks version " +
+                std::to_string(wire::PROTOCOL_VERSION) +
+                " of the protocol and 'old' speaks version 1. Build both from the same release.");
+  EXPECT_EQ(service.refusalOf(wire::PROTOCOL_VERSION), "");
 }
 
 TEST(NameService, WhoWaitsForASilentProcessHearsWhenItIsBack) {
