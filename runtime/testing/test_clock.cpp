@@ -1,5 +1,6 @@
 #include <suture/base/errors.h>
 #include <suture/base/virtual_time.h>
+#include <suture/testing/one_processor.h>
 #include <suture/testing/scheduler.h>
 #include <suture/testing/test_clock.h>
 
@@ -10,7 +11,10 @@ namespace suture {
 using testing_detail::Scheduler;
 
 TestClock::TestClock(TestClockOptions options)
-    : scheduler_(std::make_unique<Scheduler>(std::move(options))) {
+    : processor_(options.threads == Threads::OneAtATime
+                     ? std::make_unique<testing_detail::OneProcessor>()
+                     : nullptr),
+      scheduler_(std::make_unique<Scheduler>(std::move(options))) {
   VirtualTime* none = nullptr;
   if (!detail::virtualTime.compare_exchange_strong(none, scheduler_.get())) {
     throw SetupError("making a TestClock", "this process has one", "Destroy that first");

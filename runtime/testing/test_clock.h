@@ -12,12 +12,14 @@
 namespace suture {
 
 namespace testing_detail {
+class OneProcessor;
 class Scheduler;
-}
+}  // namespace testing_detail
 
 /// How the threads of the process run while a TestClock exists.
 enum class Threads : std::uint8_t {
-  /// One at a time, in an order that depends on nothing but the program and the seed.
+  /// One at a time, in an order that depends on nothing but the program and the seed; all on the
+  /// processor on which the clock is made, where to take turns costs least.
   OneAtATime,
   /// All that have something to do, as in production: for ThreadSanitizer. There is no trace.
   Together,
@@ -111,6 +113,7 @@ class TestClock {
   };
 
  private:
+  std::unique_ptr<testing_detail::OneProcessor> processor_;  // if threads take turns
   std::unique_ptr<testing_detail::Scheduler> scheduler_;
 };
 
