@@ -30,6 +30,9 @@ class VirtualTime {
    public:
     /// In the sleeper's thread, without waiting: whether any of them has something for it.
     virtual bool look() = 0;
+    /// In any thread while the sleeper sleeps: false if look() would find nothing. To ask costs
+    /// less than to wake the sleeper.
+    virtual bool mayFind() = 0;
 
    protected:
     ~Sockets() = default;

@@ -278,6 +278,10 @@ Scheduler::Thread* Scheduler::nextToLook() {
   for (const auto& [number, thread] : threads_) {
     const bool sleeps = thread->state == Thread::State::Sleeps && thread->sockets != nullptr;
     if (!sleeps || thread->lookedAt == turns_ || isFrozen(*thread)) continue;
+    if (!thread->sockets->mayFind()) {
+      thread->lookedAt = turns_;
+      continue;
+    }
     thread->looks = true;
     return thread.get();
   }

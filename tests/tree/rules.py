@@ -90,6 +90,7 @@ MAY_WAIT = {
     "runtime/testing/scheduler.h": "is the stepped clock",
     "runtime/testing/scheduler.cpp": "is the stepped clock",
     "runtime/transport/frame/lane_thread.cpp": "sleeps at sockets, and asks the stepped clock first",
+    "runtime/transport/rpc/event_port.cpp": "asks for another thread whether anything has come, without waiting",
     "runtime/transport/rpc/host_lookup.cpp": "asks the system's name service, which knows no other clock",
     "runtime/deploy/signal_wait.h": "waits for signals, which come from outside",
     "runtime/deploy/signal_wait.cpp": "waits for signals, which come from outside",
@@ -106,6 +107,14 @@ def check_waits(root):
             found = WAITS.search(line)
             if found and not line.lstrip().startswith("//"):
                 yield f"{name}: waits by {found[0]}; only a doorbell may (rt/doorbell.h), so that a stepped clock knows of it"
+
+
+# What KJ alone observes, the stepped clock does not find: its time goes on past what has arrived.
+def check_observers(root):
+    for path in sources(root, "runtime"):
+        name = path.relative_to(root)
+        if name.stem != "event_port" and "kj::UnixEventPort::FdObserver" in path.read_text(encoding="utf-8"):
+            yield f"{name}: kj::UnixEventPort::FdObserver; use EventPort::FdObserver, of which a stepped clock knows"
 
 
 def check_lengths(root):
@@ -144,7 +153,7 @@ def check_format(root):
             yield f"{pathlib.Path(path).relative_to(root)}: not formatted; run clang-format-14 -i on it"
 
 
-CHECKS = [check_layers, check_compiler_is_alone, check_components_see_public_headers, check_waits, check_lengths,
+CHECKS = [check_layers, check_compiler_is_alone, check_components_see_public_headers, check_waits, check_observers, check_lengths,
           check_readmes, check_format]
 
 

@@ -63,6 +63,10 @@ class Planted(unittest.TestCase):
         self.write("runtime/record/a.h", "std::thread thread_;\n")
         self.expect(rules.check_waits, "waits by std::thread")
 
+    def test_an_observer_that_no_clock_knows(self):
+        self.write("runtime/transport/rpc/a.h", "kj::UnixEventPort::FdObserver observer_;\n")
+        self.expect(rules.check_observers, "use EventPort::FdObserver")
+
     def test_a_file_that_is_too_long(self):
         self.write("runtime/base/a.h", "\n" * 701)
         self.expect(rules.check_lengths, "701 lines")

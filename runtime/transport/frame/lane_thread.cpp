@@ -1,6 +1,7 @@
 #include <suture/base/errors.h>
 #include <suture/transport/frame/lane_thread.h>
 
+#include <poll.h>
 #include <sys/epoll.h>
 #include <sys/eventfd.h>
 
@@ -116,6 +117,11 @@ void LaneThread::sleep() {
 }
 
 bool LaneThread::look() { return takeArrivals(0) > 0; }
+
+bool LaneThread::mayFind() {
+  pollfd arrivals{.fd = poll_, .events = POLLIN, .revents = 0};
+  return poll(&arrivals, 1, 0) != 0;
+}
 
 int LaneThread::takeArrivals(int timeout) {
   epoll_event events[kArrivals];

@@ -52,6 +52,7 @@ class LaneThread : private VirtualTime::Sockets {
   bool isDone(const Carried& carried);
   void sleep();
   bool look() final;
+  bool mayFind() final;
   int takeArrivals(int timeout);
 
   const std::shared_ptr<Bell> bell_ = makeBell();

@@ -3,6 +3,7 @@
 
 #include <kj/async-unix.h>
 #include <kj/async.h>
+#include <kj/io.h>
 #include <kj/timer.h>
 #include <suture/rt/doorbell.h>
 
@@ -25,6 +26,19 @@ class EventPort : public kj::UnixEventPort, private VirtualTime::Sockets {
 
    protected:
     ~Output() = default;
+  };
+
+  /// Hides KJ's own, of which only the thread of the loop can ask whether anything has happened.
+  class FdObserver : public kj::UnixEventPort::FdObserver {
+   public:
+    FdObserver(EventPort& port, int descriptor, kj::uint asked);
+    ~FdObserver() noexcept(false);
+    FdObserver(const FdObserver&) = delete;
+    FdObserver& operator=(const FdObserver&) = delete;
+
+   private:
+    EventPort& port_;
+    const int descriptor_;
   };
 
   /// `bell`, if there is one, also ends the sleep. Its eventfd must be observed here.
@@ -54,9 +68,11 @@ class EventPort : public kj::UnixEventPort, private VirtualTime::Sockets {
   bool sleep();
   void sleepOnSteppedClock();
   bool look() final;
+  bool mayFind() final;
 
   rt::Doorbell* const bell_;
   std::optional<kj::TimerImpl> steppedTimer_;
+  kj::AutoCloseFd arrivals_;  // on a stepped clock: an epoll beside KJ's that any thread may ask
   std::vector<Output*> outputs_;
   unsigned busyTurns_ = 0;
   kj::EventLoop loop_{*this};

@@ -118,8 +118,8 @@ kj::Promise<void> HostLookup::ask() {
     return disconnected(asked(address_) + ": " + std::strerror(errno) +
                         ". Raise the limit of descriptors (ulimit -n).");
   }
-  auto observer = kj::heap<kj::UnixEventPort::FdObserver>(
-      port_, question->answered, kj::UnixEventPort::FdObserver::OBSERVE_READ);
+  auto observer = kj::heap<EventPort::FdObserver>(port_, question->answered,
+                                                  EventPort::FdObserver::OBSERVE_READ);
   auto answered = observer->whenBecomesReadable();
   try {
     std::thread([question] {

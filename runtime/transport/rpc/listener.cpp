@@ -81,7 +81,7 @@ Listener::Listener(EventPort& port, const Address& address, Opens opens)
     : port_(port),
       address_(address),
       socket_(bindTo(address, opens)),
-      observer_(port, socket_, kj::UnixEventPort::FdObserver::OBSERVE_READ) {
+      observer_(port, socket_, EventPort::FdObserver::OBSERVE_READ) {
   if (address_.kind != Address::Kind::Unix) {
     address_.port = boundPort(socket_, address.port);
   } else {

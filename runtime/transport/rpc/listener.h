@@ -44,7 +44,7 @@ class Listener {
   EventPort& port_;
   Address address_;
   kj::AutoCloseFd socket_;
-  kj::UnixEventPort::FdObserver observer_;
+  EventPort::FdObserver observer_;
   kj::Function<void(kj::AutoCloseFd)> accept_ = [](kj::AutoCloseFd) {};
   kj::Function<void(int)> starved_ = [](int) {};
   ino_t inode_ = 0;

@@ -44,7 +44,7 @@ MessageStream::MessageStream(EventPort& port, ByteStream bytes, StreamLimits lim
       bytes_(kj::mv(bytes)),
       limits_(limits),
       guard_(std::move(guard)),
-      readObserver_(port, bytes_.socket(), kj::UnixEventPort::FdObserver::OBSERVE_READ),
+      readObserver_(port, bytes_.socket(), EventPort::FdObserver::OBSERVE_READ),
       incoming_(guard_.known == nullptr ? kReadAtOnce : kStrangersReadAtOnce),
       opened_(port.getTimer().now()) {
   if (begun.empty()) return;

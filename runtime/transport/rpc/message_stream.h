@@ -104,7 +104,7 @@ class MessageStream final : private EventPort::Output {
   StrangerGuard guard_;
   std::shared_ptr<LinkCounters> counters_ = std::make_shared<LinkCounters>();
 
-  kj::UnixEventPort::FdObserver readObserver_;
+  EventPort::FdObserver readObserver_;
   kj::Maybe<kj::Promise<void>> readable_;  // set: the socket was empty when this was made
   ReceiveBuffer incoming_;
   AttachedDescriptors arrivedDescriptors_;

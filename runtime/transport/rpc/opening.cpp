@@ -13,8 +13,8 @@ class OpeningReader {
  public:
   OpeningReader(EventPort& port, ByteStream bytes)
       : bytes_(kj::mv(bytes)),
-        observer_(kj::heap<kj::UnixEventPort::FdObserver>(
-            port, bytes_.socket(), kj::UnixEventPort::FdObserver::OBSERVE_READ)) {}
+        observer_(kj::heap<EventPort::FdObserver>(port, bytes_.socket(),
+                                                  EventPort::FdObserver::OBSERVE_READ)) {}
 
   kj::Promise<Opened> read() {
     while (isOpening() && read_ < beginning_.size()) {
@@ -50,7 +50,7 @@ class OpeningReader {
   }
 
   ByteStream bytes_;
-  kj::Own<kj::UnixEventPort::FdObserver> observer_;
+  kj::Own<EventPort::FdObserver> observer_;
   std::array<std::byte, sizeof(Token) + kOpening.size()> beginning_{};
   std::size_t read_ = 0;
 };

@@ -18,8 +18,8 @@ class Handshake {
   Handshake(EventPort& port, kj::AutoCloseFd socket, std::shared_ptr<const tls::Keys> keys,
             tls::Session::Side side)
       : socket_(kj::mv(socket)),
-        observer_(kj::heap<kj::UnixEventPort::FdObserver>(
-            port, socket_, kj::UnixEventPort::FdObserver::OBSERVE_READ_WRITE)),
+        observer_(kj::heap<EventPort::FdObserver>(port, socket_,
+                                                  EventPort::FdObserver::OBSERVE_READ_WRITE)),
         session_(std::make_unique<tls::Session>(std::move(keys), side, socket_)) {}
 
   kj::Promise<ByteStream> go() {
@@ -45,7 +45,7 @@ class Handshake {
   }
 
   kj::AutoCloseFd socket_;
-  kj::Own<kj::UnixEventPort::FdObserver> observer_;
+  kj::Own<EventPort::FdObserver> observer_;
   std::unique_ptr<tls::Session> session_;
 };
 

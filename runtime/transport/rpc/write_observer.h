@@ -2,9 +2,8 @@
 // Tells when a full socket takes bytes again.
 
 #include <fcntl.h>
-#include <kj/async-unix.h>
-#include <kj/debug.h>
 #include <kj/io.h>
+#include <suture/transport/rpc/event_port.h>
 
 namespace suture::rpc {
 
@@ -14,16 +13,16 @@ namespace suture::rpc {
 /// not after, the socket.
 class WriteObserver {
  public:
-  WriteObserver(kj::UnixEventPort& port, int socket)
+  WriteObserver(EventPort& port, int socket)
       : duplicate_(fcntl(socket, F_DUPFD_CLOEXEC, 0)),
-        observer_(port, duplicate_, kj::UnixEventPort::FdObserver::OBSERVE_WRITE) {}
+        observer_(port, duplicate_, EventPort::FdObserver::OBSERVE_WRITE) {}
 
   /// Only when a send has just said that the socket is full.
   kj::Promise<void> whenWritable() { return observer_.whenBecomesWritable(); }
 
  private:
   kj::AutoCloseFd duplicate_;
-  kj::UnixEventPort::FdObserver observer_;
+  EventPort::FdObserver observer_;
 };
 
 }  // namespace suture::rpc

@@ -49,7 +49,7 @@ inline void sendText(int socket, const std::string& text) {
 
 /// True if the peer ends the connection within kPatience.
 inline bool closes(EventPort& port, int socket) {
-  kj::UnixEventPort::FdObserver observer(port, socket, kj::UnixEventPort::FdObserver::OBSERVE_READ);
+  EventPort::FdObserver observer(port, socket, EventPort::FdObserver::OBSERVE_READ);
   std::byte bytes[4096];
   for (ssize_t count = -1; count != 0;) {
     count = recv(socket, bytes, sizeof(bytes), 0);

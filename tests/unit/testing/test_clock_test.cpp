@@ -3,7 +3,13 @@
 #include <suture/base/errors.h>
 #include <suture/component/event_task.h>
 #include <suture/component/periodic_task.h>
+#include <suture/rt/doorbell.h>
+#include <suture/rt/thread.h>
 #include <suture/testing/test_clock.h>
+
+#include <poll.h>
+#include <sched.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <string>
@@ -118,6 +124,80 @@ void leaveAThread() {
 
 TEST(TestClockDeathTest, NamesThreadsThatAreLeftAtItsEnd) {
   EXPECT_DEATH(leaveAThread(), "'left over' sleeps for");
+}
+
+/// A thread that sleeps at a pipe, and is woken by each byte.
+class Listener final : VirtualTime::Sockets {
+ public:
+  Listener() {
+    if (pipe(ends_) != 0) std::abort();
+    thread_.start(
+        "listener", [this] { listen(); }, rt::Thread::Signals::None);
+  }
+  ~Listener() {
+    over_ = true;
+    bell_.ring();
+    thread_.join();
+    close(ends_[0]);
+    close(ends_[1]);
+  }
+  void send() {
+    if (write(ends_[1], "x", 1) != 1) std::abort();
+  }
+  std::atomic<int> looks{0}, heard{0};
+
+ private:
+  void listen() {
+    while (!over_) {
+      bell_.sleepAt(*this, Time::max());
+      bell_.takeRing();
+      for (char byte; mayFind() && read(ends_[0], &byte, 1) == 1;) ++heard;
+    }
+  }
+  bool look() override {
+    ++looks;
+    return mayFind();
+  }
+  bool mayFind() override {
+    pollfd end{.fd = ends_[0], .events = POLLIN, .revents = 0};
+    return poll(&end, 1, 0) > 0;
+  }
+
+  int ends_[2];
+  rt::Doorbell bell_;
+  std::atomic<bool> over_{false};
+  rt::Thread thread_;
+};
+
+TEST(TestClock, WakesAThreadForItsSocketsOnlyWhenSomethingHasCome) {
+  TestClock clock;
+  Listener listener;
+  Counter counter(1ms);
+  counter.start();
+  clock.advance(100ms);
+  EXPECT_EQ(listener.looks, 0);
+  listener.send();
+  const Time sent = now();
+  EXPECT_TRUE(clock.until([&] { return listener.heard == 1; }));
+  EXPECT_EQ(now() - sent, TestClock::kStep) << "time does not go on before it has been heard";
+  EXPECT_EQ(listener.looks, 1);
+}
+
+int processors() {
+  cpu_set_t allowed;
+  sched_getaffinity(0, sizeof(allowed), &allowed);
+  return CPU_COUNT(&allowed);
+}
+
+TEST(TestClock, KeepsThreadsThatTakeTurnsOnOneProcessor) {
+  const int before = processors();
+  {
+    TestClock clock;
+    EXPECT_EQ(processors(), 1);
+  }
+  EXPECT_EQ(processors(), before);
+  const TestClock clock({.threads = Threads::Together});
+  EXPECT_EQ(processors(), before);
 }
 
 TEST(TestClock, RunsThreadsTogetherIfAskedTo) {
