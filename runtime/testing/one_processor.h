@@ -6,8 +6,8 @@
 namespace suture::testing_detail {
 
 /// Keeps the thread that makes it, and those that it starts from then on, on the processor that it
-/// is on: to wake a thread of another processor costs several times what most cycles do. Ends with
-/// that thread where it was allowed to run before. Belongs to the thread that makes it.
+/// is on: to wake a thread of another processor costs several times what most cycles do. When it
+/// ends, that thread may run again wherever it was allowed to before. Belongs to that thread.
 class OneProcessor {
  public:
   OneProcessor();
