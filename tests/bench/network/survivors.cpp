@@ -82,22 +82,6 @@ class Victim {
   std::uint64_t faults_ = 0;
 };
 
-/// One fault of each kind at least. `awaitBack`: what follows the end of each.
-template <class AwaitBack>
-void injectFor(suture::Duration length, Victim& victim, const AwaitBack& awaitBack) {
-  const suture::Time end = now() + length;
-  do {
-    victim.killAndBegin();
-    awaitBack();
-    std::this_thread::sleep_for(kBetween);
-    victim.stop();
-    std::this_thread::sleep_for(kStopped);
-    victim.goOn();
-    awaitBack();
-    std::this_thread::sleep_for(kBetween);
-  } while (now() < end);
-}
-
 /// A client of the arm that lives on.
 class Survivor {
  public:
@@ -163,75 +147,105 @@ class Survivor {
   suture::Manager manager_;
 };
 
-Periods survive(suture::Lane lane, const Names& names, Victim& victim,
-                const NetworkOptions& options) {
-  Survivor survivor(lane, names, options);
-  const Periods before = survivor.periods();
-  injectFor(options.survivorWindow(), victim, [&] { survivor.awaitConnection(); });
-  const Periods after = survivor.periods();
-  survivor.end();
-  return {.executed = after.executed - before.executed,
-          .skipped = after.skipped - before.skipped,
-          .longest = after.longest};
+/// One fault of each kind at least; the survivor is connected anew after each.
+void injectFor(suture::Duration length, Victim& victim, Survivor& survivor) {
+  const suture::Time end = now() + length;
+  do {
+    victim.killAndBegin();
+    survivor.awaitConnection();
+    std::this_thread::sleep_for(kBetween);
+    victim.stop();
+    std::this_thread::sleep_for(kStopped);
+    victim.goOn();
+    survivor.awaitConnection();
+    std::this_thread::sleep_for(kBetween);
+  } while (now() < end);
 }
 
-/// Beside the same faults, which concern it in no way.
-Periods bareLoop(Victim& victim, const NetworkOptions& options) {
-  std::atomic<bool> over{false};
-  Periods periods;
-  std::thread loop([&] {
-    suture::rt::configureThisThread("bare-loop", scheduling(options));
+/// A loop that only sleeps, on the survivor's processor and at its priority, at the same time: what
+/// the machine takes from the one it takes from the other.
+class BareLoop {
+ public:
+  explicit BareLoop(const NetworkOptions& options)
+      : thread_([this, scheduling = scheduling(options)] { run(scheduling); }) {}
+  ~BareLoop() { end(); }
+  BareLoop(const BareLoop&) = delete;
+  BareLoop& operator=(const BareLoop&) = delete;
+
+  Periods end() {
+    over_ = true;
+    if (thread_.joinable()) thread_.join();
+    return periods_;
+  }
+
+ private:
+  void run(const suture::rt::Scheduling& scheduling) {
+    suture::rt::configureThisThread("bare-loop", scheduling);
     suture::rt::Period period(kCycle.period);
     period.begin(now());
-    for (; !over; ++periods.executed) sleepUntil(period.advance(now()));
-    periods.skipped = period.skipped();
-  });
-  injectFor(options.survivorWindow(), victim, [] { std::this_thread::sleep_for(50ms); });
-  over = true;
-  loop.join();
-  return periods;
+    for (; !over_; ++periods_.executed) sleepUntil(period.advance(now()));
+    periods_.skipped = period.skipped();
+  }
+
+  std::atomic<bool> over_{false};
+  Periods periods_;
+  std::thread thread_;
+};
+
+/// What one lane went through.
+struct Survived {
+  std::uint64_t faults = 0;
+  Periods task, bare;
+
+  Survived& operator+=(const Survived& other) {
+    faults += other.faults;
+    task += other.task;
+    bare += other.bare;
+    return *this;
+  }
+};
+
+Survived survive(suture::Lane lane, const Names& names, const NetworkOptions& options) {
+  Victim victim(names, options.otherCpu);
+  Survivor survivor(lane, names, options);
+  const Periods before = survivor.periods();
+  BareLoop bare(options);
+  injectFor(options.survivorWindow(), victim, survivor);
+  Survived survived{.faults = victim.faults(), .task = survivor.periods(), .bare = bare.end()};
+  survived.task.executed -= before.executed;
+  survived.task.skipped -= before.skipped;
+  survivor.end();
+  return survived;
 }
 
 }  // namespace
 
 std::string survivorRows(const NetworkOptions& options, Report& report) {
   const Names names(Transport::Unix);
-  Victim victim(names, options.otherCpu);
-  Periods bare;
-  std::map<suture::Lane, Periods> survived;
-  std::map<suture::Lane, std::uint64_t> faults;
+  std::map<suture::Lane, Survived> survived;
   for (std::size_t round = 0; round < options.survivorRounds(); ++round) {
-    for (const suture::Lane lane : kLanes) {
-      const std::uint64_t before = victim.faults();
-      survived[lane] += survive(lane, names, victim, options);
-      faults[lane] += victim.faults() - before;
-      bare += bareLoop(victim, options);
-    }
+    for (const suture::Lane lane : kLanes) survived[lane] += survive(lane, names, options);
   }
 
   Table table(1);
   const bool fifo = scheduling(options).fifoPriority.has_value();
   table.row({std::string("1 kHz while the arm is killed and stopped, ") +
                  (fifo ? "SCHED_FIFO" : "default policy"),
-             "faults", "periods", "skipped, %", "longest cycle, ms"});
+             "faults", "periods", "skipped, %", "a bare loop beside", "longest cycle, ms"});
   table.line();
-  const auto row = [&](const char* name, std::uint64_t count, const Periods& periods,
-                       const std::string& longest) {
-    report.add(std::string("survivors.") + name + ".skipped", "%", periods.skippedPercent());
-    table.row({name, std::to_string(count), std::to_string(periods.executed + periods.skipped),
-               number(periods.skippedPercent(), 3), longest});
-  };
-  std::uint64_t beside = victim.faults();
   for (const suture::Lane lane : kLanes) {
     const std::string figure = std::string("survivors.") + toString(lane);
-    const double longest = static_cast<double>(survived[lane].longest.count()) / 1e6;
-    row(toString(lane), faults[lane], survived[lane], number(longest, 2));
+    const auto& [faults, task, bare] = survived[lane];
+    const double longest = static_cast<double>(task.longest.count()) / 1e6;
+    report.add(figure + ".faults", "faults", static_cast<double>(faults));
+    report.add(figure + ".skipped", "%", task.skippedPercent());
+    report.add(figure + ".bare", "%", bare.skippedPercent());
+    report.add(figure + ".excess", "%", task.skippedPercent() - bare.skippedPercent());
     report.add(figure + ".longest", "ms", longest);
-    report.add(figure + ".excess", "%", survived[lane].skippedPercent() - bare.skippedPercent());
-    report.add(figure + ".faults", "faults", static_cast<double>(faults[lane]));
-    beside -= faults[lane];
+    table.row({toString(lane), std::to_string(faults), std::to_string(task.executed + task.skipped),
+               number(task.skippedPercent(), 3), number(bare.skippedPercent(), 3),
+               number(longest, 2)});
   }
-  row("bare", beside, bare, "");
   return table.toString();
 }
 
