@@ -122,6 +122,7 @@ std::string linkTimeRows(const NetworkOptions& options, Report& report) {
     };
     row("connected from cold", "connect", repeated(options.links(), [&] {
           const SampleProcess server(Transport::Unix, options.otherCpu);
+          connectFromCold(lane, server.names());  // waits until the server is there
           return connectFromCold(lane, server.names());
         }));
     row("SIGKILL noticed", "killed",
