@@ -28,6 +28,16 @@ Pinned::Pinned(std::optional<int> cpu) {
 
 Pinned::~Pinned() { sched_setaffinity(0, sizeof(before_), &before_); }
 
+Unpreempted::Unpreempted() : policy_(sched_getscheduler(0)) {
+  const sched_param none{};
+  sched_setscheduler(0, SCHED_BATCH, &none);
+}
+
+Unpreempted::~Unpreempted() {
+  const sched_param none{};
+  sched_setscheduler(0, policy_, &none);
+}
+
 int preferredCpu() { return lastAllowed(-1).value_or(0); }
 
 int cpuBeside(int cpu) { return lastAllowed(cpu).value_or(cpu); }

@@ -59,6 +59,7 @@ Statistics floorOf(const NetworkOptions& options, const std::string& figure) {
 }  // namespace
 
 std::string roundTripRows(const NetworkOptions& options, Report& report) {
+  const Unpreempted unpreempted;
   Table table(1);
   table.row(joined(joined({"us, both ends on one processor"}, statisticsTitles()), {"ratio"}));
   table.line();
