@@ -49,8 +49,14 @@ std::string beginningRows(const LocalOptions& options, Report& report) {
   Table table(1);
   table.row(joined({"ns, whether a command may begin"}, statisticsTitles()));
   table.line();
+  const Statistics loop = timedLoops(options.count(200), 100'000, [] {
+    suture::Errc over{};
+    keep(over);
+  });
+  table.row(joined({"the loop alone"}, cellsOf(loop, 1)));
   const auto row = [&](const char* title, const std::string& figure, const Statistics& cost) {
     report.add("begin." + figure, "ns", cost);
+    report.add("begin." + figure + ".extra", "ns", cost.p50 - loop.p50);
     table.row(joined({title}, cellsOf(cost, 1)));
   };
   ProvidersEnd local;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "bench/placement.h"
 #include "bench/progress.h"
 #include "bench/table.h"
 #include "bench/table2/measure.h"
@@ -34,7 +35,8 @@ Both measureBoth(const Table2Options& options, Loop loop) {
   return {measureLocally(setup), measureAcross(setup, options.transport())};
 }
 
-void addRow(const EventRow& row, const Both& results, Table& table, Report& report) {
+/// `floor`: the median of a bare socket's round trip, us.
+void addRow(const EventRow& row, const Both& results, double floor, Table& table, Report& report) {
   const Statistics local = statisticsOf(inUnits(results.local.*row.samples, kMicrosecond));
   const Statistics network = statisticsOf(inUnits(results.network.*row.samples, kMicrosecond));
   const double difference = network.p50 - local.p50;
@@ -42,34 +44,37 @@ void addRow(const EventRow& row, const Both& results, Table& table, Report& repo
   report.add(figure + ".local", "us", local);
   report.add(figure + ".network", "us", network);
   report.add(figure + ".difference", "us", difference);
+  report.add(figure + ".ratio", "x", difference / floor);
   table.row(joined({row.title, "local"}, cellsOf(local, 1)));
   table.row(joined({"", "network"}, cellsOf(network, 1)));
-  table.row({"", "difference", "", "", "", number(difference, 1), "", "", "", row.original});
+  table.row({"", "difference", "", "", "", number(difference, 1), "", "", "",
+             number(difference / floor, 1), row.original});
 }
 
-void addFloor(Transport transport, const Table2Options& options, std::size_t bytes, Table& table,
-              Report& report) {
-  const bool tcp = transport == Transport::Tcp;
-  const Statistics floor = statisticsOf(inUnits(
+Statistics bareRounds(Transport transport, const Table2Options& options, std::size_t bytes) {
+  return statisticsOf(inUnits(
       pingPong(transport, bytes, options.cpu, options.skipped(), options.kept()), kMicrosecond));
-  report.add(tcp ? "raw.tcp" : "raw.unix", "us", floor);
-  table.row(joined({"raw socket", tcp ? "tcp" : "unix"}, cellsOf(floor, 1)));
 }
 
 }  // namespace
 
 std::string eventRows(const Table2Options& options, std::size_t payloadBytes, Report& report) {
+  const Unpreempted unpreempted;
   Table table(2);
-  table.row(joined(joined({"loop", "where"}, statisticsTitles()), {"over Ice"}));
+  table.row(joined(joined({"loop", "where"}, statisticsTitles()), {"over raw", "over Ice"}));
   table.line();
   const Both scs = measureBoth(options, Loop::Scs), csc = measureBoth(options, Loop::Csc);
+  const Statistics rawUnix = bareRounds(Transport::Unix, options, payloadBytes),
+                   rawTcp = bareRounds(Transport::Tcp, options, payloadBytes);
+  const Statistics& floor = options.transport() == Transport::Unix ? rawUnix : rawTcp;
   for (const EventRow& row : kEventRows) {
-    addRow(row, row.loop == Loop::Scs ? scs : csc, table, report);
+    addRow(row, row.loop == Loop::Scs ? scs : csc, floor.p50, table, report);
   }
   table.line();
-  for (const Transport transport : {Transport::Unix, Transport::Tcp}) {
-    addFloor(transport, options, payloadBytes, table, report);
-  }
+  report.add("raw.unix", "us", rawUnix);
+  report.add("raw.tcp", "us", rawTcp);
+  table.row(joined({"raw socket", "unix"}, cellsOf(rawUnix, 1)));
+  table.row(joined({"", "tcp"}, cellsOf(rawTcp, 1)));
   progress("");
   const std::size_t failures =
       scs.local.failures + scs.network.failures + csc.local.failures + csc.network.failures;
