@@ -1,7 +1,9 @@
 #include <suture/base/arena.h>
 #include <suture/base/errors.h>
+#include <sys/mman.h>
 
 #include <cstring>
+#include <new>
 #include <string>
 
 namespace suture {
@@ -16,15 +18,32 @@ std::shared_ptr<std::byte> allocate(std::size_t size) {
   return {memory, [](std::byte* piece) { ::operator delete(piece, kAlignment); }};
 }
 
+// Zeros that cost no memory until somebody writes.
+std::shared_ptr<std::byte> reserve(std::size_t size) {
+  if (size == 0) return nullptr;
+  void* const memory = mmap(nullptr, size, PROT_READ | PROT_WRITE,
+                            MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (memory == MAP_FAILED) throw std::bad_alloc();
+  return {static_cast<std::byte*>(memory), [size](std::byte* piece) { munmap(piece, size); }};
+}
+
 }  // namespace
 
 Arena::Arena(std::shared_ptr<MemoryBlock> block, Content content)
     : isMaker_(content == Content::Zeros), block_(std::move(block)) {}
 
+Arena Arena::measuring() {
+  Arena arena;
+  arena.isMaker_ = false;
+  arena.measures_ = true;
+  return arena;
+}
+
 std::shared_ptr<std::byte> Arena::take(std::size_t size) {
   const std::size_t rounded = (size + kCacheLine - 1) / kCacheLine * kCacheLine;
   const std::size_t begin = used_;
   used_ += rounded;
+  if (measures_) return reserve(rounded);
   if (block_ == nullptr) return allocate(rounded);
   if (used_ > block_->size()) {
     throw SetupError("use a memory block of " + std::to_string(block_->size()) + " bytes",

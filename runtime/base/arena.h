@@ -14,9 +14,12 @@ namespace suture {
 /// code of one thread.
 class Arena {
  public:
-  /// Each piece is memory of its own, touched by now; used() tells how large a block would have to
-  /// be.
+  /// Each piece is memory of its own, touched by now.
   Arena() = default;
+
+  /// Only used() counts: how large a block would have to be. Nothing is made in the pieces, and no
+  /// page of them is touched.
+  static Arena measuring();
 
   /// What lies in a block at first.
   enum class Content {
@@ -40,6 +43,7 @@ class Arena {
 
  private:
   bool isMaker_ = true;
+  bool measures_ = false;
   std::size_t used_ = 0;
   std::shared_ptr<MemoryBlock> block_;
 };

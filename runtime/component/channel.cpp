@@ -64,7 +64,7 @@ Channel::Channel(const InterfaceInfo& contract, std::string channelName, std::st
 }
 
 std::size_t Channel::bytesFor(const InterfaceInfo& info) {
-  Arena memory;
+  Arena memory = Arena::measuring();
   memory.take(sizeof(Words));
   const rt::Mailbox commands(commandLimits(info), memory);
   const rt::SpscRing replies(replyBytes(info), memory);

@@ -41,7 +41,7 @@ struct Queues {
 };
 
 std::shared_ptr<MemoryBlock> blockForQueues() {
-  Arena asked;
+  Arena asked = Arena::measuring();
   rt::Mailbox commands(kCommands, asked);
   rt::EventQueue events(kEvents, rt::Producers::One, asked);
   return std::make_shared<MemoryBlock>("fuzz", asked.used());

@@ -31,7 +31,7 @@ void requireColumns(const InterfaceInfo& contract, const std::string& name,
 }  // namespace
 
 std::size_t channelBytes(const InterfaceInfo& contract) {
-  Arena asked;
+  Arena asked = Arena::measuring();
   asked.take(sizeof(Asked));
   return asked.used() + Channel::bytesFor(contract);
 }

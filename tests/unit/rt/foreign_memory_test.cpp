@@ -9,6 +9,7 @@
 #include <suture/rt/spsc_ring.h>
 #include <suture/rt/state_table.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <array>
@@ -55,12 +56,26 @@ std::uint64_t valueAt(const std::byte* memory) {
 }
 
 TEST(Arena, CountsWhatABlockHasToHave) {
-  Arena heap;
-  const SpscRing ring(256, heap);
-  Arena block(std::make_shared<MemoryBlock>("test", heap.used()), Arena::Content::Zeros);
+  Arena asked = Arena::measuring();
+  const SpscRing ring(256, asked);
+  Arena block(std::make_shared<MemoryBlock>("test", asked.used()), Arena::Content::Zeros);
   const SpscRing other(256, block);
-  EXPECT_EQ(block.used(), heap.used());
+  EXPECT_EQ(block.used(), asked.used());
   EXPECT_THROW(block.take(1), SetupError);
+}
+
+TEST(Arena, MeasuresWithoutTouchingWhatItMeasures) {
+  constexpr std::size_t kCells = 1 << 14;
+  const auto faults = [] {
+    rusage usage{};
+    getrusage(RUSAGE_THREAD, &usage);
+    return usage.ru_minflt;
+  };
+  const auto before = faults();
+  Arena asked = Arena::measuring();
+  const MpscRing cells(kCells, 1024, asked);
+  EXPECT_GT(asked.used(), kCells * 1024);
+  EXPECT_LT(faults() - before, 100);  // it has 4,096 pages at least
 }
 
 TEST(ForeignSpscRing, CarriesRecordsRoundAndRound) {
