@@ -1,9 +1,11 @@
 #include <suture/wiring/connect.h>
 
 #include <thread>
+#include <vector>
 
 #include "bench/local/sample_device.h"
 #include "bench/local/sample_server.h"
+#include "bench/network/lanes.h"
 #include "bench/network/rows.h"
 #include "bench/network/sample_process.h"
 #include "bench/placement.h"
@@ -13,48 +15,68 @@
 namespace bench {
 namespace {
 
-Statistics measureReads(SampleDevice& client, const NetworkOptions& options) {
+void awaitValue(SampleDevice& client) {
   robots::PoseSample value;
   while (!client.server.value(value)) std::this_thread::yield();
-  return timedLoops(options.readLoops(), 100'000, [&] {
-    const auto read = client.server.value(value);
-    keep(read);
+}
+
+/// ns a read.
+double measureReads(SampleDevice& client) {
+  robots::PoseSample value;
+  const auto read = [&] {
+    const auto answer = client.server.value(value);
+    keep(answer);
     keep(value);
-  });
+  };
+  return timedLoops(1, 20'000, read).p50;
 }
 
-Statistics localReads(const NetworkOptions& options) {
-  SampleTask server(options.otherCpu);
+/// A provider in this process, and its client.
+struct Near {
+  explicit Near(const NetworkOptions& options) : provider(options.otherCpu) {
+    suture::connectLocally(client.server, provider.provided(), "bench");
+    provider.start();
+    awaitValue(client);
+  }
+  SampleTask provider;
   SampleDevice client;
-  suture::connectLocally(client.server, server.provided(), "bench");
-  server.start();
-  return measureReads(client, options);
-}
+};
 
-Statistics mirrorReads(const NetworkOptions& options) {
+/// A provider in another process, and its client.
+struct Far {
+  explicit Far(const NetworkOptions& options) : provider(Transport::Unix, options.otherCpu) {
+    provider.manager().add("Client", client);
+    provider.manager().start();
+    connectBy(suture::Lane::Shm, provider.manager(), "Client/Server", "server:Server/Samples");
+    awaitValue(client);
+  }
   SampleDevice client;  // outlives its manager
-  SampleProcess server(Transport::Unix, options.otherCpu);
-  server.manager().add("Client", client);
-  server.manager().start();
-  server.manager().connect("Client/Server", "server:Server/Samples", suture::Lane::Shm);
-  return measureReads(client, options);
-}
+  SampleProcess provider;
+};
 
 }  // namespace
 
 std::string mirrorRows(const NetworkOptions& options, Report& report) {
   const Pinned pinned(options.cpu);
-  const Statistics local = localReads(options), mirror = mirrorReads(options);
-  const double ratio = mirror.p50 / local.p50;
+  Near near(options);
+  Far far(options);
+  std::vector<double> locals, mirrors, ratios;
+  for (std::size_t turn = 0; turn < options.readLoops(); ++turn) {
+    locals.push_back(measureReads(near.client));
+    mirrors.push_back(measureReads(far.client));
+    ratios.push_back(mirrors.back() / locals.back());
+  }
+  const Statistics local = statisticsOf(locals), mirror = statisticsOf(mirrors),
+                   ratio = statisticsOf(ratios);
   report.add("local_read", "ns", local);
   report.add("mirror_read", "ns", mirror);
   report.add("mirror_read.ratio", "x", ratio);
   Table table(1);
-  table.row(joined({"ns"}, statisticsTitles()));
+  table.row(joined({"ns, by turns"}, statisticsTitles()));
   table.line();
   table.row(joined({"read command, provider in this process"}, cellsOf(local, 1)));
   table.row(joined({"the same, provider in another one, shm"}, cellsOf(mirror, 1)));
-  table.row({"ratio of the medians", "", "", "", number(ratio, 2)});
+  table.row(joined({"  ratio of each pair"}, cellsOf(ratio, 2)));
   return table.toString();
 }
 
