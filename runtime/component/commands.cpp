@@ -103,7 +103,8 @@ bool RequiredBase::admitsResult(std::uint16_t command, const std::byte* result) 
 }
 
 bool RequiredBase::admitsCopy(std::uint16_t command, const std::byte* result) const {
-  return !channel_->foreign || admitsResult(command, result);
+  if (!channel_->foreign || info_.commands[command].admitsResult(result)) return true;
+  return admitsResult(command, result);  // once more, to note where
 }
 
 FieldPath RequiredBase::lastInvalid() const {
