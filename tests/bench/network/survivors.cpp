@@ -192,7 +192,7 @@ class BareLoop {
   std::thread thread_;
 };
 
-/// What one lane went through.
+/// Counts what one lane went through.
 struct Survived {
   std::uint64_t faults = 0;
   Periods task, bare;
