@@ -29,14 +29,12 @@ Pinned::Pinned(std::optional<int> cpu) {
 Pinned::~Pinned() { sched_setaffinity(0, sizeof(before_), &before_); }
 
 Unpreempted::Unpreempted() : policy_(sched_getscheduler(0)) {
+  sched_getparam(0, &parameters_);
   const sched_param none{};
   sched_setscheduler(0, SCHED_BATCH, &none);
 }
 
-Unpreempted::~Unpreempted() {
-  const sched_param none{};
-  sched_setscheduler(0, policy_, &none);
-}
+Unpreempted::~Unpreempted() { sched_setscheduler(0, policy_, &parameters_); }
 
 int preferredCpu() { return lastAllowed(-1).value_or(0); }
 

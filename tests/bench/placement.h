@@ -34,7 +34,9 @@ class Unpreempted {
   Unpreempted& operator=(const Unpreempted&) = delete;
 
  private:
-  int policy_;  // of before
+  // Of before.
+  int policy_;
+  sched_param parameters_;
 };
 
 /// The last of the processors that this process may use: the first serves most interrupts.
