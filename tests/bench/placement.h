@@ -34,7 +34,7 @@ class Unpreempted {
   Unpreempted& operator=(const Unpreempted&) = delete;
 
  private:
-  // Of before.
+  // The end of the scope gives them back.
   int policy_;
   sched_param parameters_;
 };
