@@ -69,8 +69,9 @@ INSTANTIATE_TEST_SUITE_P(Lanes, ClockSteps, testing::Values("auto", "frame", "rp
                          [](const auto& test) { return std::string(test.param); });
 
 TEST_P(ClockSteps, AreNothingToAConnection) {
-#if defined(SUTURE_ADDRESS_SANITIZER)
-  GTEST_SKIP() << "ASan has to be the first library of a process, and hangs behind libfaketime";
+#if defined(SUTURE_ADDRESS_SANITIZER) || defined(SUTURE_THREAD_SANITIZER)
+  GTEST_SKIP()
+      << "sanitizers have to be the first library of a process, and hang behind libfaketime";
 #endif
   System system;
   enum Role { Manager, Provider, Client };
