@@ -5,6 +5,7 @@
 #include <capnp/serialize.h>
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
+#include <suture/base/sanitizers.h>
 #include <suture/cli/contract.h>
 #include <suture/cli/contract_text.h>
 #include <suture/cli/from_json.h>
@@ -14,13 +15,17 @@
 #include <random>
 
 #include "robots/arm.capnp.h"
-#include "support/repetitions.h"
 #include "unit/cli/explanation.h"
 
 namespace suture::cli {
 namespace {
 
-constexpr int kRounds = repetitions(2000);
+// One thread, so ThreadSanitizer has little to find.
+#ifdef SUTURE_THREAD_SANITIZER
+constexpr int kRounds = 200;
+#else
+constexpr int kRounds = 2000;
+#endif
 constexpr unsigned kSeed = 20'26;
 
 void spoil(kj::ArrayPtr<kj::byte> bytes, std::mt19937& random) {
