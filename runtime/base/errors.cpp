@@ -3,6 +3,7 @@
 namespace suture {
 
 const char* toString(Errc error) {
+  if (error == Errc{}) return "no error";
   switch (error) {
     case Errc::NotConnected: return "not connected";
     case Errc::Lost: return "connection lost";

@@ -2,14 +2,19 @@
 
 #include <suture/base/virtual_time.h>
 
+#include <cstdio>
 #include <exception>
 
 namespace suture {
 
 ThreadTask::~ThreadTask() {
-  // Too late to stop: run() is gone with the derived class. Whoever started the task stops it
-  // before.
-  if (thread_.joinable()) std::terminate();
+  if (!thread_.joinable()) return;
+  // It is too late to stop the thread here: run() is gone with the derived class.
+  std::fprintf(stderr,
+               "the task '%s' is destroyed while its thread runs. Stop the task or its manager "
+               "before; a manager that is declared after its components ends before them.\n",
+               name().c_str());
+  std::terminate();
 }
 
 void ThreadTask::start() {

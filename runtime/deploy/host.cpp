@@ -7,6 +7,7 @@
 #include <suture/transport/tls/keys.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace suture {
@@ -38,6 +39,16 @@ std::string unknownClass(const ComponentEntry& entry, std::span<const ComponentC
 bool faultedForGood(const Component& component) {
   if (component.state() != ComponentState::Faulted) return false;
   return !component.ownsThread() || static_cast<const Task&>(component).staysFaulted();
+}
+
+/// `why`: of each connection, by its name, what its client's end was told: "closed: ...".
+std::string lossText(const std::map<std::string, std::string>& why, const std::string& name) {
+  const auto told = why.find(name);
+  if (told == why.end()) return "is lost: the process at its other end is gone. Start it again";
+  const bool ended = told->second.starts_with("closed");
+  return "is lost, " + told->second +
+         (ended ? ". Start that process again"
+                : ". It is connected anew when that process goes on");
 }
 
 }  // namespace
@@ -238,14 +249,14 @@ std::vector<Trouble> Host::componentTroubles() const {
 
 std::vector<Trouble> Host::connectionTroubles() const {
   std::vector<Trouble> found;
+  const std::map<std::string, std::string> whyLost = manager_->whyLost();
   for (const auto& channel : manager_->channels()) {
     const std::string subject = "connection '" + channel->name + "'";
     // Both ends of one that is delayed are in this process.
     if (!found.empty() && found.back().subject == subject) continue;
     switch (channel->status.load(std::memory_order_acquire)) {
       case ChannelStatus::Lost:
-        found.push_back(
-            {subject, "is lost: the other process does not answer. Start it again", true, true});
+        found.push_back({subject, lossText(whyLost, channel->name), true, true});
         break;
       case ChannelStatus::Faulted:
         found.push_back({subject, "is useless: its provider's code threw", true, true});

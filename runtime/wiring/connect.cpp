@@ -5,6 +5,7 @@
 #include <suture/wiring/optional_commands.h>
 
 #include <optional>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -35,11 +36,19 @@ Lacking lackingOfCompatible(const InterfaceInfo& required, const InterfaceInfo& 
   return found.breaks.empty() ? Lacking(std::move(found.lacking)) : std::nullopt;
 }
 
+/// The first few, a line each: two unrelated contracts differ in more than a hundred places.
+std::string textOf(const std::vector<std::string>& reasons) {
+  constexpr std::size_t kShown = 3;
+  std::string text;
+  for (const std::string& line : reasons | std::views::take(kShown)) text += "\n    " + line;
+  if (reasons.size() <= kShown) return text;
+  return text + "\n    and " + std::to_string(reasons.size() - kShown) + " more: see `suture why`";
+}
+
 [[noreturn]] void refuse(const InterfaceInfo& required, const InterfaceInfo& provided,
                          const std::string& connection, const std::vector<std::string>& reasons) {
-  std::string found =
-      "it requires " + std::string(required.name) + " and is offered " + provided.name;
-  for (const std::string& line : reasons) found += "\n    " + line;
+  const std::string found = "it requires " + std::string(required.name) + " and is offered " +
+                            provided.name + textOf(reasons);
   throw SetupError("connecting " + connection, found + "\n  ",
                    std::string_view(required.name) == provided.name
                        ? "Build both sides from the same header"

@@ -32,9 +32,19 @@ Interface& findIn(const std::vector<Interface*>& interfaces, const Endpoint& end
 void Directory::add(const std::string& name, Component& component,
                     const std::function<void()>& prepare) {
   const std::lock_guard lock(mutex_);
+  const std::string asked = "adding a component '" + name + "' to process '" + process_ + "'";
+  if (name.empty() || name.find_first_of(":/") != std::string::npos) {
+    throw SetupError(asked, "no endpoint 'process:component/interface' could name it",
+                     "Choose a name without ':' and '/'");
+  }
   if (components_.contains(name)) {
-    throw SetupError("adding a component '" + name + "' to process '" + process_ + "'",
-                     "it has one of that name", "Give each component of a process its own name");
+    throw SetupError(asked, "it has one of that name",
+                     "Give each component of a process its own name");
+  }
+  for (const auto& [other, one] : components_) {
+    if (one != &component) continue;
+    throw SetupError(asked, "the same object is there as '" + other + "'",
+                     "Add each component once");
   }
   prepare();
   components_.emplace(name, &component);

@@ -22,7 +22,8 @@ class Directory {
   const std::string& process() const { return process_; }
 
   /// `prepare` makes the component ready to be found by other threads; it is not called if the
-  /// name is taken, and the component not added if it throws. It uses nothing of this directory.
+  /// name or the component is refused, and if it throws the component is not added. It uses nothing
+  /// of this directory.
   void add(const std::string& name, Component& component, const std::function<void()>& prepare);
   std::vector<Component*> components() const;
 

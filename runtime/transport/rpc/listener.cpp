@@ -17,8 +17,18 @@ constexpr mode_t kEverybodys = S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH |
 // A caller that says nothing for so long is gone: it has a shorter bound of its own, and is back.
 constexpr Duration kForgotten = std::chrono::seconds(60);
 
+bool isOtherThanASocket(const Address& address) {
+  struct stat status {};
+  return address.kind == Address::Kind::Unix && stat(address.path.c_str(), &status) == 0 &&
+         !S_ISSOCK(status.st_mode);
+}
+
 [[noreturn]] void cannotListen(const Address& address, int error) {
   const std::string asked = "listen at " + address.text();
+  if (error == EADDRINUSE && isOtherThanASocket(address)) {
+    throw SetupError(asked, "there is a file that is no socket",
+                     "Remove it, or choose another address with --listen.");
+  }
   if (error == EADDRINUSE) {
     throw SetupError(asked, "another process listens there",
                      "Stop it, or choose another address with --listen.");

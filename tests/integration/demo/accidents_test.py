@@ -172,7 +172,8 @@ class Workstation(unittest.TestCase):
         left, right = self.two_processes()
         right.kill()
         text = self.await_message(left, "failure")["text"]
-        self.assertIn("connection 'left:TeleopL/Slave -> right:PSM1/Arm' is lost", text)
+        self.assertIn("connection 'left:TeleopL/Slave -> right:PSM1/Arm' is lost, closed: ", text)
+        self.assertIn("Start that process again", text)
         before, after = self.await_message(left, "report"), self.await_message(left, "report")
         for one, next_one in zip(before["tasks"], after["tasks"]):
             self.assertEqual(next_one["state"], "running")
@@ -180,6 +181,14 @@ class Workstation(unittest.TestCase):
         left.terminate()
         self.assertEqual(left.wait(timeout=60), 1)
         self.assertIn(text, left.stderr.read())
+
+    def test_a_slave_that_stands_still_is_not_said_to_have_ended(self):
+        left, right = self.two_processes()
+        right.send_signal(signal.SIGSTOP)
+        text = self.await_message(left, "failure")["text"]
+        right.kill()
+        self.assertIn("connection 'left:TeleopL/Slave -> right:PSM1/Arm' is lost, silent: its process has not answered", text)
+        self.assertIn("It is connected anew when that process goes on", text)
 
     def test_a_slave_that_is_started_again_is_found_again(self):
         left, right = self.two_processes()

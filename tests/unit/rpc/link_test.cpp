@@ -307,6 +307,23 @@ TEST_P(LinkTest, AnAddressInUseIsRefused) {
   EXPECT_EQ(echo(link->bootstrap<Echo>(), 3).wait(port_.scope()), 3u);
 }
 
+TEST(Listener, APlainFileAtTheAddressIsToldApartFromASocket) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("s");
+  std::ofstream(path) << "somebody's notes";
+  EventPort port;
+  try {
+    Listener listener(port, Address::parse("unix:" + path));
+    FAIL() << "a file was taken for a socket";
+  } catch (const SetupError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("unix:" + path), std::string::npos) << text;
+    EXPECT_NE(text.find("a file that is no socket"), std::string::npos) << text;
+    EXPECT_NE(text.find("Remove it"), std::string::npos) << text;
+  }
+  EXPECT_TRUE(std::ifstream(path).good()) << "the file was taken away";
+}
+
 TEST_P(LinkTest, NobodyListening) {
   serve();
   const Address address = server_->address();

@@ -64,6 +64,20 @@ TEST_F(Wired, ANameIsTakenOnce) {
             std::string::npos);
 }
 
+TEST_F(Wired, ANameThatNoEndpointCouldSayIsRefused) {
+  reference::SimulatedArm other{{}};
+  for (const char* const name : {"", "left:PSM2", "PSM2/Arm"}) {
+    const std::string error = refusal([&] { directory_.add(name, other, [] {}); });
+    EXPECT_NE(error.find("Choose a name without ':' and '/'"), std::string::npos) << error;
+  }
+}
+
+TEST_F(Wired, AComponentIsAddedOnce) {
+  EXPECT_EQ(refusal([&] { directory_.add("PSM2", arm_, [] {}); }),
+            "adding a component 'PSM2' to process 'left': the same object is there as 'PSM1'. "
+            "Add each component once");
+}
+
 TEST(Differences, AreToldFieldByFieldAndIgnoreDocumentation) {
   const char* here = R"({"doc": "a", "commands": [
       {"name": "servo_cp", "kind": "write", "queue": 16}, {"name": "hold", "kind": "void"}]})";
@@ -95,8 +109,25 @@ TEST(Contract, ADifferentOneIsRefusedWithTheDifference) {
   const std::string error =
       refusal([&] { requireSameContract(info, other, "a:C/Slave -> b:P/Arm"); });
   EXPECT_NE(error.find("connecting a:C/Slave -> b:P/Arm"), std::string::npos) << error;
-  EXPECT_NE(error.find("'reference::ArmLike' here, 'other' there"), std::string::npos) << error;
+  EXPECT_NE(error.find("commands."), std::string::npos) << error;
   EXPECT_NE(error.find("Build both sides from the same header"), std::string::npos) << error;
+}
+
+TEST(Contract, AnErrorTellsTheFirstThreeDifferencesAndHowManyMore) {
+  const InterfaceInfo& info = interfaceInfo<reference::ArmLike>();
+  InterfaceInfo other = info;
+  other.hash = "another hash";
+  other.description = R"({"name": "other"})";
+  const auto all = differences(info.description, other.description);
+  ASSERT_GT(all.size(), 3u);
+  const std::string error =
+      refusal([&] { requireSameContract(info, other, "a:C/Slave -> b:P/Arm"); });
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_EQ(error.find("\n    " + all[i] + "\n") != std::string::npos, i < 3) << all[i];
+  }
+  EXPECT_NE(error.find("\n    and " + std::to_string(all.size() - 3) + " more: see `suture why`"),
+            std::string::npos)
+      << error;
 }
 
 TEST(Contract, OneThatDerivesFromTheRequiredOneIsAccepted) {

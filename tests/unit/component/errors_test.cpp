@@ -1,0 +1,22 @@
+// Each error has a text of its own, and so does its absence.
+#include <gtest/gtest.h>
+#include <suture/base/errors.h>
+
+#include <set>
+#include <string>
+
+namespace suture {
+namespace {
+
+TEST(Errors, HaveDifferentTexts) {
+  constexpr auto kLast = static_cast<int>(Errc::NotPermitted);
+  std::set<std::string> texts;
+  for (int code = 0; code <= kLast; ++code) texts.insert(toString(static_cast<Errc>(code)));
+  EXPECT_EQ(texts.size(), std::size_t{kLast} + 1);
+  EXPECT_FALSE(texts.contains("unknown error"));
+}
+
+TEST(Errors, AreNoneWhereTheCodeIsZero) { EXPECT_STREQ(toString(Errc{}), "no error"); }
+
+}  // namespace
+}  // namespace suture
