@@ -20,28 +20,27 @@ timed() {  # timed FILE COMMAND...
   return $status
 }
 
-# run_tier PRESET TARGET JOBS [ARGUMENT OF CTEST...]
+# run_tier PRESET TARGET [ARGUMENT OF CTEST...]
 run_tier() {
-  local preset=$1 target=$2 jobs=$3 records=build/$1/Testing
-  shift 3
+  local preset=$1 target=$2 records=build/$1/Testing
+  shift 2
   echo "=== $preset: build $target"
   mkdir -p "$records/cases"
   rm -f "$records"/seconds.* "$records"/cases/*.json "$records/tests.xml"
   cmake --preset "$preset" --log-level=WARNING >/dev/null
   timed "$records/seconds.build" cmake --build --preset "$preset" -j "$(nproc)" --target "$target" -- --quiet
   echo "=== $preset: test"
-  timed "$records/seconds.test" ctest --preset "$preset" -j "$jobs" --output-junit Testing/tests.xml "$@"
+  # Many tests wait more than they work.
+  timed "$records/seconds.test" ctest --preset "$preset" -j $((2 * $(nproc))) --output-junit Testing/tests.xml "$@"
 }
 
-# What the sanitizers run waits more than it works, and so does most of the fast tier; the rest of dev compiles, or judges
-# control at 1 kHz, and waits less.
 for preset in "${presets[@]}"; do
   case "$preset" in
-    dev) run_tier dev all $(($(nproc) + 1)) -LE long ;;
+    dev) run_tier dev all -LE long ;;
     fast)
-      run_tier dev fast_tests $((2 * $(nproc))) -L fast
+      run_tier dev fast_tests -L fast
       tests/tidy.sh
       ;;
-    *) run_tier "$preset" runtime_tests $((2 * $(nproc))) -L runtime ;;
+    *) run_tier "$preset" runtime_tests -L runtime ;;
   esac
 done

@@ -1,11 +1,11 @@
-# suture_test_warnings(NAME ROOT FLAG...): both compilers on all that is generated below ROOT.
+# suture_test_warnings(NAME COMPILERS ROOT FLAG...): these compilers on all that is generated below ROOT. What the build compiles
+# as strictly itself needs clang alone.
 find_program(SUTURE_CLANGXX clang++-19)
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 get_target_property(suture_test_eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 set(suture_test_warnings_script ${CMAKE_CURRENT_LIST_DIR}/warnings_test.py)
 
-function(suture_test_warnings name root)
-  set(compilers ${CMAKE_CXX_COMPILER} ${SUTURE_CLANGXX})
+function(suture_test_warnings name compilers root)
   list(REMOVE_DUPLICATES compilers)  # the sanitizers' presets build with clang
   foreach(compiler IN LISTS compilers)
     get_filename_component(short ${compiler} NAME)
