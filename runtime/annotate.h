@@ -157,15 +157,15 @@ consteval Crtk crtk() { return {true}; }
 consteval Version version(unsigned number) { return {number}; }
 /// The version that this came with: of its contract, or of what the project calls one.
 consteval Since since(unsigned version) { return {version}; }
-/// Who still uses this is warned by the compiler, with the reason.
+/// The compiler warns whoever still uses this, and gives the reason.
 consteval Deprecated deprecated(const char* why) { return {why}; }
 /// What is older is of no use to the component. Today: described, not acted on.
 consteval MaxAge max_age(Nanoseconds age) { return {age.count()}; }
-/// Of a field: it is not part of the value and stays here.
+/// The field is not part of the value: it stays in this process.
 consteval Skip skip() { return {true}; }
-/// Of an enumerator: a receiver takes it for every one that it does not know.
+/// A receiver takes this enumerator for each one that it does not know.
 consteval Fallback fallback() { return {true}; }
-/// Of a list or matrix of numbers: it travels as one block of little-endian bytes, which is faster
+/// The list or matrix of numbers travels as one block of little-endian bytes, which is faster
 /// to copy and which no other language reads without knowing so.
 consteval Bulk bulk() { return {true}; }
 /// A member of an external type, with what else would stand in its SUTURE_FIELD.

@@ -16,7 +16,7 @@ class LifecycleRule {
              "versions count from 1");
   }
 
-  /// Who is on its way out itself may use what is.
+  /// What is deprecated itself may use what is deprecated.
   void checkUse(const std::string& subject, const model::Lifecycle& user, const model::Type& type,
                 const model::Source& source) {
     if (!user.deprecated.empty()) return;

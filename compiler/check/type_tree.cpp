@@ -108,7 +108,7 @@ bool walk(const model::Type& type, const model::Lookup& lookup,
 
 bool ownsHeap(const model::Type& type, const model::Lookup& lookup) {
   return !walk(type, lookup, [](const Place& place) {
-    // Of optionals, std::unique_ptr alone: by its spelling, the only thing that tells them apart.
+    // Among optionals, std::unique_ptr alone: only its spelling tells them apart.
     const bool pointer =
         place.type.shape == Shape::Optional && place.type.spelling.starts_with("std::unique_ptr");
     return !isSized(place.type) && !pointer;

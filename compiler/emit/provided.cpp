@@ -32,7 +32,7 @@ void emitScratch(Code& code, const model::Interface& interface, bool reserves) {
 
 /// With the information and the implementation as of the contract that derives from this one.
 void emitProtectedConstructor(Code& code, const model::Interface& interface, bool implements) {
-  code.line("// Of a contract that derives from this one: `whole` points to its implementation.");
+  code.line("// For contracts that derive from this one: `whole` points to their implementation.");
   code.line("Provided(Component& owner, std::string_view name, ", kBreakText,
             "const InterfaceInfo& info, ", kBreakText, "void* whole, ", kBreakText, "Contract& ",
             named("implementation", implements || !interface.base.empty()), ")");

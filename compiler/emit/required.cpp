@@ -93,7 +93,7 @@ void emitConstructor(Code& code, const model::Interface& interface) {
 void emitProtectedConstructor(Code& code, const model::Interface& interface) {
   const std::string owner = freeName("owner", interface), name = freeName("name", interface),
                     info = freeName("info", interface);
-  code.blank().label("protected:").line("// Of a contract that derives from this one.");
+  code.blank().label("protected:").line("// For contracts that derive from this one.");
   withoutWarning(code, ownCommands(interface), [&] {
     code.line("Required(Component& ", owner, ", ", kBreakText, "std::string_view ", name, ", ",
               kBreakText, "const InterfaceInfo& ", info, ")");

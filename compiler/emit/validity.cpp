@@ -37,7 +37,7 @@ std::string allOf(const std::string& slot, const std::string& path, const std::s
   return "allOf(" + slot + ", " + path + ", " + kBreak + lambda(parameter, each) + ")";
 }
 
-/// Of an Eigen type.
+/// The condition under which the coefficients of an Eigen type are valid.
 std::string coefficientsCondition(const Type& type, const std::string& slot, const Range& range,
                                   unsigned depth) {
   const bool vector = type.shape == Shape::Matrix && (type.rows == 1 || type.columns == 1);
@@ -71,7 +71,7 @@ bool holdsEnum(const Type& type) {
          std::any_of(type.element.begin(), type.element.end(), holdsEnum);
 }
 
-/// Of what one overload of the runtime's isValid() judges as a whole.
+/// The condition of a type that one overload of the runtime's isValid() judges as a whole.
 std::string wholeCondition(const Type& type, const std::string& slot) {
   return isChecked(type) ? "isValid(" + slot + ", path)" : "";
 }
@@ -111,7 +111,7 @@ std::string eachCondition(const char* function, const Type& type, const std::str
   return function + ("(" + slot) + ", path" + checks + ")";
 }
 
-/// Of a number of seconds, as the slot holds it: its count, or nanoseconds.
+/// The condition of a number of seconds, whose slot holds its count or nanoseconds.
 std::string durationCondition(const Type& type, const std::string& slot, const Range& range) {
   if (!range) return isChecked(type) ? "isValid(" + slot + ")" : "";
   const double counts =

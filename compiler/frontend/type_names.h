@@ -13,10 +13,10 @@ class TypeNames {
  public:
   TypeNames(Mapping& mapping, clang::Sema& semantics) : mapping_(mapping), semantics_(semantics) {}
 
-  /// Of an alias at namespace scope for an instance of an annotated template; none for any other.
+  /// The name of a namespace-scope alias for an instance of an annotated template; none otherwise.
   std::optional<DataDeclaration> addAlias(const clang::TypedefNameDecl* alias);
 
-  /// Of what SUTURE_EXTERNAL_TYPE declares; none after an error.
+  /// The name of what SUTURE_EXTERNAL_TYPE declares; none after an error.
   std::optional<DataDeclaration> addExternal(const clang::CXXMethodDecl* members);
 
  private:

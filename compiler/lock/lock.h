@@ -80,7 +80,7 @@ struct Locks {
 };
 
 struct Options {
-  /// Who owns the wire names; goes into the ids of new types. Changing it changes no existing id.
+  /// The owner of the wire names; goes into the ids of new types. A change changes no existing id.
   std::string project = "suture";
   /// Where the lock folder is seen from the user, as it shall stand in messages: "schemas".
   std::string folder = "schemas";

@@ -11,7 +11,7 @@ namespace suture::compiler::lock {
 /// 1 where the lock says nothing.
 unsigned majorOf(const Node& node);
 
-/// Of the contract with that qualified C++ name.
+/// The major of the contract with that qualified C++ name.
 unsigned majorOf(const Locks& locks, const std::string& contract);
 
 /// Raises the major of each contract in the locks of `own` that reaches one of `broken`

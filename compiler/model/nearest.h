@@ -6,7 +6,7 @@
 
 namespace suture::compiler::model {
 
-/// Of `known`, which must not be empty, by the number of letters to change.
+/// The nearest of `known`, which must not be empty, by the number of letters to change.
 std::string_view nearest(std::string_view name, std::span<const std::string_view> known);
 
 }  // namespace suture::compiler::model

@@ -43,7 +43,7 @@ class Judge {
   /// Judges every slave cycle whose master is known by now, with some patience for records that
   /// come late.
   void advance();
-  /// Of what was judged since the last call.
+  /// The position error of what was judged since the last call.
   ErrorSummary recentPosition();
   /// Judges what is left, with or without its master.
   Judgement finish();

@@ -423,7 +423,7 @@ class Required<robots::CrtkArm> : public Required<suture::Messages> {
   Events& on() { return events_; }
 
  protected:
-  // Of a contract that derives from this one.
+  // For contracts that derive from this one.
   Required(Component& owner, std::string_view name, const InterfaceInfo& info)
       : Required<suture::Messages>(owner, name, info) {}
 
@@ -467,7 +467,7 @@ class Provided<robots::CrtkArm> : public Provided<suture::Messages> {
   Events& emit() { return events_; }
 
  protected:
-  // Of a contract that derives from this one: `whole` points to its implementation.
+  // For contracts that derive from this one: `whole` points to their implementation.
   Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
            Contract& implementation)
       : Provided<suture::Messages>(owner, name, info, whole, implementation),

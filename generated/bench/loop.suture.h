@@ -79,7 +79,7 @@ class Required<bench::LoopServer> : public RequiredBase {
   Events& on() { return events_; }
 
  protected:
-  // Of a contract that derives from this one.
+  // For contracts that derive from this one.
   Required(Component& owner, std::string_view name, const InterfaceInfo& info)
       : RequiredBase(owner, name, info) {}
 
@@ -108,7 +108,7 @@ class Provided<bench::LoopServer> : public ProvidedBase {
   Events& emit() { return events_; }
 
  protected:
-  // Of a contract that derives from this one: `whole` points to its implementation.
+  // For contracts that derive from this one: `whole` points to their implementation.
   Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
            Contract& implementation)
       : ProvidedBase(owner, name, info, whole),

@@ -80,7 +80,7 @@ auto& item(Tuple& slot) {
   }
 }
 
-/// Of a tuple or a pair.
+/// Stores a tuple or a pair, member by member.
 template <class Tuple, class Slot, std::size_t... I>
 bool storeItems(const Tuple& value, Slot& slot, std::index_sequence<I...>) {
   bool fits = true;

@@ -43,7 +43,7 @@ bool store(const std::pair<const Key, Value>& value, SlotEntry<K, V>& slot) {
   return store(value.second, slot.value) && fits;
 }
 
-/// Of any set or map.
+/// Stores a set or a map of any kind.
 template <class Container, class S, std::uint32_t N>
 bool storeKeyed(const Container& value, BoundedList<S, N>& slot) {
   if (!resize(slot, value.size())) return false;

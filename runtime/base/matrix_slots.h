@@ -31,7 +31,7 @@ void load(const BoundedList<S, N>& slot,
   std::copy_n(elements(slot), size, value.data());
 }
 
-/// Of so many rows: a list of columns.
+/// Stores a matrix with a fixed number of rows as a list of columns.
 template <Number S, int Rows, int O, int MaxColumns, std::size_t R, std::uint32_t N>
 bool store(const Eigen::Matrix<S, Rows, Eigen::Dynamic, O, Rows, MaxColumns>& value,
            BoundedList<std::array<S, R>, N>& slot) {

@@ -72,7 +72,7 @@ struct SlotEntry {
   Value value;
 };
 
-/// Of std::monostate.
+/// The slot of std::monostate.
 struct SlotNothing {};
 
 /// `value` counts if `present` is not 0.
@@ -107,7 +107,7 @@ struct SlotVariant {
   alignas(S...) std::byte data[std::max({sizeof(S)...})];
 };
 
-/// Of alternatives that own memory, each has a place of its own.
+/// Each alternative that owns memory has a place of its own.
 template <class... S>
 requires(!(std::is_trivially_copyable_v<S> && ...)) struct SlotVariant<S...> {
   std::uint32_t index = 0;

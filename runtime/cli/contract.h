@@ -32,7 +32,7 @@ class Contract {
   const Json& description() const { return description_; }
   /// As it came.
   const std::string& descriptionText() const { return descriptionText_; }
-  /// Of the contracts it derives from, the nearest first.
+  /// The texts of the contracts it derives from, the nearest first.
   const std::vector<std::string>& baseTexts() const { return baseTexts_; }
 
   capnp::InterfaceSchema interface() const { return interface_; }

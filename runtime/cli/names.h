@@ -20,7 +20,7 @@ class Names {
   ProcessRecord process(const std::string& name);
   /// Is the network that of tls:// addresses?
   bool leadsToTls() const { return manager_.address.kind == rpc::Address::Kind::Tls; }
-  /// Of the manager that answers.
+  /// The address of the manager that answers.
   const rpc::Address& address() const { return manager_.address; }
 
  private:

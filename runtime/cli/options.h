@@ -17,10 +17,10 @@ class UsageError : public SetupError {
   using SetupError::SetupError;
 };
 
-/// Of the certificate that this program shows.
+/// The name in the certificate that this program shows.
 inline constexpr const char* kOwnName = "suture";
 
-/// Of all verbs; each uses some.
+/// The options of all verbs; each verb uses some.
 struct Options {
   std::string manager;                ///< address of the global manager, or of several
   std::string keys;                   ///< folder with its own; "": none

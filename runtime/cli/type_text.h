@@ -9,7 +9,7 @@ namespace suture::cli {
 
 /// "at most 16 of robots::Point"
 std::string typeText(const Json& type);
-/// Of a field, parameter or result: the type, its unit and range. "Float64 m, 0 to 1"
+/// The type, unit and range of a field, parameter or result: "Float64 m, 0 to 1".
 std::string valueTypeText(const Json& described);
 
 }  // namespace suture::cli

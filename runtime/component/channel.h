@@ -100,7 +100,7 @@ class Channel {
   /// The commands of `info` that the provider does not have, in their order: optional ones, or
   /// those that the contract got after the provider was built. Set before either end is attached.
   std::vector<std::uint16_t> lacking;
-  /// Of the connection that this is a channel of; nullptr: it has no contract. Set before the
+  /// Watches the connection's contract; nullptr: the connection has none. Set before the
   /// client is attached.
   std::shared_ptr<ConnectionWatch> watch;
   /// Sums of the connection that this is a channel of, over all of them; nullptr: it is the only
@@ -117,7 +117,7 @@ class Channel {
   /// `ends.provider` does, where the client may outlive it. Set before the end that rings it is
   /// attached.
   std::shared_ptr<rt::Doorbell> clientsBell, providersBell;
-  /// Of a client in another process that reads the provider's table: what it asks for there. Set
+  /// The columns that a client in another process asks of the provider's table. Set
   /// before either end is attached.
   std::shared_ptr<std::atomic<rt::ColumnSet>> asked;
 
@@ -157,7 +157,7 @@ class Channel {
   bool admitsResult(const CommandInfo& command, const std::byte* result);
   bool admits(const EventInfo& event, const std::byte* payload);
 
-  /// Of foreign memory, where nobody else counts: this endpoint has put so many bytes in, or taken
+  /// Foreign memory has no lane that counts: this endpoint has put so many bytes in, or taken
   /// them out, with what the queues add.
   void countSent(std::size_t bytes) { count(bytesSent, bytes); }
   void countReceived(std::size_t bytes) { count(bytesReceived, bytes); }

@@ -16,7 +16,7 @@ class Channel;
 /// and allocates nothing.
 class ChannelList {
  public:
-  /// Who walks and sweeps.
+  /// Which threads walk and sweep.
   enum class Walkers : std::uint8_t {
     Owner,  ///< one thread does both, as that of a task
     Any,    ///< any thread walks, also several at a time; any that may free memory sweeps
@@ -54,12 +54,12 @@ class ChannelList {
 
   bool empty() const { return head_.load(std::memory_order_acquire) == nullptr; }
 
-  /// Of Walkers::Owner: takes out the closed channels of whose end nobody has to be told; true if
+  /// For Walkers::Owner. Takes out closed channels whose end needs no more telling; true if
   /// there are any, then letGo() follows.
   bool unlinkClosed();
-  /// Of Walkers::Owner.
+  /// For Walkers::Owner. Lets go of what unlinkClosed() has taken out.
   void letGo();
-  /// Of Walkers::Any: with walkers under way it lets go, of those found by an earlier sweep, at the
+  /// For Walkers::Any. While others walk, it frees what an earlier sweep has found, at the
   /// latest when a later one meets none. Beside another sweep it does nothing.
   void sweep();
 

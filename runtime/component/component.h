@@ -160,7 +160,7 @@ class Component {
   friend class Manager;
   friend class Task;
 
-  /// Of a faulted component: it runs again, unless the hook throws.
+  /// Lets a faulted component run again, unless the hook throws.
   void restart();
 
   template <class Work, class Failed>

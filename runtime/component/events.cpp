@@ -88,7 +88,7 @@ std::size_t RequiredBase::handleQueuedEvents() {
   if (channel == nullptr) return 0;
   noteTaking();
   std::size_t handled = 0;
-  // Who is asked to stop meanwhile ends after this handler; a collector takes the rest in onStop().
+  // Asked to stop, a task ends after this handler; a collector takes the rest in onStop().
   const bool atItsEnd = owner_.ending();
   // A provider that emits faster than they are handled must not keep the task from its cycle.
   while (handled < channel->events.capacity() && (atItsEnd || !owner_.ending())) {
@@ -119,7 +119,7 @@ void RequiredBase::deliver(const rt::EventRecord& record) {
   }
   satisfyAwaited(record);
   const Books::HeardEvent& heard = books_->events[record.event];
-  // Of a latched event the value may be older than its subscription: a replay.
+  // The value of a latched event may be older than its subscription, for it is a replay.
   if (record.stamp < heard.since && !info.latched) return;
   if (VirtualTime* const time = virtualTime(); time != nullptr) {
     time->note(VirtualTime::Kind::Event, name_.c_str(), info.name, channel_->events.delivered());

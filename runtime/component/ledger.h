@@ -69,7 +69,7 @@ class Ledger {
     std::shared_ptr<const ChannelCounts> counts;
     std::uint64_t otherProcess;
   };
-  /// Of several channels.
+  /// The sums of several channels.
   struct Group {
     std::uint64_t accepted = 0, lost = 0, eventsDelivered = 0;
     TurnedDown turnedDown;
@@ -95,7 +95,7 @@ class Ledger {
   mutable std::mutex mutex_;
   std::uint64_t otherProcess_ = 0;
   std::vector<Entry> entries_;  // oldest first; the last is the connection's
-  // Of channels that nobody has any more: to processes that are gone, and to the present one.
+  // Sums of closed channels: those to processes that are gone, and those to the present one.
   Group gone_, ended_;
   std::uint64_t lostThere_ = 0, lostHere_ = 0;  // at processes that are gone, at the present one
   Earlier earlier_;                             // what the present one has told of all but the last

@@ -351,7 +351,7 @@ Errc ProvidedBase::emit(std::uint16_t event, const std::byte* slot, bool fits) {
   if (info.latched) keepLatched(event, stamp, payload);
   channels_.forEach([&](ChannelList::Node& node) {
     Channel& channel = *node.channel;
-    // Of a task, who has subscribed since joins at the next cycle, with the latched values.
+    // A task's new subscribers join at its next cycle, together with the latched values.
     const EventSet wanted = ownThread ? node.served : channel.subscribed();
     if ((wanted >> event & 1) == 0) return;
     deliver(channel, event, stamp, payload, ownThread ? node.direct : channel.direct.events());

@@ -202,7 +202,7 @@ class RequiredBase {
   void noticeLoss();
   bool awaitsOperator(std::uint16_t command) const;
   void close(const std::shared_ptr<Channel>& channel);
-  /// Of a call that is over: its place is free.
+  /// Frees the place of a call that is over.
   void discard(PendingCall& call);
   bool isDone(PendingCall& call);
   void waitFor(PendingCall& call, Duration limit);
@@ -254,7 +254,7 @@ class RequiredBase {
   bool handling_ = false;                // a handler of an event is running
   bool optional_ = false;
   Duration maxAge_{0};
-  // Of channel_, by noticeLoss().
+  // Whether noticeLoss() has dealt with the loss of channel_.
   bool lossNoticed_ = false;
   std::atomic<bool> resumeAsked_{false};  // of a device
   std::uint32_t faultsNoticed_ = 0;

@@ -83,7 +83,7 @@ class Deployment {
   ConnectionContract readContract(const nlohmann::json& connection, const std::string& pointer);
   Duration readDuration(const std::string& text, const std::string& pointer,
                         Duration longest = std::chrono::seconds(60));
-  /// Of a key `key` of `object`; not zero.
+  /// The duration at `key` of `object`, which must not be zero; `otherwise` if there is none.
   Duration readLength(const nlohmann::json& object, const char* key, const char* otherwise,
                       const std::string& pointer);
   void checkNames();

@@ -7,7 +7,7 @@ namespace suture {
 
 namespace {
 
-// Of two clocks of quartz, each off by up to 50 us in a second.
+// Two clocks of quartz drift apart, each off by up to 50 us in a second.
 constexpr int kMicrosecondsOfDrift = 100;
 
 }  // namespace
@@ -26,7 +26,7 @@ bool ClockOffset::add(Time asked, std::int64_t received, std::int64_t sent, Time
   const Duration there(rpc::bounded(received) / 2 + rpc::bounded(sent) / 2);
   const Duration here = asked.time_since_epoch() / 2 + answered.time_since_epoch() / 2;
   const Duration whole = answered - asked, answering(rpc::bounded(sent) - rpc::bounded(received));
-  // Who says that answering took longer than everything, or less than no time, is not believed.
+  // Do not believe a peer that says answering took longer than everything, or less than no time.
   const bool possible = answering >= Duration{0} && answering <= whole;
   const Duration underWay = possible ? whole - answering : whole;
   const Duration offset = there - here, known = error(answered), found = underWay / 2;

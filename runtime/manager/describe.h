@@ -6,7 +6,7 @@
 
 namespace suture {
 
-/// Of all components added so far. The thread that adds them, or any after that.
+/// The thread that adds components, or any after that. Describes all that were added so far.
 std::vector<ComponentRecord> describeComponents(const Directory& directory);
 
 }  // namespace suture

@@ -24,7 +24,7 @@ struct UncarriedEnd {
   bool readOnly = false;
 };
 
-/// Whose connections may share a link.
+/// The client whose connections may share a link.
 struct FrameClient {
   std::string name;  ///< "": it shares none
   rpc::PeerIdentity who;

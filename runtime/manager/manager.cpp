@@ -74,7 +74,7 @@ Manager::Manager(std::string process, const std::string& address, const Security
       [this](const Component& component) { return taskServing(component); }, patience, security);
 }
 
-// Who serves an interface for those that cannot call it directly: its task, or an executor. Any
+// Rings what serves an interface for remote callers: its task, or an executor. Any
 // thread.
 rt::Doorbell& Manager::serverOf(ProvidedBase& provided) {
   if (provided.owner().ownsThread()) return provided.owner().doorbell();

@@ -18,7 +18,7 @@ const char* keysFor(const rpc::Address& address) {
 
 }  // namespace
 
-/// Of several attempts, in their order.
+/// The failures of several attempts, in their order.
 struct ManagerLink::Failures {
   explicit Failures(std::size_t attempts) : all(attempts) {}
 

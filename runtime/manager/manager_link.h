@@ -33,7 +33,7 @@ class ManagerLink {
   /// What the first manager knows that answers.
   kj::Promise<std::vector<ProcessRecord>> list();
 
-  /// Of the first manager that answers.
+  /// The address of the first manager that answers.
   const rpc::Address& address() const { return nearest().address(); }
   /// Once open: where peers of the network of that manager reach this machine; port 0.
   const rpc::Address& here() const { return nearest().here(); }

@@ -169,7 +169,7 @@ class Network::Impl {
         });
   }
 
-  // Of a connection that is taken down and made again, too.
+  // A connection that is taken down and made again keeps its ledger.
   std::shared_ptr<Ledger> ledgerOf(const std::string& connection) {
     std::shared_ptr<Ledger>& ledger = ledgers_[connection];
     if (ledger == nullptr) ledger = std::make_shared<Ledger>(ConnectionEnd::Client);

@@ -22,7 +22,7 @@ namespace suture {
 class DelayThread;
 class Task;
 
-/// Who stands between a required interface and the link, if anybody does.
+/// What stands between a required interface and the link, if anything does.
 struct Interposer {
   DelayThread* delays = nullptr;
   ConnectionDelay delay;

@@ -23,7 +23,7 @@ using Kind = wire::Refusal::Kind;
 // Each has a mailbox of its own, for as long as the link stands.
 constexpr std::size_t kMostPorts = 256;
 
-/// Of either end's channel. `offset`: how far the caller's clock is ahead of ours, ns.
+/// Sets the clock of either end's channel. `offset`: how far the caller's is ahead of ours, ns.
 template <class End>
 void setClock(End& end, std::int64_t offset, std::int64_t error) {
   const std::int64_t known = std::max<std::int64_t>(rpc::bounded(error), 0);
@@ -47,7 +47,7 @@ class ConnectionServer final : public wire::Connection::Server {
   kj::Own<rpc::ProviderEnd> end_;
 };
 
-/// Of a client whose connections share a link, no longer than it needs.
+/// The name of a client whose connections share a link; "" if it is longer than names get.
 std::string nameOf(capnp::Data::Reader client) {
   constexpr std::size_t kMost = 64;
   const auto text = client.asChars();
@@ -220,7 +220,7 @@ kj::Promise<void> PeerServer::decide(ProvidedBase& provided, const Endpoint& end
   }
 }
 
-// Of the connections of one required interface the latest stands.
+// One required interface has one connection: the latest.
 bool PeerServer::takesOver(const std::string& client, const std::string& name,
                            ConnectContext& context) {
   if (host_.isSuperseded(client, bootId_, context.getParams().getEpoch())) {
@@ -294,7 +294,7 @@ kj::Promise<void> PeerServer::serveCalls(Asked& asked, const std::string& laneRe
   return kj::READY_NOW;
 }
 
-// Of one machine, both have the same clock.
+// Both are on one machine, so they have the same clock.
 void PeerServer::shareMemory(Asked& asked, const InterfaceInfo& contract,
                              std::shared_ptr<MemoryBlock> bell) {
   shm::SharedOffer offer =

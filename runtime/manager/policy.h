@@ -1,5 +1,5 @@
 #pragma once
-// Who may be handed which interface of a process.
+// Decides which peers may use which interface of a process.
 
 #include <suture/transport/rpc/peer_identity.h>
 #include <suture/wiring/endpoint.h>
@@ -24,7 +24,7 @@ struct Role {
   std::vector<std::string> full, read;
 };
 
-/// Who has a role.
+/// Says which peers have a role.
 struct Rule {
   /// "process:console": who holds that certificate; '*' as above.
   /// "user:1000", "user:same": whose processes come over a Unix socket; same: this process's own

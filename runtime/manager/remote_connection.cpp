@@ -184,7 +184,7 @@ RemoteConnection::Lanes RemoteConnection::wantedLanes() {
   return {.memory = sharesMachine_, .frames = true};
 }
 
-// Who agrees to a faster lane, and it cannot be had after all, is asked for frames on a new link,
+// If the peer agrees to a faster lane that then cannot be had, we ask for frames on a new link,
 // and then for calls.
 kj::Promise<void> RemoteConnection::ask() {
   const Lanes wanted = wantedLanes();

@@ -28,7 +28,7 @@ namespace suture {
 /// as this lives. Belongs to the control thread; outlives its promises.
 class RemoteConnection {
  public:
-  /// Who wants to know of it, on the control thread.
+  /// Callbacks about the connection, called on the control thread.
   struct Told {
     /// Each channel, when the connection has been made or made anew.
     std::function<void(std::shared_ptr<Channel>)> made;

@@ -5,7 +5,7 @@
 namespace suture {
 namespace {
 
-// Of a state table that another process keeps: mapped, not copied.
+// How large a state table of another process may be; it is mapped, not copied.
 constexpr std::size_t kMostStateBytes = std::size_t{1} << 30;
 constexpr std::uint32_t kMostRows = 1u << 20;
 constexpr unsigned kMostColumns = 64;

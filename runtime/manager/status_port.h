@@ -10,7 +10,7 @@
 
 namespace suture {
 
-/// Of shared memory or frames: passes the status on. Belongs to the control thread.
+/// Belongs to the control thread. Passes on the status of a connection by shm or frame.
 class StatusPort final : public rpc::ProviderEnd, private rpc::Pump {
  public:
   /// `channel` is about to be attached to the provider; its watcher is the control thread.

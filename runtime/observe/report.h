@@ -48,7 +48,7 @@ struct ConnectionReport : Tally {
   std::string whyLost;  ///< the last time, at the client's end: "silent: ..."; "" if it never was
   std::uint64_t bytesSent = 0, bytesReceived = 0;  ///< on the wire; 0 within a process
 
-  /// Of the client's end; none at the provider's alone, and of a connection without a contract.
+  /// Known at the client's end; none at the provider's, and of a connection without a contract.
   std::optional<ContractReport> contract;
 
   std::uint64_t sent = 0;  ///< commands that the client's calls handed over; at the provider's end

@@ -27,7 +27,7 @@ void requireSize(const SlotLayout& layout, std::size_t size, const char* contrac
                    "Generate the contract's code again");
 }
 
-// Of a line of a row: its own keys, and those that tell the other lines from it, stay what they
+// A row's own keys, and those that tell the other lines from a row, must stay what they
 // are.
 std::string keyOf(const std::string& read) {
   static constexpr std::string_view kTaken[] = {"from", "row", "stamp", "event", "missed", "fault"};

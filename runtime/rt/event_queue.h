@@ -36,7 +36,7 @@ struct EventRecord {
   }
 };
 
-/// Who pushes into an EventQueue.
+/// Which threads push into an EventQueue.
 enum class Producers : std::uint8_t {
   One,  ///< one thread at a time, each after the one before: a task's events come from its own
   Any,  ///< any thread, also several at once: a device's

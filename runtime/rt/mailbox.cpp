@@ -69,7 +69,7 @@ Result<std::byte*> Mailbox::claim(std::uint16_t command, Time stamp, std::uint32
   if (limits.latest && call == 0) {
     claimedCell_ = &cells_[static_cast<std::size_t>(cellOf_[command])];
     memory = claimedCell_->values.claim();
-    // Of a command that has been replaced.
+    // The cell may still own the arguments of a command that has been replaced.
     if (limits.shared) releaseSharedSlot(memory + sizeof(CommandRecord));
   } else {
     claimedCell_ = nullptr;
@@ -109,7 +109,7 @@ void Mailbox::fixCut() {
   for (Cell& cell : cells_) cell.held = cell.values.take() || cell.held;
 }
 
-// Of what has been taken out of the ring and the cells, the one that was sent first.
+// The command that was sent first, of those at the front of the ring and of the cells.
 CommandRecord* Mailbox::earliest() {
   CommandRecord* earliest = ownRecord(ring_.front());
   nextCell_ = nullptr;

@@ -93,7 +93,7 @@ class Mailbox {
   /// Any thread: true if something is waiting that next() has not returned.
   bool pending() const;
 
-  /// Of foreign memory both processes see them, and either may be wrong about them.
+  /// In foreign memory both processes write them, so believe neither.
   MailboxCounters& counters = *counters_;
   std::shared_ptr<const MailboxCounters> sharedCounters() const { return counters_; }
 
@@ -111,7 +111,7 @@ class Mailbox {
   Credits& returned(std::uint16_t command) const { return returned_.get()[command]; }
   CommandRecord* earliest();
   bool isPossible(const CommandRecord& record) const;
-  /// Of a counted pointer in a record: releases it.
+  /// Releases the counted pointers that the record's arguments hold.
   void releaseArguments(CommandRecord& record) const;
 
   std::vector<CommandLimits> limits_;
@@ -126,7 +126,7 @@ class Mailbox {
   CommandRecord* claimed_ = nullptr;
   Cell* claimedCell_ = nullptr;
 
-  // Of both: written by the producer, and by the consumer.
+  // The producer writes the first, the consumer the second; both read both.
   const std::shared_ptr<std::atomic<std::uint64_t>> published_;
   const std::shared_ptr<Credits> returned_;  // given back so far, by command
 

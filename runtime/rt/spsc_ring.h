@@ -72,7 +72,7 @@ class SpscRing {
   std::uint64_t knownHead_ = 0;
   alignas(64) std::uint64_t head_ = 0;
   std::uint64_t knownTail_ = 0;
-  // Of a consumer in foreign memory: the front record.
+  // The front record, copied out of foreign memory by its consumer.
   std::vector<std::byte> copy_;
   std::size_t copySize_ = 0;
   bool copied_ = false;

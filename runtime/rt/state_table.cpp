@@ -10,7 +10,7 @@
 namespace suture::rt {
 namespace {
 
-// Of the block, before the first row.
+// What stands in the block before its first row.
 constexpr std::size_t kHeaderBytes = 64;
 
 constexpr std::size_t wordsFor(std::size_t bytes) { return (bytes + 7) / 8; }

@@ -38,7 +38,7 @@ const Json* findIn(const Json& list, const IsSame& isSame) {
 /// How a command is called on the wire: the id of the interface that declares it, and its ordinal.
 using Method = std::pair<std::string, long>;
 
-/// Of each command of a contract, in time that a peer's description of any length cannot stretch.
+/// The commands of a contract. Takes time in proportion to it, however long the peer made it.
 std::vector<Method> methodsOf(const Json& contract) {
   std::map<std::string, std::string> ids;
   for (const Json& node : listOf(contract, "wire")) {
@@ -94,7 +94,7 @@ class Comparison {
       broken(title + ": major " + std::to_string(major) + " here, " + std::to_string(otherMajor) +
              " there");
     }
-    // Who says version(n) says that other versions mean something else by the same names.
+    // version(n) says that other versions mean something else by the same names.
     const long version = numberOf(node, "version", 1), otherVersion = numberOf(other, "version", 1);
     if (version != otherVersion) {
       broken(title + ": version(" + std::to_string(version) + ") here, version(" +

@@ -78,7 +78,7 @@ class Required<reference::GripperArm> : public Required<reference::ArmLike> {
   Events& on() { return events_; }
 
  protected:
-  // Of a contract that derives from this one.
+  // For contracts that derive from this one.
   Required(Component& owner, std::string_view name, const InterfaceInfo& info)
       : Required<reference::ArmLike>(owner, name, info) {}
 
@@ -107,7 +107,7 @@ class Provided<reference::GripperArm> : public Provided<reference::ArmLike> {
   Events& emit() { return events_; }
 
  protected:
-  // Of a contract that derives from this one: `whole` points to its implementation.
+  // For contracts that derive from this one: `whole` points to their implementation.
   Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
            Contract& implementation)
       : Provided<reference::ArmLike>(owner, name, info, whole, implementation),

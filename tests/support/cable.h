@@ -12,7 +12,7 @@
 
 namespace suture {
 
-/// Of the namespace of the calling thread, and of the threads and processes that it starts later.
+/// The cable of the calling thread's namespace; threads and processes that it starts inherit it.
 class Cable {
  public:
   static constexpr const char* kHere = "10.213.7.1";

@@ -84,7 +84,7 @@ class Required<suture::Collecting> : public RequiredBase {
       *this, static_cast<std::uint16_t>(Id::counts)};
 
  protected:
-  // Of a contract that derives from this one.
+  // For contracts that derive from this one.
   Required(Component& owner, std::string_view name, const InterfaceInfo& info)
       : RequiredBase(owner, name, info) {}
 };
@@ -99,7 +99,7 @@ class Provided<suture::Collecting> : public ProvidedBase {
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
  protected:
-  // Of a contract that derives from this one: `whole` points to its implementation.
+  // For contracts that derive from this one: `whole` points to their implementation.
   Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
            Contract& implementation)
       : ProvidedBase(owner, name, info, whole),

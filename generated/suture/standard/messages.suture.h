@@ -65,7 +65,7 @@ class Required<suture::Messages> : public RequiredBase {
   Events& on() { return events_; }
 
  protected:
-  // Of a contract that derives from this one.
+  // For contracts that derive from this one.
   Required(Component& owner, std::string_view name, const InterfaceInfo& info)
       : RequiredBase(owner, name, info) {}
 
@@ -100,7 +100,7 @@ class Provided<suture::Messages> : public ProvidedBase {
   Events& emit() { return events_; }
 
  protected:
-  // Of a contract that derives from this one: `whole` points to its implementation.
+  // For contracts that derive from this one: `whole` points to their implementation.
   Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
            Contract& /*implementation*/)
       : ProvidedBase(owner, name, info, whole) {}

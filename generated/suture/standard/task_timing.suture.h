@@ -70,7 +70,7 @@ class Required<suture::TaskTiming> : public RequiredBase {
       *this, static_cast<std::uint16_t>(Id::skipped)};
 
  protected:
-  // Of a contract that derives from this one.
+  // For contracts that derive from this one.
   Required(Component& owner, std::string_view name, const InterfaceInfo& info)
       : RequiredBase(owner, name, info) {}
 };
@@ -85,7 +85,7 @@ class Provided<suture::TaskTiming> : public ProvidedBase {
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
  protected:
-  // Of a contract that derives from this one: `whole` points to its implementation.
+  // For contracts that derive from this one: `whole` points to their implementation.
   Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
            Contract& implementation)
       : ProvidedBase(owner, name, info, whole),

@@ -48,7 +48,7 @@ class Required<contracts::Lamp> : public Required<suture::Messages> {
   ReadCommand<&Contract::lit, std::uint8_t> lit{*this, static_cast<std::uint16_t>(Id::lit)};
 
  protected:
-  // Of a contract that derives from this one.
+  // For contracts that derive from this one.
   Required(Component& owner, std::string_view name, const InterfaceInfo& info)
       : Required<suture::Messages>(owner, name, info) {}
 };
@@ -63,7 +63,7 @@ class Provided<contracts::Lamp> : public Provided<suture::Messages> {
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
  protected:
-  // Of a contract that derives from this one: `whole` points to its implementation.
+  // For contracts that derive from this one: `whole` points to their implementation.
   Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
            Contract& implementation)
       : Provided<suture::Messages>(owner, name, info, whole, implementation),

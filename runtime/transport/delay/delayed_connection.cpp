@@ -14,7 +14,7 @@ constexpr std::size_t kUnderWay = 2048;
 // How long after others a message may come and still be awaited, if nothing newer does.
 constexpr Duration kMarkPeriod = std::chrono::milliseconds(50);
 
-// Of the messages of a connection, so that each kind meets faults of its own.
+// The kinds of messages of a connection: each meets faults of its own.
 enum Stream : std::uint64_t { kCommands, kAnswers, kEvents, kRows };
 
 struct RowRecord {

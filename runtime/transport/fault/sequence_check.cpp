@@ -7,7 +7,7 @@ constexpr std::uint64_t kRemembered = 64;
 
 }  // namespace
 
-// Of what is too long ago nobody knows; a straggler has been counted as lost already.
+// What is too long ago is not remembered; a straggler has been counted as lost already.
 bool SequenceCheck::hasCome(std::uint64_t sequence) const {
   const std::uint64_t ago = reached_ - sequence;
   return ago >= kRemembered || (recent_ >> ago & 1) != 0;

@@ -28,7 +28,7 @@ class SequenceCheck {
 
   DeliveryCounters& counters_;
   std::uint64_t reached_ = 0;
-  // Of the last 64 up to reached_, bit 0: that has come. To tell a duplicate from a straggler.
+  // Which of the last 64 up to reached_ (bit 0) have come: tells a duplicate from a straggler.
   std::uint64_t recent_ = 0;
 };
 

@@ -93,7 +93,7 @@ bool Link::send() {
   return more;
 }
 
-// Who comes later finds it broken.
+// A connection that joins later finds the link broken.
 void Link::breakAll() {
   const std::lock_guard lock(mutex_);
   broken_.store(true, std::memory_order_release);

@@ -163,7 +163,7 @@ void ProviderSide::giveEvents() {
   }
 }
 
-// Of a latched event the value may be older than its subscription: a replay.
+// The value of a latched event may be older than its subscription, for it is a replay.
 bool ProviderSide::wanted(const rt::EventRecord& record) const {
   if ((channel_->subscribed() >> record.event & 1) == 0) return false;
   return record.stamp >= since_[record.event] || channel_->info.events[record.event].latched;

@@ -13,7 +13,7 @@
 namespace suture::rpc {
 namespace {
 
-// Who knows where the host was does not wait long to hear whether it has moved.
+// If we know where the host was, we do not wait long to hear whether it has moved.
 constexpr Duration kToHearAgain = std::chrono::milliseconds(250);
 
 std::string asked(const Address& address) { return "look up the host '" + address.host + "'"; }

@@ -12,7 +12,7 @@
 
 namespace suture::rpc {
 
-/// Who is at the other end of an accepted link. Belongs to the control thread.
+/// Belongs to the control thread. The peer at the other end of an accepted link.
 struct Caller {
   PeerIdentity identity;
   std::shared_ptr<const LinkCounters> counters;  ///< of the link, for reports

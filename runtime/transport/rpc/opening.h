@@ -25,7 +25,7 @@ std::array<std::byte, sizeof(Token) + 8> openingOf(const Token& token);
 struct Opened {
   ByteStream bytes;
   kj::Maybe<Token> token;
-  /// Of a link: the bytes of its first message that have been read.
+  /// The bytes of a link's first message that have been read.
   std::vector<std::byte> begun;
 };
 

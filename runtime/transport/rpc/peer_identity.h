@@ -1,5 +1,5 @@
 #pragma once
-// Who is at the other end of a link, as far as that can be proved.
+// The identity of the peer at the other end of a link, as far as it can be proved.
 
 #include <sys/types.h>
 

@@ -85,7 +85,7 @@ void ProxyPort::pumpSubscription() {
   subscribe(events, columns);
 }
 
-// Of events that were left and subscribed to again before this was asked.
+// Leaves events, also those that were subscribed to again before this was asked.
 void ProxyPort::leave(EventSet events) {
   leaving_ |= events;
   ++farewellsUnderWay_;

@@ -41,7 +41,7 @@ inline Errc firstError(std::initializer_list<Errc> errors) {
   return Errc{};
 }
 
-/// Of a member that was not sent: `value` is what its struct's constructor gives it.
+/// Stores a member that was not sent: `value` is what its struct's constructor gives it.
 template <class Value, class Slot>
 Errc fromDefault(const Value& value, Slot& slot) {
   return store(value, slot) ? Errc{} : Errc::TooLarge;

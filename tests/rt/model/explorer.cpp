@@ -140,7 +140,7 @@ Choice Exploration::present() const {
   return choice;
 }
 
-// Who was asleep, or has been tried in the place of the chosen one, stays asleep until something
+// A thread that slept, or was tried in the place of the chosen one, stays asleep until something
 // happens that matters to it.
 Threads Exploration::asleepAfter(const Choice& choice) const {
   Threads asleep = 0;

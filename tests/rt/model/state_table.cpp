@@ -31,7 +31,7 @@ struct Table {
 
 }  // namespace
 
-// Of two rows: a reader is lapped by the second publish.
+// The table has two rows, so the second publish laps a reader.
 Run stateRow() {
   const auto it = std::make_shared<Table>(2);
   return {.threads = {[it] {

@@ -43,7 +43,7 @@ inline std::uint64_t tagged(std::uint64_t producer, std::uint64_t serial) {
 struct Faults {
   std::uint64_t torn = 0, backwards = 0, seen = 0;
 
-  /// Of what has been received: its serial number must be greater than any before. Returns it.
+  /// Returns the serial number of what was received; it must be greater than any before.
   std::uint64_t take(std::uint64_t serial);
   /// No use to go on: what is broken may never come to an end.
   bool hopeless() const { return torn + backwards > 100; }

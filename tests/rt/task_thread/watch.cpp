@@ -18,7 +18,7 @@
 namespace proof {
 namespace {
 
-// Whose watch looks at this thread. None while a finding is written down: that may do what is
+// The watch that looks at this thread. None while a finding is written down: that may do what is
 // watched for.
 constinit thread_local Watch* current = nullptr;
 

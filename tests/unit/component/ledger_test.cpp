@@ -42,7 +42,7 @@ class ClientsLedger : public testing::Test {
  protected:
   ~ClientsLedger() override { expectBalance(ledger_.sums()); }
 
-  /// Of ten commands the client hears that six were executed and one came too late.
+  /// The client hears of ten commands that six were executed and one came too late.
   std::shared_ptr<Channel> tenOfWhichThreeAreUnderWay() {
     auto channel = makeChannel();
     ledger_.begin(channel, kRobot);

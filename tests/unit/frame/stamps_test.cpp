@@ -1,4 +1,4 @@
-// Whose clocks differ: a stamp is the reader's.
+// Where clocks differ, a stamp is on the reader's.
 #include <gtest/gtest.h>
 #include <suture/transport/frame/client_side.h>
 #include <suture/transport/frame/link.h>

@@ -18,7 +18,7 @@ namespace {
 /// Whether capnp takes what update() writes for the model.
 void compile(model::Model model) {
   for (model::Header& header : model.headers) header.own = true;
-  // Of this process alone: CTest runs the tests beside each other.
+  // The folder is this process's own, for CTest runs the tests beside each other.
   const std::filesystem::path folder =
       std::filesystem::path(testing::TempDir()) / ("suture_schema_" + std::to_string(getpid()));
   std::string files;

@@ -124,7 +124,7 @@ class Epochs : public testing::Test {
           .attach(kj::mv(link));
     });
   }
-  /// Of the connections that stand.
+  /// The number of connections that stand.
   std::size_t standing() const {
     std::size_t count = 0;
     for (const auto& channel : there_.channels()) count += channel->status != ChannelStatus::Closed;

@@ -31,7 +31,7 @@ class Service {
   bool renew(wire::Lease::Client& lease) {
     return lease.renewRequest().send().wait(scope_).getHeld();
   }
-  /// Of so many renewals, if they came.
+  /// Lets the time of so many renewals pass.
   void pass(int renewals) {
     for (int i = 0; i < renewals; ++i) {
       present_ += wire::RENEWAL_MILLISECONDS * kj::MILLISECONDS;

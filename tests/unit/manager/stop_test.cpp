@@ -114,7 +114,7 @@ TEST_P(Stop, EndsAfterTheCommandThatRuns) {
   EXPECT_TRUE(error == Errc::Lost || error == Errc::OutcomeUnknown) << toString(error);
 }
 
-/// Of one process: its answers are exact.
+/// Both ends are in one process, so the answers are exact.
 TEST(StopLocal, TurnsAwayWhatWaits) {
   OccupiedArm arm;
   StopConsole client;

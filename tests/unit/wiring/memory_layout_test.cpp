@@ -55,7 +55,7 @@ TEST(MemoryLayout, OfAnotherBuildIsToldApart) {
             "the two were built from different versions of the contract");
 }
 
-/// Of a contract whose tables turn nothing.
+/// Asks of a contract whose tables shift no stamp.
 bool hidesStampsWith(const char* description) {
   InterfaceInfo info = infoWith(description);
   info.commands = {};

@@ -2,7 +2,7 @@
 
 namespace scratch {
 
-// Of no target's HEADERS: reached through sample.h alone.
+// No target names this among its HEADERS: it is reached through sample.h alone.
 inline constexpr int kMost = 4;
 
 }  // namespace scratch

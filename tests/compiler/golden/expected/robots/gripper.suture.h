@@ -113,7 +113,7 @@ class Required<robots::Gripper> : public Required<robots::Arm> {
   Events& on() { return events_; }
 
  protected:
-  // Of a contract that derives from this one.
+  // For contracts that derive from this one.
   Required(Component& owner, std::string_view name, const InterfaceInfo& info)
       : Required<robots::Arm>(owner, name, info) {}
 
@@ -142,7 +142,7 @@ class Provided<robots::Gripper> : public Provided<robots::Arm> {
   Events& emit() { return events_; }
 
  protected:
-  // Of a contract that derives from this one: `whole` points to its implementation.
+  // For contracts that derive from this one: `whole` points to their implementation.
   Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
            Contract& implementation)
       : Provided<robots::Arm>(owner, name, info, whole, implementation),
@@ -192,7 +192,7 @@ class Required<robots::Names> : public RequiredBase {
   Events& on() { return events_; }
 
  protected:
-  // Of a contract that derives from this one.
+  // For contracts that derive from this one.
   Required(Component& owner, std::string_view nameGiven, const InterfaceInfo& info)
       : RequiredBase(owner, nameGiven, info) {}
 
@@ -220,7 +220,7 @@ class Provided<robots::Names> : public ProvidedBase {
   Events& emit() { return events_; }
 
  protected:
-  // Of a contract that derives from this one: `whole` points to its implementation.
+  // For contracts that derive from this one: `whole` points to their implementation.
   Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
            Contract& implementation)
       : ProvidedBase(owner, name, info, whole),

@@ -73,7 +73,7 @@ class Required<foreign::Camera> : public RequiredBase {
   ReadCommand<&Contract::view, foreign::ViewSlot> view{*this, static_cast<std::uint16_t>(Id::view)};
 
  protected:
-  // Of a contract that derives from this one.
+  // For contracts that derive from this one.
   Required(Component& owner, std::string_view name, const InterfaceInfo& info)
       : RequiredBase(owner, name, info) {}
 };
@@ -88,7 +88,7 @@ class Provided<foreign::Camera> : public ProvidedBase {
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
  protected:
-  // Of a contract that derives from this one: `whole` points to its implementation.
+  // For contracts that derive from this one: `whole` points to their implementation.
   Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
            Contract& implementation)
       : ProvidedBase(owner, name, info, whole),

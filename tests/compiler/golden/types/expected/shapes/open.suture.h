@@ -160,7 +160,7 @@ class Required<shapes::Archive> : public RequiredBase {
   Events& on() { return events_; }
 
  protected:
-  // Of a contract that derives from this one.
+  // For contracts that derive from this one.
   Required(Component& owner, std::string_view name, const InterfaceInfo& info)
       : RequiredBase(owner, name, info) {}
 
@@ -192,7 +192,7 @@ class Provided<shapes::Archive> : public ProvidedBase {
   Events& emit() { return events_; }
 
  protected:
-  // Of a contract that derives from this one: `whole` points to its implementation.
+  // For contracts that derive from this one: `whole` points to their implementation.
   Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
            Contract& implementation)
       : ProvidedBase(owner, name, info, whole),
