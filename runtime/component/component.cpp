@@ -163,8 +163,9 @@ void Component::park(std::string reason, FaultCause cause) {
     aside_->fault = std::move(reason);
     aside_->cause = cause;
   }
-  faults_.fetch_add(1, std::memory_order_release);
+  // The state first: a new count beside a running component would look like a restart.
   setState(ComponentState::Faulted);
+  faults_.fetch_add(1, std::memory_order_release);
   for (ProvidedBase* provided : provided_) provided->announce(ChannelStatus::Faulted);
 }
 
