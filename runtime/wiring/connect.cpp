@@ -39,7 +39,7 @@ Lacking lackingOfCompatible(const InterfaceInfo& required, const InterfaceInfo& 
 /// The first few, a line each: two unrelated contracts differ in more than a hundred places.
 std::string textOf(const std::vector<std::string>& reasons) {
   constexpr std::size_t kShown = 3;
-  std::string text;
+  std::string text = reasons.empty() ? "" : ":";
   for (const std::string& line : reasons | std::views::take(kShown)) text += "\n    " + line;
   if (reasons.size() <= kShown) return text;
   return text + "\n    and " + std::to_string(reasons.size() - kShown) + " more: see `suture why`";
@@ -47,12 +47,12 @@ std::string textOf(const std::vector<std::string>& reasons) {
 
 [[noreturn]] void refuse(const InterfaceInfo& required, const InterfaceInfo& provided,
                          const std::string& connection, const std::vector<std::string>& reasons) {
-  const std::string found = "it requires " + std::string(required.name) + " and is offered " +
-                            provided.name + textOf(reasons);
-  throw SetupError("connecting " + connection, found + "\n  ",
-                   std::string_view(required.name) == provided.name
-                       ? "Build both sides from the same header"
-                       : "Connect interfaces of the same contract");
+  const std::string remedy = std::string_view(required.name) == provided.name
+                                 ? "Build both sides from the same header"
+                                 : "Connect interfaces of the same contract";
+  throw SetupError("connecting " + connection,
+                   "it requires " + std::string(required.name) + " and is offered " + provided.name,
+                   remedy + textOf(reasons));
 }
 
 }  // namespace

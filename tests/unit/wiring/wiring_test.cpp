@@ -109,25 +109,22 @@ TEST(Contract, ADifferentOneIsRefusedWithTheDifference) {
   const std::string error =
       refusal([&] { requireSameContract(info, other, "a:C/Slave -> b:P/Arm"); });
   EXPECT_NE(error.find("connecting a:C/Slave -> b:P/Arm"), std::string::npos) << error;
-  EXPECT_NE(error.find("commands."), std::string::npos) << error;
+  EXPECT_NE(error.find("'reference::ArmLike' here, 'other' there"), std::string::npos) << error;
   EXPECT_NE(error.find("Build both sides from the same header"), std::string::npos) << error;
 }
 
-TEST(Contract, AnErrorTellsTheFirstThreeDifferencesAndHowManyMore) {
+TEST(Contract, AnErrorSaysWhatToDoThenThreeDifferencesAndHowManyMore) {
   const InterfaceInfo& info = interfaceInfo<reference::ArmLike>();
   InterfaceInfo other = info;
   other.hash = "another hash";
-  other.description = R"({"name": "other"})";
-  const auto all = differences(info.description, other.description);
-  ASSERT_GT(all.size(), 3u);
-  const std::string error =
-      refusal([&] { requireSameContract(info, other, "a:C/Slave -> b:P/Arm"); });
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    EXPECT_EQ(error.find("\n    " + all[i] + "\n") != std::string::npos, i < 3) << all[i];
-  }
-  EXPECT_NE(error.find("\n    and " + std::to_string(all.size() - 3) + " more: see `suture why`"),
-            std::string::npos)
-      << error;
+  other.description = R"({"name": "other", "a": 1, "b": 2, "c": 3, "d": 4})";
+  EXPECT_EQ(refusal([&] { requireSameContract(info, other, "a:C/Slave -> b:P/Arm"); }),
+            "connecting a:C/Slave -> b:P/Arm: it requires reference::ArmLike and is offered "
+            "reference::ArmLike. Build both sides from the same header:\n"
+            "    name: 'reference::ArmLike' here, 'other' there\n"
+            "    a: missing here, 1 there\n"
+            "    b: missing here, 2 there\n"
+            "    and 2 more: see `suture why`");
 }
 
 TEST(Contract, OneThatDerivesFromTheRequiredOneIsAccepted) {
