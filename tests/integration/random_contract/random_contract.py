@@ -28,7 +28,9 @@ def run(command, **options):
 
 
 def build(project, suture):
+    # Else __FILE__ has the folder's name, which is another in each run, and ccache finds nothing.
     run(["cmake", "-S", project, "-B", project / "build", "-G", "Ninja", "--log-level=WARNING",
+         f"-DCMAKE_CXX_FLAGS=-ffile-prefix-map={project}=.",
          f"-DSuture_DIR={suture}", "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_STANDARD=20", "-DCMAKE_UNITY_BUILD=ON"])
     run(["cmake", "--build", project / "build", "--target", "update-lock"])
     run(["cmake", "--build", project / "build", "-j2"])
