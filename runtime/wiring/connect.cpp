@@ -4,8 +4,8 @@
 #include <suture/wiring/differences.h>
 #include <suture/wiring/optional_commands.h>
 
+#include <algorithm>
 #include <optional>
-#include <ranges>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -40,7 +40,7 @@ Lacking lackingOfCompatible(const InterfaceInfo& required, const InterfaceInfo& 
 std::string textOf(const std::vector<std::string>& reasons) {
   constexpr std::size_t kShown = 3;
   std::string text = reasons.empty() ? "" : ":";
-  for (const std::string& line : reasons | std::views::take(kShown)) text += "\n    " + line;
+  for (std::size_t i = 0; i < std::min(kShown, reasons.size()); ++i) text += "\n    " + reasons[i];
   if (reasons.size() <= kShown) return text;
   return text + "\n    and " + std::to_string(reasons.size() - kShown) + " more: see `suture why`";
 }
