@@ -116,9 +116,9 @@ TEST(TaskThread, CyclesOfTwoThreadsCostNothing) {
   EXPECT_EQ(armWatch.findings(), Findings{});
   EXPECT_EQ(clientWatch.findings(), Findings{});
 
-  EXPECT_GT(channel->commands.counters.executed, kAnswers);
-  EXPECT_GT(client.user.events, kAnswers);
-  EXPECT_GT(client.user.answers, kAnswers);
+  EXPECT_GT(channel->commands.counters.executed, 1000u);
+  EXPECT_GT(client.user.events, 1000u);
+  EXPECT_GT(client.user.answers, 1000u);
 }
 
 // An arm and two clients that sleep whenever they have nothing to do, and wake each other: in a
