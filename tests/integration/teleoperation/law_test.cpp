@@ -75,8 +75,8 @@ class Law : public testing::TestWithParam<suture::Lane> {
 };
 
 INSTANTIATE_TEST_SUITE_P(Lanes, Law,
-                         testing::Values(suture::Lane::Auto, suture::Lane::Shm,
-                                         suture::Lane::Frame, suture::Lane::Rpc),
+                         testing::Values(suture::Lane::Auto, suture::Lane::Shm, suture::Lane::Frame,
+                                         suture::Lane::Rpc),
                          [](const auto& one) { return std::string(toString(one.param)); });
 
 TEST_P(Law, HoldsForARecordedRun) {
