@@ -64,8 +64,7 @@ class Ending(unittest.TestCase):
                                {"name": "there", "components": [self.component("Platter", "Platter", angle=0)]}],
                  "connections": [{"from": "here:Hand/Turntable", "to": "there:Platter/Turntable"}]},
                 "--process", "here")
-            self.await_true(lambda: self.brake.exists())
-            self.assertEqual(self.brake.read_text(), "running\n")
+            self.await_true(lambda: self.brake.exists() and self.brake.read_text() == "running\n")
             began = time.monotonic()
             station.send_signal(number)
             _, told = station.communicate(timeout=60)
