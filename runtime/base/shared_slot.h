@@ -4,12 +4,14 @@
 // of the record releases. Only devices have such: no real-time thread touches them.
 
 #include <suture/base/field_path.h>
+#include <suture/base/scratch.h>
 #include <suture/base/time.h>
 
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <new>
 #include <type_traits>
 #include <utility>
 
@@ -107,7 +109,7 @@ void shiftSlot(std::byte* memory, Duration shift) {
   turn(*reinterpret_cast<Slot*>(memory), shift);
 }
 
-/// A slot outside any record, with what a record of it holds.
+/// A slot outside any record, with what a record of it holds. Belongs to one thread.
 template <class Slot>
 class LooseSlot {
  public:
@@ -116,11 +118,27 @@ class LooseSlot {
   LooseSlot& operator=(const LooseSlot&) = delete;
 
   Slot& value() { return slot_; }
+  /// Makes it zero.
+  Slot& zero() { return slot_ = Slot{}; }
   /// To copy to a record, or from one.
   std::byte* memory() { return reinterpret_cast<std::byte*>(&slot_); }
 
  private:
   Slot slot_;
+};
+
+/// One that no stack need have room for.
+template <class Slot>
+requires(!ownsMemory<Slot> && sizeof(Slot) > kLargestOnStack) class LooseSlot<Slot> {
+ public:
+  static_assert(alignof(Slot) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
+
+  Slot& value() { return *reinterpret_cast<Slot*>(memory()); }
+  Slot& zero() { return *new (memory()) Slot{}; }
+  std::byte* memory() { return scratch_.memory(); }
+
+ private:
+  Scratch scratch_{sizeof(Slot)};
 };
 
 template <class Slot>
@@ -136,6 +154,10 @@ class LooseSlot<Slot> {
   Slot& value() {
     if (slot_ == nullptr) slot_ = new HeapSlot<Slot>;
     return static_cast<HeapSlot<Slot>*>(slot_)->value;
+  }
+  Slot& zero() {
+    releaseSharedSlot(memory());
+    return value();
   }
   std::byte* memory() { return reinterpret_cast<std::byte*>(&slot_); }
 

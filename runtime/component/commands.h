@@ -124,7 +124,7 @@ class ReadCommand<Method, ResultSlot> {
     const Sample<void> read = required_.read(id_, slot.memory(), device);
     if (device) return readDevice(value);
     if (required_.zeroes(read)) {
-      load(ResultSlot{}, value);  // not Value{}: Eigen leaves that uninitialised
+      load(slot.zero(), value);  // not Value{}: Eigen leaves that uninitialised
     } else if (read.carriesValue()) {
       load(slot.value(), value);
     }

@@ -42,7 +42,7 @@ class RowReader {
     if (device)
       return readDevice(at, into, std::tie(first, others...), std::index_sequence<I...>{});
     if (required.zeroes(row)) {
-      (load(std::remove_cvref_t<decltype(std::get<I>(slots).value())>{}, std::get<I>(into)), ...);
+      (load(std::get<I>(slots).zero(), std::get<I>(into)), ...);
     } else if (row.carriesValue()) {
       (load(std::get<I>(slots).value(), std::get<I>(into)), ...);
     }

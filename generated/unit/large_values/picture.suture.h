@@ -1,0 +1,137 @@
+// Written by suturec from unit/large_values/picture.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "unit/large_values/picture.h"
+
+namespace large_values {
+
+struct PictureSlot {
+  suture::BoundedList<std::uint8_t, 1048576> pixels;
+};
+
+bool store(const Picture& value, PictureSlot& slot);
+void load(const PictureSlot& slot, Picture& value);
+void reserve(const PictureSlot*, Picture& value);
+
+// --- Gallery: the arguments of its commands ---
+
+struct GalleryDimmedArguments {
+  PictureSlot picture;
+};
+
+bool store(const Picture& picture, GalleryDimmedArguments& slot);
+
+struct GalleryHangArguments {
+  PictureSlot picture;
+};
+
+bool store(const Picture& picture, GalleryHangArguments& slot);
+
+/// The numbers of Gallery's commands in every table and record.
+enum class GalleryCommand : std::uint16_t {
+  newest,
+  oldest,
+  dimmed,
+  hang,
+};
+
+/// The numbers of Gallery's events.
+enum class GalleryEvent : std::uint16_t {
+  hung,
+};
+
+}  // namespace large_values
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<large_values::Gallery>();
+
+/// What a client of large_values::Gallery calls.
+template <>
+class Required<large_values::Gallery> : public RequiredBase {
+  using Contract = large_values::Gallery;
+  using Id = large_values::GalleryCommand;
+  using EventId = large_values::GalleryEvent;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+  ReadCommand<&Contract::newest, large_values::PictureSlot> newest{
+      *this, static_cast<std::uint16_t>(Id::newest)};
+  ReadCommand<&Contract::oldest, large_values::PictureSlot> oldest{
+      *this, static_cast<std::uint16_t>(Id::oldest)};
+  QualifiedReadCommand<&Contract::dimmed, large_values::GalleryDimmedArguments,
+                       large_values::PictureSlot> dimmed{
+      *this, static_cast<std::uint16_t>(Id::dimmed)};
+  Command<&Contract::hang, large_values::GalleryHangArguments> hang{
+      *this, static_cast<std::uint16_t>(Id::hang)};
+
+  /// The events of large_values::Gallery, to subscribe to.
+  struct Events {
+    explicit Events(RequiredBase& required)
+        : hung{required, static_cast<std::uint16_t>(EventId::hung)} {}
+
+    Subscription<large_values::PictureSlot, large_values::Picture> hung;
+  };
+  Events& on() { return events_; }
+
+ protected:
+  // For contracts that derive from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+
+ private:
+  Events events_{*this};
+};
+
+/// What serves large_values::Gallery from a component.
+template <>
+class Provided<large_values::Gallery> : public ProvidedBase {
+  using Contract = large_values::Gallery;
+  using EventId = large_values::GalleryEvent;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+  /// The events of large_values::Gallery, to emit.
+  struct Events {
+    explicit Events(ProvidedBase& provided)
+        : hung{provided, static_cast<std::uint16_t>(EventId::hung)} {}
+
+    Emitter<large_values::PictureSlot, large_values::Picture> hung;
+  };
+  Events& emit() { return events_; }
+
+ protected:
+  // For contracts that derive from this one: `whole` points to their implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  // Reused by every command, so that what they own is allocated once: by reserved().
+  struct Scratch {
+    large_values::Picture dimmed_picture;
+    large_values::Picture hang_picture;
+
+    static Scratch reserved();
+  };
+
+  Contract& implementation_;
+  Events events_{*this};
+  Scratch scratch_ = Scratch::reserved();
+};
+
+}  // namespace suture

@@ -1,0 +1,50 @@
+#include <suture/base/scratch.h>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+namespace suture {
+namespace {
+
+struct Block {
+  std::size_t bytes;
+  std::unique_ptr<std::byte[]> memory;
+};
+
+/// The calling thread's blocks that are not in use. With each block that is taken, room is made to
+/// put it back, so that this never allocates.
+struct Unused {
+  std::vector<Block> blocks;
+  std::size_t inUse = 0;
+};
+
+Unused& unused() {
+  thread_local Unused blocks;
+  return blocks;
+}
+
+}  // namespace
+
+Scratch::Scratch(std::size_t bytes) : bytes_(bytes) {
+  Unused& store = unused();
+  const auto found = std::find_if(store.blocks.begin(), store.blocks.end(),
+                                  [&](const Block& block) { return block.bytes >= bytes; });
+  if (found != store.blocks.end()) {
+    bytes_ = found->bytes;
+    memory_ = found->memory.release();
+    store.blocks.erase(found);
+  } else {
+    store.blocks.reserve(store.blocks.size() + store.inUse + 1);
+    memory_ = std::make_unique_for_overwrite<std::byte[]>(bytes).release();
+  }
+  ++store.inUse;
+}
+
+Scratch::~Scratch() {
+  Unused& store = unused();
+  --store.inUse;
+  store.blocks.push_back({bytes_, std::unique_ptr<std::byte[]>(memory_)});
+}
+
+}  // namespace suture

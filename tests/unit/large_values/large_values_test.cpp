@@ -1,0 +1,143 @@
+// Values of any declared size pass through threads with small stacks, and are copied without an
+// allocation once there is memory for them.
+
+#include <gtest/gtest.h>
+#include <pthread.h>
+#include <suture/component/device.h>
+#include <suture/component/periodic_task.h>
+#include <suture/component/read_together.h>
+#include <suture/manager/manager.h>
+
+#include <chrono>
+#include <functional>
+
+#include "support/allocations.h"
+#include "support/eventually.h"
+#include "unit/large_values/picture.suture.h"
+
+namespace large_values {
+namespace {
+
+using namespace std::chrono_literals;
+using suture::eventually;
+
+constexpr std::size_t kPixels = 1 << 20, kStack = 256 << 10;
+
+/// Runs `work` in a thread with a stack of kStack.
+void withSmallStack(const std::function<void()>& work) {
+  pthread_attr_t attributes;
+  pthread_attr_init(&attributes);
+  pthread_attr_setstacksize(&attributes, kStack);
+  pthread_t thread;
+  const auto run = [](void* body) -> void* {
+    (*static_cast<const std::function<void()>*>(body))();
+    return nullptr;
+  };
+  ASSERT_EQ(pthread_create(&thread, &attributes, run, const_cast<std::function<void()>*>(&work)),
+            0);
+  pthread_attr_destroy(&attributes);
+  pthread_join(thread, nullptr);
+}
+
+Picture grey(std::uint8_t value) { return {std::vector<std::uint8_t>(kPixels, value)}; }
+
+/// What both kinds of provider have in common.
+struct Wall : Gallery {
+  const Picture& newest() const override { return newest_; }
+  const Picture& oldest() const override { return oldest_; }
+  Picture dimmed(const Picture& picture) const override {
+    return grey(static_cast<std::uint8_t>(picture.pixels.front() / 2));
+  }
+  void hang(const Picture& picture) override { newest_ = picture; }
+
+  Picture newest_ = grey(9), oldest_ = grey(3);
+};
+
+struct WallDevice final : suture::Device, Wall {
+  suture::Provided<Gallery> gallery{*this, "Gallery", *this};
+};
+
+struct WallTask final : suture::PeriodicTask, Wall {
+  WallTask() : PeriodicTask({.period = 1ms}) { gallery.keepState({.rows = 2}); }
+  ~WallTask() override { stop(); }
+  void run() override {}
+  suture::Provided<Gallery> gallery{*this, "Gallery", *this};
+};
+
+struct Visitor final : suture::Device {
+  Visitor() {
+    gallery.on().hung([this](const Picture& picture) { heard = picture.pixels.front(); });
+  }
+  suture::Required<Gallery> gallery{*this, "Gallery"};
+  int heard = 0;
+};
+
+/// A visitor of a device and one of a task, both in this process.
+class LargeValues : public testing::Test {
+ protected:
+  LargeValues() {
+    manager_.add("Device", device_);
+    manager_.add("Task", task_);
+    manager_.add("OfDevice", ofDevice_);
+    manager_.add("OfTask", ofTask_);
+    manager_.connect("OfDevice/Gallery", "Device/Gallery");
+    manager_.connect("OfTask/Gallery", "Task/Gallery");
+    manager_.start();
+  }
+  ~LargeValues() override { manager_.stop(); }
+
+  WallDevice device_;
+  WallTask task_;
+  Visitor ofDevice_, ofTask_;
+  suture::Manager manager_{"museum"};
+};
+
+TEST_F(LargeValues, AreReadInAThreadWithASmallStack) {
+  for (Visitor* const visitor : {&ofDevice_, &ofTask_}) {
+    withSmallStack([&] {
+      Picture picture;
+      EXPECT_TRUE(eventually([&] { return visitor->gallery.newest(picture).hasValue(); }));
+      EXPECT_EQ(picture.pixels, grey(9).pixels);
+      EXPECT_TRUE(eventually([&] {
+        const auto both = readTogether(visitor->gallery.newest, visitor->gallery.oldest);
+        return both && std::get<1>(*both).pixels == grey(3).pixels;
+      }));
+      EXPECT_TRUE(visitor->gallery.newest.at(suture::now() + 1h).hasValue());
+    });
+  }
+}
+
+TEST_F(LargeValues, AreSentAndAnsweredInAThreadWithASmallStack) {
+  for (Visitor* const visitor : {&ofDevice_, &ofTask_}) {
+    withSmallStack([&] {
+      EXPECT_TRUE(visitor->gallery.hang.start(grey(5)).within(suture::kPatience).has_value());
+      const auto answer = visitor->gallery.dimmed.start(grey(8)).within(suture::kPatience);
+      ASSERT_TRUE(answer.has_value());
+      EXPECT_EQ(answer->pixels, grey(4).pixels);
+      EXPECT_TRUE(eventually([&] {
+        const auto picture = visitor->gallery.newest();
+        return picture && picture->pixels == grey(5).pixels;
+      }));
+    });
+  }
+}
+
+TEST_F(LargeValues, AreEmittedInAThreadWithASmallStack) {
+  withSmallStack([&] { EXPECT_TRUE(device_.gallery.emit().hung(grey(7)).has_value()); });
+  EXPECT_TRUE(eventually([&] {
+    ofDevice_.processEvents();
+    return ofDevice_.heard == 7;
+  }));
+}
+
+TEST_F(LargeValues, AreReadWithoutAnAllocationOnceThereIsMemory) {
+  if (!suture::countsAllocations()) GTEST_SKIP() << "a sanitizer needs malloc for itself";
+  Picture picture;
+  ASSERT_TRUE(eventually([&] { return ofTask_.gallery.newest(picture).hasValue(); }));
+  const auto before = suture::allocations();
+  EXPECT_TRUE(ofTask_.gallery.newest(picture).hasValue());
+  EXPECT_EQ(suture::allocations(), before);
+}
+
+}  // namespace
+}  // namespace large_values
