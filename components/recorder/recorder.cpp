@@ -1,9 +1,15 @@
 #include "recorder/recorder.h"
 
 namespace robots {
+namespace {
+
+// Four seconds of one arm at 1 kHz.
+constexpr std::size_t kRecords = 4096;
+
+}  // namespace
 
 Recorder::Recorder(const RecorderParameters& parameters)
-    : PeriodicTask({.period = parameters.period}), writer_(parameters.file) {
+    : PeriodicTask({.period = parameters.period}), writer_(parameters.file, kRecords) {
   teleop_.on().followed([this](const FollowAnchors& anchors) { keep(anchors); });
 }
 

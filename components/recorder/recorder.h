@@ -12,6 +12,7 @@
 #include <string>
 
 #include "arm/arm.suture.h"
+#include "recorder/recording.h"
 #include "recorder/recording_writer.h"
 #include "teleop/teleoperation.suture.h"
 
@@ -38,7 +39,7 @@ class SUTURE_COMPONENT() Recorder final : public suture::PeriodicTask {
  private:
   void keep(const Record& record);
 
-  RecordingWriter writer_;
+  RecordingWriter<Record> writer_;
   suture::Required<Arm> arm_{*this, "Arm"};
   SUTURE_REQUIRED(optional()) suture::Required<Teleoperation> teleop_{*this, "Teleoperation"};
   suture::Time last_;

@@ -7,6 +7,8 @@
 #include <ostream>
 #include <string>
 
+#include "recorder/json_stamp.h"
+
 namespace robots {
 namespace {
 
@@ -26,8 +28,6 @@ Eigen::Isometry3d toPose(const Json& json) {
   return pose;
 }
 
-suture::Time toTime(const Json& json) { return suture::fromNanoseconds(json.get<std::int64_t>()); }
-
 Json toJson(const ArmRow& row) {
   return {{"stamp", suture::toNanoseconds(row.stamp)},
           {"measured", toJson(row.measured)},
@@ -45,12 +45,12 @@ Json toJson(const FollowAnchors& anchors) {
 
 void add(Recording& recording, const Json& json) {
   if (json.contains("followed")) {
-    recording.followed.push_back({toTime(json.at("master_stamp")), toPose(json.at("master")),
+    recording.followed.push_back({stampOf(json.at("master_stamp")), toPose(json.at("master")),
                                   toPose(json.at("slave_setpoint")), json.at("scale").get<double>(),
                                   json.at("followed").get<std::uint64_t>()});
   } else {
-    recording.arm.push_back({toTime(json.at("stamp")), toPose(json.at("measured")),
-                             toTime(json.at("goal_stamp")), toPose(json.at("setpoint"))});
+    recording.arm.push_back({stampOf(json.at("stamp")), toPose(json.at("measured")),
+                             stampOf(json.at("goal_stamp")), toPose(json.at("setpoint"))});
   }
 }
 

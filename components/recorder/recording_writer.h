@@ -1,35 +1,63 @@
 #pragma once
 // Takes records from a control loop to a file.
 
+#include <suture/base/errors.h>
 #include <suture/component/periodic_task.h>
 
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <vector>
 
-#include "recorder/recording.h"
-
 namespace robots {
 
 /// A ring that a task fills, and a task of its own that writes to the file, twenty times a second.
-/// The destructor writes what is left.
+/// The destructor writes what is left. A record has a function write(std::ostream&, record) in its
+/// own namespace, and is copied without an allocation.
+template <class Record>
 class RecordingWriter final : private suture::PeriodicTask {
  public:
-  /// Replaces the file. Throws suture::SetupError if it cannot be written.
-  explicit RecordingWriter(const std::filesystem::path& file);
-  ~RecordingWriter() override;
+  /// Replaces the file. The ring has room for `records`. Throws suture::SetupError if the file
+  /// cannot be written.
+  RecordingWriter(const std::filesystem::path& file, std::size_t records)
+      : PeriodicTask({.period = std::chrono::milliseconds(50)}),
+        out_(file, std::ios::trunc),
+        ring_(records) {
+    if (!out_) {
+      throw suture::SetupError("recording to " + file.string(), "the file cannot be written",
+                               "name a file in an existing folder that you may write to");
+    }
+    start();
+  }
+  ~RecordingWriter() override {
+    stop();
+    drain();
+  }
   RecordingWriter(const RecordingWriter&) = delete;
   RecordingWriter& operator=(const RecordingWriter&) = delete;
 
   /// From one task's thread. Never blocks, never allocates; false if the record was dropped because
-  /// the file is seconds behind.
-  bool push(const Record& record);
+  /// the file is so far behind that the ring is full.
+  bool push(const Record& record) {
+    const std::size_t pushed = pushed_.load(std::memory_order_relaxed);
+    if (pushed - written_.load(std::memory_order_acquire) == ring_.size()) return false;
+    ring_[pushed % ring_.size()] = record;
+    pushed_.store(pushed + 1, std::memory_order_release);
+    return true;
+  }
 
  private:
   void run() override { drain(); }
-  void drain();
+  void drain() {
+    std::size_t written = written_.load(std::memory_order_relaxed);
+    while (written != pushed_.load(std::memory_order_acquire)) {
+      write(out_, ring_[written % ring_.size()]);
+      written_.store(++written, std::memory_order_release);
+    }
+    out_.flush();
+  }
 
   std::ofstream out_;
   // Reused in turn; the counts never wrap. Only the pushing thread writes pushed_, only the writing

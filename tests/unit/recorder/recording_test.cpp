@@ -16,6 +16,8 @@
 namespace robots::test {
 namespace {
 
+constexpr std::size_t kRecords = 4096;
+
 class RecordingTest : public testing::Test {
  private:
   const suture::TemporaryDirectory folder_;
@@ -34,7 +36,7 @@ Eigen::Isometry3d somePose() {
 TEST_F(RecordingTest, ReadsBackWhatWasPushed) {
   constexpr std::int64_t kRows = 1000;
   {
-    RecordingWriter writer(file_);
+    RecordingWriter<Record> writer(file_, kRecords);
     ASSERT_TRUE(writer.push(
         FollowAnchors{suture::fromNanoseconds(5), somePose(), somePose().inverse(), 0.2, 3}));
     for (std::int64_t i = 0; i < kRows; ++i) {
@@ -80,7 +82,7 @@ TEST_F(RecordingTest, IsReadWhileItIsWritten) {
 
 TEST_F(RecordingTest, NamesFileAndLineOfABrokenRecording) {
   {
-    RecordingWriter writer(file_);
+    RecordingWriter<Record> writer(file_, kRecords);
     writer.push(ArmRow{});
   }
   std::ofstream(file_, std::ios::app) << "{\"stamp\":12";
@@ -95,7 +97,7 @@ TEST_F(RecordingTest, NamesFileAndLineOfABrokenRecording) {
 
 TEST_F(RecordingTest, RefusesFilesItCannotUse) {
   EXPECT_THROW(readRecording(file_), suture::SetupError);
-  EXPECT_THROW(RecordingWriter("/nowhere/at/all.jsonl"), suture::SetupError);
+  EXPECT_THROW(RecordingWriter<Record>("/nowhere/at/all.jsonl", kRecords), suture::SetupError);
 }
 
 }  // namespace

@@ -1,0 +1,67 @@
+#pragma once
+// The virtual fixtures of placing a knot with two arms.
+
+#include <Eigen/Core>
+
+#include "guidance/quadratic_program.h"
+
+namespace robots {
+
+/// In the frame of the scene.
+struct FixtureModel {
+  Eigen::Vector3d target = Eigen::Vector3d::Zero();  ///< m: where the knot shall be
+  Eigen::Vector3d approach{0, 0, -1};                ///< unit: along which it comes there
+  double radius = 0.0003;                            ///< m: of the corridor at the target
+  double slope = 0.3;                                ///< by which the corridor widens before it
+  double speed = 0.1;                                ///< m/s: of each tip along each axis
+  double slowing = 4;        ///< 1/s: speed towards the target, for each metre to go
+  double separation = 0.01;  ///< m: tips come no nearer to each other
+  double floor = -1;         ///< m: z below which no tip gets, the tissue's surface
+};
+
+/// One vector for each of the two tips, m.
+struct TipPair {
+  Eigen::Vector3d left, right;
+
+  Eigen::Vector3d mean() const { return (left + right) / 2; }
+};
+
+/// Constrained least squares in the manner of Funda, Taylor, Li and Kapoor: the nearest step to the
+/// one that the operator wishes which no fixture forbids. The knot is taken to move with the mean
+/// of the tips. The formulation is our own; the fixtures are
+///  - a corridor about the line of approach, narrower towards the target: eight planes for its
+///  cone,
+///  - the target, which the knot approaches ever slower and does not pass,
+///  - the tissue, the distance between the tips, and a speed.
+/// A fixture only forbids: standing still is always permitted, and no arm is moved that its
+/// operator does not move. Never allocates; belongs to one thread.
+class KnotFixtures {
+ public:
+  /// `approach` may have any length but zero.
+  explicit KnotFixtures(const FixtureModel& model);
+
+  /// The steps of `seconds` that the tips may make, m; none if the solver finds none. `knot`: where
+  /// the knot is now. All in the frame of the scene.
+  TipPair permit(const TipPair& tips, const Eigen::Vector3d& knot, const TipPair& wish,
+                 double seconds);
+
+  /// m along the line of approach, below zero behind the target.
+  double toGo(const Eigen::Vector3d& knot) const;
+  /// m from the line of approach.
+  double aside(const Eigen::Vector3d& knot) const;
+
+ private:
+  static constexpr int kPlanes = 8;
+  static constexpr int kUnknowns = 6;
+  static constexpr int kRows = 2 * kUnknowns + 2 + 1 + kPlanes + 1;
+  using Program = QuadraticProgram<kUnknowns, kRows>;
+  struct Constraints;
+
+  Eigen::Vector3d outward(int plane) const;
+
+  FixtureModel model_;
+  Eigen::Vector3d across_[2];  // with `approach` they make a right-handed frame
+  Program program_;
+};
+
+}  // namespace robots

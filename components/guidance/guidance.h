@@ -1,0 +1,41 @@
+#pragma once
+// The contract of a guide: what it is doing, and how far the knot is from its target.
+
+#include <suture/annotate.h>
+#include <suture/base/time.h>
+
+#include <Eigen/Core>
+#include <cstdint>
+
+namespace robots {
+
+enum class SUTURE_TYPE() GuidanceState : std::uint8_t {
+  Preparing,  ///< waits for all four arms: connected, enabled, homed, and fresh data of each
+  Blind,      ///< the arms are ready, but nobody has seen the knot lately; both slaves hold
+  Guiding,
+};
+
+struct SUTURE_TYPE() GuidanceProgress {
+  /// Where the knot is by the last sighting and by what the tips have moved since; in the scene.
+  SUTURE_FIELD(unit("m")) Eigen::Vector3d knot = Eigen::Vector3d::Zero();
+  /// Along the line of approach; below zero behind the target.
+  SUTURE_FIELD(unit("m")) double to_go = 0;
+  /// From the line of approach.
+  SUTURE_FIELD(unit("m")) double aside = 0;
+  suture::Time stamp;
+  /// False unless the knot has been seen lately.
+  bool valid = false;
+};
+
+class SUTURE_INTERFACE() Guidance {
+ public:
+  virtual ~Guidance() = default;
+
+  SUTURE_COMMAND() virtual GuidanceState guidance_state() const = 0;
+  SUTURE_COMMAND() virtual const GuidanceProgress& progress() const = 0;
+
+  SUTURE_EVENT(latched(), name("guidance_state"))
+  suture::EventOf<GuidanceState> guidance_state_event;
+};
+
+}  // namespace robots

@@ -1,0 +1,54 @@
+#pragma once
+// Where the knot is between two sightings.
+
+#include <suture/base/time.h>
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "guidance/motion_history.h"
+
+namespace robots {
+
+/// The knot as it was seen, and by how much the tips have moved since: images come late and seldom.
+/// What is kept of the sightings is where the knot is from the mean of the tips, which changes
+/// slowly, so it is smoothed and the movement is not. Never allocates; belongs to one thread.
+class KnotEstimate {
+ public:
+  /// Each cycle: where the mean of the tips is.
+  void tipsAt(suture::Time now, const Eigen::Vector3d& mean) {
+    tips_ = mean;
+    history_.add(now, mean);
+  }
+  /// The knot was seen at `knot` when `stamp` was. The same sighting may be told again.
+  void seenAt(suture::Time stamp, const Eigen::Vector3d& knot) {
+    if (offset_ && stamp == seen_) return;
+    const auto mean = history_.at(stamp);
+    if (!mean) return;
+    const Eigen::Vector3d offset = knot - *mean;
+    offset_ = offset_ ? *offset_ + kShareOfNew * (offset - *offset_) : offset;
+    seen_ = stamp;
+  }
+  void forget() {
+    history_.clear();
+    offset_.reset();
+  }
+
+  /// None if it has not been seen within `age` before `now`.
+  std::optional<Eigen::Vector3d> knot(suture::Time now, suture::Duration age) const {
+    if (!offset_ || now - seen_ > age) return std::nullopt;
+    return tips_ + *offset_;
+  }
+
+ private:
+  // With 15 sightings a second a change of the offset is followed within half a second, and their
+  // noise comes to a third.
+  static constexpr double kShareOfNew = 0.2;
+
+  MotionHistory history_;
+  Eigen::Vector3d tips_ = Eigen::Vector3d::Zero();
+  std::optional<Eigen::Vector3d> offset_;  // of the knot from the tips' mean
+  suture::Time seen_;
+};
+
+}  // namespace robots

@@ -1,0 +1,108 @@
+#pragma once
+// The task that lets two masters place a knot with two slaves.
+
+#include <suture/annotate.h>
+#include <suture/base/sample.h>
+#include <suture/base/time.h>
+#include <suture/component/periodic_task.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include <array>
+#include <chrono>
+#include <optional>
+
+#include "arm/arm.suture.h"
+#include "arm/arm_watch.h"
+#include "guidance/fixtures.h"
+#include "guidance/guidance.suture.h"
+#include "guidance/knot_estimate.h"
+#include "registration/registration.suture.h"
+#include "teleop/follow_law.h"
+#include "vision/knot_vision.suture.h"
+
+namespace robots {
+
+struct SUTURE_TYPE() GuideParameters {
+  suture::Duration period = std::chrono::milliseconds(1);
+  /// Slave metres a master metre.
+  SUTURE_FIELD(range(0.01, 10)) double scale = 0.4;
+  /// An arm's data that are older are not acted on: both slaves hold.
+  suture::Duration max_age = std::chrono::milliseconds(20);
+  /// The same for what the cameras saw: some three images.
+  suture::Duration sighting_age = std::chrono::milliseconds(250);
+  /// Without, the slaves follow their masters, and nobody looks where the knot is.
+  bool fixtures = true;
+  /// Where the knot shall be, in the scene.
+  SUTURE_FIELD(unit("m")) Eigen::Vector3d target{0, 0, -0.15};
+  /// Along which it shall come there; of any length but zero.
+  Eigen::Vector3d approach{0, 0, -1};
+  /// Radius of the corridor at the target, and by how much it widens before that.
+  SUTURE_FIELD(unit("m"), range(0.0001, 0.1)) double radius = 0.0003;
+  SUTURE_FIELD(range(0, 1)) double slope = 0.3;
+  /// How fast a tip moves along each axis.
+  SUTURE_FIELD(unit("m/s"), range(0.001, 1)) double speed = 0.1;
+  /// How near the tips come to each other.
+  SUTURE_FIELD(unit("m"), range(0, 0.1)) double separation = 0.01;
+  /// The tissue's surface in the scene: its z.
+  SUTURE_FIELD(unit("m"), range(-1, 1)) double floor = -0.16;
+};
+
+/// Each slave follows its master by the law of teleoperation (teleop/follow_law.h), as far as the
+/// fixtures permit (guidance/fixtures.h). If one arm's data are old, or the knot has not been seen
+/// lately, both slaves hold; each time all is well again they begin anew from where they are.
+class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public Guidance {
+ public:
+  /// Throws suture::SetupError for a line of approach without a direction.
+  explicit KnotGuide(const GuideParameters& parameters);
+
+  GuidanceState guidance_state() const override { return state_; }
+  const GuidanceProgress& progress() const override { return progress_; }
+
+  void run() override;
+
+ private:
+  /// One master, the slave that it drives, and how.
+  struct Side {
+    Side(KnotGuide& guide, const char* masterName, const char* slaveName)
+        : master(guide, masterName), slave(guide, slaveName) {}
+
+    bool ready() const { return masterWatch.ready() && slaveWatch.ready(); }
+
+    suture::Required<Arm> master, slave;
+    ArmWatch masterWatch{master}, slaveWatch{slave};
+    std::optional<FollowLaw> law;
+    PoseStamped masterPose, slavePose;  // of this cycle; the slave's is its set-point
+  };
+
+  bool readArms();
+  bool read(Side& side);
+  /// The pose if it may be acted on.
+  const PoseStamped* usable(const suture::Sample<PoseStamped>& sample) const;
+  void lookForKnot();
+  void begin();
+  /// False if a slave did not take its goal.
+  bool move();
+  bool send(Side& side, const Eigen::Isometry3d& base, const Eigen::Vector3d& tip);
+  TipPair wish() const;
+  TipPair permitted(const TipPair& wish);
+  /// Follows no more: both slaves hold.
+  void leave(GuidanceState state);
+  void enter(GuidanceState state);
+
+  const GuideParameters parameters_;
+  Side left_{*this, "LeftMaster", "LeftSlave"};
+  Side right_{*this, "RightMaster", "RightSlave"};
+  suture::Required<KnotVision> vision_{*this, "Vision"};
+  suture::Required<Registration> registration_{*this, "Registration"};
+  suture::Provided<Guidance> guidance_{*this, "Guidance", *this};
+
+  KnotFixtures fixtures_;
+  SceneFrames frames_;
+  TipPair tips_;  // where they shall be, in the scene
+  KnotEstimate estimate_;
+  GuidanceState state_ = GuidanceState::Preparing;
+  GuidanceProgress progress_;
+};
+
+}  // namespace robots

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <suture/base/time.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+
+namespace robots {
+
+/// Where something was in the last 512 cycles. Never allocates; belongs to one thread.
+class MotionHistory {
+ public:
+  void add(suture::Time stamp, const Eigen::Vector3d& place) {
+    entries_[count_++ % entries_.size()] = {stamp, place};
+  }
+  void clear() { count_ = 0; }
+
+  /// The last place at or before `stamp`; none if that is too long ago, or nothing is known.
+  std::optional<Eigen::Vector3d> at(suture::Time stamp) const {
+    const std::size_t kept = std::min(count_, entries_.size());
+    for (std::size_t back = 1; back <= kept; ++back) {
+      const Entry& entry = entries_[(count_ - back) % entries_.size()];
+      if (entry.stamp <= stamp) return entry.place;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  struct Entry {
+    suture::Time stamp;
+    Eigen::Vector3d place;
+  };
+  std::array<Entry, 512> entries_;
+  std::size_t count_ = 0;  // of all ever added
+};
+
+}  // namespace robots

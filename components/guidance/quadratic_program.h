@@ -1,0 +1,188 @@
+#pragma once
+// Constrained least squares of fixed size: what a guided motion solves each millisecond.
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+namespace robots {
+
+/// How a solution came about.
+enum class SolveStatus : std::uint8_t {
+  Optimal,
+  Infeasible,      ///< no point meets all constraints
+  IterationLimit,  ///< gave up; see the solver
+};
+
+/// Minimises 1/2 x' H x + g' x subject to C x >= d, for a positive definite H: N unknowns and M
+/// rows. The dual active-set method of Goldfarb and Idnani (Mathematical Programming 27, 1983),
+/// which begins at the unconstrained minimum and takes in one violated row after another.
+///
+/// Never allocates; the number of iterations is bounded by kIterations. Belongs to one thread.
+template <int N, int M>
+class QuadraticProgram {
+ public:
+  using Vector = Eigen::Matrix<double, N, 1>;
+  using Matrix = Eigen::Matrix<double, N, N>;
+  using Rows = Eigen::Matrix<double, M, N>;
+  using Bounds = Eigen::Matrix<double, M, 1>;
+
+  /// Far more than random problems of this kind need: about as many as rows are active.
+  static constexpr int kIterations = 4 * (N + M);
+  /// A row that is missed by no more counts as met. The rows of C are to be of about length one.
+  static constexpr double kTolerance = 1e-11;
+
+  struct Solution {
+    Vector x = Vector::Zero();
+    Bounds multipliers = Bounds::Zero();  ///< >= 0, and 0 for a row that is not active
+    SolveStatus status = SolveStatus::Optimal;
+    int iterations = 0;
+  };
+
+  /// Only an Optimal solution is one; what else is in it means nothing.
+  Solution solve(const Matrix& H, const Vector& g, const Rows& C, const Bounds& d) {
+    // With H = L L' and y = L' x the problem is to find the point nearest to y0 = -L^-1 g.
+    const Eigen::LLT<Matrix> cholesky(H);
+    Eigen::Matrix<double, N, M> normals = C.transpose();
+    cholesky.matrixL().solveInPlace(normals);
+    Vector y = -g;
+    cholesky.matrixL().solveInPlace(y);
+
+    Solution solution;
+    active_ = 0;
+    clearFrom(0);
+    solution.status = approach(normals, d, y, solution.iterations);
+    solution.x = y;
+    cholesky.matrixU().solveInPlace(solution.x);
+    for (int i = 0; i < active_; ++i) solution.multipliers[rows_[i]] = multipliers_[i];
+    return solution;
+  }
+
+ private:
+  using Normals = Eigen::Matrix<double, N, M>;
+
+  SolveStatus approach(const Normals& normals, const Bounds& d, Vector& y, int& iterations) {
+    while (true) {
+      Eigen::Index row = 0;
+      const double slack = (normals.transpose() * y - d).minCoeff(&row);
+      if (slack >= -kTolerance) return SolveStatus::Optimal;
+      const SolveStatus status = takeIn(static_cast<int>(row), normals, d, y, iterations);
+      if (status != SolveStatus::Optimal) return status;
+    }
+  }
+
+  using ActiveVector = Eigen::Matrix<double, N, 1>;  // its first active_ entries count
+
+  /// Moves until `row` is met and active, which may put others out of the active set.
+  SolveStatus takeIn(int row, const Normals& normals, const Bounds& d, Vector& y, int& iterations) {
+    const Vector normal = normals.col(row);
+    double multiplier = 0;
+    while (iterations++ < kIterations) {
+      const Parts parts = split(normal);
+      const bool blocked = parts.free.squaredNorm() <= kDependent * normal.squaredNorm();
+      const double full = blocked ? kInfinity : (d[row] - normal.dot(y)) / parts.free.dot(normal);
+      const ActiveVector share = shareOf(parts);
+      int leaving = -1;
+      const double step = std::min(full, longestDualStep(share, leaving));
+      if (step == kInfinity) return SolveStatus::Infeasible;
+
+      if (!blocked) y += step * parts.free;
+      multipliers_ -= step * share;
+      multiplier += step;
+      if (step == full) {
+        add(row, multiplier, parts);
+        return SolveStatus::Optimal;
+      }
+      drop(leaving, normals);
+    }
+    return SolveStatus::IterationLimit;
+  }
+
+  /// A normal as the sum of what is orthogonal to all active normals, and a combination of basis_.
+  struct Parts {
+    Vector free;
+    ActiveVector inBasis = ActiveVector::Zero();
+  };
+
+  Parts split(const Vector& normal) const {
+    Parts parts{normal};
+    const auto basis = basis_.leftCols(active_);
+    // Twice, since once loses digits where the normal is nearly a combination.
+    for (int round = 0; round < 2; ++round) {
+      const ActiveVector part = padded(basis.transpose() * parts.free);
+      parts.free -= basis_ * part;
+      parts.inBasis += part;
+    }
+    return parts;
+  }
+
+  /// How fast the active rows' multipliers fall while that of the new row grows.
+  ActiveVector shareOf(const Parts& parts) const {
+    ActiveVector share = parts.inBasis;
+    const auto triangle = triangle_.topLeftCorner(active_, active_);
+    auto head = share.head(active_);
+    triangle.template triangularView<Eigen::Upper>().solveInPlace(head);
+    return share;
+  }
+
+  template <class Part>
+  static ActiveVector padded(const Part& part) {
+    ActiveVector whole = ActiveVector::Zero();
+    whole.head(part.size()) = part;
+    return whole;
+  }
+
+  /// How far the multipliers of the active rows stay >= 0, and which of them ends that.
+  double longestDualStep(const ActiveVector& share, int& leaving) const {
+    double longest = kInfinity;
+    for (int i = 0; i < active_; ++i) {
+      if (share[i] <= kDependent) continue;
+      const double step = multipliers_[i] / share[i];
+      if (step >= longest) continue;
+      longest = step;
+      leaving = i;
+    }
+    return longest;
+  }
+
+  void add(int row, double multiplier, const Parts& parts) {
+    const double length = parts.free.norm();
+    basis_.col(active_) = parts.free / length;
+    triangle_.col(active_) = parts.inBasis;
+    triangle_(active_, active_) = length;
+    rows_[active_] = row;
+    multipliers_[active_] = multiplier;
+    ++active_;
+  }
+
+  /// The factors of the rows behind it are made anew: few rows are ever active.
+  void drop(int leaving, const Normals& normals) {
+    const auto rows = rows_;
+    const ActiveVector multipliers = multipliers_;
+    const int before = std::exchange(active_, leaving);
+    clearFrom(leaving);
+    for (int i = leaving + 1; i < before; ++i) {
+      add(rows[i], multipliers[i], split(normals.col(rows[i])));
+    }
+  }
+
+  void clearFrom(int first) {
+    basis_.rightCols(N - first).setZero();
+    multipliers_.tail(N - first).setZero();
+  }
+
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  // A normal of whose square no larger share is free is a combination of the active ones.
+  static constexpr double kDependent = 1e-14;
+
+  // The active rows' normals, in the order in which they were taken in, are basis_ * triangle_.
+  int active_ = 0;
+  Eigen::Matrix<int, N, 1> rows_;
+  ActiveVector multipliers_;
+  Matrix basis_, triangle_;
+};
+
+}  // namespace robots

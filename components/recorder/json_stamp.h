@@ -1,0 +1,15 @@
+#pragma once
+
+#include <suture/base/time.h>
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+namespace robots {
+
+/// A stamp as a recording has it: ns of the steady clock.
+inline suture::Time stampOf(const nlohmann::json& json) {
+  return suture::fromNanoseconds(json.get<std::int64_t>());
+}
+
+}  // namespace robots

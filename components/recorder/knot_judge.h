@@ -1,0 +1,27 @@
+#pragma once
+// Decides from a recording whether a knot came to its target.
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "recorder/knot_recording.h"
+
+namespace robots {
+
+struct KnotJudgement {
+  double start = 0;           ///< m from the target when guiding began
+  double error = 0;           ///< m from the target, mean of the last half second
+  double sighted = 0;         ///< share of the guided rows with a valid sighting
+  double sighting_error = 0;  ///< m, p99: a sighting against the truth at its stamp
+  std::size_t rows = 0;       ///< guided ones
+};
+
+/// `target` is in the scene, m. By the true strand, not by what the cameras saw.
+KnotJudgement judgeKnot(const std::vector<KnotRow>& rows, const Eigen::Vector3d& target);
+
+/// Each bound that is missed, in words; empty: the knot was placed. Bounds: 1 mm from the target,
+/// after at least 10 mm of the way.
+std::vector<std::string> violations(const KnotJudgement& judgement);
+
+}  // namespace robots

@@ -1,0 +1,28 @@
+#include "recorder/knot_recorder.h"
+
+namespace robots {
+namespace {
+
+// Five seconds of fifty rows.
+constexpr std::size_t kRows = 256;
+
+}  // namespace
+
+KnotRecorder::KnotRecorder(const KnotRecorderParameters& parameters)
+    : PeriodicTask({.period = parameters.period}), writer_(parameters.file, kRows) {
+  guidance_.on().guidance_state(
+      [this](const GuidanceState& state) { row_.guiding = state == GuidanceState::Guiding; });
+}
+
+void KnotRecorder::run() {
+  const auto strand = strand_.strand();
+  const auto frames = registration_.frames();
+  if (!strand || !strand->valid || strand->stamp == row_.strand.stamp || !frames) return;
+  row_.strand = *strand;
+  row_.camera = frames->camera;
+  const auto sighting = vision_.sighting();
+  row_.sighting = sighting ? *sighting : KnotSighting{};
+  if (!writer_.push(row_)) dropped_.fetch_add(1, std::memory_order_relaxed);
+}
+
+}  // namespace robots

@@ -1,0 +1,50 @@
+#pragma once
+// The task that records how a knot is placed.
+
+#include <suture/annotate.h>
+#include <suture/base/time.h>
+#include <suture/component/periodic_task.h>
+#include <suture/component/required.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+#include "guidance/guidance.suture.h"
+#include "recorder/knot_recording.h"
+#include "recorder/recording_writer.h"
+#include "registration/registration.suture.h"
+#include "strand/strand_view.suture.h"
+#include "vision/knot_vision.suture.h"
+
+namespace robots {
+
+struct SUTURE_TYPE() KnotRecorderParameters {
+  suture::Duration period = std::chrono::milliseconds(20);
+  /// Replaced at the start; one JSON line a row.
+  SUTURE_FIELD(capacity(255)) std::string file = "knot.jsonl";
+};
+
+/// Keeps one row a cycle, once there is a strand. Complete once destroyed.
+class SUTURE_COMPONENT() KnotRecorder final : public suture::PeriodicTask {
+ public:
+  /// Throws suture::SetupError if the file cannot be written.
+  explicit KnotRecorder(const KnotRecorderParameters& parameters);
+
+  void run() override;
+
+  /// Any thread: rows that did not fit because the file was too slow.
+  std::uint64_t dropped() const { return dropped_.load(std::memory_order_relaxed); }
+
+ private:
+  RecordingWriter<KnotRow> writer_;
+  suture::Required<StrandView> strand_{*this, "Strand"};
+  suture::Required<KnotVision> vision_{*this, "Vision"};
+  suture::Required<Guidance> guidance_{*this, "Guidance"};
+  suture::Required<Registration> registration_{*this, "Registration"};
+  KnotRow row_;
+  std::atomic<std::uint64_t> dropped_{0};
+};
+
+}  // namespace robots

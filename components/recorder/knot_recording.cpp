@@ -1,0 +1,86 @@
+#include "recorder/knot_recording.h"
+
+#include <suture/base/errors.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <string>
+
+#include "recorder/json_stamp.h"
+
+namespace robots {
+namespace {
+
+using Json = nlohmann::json;
+
+template <class Matrix>
+Json toJson(const Matrix& matrix) {
+  Json list = Json::array();
+  for (const double value : matrix.reshaped()) list.push_back(value);
+  return list;
+}
+
+template <class Matrix>
+void read(const Json& list, Matrix& matrix) {
+  for (Eigen::Index i = 0; i < matrix.size(); ++i) {
+    matrix.reshaped()[i] = list.at(static_cast<std::size_t>(i)).template get<double>();
+  }
+}
+
+KnotRow toRow(const Json& json) {
+  KnotRow row;
+  row.strand.stamp = stampOf(json.at("stamp"));
+  read(json.at("nodes"), row.strand.nodes);
+  row.strand.valid = true;
+  read(json.at("camera"), row.camera.matrix());
+  row.guiding = json.at("guiding").get<bool>();
+  const Json& seen = json.at("seen");
+  row.sighting.valid = !seen.is_null();
+  if (row.sighting.valid) {
+    row.sighting.stamp = stampOf(seen.at("stamp"));
+    read(seen.at("knot"), row.sighting.knot);
+    read(seen.at("left"), row.sighting.left_tip);
+    read(seen.at("right"), row.sighting.right_tip);
+  }
+  return row;
+}
+
+}  // namespace
+
+void write(std::ostream& out, const KnotRow& row) {
+  Json seen;
+  if (row.sighting.valid) {
+    seen = {{"stamp", suture::toNanoseconds(row.sighting.stamp)},
+            {"knot", toJson(row.sighting.knot)},
+            {"left", toJson(row.sighting.left_tip)},
+            {"right", toJson(row.sighting.right_tip)}};
+  }
+  out << Json{{"stamp", suture::toNanoseconds(row.strand.stamp)},
+              {"nodes", toJson(row.strand.nodes)},
+              {"camera", toJson(row.camera.matrix())},
+              {"seen", seen},
+              {"guiding", row.guiding}}
+      << '\n';
+}
+
+std::vector<KnotRow> readKnotRecording(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in) {
+    throw suture::SetupError("reading the recording " + file.string(), "it cannot be opened",
+                             "check that the recorder ran");
+  }
+  std::vector<KnotRow> rows;
+  for (std::string line; std::getline(in, line);) {
+    try {
+      rows.push_back(toRow(Json::parse(line)));
+    } catch (const Json::exception& error) {
+      throw suture::SetupError(
+          "reading the recording " + file.string() + ":" + std::to_string(rows.size() + 1),
+          error.what(), "the recorder may have been killed while it wrote; record anew");
+    }
+  }
+  return rows;
+}
+
+}  // namespace robots

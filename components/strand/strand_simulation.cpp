@@ -1,0 +1,49 @@
+#include "strand/strand_simulation.h"
+
+#include <algorithm>
+
+#include "arm/seconds.h"
+
+namespace robots {
+namespace {
+
+static_assert(Strand::kNodes == decltype(StrandState::nodes)::ColsAtCompileTime);
+
+// However long the task did not run: the strand need not catch up with a debugger.
+constexpr double kLongestStep = 0.02;  // s
+
+}  // namespace
+
+StrandSimulation::StrandSimulation(const StrandParameters& parameters)
+    : PeriodicTask({.period = parameters.period}),
+      model_{.length = parameters.length,
+             .friction = parameters.friction,
+             .wrap = parameters.wrap,
+             .floor = parameters.floor} {}
+
+void StrandSimulation::run() {
+  const auto frames = registration_.frames();
+  const auto left = left_.measured_cp(), right = right_.measured_cp();
+  if (!frames || !left || !right || !left->valid || !right->valid) {
+    state_.valid = false;
+    return;
+  }
+  const Eigen::Vector3d leftTip = frames->left_base * left->pose.translation();
+  const Eigen::Vector3d rightTip = frames->right_base * right->pose.translation();
+  const suture::Time now = suture::now();
+  if (!strand_) {
+    strand_.emplace(model_, leftTip, rightTip);
+  } else {
+    strand_->hold(Strand::Place::Left, leftTip);
+    strand_->hold(Strand::Place::Right, rightTip);
+    strand_->advance(std::min(secondsBetween(state_.stamp, now), kLongestStep));
+  }
+  state_ = {strand_->nodes(),
+            strand_->leftLength(),
+            strand_->leftTension(),
+            strand_->rightTension(),
+            now,
+            true};
+}
+
+}  // namespace robots

@@ -1,0 +1,31 @@
+#pragma once
+// The contract of a simulated strand: the truth, for cameras that draw it and judges.
+
+#include <suture/annotate.h>
+#include <suture/base/time.h>
+
+#include <Eigen/Core>
+
+namespace robots {
+
+struct SUTURE_TYPE() StrandState {
+  /// From the left tip over the knot, the middle column, to the right tip; in the scene's frame.
+  SUTURE_FIELD(unit("m")) Eigen::Matrix<double, 3, 61> nodes = Eigen::Matrix<double, 3, 61>::Zero();
+  /// Strand between the left tip and the knot.
+  SUTURE_FIELD(unit("m")) double left_length = 0;
+  /// Of the links beside the knot.
+  SUTURE_FIELD(unit("N")) double left_tension = 0;
+  SUTURE_FIELD(unit("N")) double right_tension = 0;
+  suture::Time stamp;
+  /// False before both tips are known.
+  bool valid = false;
+};
+
+class SUTURE_INTERFACE() StrandView {
+ public:
+  virtual ~StrandView() = default;
+
+  SUTURE_COMMAND() virtual const StrandState& strand() const = 0;
+};
+
+}  // namespace robots

@@ -1,0 +1,42 @@
+#include "surgeon/knot_surgeon.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "arm/seconds.h"
+#include "arm/smooth_step.h"
+
+namespace robots {
+
+KnotSurgeon::KnotSurgeon(const KnotSurgeonParameters& parameters)
+    : PeriodicTask({.period = parameters.period}), parameters_(parameters) {
+  guidance_.on().guidance_state(
+      [this](const GuidanceState& state) { guided_ = state == GuidanceState::Guiding; });
+}
+
+void KnotSurgeon::run() {
+  if (!guided_ || !guidance_.connected() || !leftWatch_.ready() || !rightWatch_.ready()) {
+    return start_.reset();
+  }
+  const suture::Time now = suture::now();
+  if (leftWatch_.hasBrokenOff() || rightWatch_.hasBrokenOff()) start_.reset();
+  if (!start_) {
+    const auto left = left_.setpoint_cp(), right = right_.setpoint_cp();
+    if (!left || !right || !left->valid || !right->valid) return;
+    start_ = Start{left->pose, right->pose, now};
+  }
+  const Eigen::Translation3d offset(moved(secondsBetween(start_->at, now)));
+  const bool leftTook = left_.servo_cp({offset * start_->left, now, true}).has_value();
+  const bool rightTook = right_.servo_cp({offset * start_->right, now, true}).has_value();
+  if (!leftTook || !rightTook) start_.reset();
+}
+
+Eigen::Vector3d KnotSurgeon::moved(double t) const {
+  const double done = smoothStep(t / parameters_.duration);
+  // Faded in with the movement, so that it begins at rest.
+  const double sway =
+      done * parameters_.sway * std::sin(2 * std::numbers::pi * parameters_.sway_frequency * t);
+  return done * parameters_.carry + sway * Eigen::Vector3d(1, 0.5, 0);
+}
+
+}  // namespace robots

@@ -1,0 +1,55 @@
+#pragma once
+// A scripted surgeon who carries a knot with both hands.
+
+#include <suture/annotate.h>
+#include <suture/base/time.h>
+#include <suture/component/periodic_task.h>
+#include <suture/component/required.h>
+
+#include <Eigen/Geometry>
+#include <chrono>
+#include <optional>
+
+#include "arm/arm.suture.h"
+#include "arm/arm_watch.h"
+#include "guidance/guidance.suture.h"
+
+namespace robots {
+
+struct SUTURE_TYPE() KnotSurgeonParameters {
+  suture::Duration period = std::chrono::milliseconds(1);
+  /// Where both hands go from where they are, in the masters' base frames.
+  SUTURE_FIELD(unit("m")) Eigen::Vector3d carry{0, 0, -0.04};
+  /// How long that takes.
+  SUTURE_FIELD(unit("s"), range(0.1, 100)) double duration = 4;
+  /// How far the hands sway to the side meanwhile, and how often.
+  SUTURE_FIELD(unit("m"), range(0, 0.05)) double sway = 0.005;
+  SUTURE_FIELD(unit("Hz"), range(0, 10)) double sway_frequency = 0.5;
+};
+
+/// Moves both masters in one script, without looking, from the moment the guide says that it
+/// guides; holds them while it does not.
+class SUTURE_COMPONENT() KnotSurgeon final : public suture::PeriodicTask {
+ public:
+  explicit KnotSurgeon(const KnotSurgeonParameters& parameters);
+
+  void run() override;
+
+ private:
+  /// From where the hands set out, `t` seconds later.
+  Eigen::Vector3d moved(double t) const;
+
+  const KnotSurgeonParameters parameters_;
+  suture::Required<Arm> left_{*this, "Left"};
+  suture::Required<Arm> right_{*this, "Right"};
+  suture::Required<Guidance> guidance_{*this, "Guidance"};
+  ArmWatch leftWatch_{left_}, rightWatch_{right_};
+  bool guided_ = false;
+  struct Start {
+    Eigen::Isometry3d left, right;
+    suture::Time at;
+  };
+  std::optional<Start> start_;
+};
+
+}  // namespace robots

@@ -1,0 +1,37 @@
+#pragma once
+// The geometry of a stereo endoscope.
+
+#include <Eigen/Core>
+#include <cstdint>
+
+namespace robots {
+
+enum class Eye : std::uint8_t { Left, Right };
+
+/// Two equal pinholes side by side, whose images are rectified. Points are in the frame of the left
+/// one, m: x to the right and y downward in the image, z ahead. Pixels count from the centre of the
+/// upper left one. The figures are those of the Surgical Robotics Challenge's world_stereo
+/// (collaborative-robotics/surgical_robotics_challenge). Immutable; any thread.
+struct CameraPair {
+  int width = 640, height = 480;  ///< px
+  double focal = 351;             ///< px
+  double baseline = 0.004;        ///< m, from the left to the right pinhole
+
+  Eigen::Vector2d centre() const { return {(width - 1) / 2.0, (height - 1) / 2.0}; }
+
+  /// Where a point (z > 0) is in the image, px; it may be outside.
+  Eigen::Vector2d project(Eye eye, const Eigen::Vector3d& point) const {
+    const double x = point.x() - (eye == Eye::Right ? baseline : 0);
+    return centre() + focal / point.z() * Eigen::Vector2d(x, point.y());
+  }
+
+  /// The point that both eyes see, from its places in the images, px. An error of the disparity of
+  /// d px moves it by z^2 / (focal * baseline) * d in depth. The disparity must be above zero.
+  Eigen::Vector3d triangulate(const Eigen::Vector2d& left, const Eigen::Vector2d& right) const {
+    const double z = focal * baseline / (left.x() - right.x());
+    const double y = (left.y() + right.y()) / 2;
+    return {(left.x() - centre().x()) * z / focal, (y - centre().y()) * z / focal, z};
+  }
+};
+
+}  // namespace robots

@@ -1,0 +1,30 @@
+#pragma once
+// The contract of the vision system: where the knot and both tips are.
+
+#include <suture/annotate.h>
+#include <suture/base/time.h>
+
+#include <Eigen/Core>
+
+namespace robots {
+
+/// In the frame of the left camera: x to the right and y downward in the image, z ahead.
+struct SUTURE_TYPE() KnotSighting {
+  SUTURE_FIELD(unit("m")) Eigen::Vector3d knot = Eigen::Vector3d::Zero();
+  SUTURE_FIELD(unit("m")) Eigen::Vector3d left_tip = Eigen::Vector3d::Zero();
+  SUTURE_FIELD(unit("m")) Eigen::Vector3d right_tip = Eigen::Vector3d::Zero();
+  /// When the images were exposed.
+  suture::Time stamp;
+  /// False unless both eyes see all three.
+  bool valid = false;
+};
+
+class SUTURE_INTERFACE() KnotVision {
+ public:
+  virtual ~KnotVision() = default;
+
+  /// What the last pair of images showed.
+  SUTURE_COMMAND() virtual const KnotSighting& sighting() const = 0;
+};
+
+}  // namespace robots

@@ -1,0 +1,23 @@
+#pragma once
+// The contract of a stereo endoscope: what both eyes see.
+
+#include <suture/annotate.h>
+
+#include "robot_types/vision.h"
+
+namespace robots {
+
+/// Two rectified images of one moment; both stamps are that of the exposure.
+struct SUTURE_TYPE() StereoPair {
+  ImageFrame left;
+  ImageFrame right;
+};
+
+class SUTURE_INTERFACE() StereoImages {
+ public:
+  virtual ~StereoImages() = default;
+
+  SUTURE_COMMAND() virtual const StereoPair& images() const = 0;
+};
+
+}  // namespace robots

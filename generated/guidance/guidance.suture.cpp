@@ -1,0 +1,432 @@
+// Written by suturec from guidance/guidance.h. Do not edit.
+#include "guidance/guidance.suture.h"
+
+#include <suture/transport/rpc/binding.h>
+#include <suture/transport/rpc/proxy_port.h>
+#include <suture/transport/rpc/servant_port.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "guidance/guidance.capnp.h"
+
+namespace robots {
+
+using suture::CommandInfo;
+using suture::CommandKind;
+using suture::Duration;
+using suture::Errc;
+using suture::EventInfo;
+using suture::FieldPath;
+using suture::checkSlot;
+using suture::load;
+using suture::refusedAt;
+using suture::rpc::ProxyPort;
+using suture::rpc::ServantPort;
+using suture::rpc::fromDefault;
+using suture::rpc::fromWire;
+using suture::rpc::isValid;
+using suture::rpc::numberOf;
+using suture::rpc::shifted;
+using suture::rpc::toWire;
+using suture::shiftSlot;
+using suture::slotIn;
+using suture::slotSize;
+using suture::store;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<std::underlying_type_t<GuidanceState>, std::uint8_t>);
+static_assert(static_cast<std::uint8_t>(GuidanceState::Preparing) == 0);
+static_assert(static_cast<std::uint8_t>(GuidanceState::Blind) == 1);
+static_assert(static_cast<std::uint8_t>(GuidanceState::Guiding) == 2);
+static_assert(std::is_same_v<decltype(GuidanceProgress::knot), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(GuidanceProgress::to_go), double>);
+static_assert(std::is_same_v<decltype(GuidanceProgress::aside), double>);
+static_assert(std::is_same_v<decltype(GuidanceProgress::stamp),
+                             std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(GuidanceProgress::valid), bool>);
+
+}  // namespace
+
+bool store(const GuidanceProgress& value, GuidanceProgressSlot& slot) {
+  bool fits = true;
+  fits &= store(value.knot, slot.knot);
+  fits &= store(value.to_go, slot.to_go);
+  fits &= store(value.aside, slot.aside);
+  fits &= store(value.stamp, slot.stamp);
+  fits &= store(value.valid, slot.valid);
+  return fits;
+}
+
+void load(const GuidanceProgressSlot& slot, GuidanceProgress& value) {
+  load(slot.knot, value.knot);
+  load(slot.to_go, value.to_go);
+  load(slot.aside, value.aside);
+  load(slot.stamp, value.stamp);
+  load(slot.valid, value.valid);
+}
+
+void shiftStamps(GuidanceProgressSlot& slot, Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
+}
+
+// --- between slots and Cap'n Proto
+
+wire::GuidanceState wireGuidanceState(std::uint8_t slot) {
+  switch (static_cast<GuidanceState>(slot)) {
+    case GuidanceState::Preparing: return wire::GuidanceState::PREPARING;
+    case GuidanceState::Blind: return wire::GuidanceState::BLIND;
+    case GuidanceState::Guiding: return wire::GuidanceState::GUIDING;
+  }
+  return wire::GuidanceState{};
+}
+
+bool isKnownGuidanceState(std::uint8_t slot) {
+  switch (static_cast<GuidanceState>(slot)) {
+    case GuidanceState::Preparing:
+    case GuidanceState::Blind:
+    case GuidanceState::Guiding:
+      return true;
+  }
+  return false;
+}
+
+Errc fromWire(wire::GuidanceState in, std::uint8_t& slot) {
+  switch (in) {
+    case wire::GuidanceState::PREPARING: return slot =
+        static_cast<std::uint8_t>(GuidanceState::Preparing), Errc{};
+    case wire::GuidanceState::BLIND: return slot =
+        static_cast<std::uint8_t>(GuidanceState::Blind), Errc{};
+    case wire::GuidanceState::GUIDING: return slot =
+        static_cast<std::uint8_t>(GuidanceState::Guiding), Errc{};
+  }
+  return Errc::Invalid;
+}
+
+void toWire(const GuidanceProgressSlot& slot, wire::GuidanceProgress::Builder out) {
+  toWire(slot.knot, out.initKnot());
+  out.setToGo(slot.to_go);
+  out.setAside(slot.aside);
+  out.setStamp(slot.stamp);
+  out.setValid(slot.valid != 0);
+}
+
+Errc fromWire(wire::GuidanceProgress::Reader in, GuidanceProgressSlot& slot, Duration shift) {
+  slot.to_go = in.getToGo();
+  slot.aside = in.getAside();
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.valid = in.getValid();
+  return in.hasKnot() ? fromWire(in.getKnot(), slot.knot)
+      : fromDefault(GuidanceProgress().knot, slot.knot);
+}
+
+bool isValid(const GuidanceProgressSlot& slot, FieldPath* path) {
+  if (!isValid(slot.knot, path)) return refusedAt(path, "knot");
+  if (!isValid(slot.to_go)) return refusedAt(path, "to_go");
+  return isValid(slot.aside) || refusedAt(path, "aside");
+}
+
+namespace {
+
+bool acceptsGuidanceGuidanceStateResult(const std::uint8_t& slot, FieldPath*) {
+  return isKnownGuidanceState(slot);
+}
+
+bool acceptsGuidanceGuidanceStateEvent(const std::uint8_t& slot, FieldPath*) {
+  return isKnownGuidanceState(slot);
+}
+
+// --- Guidance over Cap'n Proto RPC: the provider's side
+
+/// Makes remote calls of a subscriber's events and rows.
+class GuidanceSink final : public suture::rpc::EventSink {
+ public:
+  explicit GuidanceSink(wire::GuidanceEvents::Client subscriber) :
+      subscriber_(kj::mv(subscriber)) {}
+
+  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
+    switch (event) {
+      case numberOf(GuidanceEvent::guidance_state): {
+        const auto& slot = slotIn<std::uint8_t>(payload);
+        auto request = subscriber_.guidanceStateRequest();
+        request.setValue(wireGuidanceState(slot));
+        return request.send().ignoreResult();
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
+                        std::span<const std::byte* const> columns) override {
+    auto request = subscriber_.stateRequest();
+    auto out = request.initRow();
+    out.setStamp(suture::toNanoseconds(row.stamp));
+    out.setEvaluated(row.valid | row.invalid);
+    out.setTooLarge(row.tooLarge | row.invalid);
+    if (row.hasValue(0)) {
+      const auto& slot = slotIn<std::uint8_t>(columns[0]);
+      out.setGuidanceState(wireGuidanceState(slot));
+    }
+    if (row.hasValue(1)) {
+      const auto& slot = slotIn<GuidanceProgressSlot>(columns[1]);
+      toWire(slot, out.initProgress());
+    }
+    return request.send().ignoreResult();
+  }
+
+ private:
+  wire::GuidanceEvents::Client subscriber_;
+};
+
+/// Puts remote calls into the provider's mailbox.
+class GuidanceServant final : public wire::Guidance::Server {
+ public:
+  explicit GuidanceServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> subscribe(SubscribeContext context) override {
+    auto in = context.getParams();
+    port_->subscribe(kj::heap<GuidanceSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> guidanceState(GuidanceStateContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
+      const auto& slot = slotIn<std::uint8_t>(result);
+      auto out = context.getResults();
+      out.setValue(wireGuidanceState(slot));
+      out.setStamp(suture::toNanoseconds(stamp));
+    };
+    return port_->call(numberOf(GuidanceCommand::guidance_state), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> progress(ProgressContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
+      const auto& slot = slotIn<GuidanceProgressSlot>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
+    };
+    return port_->call(numberOf(GuidanceCommand::progress), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+ private:
+  kj::Own<ServantPort> port_;
+};
+
+// --- Guidance over Cap'n Proto RPC: the client's side
+
+/// Receives events and rows.
+class GuidanceReceiver final : public wire::GuidanceEvents::Server {
+ public:
+  explicit GuidanceReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> state(StateContext context) override {
+    auto in = context.getParams().getRow();
+    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
+    if (columns.hasValue(0)) {
+      auto& slot = port_->column<std::uint8_t>(0);
+      const Errc error = fromWire(in.getGuidanceState(), slot);
+      columns.enter(0, error);
+    }
+    if (columns.hasValue(1)) {
+      auto& slot = port_->column<GuidanceProgressSlot>(1);
+      const Errc error =
+          in.hasProgress() ? fromWire(in.getProgress(), slot, port_->shift()) : Errc::Invalid;
+      columns.enter(1, error);
+    }
+    port_->publish(in.getStamp(), columns);
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> guidanceState(GuidanceStateContext context) override {
+    auto in = context.getParams();
+    return port_->event<std::uint8_t>(numberOf(GuidanceEvent::guidance_state),
+                                      [&](std::uint8_t& slot) {
+      return fromWire(in.getValue(), slot);
+    });
+  }
+
+ private:
+  kj::Own<ProxyPort> port_;
+};
+
+/// Makes remote calls of commands.
+class GuidanceProxy final : public suture::rpc::Proxy {
+ public:
+  GuidanceProxy(wire::Guidance::Client provider, ProxyPort& port)
+      : provider_(kj::mv(provider)), port_(port) {}
+
+  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
+    auto request = provider_.subscribeRequest();
+    request.setEvents(kj::heap<GuidanceReceiver>(kj::addRef(port_)));
+    request.setEventMask(events);
+    request.setStateMask(columns);
+    return request.send().ignoreResult();
+  }
+
+  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
+    switch (static_cast<GuidanceCommand>(record.command)) {
+      case GuidanceCommand::guidance_state: {
+        auto request = provider_.guidanceStateRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<std::uint8_t>(call, response.getStamp(), [&](std::uint8_t& answer) {
+            return fromWire(response.getValue(), answer);
+          });
+        });
+      }
+      case GuidanceCommand::progress: {
+        auto request = provider_.progressRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<GuidanceProgressSlot>(call, response.getStamp(),
+                                             [&](GuidanceProgressSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+ private:
+  wire::Guidance::Client provider_;
+  ProxyPort& port_;
+};
+
+class GuidanceBinding final : public suture::rpc::Binding {
+ public:
+  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
+    return kj::heap<GuidanceServant>(kj::mv(port));
+  }
+  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
+                                        ProxyPort& port) const override {
+    return kj::heap<GuidanceProxy>(contract.castAs<wire::Guidance>(), port);
+  }
+  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
+    return kj::heap<GuidanceSink>(subscriber.castAs<wire::GuidanceEvents>());
+  }
+  capnp::InterfaceSchema schema() const override {
+    return capnp::Schema::from<wire::Guidance>();
+  }
+};
+
+const suture::rpc::Binding& guidanceBinding() {
+  static const GuidanceBinding kBinding;
+  return kBinding;
+}
+
+constexpr CommandInfo kGuidanceCommands[] = {
+    {.name = "guidance_state",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<std::uint8_t>,
+     .depth = 16,
+     .column = 0,
+     .acceptsResult = checkSlot<std::uint8_t, acceptsGuidanceGuidanceStateResult>},
+    {.name = "progress",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<GuidanceProgressSlot>,
+     .depth = 16,
+     .column = 1,
+     .acceptsResult = checkSlot<GuidanceProgressSlot, isValid>,
+     .shiftResult = shiftSlot<GuidanceProgressSlot>},
+};
+
+constexpr EventInfo kGuidanceEvents[] = {
+    {.name = "guidance_state",
+     .payloadSize = slotSize<std::uint8_t>,
+     .depth = 16,
+     .latched = true,
+     .accepts = checkSlot<std::uint8_t, acceptsGuidanceGuidanceStateEvent>},
+};
+
+// The self-description, as in guidance/guidance.suture.json.
+constexpr char kGuidanceDescription[] = R"json(
+{"name": "robots::Guidance", "hash": "d6e48134472cae325791f47bae2feb9b", "commands": [{
+"name": "guidance_state", "kind": "read", "ordinal": 1, "wire": "guidanceState", "result": {
+"type": {"kind": "enum", "name": "robots::GuidanceState"}}, "queue": 16}, {"name": "progress",
+"kind": "read", "ordinal": 2, "result": {"type": {"kind": "struct",
+"name": "robots::GuidanceProgress"}}, "queue": 16}], "events": [{"name": "guidance_state",
+"kind": "write", "ordinal": 1, "wire": "guidanceState", "payload": {"type": {"kind": "enum",
+"name": "robots::GuidanceState"}}, "queue": 16, "latched": true}], "enums": [{
+"name": "robots::GuidanceState", "underlying": "UInt8", "enumerators": [{"name": "Preparing",
+"value": 0, "wire": "preparing",
+"doc": "waits for all four arms: connected, enabled, homed, and fresh data of each"}, {
+"name": "Blind", "value": 1, "wire": "blind",
+"doc": "the arms are ready, but nobody has seen the knot lately; both slaves hold"}, {
+"name": "Guiding", "value": 2, "wire": "guiding"}]}], "structs": [{
+"name": "robots::GuidanceProgress", "fields": [{"name": "knot",
+"doc": "Where the knot is by the last sighting and by what the tips have moved since; in the scene.",
+"type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "m"}, {
+"name": "to_go", "wire": "toGo", "doc": "Along the line of approach; below zero behind the target.",
+"type": {"kind": "Float64"}, "unit": "m", "default": 0.0}, {"name": "aside",
+"doc": "From the line of approach.", "type": {"kind": "Float64"}, "unit": "m", "default": 0.0}, {
+"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {"name": "valid",
+"doc": "False unless the knot has been seen lately.", "type": {"kind": "Bool"}, "default": false}]}
+], "wire": [{"id": "@0xf839a0ec32e2aeaf", "kind": "interface", "name": "Guidance",
+"cxx": "robots::Guidance", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
+"name": "events", "is": "@0xf87738b35a660df1"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
+"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "guidanceState",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0x909952bd3e04c1b4"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 2, "name": "progress", "is": "kind \"read\"", "parameters": [{"at": 0,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0xb62a9e40cb04e11e"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xf87738b35a660df1", "kind": "interface", "name": "GuidanceEvents", "members": [{"at": 0,
+"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xaa6c5932ff7a6316"}]}, {"at": 1,
+"name": "guidanceState", "parameters": [{"at": 0, "name": "value", "is": "@0x909952bd3e04c1b4"}]}]
+}, {"id": "@0xaa6c5932ff7a6316", "kind": "struct", "name": "GuidanceStateRow", "members": [{
+"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "guidanceState", "is": "@0x909952bd3e04c1b4"
+}, {"at": 4, "name": "progress", "is": "@0xb62a9e40cb04e11e"}]}, {"id": "@0x909952bd3e04c1b4",
+"kind": "enum", "name": "GuidanceState", "members": [{"at": 0, "name": "preparing"}, {"at": 1,
+"name": "blind"}, {"at": 2, "name": "guiding"}]}, {"id": "@0xb62a9e40cb04e11e", "kind": "struct",
+"name": "GuidanceProgress", "members": [{"at": 0, "name": "knot",
+"is": "/suture/types.capnp:Vec3 unit \"m\""}, {"at": 1, "name": "toGo", "is": "Float64 unit \"m\""
+}, {"at": 2, "name": "aside", "is": "Float64 unit \"m\""}, {"at": 3, "name": "stamp",
+"is": "Int64 clock \"steady\""}, {"at": 4, "name": "valid", "is": "Bool"}]}]})json";
+
+}  // namespace
+}  // namespace robots
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<robots::Guidance>() {
+  static constexpr InterfaceInfo kInfo{
+      .name = "robots::Guidance",
+      .hash = "d6e48134472cae325791f47bae2feb9b",
+      .description = robots::kGuidanceDescription,
+      .commands = robots::kGuidanceCommands,
+      .events = robots::kGuidanceEvents,
+      .binding = &robots::guidanceBinding,
+  };
+  return kInfo;
+}
+
+Errc Provided<robots::Guidance>::execute(std::uint16_t command, const std::byte* /*arguments*/,
+                                         std::byte* result) {
+  using ::robots::GuidanceCommand;
+  switch (static_cast<GuidanceCommand>(command)) {
+    case GuidanceCommand::guidance_state: {
+      auto& slot = newSlot<std::uint8_t>(result);
+      return store(implementation_.guidance_state(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case GuidanceCommand::progress: {
+      auto& slot = newSlot<robots::GuidanceProgressSlot>(result);
+      return store(implementation_.progress(), slot) ? Errc{} : Errc::TooLarge;
+    }
+  }
+  return Errc::Invalid;
+}
+
+}  // namespace suture

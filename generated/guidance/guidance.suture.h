@@ -1,0 +1,111 @@
+// Written by suturec from guidance/guidance.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "guidance/guidance.h"
+
+namespace robots {
+
+struct GuidanceProgressSlot {
+  std::array<double, 3> knot;  // Eigen::Vector3d, m
+  double to_go;                // m
+  double aside;                // m
+  std::int64_t stamp;          // suture::Time, ns
+  std::uint8_t valid;          // bool
+};
+
+bool store(const GuidanceProgress& value, GuidanceProgressSlot& slot);
+void load(const GuidanceProgressSlot& slot, GuidanceProgress& value);
+void shiftStamps(GuidanceProgressSlot& slot, suture::Duration shift);
+
+/// The numbers of Guidance's commands in every table and record.
+enum class GuidanceCommand : std::uint16_t {
+  guidance_state,
+  progress,
+};
+
+/// The numbers of Guidance's events.
+enum class GuidanceEvent : std::uint16_t {
+  guidance_state,
+};
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<robots::Guidance>();
+
+/// What a client of robots::Guidance calls.
+template <>
+class Required<robots::Guidance> : public RequiredBase {
+  using Contract = robots::Guidance;
+  using Id = robots::GuidanceCommand;
+  using EventId = robots::GuidanceEvent;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+  ReadCommand<&Contract::guidance_state, std::uint8_t> guidance_state{
+      *this, static_cast<std::uint16_t>(Id::guidance_state)};
+  ReadCommand<&Contract::progress, robots::GuidanceProgressSlot> progress{
+      *this, static_cast<std::uint16_t>(Id::progress)};
+
+  /// The events of robots::Guidance, to subscribe to.
+  struct Events {
+    explicit Events(RequiredBase& required)
+        : guidance_state{required, static_cast<std::uint16_t>(EventId::guidance_state)} {}
+
+    Subscription<std::uint8_t, robots::GuidanceState> guidance_state;
+  };
+  Events& on() { return events_; }
+
+ protected:
+  // For contracts that derive from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+
+ private:
+  Events events_{*this};
+};
+
+/// What serves robots::Guidance from a component.
+template <>
+class Provided<robots::Guidance> : public ProvidedBase {
+  using Contract = robots::Guidance;
+  using EventId = robots::GuidanceEvent;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+  /// The events of robots::Guidance, to emit.
+  struct Events {
+    explicit Events(ProvidedBase& provided)
+        : guidance_state{provided, static_cast<std::uint16_t>(EventId::guidance_state)} {}
+
+    Emitter<std::uint8_t, robots::GuidanceState> guidance_state;
+  };
+  Events& emit() { return events_; }
+
+ protected:
+  // For contracts that derive from this one: `whole` points to their implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  Contract& implementation_;
+  Events events_{*this};
+};
+
+}  // namespace suture

@@ -1,0 +1,158 @@
+// Written by suturec from guidance/knot_guide.h. Do not edit.
+#include "guidance/knot_guide.suture.h"
+
+#include <suture/component/json_reader.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "guidance/knot_guide.capnp.h"
+
+namespace robots {
+
+using suture::Duration;
+using suture::Errc;
+using suture::FieldPath;
+using suture::load;
+using suture::refusedAt;
+using suture::rpc::firstError;
+using suture::rpc::fromDefault;
+using suture::rpc::fromWire;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::store;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<decltype(GuideParameters::period), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(GuideParameters::scale), double>);
+static_assert(std::is_same_v<decltype(GuideParameters::max_age), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(GuideParameters::sighting_age), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(GuideParameters::fixtures), bool>);
+static_assert(std::is_same_v<decltype(GuideParameters::target), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(GuideParameters::approach), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(GuideParameters::radius), double>);
+static_assert(std::is_same_v<decltype(GuideParameters::slope), double>);
+static_assert(std::is_same_v<decltype(GuideParameters::speed), double>);
+static_assert(std::is_same_v<decltype(GuideParameters::separation), double>);
+static_assert(std::is_same_v<decltype(GuideParameters::floor), double>);
+
+}  // namespace
+
+bool store(const GuideParameters& value, GuideParametersSlot& slot) {
+  bool fits = true;
+  fits &= store(value.period, slot.period);
+  fits &= store(value.scale, slot.scale);
+  fits &= store(value.max_age, slot.max_age);
+  fits &= store(value.sighting_age, slot.sighting_age);
+  fits &= store(value.fixtures, slot.fixtures);
+  fits &= store(value.target, slot.target);
+  fits &= store(value.approach, slot.approach);
+  fits &= store(value.radius, slot.radius);
+  fits &= store(value.slope, slot.slope);
+  fits &= store(value.speed, slot.speed);
+  fits &= store(value.separation, slot.separation);
+  fits &= store(value.floor, slot.floor);
+  return fits;
+}
+
+void load(const GuideParametersSlot& slot, GuideParameters& value) {
+  load(slot.period, value.period);
+  load(slot.scale, value.scale);
+  load(slot.max_age, value.max_age);
+  load(slot.sighting_age, value.sighting_age);
+  load(slot.fixtures, value.fixtures);
+  load(slot.target, value.target);
+  load(slot.approach, value.approach);
+  load(slot.radius, value.radius);
+  load(slot.slope, value.slope);
+  load(slot.speed, value.speed);
+  load(slot.separation, value.separation);
+  load(slot.floor, value.floor);
+}
+
+// --- between slots and Cap'n Proto
+
+void toWire(const GuideParametersSlot& slot, wire::GuideParameters::Builder out) {
+  out.setPeriod(slot.period);
+  out.setScale(slot.scale);
+  out.setMaxAge(slot.max_age);
+  out.setSightingAge(slot.sighting_age);
+  out.setFixtures(slot.fixtures != 0);
+  toWire(slot.target, out.initTarget());
+  toWire(slot.approach, out.initApproach());
+  out.setRadius(slot.radius);
+  out.setSlope(slot.slope);
+  out.setSpeed(slot.speed);
+  out.setSeparation(slot.separation);
+  out.setFloor(slot.floor);
+}
+
+Errc fromWire(wire::GuideParameters::Reader in, GuideParametersSlot& slot, Duration) {
+  slot.period = in.getPeriod();
+  slot.scale = in.getScale();
+  slot.max_age = in.getMaxAge();
+  slot.sighting_age = in.getSightingAge();
+  slot.fixtures = in.getFixtures();
+  slot.radius = in.getRadius();
+  slot.slope = in.getSlope();
+  slot.speed = in.getSpeed();
+  slot.separation = in.getSeparation();
+  slot.floor = in.getFloor();
+  return firstError({
+      in.hasTarget() ? fromWire(in.getTarget(), slot.target)
+          : fromDefault(GuideParameters().target, slot.target),
+      in.hasApproach() ? fromWire(in.getApproach(), slot.approach)
+          : fromDefault(GuideParameters().approach, slot.approach),
+  });
+}
+
+bool isValid(const GuideParametersSlot& slot, FieldPath* path) {
+  if (!inRange(slot.scale, 0.01, 10)) return refusedAt(path, "scale");
+  if (!isValid(slot.target, path)) return refusedAt(path, "target");
+  if (!isValid(slot.approach, path)) return refusedAt(path, "approach");
+  if (!inRange(slot.radius, 0.0001, 0.1)) return refusedAt(path, "radius");
+  if (!inRange(slot.slope, 0, 1)) return refusedAt(path, "slope");
+  if (!inRange(slot.speed, 0.001, 1)) return refusedAt(path, "speed");
+  if (!inRange(slot.separation, 0, 0.1)) return refusedAt(path, "separation");
+  return inRange(slot.floor, -1, 1) || refusedAt(path, "floor");
+}
+
+}  // namespace robots
+
+namespace robots {
+
+void fromJson(const suture::JsonReader& in, GuideParameters& value) {
+  suture::JsonReader reader = in;
+  reader.field("period", value.period);
+  reader.field("scale", value.scale, 0.01, 10);
+  reader.field("max_age", value.max_age);
+  reader.field("sighting_age", value.sighting_age);
+  reader.field("fixtures", value.fixtures);
+  reader.field("target", value.target);
+  reader.field("approach", value.approach);
+  reader.field("radius", value.radius, 0.0001, 0.1);
+  reader.field("slope", value.slope, 0, 1);
+  reader.field("speed", value.speed, 0.001, 1);
+  reader.field("separation", value.separation, 0, 0.1);
+  reader.field("floor", value.floor, -1, 1);
+  reader.finish();
+}
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<robots::KnotGuide>() {
+  return {"KnotGuide", [](const JsonReader& parameters) -> std::unique_ptr<Component> {
+            robots::GuideParameters values;
+            fromJson(parameters, values);
+            if (parameters.failed()) return nullptr;
+            return std::unique_ptr<Component>(new robots::KnotGuide(values));
+          }};
+}
+
+}  // namespace suture

@@ -1,0 +1,46 @@
+// Written by suturec from guidance/knot_guide.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/component_class.h>
+
+#include "guidance/knot_guide.h"
+#include "guidance/guidance.suture.h"
+#include "registration/registration.suture.h"
+#include "vision/knot_vision.suture.h"
+
+namespace suture {
+class JsonReader;
+}
+
+namespace robots {
+
+struct GuideParametersSlot {
+  std::int64_t period;  // std::chrono::nanoseconds, ns
+  double scale;
+  std::int64_t max_age;            // std::chrono::nanoseconds, ns
+  std::int64_t sighting_age;       // std::chrono::nanoseconds, ns
+  std::uint8_t fixtures;           // bool
+  std::array<double, 3> target;    // Eigen::Vector3d, m
+  std::array<double, 3> approach;  // Eigen::Vector3d
+  double radius;                   // m
+  double slope;
+  double speed;       // m/s
+  double separation;  // m
+  double floor;       // m
+};
+
+bool store(const GuideParameters& value, GuideParametersSlot& slot);
+void load(const GuideParametersSlot& slot, GuideParameters& value);
+
+/// Reads what `in` says into `value`; what it does not mention keeps its default.
+void fromJson(const suture::JsonReader& in, GuideParameters& value);
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<robots::KnotGuide>();
+
+}  // namespace suture

@@ -1,0 +1,38 @@
+// Written by suturec from recorder/knot_recorder.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/component_class.h>
+
+#include "recorder/knot_recorder.h"
+#include "guidance/guidance.suture.h"
+#include "registration/registration.suture.h"
+#include "strand/strand_view.suture.h"
+#include "vision/knot_vision.suture.h"
+
+namespace suture {
+class JsonReader;
+}
+
+namespace robots {
+
+struct KnotRecorderParametersSlot {
+  std::int64_t period;  // std::chrono::nanoseconds, ns
+  suture::BoundedText<255> file;
+};
+
+bool store(const KnotRecorderParameters& value, KnotRecorderParametersSlot& slot);
+void load(const KnotRecorderParametersSlot& slot, KnotRecorderParameters& value);
+void reserve(const KnotRecorderParametersSlot*, KnotRecorderParameters& value);
+
+/// Reads what `in` says into `value`; what it does not mention keeps its default.
+void fromJson(const suture::JsonReader& in, KnotRecorderParameters& value);
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<robots::KnotRecorder>();
+
+}  // namespace suture

@@ -1,0 +1,77 @@
+// Written by suturec from registration/registration.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "registration/registration.h"
+
+namespace robots {
+
+/// Frames in the frame of the scene, m.
+struct SceneFramesSlot {
+  std::array<double, 12> left_base;   // Eigen::Isometry3d, m
+  std::array<double, 12> right_base;  // Eigen::Isometry3d, m
+  std::array<double, 12> camera;      // Eigen::Isometry3d, m
+};
+
+bool store(const SceneFrames& value, SceneFramesSlot& slot);
+void load(const SceneFramesSlot& slot, SceneFrames& value);
+
+/// The numbers of Registration's commands in every table and record.
+enum class RegistrationCommand : std::uint16_t {
+  frames,
+};
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<robots::Registration>();
+
+/// What a client of robots::Registration calls.
+template <>
+class Required<robots::Registration> : public RequiredBase {
+  using Contract = robots::Registration;
+  using Id = robots::RegistrationCommand;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+  ReadCommand<&Contract::frames, robots::SceneFramesSlot> frames{
+      *this, static_cast<std::uint16_t>(Id::frames)};
+
+ protected:
+  // For contracts that derive from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+};
+
+/// What serves robots::Registration from a component.
+template <>
+class Provided<robots::Registration> : public ProvidedBase {
+  using Contract = robots::Registration;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+ protected:
+  // For contracts that derive from this one: `whole` points to their implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  Contract& implementation_;
+};
+
+}  // namespace suture

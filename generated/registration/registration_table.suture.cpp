@@ -1,0 +1,32 @@
+// Written by suturec from registration/registration_table.h. Do not edit.
+#include "registration/registration_table.suture.h"
+
+#include <suture/component/json_reader.h>
+
+#include <type_traits>
+
+namespace robots {
+
+inline void fromJson(const suture::JsonReader& in, SceneFrames& value) {
+  suture::JsonReader reader = in;
+  reader.field("left_base", value.left_base);
+  reader.field("right_base", value.right_base);
+  reader.field("camera", value.camera);
+  reader.finish();
+}
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<robots::RegistrationTable>() {
+  return {"RegistrationTable", [](const JsonReader& parameters) -> std::unique_ptr<Component> {
+            robots::SceneFrames values;
+            fromJson(parameters, values);
+            if (parameters.failed()) return nullptr;
+            return std::unique_ptr<Component>(new robots::RegistrationTable(values));
+          }};
+}
+
+}  // namespace suture

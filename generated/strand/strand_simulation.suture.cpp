@@ -1,0 +1,107 @@
+// Written by suturec from strand/strand_simulation.h. Do not edit.
+#include "strand/strand_simulation.suture.h"
+
+#include <suture/component/json_reader.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "strand/strand_simulation.capnp.h"
+
+namespace robots {
+
+using suture::Duration;
+using suture::Errc;
+using suture::FieldPath;
+using suture::load;
+using suture::refusedAt;
+using suture::rpc::fromWire;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::store;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<decltype(StrandParameters::period), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(StrandParameters::length), double>);
+static_assert(std::is_same_v<decltype(StrandParameters::friction), double>);
+static_assert(std::is_same_v<decltype(StrandParameters::wrap), double>);
+static_assert(std::is_same_v<decltype(StrandParameters::floor), double>);
+
+}  // namespace
+
+bool store(const StrandParameters& value, StrandParametersSlot& slot) {
+  bool fits = true;
+  fits &= store(value.period, slot.period);
+  fits &= store(value.length, slot.length);
+  fits &= store(value.friction, slot.friction);
+  fits &= store(value.wrap, slot.wrap);
+  fits &= store(value.floor, slot.floor);
+  return fits;
+}
+
+void load(const StrandParametersSlot& slot, StrandParameters& value) {
+  load(slot.period, value.period);
+  load(slot.length, value.length);
+  load(slot.friction, value.friction);
+  load(slot.wrap, value.wrap);
+  load(slot.floor, value.floor);
+}
+
+// --- between slots and Cap'n Proto
+
+void toWire(const StrandParametersSlot& slot, wire::StrandParameters::Builder out) {
+  out.setPeriod(slot.period);
+  out.setLength(slot.length);
+  out.setFriction(slot.friction);
+  out.setWrap(slot.wrap);
+  out.setFloor(slot.floor);
+}
+
+Errc fromWire(wire::StrandParameters::Reader in, StrandParametersSlot& slot, Duration) {
+  slot.period = in.getPeriod();
+  slot.length = in.getLength();
+  slot.friction = in.getFriction();
+  slot.wrap = in.getWrap();
+  slot.floor = in.getFloor();
+  return Errc{};
+}
+
+bool isValid(const StrandParametersSlot& slot, FieldPath* path) {
+  if (!inRange(slot.length, 0.02, 1)) return refusedAt(path, "length");
+  if (!inRange(slot.friction, 0, 1)) return refusedAt(path, "friction");
+  if (!inRange(slot.wrap, 0, 100)) return refusedAt(path, "wrap");
+  return inRange(slot.floor, -1, 1) || refusedAt(path, "floor");
+}
+
+}  // namespace robots
+
+namespace robots {
+
+void fromJson(const suture::JsonReader& in, StrandParameters& value) {
+  suture::JsonReader reader = in;
+  reader.field("period", value.period);
+  reader.field("length", value.length, 0.02, 1);
+  reader.field("friction", value.friction, 0, 1);
+  reader.field("wrap", value.wrap, 0, 100);
+  reader.field("floor", value.floor, -1, 1);
+  reader.finish();
+}
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<robots::StrandSimulation>() {
+  return {"StrandSimulation", [](const JsonReader& parameters) -> std::unique_ptr<Component> {
+            robots::StrandParameters values;
+            fromJson(parameters, values);
+            if (parameters.failed()) return nullptr;
+            return std::unique_ptr<Component>(new robots::StrandSimulation(values));
+          }};
+}
+
+}  // namespace suture

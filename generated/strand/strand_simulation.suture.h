@@ -1,0 +1,39 @@
+// Written by suturec from strand/strand_simulation.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/component_class.h>
+
+#include "strand/strand_simulation.h"
+#include "arm/arm.suture.h"
+#include "registration/registration.suture.h"
+#include "strand/strand_view.suture.h"
+
+namespace suture {
+class JsonReader;
+}
+
+namespace robots {
+
+struct StrandParametersSlot {
+  std::int64_t period;  // std::chrono::nanoseconds, ns
+  double length;        // m
+  double friction;
+  double wrap;   // rad
+  double floor;  // m
+};
+
+bool store(const StrandParameters& value, StrandParametersSlot& slot);
+void load(const StrandParametersSlot& slot, StrandParameters& value);
+
+/// Reads what `in` says into `value`; what it does not mention keeps its default.
+void fromJson(const suture::JsonReader& in, StrandParameters& value);
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<robots::StrandSimulation>();
+
+}  // namespace suture

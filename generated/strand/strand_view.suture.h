@@ -1,0 +1,80 @@
+// Written by suturec from strand/strand_view.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "strand/strand_view.h"
+
+namespace robots {
+
+struct StrandStateSlot {
+  std::array<double, 183> nodes;  // Eigen::Matrix<double, 3, 61>, m
+  double left_length;             // m
+  double left_tension;            // N
+  double right_tension;           // N
+  std::int64_t stamp;             // suture::Time, ns
+  std::uint8_t valid;             // bool
+};
+
+bool store(const StrandState& value, StrandStateSlot& slot);
+void load(const StrandStateSlot& slot, StrandState& value);
+void shiftStamps(StrandStateSlot& slot, suture::Duration shift);
+
+/// The numbers of StrandView's commands in every table and record.
+enum class StrandViewCommand : std::uint16_t {
+  strand,
+};
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<robots::StrandView>();
+
+/// What a client of robots::StrandView calls.
+template <>
+class Required<robots::StrandView> : public RequiredBase {
+  using Contract = robots::StrandView;
+  using Id = robots::StrandViewCommand;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+  ReadCommand<&Contract::strand, robots::StrandStateSlot> strand{
+      *this, static_cast<std::uint16_t>(Id::strand)};
+
+ protected:
+  // For contracts that derive from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+};
+
+/// What serves robots::StrandView from a component.
+template <>
+class Provided<robots::StrandView> : public ProvidedBase {
+  using Contract = robots::StrandView;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+ protected:
+  // For contracts that derive from this one: `whole` points to their implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  Contract& implementation_;
+};
+
+}  // namespace suture

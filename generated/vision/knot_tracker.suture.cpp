@@ -1,0 +1,78 @@
+// Written by suturec from vision/knot_tracker.h. Do not edit.
+#include "vision/knot_tracker.suture.h"
+
+#include <suture/component/json_reader.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "vision/knot_tracker.capnp.h"
+
+namespace robots {
+
+using suture::Duration;
+using suture::Errc;
+using suture::FieldPath;
+using suture::load;
+using suture::rpc::fromWire;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::store;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<decltype(TrackerParameters::period), std::chrono::nanoseconds>);
+
+}  // namespace
+
+bool store(const TrackerParameters& value, TrackerParametersSlot& slot) {
+  bool fits = true;
+  fits &= store(value.period, slot.period);
+  return fits;
+}
+
+void load(const TrackerParametersSlot& slot, TrackerParameters& value) {
+  load(slot.period, value.period);
+}
+
+// --- between slots and Cap'n Proto
+
+void toWire(const TrackerParametersSlot& slot, wire::TrackerParameters::Builder out) {
+  out.setPeriod(slot.period);
+}
+
+Errc fromWire(wire::TrackerParameters::Reader in, TrackerParametersSlot& slot, Duration) {
+  slot.period = in.getPeriod();
+  return Errc{};
+}
+
+bool isValid(const TrackerParametersSlot&, FieldPath*) {
+  return true;
+}
+
+}  // namespace robots
+
+namespace robots {
+
+void fromJson(const suture::JsonReader& in, TrackerParameters& value) {
+  suture::JsonReader reader = in;
+  reader.field("period", value.period);
+  reader.finish();
+}
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<robots::KnotTracker>() {
+  return {"KnotTracker", [](const JsonReader& parameters) -> std::unique_ptr<Component> {
+            robots::TrackerParameters values;
+            fromJson(parameters, values);
+            if (parameters.failed()) return nullptr;
+            return std::unique_ptr<Component>(new robots::KnotTracker(values));
+          }};
+}
+
+}  // namespace suture

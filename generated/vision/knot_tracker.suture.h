@@ -1,0 +1,34 @@
+// Written by suturec from vision/knot_tracker.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/component_class.h>
+
+#include "vision/knot_tracker.h"
+#include "vision/knot_vision.suture.h"
+#include "vision/stereo_images.suture.h"
+
+namespace suture {
+class JsonReader;
+}
+
+namespace robots {
+
+struct TrackerParametersSlot {
+  std::int64_t period;  // std::chrono::nanoseconds, ns
+};
+
+bool store(const TrackerParameters& value, TrackerParametersSlot& slot);
+void load(const TrackerParametersSlot& slot, TrackerParameters& value);
+
+/// Reads what `in` says into `value`; what it does not mention keeps its default.
+void fromJson(const suture::JsonReader& in, TrackerParameters& value);
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<robots::KnotTracker>();
+
+}  // namespace suture

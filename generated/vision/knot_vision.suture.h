@@ -1,0 +1,81 @@
+// Written by suturec from vision/knot_vision.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "vision/knot_vision.h"
+
+namespace robots {
+
+/// In the frame of the left camera: x to the right and y downward in the image, z ahead.
+struct KnotSightingSlot {
+  std::array<double, 3> knot;       // Eigen::Vector3d, m
+  std::array<double, 3> left_tip;   // Eigen::Vector3d, m
+  std::array<double, 3> right_tip;  // Eigen::Vector3d, m
+  std::int64_t stamp;               // suture::Time, ns
+  std::uint8_t valid;               // bool
+};
+
+bool store(const KnotSighting& value, KnotSightingSlot& slot);
+void load(const KnotSightingSlot& slot, KnotSighting& value);
+void shiftStamps(KnotSightingSlot& slot, suture::Duration shift);
+
+/// The numbers of KnotVision's commands in every table and record.
+enum class KnotVisionCommand : std::uint16_t {
+  sighting,
+};
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<robots::KnotVision>();
+
+/// What a client of robots::KnotVision calls.
+template <>
+class Required<robots::KnotVision> : public RequiredBase {
+  using Contract = robots::KnotVision;
+  using Id = robots::KnotVisionCommand;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+  /// What the last pair of images showed.
+  ReadCommand<&Contract::sighting, robots::KnotSightingSlot> sighting{
+      *this, static_cast<std::uint16_t>(Id::sighting)};
+
+ protected:
+  // For contracts that derive from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+};
+
+/// What serves robots::KnotVision from a component.
+template <>
+class Provided<robots::KnotVision> : public ProvidedBase {
+  using Contract = robots::KnotVision;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+ protected:
+  // For contracts that derive from this one: `whole` points to their implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  Contract& implementation_;
+};
+
+}  // namespace suture

@@ -1,0 +1,79 @@
+// Written by suturec from vision/stereo_images.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "vision/stereo_images.h"
+#include "robot_types/vision.suture.h"
+
+namespace robots {
+
+/// Two rectified images of one moment; both stamps are that of the exposure.
+struct StereoPairSlot {
+  ImageFrameSlot left;
+  ImageFrameSlot right;
+};
+
+bool store(const StereoPair& value, StereoPairSlot& slot);
+void load(const StereoPairSlot& slot, StereoPair& value);
+void reserve(const StereoPairSlot*, StereoPair& value);
+void shiftStamps(StereoPairSlot& slot, suture::Duration shift);
+
+/// The numbers of StereoImages's commands in every table and record.
+enum class StereoImagesCommand : std::uint16_t {
+  images,
+};
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<robots::StereoImages>();
+
+/// What a client of robots::StereoImages calls.
+template <>
+class Required<robots::StereoImages> : public RequiredBase {
+  using Contract = robots::StereoImages;
+  using Id = robots::StereoImagesCommand;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+  ReadCommand<&Contract::images, robots::StereoPairSlot> images{
+      *this, static_cast<std::uint16_t>(Id::images)};
+
+ protected:
+  // For contracts that derive from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+};
+
+/// What serves robots::StereoImages from a component.
+template <>
+class Provided<robots::StereoImages> : public ProvidedBase {
+  using Contract = robots::StereoImages;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+ protected:
+  // For contracts that derive from this one: `whole` points to their implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  Contract& implementation_;
+};
+
+}  // namespace suture

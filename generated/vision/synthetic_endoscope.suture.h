@@ -1,0 +1,36 @@
+// Written by suturec from vision/synthetic_endoscope.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/component_class.h>
+
+#include "vision/synthetic_endoscope.h"
+#include "registration/registration.suture.h"
+#include "strand/strand_view.suture.h"
+#include "vision/stereo_images.suture.h"
+
+namespace suture {
+class JsonReader;
+}
+
+namespace robots {
+
+struct EndoscopeParametersSlot {
+  std::int64_t period;  // std::chrono::nanoseconds, ns
+  double noise;
+};
+
+bool store(const EndoscopeParameters& value, EndoscopeParametersSlot& slot);
+void load(const EndoscopeParametersSlot& slot, EndoscopeParameters& value);
+
+/// Reads what `in` says into `value`; what it does not mention keeps its default.
+void fromJson(const suture::JsonReader& in, EndoscopeParameters& value);
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<robots::SyntheticEndoscope>();
+
+}  // namespace suture

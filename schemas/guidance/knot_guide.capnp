@@ -1,0 +1,33 @@
+@0x883973b49c29faaa;
+# The wire contract of guidance/knot_guide.h, written by suturec --update-lock: commit it, never edit it.
+
+using Cxx = import "/capnp/c++.capnp";
+using Meta = import "/suture/meta.capnp";
+using Types = import "/suture/types.capnp";
+$Cxx.namespace("robots::wire");
+$Meta.header("guidance/knot_guide.h");
+
+struct GuideParameters @0xc5a448822c5a8c36 $Meta.cxx("robots::GuideParameters") {
+  period @0 :Int64 = 1000000 $Meta.period("1/1000000000");
+  scale @1 :Float64 = 0.4 $Meta.range(lowest = 0.01, highest = 10);
+  # Slave metres a master metre.
+  maxAge @2 :Int64 = 20000000 $Meta.cxx("max_age") $Meta.period("1/1000000000");
+  # An arm's data that are older are not acted on: both slaves hold.
+  sightingAge @3 :Int64 = 250000000 $Meta.cxx("sighting_age") $Meta.period("1/1000000000");
+  # The same for what the cameras saw: some three images.
+  fixtures @4 :Bool = true;
+  # Without, the slaves follow their masters, and nobody looks where the knot is.
+  target @5 :Types.Vec3 $Meta.unit("m");
+  # Where the knot shall be, in the scene.
+  approach @6 :Types.Vec3;
+  # Along which it shall come there; of any length but zero.
+  radius @7 :Float64 = 0.0003 $Meta.range(lowest = 1e-04, highest = 0.1) $Meta.unit("m");
+  # Radius of the corridor at the target, and by how much it widens before that.
+  slope @8 :Float64 = 0.3 $Meta.range(lowest = 0, highest = 1);
+  speed @9 :Float64 = 0.1 $Meta.range(lowest = 0.001, highest = 1) $Meta.unit("m/s");
+  # How fast a tip moves along each axis.
+  separation @10 :Float64 = 0.01 $Meta.range(lowest = 0, highest = 0.1) $Meta.unit("m");
+  # How near the tips come to each other.
+  floor @11 :Float64 = -0.16 $Meta.range(lowest = -1, highest = 1) $Meta.unit("m");
+  # The tissue's surface in the scene: its z.
+}

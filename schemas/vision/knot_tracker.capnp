@@ -1,0 +1,12 @@
+@0xc2e65139e6c77bcd;
+# The wire contract of vision/knot_tracker.h, written by suturec --update-lock: commit it, never edit it.
+
+using Cxx = import "/capnp/c++.capnp";
+using Meta = import "/suture/meta.capnp";
+$Cxx.namespace("robots::wire");
+$Meta.header("vision/knot_tracker.h");
+
+struct TrackerParameters @0xbb998047e1f73ec4 $Meta.cxx("robots::TrackerParameters") {
+  period @0 :Int64 = 10000000 $Meta.period("1/1000000000");
+  # As often it looks for new images.
+}

@@ -1,0 +1,132 @@
+// What the fixtures permit, and that they never move an arm by themselves.
+
+#include "guidance/fixtures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace robots {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kCycle = 0.001;  // s
+
+FixtureModel model() {
+  FixtureModel model;
+  model.target = {0.01, -0.02, -0.15};
+  model.approach = {0, 0, -2};
+  model.floor = -0.16;
+  return model;
+}
+
+/// Two tips 80 mm apart, whose mean has the knot below it.
+class Fixtures : public testing::Test {
+ protected:
+  /// The knot is so far before the target, and so far from the line.
+  void place(double ahead, const Vector3d& aside) {
+    knot_ = model().target + aside + Vector3d(0, 0, ahead);
+    tips_ = {knot_ + Vector3d(-0.04, 0, 0.02), knot_ + Vector3d(0.04, 0, 0.02)};
+  }
+  /// Goes on for `cycles`, as if both hands moved by `wish` in each.
+  void carry(const Vector3d& wish, int cycles) {
+    for (int i = 0; i < cycles; ++i) {
+      const TipPair step = fixtures_.permit(tips_, knot_, {wish, wish}, kCycle);
+      tips_.left += step.left;
+      tips_.right += step.right;
+      knot_ += step.mean();
+    }
+  }
+
+  /// m, below zero within it.
+  double outOfCorridor() const {
+    return fixtures_.aside(knot_) - model().radius - model().slope * fixtures_.toGo(knot_);
+  }
+
+  KnotFixtures fixtures_{model()};
+  TipPair tips_;
+  Vector3d knot_;
+};
+
+TEST_F(Fixtures, APermittedWishIsObeyedExactly) {
+  place(0.02, Vector3d::Zero());
+  const TipPair wish{{1e-5, 0, -2e-5}, {-1e-5, 2e-6, -1e-5}};
+  const TipPair step = fixtures_.permit(tips_, knot_, wish, kCycle);
+  EXPECT_TRUE(step.left.isApprox(wish.left, 1e-12));
+  EXPECT_TRUE(step.right.isApprox(wish.right, 1e-12));
+}
+
+TEST_F(Fixtures, TheKnotComesToItsTargetFromAnywhereInTheCorridor) {
+  for (const Vector3d& aside :
+       {Vector3d(0.003, 0, 0), Vector3d(0, -0.003, 0), Vector3d(-0.002, 0.002, 0)}) {
+    place(0.02, aside);
+    carry({0, 0, -3e-5}, 20'000);
+    EXPECT_NEAR(fixtures_.toGo(knot_), 0, 1e-4);
+    EXPECT_LE(fixtures_.aside(knot_), model().radius * 1.1)
+        << "the corner of a plane is a little wider";
+  }
+}
+
+TEST_F(Fixtures, TheTargetIsNotPassed) {
+  place(0.005, Vector3d::Zero());
+  carry({0, 0, -1e-4}, 20'000);
+  EXPECT_GE(fixtures_.toGo(knot_), -1e-9);
+}
+
+TEST_F(Fixtures, AHandThatGoesAsideDoesNotLeadTheKnotOutOfTheCorridor) {
+  place(0.01, Vector3d::Zero());
+  carry({1e-4, 1e-4, 0}, 1000);
+  EXPECT_LE(fixtures_.aside(knot_), (model().radius + model().slope * fixtures_.toGo(knot_)) * 1.1);
+}
+
+TEST_F(Fixtures, NothingMovesThatIsNotMovedByItsOperator) {
+  place(0.01, {0.02, 0, 0});  // far out of the corridor
+  const TipPair step = fixtures_.permit(tips_, knot_, {Vector3d::Zero(), Vector3d::Zero()}, kCycle);
+  EXPECT_EQ(step.left, Vector3d::Zero());
+  EXPECT_EQ(step.right, Vector3d::Zero());
+}
+
+TEST_F(Fixtures, AKnotOutOfTheCorridorGetsNoFartherOutOfItButBack) {
+  place(0.01, {0.02, 0, 0});
+  const double before = outOfCorridor();
+  carry({1e-5, 0, 0}, 1000);
+  EXPECT_NEAR(outOfCorridor(), before, 1e-9);
+  carry({-1e-5, 0, 0}, 1000);
+  EXPECT_NEAR(outOfCorridor(), before - 0.01, 1e-6);
+}
+
+TEST_F(Fixtures, TissueAndTheOtherTipAreNotTouched) {
+  place(0.02, Vector3d::Zero());
+  for (int i = 0; i < 3000; ++i) {
+    const TipPair wish{{1e-4, 0, -1e-4}, {-1e-4, 0, 0}};
+    const TipPair step = fixtures_.permit(tips_, knot_, wish, kCycle);
+    tips_.left += step.left;
+    tips_.right += step.right;
+  }
+  EXPECT_GE((tips_.left - tips_.right).norm(), model().separation - 1e-9);
+  EXPECT_GE(tips_.left.z(), model().floor - 1e-9);
+}
+
+// Whatever the hands do, no row is missed: by what its step leads to, not by what the solver says.
+TEST_F(Fixtures, HoldForRandomWishes) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> wild(0, 3e-4);
+  const auto any = [&] { return Vector3d(wild(random), wild(random), wild(random)); };
+  place(0.02, Vector3d::Zero());
+  for (int i = 0; i < 20'000; ++i) {
+    const TipPair step = fixtures_.permit(tips_, knot_, {any(), any()}, kCycle);
+    ASSERT_LE(std::max(step.left.cwiseAbs().maxCoeff(), step.right.cwiseAbs().maxCoeff()),
+              model().speed * kCycle + 1e-12);
+    tips_.left += step.left;
+    tips_.right += step.right;
+    knot_ += step.mean();
+    ASSERT_GE(fixtures_.toGo(knot_), -1e-9);
+    const double ahead = fixtures_.toGo(knot_);
+    ASSERT_LE(fixtures_.aside(knot_), (model().radius + model().slope * ahead) * 1.1);
+  }
+}
+
+}  // namespace
+}  // namespace robots

@@ -1,0 +1,137 @@
+// The solver against every combination of active rows, and against the conditions that make a
+// point the minimum.
+
+#include "guidance/quadratic_program.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <random>
+
+namespace robots {
+namespace {
+
+constexpr int kUnknowns = 6, kRows = 10;
+using Program = QuadraticProgram<kUnknowns, kRows>;
+
+struct Problem {
+  Program::Matrix H;
+  Program::Vector g;
+  Program::Rows C;
+  Program::Bounds d;
+
+  double cost(const Program::Vector& x) const { return 0.5 * x.dot(H * x) + g.dot(x); }
+  /// By how much the worst row is missed.
+  double violation(const Program::Vector& x) const { return (d - C * x).maxCoeff(); }
+};
+
+class Problems {
+ public:
+  /// Zero is feasible, as it is for an arm that may always stand still.
+  Problem next() {
+    Problem problem;
+    const Program::Matrix A = Program::Matrix::NullaryExpr([this] { return normal_(random_); });
+    problem.H = A.transpose() * A + 0.1 * Program::Matrix::Identity();
+    problem.g = 3 * Program::Vector::NullaryExpr([this] { return normal_(random_); });
+    problem.C = Program::Rows::NullaryExpr([this] { return normal_(random_); });
+    problem.C.rowwise().normalize();
+    problem.d = -Program::Bounds::NullaryExpr([this] { return std::abs(normal_(random_)); });
+    return problem;
+  }
+
+ private:
+  std::mt19937_64 random_{20081109};
+  std::normal_distribution<double> normal_;
+};
+
+/// The largest error among the conditions of Karush, Kuhn and Tucker.
+double residual(const Problem& problem, const Program::Solution& solution) {
+  const Program::Vector gradient = problem.H * solution.x + problem.g;
+  const Program::Bounds slack = problem.C * solution.x - problem.d;
+  return std::max({(gradient - problem.C.transpose() * solution.multipliers).cwiseAbs().maxCoeff(),
+                   -slack.minCoeff(), -solution.multipliers.minCoeff(),
+                   slack.cwiseProduct(solution.multipliers).cwiseAbs().maxCoeff()});
+}
+
+/// The minimum with the rows of `chosen` as equations.
+Program::Vector withActive(const Problem& problem, unsigned chosen) {
+  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(kUnknowns + kRows, kUnknowns + kRows);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(kUnknowns + kRows);
+  system.topLeftCorner(kUnknowns, kUnknowns) = problem.H;
+  right.head(kUnknowns) = -problem.g;
+  for (int i = 0; i < kRows; ++i) {
+    const int row = kUnknowns + i;
+    if ((chosen >> i & 1) == 0) {
+      system(row, row) = 1;  // its multiplier is zero
+      continue;
+    }
+    system.row(row).head(kUnknowns) = problem.C.row(i);
+    system.col(row).head(kUnknowns) = -problem.C.row(i).transpose();
+    right[row] = problem.d[i];
+  }
+  return system.completeOrthogonalDecomposition().solve(right).head(kUnknowns);
+}
+
+/// The least cost of any feasible point that one set of active rows leads to.
+double leastCost(const Problem& problem) {
+  double least = std::numeric_limits<double>::infinity();
+  for (unsigned chosen = 0; chosen < 1u << kRows; ++chosen) {
+    const Program::Vector x = withActive(problem, chosen);
+    if (problem.violation(x) < 1e-8) least = std::min(least, problem.cost(x));
+  }
+  return least;
+}
+
+TEST(QuadraticProgram, MeetsTheConditionsOfAMinimum) {
+  Problems problems;
+  Program program;
+  for (int i = 0; i < 20'000; ++i) {
+    const Problem problem = problems.next();
+    const Program::Solution solution = program.solve(problem.H, problem.g, problem.C, problem.d);
+    ASSERT_EQ(solution.status, SolveStatus::Optimal) << "problem " << i;
+    ASSERT_LE(residual(problem, solution), 1e-8) << "problem " << i;
+  }
+}
+
+TEST(QuadraticProgram, AgreesWithATrialOfEveryActiveSet) {
+  Problems problems;
+  Program program;
+  for (int i = 0; i < 20; ++i) {
+    const Problem problem = problems.next();
+    const Program::Solution solution = program.solve(problem.H, problem.g, problem.C, problem.d);
+    EXPECT_NEAR(problem.cost(solution.x), leastCost(problem), 1e-8) << "problem " << i;
+  }
+}
+
+TEST(QuadraticProgram, WithoutARowInTheWayGoesToTheFreeMinimum) {
+  Problem problem = Problems().next();
+  problem.d.setConstant(-1e6);
+  const auto solution = Program().solve(problem.H, problem.g, problem.C, problem.d);
+  EXPECT_TRUE((problem.H * solution.x).isApprox(-problem.g, 1e-12));
+  EXPECT_EQ(solution.iterations, 0);
+}
+
+TEST(QuadraticProgram, SaysThatTwoRowsContradictEachOther) {
+  Problem problem = Problems().next();
+  problem.C.row(1) = -problem.C.row(0);
+  problem.d[0] = problem.d[1] = 1;
+  EXPECT_EQ(Program().solve(problem.H, problem.g, problem.C, problem.d).status,
+            SolveStatus::Infeasible);
+}
+
+// Rows that say the same twice are common: two limits that meet.
+TEST(QuadraticProgram, TakesARowThatIsThereTwice) {
+  Problem problem = Problems().next();
+  problem.C.row(1) = problem.C.row(0) = -problem.g.normalized().transpose();
+  problem.d.head<2>().setConstant(0.5);
+  problem.d.tail<kRows - 2>().setConstant(-100);
+  const auto solution = Program().solve(problem.H, problem.g, problem.C, problem.d);
+  EXPECT_EQ(solution.status, SolveStatus::Optimal);
+  EXPECT_LE(residual(problem, solution), 1e-8);
+}
+
+}  // namespace
+}  // namespace robots

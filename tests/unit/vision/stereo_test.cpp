@@ -1,0 +1,80 @@
+// What is drawn is found again, as exactly as a stereo pair can tell.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "vision/detector.h"
+#include "vision/painter.h"
+
+namespace robots {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kNoise = 3;  // of 255
+
+/// A strand whose sides hang straight from the tips to the knot.
+Strand::Nodes hanging(const Vector3d& left, const Vector3d& knot, const Vector3d& right) {
+  Strand::Nodes strand;
+  for (int i = 0; i < Strand::kNodes; ++i) {
+    const double t = static_cast<double>(i) / Strand::kKnot;
+    strand.col(i) = t <= 1 ? left + t * (knot - left) : knot + (t - 1) * (right - knot);
+  }
+  return strand;
+}
+
+class Stereo : public testing::Test {
+ protected:
+  MarkerPoints look(const Strand::Nodes& strand) {
+    painter_.paint(Eye::Left, strand, left_);
+    painter_.paint(Eye::Right, strand, right_);
+    return locate(cameras_, detect(left_), detect(right_));
+  }
+
+  const CameraPair cameras_;
+  Painter painter_{cameras_, kNoise};
+  ImageFrame left_, right_;
+};
+
+TEST_F(Stereo, APointThatBothEyesSeeIsWhereItWas) {
+  const Vector3d point(0.013, -0.021, 0.087);
+  const Vector3d found =
+      cameras_.triangulate(cameras_.project(Eye::Left, point), cameras_.project(Eye::Right, point));
+  EXPECT_TRUE(found.isApprox(point, 1e-12));
+}
+
+// The law of a stereo pair: an error of d px in the disparity is z^2 / (f b) d in depth.
+TEST_F(Stereo, DepthIsAsGoodAsTheDisparity) {
+  constexpr double kDisparityNoise = 0.05;  // px: of a centroid of so many pixels, and its edges
+  for (const double z : {0.06, 0.08, 0.1, 0.12}) {
+    const double bound = z * z / (cameras_.focal * cameras_.baseline) * kDisparityNoise;
+    const Vector3d left(-0.03, 0.002, z), knot(0.0013, -0.0042, z + 0.004), right(0.029, 0, z);
+    const MarkerPoints found = look(hanging(left, knot, right));
+    const auto expect = [&](Marker marker, const Vector3d& truth) {
+      const auto& point = found[static_cast<std::size_t>(marker)];
+      ASSERT_TRUE(point) << "at " << z;
+      EXPECT_NEAR(point->z(), truth.z(), 1.5 * bound);
+      EXPECT_LT((point->head<2>() - truth.head<2>()).norm(), 3e-4) << "at " << z;
+    };
+    expect(Marker::Knot, knot);
+    expect(Marker::LeftTip, left);
+    expect(Marker::RightTip, right);
+  }
+}
+
+TEST_F(Stereo, WhatIsOutOfTheImageIsNotSeen) {
+  const MarkerPoints found =
+      look(hanging({-0.2, 0, 0.08}, {0.001, -0.004, 0.08}, {0.029, 0, 0.08}));
+  EXPECT_FALSE(found[static_cast<std::size_t>(Marker::LeftTip)]);
+  EXPECT_TRUE(found[static_cast<std::size_t>(Marker::Knot)]);
+}
+
+TEST_F(Stereo, ACoveredCameraSeesNothing) {
+  look(hanging({-0.03, 0, 0.08}, {0, 0, 0.08}, {0.03, 0, 0.08}));
+  std::fill(left_.data.begin(), left_.data.end(), std::uint8_t{0});
+  for (const auto& one : locate(cameras_, detect(left_), detect(right_))) EXPECT_FALSE(one);
+}
+
+}  // namespace
+}  // namespace robots
