@@ -10,11 +10,14 @@ Usage: examples/demo.sh [options]
 Installs the Debian packages that are missing, builds, and runs the teleoperation demo: two masters drive two slaves
 at 1 kHz, and the run is judged. Exit status 0 only if all went well.
 
-  --topology single|fig3a|fig3c  one process; two, each with its own pair; two with swapped slaves (default fig3c)
+  --topology single|fig3a|fig3b|fig3c
+                                 one process; two, each with its own pair; three, with a knot to be placed by what cameras
+                                 see; two with swapped slaves (default fig3c)
   --lane auto|shm|frame|rpc      how connections travel: the fastest that fits, shared memory, frames, Cap'n Proto RPC (default auto)
   --seconds N                    how long to run (default 10)
-  --rate HZ                      cycles a second of every task (default 1000)
+  --rate HZ                      cycles a second of the tasks that control an arm; others in proportion (default 1000)
   --json FILE                    also write all figures to FILE
+  --picture FILE                 with fig3b: write what the cameras saw, and how the knot came to its target, as a PNG
 HELP
 }
 

@@ -2,6 +2,8 @@
 
 #include <suture/base/errors.h>
 
+#include <algorithm>
+#include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -13,6 +15,8 @@ using suture::ComponentEntry;
 using suture::ConnectionEntry;
 using suture::ProcessEntry;
 
+constexpr double kRateOfFiles = 1000;  // Hz, of whatever controls an arm
+
 std::filesystem::path write(const Options& options, const std::filesystem::path& topologies,
                             const std::filesystem::path& folder) {
   json system = suture::JsonDocument::read(topologies / (options.topology + ".json")).value();
@@ -23,7 +27,9 @@ std::filesystem::path write(const Options& options, const std::filesystem::path&
   }
   for (json& process : system.at("processes")) {
     for (json& component : process.at("components")) {
-      component["parameters"]["period"] = 1 / options.rate;
+      json& parameters = component.at("parameters");
+      if (!parameters.contains("period")) continue;
+      parameters["period"] = parameters["period"].get<double>() * kRateOfFiles / options.rate;
     }
   }
   for (json& connection : system.at("connections")) connection["lane"] = options.lane;
@@ -36,17 +42,32 @@ std::string nameOf(const suture::Endpoint& endpoint) {
   return endpoint.process + ":" + endpoint.component;
 }
 
+Eigen::Vector3d vectorOf(const json& list) {
+  const auto numbers = list.get<std::array<double, 3>>();
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
 bool isArm(const ComponentEntry& component) {
   return component.className == "Mtm" || component.className == "Psm";
 }
 
 }  // namespace
 
+std::vector<std::string> topologiesIn(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".json") names.push_back(entry.path().stem());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 Plan::Plan(const Options& options, const std::filesystem::path& topologies,
            const std::filesystem::path& folder)
     : file_(write(options, topologies, folder)), deployment_(suture::JsonDocument::read(file_)) {
   findArms();
   findFollowings(folder);
+  findKnot(folder);
   findLanes();
 }
 
@@ -71,6 +92,23 @@ void Plan::findFollowings(const std::filesystem::path& folder) {
                              this->component(slave).parameters.at("time_constant")});
     }
   }
+}
+
+void Plan::findKnot(const std::filesystem::path& folder) {
+  const ComponentEntry* const guide = componentOfClass("KnotGuide");
+  const ComponentEntry* const recorder = componentOfClass("KnotRecorder");
+  if (guide == nullptr || recorder == nullptr) return;
+  knot_ = {folder / recorder->parameters.at("file").get<std::string>(),
+           vectorOf(guide->parameters.at("target")), vectorOf(guide->parameters.at("approach"))};
+}
+
+const ComponentEntry* Plan::componentOfClass(const std::string& name) const {
+  for (const ProcessEntry& process : deployment_.processes()) {
+    for (const ComponentEntry& component : process.components) {
+      if (component.className == name) return &component;
+    }
+  }
+  return nullptr;
 }
 
 void Plan::findLanes() {

@@ -3,8 +3,10 @@
 
 #include <suture/deploy/deployment.h>
 
+#include <Eigen/Core>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,15 +16,25 @@ struct Options {
   std::string topology = "fig3c";
   std::string lane = "auto";
   double seconds = 10;
-  double rate = 1000;  // Hz
-  std::string json;    // "": not wanted
+  double rate = 1000;   // Hz
+  std::string json;     // "": not wanted
+  std::string picture;  // "": not wanted
 };
+
+/// The topologies that there are: the deployment files in `folder`, without ".json".
+std::vector<std::string> topologiesIn(const std::filesystem::path& folder);
 
 /// One slave that shall follow one master, and where the two are recorded.
 struct Following {
   std::string master, slave, teleop;  ///< "process:component"
   std::filesystem::path masterRecording, slaveRecording, teleopRecording;
   double timeConstant;  ///< s, as declared for the slave
+};
+
+/// A knot that shall be placed, and where that is recorded; in the frame of the scene.
+struct KnotPlacing {
+  std::filesystem::path recording;
+  Eigen::Vector3d target, approach;  ///< m; a direction
 };
 
 /// The topology's deployment file with the run's rate, lane and manager, written into the run's
@@ -39,13 +51,18 @@ class Plan {
   /// "process:component" of every arm, in the order of the file.
   const std::vector<std::string>& arms() const { return arms_; }
   const std::vector<Following>& followings() const { return followings_; }
+  /// None if no component of the deployment records a knot.
+  const std::optional<KnotPlacing>& knot() const { return knot_; }
   /// The lane that each connection must have, by name.
   const std::map<std::string, std::string>& lanes() const { return lanes_; }
 
  private:
   void findArms();
   void findFollowings(const std::filesystem::path& folder);
+  void findKnot(const std::filesystem::path& folder);
   void findLanes();
+  /// The first component of a class; null if there is none.
+  const suture::ComponentEntry* componentOfClass(const std::string& name) const;
   const suture::ComponentEntry& component(const std::string& name) const;
   std::string connectedTo(const std::string& required) const;
   std::filesystem::path recordingOf(const std::string& provided) const;
@@ -54,6 +71,7 @@ class Plan {
   suture::Deployment deployment_;
   std::vector<std::string> arms_;
   std::vector<Following> followings_;
+  std::optional<KnotPlacing> knot_;
   std::map<std::string, std::string> lanes_;
 };
 

@@ -42,6 +42,13 @@ void writeResult(const std::filesystem::path& file, const Options& options,
               {"arms", json::array()},
               {"processes", json::array()},
               {"checks", json::array()}};
+  if (verdict.knot) {
+    out["knot"] = {{"start", verdict.knot->start},
+                   {"error", verdict.knot->error},
+                   {"sighted", verdict.knot->sighted},
+                   {"sighting_error", verdict.knot->sighting_error},
+                   {"rows", verdict.knot->rows}};
+  }
   for (const auto& one : verdict.connections) out["connections"].push_back(suture::toJson(one));
   for (const auto& one : verdict.arms) out["arms"].push_back(toJson(one));
   for (const auto& one : result.reports) out["processes"].push_back(suture::toJson(one));

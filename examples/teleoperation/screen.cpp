@@ -98,6 +98,10 @@ void Screen::begin(const Options& options, const Plan& plan) {
   for (const Following& following : plan.followings()) {
     fmt::print("  {} drives {}\n", following.master, following.slave);
   }
+  if (const auto& knot = plan.knot()) {
+    fmt::print("  two masters place a knot at [{:g}, {:g}, {:g}] mm by what cameras see\n",
+               1e3 * knot->target.x(), 1e3 * knot->target.y(), 1e3 * knot->target.z());
+  }
   fmt::print("\n{}\n",
              bold("  time   cycles  commands  replaced  dropped  late  command age   read age   "
                   "jitter  skipped     error"));
@@ -125,15 +129,15 @@ Screen::Totals Screen::totalsOf(const std::vector<suture::Report>& reports) {
   return totals;
 }
 
-void Screen::progress(Duration ran, const std::vector<suture::Report>& reports, double error) {
+void Screen::progress(Duration ran, const std::vector<suture::Report>& reports,
+                      std::optional<double> error) {
   const Totals now = totalsOf(reports);
-  fmt::print(
-      "{:>4.0f} s {:>8} {:>9} {:>9} {:>8} {:>5} {:>9} ms {:>7} ms {:>5} us {:>8} {:>6.3f} mm\n",
-      std::chrono::duration<double>(ran).count(), now.cycles - before_.cycles,
-      now.executed - before_.executed, now.replaced - before_.replaced,
-      now.dropped - before_.dropped, now.late - before_.late, milliseconds(now.commandAge),
-      milliseconds(now.readAge), microseconds(now.jitter), now.skipped - before_.skipped,
-      1e3 * error);
+  fmt::print("{:>4.0f} s {:>8} {:>9} {:>9} {:>8} {:>5} {:>9} ms {:>7} ms {:>5} us {:>8} {:>9}\n",
+             std::chrono::duration<double>(ran).count(), now.cycles - before_.cycles,
+             now.executed - before_.executed, now.replaced - before_.replaced,
+             now.dropped - before_.dropped, now.late - before_.late, milliseconds(now.commandAge),
+             milliseconds(now.readAge), microseconds(now.jitter), now.skipped - before_.skipped,
+             error ? fmt::format("{:.3f} mm", 1e3 * *error) : "-");
   std::fflush(stdout);
   before_ = now;
 }

@@ -3,6 +3,7 @@
 
 #include <suture/observe/report.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,9 @@ class Screen {
 
   void begin(const Options& options, const Plan& plan);
   /// One line on what happened since the last call; `error`: how far the worst slave was off, m at
-  /// p99.
-  void progress(suture::Duration ran, const std::vector<suture::Report>& reports, double error);
+  /// p99, if any follows a master.
+  void progress(suture::Duration ran, const std::vector<suture::Report>& reports,
+                std::optional<double> error);
   void end(const CrewResult& result, const Verdict& verdict);
 
  private:

@@ -71,6 +71,21 @@ Check checkFollowing(FollowingWatch& watch, ArmFigures& slave) {
                             kDegreesOfRadian * judgement.orientation.p99, 1e3 * judgement.travel)};
 }
 
+/// Judges the placing of the knot from its recording; fills its figures.
+Check checkKnot(const KnotPlacing& placing, std::optional<robots::KnotJudgement>& figures) {
+  try {
+    figures = robots::judgeKnot(robots::readKnotRecording(placing.recording), placing.target);
+  } catch (const suture::SetupError& error) {
+    return {false, error.what()};
+  }
+  const auto violations = robots::violations(*figures);
+  if (!violations.empty()) return {false, fmt::format("{}", fmt::join(violations, "; "))};
+  return {true, fmt::format("the knot came from {:.1f} to {:.2f} mm from its target; the cameras "
+                            "saw it {:.0f} % of the time, within {:.2f} mm at p99",
+                            1e3 * figures->start, 1e3 * figures->error, 1e2 * figures->sighted,
+                            1e3 * figures->sighting_error)};
+}
+
 }  // namespace
 
 bool Verdict::passed() const {
@@ -90,6 +105,7 @@ Verdict judgeRun(const Plan& plan, const CrewResult& result, std::vector<Followi
                      [&](const ArmFigures& arm) { return arm.name == watch.following().slave; });
     verdict.checks.push_back(checkFollowing(watch, *slave));
   }
+  if (plan.knot()) verdict.checks.push_back(checkKnot(*plan.knot(), verdict.knot));
   return verdict;
 }
 

@@ -10,6 +10,7 @@
 #include "crew.h"
 #include "following_watch.h"
 #include "plan.h"
+#include "recorder/knot_judge.h"
 
 namespace demo {
 
@@ -28,6 +29,7 @@ struct Check {
 struct Verdict {
   std::vector<suture::ConnectionReport> connections;
   std::vector<ArmFigures> arms;
+  std::optional<robots::KnotJudgement> knot;  ///< of a run that recorded one
   std::vector<Check> checks;
 
   bool passed() const;

@@ -6,15 +6,31 @@
 
 #include "arm/mtm.suture.h"
 #include "arm/psm.suture.h"
+#include "guidance/knot_guide.suture.h"
+#include "recorder/knot_recorder.suture.h"
 #include "recorder/recorder.suture.h"
+#include "registration/registration_table.suture.h"
+#include "strand/strand_simulation.suture.h"
+#include "surgeon/knot_surgeon.suture.h"
 #include "surgeon/surgeon.suture.h"
 #include "teleop/teleop.suture.h"
+#include "vision/knot_tracker.suture.h"
+#include "vision/synthetic_endoscope.suture.h"
 
 int main(int argc, char** argv) {
   const std::array classes{
-      suture::componentClass<robots::Mtm>(),      suture::componentClass<robots::Psm>(),
-      suture::componentClass<robots::Teleop>(),   suture::componentClass<robots::Surgeon>(),
+      suture::componentClass<robots::Mtm>(),
+      suture::componentClass<robots::Psm>(),
+      suture::componentClass<robots::Teleop>(),
+      suture::componentClass<robots::Surgeon>(),
       suture::componentClass<robots::Recorder>(),
+      suture::componentClass<robots::KnotGuide>(),
+      suture::componentClass<robots::KnotSurgeon>(),
+      suture::componentClass<robots::KnotRecorder>(),
+      suture::componentClass<robots::RegistrationTable>(),
+      suture::componentClass<robots::StrandSimulation>(),
+      suture::componentClass<robots::SyntheticEndoscope>(),
+      suture::componentClass<robots::KnotTracker>(),
   };
   return suture::workstationMain(argc, argv, classes);
 }

@@ -1,18 +1,24 @@
-"""Runs the demo for three seconds on one topology and lane, and checks what it says.
+"""Runs the demo for some seconds on one topology and lane, and checks what it says.
 
-How closely a slave follows depends here on what else the machine does. The law itself, to a
-millimetre, is tested in virtual time: tests/integration/teleoperation/law_test.cpp.
+How closely a slave follows, and whether a knot arrives in time, depends here on what else the machine
+does. Both, to a millimetre, are tested in virtual time: law_test.cpp and knot_test.cpp in
+tests/integration/teleoperation.
 """
 
 import pathlib
 import re
+import struct
 import sys
+import tempfile
 
 from programs import Demo
 
 LOOSE = 10  # times the demo's own bounds
-PROCESSES = {"single": 1, "fig3a": 2, "fig3c": 2}
+PROCESSES = {"single": 1, "fig3a": 2, "fig3b": 3, "fig3c": 2}
+CONNECTIONS = {"single": 12, "fig3a": 12, "fig3b": 19, "fig3c": 12}
+SECONDS = {"single": 3, "fig3a": 3, "fig3b": 9, "fig3c": 3}
 SLAVES = {
+    "fig3b": {},
     "single": {"console:PSM2": "console:MTML", "console:PSM1": "console:MTMR"},
     "fig3a": {"left:PSM2": "left:MTML", "right:PSM1": "right:MTMR"},
     "fig3c": {"right:PSM1": "left:MTML", "left:PSM2": "right:MTMR"},
@@ -26,16 +32,23 @@ def expected_lane(connection, lane):
     return "local" if source.split(":")[0] == target.split(":")[0] else "shm"
 
 
-def follows_late(check):
-    return not check["passed"] and re.search(r"follows .*error .* at p99", check["text"])
+def is_late(check):
+    return re.search(r"follows .*error .* at p99|the knot (ended|came) .* mm", check["text"])
+
+
+def check_knot(knot, picture):
+    assert knot["rows"] > 0, knot
+    assert knot["sighted"] > 0 and knot["sighting_error"] <= LOOSE * 0.001, knot
+    assert picture[:8] == b"\x89PNG\r\n\x1a\n", picture[:8]
+    assert struct.unpack(">II", picture[16:24]) == (1280, 720)
 
 
 def check(result, topology, lane):
     failed = [one for one in result["checks"] if not one["passed"]]
     assert result["passed"] == (not failed), result["checks"]
-    assert all(follows_late(one) for one in failed), failed
+    assert all(is_late(one) for one in failed), failed
     assert len(result["processes"]) == PROCESSES[topology]
-    assert len(result["connections"]) == 12
+    assert len(result["connections"]) == CONNECTIONS[topology]
     for connection in result["connections"]:
         wanted = expected_lane(connection, lane)
         assert connection["lane"] == wanted, connection
@@ -52,14 +65,21 @@ def check(result, topology, lane):
 
 def main():
     programs, topology, lane = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
-    with Demo(programs, "--topology", topology, "--lane", lane, "--seconds", "3") as demo:
-        status, output = demo.finish()
-        print(output)
-        result = demo.result()
-        assert status == (0 if result["passed"] else 1), f"exit status {status}"
-        check(result, topology, lane)
-        assert "\x1b" not in output, "colours in a pipe"
-        assert demo.leftovers() == [], demo.leftovers()
+    options = ["--topology", topology, "--lane", lane, "--seconds", str(SECONDS[topology])]
+    with tempfile.TemporaryDirectory() as folder:
+        picture = pathlib.Path(folder) / "knot.png"
+        if topology == "fig3b":
+            options += ["--picture", picture]
+        with Demo(programs, *options) as demo:
+            status, output = demo.finish()
+            print(output)
+            result = demo.result()
+            assert status == (0 if result["passed"] else 1), f"exit status {status}"
+            check(result, topology, lane)
+            assert "\x1b" not in output, "colours in a pipe"
+            assert demo.leftovers() == [], demo.leftovers()
+        if topology == "fig3b":
+            check_knot(result["knot"], picture.read_bytes())
 
 
 main()
