@@ -3,10 +3,7 @@
 namespace robots {
 
 SyntheticEndoscope::SyntheticEndoscope(const EndoscopeParameters& parameters)
-    : PeriodicTask({.period = parameters.period}), painter_(CameraPair{}, parameters.noise) {
-  // Images are large, and nobody asks for those of the past.
-  images_.keepState({.rows = 2});
-}
+    : PeriodicTask({.period = parameters.period}), painter_(CameraPair{}, parameters.noise) {}
 
 void SyntheticEndoscope::run() {
   const auto strand = strand_.strand();

@@ -38,6 +38,16 @@ std::size_t replyBytes(const InterfaceInfo& info) {
   return Channel::kMaxCalls * rt::SpscRing::recordSize(sizeof(ReplyRecord) + largest);
 }
 
+/// Of large rows fewer are kept: all their memory is touched when the table is made, by whoever
+/// makes it, and that may be the thread that answers heartbeats.
+unsigned rowsOf(const std::vector<std::uint32_t>& sizes) {
+  constexpr std::size_t kMostBytes = 4u << 20;
+  constexpr unsigned kFewest = 4;
+  unsigned rows = rt::StateTable::kDefaultRows;
+  while (rows > kFewest && rt::StateTable::bytesFor(sizes, rows) > kMostBytes) rows /= 2;
+  return rows;
+}
+
 }  // namespace
 
 Channel::Channel(const InterfaceInfo& contract, std::string channelName, std::string laneName,
@@ -198,7 +208,7 @@ std::shared_ptr<rt::StateTable> makeStateTable(const InterfaceInfo& info) {
     shared |= rt::ColumnSet{command.sharedResult} << sizes.size();
     sizes.push_back(command.resultSize);
   }
-  return std::make_shared<rt::StateTable>(sizes, rt::StateTable::kDefaultRows, shared);
+  return std::make_shared<rt::StateTable>(sizes, rowsOf(sizes), shared);
 }
 
 }  // namespace suture
