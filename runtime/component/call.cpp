@@ -69,7 +69,7 @@ void RequiredBase::collectReplies() {
   if (channel_ == nullptr) return;
   noteTaking();
   // As many as there may be calls: a foreign provider may write without end.
-  for (unsigned i = 0; i < Channel::kMaxCalls; ++i) {
+  for (std::size_t i = 0; i < books_->calls.size(); ++i) {
     ReplyRecord* const reply = channel_->nextReply();
     if (reply == nullptr) return;
     collect(*reply, channel_->replies.frontSize() - sizeof(ReplyRecord));
@@ -85,7 +85,9 @@ void RequiredBase::noteTaking() {
 
 void RequiredBase::collect(ReplyRecord& reply, std::size_t size) {
   channel_->countReceived(rt::SpscRing::recordSize(sizeof(reply) + size));
-  PendingCall& call = books_->calls[reply.call % Channel::kMaxCalls];
+  const std::size_t index = reply.call % Channel::kMaxCalls;
+  if (index >= books_->calls.size()) return;  // no call of ours: the provider made it up
+  PendingCall& call = books_->calls[index];
   if (call.number != reply.call) return;
   call.done = true;
   if (!std::exchange(call.fresh, true)) ++fresh_;

@@ -1,4 +1,5 @@
 #include <suture/base/virtual_time.h>
+#include <suture/component/call_limit.h>
 #include <suture/component/channel.h>
 #include <suture/component/provided.h>
 
@@ -33,9 +34,8 @@ rt::Producers eventProducers(const Channel::Ends& ends) {
 }
 
 std::size_t replyBytes(const InterfaceInfo& info) {
-  std::uint32_t largest = 0;
-  for (const CommandInfo& command : info.commands) largest = std::max(largest, command.resultSize);
-  return Channel::kMaxCalls * rt::SpscRing::recordSize(sizeof(ReplyRecord) + largest);
+  const CallLimit limit = callLimitOf(info);
+  return limit.calls * rt::SpscRing::recordSize(sizeof(ReplyRecord) + limit.largestResult);
 }
 
 /// Of large rows fewer are kept: all their memory is touched when the table is made, by whoever

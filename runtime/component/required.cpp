@@ -1,4 +1,5 @@
 #include <suture/component/books.h>
+#include <suture/component/call_limit.h>
 #include <suture/component/channel.h>
 #include <suture/component/required.h>
 
@@ -9,11 +10,8 @@
 namespace suture {
 
 RequiredBase::Books::Books(const InterfaceInfo& info)
-    : calls(Channel::kMaxCalls), events(info.events.size()) {
-  std::size_t words = 0;  // of the largest
-  for (const CommandInfo& command : info.commands) {
-    words = std::max<std::size_t>(words, (command.resultSize + 7) / 8);
-  }
+    : calls(callLimitOf(info).calls), events(info.events.size()) {
+  const std::size_t words = (callLimitOf(info).largestResult + 7) / 8;
   results.resize(words * calls.size());
   for (std::size_t i = 0; i < calls.size(); ++i) {
     calls[i].result = std::as_writable_bytes(std::span(results).subspan(i * words, words));

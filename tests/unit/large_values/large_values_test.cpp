@@ -135,6 +135,19 @@ TEST_F(LargeValues, AreEmittedInAThreadWithASmallStack) {
 // that made one of 64 pairs of images answered nobody for seconds.
 TEST_F(LargeValues, AreKeptInFewRows) { EXPECT_EQ(task_.gallery.state()->capacity(), 4u); }
 
+TEST_F(LargeValues, AreAnsweredToFewCallsAtATime) {
+  auto& newest = ofTask_.gallery.newest;
+  {
+    const auto first = newest.fresh(), second = newest.fresh(), third = newest.fresh(),
+               fourth = newest.fresh();
+    auto fifth = newest.fresh();
+    ASSERT_NE(fifth.poll(), nullptr);
+    EXPECT_EQ(fifth.poll()->error(), suture::Errc::TooManyCalls);
+  }
+  EXPECT_TRUE(eventually([&] { return newest.fresh().within(suture::kPatience).hasValue(); }))
+      << "their places are free again";
+}
+
 TEST_F(LargeValues, AreReadWithoutAnAllocationOnceThereIsMemory) {
   if (!suture::countsAllocations()) GTEST_SKIP() << "a sanitizer needs malloc for itself";
   Picture picture;
