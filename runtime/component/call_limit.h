@@ -8,7 +8,7 @@ namespace suture {
 
 /// What a connection keeps memory for, at both of its ends.
 struct CallLimit {
-  unsigned calls;               ///< with an answer, unfinished at a time; at most Channel::kMaxCalls
+  unsigned calls;  ///< with an answer, unfinished at a time; at most Channel::kMaxCalls
   std::uint32_t largestResult;  ///< bytes, of a slot
 };
 

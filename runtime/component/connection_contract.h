@@ -17,7 +17,7 @@ enum class Fallback : std::uint8_t {
   Fault,  ///< as Hold, and the reading component is parked
 };
 
-/// What lets commands through again after a loss or a stale read.
+/// After a loss or a stale read, this lets commands through again.
 enum class Resume : std::uint8_t { Automatic, Operator };
 
 /// A value; 0 in a duration: no such limit, unless it says otherwise.

@@ -254,7 +254,7 @@ class RequiredBase {
   bool handling_ = false;                // a handler of an event is running
   bool optional_ = false;
   Duration maxAge_{0};
-  // Whether noticeLoss() has dealt with the loss of channel_.
+  // True once noticeLoss() has dealt with the loss of channel_.
   bool lossNoticed_ = false;
   std::atomic<bool> resumeAsked_{false};  // of a device
   std::uint32_t faultsNoticed_ = 0;

@@ -22,7 +22,7 @@ namespace suture {
 class DelayThread;
 class Task;
 
-/// What stands between a required interface and the link, if anything does.
+/// These stand between a required interface and the link, where they are not null.
 struct Interposer {
   DelayThread* delays = nullptr;
   ConnectionDelay delay;

@@ -10,7 +10,7 @@
 namespace suture::rt {
 namespace {
 
-// What stands in the block before its first row.
+// The block begins with the number of the newest row, on a cache line of its own.
 constexpr std::size_t kHeaderBytes = 64;
 
 constexpr std::size_t wordsFor(std::size_t bytes) { return (bytes + 7) / 8; }
