@@ -44,8 +44,9 @@ void KnotGuide::run() {
   }
   lookForKnot();
   if (parameters_.fixtures && !progress_.valid) return leave(GuidanceState::Blind);
-  const bool brokenOff = left_.slaveWatch.hasBrokenOff() | right_.slaveWatch.hasBrokenOff();
-  if (brokenOff || !left_.law) begin();
+  const bool leftBroke = left_.slaveWatch.hasBrokenOff();
+  const bool rightBroke = right_.slaveWatch.hasBrokenOff();
+  if (leftBroke || rightBroke || !left_.law) begin();
   if (!move()) leave(GuidanceState::Preparing);
 }
 
