@@ -25,7 +25,7 @@ struct KnotFixtures::Constraints {
     rows.row(count) << left.transpose(), right.transpose();
     bounds[count++] = std::min(atLeast, 0.0);
   }
-  /// Of the mean of both steps.
+  /// The same, for the mean of both steps.
   void requireOfMean(const Vector3d& direction, double atLeast) {
     require(direction / 2, direction / 2, atLeast);
   }

@@ -11,7 +11,7 @@
 namespace robots {
 
 /// The knot as it was seen, and by how much the tips have moved since: images come late and seldom.
-/// What is kept of the sightings is where the knot is from the mean of the tips, which changes
+/// It keeps where the sightings put the knot from the mean of the tips: that changes
 /// slowly, so it is smoothed and the movement is not. Never allocates; belongs to one thread.
 class KnotEstimate {
  public:

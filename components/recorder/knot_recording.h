@@ -1,5 +1,5 @@
 #pragma once
-// What is kept of the placing of a knot: the truth, what the cameras saw, and whether it was
+// Keeps how a knot was placed: the truth, what the cameras saw, and whether it was
 // guided.
 
 #include <suture/base/time.h>

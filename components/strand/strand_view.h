@@ -13,7 +13,7 @@ struct SUTURE_TYPE() StrandState {
   SUTURE_FIELD(unit("m")) Eigen::Matrix<double, 3, 61> nodes = Eigen::Matrix<double, 3, 61>::Zero();
   /// Strand between the left tip and the knot.
   SUTURE_FIELD(unit("m")) double left_length = 0;
-  /// Of the links beside the knot.
+  /// The tensions pull at the links beside the knot, from either side.
   SUTURE_FIELD(unit("N")) double left_tension = 0;
   SUTURE_FIELD(unit("N")) double right_tension = 0;
   suture::Time stamp;

@@ -23,7 +23,7 @@ class SUTURE_INTERFACE() KnotVision {
  public:
   virtual ~KnotVision() = default;
 
-  /// What the last pair of images showed.
+  /// Answers with what the last pair of images showed.
   SUTURE_COMMAND() virtual const KnotSighting& sighting() const = 0;
 };
 

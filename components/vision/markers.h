@@ -13,7 +13,7 @@ using Colour = std::array<std::uint8_t, 3>;  ///< red, green, blue
 constexpr Colour kTissueColour{180, 110, 100};
 constexpr Colour kStrandColour{70, 70, 75};
 
-/// What is looked for in an image.
+/// The detector looks for these in an image.
 enum class Marker : std::uint8_t { Knot, LeftTip, RightTip };
 constexpr std::size_t kMarkers = 3;
 

@@ -250,9 +250,10 @@ constexpr CommandInfo kKnotVisionCommands[] = {
 // The self-description, as in vision/knot_vision.suture.json.
 constexpr char kKnotVisionDescription[] = R"json(
 {"name": "robots::KnotVision", "hash": "3501142906d2f97c6ee13fa414de1248", "commands": [{
-"name": "sighting", "kind": "read", "ordinal": 1, "doc": "What the last pair of images showed.",
-"result": {"type": {"kind": "struct", "name": "robots::KnotSighting"}}, "queue": 16}], "events": [],
-"enums": [], "structs": [{"name": "robots::KnotSighting",
+"name": "sighting", "kind": "read", "ordinal": 1,
+"doc": "Answers with what the last pair of images showed.", "result": {"type": {"kind": "struct",
+"name": "robots::KnotSighting"}}, "queue": 16}], "events": [], "enums": [], "structs": [{
+"name": "robots::KnotSighting",
 "doc": "In the frame of the left camera: x to the right and y downward in the image, z ahead.",
 "fields": [{"name": "knot", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1
 }, "unit": "m"}, {"name": "left_tip", "wire": "leftTip", "type": {"kind": "matrix",

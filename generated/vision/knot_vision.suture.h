@@ -46,7 +46,7 @@ class Required<robots::KnotVision> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// What the last pair of images showed.
+  /// Answers with what the last pair of images showed.
   ReadCommand<&Contract::sighting, robots::KnotSightingSlot> sighting{
       *this, static_cast<std::uint16_t>(Id::sighting)};
 

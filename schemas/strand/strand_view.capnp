@@ -13,7 +13,7 @@ struct StrandState @0xa7b70b5e253db6a2 $Meta.cxx("robots::StrandState") {
   leftLength @1 :Float64 $Meta.cxx("left_length") $Meta.unit("m");
   # Strand between the left tip and the knot.
   leftTension @2 :Float64 $Meta.cxx("left_tension") $Meta.unit("N");
-  # Of the links beside the knot.
+  # The tensions pull at the links beside the knot, from either side.
   rightTension @3 :Float64 $Meta.cxx("right_tension") $Meta.unit("N");
   stamp @4 :Int64 $Meta.clock("steady");
   valid @5 :Bool;

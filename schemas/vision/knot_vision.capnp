@@ -24,7 +24,7 @@ interface KnotVision @0xd18623f4fbc55b4a $Meta.cxx("robots::KnotVision") {
   subscribe @0 (events :KnotVisionEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   sighting @1 (sent :Rpc.Sent) -> (value :KnotSighting, stamp :Int64) $Meta.kind("read");
-  # What the last pair of images showed.
+  # Answers with what the last pair of images showed.
 }
 
 interface KnotVisionEvents @0xe0f71ba712630172 $Meta.eventsOf("robots::KnotVision") {
