@@ -1,5 +1,7 @@
 #include "guidance/fixtures.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
