@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "arm/seconds.h"
@@ -19,21 +18,6 @@ using suture::Time;
 constexpr double kLongestGap = 0.05;  // s
 // How much later than the row of its stamp a record may be written.
 constexpr auto kPatience = std::chrono::milliseconds(200);
-
-ErrorSummary summarise(std::vector<double> errors) {
-  if (errors.empty()) return {};
-  std::sort(errors.begin(), errors.end());
-  const auto at = [&](double share) {
-    return errors[static_cast<std::size_t>(share * static_cast<double>(errors.size() - 1))];
-  };
-  return {at(0.5), at(0.99), errors.back()};
-}
-
-std::string sentence(const char* format, double found, double bound) {
-  char text[128];
-  std::snprintf(text, sizeof text, format, found, bound);
-  return text;
-}
 
 }  // namespace
 

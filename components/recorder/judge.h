@@ -9,13 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "recorder/judging.h"
 #include "recorder/recording.h"
 
 namespace robots {
-
-struct ErrorSummary {
-  double p50 = 0, p99 = 0, max = 0;
-};
 
 struct Judgement {
   ErrorSummary position;     ///< m

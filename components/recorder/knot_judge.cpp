@@ -4,85 +4,110 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
+#include <cstddef>
+#include <iterator>
 #include <optional>
+#include <utility>
 
 #include "arm/seconds.h"
-#include "strand/strand.h"
+#include "recorder/judging.h"
 
 namespace robots {
 namespace {
 
 using Eigen::Vector3d;
+using Rows = std::vector<KnotRow>;
 
-constexpr double kBound = 0.001;    // m from the target
+// m: of the knot from its target, and of a sighting from the truth.
+constexpr double kFarthest = 0.001;
 constexpr double kLeastWay = 0.01;  // m
+// Cameras may lose the knot for moments, but not for long.
+constexpr double kLeastSighted = 0.9;
+// The guide's process may end some moments before the recorder's.
+constexpr double kLeastGuided = 0.5;
 constexpr auto kEnd = std::chrono::milliseconds(500);
 
-Vector3d knotOf(const KnotRow& row) { return row.strand.nodes.col(Strand::kKnot); }
-
-/// The true knot at a stamp between two rows; none outside them.
-std::optional<Vector3d> knotAt(const std::vector<KnotRow>& rows, suture::Time stamp) {
-  const auto after = std::lower_bound(
+Rows::const_iterator firstSince(const Rows& rows, suture::Time stamp) {
+  return std::lower_bound(
       rows.begin(), rows.end(), stamp,
       [](const KnotRow& row, suture::Time wanted) { return row.strand.stamp < wanted; });
+}
+
+/// The true knot at a stamp between two rows; none outside them.
+std::optional<Vector3d> knotAt(const Rows& rows, suture::Time stamp) {
+  const auto after = firstSince(rows, stamp);
   if (after == rows.begin() || after == rows.end()) return std::nullopt;
   const KnotRow& before = *std::prev(after);
   const double share = secondsBetween(before.strand.stamp, stamp) /
                        secondsBetween(before.strand.stamp, after->strand.stamp);
-  return knotOf(before) + share * (knotOf(*after) - knotOf(before));
+  return before.knot() + share * (after->knot() - before.knot());
 }
 
-double percentile99(std::vector<double>& values) {
-  if (values.empty()) return 0;
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(0.99 * (values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
+/// What the last half second shows, guided or not.
+void judgeEnd(const Rows& rows, const Vector3d& target, KnotJudgement& judgement) {
+  if (rows.empty()) return;
+  const auto first = firstSince(rows, rows.back().strand.stamp - kEnd);
+  const auto count = static_cast<double>(rows.end() - first);
+  for (auto row = first; row != rows.end(); ++row) {
+    judgement.error += (row->knot() - target).norm() / count;
+    judgement.guided_at_end += (row->guiding ? 1 : 0) / count;
+  }
 }
 
-}  // namespace
-
-KnotJudgement judgeKnot(const std::vector<KnotRow>& rows, const Vector3d& target) {
-  KnotJudgement judgement;
+/// What all guided rows show.
+void judgeGuided(const Rows& rows, const Vector3d& target, KnotJudgement& judgement) {
   std::vector<double> sightingErrors;
-  double sum = 0;
-  std::size_t last = 0, sighted = 0;
+  std::size_t sighted = 0;
   for (const KnotRow& row : rows) {
-    if (row.strand.stamp >= rows.back().strand.stamp - kEnd) {
-      sum += (knotOf(row) - target).norm();
-      ++last;
-    }
     if (!row.guiding) continue;
-    if (judgement.rows++ == 0) judgement.start = (knotOf(row) - target).norm();
+    if (judgement.rows++ == 0) judgement.start = (row.knot() - target).norm();
     if (!row.sighting.valid) continue;
     ++sighted;
     if (const auto truth = knotAt(rows, row.sighting.stamp)) {
       sightingErrors.push_back((row.camera * row.sighting.knot - *truth).norm());
     }
   }
-  if (last > 0) judgement.error = sum / static_cast<double>(last);
   if (judgement.rows > 0) {
     judgement.sighted = static_cast<double>(sighted) / static_cast<double>(judgement.rows);
   }
-  judgement.sighting_error = percentile99(sightingErrors);
+  judgement.sighting_error = summarise(std::move(sightingErrors)).p99;
+}
+
+}  // namespace
+
+KnotJudgement judgeKnot(const std::vector<KnotRow>& rows, const Vector3d& target) {
+  KnotJudgement judgement;
+  judgeEnd(rows, target, judgement);
+  judgeGuided(rows, target, judgement);
   return judgement;
 }
 
 std::vector<std::string> violations(const KnotJudgement& judgement) {
+  if (judgement.rows == 0) return {"the knot was never guided"};  // the rest says nothing then
   std::vector<std::string> found;
-  const auto sentence = [](const char* format, double value, double bound) {
-    char text[128];
-    std::snprintf(text, sizeof(text), format, 1e3 * value, 1e3 * bound);
-    return std::string(text);
-  };
-  if (judgement.rows == 0) found.push_back("the knot was never guided");
-  if (judgement.error > kBound) {
-    found.push_back(sentence("the knot ended %.2f mm from its target, at most %.2f mm allowed",
-                             judgement.error, kBound));
+  if (judgement.guided_at_end < kLeastGuided) {
+    found.push_back(
+        sentence("the knot was guided for %.0f %% of the last half second, at least %.0f %% wanted",
+                 1e2 * judgement.guided_at_end, 1e2 * kLeastGuided));
   }
-  if (judgement.start - judgement.error < kLeastWay) {
+  if (judgement.error > kFarthest) {
+    found.push_back(sentence("the knot ended %.2f mm from its target, at most %.2f mm allowed",
+                             1e3 * judgement.error, 1e3 * kFarthest));
+  }
+  const double way = judgement.start - judgement.error;
+  if (way < kLeastWay) {
     found.push_back(sentence("the knot came %.1f mm nearer to its target, at least %.1f mm wanted",
-                             judgement.start - judgement.error, kLeastWay));
+                             1e3 * way, 1e3 * kLeastWay));
+  }
+  if (judgement.sighted < kLeastSighted) {
+    found.push_back(
+        sentence("the cameras saw the knot %.0f %% of the guided time, at least %.0f %% wanted",
+                 1e2 * judgement.sighted, 1e2 * kLeastSighted));
+  }
+  if (judgement.sighting_error > kFarthest) {
+    found.push_back(
+        sentence("the cameras saw the knot %.2f mm from the truth at p99, at most %.2f mm allowed",
+                 1e3 * judgement.sighting_error, 1e3 * kFarthest));
   }
   return found;
 }

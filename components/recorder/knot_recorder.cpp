@@ -3,7 +3,7 @@
 namespace robots {
 namespace {
 
-// Five seconds of fifty rows.
+// The ring holds five seconds at 50 rows a second, longer than a disk stalls.
 constexpr std::size_t kRows = 256;
 
 }  // namespace
@@ -11,7 +11,7 @@ constexpr std::size_t kRows = 256;
 KnotRecorder::KnotRecorder(const KnotRecorderParameters& parameters)
     : PeriodicTask({.period = parameters.period}), writer_(parameters.file, kRows) {
   guidance_.on().guidance_state(
-      [this](const GuidanceState& state) { row_.guiding = state == GuidanceState::Guiding; });
+      [this](const GuidanceState& state) { guiding_ = state == GuidanceState::Guiding; });
 }
 
 void KnotRecorder::run() {
@@ -22,6 +22,7 @@ void KnotRecorder::run() {
   row_.camera = frames->camera;
   const auto sighting = vision_.sighting();
   row_.sighting = sighting ? *sighting : KnotSighting{};
+  row_.guiding = guiding_ && guidance_.connected();
   if (!writer_.push(row_)) dropped_.fetch_add(1, std::memory_order_relaxed);
 }
 

@@ -44,6 +44,7 @@ class SUTURE_COMPONENT() KnotRecorder final : public suture::PeriodicTask {
   suture::Required<Guidance> guidance_{*this, "Guidance"};
   suture::Required<Registration> registration_{*this, "Registration"};
   KnotRow row_;
+  bool guiding_ = false;  // by the last event; a guide that is lost sends none
   std::atomic<std::uint64_t> dropped_{0};
 };
 

@@ -1,13 +1,13 @@
 #include "recorder/knot_recording.h"
 
-#include <suture/base/errors.h>
+#include <suture/base/time.h>
 
-#include <fstream>
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <ostream>
-#include <string>
 
 #include "recorder/json_stamp.h"
+#include "recorder/recording_lines.h"
 
 namespace robots {
 namespace {
@@ -32,6 +32,9 @@ KnotRow toRow(const Json& json) {
   KnotRow row;
   row.strand.stamp = stampOf(json.at("stamp"));
   read(json.at("nodes"), row.strand.nodes);
+  row.strand.left_length = json.at("left_length").get<double>();
+  row.strand.left_tension = json.at("left_tension").get<double>();
+  row.strand.right_tension = json.at("right_tension").get<double>();
   row.strand.valid = true;
   read(json.at("camera"), row.camera.matrix());
   row.guiding = json.at("guiding").get<bool>();
@@ -58,6 +61,9 @@ void write(std::ostream& out, const KnotRow& row) {
   }
   out << Json{{"stamp", suture::toNanoseconds(row.strand.stamp)},
               {"nodes", toJson(row.strand.nodes)},
+              {"left_length", row.strand.left_length},
+              {"left_tension", row.strand.left_tension},
+              {"right_tension", row.strand.right_tension},
               {"camera", toJson(row.camera.matrix())},
               {"seen", seen},
               {"guiding", row.guiding}}
@@ -65,21 +71,8 @@ void write(std::ostream& out, const KnotRow& row) {
 }
 
 std::vector<KnotRow> readKnotRecording(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) {
-    throw suture::SetupError("reading the recording " + file.string(), "it cannot be opened",
-                             "check that the recorder ran");
-  }
   std::vector<KnotRow> rows;
-  for (std::string line; std::getline(in, line);) {
-    try {
-      rows.push_back(toRow(Json::parse(line)));
-    } catch (const Json::exception& error) {
-      throw suture::SetupError(
-          "reading the recording " + file.string() + ":" + std::to_string(rows.size() + 1),
-          error.what(), "the recorder may have been killed while it wrote; record anew");
-    }
-  }
+  RecordingLines(file).rest([&](const Json& json) { rows.push_back(toRow(json)); });
   return rows;
 }
 

@@ -1,11 +1,9 @@
 #include "recorder/recording.h"
 
-#include <suture/base/errors.h>
-
-#include <fstream>
+#include <array>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <ostream>
-#include <string>
 
 #include "recorder/json_stamp.h"
 
@@ -60,38 +58,15 @@ void write(std::ostream& out, const Record& record) {
   out << std::visit([](const auto& value) { return toJson(value); }, record) << '\n';
 }
 
-void RecordingReader::parse(const std::string& line, Recording& into) {
-  ++lines_;
-  try {
-    add(into, Json::parse(line));
-  } catch (const Json::exception& error) {
-    throw suture::SetupError(
-        "reading the recording " + file_.string() + ":" + std::to_string(lines_), error.what(),
-        "the recorder may have been killed while it wrote; record anew");
-  }
-}
-
 Recording RecordingReader::next() {
   Recording recording;
-  if (!in_.is_open()) in_.open(file_);
-  in_.clear();  // more may have come behind the end
-  std::string text;
-  while (std::getline(in_, text)) {
-    unfinished_ += text;
-    if (in_.eof()) break;
-    parse(unfinished_, recording);
-    unfinished_.clear();
-  }
+  lines_.next([&](const Json& json) { add(recording, json); });
   return recording;
 }
 
 Recording RecordingReader::rest() {
-  Recording recording = next();
-  if (!in_.is_open()) {
-    throw suture::SetupError("reading the recording " + file_.string(), "it cannot be opened",
-                             "check that the recorder ran");
-  }
-  if (!unfinished_.empty()) parse(unfinished_, recording);
+  Recording recording;
+  lines_.rest([&](const Json& json) { add(recording, json); });
   return recording;
 }
 

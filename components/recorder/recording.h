@@ -4,14 +4,13 @@
 #include <suture/base/time.h>
 
 #include <Eigen/Geometry>
-#include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <iosfwd>
-#include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
+#include "recorder/recording_lines.h"
 #include "teleop/teleoperation.h"
 
 namespace robots {
@@ -38,7 +37,7 @@ void write(std::ostream& out, const Record& record);
 /// Reads what write() wrote, also while it is being written. One thread.
 class RecordingReader {
  public:
-  explicit RecordingReader(std::filesystem::path file) : file_(std::move(file)) {}
+  explicit RecordingReader(std::filesystem::path file) : lines_(std::move(file)) {}
 
   /// The whole records that are new since the last call; none before the file exists. Throws
   /// suture::SetupError that names the file and the line.
@@ -48,12 +47,7 @@ class RecordingReader {
   Recording rest();
 
  private:
-  void parse(const std::string& line, Recording& into);
-
-  std::filesystem::path file_;
-  std::ifstream in_;
-  std::string unfinished_;  // a line without its end
-  std::size_t lines_ = 0;
+  RecordingLines lines_;
 };
 
 /// All of a recording that nobody writes any more.

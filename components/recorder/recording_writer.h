@@ -1,5 +1,5 @@
 #pragma once
-// Takes records from a control loop to a file.
+// Takes rows from a control loop to a file.
 
 #include <suture/base/errors.h>
 #include <suture/component/periodic_task.h>
@@ -14,17 +14,17 @@
 namespace robots {
 
 /// A ring that a task fills, and a task of its own that writes to the file, twenty times a second.
-/// The destructor writes what is left. A record has a function write(std::ostream&, record) in its
-/// own namespace, and is copied without an allocation.
-template <class Record>
+/// The destructor writes what is left. A row has a function write(std::ostream&, row) in its own
+/// namespace, and is copied without an allocation.
+template <class Row>
 class RecordingWriter final : private suture::PeriodicTask {
  public:
-  /// Replaces the file. The ring has room for `records`. Throws suture::SetupError if the file
-  /// cannot be written.
-  RecordingWriter(const std::filesystem::path& file, std::size_t records)
+  /// Replaces the file. The ring has room for `rows`. Throws suture::SetupError if the file cannot
+  /// be written.
+  RecordingWriter(const std::filesystem::path& file, std::size_t rows)
       : PeriodicTask({.period = std::chrono::milliseconds(50)}),
         out_(file, std::ios::trunc),
-        ring_(records) {
+        ring_(rows) {
     if (!out_) {
       throw suture::SetupError("recording to " + file.string(), "the file cannot be written",
                                "name a file in an existing folder that you may write to");
@@ -38,12 +38,12 @@ class RecordingWriter final : private suture::PeriodicTask {
   RecordingWriter(const RecordingWriter&) = delete;
   RecordingWriter& operator=(const RecordingWriter&) = delete;
 
-  /// From one task's thread. Never blocks, never allocates; false if the record was dropped because
+  /// From one task's thread. Never blocks, never allocates; false if the row was dropped because
   /// the file is so far behind that the ring is full.
-  bool push(const Record& record) {
+  bool push(const Row& row) {
     const std::size_t pushed = pushed_.load(std::memory_order_relaxed);
     if (pushed - written_.load(std::memory_order_acquire) == ring_.size()) return false;
-    ring_[pushed % ring_.size()] = record;
+    ring_[pushed % ring_.size()] = row;
     pushed_.store(pushed + 1, std::memory_order_release);
     return true;
   }
@@ -62,7 +62,7 @@ class RecordingWriter final : private suture::PeriodicTask {
   std::ofstream out_;
   // Reused in turn; the counts never wrap. Only the pushing thread writes pushed_, only the writing
   // one written_.
-  std::vector<Record> ring_;
+  std::vector<Row> ring_;
   std::atomic<std::size_t> pushed_{0};
   std::atomic<std::size_t> written_{0};
 };
