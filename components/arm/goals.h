@@ -11,13 +11,15 @@
 namespace robots {
 
 /// Finite, and its rotation is one to 1e-6.
-inline bool isPose(const PoseStamped& goal) {
+inline bool isRigid(const Eigen::Isometry3d& pose) {
   constexpr double kRotationTolerance = 1e-6;
-  const Eigen::Matrix3d rotation = goal.pose.linear();
-  return goal.valid && goal.pose.matrix().allFinite() &&
+  const Eigen::Matrix3d rotation = pose.linear();
+  return pose.matrix().allFinite() &&
          (rotation * rotation.transpose()).isIdentity(kRotationTolerance) &&
          rotation.determinant() > 0;
 }
+
+inline bool isPose(const PoseStamped& goal) { return goal.valid && isRigid(goal.pose); }
 
 /// None unless it has N entries, all finite.
 template <int N, class List>

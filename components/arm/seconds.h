@@ -6,9 +6,11 @@
 
 namespace robots {
 
-/// In seconds; negative if `to` is the earlier one.
-inline double secondsBetween(suture::Time from, suture::Time to) {
-  return std::chrono::duration<double>(to - from).count();
+inline double inSeconds(suture::Duration duration) {
+  return std::chrono::duration<double>(duration).count();
 }
+
+/// In seconds; negative if `to` is the earlier one.
+inline double secondsBetween(suture::Time from, suture::Time to) { return inSeconds(to - from); }
 
 }  // namespace robots

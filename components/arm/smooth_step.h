@@ -5,9 +5,9 @@
 
 namespace robots {
 
-/// Rises from 0 at s <= 0 to 1 at s >= 1 with zero velocity and acceleration at both ends: 10 s^3 -
-/// 15 s^4
-/// + 6 s^5 (Flash and Hogan, "The coordination of arm movements", J. Neuroscience 5(7), 1985).
+/// Rises from 0 at s <= 0 to 1 at s >= 1 with zero velocity and acceleration at both ends, as
+/// 10 s^3 - 15 s^4 + 6 s^5 (Flash and Hogan, "The coordination of arm movements", J. Neuroscience
+/// 5(7), 1985).
 inline double smoothStep(double s) {
   s = std::clamp(s, 0.0, 1.0);
   return s * s * s * (10 + s * (6 * s - 15));

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The last tenths of a millimetre, or the knot would never arrive.
+// The last tenths of a millimetre need a least speed, or the knot would never arrive.
 constexpr double kCreep = 0.0005;  // m/s
 
 }  // namespace
@@ -39,11 +39,11 @@ KnotFixtures::KnotFixtures(const FixtureModel& model) : model_(model) {
   across_[1] = model_.approach.cross(across_[0]);
 }
 
-double KnotFixtures::toGo(const Vector3d& knot) const {
+double KnotFixtures::distanceToTarget(const Vector3d& knot) const {
   return model_.approach.dot(model_.target - knot);
 }
 
-double KnotFixtures::aside(const Vector3d& knot) const {
+double KnotFixtures::lateralError(const Vector3d& knot) const {
   return (model_.target - knot).cross(model_.approach).norm();
 }
 
@@ -52,8 +52,8 @@ Vector3d KnotFixtures::outward(int plane) const {
   return std::cos(angle) * across_[0] + std::sin(angle) * across_[1];
 }
 
-TipPair KnotFixtures::permit(const TipPair& tips, const Vector3d& knot, const TipPair& wish,
-                             double seconds) {
+TipPair KnotFixtures::constrain(const TipPair& tips, const Vector3d& knot, const TipPair& desired,
+                                double seconds) {
   Constraints constraints;
   const Vector3d none = Vector3d::Zero();
   for (int axis = 0; axis < 3; ++axis) {
@@ -63,14 +63,14 @@ TipPair KnotFixtures::permit(const TipPair& tips, const Vector3d& knot, const Ti
       constraints.require(none, direction, -model_.speed * seconds);
     }
   }
-  constraints.require(Vector3d::UnitZ(), none, model_.floor - tips.left.z());
-  constraints.require(none, Vector3d::UnitZ(), model_.floor - tips.right.z());
+  constraints.require(Vector3d::UnitZ(), none, model_.tissue - tips.left.z());
+  constraints.require(none, Vector3d::UnitZ(), model_.tissue - tips.right.z());
   const Vector3d between = tips.left - tips.right;
   const Vector3d apart = between.normalized();
   constraints.require(apart, -apart, model_.separation - between.norm());
 
   // The cone at the place where the knot will be, which is narrower there.
-  const double ahead = std::max(toGo(knot), 0.0);
+  const double ahead = std::max(distanceToTarget(knot), 0.0);
   for (int plane = 0; plane < kPlanes; ++plane) {
     const Vector3d out = outward(plane);
     const double room = model_.radius + model_.slope * ahead - out.dot(knot - model_.target);
@@ -79,10 +79,10 @@ TipPair KnotFixtures::permit(const TipPair& tips, const Vector3d& knot, const Ti
   const double nearest = std::min(ahead, (model_.slowing * ahead + kCreep) * seconds);
   constraints.requireOfMean(-model_.approach, -nearest);
 
-  Program::Vector wished;
-  wished << wish.left, wish.right;
+  Program::Vector steps;
+  steps << desired.left, desired.right;
   const Program::Solution solution =
-      program_.solve(Program::Matrix::Identity(), -wished, constraints.rows, constraints.bounds);
+      program_.solve(Program::Matrix::Identity(), -steps, constraints.rows, constraints.bounds);
   if (solution.status != SolveStatus::Optimal) return {none, none};
   return {solution.x.head<3>(), solution.x.tail<3>()};
 }

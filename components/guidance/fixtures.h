@@ -16,7 +16,7 @@ struct FixtureModel {
   double speed = 0.1;                                ///< m/s: of each tip along each axis
   double slowing = 4;        ///< 1/s: speed towards the target, for each metre to go
   double separation = 0.01;  ///< m: tips come no nearer to each other
-  double floor = -1;         ///< m: z below which no tip gets, the tissue's surface
+  double tissue = -1;        ///< m: z of the tissue's surface, below which no tip gets
 };
 
 /// One vector for each of the two tips, m.
@@ -40,15 +40,18 @@ class KnotFixtures {
   /// `approach` may have any length but zero.
   explicit KnotFixtures(const FixtureModel& model);
 
-  /// The steps of `seconds` that the tips may make, m; none if the solver finds none. `knot`: where
-  /// the knot is now. All in the frame of the scene.
-  TipPair permit(const TipPair& tips, const Eigen::Vector3d& knot, const TipPair& wish,
-                 double seconds);
+  /// From now on the tissue's surface is at this z, m.
+  void setTissue(double z) { model_.tissue = z; }
+
+  /// The steps that the tips may make in `seconds`, m, of those that are `desired`; zero if the
+  /// solver finds none. `knot`: where the knot is now. All in the frame of the scene.
+  TipPair constrain(const TipPair& tips, const Eigen::Vector3d& knot, const TipPair& desired,
+                    double seconds);
 
   /// m along the line of approach, below zero behind the target.
-  double toGo(const Eigen::Vector3d& knot) const;
+  double distanceToTarget(const Eigen::Vector3d& knot) const;
   /// m from the line of approach.
-  double aside(const Eigen::Vector3d& knot) const;
+  double lateralError(const Eigen::Vector3d& knot) const;
 
  private:
   static constexpr int kPlanes = 8;

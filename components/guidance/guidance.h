@@ -13,27 +13,38 @@ enum class SUTURE_TYPE() GuidanceState : std::uint8_t {
   Preparing,  ///< waits for all four arms: connected, enabled, homed, and fresh data of each
   Blind,      ///< the arms are ready, but nobody has seen the knot lately; both slaves hold
   Guiding,
+  Disabled,  ///< until enable()
 };
 
 struct SUTURE_TYPE() GuidanceProgress {
   /// Where the knot is by the last sighting and by what the tips have moved since; in the scene.
   SUTURE_FIELD(unit("m")) Eigen::Vector3d knot = Eigen::Vector3d::Zero();
   /// Along the line of approach; below zero behind the target.
-  SUTURE_FIELD(unit("m")) double to_go = 0;
+  SUTURE_FIELD(unit("m")) double distance_to_target = 0;
   /// From the line of approach.
-  SUTURE_FIELD(unit("m")) double aside = 0;
+  SUTURE_FIELD(unit("m")) double lateral_error = 0;
+  /// The guide's cycle.
   suture::Time stamp;
   /// False unless the knot has been seen lately.
   bool valid = false;
 };
 
+/// Commands run in the guide's own thread before its next cycle; reads are from the end of its last
+/// one.
 class SUTURE_INTERFACE() Guidance {
  public:
   virtual ~Guidance() = default;
 
+  /// Enables and homes arms that are not, then guides. Also after an arm was disabled or restarted.
+  SUTURE_COMMAND() virtual void enable() = 0;
+  /// Stops guiding; both slaves hold.
+  SUTURE_COMMAND() virtual void disable() = 0;
+
   SUTURE_COMMAND() virtual GuidanceState guidance_state() const = 0;
+  /// Also while the guide waits for something, as far as the knot has been seen.
   SUTURE_COMMAND() virtual const GuidanceProgress& progress() const = 0;
 
+  /// Each change, and the last one to whoever connects.
   SUTURE_EVENT(latched(), name("guidance_state"))
   suture::EventOf<GuidanceState> guidance_state_event;
 };

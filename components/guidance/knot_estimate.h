@@ -11,22 +11,30 @@
 namespace robots {
 
 /// The knot as it was seen, and by how much the tips have moved since: images come late and seldom.
-/// It keeps where the sightings put the knot from the mean of the tips: that changes
-/// slowly, so it is smoothed and the movement is not. Never allocates; belongs to one thread.
+/// It keeps where the sightings put the knot from the mean of the tips: that changes slowly, so it
+/// is smoothed and the movement is not. Points are in one frame, m. Allocates only when it is made;
+/// belongs to one thread.
 class KnotEstimate {
  public:
-  /// Each cycle: where the mean of the tips is.
+  /// A sighting counts for `age`; tipsAt() is called once a `period`.
+  KnotEstimate(suture::Duration age, suture::Duration period)
+      : age_(age), history_(static_cast<std::size_t>(age / period) + 2) {}
+
+  /// Each cycle, by ascending `now`: where the mean of the tips is.
   void tipsAt(suture::Time now, const Eigen::Vector3d& mean) {
     tips_ = mean;
     history_.add(now, mean);
   }
-  /// The knot was seen at `knot` when `stamp` was. The same sighting may be told again.
+  /// The knot was seen at `knot` when `stamp` was. The same sighting may be told again; one from
+  /// before the history begins is ignored.
   void seenAt(suture::Time stamp, const Eigen::Vector3d& knot) {
     if (offset_ && stamp == seen_) return;
     const auto mean = history_.at(stamp);
     if (!mean) return;
     const Eigen::Vector3d offset = knot - *mean;
-    offset_ = offset_ ? *offset_ + kShareOfNew * (offset - *offset_) : offset;
+    // What was seen before nobody looked for a while says nothing of where the knot is now.
+    const bool goesOn = offset_ && stamp - seen_ <= age_;
+    offset_ = goesOn ? *offset_ + kShareOfNew * (offset - *offset_) : offset;
     seen_ = stamp;
   }
   void forget() {
@@ -34,9 +42,9 @@ class KnotEstimate {
     offset_.reset();
   }
 
-  /// None if it has not been seen within `age` before `now`.
-  std::optional<Eigen::Vector3d> knot(suture::Time now, suture::Duration age) const {
-    if (!offset_ || now - seen_ > age) return std::nullopt;
+  /// None if it has not been seen lately.
+  std::optional<Eigen::Vector3d> knot(suture::Time now) const {
+    if (!offset_ || now - seen_ > age_) return std::nullopt;
     return tips_ + *offset_;
   }
 
@@ -45,6 +53,7 @@ class KnotEstimate {
   // noise comes to a third.
   static constexpr double kShareOfNew = 0.2;
 
+  suture::Duration age_;
   MotionHistory history_;
   Eigen::Vector3d tips_ = Eigen::Vector3d::Zero();
   std::optional<Eigen::Vector3d> offset_;  // of the knot from the tips' mean

@@ -2,7 +2,12 @@
 
 #include <suture/base/errors.h>
 
-#include <algorithm>
+#include <numbers>
+#include <utility>
+
+#include "arm/fresh_pose.h"
+#include "arm/seconds.h"
+#include "teleop/valid_scale.h"
 
 namespace robots {
 namespace {
@@ -21,8 +26,7 @@ FixtureModel model(const GuideParameters& parameters) {
           .radius = parameters.radius,
           .slope = parameters.slope,
           .speed = parameters.speed,
-          .separation = parameters.separation,
-          .floor = parameters.floor};
+          .separation = parameters.separation};
 }
 
 }  // namespace
@@ -30,54 +34,63 @@ FixtureModel model(const GuideParameters& parameters) {
 KnotGuide::KnotGuide(const GuideParameters& parameters)
     : PeriodicTask({.period = parameters.period}),
       parameters_(parameters),
-      fixtures_(model(parameters)) {}
+      fixtures_(model(parameters)),
+      estimate_(parameters.sighting_age, parameters.period),
+      enableAtFirstCycle_(parameters.enable_at_start) {
+  requireValidScale(parameters.scale);
+}
+
+void KnotGuide::enable() {
+  for (Side* side : {&left_, &right_}) {
+    side->masterWatch.permit();
+    side->slaveWatch.permit();
+  }
+  if (state_ == GuidanceState::Disabled) enter(GuidanceState::Preparing);
+}
+
+void KnotGuide::disable() { leave(GuidanceState::Disabled); }
 
 void KnotGuide::run() {
+  if (std::exchange(enableAtFirstCycle_, false)) enable();
+  const bool disabled = state_ == GuidanceState::Disabled;
   for (Side* side : {&left_, &right_}) {
+    if (disabled) break;
     side->masterWatch.prepare();
     side->slaveWatch.prepare();
   }
   if (!readArms()) {
     estimate_.forget();
     progress_.valid = false;
-    return leave(GuidanceState::Preparing);
+    return leave(disabled ? GuidanceState::Disabled : GuidanceState::Preparing);
   }
   lookForKnot();
+  if (disabled) return;
   if (parameters_.fixtures && !progress_.valid) return leave(GuidanceState::Blind);
-  const bool leftBroke = left_.slaveWatch.hasBrokenOff();
-  const bool rightBroke = right_.slaveWatch.hasBrokenOff();
-  if (leftBroke || rightBroke || !left_.law) begin();
+  if (mustBeginAnew()) begin();
   if (!move()) leave(GuidanceState::Preparing);
 }
 
-/// False unless all four arms and the registration may be acted on. Until following begins, the
-/// tips are where the slaves' set-points are.
+/// False unless all four arms and the registration may be acted on.
 bool KnotGuide::readArms() {
   const auto frames = registration_.frames();
   if (!frames || !read(left_) || !read(right_)) return false;
   frames_ = *frames;
-  if (!left_.law) {
-    tips_.left = frames_.left_base * left_.slavePose.pose.translation();
-    tips_.right = frames_.right_base * right_.slavePose.pose.translation();
-  }
-  estimate_.tipsAt(suture::now(), tips_.mean());
+  fixtures_.setTissue(frames_.tissue);
+  setpoints_ = {frames_.left_base * left_.slavePose.pose.translation(),
+                frames_.right_base * right_.slavePose.pose.translation()};
+  estimate_.tipsAt(suture::now(), setpoints_.mean());
   return true;
 }
 
 bool KnotGuide::read(Side& side) {
   const auto masterSample = side.master.measured_cp();
   const auto slaveSample = side.slave.setpoint_cp();
-  const PoseStamped* const master = usable(masterSample);
-  const PoseStamped* const slave = usable(slaveSample);
+  const PoseStamped* const master = freshMeasurement(masterSample, parameters_.max_age);
+  const PoseStamped* const slave = freshPose(slaveSample, parameters_.max_age);
   if (master == nullptr || slave == nullptr || !side.ready()) return false;
-  if (suture::now() - master->stamp > parameters_.max_age) return false;
   side.masterPose = *master;
   side.slavePose = *slave;
   return true;
-}
-
-const PoseStamped* KnotGuide::usable(const suture::Sample<PoseStamped>& sample) const {
-  return sample && sample.age() <= parameters_.max_age && sample->valid ? &*sample : nullptr;
 }
 
 void KnotGuide::lookForKnot() {
@@ -86,53 +99,61 @@ void KnotGuide::lookForKnot() {
   if (sighting && sighting->valid) {
     estimate_.seenAt(sighting->stamp, frames_.camera * sighting->knot);
   }
-  const auto knot = estimate_.knot(now, parameters_.sighting_age);
+  const auto knot = estimate_.knot(now);
   progress_.valid = knot.has_value();
   if (!knot) return;
   progress_.knot = *knot;
-  progress_.to_go = fixtures_.toGo(*knot);
-  progress_.aside = fixtures_.aside(*knot);
+  progress_.distance_to_target = fixtures_.distanceToTarget(*knot);
+  progress_.lateral_error = fixtures_.lateralError(*knot);
   progress_.stamp = now;
+}
+
+/// An arm that refuses goals, or slides along a joint limit, is not where it was sent.
+bool KnotGuide::mustBeginAnew() {
+  const bool leftBroke = left_.slaveWatch.hasBrokenOff();
+  const bool rightBroke = right_.slaveWatch.hasBrokenOff();
+  if (leftBroke || rightBroke || !left_.law) return true;
+  // A set-point may come back as late as max_age, and a cycle or two later it is looked at.
+  const double most =
+      std::numbers::sqrt3 * parameters_.speed * inSeconds(parameters_.max_age + 2 * period());
+  return (setpoints_.left - tips_.left).norm() > most ||
+         (setpoints_.right - tips_.right).norm() > most;
 }
 
 void KnotGuide::begin() {
   for (Side* side : {&left_, &right_}) {
     side->law.emplace(side->masterPose.pose, side->slavePose.pose, parameters_.scale);
   }
-  tips_.left = frames_.left_base * left_.slavePose.pose.translation();
-  tips_.right = frames_.right_base * right_.slavePose.pose.translation();
+  tips_ = setpoints_;
   enter(GuidanceState::Guiding);
 }
 
 bool KnotGuide::move() {
-  const TipPair step = permitted(wish());
+  const Isometry3d left = left_.law->follow(left_.masterPose.pose);
+  const Isometry3d right = right_.law->follow(right_.masterPose.pose);
+  const TipPair step = permitted({frames_.left_base * left.translation() - tips_.left,
+                                  frames_.right_base * right.translation() - tips_.right});
   tips_.left += step.left;
   tips_.right += step.right;
-  const bool leftTook = send(left_, frames_.left_base, tips_.left);
-  return send(right_, frames_.right_base, tips_.right) && leftTook;
+  const bool leftTook = send(left_, left, frames_.left_base, tips_.left);
+  return send(right_, right, frames_.right_base, tips_.right) && leftTook;
 }
 
-/// From where the tips are to where their masters want them.
-TipPair KnotGuide::wish() const {
-  const auto wanted = [](const Side& side, const Isometry3d& base) -> Vector3d {
-    return base * side.law->follow(side.masterPose.pose).translation();
-  };
-  return {wanted(left_, frames_.left_base) - tips_.left,
-          wanted(right_, frames_.right_base) - tips_.right};
-}
-
-TipPair KnotGuide::permitted(const TipPair& wish) {
-  const double seconds = std::chrono::duration<double>(parameters_.period).count();
-  if (parameters_.fixtures) return fixtures_.permit(tips_, progress_.knot, wish, seconds);
+TipPair KnotGuide::permitted(const TipPair& desired) {
+  const double seconds = inSeconds(parameters_.period);
+  if (parameters_.fixtures) return fixtures_.constrain(tips_, progress_.knot, desired, seconds);
   const double most = parameters_.speed * seconds;
-  return {wish.left.cwiseMin(most).cwiseMax(-most), wish.right.cwiseMin(most).cwiseMax(-most)};
+  return {desired.left.cwiseMin(most).cwiseMax(-most),
+          desired.right.cwiseMin(most).cwiseMax(-most)};
 }
 
-/// The goal keeps the stamp of the master's data, so its age is known wherever it arrives.
-bool KnotGuide::send(Side& side, const Isometry3d& base, const Vector3d& tip) {
-  Isometry3d goal = side.law->follow(side.masterPose.pose);
-  goal.translation() = base.inverse() * tip;
-  return side.slave.servo_cp({goal, side.masterPose.stamp, true}).has_value();
+/// Sends `goal` with its tip at `tip` (in the scene) instead. It keeps the stamp of the master's
+/// data, so its age is known wherever it arrives.
+bool KnotGuide::send(Side& side, const Isometry3d& goal, const Isometry3d& base,
+                     const Vector3d& tip) {
+  PoseStamped sent{goal, side.masterPose.stamp, true};
+  sent.pose.translation() = base.inverse() * tip;
+  return side.slave.servo_cp(sent).has_value();
 }
 
 void KnotGuide::leave(GuidanceState state) {

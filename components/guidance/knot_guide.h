@@ -2,7 +2,6 @@
 // The task that lets two masters place a knot with two slaves.
 
 #include <suture/annotate.h>
-#include <suture/base/sample.h>
 #include <suture/base/time.h>
 #include <suture/component/periodic_task.h>
 #include <suture/component/provided.h>
@@ -31,7 +30,9 @@ struct SUTURE_TYPE() GuideParameters {
   suture::Duration max_age = std::chrono::milliseconds(20);
   /// The same for what the cameras saw: some three images.
   suture::Duration sighting_age = std::chrono::milliseconds(250);
-  /// Without, the slaves follow their masters, and nobody looks where the knot is.
+  /// Prepare and guide without waiting for enable().
+  bool enable_at_start = true;
+  /// Without, the slaves follow their masters wherever the knot is.
   bool fixtures = true;
   /// Where the knot shall be, in the scene.
   SUTURE_FIELD(unit("m")) Eigen::Vector3d target{0, 0, -0.15};
@@ -44,18 +45,21 @@ struct SUTURE_TYPE() GuideParameters {
   SUTURE_FIELD(unit("m/s"), range(0.001, 1)) double speed = 0.1;
   /// How near the tips come to each other.
   SUTURE_FIELD(unit("m"), range(0, 0.1)) double separation = 0.01;
-  /// The tissue's surface in the scene: its z.
-  SUTURE_FIELD(unit("m"), range(-1, 1)) double floor = -0.16;
 };
 
 /// Each slave follows its master by the law of teleoperation (teleop/follow_law.h), as far as the
 /// fixtures permit (guidance/fixtures.h). If one arm's data are old, or the knot has not been seen
-/// lately, both slaves hold; each time all is well again they begin anew from where they are.
+/// lately, both slaves hold; each time all is well again they begin anew from where they are. They
+/// also do if a slave's set-point is not where it was sent, since the fixtures are about where the
+/// tips are.
 class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public Guidance {
  public:
-  /// Throws suture::SetupError for a line of approach without a direction.
+  /// Throws suture::SetupError for a line of approach without a direction, or a scale that is not
+  /// above zero.
   explicit KnotGuide(const GuideParameters& parameters);
 
+  void enable() override;
+  void disable() override;
   GuidanceState guidance_state() const override { return state_; }
   const GuidanceProgress& progress() const override { return progress_; }
 
@@ -77,15 +81,14 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
 
   bool readArms();
   bool read(Side& side);
-  /// The pose if it may be acted on.
-  const PoseStamped* usable(const suture::Sample<PoseStamped>& sample) const;
   void lookForKnot();
+  bool mustBeginAnew();
   void begin();
   /// False if a slave did not take its goal.
   bool move();
-  bool send(Side& side, const Eigen::Isometry3d& base, const Eigen::Vector3d& tip);
-  TipPair wish() const;
-  TipPair permitted(const TipPair& wish);
+  bool send(Side& side, const Eigen::Isometry3d& goal, const Eigen::Isometry3d& base,
+            const Eigen::Vector3d& tip);
+  TipPair permitted(const TipPair& desired);
   /// Follows no more: both slaves hold.
   void leave(GuidanceState state);
   void enter(GuidanceState state);
@@ -99,9 +102,11 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
 
   KnotFixtures fixtures_;
   SceneFrames frames_;
-  TipPair tips_;  // where they shall be, in the scene
+  TipPair setpoints_;  // where the slaves say that their tips shall be, in the scene
+  TipPair tips_;       // where they have been sent: what setpoints_ come to within max_age
   KnotEstimate estimate_;
-  GuidanceState state_ = GuidanceState::Preparing;
+  GuidanceState state_ = GuidanceState::Disabled;
+  bool enableAtFirstCycle_;
   GuidanceProgress progress_;
 };
 

@@ -4,15 +4,18 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace robots {
 
-/// Where something was in the last 512 cycles. Never allocates; belongs to one thread.
+/// Where something was in the last cycles; m, in one frame. Stamps must ascend. Allocates only when
+/// it is made; belongs to one thread.
 class MotionHistory {
  public:
+  explicit MotionHistory(std::size_t cycles) : entries_(cycles) {}
+
   void add(suture::Time stamp, const Eigen::Vector3d& place) {
     entries_[count_++ % entries_.size()] = {stamp, place};
   }
@@ -33,7 +36,7 @@ class MotionHistory {
     suture::Time stamp;
     Eigen::Vector3d place;
   };
-  std::array<Entry, 512> entries_;
+  std::vector<Entry> entries_;
   std::size_t count_ = 0;  // of all ever added
 };
 

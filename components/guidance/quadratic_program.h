@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -15,6 +16,7 @@ enum class SolveStatus : std::uint8_t {
   Optimal,
   Infeasible,      ///< no point meets all constraints
   IterationLimit,  ///< gave up; see the solver
+  Invalid,         ///< a figure is not finite or too large to compute with, or H is not definite
 };
 
 /// Minimises 1/2 x' H x + g' x subject to C x >= d, for a positive definite H: N unknowns and M
@@ -22,6 +24,8 @@ enum class SolveStatus : std::uint8_t {
 /// which begins at the unconstrained minimum and takes in one violated row after another.
 ///
 /// Never allocates; the number of iterations is bounded by kIterations. Belongs to one thread.
+/// Names of theirs: `free` is their z, `share` their r, `full` their t2, longestDualStep() their
+/// t1.
 template <int N, int M>
 class QuadraticProgram {
  public:
@@ -44,14 +48,18 @@ class QuadraticProgram {
 
   /// Only an Optimal solution is one; what else is in it means nothing.
   Solution solve(const Matrix& H, const Vector& g, const Rows& C, const Bounds& d) {
+    Solution solution;
     // With H = L L' and y = L' x the problem is to find the point nearest to y0 = -L^-1 g.
     const Eigen::LLT<Matrix> cholesky(H);
+    if (!H.allFinite() || cholesky.info() != Eigen::Success) {
+      solution.status = SolveStatus::Invalid;
+      return solution;
+    }
     Eigen::Matrix<double, N, M> normals = C.transpose();
     cholesky.matrixL().solveInPlace(normals);
     Vector y = -g;
     cholesky.matrixL().solveInPlace(y);
 
-    Solution solution;
     active_ = 0;
     clearFrom(0);
     solution.status = approach(normals, d, y, solution.iterations);
@@ -67,8 +75,9 @@ class QuadraticProgram {
   SolveStatus approach(const Normals& normals, const Bounds& d, Vector& y, int& iterations) {
     while (true) {
       Eigen::Index row = 0;
-      const double slack = (normals.transpose() * y - d).minCoeff(&row);
-      if (slack >= -kTolerance) return SolveStatus::Optimal;
+      const Bounds slacks = normals.transpose() * y - d;
+      if (!slacks.allFinite()) return SolveStatus::Invalid;  // minCoeff() passes over what is NaN
+      if (slacks.minCoeff(&row) >= -kTolerance) return SolveStatus::Optimal;
       const SolveStatus status = takeIn(static_cast<int>(row), normals, d, y, iterations);
       if (status != SolveStatus::Optimal) return status;
     }
@@ -82,11 +91,13 @@ class QuadraticProgram {
     double multiplier = 0;
     while (iterations++ < kIterations) {
       const Parts parts = split(normal);
-      const bool blocked = parts.free.squaredNorm() <= kDependent * normal.squaredNorm();
+      const bool blocked =
+          active_ == N || parts.free.squaredNorm() <= kDependentSquare * normal.squaredNorm();
       const double full = blocked ? kInfinity : (d[row] - normal.dot(y)) / parts.free.dot(normal);
       const ActiveVector share = shareOf(parts);
       int leaving = -1;
       const double step = std::min(full, longestDualStep(share, leaving));
+      if (std::isnan(step)) return SolveStatus::Invalid;
       if (step == kInfinity) return SolveStatus::Infeasible;
 
       if (!blocked) y += step * parts.free;
@@ -110,7 +121,7 @@ class QuadraticProgram {
   Parts split(const Vector& normal) const {
     Parts parts{normal};
     const auto basis = basis_.leftCols(active_);
-    // Twice, since once loses digits where the normal is nearly a combination.
+    // It is done twice, since once loses digits where the normal is nearly a combination.
     for (int round = 0; round < 2; ++round) {
       const ActiveVector part = padded(basis.transpose() * parts.free);
       parts.free -= basis_ * part;
@@ -139,7 +150,7 @@ class QuadraticProgram {
   double longestDualStep(const ActiveVector& share, int& leaving) const {
     double longest = kInfinity;
     for (int i = 0; i < active_; ++i) {
-      if (share[i] <= kDependent) continue;
+      if (share[i] <= kLeastShare) continue;
       const double step = multipliers_[i] / share[i];
       if (step >= longest) continue;
       longest = step;
@@ -176,7 +187,9 @@ class QuadraticProgram {
 
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   // A normal of whose square no larger share is free is a combination of the active ones.
-  static constexpr double kDependent = 1e-14;
+  static constexpr double kDependentSquare = 1e-14;
+  // A multiplier that falls no faster does not fall, but for rounding.
+  static constexpr double kLeastShare = 1e-14;
 
   // The active rows' normals, in the order in which they were taken in, are basis_ * triangle_.
   int active_ = 0;

@@ -12,7 +12,8 @@ namespace robots {
 /// Answers with what the deployment says; nothing here is measured.
 class SUTURE_COMPONENT() RegistrationTable final : public suture::Device, public Registration {
  public:
-  explicit RegistrationTable(const SceneFrames& frames) : frames_(frames) {}
+  /// Throws suture::SetupError that names a frame whose rotation is none.
+  explicit RegistrationTable(const SceneFrames& frames);
 
   const SceneFrames& frames() const override { return frames_; }
 

@@ -11,7 +11,7 @@ namespace {
 constexpr int kRounds = 3;
 // As little of the strand stays on each side: the knot does not run off.
 constexpr double kShortestSide = 0.01;  // m
-// However hard it is pulled.
+// The strand slips no faster than this, however hard it is pulled: else a step would overshoot.
 constexpr double kFastestSlip = 0.1;  // m/s
 
 }  // namespace
@@ -62,25 +62,25 @@ double Strand::restLength(int link) const {
 
 void Strand::step(double h) {
   const Nodes before = nodes_;
-  const double kept = std::exp(-model_.damping * h);
+  const double decay = std::exp(-model_.damping * h);
   for (int i = 0; i < kNodes; ++i) {
     if (held_[static_cast<std::size_t>(i)]) continue;
-    velocities_.col(i) *= kept;
+    velocities_.col(i) *= decay;
     velocities_.col(i) += h * (model_.gravity + forces_.col(i) / mass_[i]);
     nodes_.col(i) += h * velocities_.col(i);
   }
-  straighten(before, h);
-  run(h);
+  projectConstraints(before, h);
+  slip(h);
 }
 
 /// Draws the links to their lengths. What a link's multiplier is per step squared is its tension.
-void Strand::straighten(const Nodes& before, double h) {
-  const double yielding = 1 / (model_.stiffness * kLinks * h * h);
+void Strand::projectConstraints(const Nodes& before, double h) {
+  const double compliance = 1 / (model_.stiffness * kLinks * h * h);
   std::array<double, kLinks> multiplier{};
   for (int round = 0; round < kRounds; ++round) {
     std::array<Eigen::Vector3d, kLinks> direction;
     std::array<double, kLinks> upper, change;  // of the tridiagonal system, swept from the left
-    const auto ease = [&](int node) {
+    const auto inverseMass = [&](int node) {
       return held_[static_cast<std::size_t>(node)] ? 0.0 : 1 / mass_[node];
     };
     double pivotBefore = 0;
@@ -88,11 +88,12 @@ void Strand::straighten(const Nodes& before, double h) {
       const auto at = static_cast<std::size_t>(i);
       const Eigen::Vector3d span = nodes_.col(i + 1) - nodes_.col(i);
       const double length = span.norm();
-      direction[at] = span / length;
-      double pivot = ease(i) + ease(i + 1) + yielding;
-      double right = length - restLength(i) - yielding * multiplier[at];
+      // A link without a length pulls nowhere: two nodes lie in one place.
+      direction[at] = length > 0 ? Eigen::Vector3d(span / length) : Eigen::Vector3d::Zero();
+      double pivot = inverseMass(i) + inverseMass(i + 1) + compliance;
+      double right = length - restLength(i) - compliance * multiplier[at];
       if (i > 0) {
-        const double coupling = -ease(i) * direction[at].dot(direction[at - 1]);
+        const double coupling = -inverseMass(i) * direction[at].dot(direction[at - 1]);
         upper[at - 1] = coupling / pivotBefore;
         pivot -= coupling * upper[at - 1];
         right -= coupling * change[at - 1];
@@ -107,13 +108,13 @@ void Strand::straighten(const Nodes& before, double h) {
     for (int i = 0; i < kLinks; ++i) {
       const auto at = static_cast<std::size_t>(i);
       multiplier[at] += change[at];
-      nodes_.col(i) += ease(i) * change[at] * direction[at];
-      nodes_.col(i + 1) -= ease(i + 1) * change[at] * direction[at];
+      nodes_.col(i) += inverseMass(i) * change[at] * direction[at];
+      nodes_.col(i + 1) -= inverseMass(i + 1) * change[at] * direction[at];
     }
   }
   for (int i = 0; i < kNodes; ++i) {
     if (held_[static_cast<std::size_t>(i)]) continue;
-    nodes_(2, i) = std::max(nodes_(2, i), model_.floor);
+    nodes_(2, i) = std::max(nodes_(2, i), model_.tissue);
     velocities_.col(i) = (nodes_.col(i) - before.col(i)) / h;
   }
   std::transform(multiplier.begin(), multiplier.end(), tension_.begin(),
@@ -121,7 +122,7 @@ void Strand::straighten(const Nodes& before, double h) {
 }
 
 /// Lets the strand run through the knot, towards the side that pulls harder.
-void Strand::run(double h) {
+void Strand::slip(double h) {
   const double left = std::max(leftTension(), 0.0), right = std::max(rightTension(), 0.0);
   const double beyond =
       std::max(left - holdingRatio_ * right, 0.0) - std::max(right - holdingRatio_ * left, 0.0);

@@ -10,7 +10,7 @@ namespace robots {
 /// Our own figures: about those of a 3-0 braided suture, whose mass is raised a hundredfold so that
 /// a step of a millisecond follows it.
 struct StrandModel {
-  double length = 0.11;                  ///< m, both sides of the knot together
+  double length = 0.11;                  ///< m, both sides of the knot together; at least 0.02
   double mass = 0.006;                   ///< kg, of the strand
   double knot_mass = 0.002;              ///< kg
   double stiffness = 2000;               ///< N/m, of the strand as a whole
@@ -19,7 +19,7 @@ struct StrandModel {
   double wrap = 9.42;                    ///< rad: how far the strand winds about itself in the knot
   double slip = 0.05;                    ///< m/s for each N beyond the friction
   Eigen::Vector3d gravity{0, 0, -9.81};  ///< m/s^2
-  double floor = -1;                     ///< m: the tissue's surface, below which no node gets
+  double tissue = -1;                    ///< m: z of the tissue's surface, below which no node gets
 };
 
 /// A chain of point masses with stiff links, moved by extended position-based dynamics (Macklin et
@@ -38,7 +38,8 @@ class Strand {
   /// Where a strand can be taken hold of.
   enum class Place : std::uint8_t { Left, Knot, Right };
 
-  /// Straight between two points (m), with the knot in the middle; both ends are held there.
+  /// Straight between two points (m), with the knot in the middle; both ends are held there. The
+  /// points must not coincide.
   Strand(const StrandModel& model, const Eigen::Vector3d& left, const Eigen::Vector3d& right);
 
   /// From the next step on the place is at `point`, m, whatever pulls at it.
@@ -56,20 +57,18 @@ class Strand {
   double rightTension() const { return tension_[kKnot]; }
   /// m of strand between the left tip and the knot; the rest is on the right.
   double leftLength() const { return leftLength_; }
-  /// Tension of the one side over that of the other beyond which the strand runs: exp(mu * phi).
-  double holdingRatio() const { return holdingRatio_; }
 
  private:
   static constexpr int kLinks = kNodes - 1;
   static constexpr int nodeOf(Place place);
 
   void step(double h);
-  void straighten(const Nodes& before, double h);
-  void run(double h);
+  void projectConstraints(const Nodes& before, double h);
+  void slip(double h);
   double restLength(int link) const;
 
   StrandModel model_;
-  double holdingRatio_;
+  double holdingRatio_;  // exp(mu * phi): of the tensions, beyond which the strand runs
   Nodes nodes_, velocities_ = Nodes::Zero(), forces_ = Nodes::Zero();
   Eigen::Array<double, kNodes, 1> mass_;
   std::array<bool, kNodes> held_{};

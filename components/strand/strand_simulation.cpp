@@ -11,15 +11,15 @@ static_assert(Strand::kNodes == decltype(StrandState::nodes)::ColsAtCompileTime)
 
 // However long the task did not run: the strand need not catch up with a debugger.
 constexpr double kLongestStep = 0.02;  // s
+// Nearer tips are those of arms that nobody has registered: a strand between them has no direction.
+constexpr double kLeastSpan = 0.001;  // m
 
 }  // namespace
 
 StrandSimulation::StrandSimulation(const StrandParameters& parameters)
     : PeriodicTask({.period = parameters.period}),
-      model_{.length = parameters.length,
-             .friction = parameters.friction,
-             .wrap = parameters.wrap,
-             .floor = parameters.floor} {}
+      model_{
+          .length = parameters.length, .friction = parameters.friction, .wrap = parameters.wrap} {}
 
 void StrandSimulation::run() {
   const auto frames = registration_.frames();
@@ -32,6 +32,8 @@ void StrandSimulation::run() {
   const Eigen::Vector3d rightTip = frames->right_base * right->pose.translation();
   const suture::Time now = suture::now();
   if (!strand_) {
+    if ((rightTip - leftTip).norm() < kLeastSpan) return;
+    model_.tissue = frames->tissue;
     strand_.emplace(model_, leftTip, rightTip);
   } else {
     strand_->hold(Strand::Place::Left, leftTip);

@@ -24,13 +24,11 @@ struct SUTURE_TYPE() StrandParameters {
   SUTURE_FIELD(range(0, 1)) double friction = 0.15;
   /// How far the strand winds about itself in the knot.
   SUTURE_FIELD(unit("rad"), range(0, 100)) double wrap = 9.42;
-  /// The tissue's surface in the scene: its z.
-  SUTURE_FIELD(unit("m"), range(-1, 1)) double floor = -0.16;
 };
 
 /// Each arm holds one end of the strand in its tip. Begins once both arms and the registration
-/// answer, with the strand straight between the tips; they must not be farther apart than its
-/// length, or it stretches.
+/// answer and the tips are a millimetre apart, with the strand straight between them; they must not
+/// be farther apart than its length, or it stretches.
 class SUTURE_COMPONENT() StrandSimulation final : public suture::PeriodicTask, public StrandView {
  public:
   explicit StrandSimulation(const StrandParameters& parameters);
@@ -40,7 +38,7 @@ class SUTURE_COMPONENT() StrandSimulation final : public suture::PeriodicTask, p
   void run() override;
 
  private:
-  const StrandModel model_;
+  StrandModel model_;
   suture::Required<Arm> left_{*this, "Left"};
   suture::Required<Arm> right_{*this, "Right"};
   suture::Required<Registration> registration_{*this, "Registration"};

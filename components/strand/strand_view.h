@@ -17,7 +17,7 @@ struct SUTURE_TYPE() StrandState {
   SUTURE_FIELD(unit("N")) double left_tension = 0;
   SUTURE_FIELD(unit("N")) double right_tension = 0;
   suture::Time stamp;
-  /// False before both tips are known.
+  /// False before both tips are known, and apart from each other.
   bool valid = false;
 };
 
@@ -25,6 +25,7 @@ class SUTURE_INTERFACE() StrandView {
  public:
   virtual ~StrandView() = default;
 
+  /// As it is at the end of the simulation's last cycle, which is its stamp.
   SUTURE_COMMAND() virtual const StrandState& strand() const = 0;
 };
 

@@ -9,17 +9,19 @@
 namespace robots {
 
 KnotSurgeon::KnotSurgeon(const KnotSurgeonParameters& parameters)
-    : PeriodicTask({.period = parameters.period}), parameters_(parameters) {
+    : PeriodicTask({.period = parameters.period}),
+      parameters_(parameters),
+      rest_(parameters.carry) {
   guidance_.on().guidance_state(
       [this](const GuidanceState& state) { guided_ = state == GuidanceState::Guiding; });
 }
 
 void KnotSurgeon::run() {
   if (!guided_ || !guidance_.connected() || !leftWatch_.ready() || !rightWatch_.ready()) {
-    return start_.reset();
+    return interrupt();
   }
   const suture::Time now = suture::now();
-  if (leftWatch_.hasBrokenOff() || rightWatch_.hasBrokenOff()) start_.reset();
+  if (leftWatch_.hasBrokenOff() || rightWatch_.hasBrokenOff()) interrupt();
   if (!start_) {
     const auto left = left_.setpoint_cp(), right = right_.setpoint_cp();
     if (!left || !right || !left->valid || !right->valid) return;
@@ -28,7 +30,13 @@ void KnotSurgeon::run() {
   const Eigen::Translation3d offset(moved(secondsBetween(start_->at, now)));
   const bool leftTook = left_.servo_cp({offset * start_->left, now, true}).has_value();
   const bool rightTook = right_.servo_cp({offset * start_->right, now, true}).has_value();
-  if (!leftTook || !rightTook) start_.reset();
+  if (!leftTook || !rightTook) interrupt();
+}
+
+void KnotSurgeon::interrupt() {
+  if (!start_) return;
+  rest_ *= 1 - smoothStep(secondsBetween(start_->at, suture::now()) / parameters_.duration);
+  start_.reset();
 }
 
 Eigen::Vector3d KnotSurgeon::moved(double t) const {
@@ -36,7 +44,7 @@ Eigen::Vector3d KnotSurgeon::moved(double t) const {
   // Faded in with the movement, so that it begins at rest.
   const double sway =
       done * parameters_.sway * std::sin(2 * std::numbers::pi * parameters_.sway_frequency * t);
-  return done * parameters_.carry + sway * Eigen::Vector3d(1, 0.5, 0);
+  return done * rest_ + sway * Eigen::Vector3d(1, 0.5, 0);
 }
 
 }  // namespace robots

@@ -18,11 +18,11 @@ namespace robots {
 
 struct SUTURE_TYPE() KnotSurgeonParameters {
   suture::Duration period = std::chrono::milliseconds(1);
-  /// Where both hands go from where they are, in the masters' base frames.
+  /// Where both hands go from where they first are, in the masters' base frames.
   SUTURE_FIELD(unit("m")) Eigen::Vector3d carry{0, 0, -0.04};
-  /// How long that takes.
+  /// How long that takes, and after each interruption what is left of it.
   SUTURE_FIELD(unit("s"), range(0.1, 100)) double duration = 4;
-  /// How far the hands sway to the side meanwhile, and how often.
+  /// How far the hands sway to the side meanwhile and afterwards, and how often.
   SUTURE_FIELD(unit("m"), range(0, 0.05)) double sway = 0.005;
   SUTURE_FIELD(unit("Hz"), range(0, 10)) double sway_frequency = 0.5;
 };
@@ -38,6 +38,8 @@ class SUTURE_COMPONENT() KnotSurgeon final : public suture::PeriodicTask {
  private:
   /// From where the hands set out, `t` seconds later.
   Eigen::Vector3d moved(double t) const;
+  /// The hands stay; what they have carried so far is not carried again.
+  void interrupt();
 
   const KnotSurgeonParameters parameters_;
   suture::Required<Arm> left_{*this, "Left"};
@@ -45,6 +47,7 @@ class SUTURE_COMPONENT() KnotSurgeon final : public suture::PeriodicTask {
   suture::Required<Guidance> guidance_{*this, "Guidance"};
   ArmWatch leftWatch_{left_}, rightWatch_{right_};
   bool guided_ = false;
+  Eigen::Vector3d rest_;  // m, of the way that they have to carry
   struct Start {
     Eigen::Isometry3d left, right;
     suture::Time at;

@@ -1,21 +1,11 @@
 #include "teleop/teleop.h"
 
-#include <suture/base/errors.h>
-
-#include <string>
 #include <utility>
 
+#include "arm/fresh_pose.h"
+#include "teleop/valid_scale.h"
+
 namespace robots {
-namespace {
-
-double requireValidScale(double scale) {
-  if (FollowLaw::isValidScale(scale)) return scale;
-  throw suture::SetupError("teleoperation with scale " + std::to_string(scale),
-                           "a slave can only follow with a finite scale above zero",
-                           "set \"scale\" to slave metres a master metre, e.g. 0.2");
-}
-
-}  // namespace
 
 Teleop::Teleop(const TeleopParameters& parameters)
     : PeriodicTask({.period = parameters.period}),
@@ -42,24 +32,15 @@ void Teleop::run() {
 
   const auto masterSample = master_.measured_cp();
   const auto slaveSample = slave_.setpoint_cp();
-  const PoseStamped* master = usable(masterSample);
-  const PoseStamped* slave = usable(slaveSample);
-  if (master == nullptr || slave == nullptr || isOld(*master) || !masterWatch_.ready() ||
-      !slaveWatch_.ready()) {
+  const PoseStamped* const master = freshMeasurement(masterSample, maxAge_);
+  const PoseStamped* const slave = freshPose(slaveSample, maxAge_);
+  if (master == nullptr || slave == nullptr || !masterWatch_.ready() || !slaveWatch_.ready()) {
     return leave();
   }
   if (slaveWatch_.hasBrokenOff()) law_.reset();
   if (!law_) begin(*master, *slave);
   // The goal keeps the stamp of the master's data, so its age is known wherever it arrives.
   if (!slave_.servo_cp({law_->follow(master->pose), master->stamp, true})) leave();
-}
-
-const PoseStamped* Teleop::usable(const suture::Sample<PoseStamped>& sample) const {
-  return sample && sample.age() <= maxAge_ && sample->valid ? &*sample : nullptr;
-}
-
-bool Teleop::isOld(const PoseStamped& master) const {
-  return suture::now() - master.stamp > maxAge_;
 }
 
 void Teleop::begin(const PoseStamped& master, const PoseStamped& slaveSetpoint) {

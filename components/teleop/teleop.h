@@ -2,7 +2,6 @@
 // The teleoperation task: one master drives one slave.
 
 #include <suture/annotate.h>
-#include <suture/base/sample.h>
 #include <suture/base/time.h>
 #include <suture/component/periodic_task.h>
 #include <suture/component/provided.h>
@@ -45,10 +44,6 @@ class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Tele
   void run() override;
 
  private:
-  /// The pose if it may be acted on.
-  const PoseStamped* usable(const suture::Sample<PoseStamped>& sample) const;
-  /// It was measured too long ago, however new the row that it came in.
-  bool isOld(const PoseStamped& master) const;
   void begin(const PoseStamped& master, const PoseStamped& slaveSetpoint);
   void leave();
   void enter(TeleopState state);

@@ -11,15 +11,19 @@ enum class Eye : std::uint8_t { Left, Right };
 /// Two equal pinholes side by side, whose images are rectified. Points are in the frame of the left
 /// one, m: x to the right and y downward in the image, z ahead. Pixels count from the centre of the
 /// upper left one. The figures are those of the Surgical Robotics Challenge's world_stereo
-/// (collaborative-robotics/surgical_robotics_challenge). Immutable; any thread.
+/// (collaborative-robotics/surgical_robotics_challenge). A plain value.
 struct CameraPair {
   int width = 640, height = 480;  ///< px
   double focal = 351;             ///< px
   double baseline = 0.004;        ///< m, from the left to the right pinhole
 
+  /// m before the camera; what is nearer is out of focus, and taken for unseen.
+  static constexpr double kNearest = 0.005;
+  bool sees(const Eigen::Vector3d& point) const { return point.z() >= kNearest; }
+
   Eigen::Vector2d centre() const { return {(width - 1) / 2.0, (height - 1) / 2.0}; }
 
-  /// Where a point (z > 0) is in the image, px; it may be outside.
+  /// Where a point that the cameras see is in the image, px; it may be outside.
   Eigen::Vector2d project(Eye eye, const Eigen::Vector3d& point) const {
     const double x = point.x() - (eye == Eye::Right ? baseline : 0);
     return centre() + focal / point.z() * Eigen::Vector2d(x, point.y());

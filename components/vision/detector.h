@@ -17,10 +17,12 @@ using Detections = std::array<std::optional<Eigen::Vector2d>, kMarkers>;
 using MarkerPoints = std::array<std::optional<Eigen::Vector3d>, kMarkers>;
 
 /// The centre of what has a marker's colour, weighted by how much: good to hundredths of a pixel
-/// where nothing hides a part of it. Reads nothing but the pixels. Does not allocate; any thread.
+/// where nothing hides a part of it. Reads nothing but the pixels. An image whose data are not as
+/// large as it says has no markers. Does not allocate; any thread.
 Detections detect(const ImageFrame& image);
 
-/// The markers that both eyes see, before the cameras.
+/// The markers that both eyes see, before the cameras and at one height, as rectified images have
+/// it. Any thread.
 MarkerPoints locate(const CameraPair& cameras, const Detections& left, const Detections& right);
 
 }  // namespace robots

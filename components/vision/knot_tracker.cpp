@@ -8,7 +8,7 @@ KnotTracker::KnotTracker(const TrackerParameters& parameters)
     : PeriodicTask({.period = parameters.period}) {}
 
 void KnotTracker::run() {
-  if (!images_.images(pair_) || !pair_.left.valid || !pair_.right.valid) {
+  if (!images_.images(pair_) || !isPairOfTheCameras()) {
     sighting_.valid = false;
     return;
   }
@@ -23,6 +23,15 @@ void KnotTracker::run() {
   sighting_.knot = *knot;
   sighting_.left_tip = *left;
   sighting_.right_tip = *right;
+}
+
+/// Of another size or of two moments, images would give a depth that is wrong.
+bool KnotTracker::isPairOfTheCameras() const {
+  const auto fits = [this](const ImageFrame& image) {
+    return image.valid && image.width == static_cast<std::uint32_t>(cameras_.width) &&
+           image.height == static_cast<std::uint32_t>(cameras_.height);
+  };
+  return fits(pair_.left) && fits(pair_.right) && pair_.left.stamp == pair_.right.stamp;
 }
 
 }  // namespace robots

@@ -30,6 +30,8 @@ class SUTURE_COMPONENT() KnotTracker final : public suture::PeriodicTask, public
   void run() override;
 
  private:
+  bool isPairOfTheCameras() const;
+
   const CameraPair cameras_;
   suture::Required<StereoImages> images_{*this, "Images"};
   suture::Provided<KnotVision> vision_{*this, "Vision", *this};

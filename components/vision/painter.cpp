@@ -13,7 +13,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr std::size_t kChannels = 3;
-// Long enough that the eye finds no pattern where it is used again.
+// It is long enough that no eye finds a pattern where it is used again.
 constexpr std::size_t kNoiseSamples = 1 << 16;
 
 struct Ball {
@@ -22,7 +22,7 @@ struct Ball {
   Colour colour;
 };
 
-// Ours: a thick strand, and tips like the jaws of a needle driver.
+// These sizes are ours: a thick strand, and tips like the jaws of a needle driver.
 constexpr double kStrandRadius = 0.0006, kKnotRadius = 0.002, kTipRadius = 0.0025;
 
 std::array<Ball, Strand::kNodes> ballsOf(const Strand::Nodes& strand) {
@@ -52,9 +52,12 @@ void draw(const Ball& ball, const CameraPair& cameras, Eye eye, ImageFrame& imag
   const Vector2d centre = cameras.project(eye, ball.centre);
   const double radius = cameras.focal * ball.radius / ball.centre.z();
   const double reach = radius + 1;
-  const auto first = [](double low) { return std::max(0, static_cast<int>(std::ceil(low))); };
+  // They are bounded before they are converted: what is far aside has no place that fits an int.
+  const auto first = [](double low) {
+    return static_cast<int>(std::ceil(std::clamp(low, 0.0, 1e6)));
+  };
   const auto last = [](double high, int size) {
-    return std::min(size - 1, static_cast<int>(std::floor(high)));
+    return static_cast<int>(std::floor(std::clamp(high, -1.0, size - 1.0)));
   };
   for (int y = first(centre.y() - reach); y <= last(centre.y() + reach, cameras.height); ++y) {
     for (int x = first(centre.x() - reach); x <= last(centre.x() + reach, cameras.width); ++x) {
@@ -75,9 +78,9 @@ void draw(const Ball& ball, const CameraPair& cameras, Eye eye, ImageFrame& imag
 Painter::Painter(const CameraPair& cameras, double noise, std::uint64_t seed)
     : cameras_(cameras), noise_(kNoiseSamples), next_(seed) {
   std::mt19937_64 random(seed);
-  std::normal_distribution<double> normal(0, noise);
+  std::normal_distribution<double> normal;  // one of no width would be refused
   std::generate(noise_.begin(), noise_.end(), [&] {
-    return static_cast<std::int8_t>(std::clamp(std::round(normal(random)), -127.0, 127.0));
+    return static_cast<std::int8_t>(std::clamp(std::round(noise * normal(random)), -127.0, 127.0));
   });
 }
 

@@ -19,13 +19,13 @@ class Painter {
   Painter(const CameraPair& cameras, double noise, std::uint64_t seed = 1);
 
   /// Fills all of `image` but its stamp. The strand, which ends at the two tips, is in the frame of
-  /// the left camera, m, and all of it before the camera: z > 0. Allocates for the first image.
+  /// the left camera, m, and the cameras see() all of it. Allocates for the first image.
   void paint(Eye eye, const Strand::Nodes& strand, ImageFrame& image);
 
  private:
   void addNoise(ImageFrame& image);
 
-  const CameraPair cameras_;
+  CameraPair cameras_;
   std::vector<std::int8_t> noise_;
   std::uint64_t next_;
 };

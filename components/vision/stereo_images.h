@@ -17,6 +17,7 @@ class SUTURE_INTERFACE() StereoImages {
  public:
   virtual ~StereoImages() = default;
 
+  /// The last pair; invalid while there is nothing to see.
   SUTURE_COMMAND() virtual const StereoPair& images() const = 0;
 };
 

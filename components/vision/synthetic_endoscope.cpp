@@ -13,7 +13,7 @@ void SyntheticEndoscope::run() {
     return;
   }
   const Strand::Nodes seen = frames->camera.inverse() * strand->nodes;
-  if (seen.row(2).minCoeff() <= 0) {  // a part is behind the camera
+  if (seen.row(2).minCoeff() < CameraPair::kNearest) {
     pair_.left.valid = pair_.right.valid = false;
     return;
   }

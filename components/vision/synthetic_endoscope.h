@@ -20,7 +20,7 @@ struct SUTURE_TYPE() EndoscopeParameters {
   /// 15 images a second, as the da Vinci Research Kit's stereo launch file has it.
   suture::Duration period = std::chrono::microseconds(66'667);
   /// Standard deviation of each channel of each pixel, of 255.
-  SUTURE_FIELD(range(0, 50)) double noise = 3;
+  SUTURE_FIELD(range(0, 5)) double noise = 3;
 };
 
 /// Draws the strand and the tips twice, once for each eye (vision/camera_pair.h).

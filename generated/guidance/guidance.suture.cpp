@@ -41,9 +41,10 @@ static_assert(std::is_same_v<std::underlying_type_t<GuidanceState>, std::uint8_t
 static_assert(static_cast<std::uint8_t>(GuidanceState::Preparing) == 0);
 static_assert(static_cast<std::uint8_t>(GuidanceState::Blind) == 1);
 static_assert(static_cast<std::uint8_t>(GuidanceState::Guiding) == 2);
+static_assert(static_cast<std::uint8_t>(GuidanceState::Disabled) == 3);
 static_assert(std::is_same_v<decltype(GuidanceProgress::knot), Eigen::Vector3d>);
-static_assert(std::is_same_v<decltype(GuidanceProgress::to_go), double>);
-static_assert(std::is_same_v<decltype(GuidanceProgress::aside), double>);
+static_assert(std::is_same_v<decltype(GuidanceProgress::distance_to_target), double>);
+static_assert(std::is_same_v<decltype(GuidanceProgress::lateral_error), double>);
 static_assert(std::is_same_v<decltype(GuidanceProgress::stamp),
                              std::chrono::steady_clock::time_point>);
 static_assert(std::is_same_v<decltype(GuidanceProgress::valid), bool>);
@@ -53,8 +54,8 @@ static_assert(std::is_same_v<decltype(GuidanceProgress::valid), bool>);
 bool store(const GuidanceProgress& value, GuidanceProgressSlot& slot) {
   bool fits = true;
   fits &= store(value.knot, slot.knot);
-  fits &= store(value.to_go, slot.to_go);
-  fits &= store(value.aside, slot.aside);
+  fits &= store(value.distance_to_target, slot.distance_to_target);
+  fits &= store(value.lateral_error, slot.lateral_error);
   fits &= store(value.stamp, slot.stamp);
   fits &= store(value.valid, slot.valid);
   return fits;
@@ -62,8 +63,8 @@ bool store(const GuidanceProgress& value, GuidanceProgressSlot& slot) {
 
 void load(const GuidanceProgressSlot& slot, GuidanceProgress& value) {
   load(slot.knot, value.knot);
-  load(slot.to_go, value.to_go);
-  load(slot.aside, value.aside);
+  load(slot.distance_to_target, value.distance_to_target);
+  load(slot.lateral_error, value.lateral_error);
   load(slot.stamp, value.stamp);
   load(slot.valid, value.valid);
 }
@@ -79,6 +80,7 @@ wire::GuidanceState wireGuidanceState(std::uint8_t slot) {
     case GuidanceState::Preparing: return wire::GuidanceState::PREPARING;
     case GuidanceState::Blind: return wire::GuidanceState::BLIND;
     case GuidanceState::Guiding: return wire::GuidanceState::GUIDING;
+    case GuidanceState::Disabled: return wire::GuidanceState::DISABLED;
   }
   return wire::GuidanceState{};
 }
@@ -88,6 +90,7 @@ bool isKnownGuidanceState(std::uint8_t slot) {
     case GuidanceState::Preparing:
     case GuidanceState::Blind:
     case GuidanceState::Guiding:
+    case GuidanceState::Disabled:
       return true;
   }
   return false;
@@ -101,21 +104,23 @@ Errc fromWire(wire::GuidanceState in, std::uint8_t& slot) {
         static_cast<std::uint8_t>(GuidanceState::Blind), Errc{};
     case wire::GuidanceState::GUIDING: return slot =
         static_cast<std::uint8_t>(GuidanceState::Guiding), Errc{};
+    case wire::GuidanceState::DISABLED: return slot =
+        static_cast<std::uint8_t>(GuidanceState::Disabled), Errc{};
   }
   return Errc::Invalid;
 }
 
 void toWire(const GuidanceProgressSlot& slot, wire::GuidanceProgress::Builder out) {
   toWire(slot.knot, out.initKnot());
-  out.setToGo(slot.to_go);
-  out.setAside(slot.aside);
+  out.setDistanceToTarget(slot.distance_to_target);
+  out.setLateralError(slot.lateral_error);
   out.setStamp(slot.stamp);
   out.setValid(slot.valid != 0);
 }
 
 Errc fromWire(wire::GuidanceProgress::Reader in, GuidanceProgressSlot& slot, Duration shift) {
-  slot.to_go = in.getToGo();
-  slot.aside = in.getAside();
+  slot.distance_to_target = in.getDistanceToTarget();
+  slot.lateral_error = in.getLateralError();
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return in.hasKnot() ? fromWire(in.getKnot(), slot.knot)
@@ -124,8 +129,8 @@ Errc fromWire(wire::GuidanceProgress::Reader in, GuidanceProgressSlot& slot, Dur
 
 bool isValid(const GuidanceProgressSlot& slot, FieldPath* path) {
   if (!isValid(slot.knot, path)) return refusedAt(path, "knot");
-  if (!isValid(slot.to_go)) return refusedAt(path, "to_go");
-  return isValid(slot.aside) || refusedAt(path, "aside");
+  if (!isValid(slot.distance_to_target)) return refusedAt(path, "distance_to_target");
+  return isValid(slot.lateral_error) || refusedAt(path, "lateral_error");
 }
 
 namespace {
@@ -216,6 +221,18 @@ class GuidanceServant final : public wire::Guidance::Server {
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
+  kj::Promise<void> enable(EnableContext context) override {
+    auto in = context.getParams();
+    return port_->command(numberOf(GuidanceCommand::enable), in.getSent(),
+                          [](std::byte*) { return Errc{}; });
+  }
+
+  kj::Promise<void> disable(DisableContext context) override {
+    auto in = context.getParams();
+    return port_->command(numberOf(GuidanceCommand::disable), in.getSent(),
+                          [](std::byte*) { return Errc{}; });
+  }
+
  private:
   kj::Own<ServantPort> port_;
 };
@@ -294,6 +311,16 @@ class GuidanceProxy final : public suture::rpc::Proxy {
           });
         });
       }
+      case GuidanceCommand::enable: {
+        auto request = provider_.enableRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case GuidanceCommand::disable: {
+        auto request = provider_.disableRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
     }
     return kj::READY_NOW;
   }
@@ -339,6 +366,8 @@ constexpr CommandInfo kGuidanceCommands[] = {
      .column = 1,
      .acceptsResult = checkSlot<GuidanceProgressSlot, isValid>,
      .shiftResult = shiftSlot<GuidanceProgressSlot>},
+    {.name = "enable", .kind = CommandKind::Void, .depth = 16},
+    {.name = "disable", .kind = CommandKind::Void, .depth = 16},
 };
 
 constexpr EventInfo kGuidanceEvents[] = {
@@ -351,36 +380,48 @@ constexpr EventInfo kGuidanceEvents[] = {
 
 // The self-description, as in guidance/guidance.suture.json.
 constexpr char kGuidanceDescription[] = R"json(
-{"name": "robots::Guidance", "hash": "d6e48134472cae325791f47bae2feb9b", "commands": [{
-"name": "guidance_state", "kind": "read", "ordinal": 1, "wire": "guidanceState", "result": {
-"type": {"kind": "enum", "name": "robots::GuidanceState"}}, "queue": 16}, {"name": "progress",
-"kind": "read", "ordinal": 2, "result": {"type": {"kind": "struct",
-"name": "robots::GuidanceProgress"}}, "queue": 16}], "events": [{"name": "guidance_state",
-"kind": "write", "ordinal": 1, "wire": "guidanceState", "payload": {"type": {"kind": "enum",
+{"name": "robots::Guidance",
+"doc": "Commands run in the guide's own thread before its next cycle; reads are from the end of its last\none.",
+"hash": "401a3087a44477f3da4a2fb4b04a549a", "commands": [{"name": "guidance_state", "kind": "read",
+"ordinal": 1, "wire": "guidanceState", "result": {"type": {"kind": "enum",
+"name": "robots::GuidanceState"}}, "queue": 16}, {"name": "progress", "kind": "read", "ordinal": 2,
+"doc": "Also while the guide waits for something, as far as the knot has been seen.", "result": {
+"type": {"kind": "struct", "name": "robots::GuidanceProgress"}}, "queue": 16}, {"name": "enable",
+"kind": "void", "ordinal": 3,
+"doc": "Enables and homes arms that are not, then guides. Also after an arm was disabled or restarted.",
+"queue": 16}, {"name": "disable", "kind": "void", "ordinal": 4,
+"doc": "Stops guiding; both slaves hold.", "queue": 16}], "events": [{"name": "guidance_state",
+"kind": "write", "ordinal": 1, "wire": "guidanceState",
+"doc": "Each change, and the last one to whoever connects.", "payload": {"type": {"kind": "enum",
 "name": "robots::GuidanceState"}}, "queue": 16, "latched": true}], "enums": [{
 "name": "robots::GuidanceState", "underlying": "UInt8", "enumerators": [{"name": "Preparing",
 "value": 0, "wire": "preparing",
 "doc": "waits for all four arms: connected, enabled, homed, and fresh data of each"}, {
 "name": "Blind", "value": 1, "wire": "blind",
 "doc": "the arms are ready, but nobody has seen the knot lately; both slaves hold"}, {
-"name": "Guiding", "value": 2, "wire": "guiding"}]}], "structs": [{
-"name": "robots::GuidanceProgress", "fields": [{"name": "knot",
+"name": "Guiding", "value": 2, "wire": "guiding"}, {"name": "Disabled", "value": 3,
+"wire": "disabled", "doc": "until enable()"}]}], "structs": [{"name": "robots::GuidanceProgress",
+"fields": [{"name": "knot",
 "doc": "Where the knot is by the last sighting and by what the tips have moved since; in the scene.",
 "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "m"}, {
-"name": "to_go", "wire": "toGo", "doc": "Along the line of approach; below zero behind the target.",
-"type": {"kind": "Float64"}, "unit": "m", "default": 0.0}, {"name": "aside",
+"name": "distance_to_target", "wire": "distanceToTarget",
+"doc": "Along the line of approach; below zero behind the target.", "type": {"kind": "Float64"},
+"unit": "m", "default": 0.0}, {"name": "lateral_error", "wire": "lateralError",
 "doc": "From the line of approach.", "type": {"kind": "Float64"}, "unit": "m", "default": 0.0}, {
-"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {"name": "valid",
-"doc": "False unless the knot has been seen lately.", "type": {"kind": "Bool"}, "default": false}]}
-], "wire": [{"id": "@0xf839a0ec32e2aeaf", "kind": "interface", "name": "Guidance",
-"cxx": "robots::Guidance", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
-"name": "events", "is": "@0xf87738b35a660df1"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
-"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "guidanceState",
-"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "@0x909952bd3e04c1b4"}, {"at": 1, "name": "stamp",
-"is": "Int64"}]}, {"at": 2, "name": "progress", "is": "kind \"read\"", "parameters": [{"at": 0,
-"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "@0xb62a9e40cb04e11e"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"name": "stamp", "doc": "The guide's cycle.", "type": {"kind": "time", "clock": "steady"}}, {
+"name": "valid", "doc": "False unless the knot has been seen lately.", "type": {"kind": "Bool"},
+"default": false}]}], "wire": [{"id": "@0xf839a0ec32e2aeaf", "kind": "interface",
+"name": "Guidance", "cxx": "robots::Guidance", "members": [{"at": 0, "name": "subscribe",
+"parameters": [{"at": 0, "name": "events", "is": "@0xf87738b35a660df1"}, {"at": 1,
+"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
+"name": "guidanceState", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0x909952bd3e04c1b4"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 2, "name": "progress", "is": "kind \"read\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "@0xb62a9e40cb04e11e"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 3, "name": "enable", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 4, "name": "disable", "is": "kind \"void\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}]}, {
 "id": "@0xf87738b35a660df1", "kind": "interface", "name": "GuidanceEvents", "members": [{"at": 0,
 "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xaa6c5932ff7a6316"}]}, {"at": 1,
 "name": "guidanceState", "parameters": [{"at": 0, "name": "value", "is": "@0x909952bd3e04c1b4"}]}]
@@ -389,11 +430,12 @@ constexpr char kGuidanceDescription[] = R"json(
 "name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "guidanceState", "is": "@0x909952bd3e04c1b4"
 }, {"at": 4, "name": "progress", "is": "@0xb62a9e40cb04e11e"}]}, {"id": "@0x909952bd3e04c1b4",
 "kind": "enum", "name": "GuidanceState", "members": [{"at": 0, "name": "preparing"}, {"at": 1,
-"name": "blind"}, {"at": 2, "name": "guiding"}]}, {"id": "@0xb62a9e40cb04e11e", "kind": "struct",
-"name": "GuidanceProgress", "members": [{"at": 0, "name": "knot",
-"is": "/suture/types.capnp:Vec3 unit \"m\""}, {"at": 1, "name": "toGo", "is": "Float64 unit \"m\""
-}, {"at": 2, "name": "aside", "is": "Float64 unit \"m\""}, {"at": 3, "name": "stamp",
-"is": "Int64 clock \"steady\""}, {"at": 4, "name": "valid", "is": "Bool"}]}]})json";
+"name": "blind"}, {"at": 2, "name": "guiding"}, {"at": 3, "name": "disabled"}]}, {
+"id": "@0xb62a9e40cb04e11e", "kind": "struct", "name": "GuidanceProgress", "members": [{"at": 0,
+"name": "knot", "is": "/suture/types.capnp:Vec3 unit \"m\""}, {"at": 3, "name": "stamp",
+"is": "Int64 clock \"steady\""}, {"at": 4, "name": "valid", "is": "Bool"}, {"at": 5,
+"name": "distanceToTarget", "is": "Float64 unit \"m\""}, {"at": 6, "name": "lateralError",
+"is": "Float64 unit \"m\""}]}]})json";
 
 }  // namespace
 }  // namespace robots
@@ -404,7 +446,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::Guidance>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::Guidance",
-      .hash = "d6e48134472cae325791f47bae2feb9b",
+      .hash = "401a3087a44477f3da4a2fb4b04a549a",
       .description = robots::kGuidanceDescription,
       .commands = robots::kGuidanceCommands,
       .events = robots::kGuidanceEvents,
@@ -424,6 +466,14 @@ Errc Provided<robots::Guidance>::execute(std::uint16_t command, const std::byte*
     case GuidanceCommand::progress: {
       auto& slot = newSlot<robots::GuidanceProgressSlot>(result);
       return store(implementation_.progress(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case GuidanceCommand::enable: {
+      implementation_.enable();
+      return Errc{};
+    }
+    case GuidanceCommand::disable: {
+      implementation_.disable();
+      return Errc{};
     }
   }
   return Errc::Invalid;

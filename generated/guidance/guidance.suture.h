@@ -13,8 +13,8 @@ namespace robots {
 
 struct GuidanceProgressSlot {
   std::array<double, 3> knot;  // Eigen::Vector3d, m
-  double to_go;                // m
-  double aside;                // m
+  double distance_to_target;   // m
+  double lateral_error;        // m
   std::int64_t stamp;          // suture::Time, ns
   std::uint8_t valid;          // bool
 };
@@ -27,6 +27,8 @@ void shiftStamps(GuidanceProgressSlot& slot, suture::Duration shift);
 enum class GuidanceCommand : std::uint16_t {
   guidance_state,
   progress,
+  enable,
+  disable,
 };
 
 /// The numbers of Guidance's events.
@@ -54,14 +56,20 @@ class Required<robots::Guidance> : public RequiredBase {
 
   ReadCommand<&Contract::guidance_state, std::uint8_t> guidance_state{
       *this, static_cast<std::uint16_t>(Id::guidance_state)};
+  /// Also while the guide waits for something, as far as the knot has been seen.
   ReadCommand<&Contract::progress, robots::GuidanceProgressSlot> progress{
       *this, static_cast<std::uint16_t>(Id::progress)};
+  /// Enables and homes arms that are not, then guides. Also after an arm was disabled or restarted.
+  Command<&Contract::enable, NoSlot> enable{*this, static_cast<std::uint16_t>(Id::enable)};
+  /// Stops guiding; both slaves hold.
+  Command<&Contract::disable, NoSlot> disable{*this, static_cast<std::uint16_t>(Id::disable)};
 
   /// The events of robots::Guidance, to subscribe to.
   struct Events {
     explicit Events(RequiredBase& required)
         : guidance_state{required, static_cast<std::uint16_t>(EventId::guidance_state)} {}
 
+    /// Each change, and the last one to whoever connects.
     Subscription<std::uint8_t, robots::GuidanceState> guidance_state;
   };
   Events& on() { return events_; }
@@ -90,6 +98,7 @@ class Provided<robots::Guidance> : public ProvidedBase {
     explicit Events(ProvidedBase& provided)
         : guidance_state{provided, static_cast<std::uint16_t>(EventId::guidance_state)} {}
 
+    /// Each change, and the last one to whoever connects.
     Emitter<std::uint8_t, robots::GuidanceState> guidance_state;
   };
   Events& emit() { return events_; }

@@ -30,6 +30,7 @@ static_assert(std::is_same_v<decltype(GuideParameters::period), std::chrono::nan
 static_assert(std::is_same_v<decltype(GuideParameters::scale), double>);
 static_assert(std::is_same_v<decltype(GuideParameters::max_age), std::chrono::nanoseconds>);
 static_assert(std::is_same_v<decltype(GuideParameters::sighting_age), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(GuideParameters::enable_at_start), bool>);
 static_assert(std::is_same_v<decltype(GuideParameters::fixtures), bool>);
 static_assert(std::is_same_v<decltype(GuideParameters::target), Eigen::Vector3d>);
 static_assert(std::is_same_v<decltype(GuideParameters::approach), Eigen::Vector3d>);
@@ -37,7 +38,6 @@ static_assert(std::is_same_v<decltype(GuideParameters::radius), double>);
 static_assert(std::is_same_v<decltype(GuideParameters::slope), double>);
 static_assert(std::is_same_v<decltype(GuideParameters::speed), double>);
 static_assert(std::is_same_v<decltype(GuideParameters::separation), double>);
-static_assert(std::is_same_v<decltype(GuideParameters::floor), double>);
 
 }  // namespace
 
@@ -47,6 +47,7 @@ bool store(const GuideParameters& value, GuideParametersSlot& slot) {
   fits &= store(value.scale, slot.scale);
   fits &= store(value.max_age, slot.max_age);
   fits &= store(value.sighting_age, slot.sighting_age);
+  fits &= store(value.enable_at_start, slot.enable_at_start);
   fits &= store(value.fixtures, slot.fixtures);
   fits &= store(value.target, slot.target);
   fits &= store(value.approach, slot.approach);
@@ -54,7 +55,6 @@ bool store(const GuideParameters& value, GuideParametersSlot& slot) {
   fits &= store(value.slope, slot.slope);
   fits &= store(value.speed, slot.speed);
   fits &= store(value.separation, slot.separation);
-  fits &= store(value.floor, slot.floor);
   return fits;
 }
 
@@ -63,6 +63,7 @@ void load(const GuideParametersSlot& slot, GuideParameters& value) {
   load(slot.scale, value.scale);
   load(slot.max_age, value.max_age);
   load(slot.sighting_age, value.sighting_age);
+  load(slot.enable_at_start, value.enable_at_start);
   load(slot.fixtures, value.fixtures);
   load(slot.target, value.target);
   load(slot.approach, value.approach);
@@ -70,7 +71,6 @@ void load(const GuideParametersSlot& slot, GuideParameters& value) {
   load(slot.slope, value.slope);
   load(slot.speed, value.speed);
   load(slot.separation, value.separation);
-  load(slot.floor, value.floor);
 }
 
 // --- between slots and Cap'n Proto
@@ -80,6 +80,7 @@ void toWire(const GuideParametersSlot& slot, wire::GuideParameters::Builder out)
   out.setScale(slot.scale);
   out.setMaxAge(slot.max_age);
   out.setSightingAge(slot.sighting_age);
+  out.setEnableAtStart(slot.enable_at_start != 0);
   out.setFixtures(slot.fixtures != 0);
   toWire(slot.target, out.initTarget());
   toWire(slot.approach, out.initApproach());
@@ -87,7 +88,6 @@ void toWire(const GuideParametersSlot& slot, wire::GuideParameters::Builder out)
   out.setSlope(slot.slope);
   out.setSpeed(slot.speed);
   out.setSeparation(slot.separation);
-  out.setFloor(slot.floor);
 }
 
 Errc fromWire(wire::GuideParameters::Reader in, GuideParametersSlot& slot, Duration) {
@@ -95,12 +95,12 @@ Errc fromWire(wire::GuideParameters::Reader in, GuideParametersSlot& slot, Durat
   slot.scale = in.getScale();
   slot.max_age = in.getMaxAge();
   slot.sighting_age = in.getSightingAge();
+  slot.enable_at_start = in.getEnableAtStart();
   slot.fixtures = in.getFixtures();
   slot.radius = in.getRadius();
   slot.slope = in.getSlope();
   slot.speed = in.getSpeed();
   slot.separation = in.getSeparation();
-  slot.floor = in.getFloor();
   return firstError({
       in.hasTarget() ? fromWire(in.getTarget(), slot.target)
           : fromDefault(GuideParameters().target, slot.target),
@@ -116,8 +116,7 @@ bool isValid(const GuideParametersSlot& slot, FieldPath* path) {
   if (!inRange(slot.radius, 0.0001, 0.1)) return refusedAt(path, "radius");
   if (!inRange(slot.slope, 0, 1)) return refusedAt(path, "slope");
   if (!inRange(slot.speed, 0.001, 1)) return refusedAt(path, "speed");
-  if (!inRange(slot.separation, 0, 0.1)) return refusedAt(path, "separation");
-  return inRange(slot.floor, -1, 1) || refusedAt(path, "floor");
+  return inRange(slot.separation, 0, 0.1) || refusedAt(path, "separation");
 }
 
 }  // namespace robots
@@ -130,6 +129,7 @@ void fromJson(const suture::JsonReader& in, GuideParameters& value) {
   reader.field("scale", value.scale, 0.01, 10);
   reader.field("max_age", value.max_age);
   reader.field("sighting_age", value.sighting_age);
+  reader.field("enable_at_start", value.enable_at_start);
   reader.field("fixtures", value.fixtures);
   reader.field("target", value.target);
   reader.field("approach", value.approach);
@@ -137,7 +137,6 @@ void fromJson(const suture::JsonReader& in, GuideParameters& value) {
   reader.field("slope", value.slope, 0, 1);
   reader.field("speed", value.speed, 0.001, 1);
   reader.field("separation", value.separation, 0, 0.1);
-  reader.field("floor", value.floor, -1, 1);
   reader.finish();
 }
 

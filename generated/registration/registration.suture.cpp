@@ -38,6 +38,7 @@ namespace {
 static_assert(std::is_same_v<decltype(SceneFrames::left_base), Eigen::Isometry3d>);
 static_assert(std::is_same_v<decltype(SceneFrames::right_base), Eigen::Isometry3d>);
 static_assert(std::is_same_v<decltype(SceneFrames::camera), Eigen::Isometry3d>);
+static_assert(std::is_same_v<decltype(SceneFrames::tissue), double>);
 
 }  // namespace
 
@@ -46,6 +47,7 @@ bool store(const SceneFrames& value, SceneFramesSlot& slot) {
   fits &= store(value.left_base, slot.left_base);
   fits &= store(value.right_base, slot.right_base);
   fits &= store(value.camera, slot.camera);
+  fits &= store(value.tissue, slot.tissue);
   return fits;
 }
 
@@ -53,6 +55,7 @@ void load(const SceneFramesSlot& slot, SceneFrames& value) {
   load(slot.left_base, value.left_base);
   load(slot.right_base, value.right_base);
   load(slot.camera, value.camera);
+  load(slot.tissue, value.tissue);
 }
 
 // --- between slots and Cap'n Proto
@@ -61,9 +64,11 @@ void toWire(const SceneFramesSlot& slot, wire::SceneFrames::Builder out) {
   toWire(slot.left_base, out.initLeftBase());
   toWire(slot.right_base, out.initRightBase());
   toWire(slot.camera, out.initCamera());
+  out.setTissue(slot.tissue);
 }
 
 Errc fromWire(wire::SceneFrames::Reader in, SceneFramesSlot& slot, Duration) {
+  slot.tissue = in.getTissue();
   return firstError({
       in.hasLeftBase() ? fromWire(in.getLeftBase(), slot.left_base)
           : fromDefault(SceneFrames().left_base, slot.left_base),
@@ -77,7 +82,8 @@ Errc fromWire(wire::SceneFrames::Reader in, SceneFramesSlot& slot, Duration) {
 bool isValid(const SceneFramesSlot& slot, FieldPath* path) {
   if (!isValid(slot.left_base)) return refusedAt(path, "left_base");
   if (!isValid(slot.right_base)) return refusedAt(path, "right_base");
-  return isValid(slot.camera) || refusedAt(path, "camera");
+  if (!isValid(slot.camera)) return refusedAt(path, "camera");
+  return isValid(slot.tissue) || refusedAt(path, "tissue");
 }
 
 namespace {
@@ -232,30 +238,34 @@ constexpr CommandInfo kRegistrationCommands[] = {
 
 // The self-description, as in registration/registration.suture.json.
 constexpr char kRegistrationDescription[] = R"json(
-{"name": "robots::Registration", "hash": "679be7dc17f110bb133c4970155b5778", "commands": [{
-"name": "frames", "kind": "read", "ordinal": 1, "result": {"type": {"kind": "struct",
-"name": "robots::SceneFrames"}}, "queue": 16}], "events": [], "enums": [], "structs": [{
-"name": "robots::SceneFrames", "doc": "Frames in the frame of the scene, m.", "fields": [{
-"name": "left_base", "wire": "leftBase", "type": {"kind": "isometry", "scalar": "Float64"},
-"unit": "m"}, {"name": "right_base", "wire": "rightBase", "type": {"kind": "isometry",
-"scalar": "Float64"}, "unit": "m"}, {"name": "camera",
+{"name": "robots::Registration", "hash": "1af4f544dde76de938abf4596de10e4e", "commands": [{
+"name": "frames", "kind": "read", "ordinal": 1,
+"doc": "As they were registered last; each rotation is one to 1e-6.", "result": {"type": {
+"kind": "struct", "name": "robots::SceneFrames"}}, "queue": 16}], "events": [], "enums": [],
+"structs": [{"name": "robots::SceneFrames",
+"doc": "Where things are in the frame of the scene, whose z points away from the tissue.",
+"fields": [{"name": "left_base", "wire": "leftBase", "type": {"kind": "isometry",
+"scalar": "Float64"}, "unit": "m"}, {"name": "right_base", "wire": "rightBase", "type": {
+"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "camera",
 "doc": "The left camera: x to the right and y downward in the image, z ahead.", "type": {
-"kind": "isometry", "scalar": "Float64"}, "unit": "m"}]}], "wire": [{"id": "@0xe9484f8fbd271c3f",
-"kind": "interface", "name": "Registration", "cxx": "robots::Registration", "members": [{"at": 0,
-"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xead83c2c10b9a601"}, {
-"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {
-"at": 1, "name": "frames", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xe63e7e972f06e442"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xead83c2c10b9a601", "kind": "interface",
-"name": "RegistrationEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
-"name": "row", "is": "@0xf672b219e7b88cf8"}]}]}, {"id": "@0xf672b219e7b88cf8", "kind": "struct",
-"name": "RegistrationStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
-"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
-"name": "frames", "is": "@0xe63e7e972f06e442"}]}, {"id": "@0xe63e7e972f06e442", "kind": "struct",
-"name": "SceneFrames", "members": [{"at": 0, "name": "leftBase",
-"is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 1, "name": "rightBase",
+"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "tissue",
+"doc": "The tissue's surface: its z.", "type": {"kind": "Float64"}, "unit": "m", "default": -0.16}]
+}], "wire": [{"id": "@0xe9484f8fbd271c3f", "kind": "interface", "name": "Registration",
+"cxx": "robots::Registration", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
+"name": "events", "is": "@0xead83c2c10b9a601"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
+"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "frames", "is": "kind \"read\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "@0xe63e7e972f06e442"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xead83c2c10b9a601", "kind": "interface", "name": "RegistrationEvents", "members": [{
+"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xf672b219e7b88cf8"}]}]},
+{"id": "@0xf672b219e7b88cf8", "kind": "struct", "name": "RegistrationStateRow", "members": [{
+"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "frames", "is": "@0xe63e7e972f06e442"}]}, {
+"id": "@0xe63e7e972f06e442", "kind": "struct", "name": "SceneFrames", "members": [{"at": 0,
+"name": "leftBase", "is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 1, "name": "rightBase",
 "is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 2, "name": "camera",
-"is": "/suture/types.capnp:Pose unit \"m\""}]}]})json";
+"is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 3, "name": "tissue",
+"is": "Float64 unit \"m\" = -0.16"}]}]})json";
 
 }  // namespace
 }  // namespace robots
@@ -266,7 +276,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::Registration>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::Registration",
-      .hash = "679be7dc17f110bb133c4970155b5778",
+      .hash = "1af4f544dde76de938abf4596de10e4e",
       .description = robots::kRegistrationDescription,
       .commands = robots::kRegistrationCommands,
       .events = {},

@@ -11,11 +11,12 @@
 
 namespace robots {
 
-/// Frames in the frame of the scene, m.
+/// Where things are in the frame of the scene, whose z points away from the tissue.
 struct SceneFramesSlot {
   std::array<double, 12> left_base;   // Eigen::Isometry3d, m
   std::array<double, 12> right_base;  // Eigen::Isometry3d, m
   std::array<double, 12> camera;      // Eigen::Isometry3d, m
+  double tissue;                      // m
 };
 
 bool store(const SceneFrames& value, SceneFramesSlot& slot);
@@ -43,6 +44,7 @@ class Required<robots::Registration> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
+  /// As they were registered last; each rotation is one to 1e-6.
   ReadCommand<&Contract::frames, robots::SceneFramesSlot> frames{
       *this, static_cast<std::uint16_t>(Id::frames)};
 

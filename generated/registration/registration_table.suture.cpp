@@ -12,6 +12,7 @@ inline void fromJson(const suture::JsonReader& in, SceneFrames& value) {
   reader.field("left_base", value.left_base);
   reader.field("right_base", value.right_base);
   reader.field("camera", value.camera);
+  reader.field("tissue", value.tissue);
   reader.finish();
 }
 

@@ -28,7 +28,6 @@ static_assert(std::is_same_v<decltype(StrandParameters::period), std::chrono::na
 static_assert(std::is_same_v<decltype(StrandParameters::length), double>);
 static_assert(std::is_same_v<decltype(StrandParameters::friction), double>);
 static_assert(std::is_same_v<decltype(StrandParameters::wrap), double>);
-static_assert(std::is_same_v<decltype(StrandParameters::floor), double>);
 
 }  // namespace
 
@@ -38,7 +37,6 @@ bool store(const StrandParameters& value, StrandParametersSlot& slot) {
   fits &= store(value.length, slot.length);
   fits &= store(value.friction, slot.friction);
   fits &= store(value.wrap, slot.wrap);
-  fits &= store(value.floor, slot.floor);
   return fits;
 }
 
@@ -47,7 +45,6 @@ void load(const StrandParametersSlot& slot, StrandParameters& value) {
   load(slot.length, value.length);
   load(slot.friction, value.friction);
   load(slot.wrap, value.wrap);
-  load(slot.floor, value.floor);
 }
 
 // --- between slots and Cap'n Proto
@@ -57,7 +54,6 @@ void toWire(const StrandParametersSlot& slot, wire::StrandParameters::Builder ou
   out.setLength(slot.length);
   out.setFriction(slot.friction);
   out.setWrap(slot.wrap);
-  out.setFloor(slot.floor);
 }
 
 Errc fromWire(wire::StrandParameters::Reader in, StrandParametersSlot& slot, Duration) {
@@ -65,15 +61,13 @@ Errc fromWire(wire::StrandParameters::Reader in, StrandParametersSlot& slot, Dur
   slot.length = in.getLength();
   slot.friction = in.getFriction();
   slot.wrap = in.getWrap();
-  slot.floor = in.getFloor();
   return Errc{};
 }
 
 bool isValid(const StrandParametersSlot& slot, FieldPath* path) {
   if (!inRange(slot.length, 0.02, 1)) return refusedAt(path, "length");
   if (!inRange(slot.friction, 0, 1)) return refusedAt(path, "friction");
-  if (!inRange(slot.wrap, 0, 100)) return refusedAt(path, "wrap");
-  return inRange(slot.floor, -1, 1) || refusedAt(path, "floor");
+  return inRange(slot.wrap, 0, 100) || refusedAt(path, "wrap");
 }
 
 }  // namespace robots
@@ -86,7 +80,6 @@ void fromJson(const suture::JsonReader& in, StrandParameters& value) {
   reader.field("length", value.length, 0.02, 1);
   reader.field("friction", value.friction, 0, 1);
   reader.field("wrap", value.wrap, 0, 100);
-  reader.field("floor", value.floor, -1, 1);
   reader.finish();
 }
 

@@ -19,8 +19,7 @@ struct StrandParametersSlot {
   std::int64_t period;  // std::chrono::nanoseconds, ns
   double length;        // m
   double friction;
-  double wrap;   // rad
-  double floor;  // m
+  double wrap;  // rad
 };
 
 bool store(const StrandParameters& value, StrandParametersSlot& slot);

@@ -249,9 +249,10 @@ constexpr CommandInfo kStrandViewCommands[] = {
 // The self-description, as in strand/strand_view.suture.json.
 constexpr char kStrandViewDescription[] = R"json(
 {"name": "robots::StrandView", "hash": "3d0e0f11a53e375943417b4b324a46bf", "commands": [{
-"name": "strand", "kind": "read", "ordinal": 1, "result": {"type": {"kind": "struct",
-"name": "robots::StrandState"}}, "queue": 16}], "events": [], "enums": [], "structs": [{
-"name": "robots::StrandState", "fields": [{"name": "nodes",
+"name": "strand", "kind": "read", "ordinal": 1,
+"doc": "As it is at the end of the simulation's last cycle, which is its stamp.", "result": {
+"type": {"kind": "struct", "name": "robots::StrandState"}}, "queue": 16}], "events": [],
+"enums": [], "structs": [{"name": "robots::StrandState", "fields": [{"name": "nodes",
 "doc": "From the left tip over the knot, the middle column, to the right tip; in the scene's frame.",
 "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 61}, "unit": "m"}, {
 "name": "left_length", "wire": "leftLength", "doc": "Strand between the left tip and the knot.",
@@ -260,20 +261,21 @@ constexpr char kStrandViewDescription[] = R"json(
 "type": {"kind": "Float64"}, "unit": "N", "default": 0.0}, {"name": "right_tension",
 "wire": "rightTension", "type": {"kind": "Float64"}, "unit": "N", "default": 0.0}, {
 "name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {"name": "valid",
-"doc": "False before both tips are known.", "type": {"kind": "Bool"}, "default": false}]}],
-"wire": [{"id": "@0xffcefa0bd4f32fb9", "kind": "interface", "name": "StrandView",
-"cxx": "robots::StrandView", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
-"name": "events", "is": "@0xf34a05754eaad965"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
-"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "strand", "is": "kind \"read\"",
-"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "@0xa7b70b5e253db6a2"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
-"id": "@0xf34a05754eaad965", "kind": "interface", "name": "StrandViewEvents", "members": [{"at": 0,
-"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xe319b7f6e1bccccd"}]}]}, {
-"id": "@0xe319b7f6e1bccccd", "kind": "struct", "name": "StrandViewStateRow", "members": [{"at": 0,
-"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "strand", "is": "@0xa7b70b5e253db6a2"}]}, {
-"id": "@0xa7b70b5e253db6a2", "kind": "struct", "name": "StrandState", "members": [{"at": 0,
-"name": "nodes", "is": "List(Float64) unit \"m\" shape \"3x61\""}, {"at": 1, "name": "leftLength",
+"doc": "False before both tips are known, and apart from each other.", "type": {"kind": "Bool"},
+"default": false}]}], "wire": [{"id": "@0xffcefa0bd4f32fb9", "kind": "interface",
+"name": "StrandView", "cxx": "robots::StrandView", "members": [{"at": 0, "name": "subscribe",
+"parameters": [{"at": 0, "name": "events", "is": "@0xf34a05754eaad965"}, {"at": 1,
+"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
+"name": "strand", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xa7b70b5e253db6a2"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xf34a05754eaad965", "kind": "interface",
+"name": "StrandViewEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
+"name": "row", "is": "@0xe319b7f6e1bccccd"}]}]}, {"id": "@0xe319b7f6e1bccccd", "kind": "struct",
+"name": "StrandViewStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
+"name": "strand", "is": "@0xa7b70b5e253db6a2"}]}, {"id": "@0xa7b70b5e253db6a2", "kind": "struct",
+"name": "StrandState", "members": [{"at": 0, "name": "nodes",
+"is": "List(Float64) unit \"m\" shape \"3x61\""}, {"at": 1, "name": "leftLength",
 "is": "Float64 unit \"m\""}, {"at": 2, "name": "leftTension", "is": "Float64 unit \"N\""}, {
 "at": 3, "name": "rightTension", "is": "Float64 unit \"N\""}, {"at": 4, "name": "stamp",
 "is": "Int64 clock \"steady\""}, {"at": 5, "name": "valid", "is": "Bool"}]}]})json";

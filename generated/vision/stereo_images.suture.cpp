@@ -242,11 +242,12 @@ constexpr CommandInfo kStereoImagesCommands[] = {
 // The self-description, as in vision/stereo_images.suture.json.
 constexpr char kStereoImagesDescription[] = R"json(
 {"name": "robots::StereoImages", "hash": "48ff1933fc9d50168ee1bbde63a80c13", "commands": [{
-"name": "images", "kind": "read", "ordinal": 1, "result": {"type": {"kind": "struct",
-"name": "robots::StereoPair"}}, "queue": 16}], "events": [], "enums": [], "structs": [{
-"name": "robots::ImageFrame", "doc": "prmImageFrame.", "fields": [{"name": "width", "type": {
-"kind": "UInt32"}, "default": 0}, {"name": "height", "type": {"kind": "UInt32"}, "default": 0}, {
-"name": "channels", "type": {"kind": "UInt32"}, "default": 0}, {"name": "data",
+"name": "images", "kind": "read", "ordinal": 1,
+"doc": "The last pair; invalid while there is nothing to see.", "result": {"type": {
+"kind": "struct", "name": "robots::StereoPair"}}, "queue": 16}], "events": [], "enums": [],
+"structs": [{"name": "robots::ImageFrame", "doc": "prmImageFrame.", "fields": [{"name": "width",
+"type": {"kind": "UInt32"}, "default": 0}, {"name": "height", "type": {"kind": "UInt32"},
+"default": 0}, {"name": "channels", "type": {"kind": "UInt32"}, "default": 0}, {"name": "data",
 "doc": "Row by row, channels interleaved, 8 bits each.", "type": {"kind": "list", "element": {
 "kind": "UInt8"}, "capacity": 2097152}}, {"name": "stamp", "type": {"kind": "time",
 "clock": "steady"}}, {"name": "valid", "type": {"kind": "Bool"}, "default": false}]}, {

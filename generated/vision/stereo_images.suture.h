@@ -45,6 +45,7 @@ class Required<robots::StereoImages> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
+  /// The last pair; invalid while there is nothing to see.
   ReadCommand<&Contract::images, robots::StereoPairSlot> images{
       *this, static_cast<std::uint16_t>(Id::images)};
 

@@ -55,7 +55,7 @@ Errc fromWire(wire::EndoscopeParameters::Reader in, EndoscopeParametersSlot& slo
 }
 
 bool isValid(const EndoscopeParametersSlot& slot, FieldPath* path) {
-  return inRange(slot.noise, 0, 50) || refusedAt(path, "noise");
+  return inRange(slot.noise, 0, 5) || refusedAt(path, "noise");
 }
 
 }  // namespace robots
@@ -65,7 +65,7 @@ namespace robots {
 void fromJson(const suture::JsonReader& in, EndoscopeParameters& value) {
   suture::JsonReader reader = in;
   reader.field("period", value.period);
-  reader.field("noise", value.noise, 0, 50);
+  reader.field("noise", value.noise, 0, 5);
   reader.finish();
 }
 

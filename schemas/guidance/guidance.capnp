@@ -14,26 +14,39 @@ enum GuidanceState @0x909952bd3e04c1b4 $Meta.cxx("robots::GuidanceState") $Meta.
   blind @1 $Meta.cxx("Blind") $Meta.value(1);
   # the arms are ready, but nobody has seen the knot lately; both slaves hold
   guiding @2 $Meta.cxx("Guiding") $Meta.value(2);
+  disabled @3 $Meta.cxx("Disabled") $Meta.value(3);
+  # until enable()
 }
 
 struct GuidanceProgress @0xb62a9e40cb04e11e $Meta.cxx("robots::GuidanceProgress") {
   knot @0 :Types.Vec3 $Meta.unit("m");
   # Where the knot is by the last sighting and by what the tips have moved since; in the scene.
-  toGo @1 :Float64 $Meta.cxx("to_go") $Meta.unit("m");
-  # Along the line of approach; below zero behind the target.
-  aside @2 :Float64 $Meta.unit("m");
-  # From the line of approach.
+  removed1 @1 :Float64 $Meta.cxx("to_go") $Meta.removed("toGo") $Meta.unit("m");
+  removed2 @2 :Float64 $Meta.removed("aside") $Meta.unit("m");
   stamp @3 :Int64 $Meta.clock("steady");
+  # The guide's cycle.
   valid @4 :Bool;
   # False unless the knot has been seen lately.
+  distanceToTarget @5 :Float64 $Meta.cxx("distance_to_target") $Meta.unit("m");
+  # Along the line of approach; below zero behind the target.
+  lateralError @6 :Float64 $Meta.cxx("lateral_error") $Meta.unit("m");
+  # From the line of approach.
 }
 
 interface Guidance @0xf839a0ec32e2aeaf $Meta.cxx("robots::Guidance") {
+  # Commands run in the guide's own thread before its next cycle; reads are from the end of its last
+  # one.
+
   subscribe @0 (events :GuidanceEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   guidanceState @1 (sent :Rpc.Sent) -> (value :GuidanceState, stamp :Int64)
       $Meta.cxx("guidance_state") $Meta.kind("read");
   progress @2 (sent :Rpc.Sent) -> (value :GuidanceProgress, stamp :Int64) $Meta.kind("read");
+  # Also while the guide waits for something, as far as the knot has been seen.
+  enable @3 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
+  # Enables and homes arms that are not, then guides. Also after an arm was disabled or restarted.
+  disable @4 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
+  # Stops guiding; both slaves hold.
 }
 
 interface GuidanceEvents @0xf87738b35a660df1 $Meta.eventsOf("robots::Guidance") {
@@ -43,6 +56,7 @@ interface GuidanceEvents @0xf87738b35a660df1 $Meta.eventsOf("robots::Guidance") 
   # A new row of the columns asked for.
   guidanceState @1 (value :GuidanceState) -> () $Meta.cxx("guidance_state") $Meta.latched
       $Meta.queue(16);
+  # Each change, and the last one to whoever connects.
 }
 
 struct GuidanceStateRow @0xaa6c5932ff7a6316 $Meta.stateOf("robots::Guidance") {

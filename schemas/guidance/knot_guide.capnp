@@ -16,7 +16,7 @@ struct GuideParameters @0xc5a448822c5a8c36 $Meta.cxx("robots::GuideParameters") 
   sightingAge @3 :Int64 = 250000000 $Meta.cxx("sighting_age") $Meta.period("1/1000000000");
   # The same for what the cameras saw: some three images.
   fixtures @4 :Bool = true;
-  # Without, the slaves follow their masters, and nobody looks where the knot is.
+  # Without, the slaves follow their masters wherever the knot is.
   target @5 :Types.Vec3 $Meta.unit("m");
   # Where the knot shall be, in the scene.
   approach @6 :Types.Vec3;
@@ -28,6 +28,8 @@ struct GuideParameters @0xc5a448822c5a8c36 $Meta.cxx("robots::GuideParameters") 
   # How fast a tip moves along each axis.
   separation @10 :Float64 = 0.01 $Meta.range(lowest = 0, highest = 0.1) $Meta.unit("m");
   # How near the tips come to each other.
-  floor @11 :Float64 = -0.16 $Meta.range(lowest = -1, highest = 1) $Meta.unit("m");
-  # The tissue's surface in the scene: its z.
+  removed11 @11 :Float64 = -0.16 $Meta.range(lowest = -1, highest = 1) $Meta.removed("floor")
+      $Meta.unit("m");
+  enableAtStart @12 :Bool = true $Meta.cxx("enable_at_start");
+  # Prepare and guide without waiting for enable().
 }

@@ -9,18 +9,21 @@ $Cxx.namespace("robots::wire");
 $Meta.header("registration/registration.h");
 
 struct SceneFrames @0xe63e7e972f06e442 $Meta.cxx("robots::SceneFrames") {
-  # Frames in the frame of the scene, m.
+  # Where things are in the frame of the scene, whose z points away from the tissue.
 
   leftBase @0 :Types.Pose $Meta.cxx("left_base") $Meta.unit("m");
   rightBase @1 :Types.Pose $Meta.cxx("right_base") $Meta.unit("m");
   camera @2 :Types.Pose $Meta.unit("m");
   # The left camera: x to the right and y downward in the image, z ahead.
+  tissue @3 :Float64 = -0.16 $Meta.unit("m");
+  # The tissue's surface: its z.
 }
 
 interface Registration @0xe9484f8fbd271c3f $Meta.cxx("robots::Registration") {
   subscribe @0 (events :RegistrationEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   frames @1 (sent :Rpc.Sent) -> (value :SceneFrames, stamp :Int64) $Meta.kind("read");
+  # As they were registered last; each rotation is one to 1e-6.
 }
 
 interface RegistrationEvents @0xead83c2c10b9a601 $Meta.eventsOf("robots::Registration") {

@@ -13,6 +13,6 @@ struct StrandParameters @0x831b7f4df78efb84 $Meta.cxx("robots::StrandParameters"
   # Coefficient of friction of strand on strand.
   wrap @3 :Float64 = 9.42 $Meta.range(lowest = 0, highest = 100) $Meta.unit("rad");
   # How far the strand winds about itself in the knot.
-  floor @4 :Float64 = -0.16 $Meta.range(lowest = -1, highest = 1) $Meta.unit("m");
-  # The tissue's surface in the scene: its z.
+  removed4 @4 :Float64 = -0.16 $Meta.range(lowest = -1, highest = 1) $Meta.removed("floor")
+      $Meta.unit("m");
 }

@@ -19,6 +19,7 @@ interface StereoImages @0xefa57eee714fcf37 $Meta.cxx("robots::StereoImages") {
   subscribe @0 (events :StereoImagesEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   images @1 (sent :Rpc.Sent) -> (value :StereoPair, stamp :Int64) $Meta.kind("read");
+  # The last pair; invalid while there is nothing to see.
 }
 
 interface StereoImagesEvents @0xed57a378bacd9ffb $Meta.eventsOf("robots::StereoImages") {

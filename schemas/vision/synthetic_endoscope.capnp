@@ -9,6 +9,6 @@ $Meta.header("vision/synthetic_endoscope.h");
 struct EndoscopeParameters @0x81c804e92c547797 $Meta.cxx("robots::EndoscopeParameters") {
   period @0 :Int64 = 66667000 $Meta.period("1/1000000000");
   # 15 images a second, as the da Vinci Research Kit's stereo launch file has it.
-  noise @1 :Float64 = 3.0 $Meta.range(lowest = 0, highest = 50);
+  noise @1 :Float64 = 3.0 $Meta.range(lowest = 0, highest = 5);
   # Standard deviation of each channel of each pixel, of 255.
 }

@@ -4,6 +4,7 @@
 #include <suture/component/periodic_task.h>
 #include <suture/component/provided.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <limits>
@@ -46,6 +47,11 @@ class ScriptedArm final : public suture::PeriodicTask, public Arm {
     const std::lock_guard lock(mutex_);
     longestStep_ = distance;
   }
+  /// Slides along a limit: its z stays above, m, whatever goal it takes.
+  void stayAbove(double z) {
+    const std::lock_guard lock(mutex_);
+    lowest_ = z;
+  }
   /// Those that it has obeyed.
   std::vector<PoseStamped> goals() const {
     const std::lock_guard lock(mutex_);
@@ -68,6 +74,7 @@ class ScriptedArm final : public suture::PeriodicTask, public Arm {
     }
     goals_.push_back(goal);
     pose_ = goal.pose;
+    pose_.translation().z() = std::max(pose_.translation().z(), lowest_);
   }
   void servo_jp(const JointGoal&) override {}
   void move_jp(const JointGoal&) override {}
@@ -98,6 +105,7 @@ class ScriptedArm final : public suture::PeriodicTask, public Arm {
   Eigen::Isometry3d pose_ = Eigen::Isometry3d::Identity();
   std::vector<PoseStamped> goals_;
   double longestStep_ = std::numeric_limits<double>::infinity();
+  double lowest_ = -std::numeric_limits<double>::infinity();
   bool silent_ = false, stuck_ = false;
   suture::Time stamp_;
   JointState joints_;

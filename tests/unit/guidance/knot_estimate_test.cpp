@@ -21,7 +21,7 @@ Vector3d tipsAt(suture::Time time) {
 }
 
 TEST(KnotEstimate, AnOldImageCostsNoPlace) {
-  KnotEstimate estimate;
+  KnotEstimate estimate(kAge, 1ms);
   suture::Time now{1s};
   for (int i = 0; i < 500; ++i, now += 1ms) {
     estimate.tipsAt(now, tipsAt(now));
@@ -29,13 +29,13 @@ TEST(KnotEstimate, AnOldImageCostsNoPlace) {
     if (i >= 80 && i % 66 == 0) estimate.seenAt(now - 80ms, tipsAt(now - 80ms) + kOffset);
   }
   now -= 1ms;
-  const auto knot = estimate.knot(now, kAge);
+  const auto knot = estimate.knot(now);
   ASSERT_TRUE(knot);
   EXPECT_TRUE(knot->isApprox(tipsAt(now) + kOffset, 1e-9));
 }
 
 TEST(KnotEstimate, NoiseComesToAThird) {
-  KnotEstimate estimate;
+  KnotEstimate estimate(kAge, 1ms);
   std::mt19937_64 random(1);
   std::normal_distribution<double> noise(0, 0.0003);
   double squares = 0;
@@ -43,23 +43,46 @@ TEST(KnotEstimate, NoiseComesToAThird) {
   for (int i = 0; i < 2000; ++i, now += 66ms) {
     estimate.tipsAt(now, Vector3d::Zero());
     estimate.seenAt(now, kOffset + Vector3d(0, 0, noise(random)));
-    squares += (*estimate.knot(now, kAge) - kOffset).squaredNorm();
+    squares += (*estimate.knot(now) - kOffset).squaredNorm();
   }
   EXPECT_LT(std::sqrt(squares / 2000), 0.0003 / 2.5);
 }
 
 TEST(KnotEstimate, ASightingThatIsTooOldIsNone) {
-  KnotEstimate estimate;
+  KnotEstimate estimate(kAge, 1ms);
   const suture::Time now{1s};
-  EXPECT_FALSE(estimate.knot(now, kAge));
+  EXPECT_FALSE(estimate.knot(now));
   estimate.seenAt(now, kOffset);
-  EXPECT_FALSE(estimate.knot(now, kAge)) << "nobody knows where the tips were";
+  EXPECT_FALSE(estimate.knot(now)) << "nobody knows where the tips were";
   estimate.tipsAt(now, Vector3d::Zero());
   estimate.seenAt(now, kOffset);
-  EXPECT_TRUE(estimate.knot(now + kAge, kAge));
-  EXPECT_FALSE(estimate.knot(now + kAge + 1ms, kAge));
+  EXPECT_TRUE(estimate.knot(now + kAge));
+  EXPECT_FALSE(estimate.knot(now + kAge + 1ms));
   estimate.forget();
-  EXPECT_FALSE(estimate.knot(now, kAge));
+  EXPECT_FALSE(estimate.knot(now));
+}
+
+TEST(KnotEstimate, AfterBlindnessCountsWhatIsSeenAndNotWhatWas) {
+  KnotEstimate estimate(kAge, 1ms);
+  suture::Time now{1s};
+  estimate.tipsAt(now, Vector3d::Zero());
+  estimate.seenAt(now, kOffset);
+  now += 1s;
+  estimate.tipsAt(now, Vector3d::Zero());
+  estimate.seenAt(now, 2 * kOffset);
+  EXPECT_TRUE(estimate.knot(now)->isApprox(2 * kOffset, 1e-12));
+}
+
+/// As a guide of 10 kHz needs it.
+TEST(KnotEstimate, RemembersTheTipsForAsLongAsASightingCountsAtAnyPeriod) {
+  KnotEstimate estimate(kAge, 100us);
+  suture::Time now{1s};
+  const suture::Time exposed = now;
+  for (; now - exposed < kAge; now += 100us) estimate.tipsAt(now, tipsAt(now));
+  now -= 100us;
+  estimate.seenAt(exposed, tipsAt(exposed) + kOffset);
+  ASSERT_TRUE(estimate.knot(now));
+  EXPECT_TRUE(estimate.knot(now)->isApprox(tipsAt(now) + kOffset, 1e-9));
 }
 
 }  // namespace

@@ -122,6 +122,26 @@ TEST(QuadraticProgram, SaysThatTwoRowsContradictEachOther) {
             SolveStatus::Infeasible);
 }
 
+/// Nothing of it may count as a permitted step, and nothing may be written beyond the active set.
+TEST(QuadraticProgram, RefusesFiguresThatItCannotComputeWith) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto statusOf = [](const auto& spoil) {
+    Problem problem = Problems().next();
+    spoil(problem);
+    return Program().solve(problem.H, problem.g, problem.C, problem.d).status;
+  };
+  for (const double wrong : {nan, std::numeric_limits<double>::infinity()}) {
+    EXPECT_EQ(statusOf([&](Problem& problem) { problem.H(2, 2) = wrong; }), SolveStatus::Invalid);
+    EXPECT_EQ(statusOf([&](Problem& problem) { problem.g[3] = wrong; }), SolveStatus::Invalid);
+    EXPECT_EQ(statusOf([&](Problem& problem) { problem.C(4, 1) = wrong; }), SolveStatus::Invalid);
+    for (int row = 0; row < kRows; ++row) {
+      EXPECT_EQ(statusOf([&](Problem& problem) { problem.d[row] = wrong; }), SolveStatus::Invalid);
+    }
+  }
+  EXPECT_EQ(statusOf([](Problem& problem) { problem.g.setConstant(1e308); }), SolveStatus::Invalid);
+  EXPECT_EQ(statusOf([](Problem& problem) { problem.H.setZero(); }), SolveStatus::Invalid);
+}
+
 // Rows that say the same twice are common: two limits that meet.
 TEST(QuadraticProgram, TakesARowThatIsThereTwice) {
   Problem problem = Problems().next();

@@ -88,9 +88,16 @@ TEST(Strand, FollowsItsTipsWithoutStretching) {
   EXPECT_NEAR(length, 0.11, 1e-4);
 }
 
+TEST(Strand, OfTwoNodesInOnePlaceIsStillAStrand) {
+  Strand strand(StrandModel{}, kLeft, kRight);
+  strand.hold(Place::Left, strand.nodes().col(1));
+  strand.advance(0.5);
+  EXPECT_TRUE(strand.nodes().allFinite());
+}
+
 TEST(Strand, LiesOnTheTissue) {
   StrandModel model;
-  model.floor = -0.01;
+  model.tissue = -0.01;
   Strand strand(model, kLeft, kRight);
   strand.advance(2);
   EXPECT_DOUBLE_EQ(strand.knot().z(), -0.01);

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <suture/base/errors.h>
+
+#include <string>
+
+#include "teleop/follow_law.h"
+
+namespace robots {
+
+/// `scale`, slave metres a master metre. Throws suture::SetupError if no slave can follow with it.
+inline double requireValidScale(double scale) {
+  if (FollowLaw::isValidScale(scale)) return scale;
+  throw suture::SetupError("teleoperation with scale " + std::to_string(scale),
+                           "a slave can only follow with a finite scale above zero",
+                           "set \"scale\" to slave metres a master metre, e.g. 0.2");
+}
+
+}  // namespace robots
