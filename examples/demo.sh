@@ -15,9 +15,11 @@ at 1 kHz, and the run is judged. Exit status 0 only if all went well.
                                  see; two with swapped slaves (default fig3c)
   --lane auto|shm|frame|rpc      how connections travel: the fastest that fits, shared memory, frames, Cap'n Proto RPC (default auto)
   --seconds N                    how long to run (default 10)
-  --rate HZ                      cycles a second of the tasks that control an arm; others in proportion (default 1000)
+  --rate HZ                      cycles a second of the tasks that control an arm (default 1000); cameras and what looks at their
+                                 images keep their periods, and connections the ages they permit
   --json FILE                    also write all figures to FILE
-  --picture FILE                 with fig3b: write what the cameras saw, and how the knot came to its target, as a PNG
+  --picture FILE                 with fig3b: write the scene at the end as the endoscope sees it, and how the knot came to its
+                                 target, as a PNG
 HELP
 }
 

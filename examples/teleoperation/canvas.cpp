@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace demo {
 
 using Eigen::Vector2d;
+using robots::Colour;
 
 Canvas::Canvas(int width, int height, Colour background)
     : width_(width), height_(height), pixels_(static_cast<std::size_t>(3 * width * height)) {
@@ -17,8 +19,11 @@ Canvas::Canvas(int width, int height, Colour background)
 }
 
 void Canvas::dot(const Vector2d& at, Colour colour) {
+  // Asked before it is rounded, for what is far outside fits no integer. NaN is outside too.
+  const bool inside =
+      at.x() > -0.5 && at.y() > -0.5 && at.x() < width_ - 0.5 && at.y() < height_ - 0.5;
+  if (!inside) return;
   const int x = static_cast<int>(std::lround(at.x())), y = static_cast<int>(std::lround(at.y()));
-  if (x < 0 || y < 0 || x >= width_ || y >= height_) return;
   std::copy(colour.begin(), colour.end(), pixels_.begin() + 3 * (y * width_ + x));
 }
 
@@ -38,8 +43,16 @@ void Canvas::fill(int left, int top, int right, int bottom, Colour colour) {
 }
 
 void Canvas::line(Vector2d from, Vector2d to, Colour colour) {
-  const int steps = std::max(1, static_cast<int>(std::ceil((to - from).cwiseAbs().maxCoeff())));
-  for (int i = 0; i <= steps; ++i) dot(from + (to - from) * i / steps, colour);
+  // One dot for each pixel of the longer axis.
+  Eigen::Index axis = 0;
+  (to - from).cwiseAbs().maxCoeff(&axis);
+  if (from[axis] > to[axis]) std::swap(from, to);
+  const double length = std::max(to[axis] - from[axis], 1.0);  // shorter ones are a dot or two
+  const double first = std::max(std::round(from[axis]), 0.0);
+  const double last = std::min(std::round(to[axis]), (axis == 0 ? width_ : height_) - 1.0);
+  for (double at = first; at <= last; ++at) {
+    dot(from + (to - from) * ((at - from[axis]) / length), colour);
+  }
 }
 
 void Canvas::ring(Vector2d centre, double radius, Colour colour) {

@@ -16,6 +16,7 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+using robots::Colour;
 using robots::Eye;
 using robots::KnotRow;
 
@@ -25,30 +26,41 @@ constexpr int kPlotHeight = 240, kMargin = 12;  // px
 constexpr double kNoise = 3;                    // of 255, as the endoscope has it
 constexpr double kShownLine = 0.03;             // m of the line of approach
 
-Vector3d knotOf(const KnotRow& row) { return row.strand.nodes.col(robots::Strand::kKnot); }
+bool seesAll(const robots::CameraPair& cameras, const robots::Strand::Nodes& nodes) {
+  for (int node = 0; node < robots::Strand::kNodes; ++node) {
+    if (!cameras.sees(nodes.col(node))) return false;
+  }
+  return true;
+}
 
 void drawView(Canvas& canvas, const KnotPlacing& placing, const KnotRow& row, Eye eye) {
   const robots::CameraPair cameras;
   const Eigen::Isometry3d toCamera = row.camera.inverse();
-  const robots::Strand::Nodes seen = toCamera * row.strand.nodes;
+  const robots::Strand::Nodes strand = toCamera * row.strand.nodes;
+  if (!seesAll(cameras, strand)) return;
   robots::ImageFrame image;
-  robots::Painter(cameras, kNoise).paint(eye, seen, image);
+  robots::Painter(cameras, kNoise).paint(eye, strand, image);
   const int left = eye == Eye::Left ? 0 : cameras.width;
   canvas.put(image, left, 0);
 
   const auto onCanvas = [&](const Vector3d& point) -> Vector2d {
     return cameras.project(eye, point) + Vector2d(left, 0);
   };
+  const auto cross = [&](const Vector3d& point, double size, Colour colour) {
+    if (cameras.sees(point)) canvas.cross(onCanvas(point), size, colour);
+  };
   const Vector3d target = toCamera * placing.target;
-  const Vector3d back = toCamera.linear() * placing.approach.normalized() * kShownLine;
-  canvas.line(onCanvas(target - back), onCanvas(target), kBlue);
-  canvas.cross(onCanvas(target), 6, kWhite);
+  const Vector3d before = target - toCamera.linear() * placing.approach.normalized() * kShownLine;
+  if (cameras.sees(before) && cameras.sees(target)) {
+    canvas.line(onCanvas(before), onCanvas(target), kBlue);
+  }
+  cross(target, 6, kWhite);
   for (const int node : {0, robots::Strand::kKnot, robots::Strand::kNodes - 1}) {
-    canvas.ring(onCanvas(seen.col(node)), 14, kWhite);
+    canvas.ring(onCanvas(strand.col(node)), 14, kWhite);
   }
   if (!row.sighting.valid) return;
   for (const Vector3d& point : {row.sighting.knot, row.sighting.left_tip, row.sighting.right_tip}) {
-    canvas.cross(onCanvas(point), 9, kBlack);
+    cross(point, 9, kBlack);
   }
 }
 
@@ -67,7 +79,7 @@ class Axes {
   double secondsOf(const KnotRow& row) const {
     return std::chrono::duration<double>(row.strand.stamp - begin_).count();
   }
-  double distance(const KnotRow& row) const { return (knotOf(row) - target_).norm(); }
+  double distance(const KnotRow& row) const { return (row.knot() - target_).norm(); }
   double seconds() const { return seconds_; }
   double highest() const { return highest_; }
 
@@ -108,21 +120,23 @@ void drawDistance(Canvas& canvas, const Axes& axes, const std::vector<KnotRow>& 
 
 }  // namespace
 
-void drawKnot(const std::filesystem::path& file, const Plan& plan) {
-  if (!plan.knot()) {
-    throw suture::SetupError("drawing a picture", "nothing in this topology places a knot",
-                             "Use --topology fig3b, or leave --picture out");
-  }
-  const std::vector<KnotRow> rows = robots::readKnotRecording(plan.knot()->recording);
+const KnotPlacing& requireKnot(const Plan& plan) {
+  if (plan.knot()) return *plan.knot();
+  throw suture::SetupError("drawing a picture", "nothing in this topology places a knot",
+                           "Use --topology fig3b, or leave --picture out");
+}
+
+void drawKnot(const std::filesystem::path& file, const KnotPlacing& placing) {
+  const std::vector<KnotRow> rows = robots::readKnotRecording(placing.recording);
   if (rows.empty()) {
     throw suture::SetupError("drawing a picture", "the knot was never recorded",
                              "Run for longer: both arms home first, which takes some seconds");
   }
   const robots::CameraPair cameras;
   Canvas canvas(2 * cameras.width, cameras.height + kPlotHeight, kWhite);
-  drawView(canvas, *plan.knot(), rows.back(), Eye::Left);
-  drawView(canvas, *plan.knot(), rows.back(), Eye::Right);
-  drawDistance(canvas, Axes(rows, plan.knot()->target, 2 * cameras.width, cameras.height), rows);
+  drawView(canvas, placing, rows.back(), Eye::Left);
+  drawView(canvas, placing, rows.back(), Eye::Right);
+  drawDistance(canvas, Axes(rows, placing.target, 2 * cameras.width, cameras.height), rows);
   canvas.write(file);
 }
 

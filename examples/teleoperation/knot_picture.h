@@ -7,11 +7,18 @@
 
 namespace demo {
 
-/// Above, what both eyes of the endoscope saw at the end: a ring about what is there, a black cross
-/// where it was seen, a blue line along which the knot was to come, and a white cross at the
-/// target. Below, the knot's distance from its target over time: a line every second and every 5
-/// mm, green within 1 mm, grey while it was not guided. Throws suture::SetupError if the plan
-/// places no knot, the recording cannot be read, or the file cannot be written.
-void drawKnot(const std::filesystem::path& file, const Plan& plan);
+/// The knot that a picture can show. Throws suture::SetupError if the plan places none, which is
+/// known before the run.
+const KnotPlacing& requireKnot(const Plan& plan);
+
+/// Above, the scene at the end for both eyes of the endoscope, painted anew from the true strand of
+/// the recording's last row and with new noise, for images are not recorded: a ring about what is
+/// there, a black cross where it was seen, a blue line along which the knot was to come, and a
+/// white cross at the target. Marks that are not before the camera are left out; if a part of the
+/// strand is not, the view is blank. Below, the knot's distance from its target over time: a line
+/// every second and every 5 mm, green within 1 mm, grey while it was not guided. Throws
+/// suture::SetupError if the recording cannot be read or has no row, or if the file cannot be
+/// written.
+void drawKnot(const std::filesystem::path& file, const KnotPlacing& placing);
 
 }  // namespace demo

@@ -15,24 +15,32 @@ using suture::ComponentEntry;
 using suture::ConnectionEntry;
 using suture::ProcessEntry;
 
-constexpr double kRateOfFiles = 1000;  // Hz, of whatever controls an arm
+// s: of each task that controls an arm, in the topologies' files. A task of another period, such as
+// a camera, keeps it: how old its data may be is in the file too, and does not follow the rate.
+constexpr double kControlPeriod = 0.001;
+
+void setRate(json& component, double rate) {
+  const json::json_pointer period("/parameters/period");
+  if (!component.contains(period) || component[period] != kControlPeriod) return;
+  component[period] = 1 / rate;
+}
 
 std::filesystem::path write(const Options& options, const std::filesystem::path& topologies,
                             const std::filesystem::path& folder) {
-  json system = suture::JsonDocument::read(topologies / (options.topology + ".json")).value();
+  // Checked before it is changed, so that a message names the topology's own file and line.
+  const suture::Deployment topology(
+      suture::JsonDocument::read(topologies / (options.topology + ".json")));
+  json system = topology.document().value();
   system.erase("$schema");
   system.erase("manager");
   if (system.at("processes").size() > 1 || options.lane != "auto") {
     system["manager"] = "unix:" + (folder / "manager.sock").string();
   }
   for (json& process : system.at("processes")) {
-    for (json& component : process.at("components")) {
-      json& parameters = component.at("parameters");
-      if (!parameters.contains("period")) continue;
-      parameters["period"] = parameters["period"].get<double>() * kRateOfFiles / options.rate;
-    }
+    for (json& component : process.at("components")) setRate(component, options.rate);
   }
-  for (json& connection : system.at("connections")) connection["lane"] = options.lane;
+  json& connections = *system.emplace("connections", json::array()).first;
+  for (json& connection : connections) connection["lane"] = options.lane;
   auto file = folder / "deployment.json";
   std::ofstream(file) << system.dump(2) << '\n';
   return file;
@@ -42,9 +50,22 @@ std::string nameOf(const suture::Endpoint& endpoint) {
   return endpoint.process + ":" + endpoint.component;
 }
 
-Eigen::Vector3d vectorOf(const json& list) {
-  const auto numbers = list.get<std::array<double, 3>>();
-  return {numbers[0], numbers[1], numbers[2]};
+/// A parameter by which the run is judged: it cannot be left to the class's default, which only the
+/// workstation knows.
+template <class Value>
+Value parameterOf(const ComponentEntry& component, const char* name) {
+  try {
+    return component.parameters.at(name).get<Value>();
+  } catch (const json::exception&) {
+    throw suture::SetupError(
+        "reading parameter '" + std::string(name) + "' of component '" + component.name + "'",
+        "the topology's file leaves it out, or gives it another type",
+        "State it there as the class declares it, for the run is judged by it");
+  }
+}
+
+Eigen::Vector3d vectorOf(const ComponentEntry& component, const char* name) {
+  return Eigen::Vector3d(parameterOf<std::array<double, 3>>(component, name).data());
 }
 
 bool isArm(const ComponentEntry& component) {
@@ -89,7 +110,7 @@ void Plan::findFollowings(const std::filesystem::path& folder) {
       followings_.push_back({master, slave, teleop, folder / recordingOf(master + "/Arm"),
                              folder / recordingOf(slave + "/Arm"),
                              folder / recordingOf(teleop + "/Teleoperation"),
-                             this->component(slave).parameters.at("time_constant")});
+                             parameterOf<double>(this->component(slave), "time_constant")});
     }
   }
 }
@@ -98,8 +119,8 @@ void Plan::findKnot(const std::filesystem::path& folder) {
   const ComponentEntry* const guide = componentOfClass("KnotGuide");
   const ComponentEntry* const recorder = componentOfClass("KnotRecorder");
   if (guide == nullptr || recorder == nullptr) return;
-  knot_ = {folder / recorder->parameters.at("file").get<std::string>(),
-           vectorOf(guide->parameters.at("target")), vectorOf(guide->parameters.at("approach"))};
+  knot_ = {folder / parameterOf<std::string>(*recorder, "file"), vectorOf(*guide, "target"),
+           vectorOf(*guide, "approach")};
 }
 
 const ComponentEntry* Plan::componentOfClass(const std::string& name) const {
@@ -142,7 +163,7 @@ std::filesystem::path Plan::recordingOf(const std::string& provided) const {
   for (const ConnectionEntry& connection : deployment_.connections()) {
     if (connection.to.toString() != provided) continue;
     const ComponentEntry& client = component(nameOf(connection.from));
-    if (client.className == "Recorder") return client.parameters.at("file").get<std::string>();
+    if (client.className == "Recorder") return parameterOf<std::string>(client, "file");
   }
   throw suture::SetupError("judging '" + provided + "'", "nothing in the deployment records it",
                            "Connect a Recorder to it in the topology's file");

@@ -16,7 +16,7 @@ struct Options {
   std::string topology = "fig3c";
   std::string lane = "auto";
   double seconds = 10;
-  double rate = 1000;   // Hz
+  double rate = 1000;   // Hz, of the tasks that control an arm
   std::string json;     // "": not wanted
   std::string picture;  // "": not wanted
 };
@@ -38,10 +38,12 @@ struct KnotPlacing {
 };
 
 /// The topology's deployment file with the run's rate, lane and manager, written into the run's
-/// folder.
+/// folder. The rate is that of each task whose period the topology's file states as 1 ms: such a
+/// file states the period of each task that is to follow the rate, and all others keep theirs.
 class Plan {
  public:
-  /// Throws suture::DocumentError.
+  /// Throws suture::DocumentError if the file is not a deployment, and suture::SetupError if it
+  /// lacks what the run is judged by.
   Plan(const Options& options, const std::filesystem::path& topologies,
        const std::filesystem::path& folder);
 

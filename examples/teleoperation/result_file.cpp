@@ -45,6 +45,7 @@ void writeResult(const std::filesystem::path& file, const Options& options,
   if (verdict.knot) {
     out["knot"] = {{"start", verdict.knot->start},
                    {"error", verdict.knot->error},
+                   {"guided_at_end", verdict.knot->guided_at_end},
                    {"sighted", verdict.knot->sighted},
                    {"sighting_error", verdict.knot->sighting_error},
                    {"rows", verdict.knot->rows}};

@@ -70,6 +70,14 @@ class Ended(unittest.TestCase):
             self.assertEqual(status, 130, output)
             self.assertTrue(all_end(children), "processes are left")
 
+    def test_interrupt_is_told_though_the_picture_fails(self):
+        with Demo(PROGRAMS, "--topology", "fig3b", "--seconds", "60", "--picture", "/no/such/knot.png") as demo:
+            demo.await_progress()
+            interrupt(demo.process)
+            status, output = demo.finish()
+            self.assertEqual(status, 130, output)
+            self.assertRegex(output, "(writing the|drawing a) picture")
+
     def test_a_killed_demo_leaves_no_process(self):
         with Demo(PROGRAMS, "--seconds", "60") as demo:
             demo.await_progress()

@@ -1,4 +1,4 @@
-"""Workstations that cannot start: each says what was asked, what was found and what to do, and ends with 1."""
+"""Programs that cannot start: each says what was asked, what was found and what to do, and ends with 1."""
 
 import json
 import pathlib
@@ -102,6 +102,16 @@ class Workstation(unittest.TestCase):
         self.assertEqual(process.returncode, 1)
         self.assertIn(address, process.stderr)
         self.assertIn("another process listens there. Stop it, or choose another", process.stderr)
+
+
+class Demo(unittest.TestCase):
+    def test_picture_of_a_knot_that_nobody_places(self):
+        process = subprocess.run(
+            [PROGRAMS / "suture-demo", "--topology", "fig3c", "--seconds", "1", "--picture", "knot.png"],
+            capture_output=True, text=True, timeout=60)
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("nothing in this topology places a knot. Use --topology fig3b", process.stderr)
+        self.assertEqual(process.stdout, "", "it is refused before the run")
 
 
 unittest.main()

@@ -16,7 +16,9 @@ from programs import Demo
 LOOSE = 10  # times the demo's own bounds
 PROCESSES = {"single": 1, "fig3a": 2, "fig3b": 3, "fig3c": 2}
 CONNECTIONS = {"single": 12, "fig3a": 12, "fig3b": 19, "fig3c": 12}
-SECONDS = {"single": 3, "fig3a": 3, "fig3b": 6, "fig3c": 3}
+# A run's length counts from when all is connected. In fig3b guiding begins only after four arms have homed, which takes
+# seconds of a busy machine's time, and the knot cannot be judged unless it was guided.
+SECONDS = {"single": 3, "fig3a": 3, "fig3b": 10, "fig3c": 3}
 SLAVES = {
     "fig3b": {},
     "single": {"console:PSM2": "console:MTML", "console:PSM1": "console:MTMR"},
@@ -32,12 +34,18 @@ def expected_lane(connection, lane):
     return "local" if source.split(":")[0] == target.split(":")[0] else "shm"
 
 
+# What a busy machine does to a slave and to a knot; not that a knot was never guided.
+LATE = r"follows .*error .* at p99|the knot (ended|came|was guided) |the cameras saw the knot "
+
+
 def is_late(check):
-    return re.search(r"follows .*error .* at p99|the knot (ended|came) .* mm", check["text"])
+    return re.search(LATE, check["text"])
 
 
 def check_knot(knot, picture):
     assert knot["rows"] > 0, knot
+    # It may not have arrived, but it is not taken away from its target.
+    assert knot["error"] <= knot["start"] + 0.001, knot
     assert knot["sighted"] > 0 and knot["sighting_error"] <= LOOSE * 0.001, knot
     assert picture[:8] == b"\x89PNG\r\n\x1a\n", picture[:8]
     assert struct.unpack(">II", picture[16:24]) == (1280, 720)
