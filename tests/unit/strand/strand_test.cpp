@@ -89,7 +89,7 @@ TEST(Strand, FollowsItsTipsWithoutStretching) {
 }
 
 TEST(Strand, OfTwoNodesInOnePlaceIsStillAStrand) {
-  Strand strand(StrandModel{}, kLeft, kRight);
+  Strand strand(weightless(), kLeft, kRight);
   strand.hold(Place::Left, strand.nodes().col(1));
   strand.advance(0.5);
   EXPECT_TRUE(strand.nodes().allFinite());
