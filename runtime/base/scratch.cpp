@@ -26,11 +26,16 @@ Unused& unused() {
 
 }  // namespace
 
-Scratch::Scratch(std::size_t bytes) : bytes_(bytes) {
+ScratchMemory::ScratchMemory(std::size_t bytes) : bytes_(bytes) {
   Unused& store = unused();
-  const auto found = std::find_if(store.blocks.begin(), store.blocks.end(),
-                                  [&](const Block& block) { return block.bytes >= bytes; });
-  if (found != store.blocks.end()) {
+  // The smallest that is large enough: a small value must not take what a large one will need.
+  const auto found = std::min_element(store.blocks.begin(), store.blocks.end(),
+                                      [&](const Block& a, const Block& b) {
+                                        if ((a.bytes >= bytes) != (b.bytes >= bytes))
+                                          return a.bytes >= bytes;
+                                        return a.bytes < b.bytes;
+                                      });
+  if (found != store.blocks.end() && found->bytes >= bytes) {
     bytes_ = found->bytes;
     memory_ = found->memory.release();
     store.blocks.erase(found);
@@ -41,10 +46,15 @@ Scratch::Scratch(std::size_t bytes) : bytes_(bytes) {
   ++store.inUse;
 }
 
-Scratch::~Scratch() {
+ScratchMemory::~ScratchMemory() {
   Unused& store = unused();
   --store.inUse;
   store.blocks.push_back({bytes_, std::unique_ptr<std::byte[]>(memory_)});
+}
+
+void reserveScratch(std::size_t bytes) {
+  if (bytes <= kLargestOnStack) return;
+  const ScratchMemory first(bytes), second(bytes);
 }
 
 }  // namespace suture

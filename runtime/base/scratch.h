@@ -5,19 +5,20 @@
 
 namespace suture {
 
-/// What a value may take up on a stack; a thread's may be as small as 64 KiB.
-inline constexpr std::size_t kLargestOnStack = 16 * 1024;
+/// What a value may take up on a stack. A thread's stack may be as small as 64 KiB, and a read of
+/// several values has them all there.
+inline constexpr std::size_t kLargestOnStack = 4 * 1024;
 
 /// One block of memory. It comes from the blocks that the calling thread has used before and goes
 /// back to them, so a thread allocates only when it needs one more, or a larger one, than ever
 /// before. Is destroyed by the thread that made it.
-class Scratch {
+class ScratchMemory {
  public:
   /// Throws std::bad_alloc.
-  explicit Scratch(std::size_t bytes);
-  ~Scratch();
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
+  explicit ScratchMemory(std::size_t bytes);
+  ~ScratchMemory();
+  ScratchMemory(const ScratchMemory&) = delete;
+  ScratchMemory& operator=(const ScratchMemory&) = delete;
 
   std::byte* memory() const { return memory_; }
 
@@ -25,5 +26,9 @@ class Scratch {
   std::size_t bytes_;
   std::byte* memory_;
 };
+
+/// Gives the calling thread memory for two values of `bytes` at a time, unless a stack has room for
+/// them: one that it handles, and one that it reads or emits meanwhile.
+void reserveScratch(std::size_t bytes);
 
 }  // namespace suture

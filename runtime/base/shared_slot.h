@@ -127,7 +127,7 @@ class LooseSlot {
   Slot slot_;
 };
 
-/// One that no stack need have room for.
+/// Keeps a large slot in the thread's scratch memory, since a stack may be too small for it.
 template <class Slot>
 requires(!ownsMemory<Slot> && sizeof(Slot) > kLargestOnStack) class LooseSlot<Slot> {
  public:
@@ -138,7 +138,7 @@ requires(!ownsMemory<Slot> && sizeof(Slot) > kLargestOnStack) class LooseSlot<Sl
   std::byte* memory() { return scratch_.memory(); }
 
  private:
-  Scratch scratch_{sizeof(Slot)};
+  ScratchMemory scratch_{sizeof(Slot)};
 };
 
 template <class Slot>

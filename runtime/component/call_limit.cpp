@@ -1,5 +1,6 @@
 #include <suture/component/call_limit.h>
 #include <suture/component/channel.h>
+#include <suture/component/memory_budget.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -7,15 +8,13 @@
 namespace suture {
 
 CallLimit callLimitOf(const InterfaceInfo& info) {
-  constexpr std::size_t kMostBytes = 4u << 20;
-  constexpr unsigned kFewest = 2;
-  CallLimit limit{Channel::kMaxCalls, 0};
+  CallLimit limit{};
   for (const CommandInfo& command : info.commands) {
     limit.largestResult = std::max(limit.largestResult, command.resultSize);
   }
-  while (limit.calls > kFewest && std::size_t{limit.calls} * limit.largestResult > kMostBytes) {
-    limit.calls /= 2;
-  }
+  limit.calls = fewerOfLarge(Channel::kMaxCalls, 2, [&](unsigned calls) {
+    return std::size_t{calls} * limit.largestResult;
+  });
   return limit;
 }
 

@@ -12,7 +12,7 @@ struct CallLimit {
   std::uint32_t largestResult;  ///< bytes, of a slot
 };
 
-/// Of large results fewer are kept: all their memory is touched when the connection is made.
+/// Of large results fewer are kept (memory_budget.h). Any thread.
 CallLimit callLimitOf(const InterfaceInfo& info);
 
 }  // namespace suture

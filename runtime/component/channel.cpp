@@ -1,6 +1,7 @@
 #include <suture/base/virtual_time.h>
 #include <suture/component/call_limit.h>
 #include <suture/component/channel.h>
+#include <suture/component/memory_budget.h>
 #include <suture/component/provided.h>
 
 #include <algorithm>
@@ -38,14 +39,9 @@ std::size_t replyBytes(const InterfaceInfo& info) {
   return limit.calls * rt::SpscRing::recordSize(sizeof(ReplyRecord) + limit.largestResult);
 }
 
-/// Of large rows fewer are kept: all their memory is touched when the table is made, by whoever
-/// makes it, and that may be the thread that answers heartbeats.
 unsigned rowsOf(const std::vector<std::uint32_t>& sizes) {
-  constexpr std::size_t kMostBytes = 4u << 20;
-  constexpr unsigned kFewest = 4;
-  unsigned rows = rt::StateTable::kDefaultRows;
-  while (rows > kFewest && rt::StateTable::bytesFor(sizes, rows) > kMostBytes) rows /= 2;
-  return rows;
+  return fewerOfLarge(rt::StateTable::kDefaultRows, 4,
+                      [&](unsigned rows) { return rt::StateTable::bytesFor(sizes, rows); });
 }
 
 }  // namespace

@@ -48,9 +48,10 @@ class Command<Method, ArgumentsSlot> {
  public:
   Command(RequiredBase& required, std::uint16_t id) : required_(required), id_(id) {}
 
-  /// Never blocks, never allocates. Success means that the command waits at the provider (local),
-  /// or is on its way within the provider's credit (any other lane). Errc::Full, Lost, TooLarge,
-  /// Faulted otherwise; Errc::Invalid for what the contract does not admit, on every lane.
+  /// Never blocks; never allocates in a task's thread, and in another only for its first arguments
+  /// of more than 4 KiB. Success means that the command waits at the provider (local), or is on its
+  /// way within the provider's credit (any other lane). Errc::Full, Lost, TooLarge, Faulted
+  /// otherwise; Errc::Invalid for what the contract does not admit, on every lane.
   Result<Nothing> operator()(Arguments... arguments) {
     return resultOf<Nothing>(send(0, arguments...));
   }
@@ -110,7 +111,8 @@ class ReadCommand<Method, ResultSlot> {
 
   /// The newest value. Errc::NotYet until the provider has produced it for the first time; asking
   /// makes it do so from now on. Errc::Invalid while the contract does not admit what the provider
-  /// produces; a device in this process answers by itself, unjudged. Allocates only if Value does.
+  /// produces; a device in this process answers by itself, unjudged. Allocates only if Value does,
+  /// and in a thread that is no task's for its first value of more than 4 KiB.
   Sample<Value> operator()() {
     Value value{};
     const Sample<void> read = (*this)(value);

@@ -40,8 +40,9 @@ template <class Slot, class... Payload>
 class Emitter {
  public:
   Emitter(ProvidedBase& provided, std::uint16_t event) : provided_(provided), event_(event) {}
-  /// Never blocks, never allocates. Errc::TooLarge if the payload exceeds its declared capacity,
-  /// Errc::Invalid if it has a value that the contract does not admit; nobody gets it then.
+  /// Never blocks; never allocates in a task's thread, and in another only for its first payload of
+  /// more than 4 KiB. Errc::TooLarge if the payload exceeds its declared capacity, Errc::Invalid if
+  /// it has a value that the contract does not admit; nobody gets it then.
   Result<std::void_t<Slot>> operator()(const Payload&... payload) {  // see resultOf()
     LooseSlot<Slot> slot;
     const bool fits = store(payload..., slot.value());

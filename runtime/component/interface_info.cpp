@@ -1,6 +1,7 @@
 #include <suture/base/errors.h>
 #include <suture/component/interface_info.h>
 
+#include <algorithm>
 #include <string>
 
 namespace suture {
@@ -18,6 +19,15 @@ const char* unboundedPart(const InterfaceInfo& info) {
 }
 
 }  // namespace
+
+std::uint32_t largestSlot(const InterfaceInfo& info) {
+  std::uint32_t largest = 0;
+  for (const CommandInfo& command : info.commands) {
+    largest = std::max({largest, command.argumentsSize, command.resultSize});
+  }
+  for (const EventInfo& event : info.events) largest = std::max(largest, event.payloadSize);
+  return largest;
+}
 
 void refuseUnbounded(const InterfaceInfo& info, bool isTask) {
   const char* const part = isTask ? unboundedPart(info) : nullptr;

@@ -99,6 +99,10 @@ struct InterfaceInfo {
   WireNumbers wireEvents = {}, wireColumns = {};    ///< where they are not their places here
 };
 
+/// Bytes of the largest slot of a contract that is copied whole: what the counted pointers of
+/// shared ones lead to is not.
+std::uint32_t largestSlot(const InterfaceInfo& info);
+
 /// Throws SetupError if a task would provide or require such a contract: its thread never
 /// allocates.
 void refuseUnbounded(const InterfaceInfo& info, bool isTask);

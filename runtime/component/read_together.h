@@ -75,7 +75,8 @@ Sample<void> readIntoAt(Time time, std::tuple<typename ReadCommand<Methods, Slot
   return RowReader::read(&time, into, reads...);
 }
 
-/// The newest row. Allocates only if its values do.
+/// The newest row. Allocates only if its values do, or if more than two of them are larger than 4
+/// KiB, at the first call.
 template <auto... Methods, class... Slots>
 auto readTogether(ReadCommand<Methods, Slots>&... reads)
     -> Sample<std::tuple<typename ReadCommand<Methods, Slots>::Value...>> {

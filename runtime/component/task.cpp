@@ -1,4 +1,5 @@
 #include <suture/base/errors.h>
+#include <suture/base/scratch.h>
 #include <suture/component/channel.h>
 #include <suture/component/guest_task.h>
 #include <suture/component/provided.h>
@@ -38,6 +39,9 @@ void Task::prepare() {
 void Task::enter() {
   setEnding(false);
   claimForThisThread();
+  // Before the first cycle, for none allocates.
+  for (const RequiredBase* one : required()) reserveScratch(largestSlot(one->info()));
+  for (const ProvidedBase* one : provided()) reserveScratch(largestSlot(one->info()));
   pulse_.run(now());
   if (after(state(), Transition::Start)) makeTransition(Transition::Start);
   makeSafe();

@@ -1,3 +1,4 @@
+#include <suture/component/call_limit.h>
 #include <suture/rt/counter.h>
 #include <suture/transport/rpc/deadline.h>
 #include <suture/transport/rpc/servant_port.h>
@@ -28,6 +29,7 @@ ServantPort::ServantPort(ControlThread& control, std::shared_ptr<Channel> channe
       control_(control),
       counters_(std::move(counters)),
       taken_(channel_->info.commands.size()),
+      calls_(callLimitOf(channel_->info).calls),
       since_(channel_->info.events.size(), now()),
       sending_(*this) {
   for (unsigned i = 0; i < channel_->state->columns(); ++i) {

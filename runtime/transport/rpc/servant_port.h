@@ -139,8 +139,8 @@ class ServantPort final : public ProviderEnd, private Pump, private kj::TaskSet:
   bool readOnly_ = false;
 
   std::vector<std::deque<Taken>>
-      taken_;  // by command: calls that wait for their credit, oldest first
-  std::array<PendingCall, Channel::kMaxCalls> calls_;
+      taken_;                       // by command: calls that wait for their credit, oldest first
+  std::vector<PendingCall> calls_;  // as many as the channel has memory for the answers of
   std::uint32_t callsOpened_ = 0;
 
   kj::Maybe<kj::Own<EventSink>> sink_;

@@ -1,19 +1,33 @@
 // Values of any declared size pass through threads with small stacks, and are copied without an
 // allocation once there is memory for them.
 
+#include <capnp/ez-rpc.h>
 #include <gtest/gtest.h>
+#include <kj/async-io.h>
 #include <pthread.h>
+#include <suture/base/scratch.h>
+#include <suture/component/call_limit.h>
 #include <suture/component/device.h>
 #include <suture/component/periodic_task.h>
 #include <suture/component/read_together.h>
+#include <suture/manager/global_manager.h>
 #include <suture/manager/manager.h>
+#include <suture/peer.capnp.h>
 #include <suture/rt/state_table.h>
+#include <suture/transport/rpc/control_thread.h>
 
+#include <atomic>
 #include <chrono>
 #include <functional>
+#include <optional>
+#include <thread>
+#include <vector>
 
 #include "support/allocations.h"
 #include "support/eventually.h"
+#include "support/process_address.h"
+#include "support/temporary_directory.h"
+#include "unit/large_values/picture.capnp.h"
 #include "unit/large_values/picture.suture.h"
 
 namespace large_values {
@@ -22,7 +36,7 @@ namespace {
 using namespace std::chrono_literals;
 using suture::eventually;
 
-constexpr std::size_t kPixels = 1 << 20, kStack = 256 << 10;
+constexpr std::size_t kPixels = 1 << 20, kStack = 64 << 10;
 
 /// Runs `work` in a thread with a stack of kStack.
 void withSmallStack(const std::function<void()>& work) {
@@ -61,7 +75,17 @@ struct WallDevice final : suture::Device, Wall {
 struct WallTask final : suture::PeriodicTask, Wall {
   WallTask() : PeriodicTask({.period = 1ms}) {}
   ~WallTask() override { stop(); }
-  void run() override {}
+  /// Counts what the first emission takes from the heap.
+  void run() override {
+    if (firstEmission) return;
+    const auto before = suture::allocations();
+    const auto emitted = gallery.emit().hung(oldest_);
+    firstEmission = emitted ? suture::allocations() - before : ~std::uint64_t{0};
+    emittedOnce.store(true, std::memory_order_release);
+  }
+
+  std::optional<std::uint64_t> firstEmission;
+  std::atomic<bool> emittedOnce{false};
   suture::Provided<Gallery> gallery{*this, "Gallery", *this};
 };
 
@@ -137,15 +161,64 @@ TEST_F(LargeValues, AreKeptInFewRows) { EXPECT_EQ(task_.gallery.state()->capacit
 
 TEST_F(LargeValues, AreAnsweredToFewCallsAtATime) {
   auto& newest = ofTask_.gallery.newest;
+  const unsigned limit = suture::callLimitOf(suture::interfaceInfo<Gallery>()).calls;
+  EXPECT_EQ(limit, 2u);
   {
-    const auto first = newest.fresh(), second = newest.fresh(), third = newest.fresh(),
-               fourth = newest.fresh();
-    auto fifth = newest.fresh();
-    ASSERT_NE(fifth.poll(), nullptr);
-    EXPECT_EQ(fifth.poll()->error(), suture::Errc::TooManyCalls);
+    std::vector<decltype(newest.fresh())> calls;
+    for (unsigned i = 0; i < limit; ++i) {
+      calls.push_back(newest.fresh());
+      const auto* const answer = calls.back().poll();
+      EXPECT_TRUE(answer == nullptr || answer->hasValue()) << "call " << i;
+    }
+    auto further = newest.fresh();
+    ASSERT_NE(further.poll(), nullptr);
+    EXPECT_EQ(further.poll()->error(), suture::Errc::TooManyCalls);
   }
   EXPECT_TRUE(eventually([&] { return newest.fresh().within(suture::kPatience).hasValue(); }))
       << "their places are free again";
+}
+
+/// A plain Cap'n Proto client sends as many as it likes. Those for whose answers there is no memory
+/// are refused, and none is left without an answer.
+TEST(LargeAnswers, AreOwedToAPlainClientOnlyWithinTheLimit) {
+  const suture::TemporaryDirectory directory;
+  WallTask wall;
+  suture::rpc::ControlThread control;
+  const suture::GlobalManager names{control, "unix:" + directory.file("m.sock")};
+  suture::Manager manager("museum", names.address());
+  manager.add("Wall", wall);
+  manager.start();
+  capnp::EzRpcClient client(suture::addressOf(names.address(), "museum").c_str());
+  auto& scope = client.getWaitScope();
+  auto open = client.getMain<suture::wire::Peer>().openRequest();
+  open.setComponent("Wall");
+  open.setInterface("Gallery");
+  auto gallery = open.send().wait(scope).getContract().castAs<wire::Gallery>();
+  const auto soon = [&] {
+    return client.getIoProvider().getTimer().afterDelay(20 * kj::SECONDS).then([]() -> bool {
+      KJ_FAIL_REQUIRE("a call is left without an answer");
+    });
+  };
+  const auto dim = [&] {
+    auto request = gallery.dimmedRequest();
+    const std::vector<std::uint8_t> pixels(kPixels, 8);
+    request.initPicture().setPixels({pixels.data(), pixels.size()});
+    return request.send().then([](auto&&) { return true; }, [](kj::Exception&&) { return false; });
+  };
+  std::vector<kj::Promise<bool>> calls;
+  for (int i = 0; i < 16; ++i) calls.push_back(dim());
+  int answered = 0;
+  for (auto& call : calls) answered += call.exclusiveJoin(soon()).wait(scope) ? 1 : 0;
+  EXPECT_GE(answered, 2);
+  EXPECT_LT(answered, 16);
+  EXPECT_TRUE(dim().exclusiveJoin(soon()).wait(scope)) << "its places are not free again";
+  manager.stop();
+}
+
+TEST_F(LargeValues, AreEmittedByATaskWithoutAnAllocation) {
+  if (!suture::countsAllocations()) GTEST_SKIP() << "a sanitizer needs malloc for itself";
+  EXPECT_TRUE(eventually([&] { return task_.emittedOnce.load(std::memory_order_acquire); }));
+  EXPECT_EQ(task_.firstEmission, 0u);
 }
 
 TEST_F(LargeValues, AreReadWithoutAnAllocationOnceThereIsMemory) {
@@ -155,6 +228,24 @@ TEST_F(LargeValues, AreReadWithoutAnAllocationOnceThereIsMemory) {
   const auto before = suture::allocations();
   EXPECT_TRUE(ofTask_.gallery.newest(picture).hasValue());
   EXPECT_EQ(suture::allocations(), before);
+}
+
+/// A small value that is handled first must not take the block that the large one within needs.
+TEST(ScratchMemory, IsTheSmallestBlockThatIsLargeEnough) {
+  if (!suture::countsAllocations()) GTEST_SKIP() << "a sanitizer needs malloc for itself";
+  std::uint64_t taken = 1;
+  std::thread thread([&] {
+    const auto both = [](std::size_t outer, std::size_t inner) {
+      const suture::ScratchMemory one(outer), other(inner);
+    };
+    both(2 << 20, 20 << 10);
+    const auto before = suture::allocations();
+    both(20 << 10, 2 << 20);
+    both(2 << 20, 20 << 10);
+    taken = suture::allocations() - before;
+  });
+  thread.join();
+  EXPECT_EQ(taken, 0u);
 }
 
 }  // namespace
